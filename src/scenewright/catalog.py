@@ -1,0 +1,111 @@
+"""The catalog: kinds of object, the assets that draw them, and groups of them.
+
+A *kind* says how an object is used (which sides need to be reached, whether it lies flat, hangs,
+stands on others); an *asset* is one model that can be drawn at a range of sizes; a *group* is a
+set of members laid out to serve one function. Assets are found by kind and size.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.scene import Size
+
+Side = Literal["front", "back", "left", "right"]
+Support = Literal["floor", "wall", "ceiling", "top"]
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """How objects of one category are used.
+
+    ``access`` lists the sides of which at least one must be reachable from the door (none: the
+    piece is used together with its group, like a nightstand). ``reach`` is the free depth in
+    metres a person needs at that side. ``flat`` things (rugs) may be stood on by others.
+    ``support`` tells what holds it: the floor, a wall (pictures, wall cabinets), the ceiling
+    (lamps) or the top of another piece. ``under`` names kinds this one may be pushed under or
+    into (a chair under a table).
+    """
+
+    category: str
+    access: tuple[Side, ...] = ()
+    reach: float = 0.5
+    flat: bool = False
+    support: Support = "floor"
+    under: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Material:
+    """A plain physically based material: sRGB colour in [0, 1], roughness, metallic, opacity."""
+
+    name: str
+    color: tuple[float, float, float]
+    roughness: float = 0.8
+    metallic: float = 0.0
+    opacity: float = 1.0
+    emission: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """Triangles of one material: ``vertices`` (n, 3) float64, ``faces`` (m, 3) int64,
+    counter-clockwise seen from outside; in the local frame described in :mod:`scenewright.scene`.
+    """
+
+    material: Material
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int64]
+
+
+Mesher = Callable[[Size], tuple[Part, ...]]
+Symbol = Callable[[Size], tuple[NDArray[np.float64], ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Asset:
+    """One model: its kind, the sizes it can take, how to draw it in 3D and in plan.
+
+    ``mesh(size)`` gives parts that fill exactly ``[-w/2, w/2] x [-d/2, d/2] x [0, h]``;
+    ``symbol(size)`` polylines ``(k, 2)`` in the same frame seen from above (closed ones repeat
+    their first point).
+    """
+
+    id: str
+    category: str
+    name: str
+    smallest: Size
+    usual: Size
+    largest: Size
+    mesh: Mesher
+    symbol: Symbol
+    licence: str = "Apache-2.0"
+    author: str = "Scenewright"
+
+
+@dataclass(frozen=True)
+class Catalog:
+    """Kinds by category and assets by id."""
+
+    kinds: dict[str, Kind] = field(default_factory=dict)
+    assets: dict[str, Asset] = field(default_factory=dict)
+
+    def of(self, category: str) -> tuple[Asset, ...]:
+        """All assets of a category, in table order (empty if there are none)."""
+        return tuple(a for a in self.assets.values() if a.category == category)
+
+    def choose(self, category: str, size: Size) -> Asset | None:
+        """The asset of a category whose size range lies nearest to ``size``; ``None`` if none."""
+        found = self.of(category)
+        return min(found, key=lambda a: _misfit(a, size)) if found else None
+
+
+def _misfit(asset: Asset, size: Size) -> float:
+    low, high, wish = (np.asarray(s) for s in (asset.smallest, asset.largest, size))
+    outside = np.maximum(low - wish, 0) + np.maximum(wish - high, 0)
+    return float(outside.sum() + 1e-3 * np.abs(wish - np.asarray(asset.usual)).sum())

@@ -1,0 +1,75 @@
+"""Spaces: what is to be filled. Outlines, holes and openings as plain immutable values.
+
+Metres and radians; x, y in plan, z up. Outlines run counter-clockwise, holes clockwise, so the
+inside is always on the left of a directed edge.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Points = NDArray[np.float64]
+OpeningKind = Literal["door", "window", "passage"]
+
+
+@dataclass(frozen=True, slots=True)
+class Opening:
+    """One hole in a wall: a door, a window or an open passage; shared by the spaces it joins.
+
+    ``(x, y)`` is the middle of the opening on the middle line of the wall; ``(ux, uy)`` the unit
+    direction along the wall. The *left* of that direction is ``(-uy, ux)``.
+    ``hinge`` is where the leaf hangs along the direction: ``-1`` at the start, ``+1`` at the end,
+    ``0`` no leaf (sliding door, passage, window). ``swing`` tells the side the leaf opens to:
+    ``+1`` left, ``-1`` right, ``0`` not at all.
+    ``spaces`` are the ids of the spaces it touches, one (outside beyond) or two.
+    """
+
+    id: str
+    kind: OpeningKind
+    level: str
+    x: float
+    y: float
+    ux: float
+    uy: float
+    width: float
+    thickness: float
+    sill: float
+    head: float
+    hinge: int = 0
+    swing: int = 0
+    spaces: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Space:
+    """A room, hall or site to fill: outline, holes, openings, what it is for.
+
+    ``outline`` is ``(m, 2)`` counter-clockwise, each of ``holes`` ``(k, 2)`` clockwise: the inner
+    faces of the walls. ``main_wall`` is the index of an outline edge (from vertex i to i + 1) or
+    ``None``. ``functions`` are room functions such as ``living`` or ``bedroom``; an open-plan
+    room has several. ``height`` is floor to ceiling. ``openings`` are those that touch the space.
+    """
+
+    id: str
+    name: str
+    functions: tuple[str, ...]
+    level: str
+    outline: Points
+    holes: tuple[Points, ...] = ()
+    height: float = 2.6
+    openings: tuple[Opening, ...] = field(default=())
+    main_wall: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Level:
+    """A storey: its id, name, elevation of the floor and height to the ceiling, in metres."""
+
+    id: str
+    name: str
+    elevation: float
+    height: float
