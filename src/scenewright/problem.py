@@ -48,7 +48,10 @@ class Items(NamedTuple):
     (n,). ``back_to_wall`` (n,): 1 if the back edge belongs to a wall, 0 if free. ``main_wall``
     (n,): +1 faces the main wall, -1 backs it, 0 free. ``clear`` (n, 4): free depth wished for
     beyond each side (front, left, back, right), outside the box. ``access`` (n, 4): 1 for each
-    side of which at least one must be reached by the route. ``daylight`` (n,): how much it wants
+    side of which at least one must be reached by the route. ``inset`` (n, 4): depth inside the box
+    at each side that can be walked on (the aisle beside a bed, the place of a chair): the route
+    term takes the box less its insets as the solid part, and access boxes start at that solid
+    part; all other terms take the whole box. ``daylight`` (n,): how much it wants
     a window near, ``nestle`` (n,): how much it wants a side against something (a corner).
     ``pairs`` (p, 2): indices i, j of related items; ``pair_targets`` (p, 3): distance between
     centres in metres, angle between headings, and bearing of j from the front of i (NaN: any);
@@ -63,6 +66,7 @@ class Items(NamedTuple):
     main_wall: Floats
     clear: Floats
     access: Floats
+    inset: Floats
     daylight: Floats
     nestle: Floats
     pairs: Ints
@@ -88,6 +92,6 @@ def empty_items(n: int) -> Items:
     return Items(
         low=ones.copy(), high=ones.copy(), wish=np.full((n, 2), np.nan), height=np.ones(n),
         back_to_wall=none.copy(), main_wall=none.copy(), clear=np.zeros((n, 4)),
-        access=np.zeros((n, 4)), daylight=none.copy(), nestle=none.copy(),
+        access=np.zeros((n, 4)), inset=np.zeros((n, 4)), daylight=none.copy(), nestle=none.copy(),
         pairs=np.zeros((0, 2), np.int64), pair_targets=np.zeros((0, 3)), pair_weights=np.zeros(0),
     )  # fmt: skip
