@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -86,6 +86,33 @@ class Asset:
     symbol: Symbol
     licence: str = "Apache-2.0"
     author: str = "Scenewright"
+
+
+class Member(NamedTuple):
+    """One object of a group, in the group's frame (origin in the middle of its footprint, front
+    to +y): centre ``x, y``, height ``z`` of the underside, ``heading`` relative to the group's
+    front, ``size``, and ``on``, the index of the member it stands on (-1: none)."""
+
+    category: str
+    x: float
+    y: float
+    z: float
+    heading: float
+    size: Size
+    on: int = -1
+
+
+class Group(NamedTuple):
+    """A furniture group: objects that serve one function together, with their footprint.
+
+    ``width`` (local x) and ``depth`` (local y) include the free space the group needs inside.
+    """
+
+    function: str
+    name: str
+    width: float
+    depth: float
+    members: tuple[Member, ...]
 
 
 @dataclass(frozen=True)
