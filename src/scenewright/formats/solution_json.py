@@ -1,0 +1,180 @@
+"""A solution as JSON: everything needed to read it back exactly and to solve it again.
+
+The document is ``{"format": "scenewright/solution", "version": 1, ...}`` with the brief inside;
+lengths in metres, angles in radians. One piece, patch or term a line, so that two solutions can
+be compared line by line. A piece with ``"fixed": true`` is *locked*: when the file is given to
+``scenewright arrange`` it stays where it is and everything else is placed anew.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from scenewright.brief import Brief, FixedItem, Room
+from scenewright.errors import InputError
+from scenewright.formats.solution_record import FORMAT, PieceRecord, checked
+from scenewright.scene import Piece, Pose, Size
+from scenewright.solution import LeftOut, Patch, Solution, TermValue
+
+
+def write(solution: Solution, path: str | os.PathLike[str]) -> None:
+    """Write a solution to ``path``; the file appears whole or not at all."""
+    final = Path(path)
+    partial = final.with_name(f".{final.name}.partial")
+    partial.write_text(dumps(solution), encoding="utf-8")
+    os.replace(partial, final)
+
+
+def read(path: str | os.PathLike[str]) -> Solution:
+    """Read a solution; raises :class:`InputError` naming file, place and fault."""
+    try:
+        return loads(Path(path).read_bytes())
+    except InputError as error:
+        raise error.located(file=str(path)) from None
+    except OSError as error:
+        raise InputError(error.strerror or "cannot be read", file=str(path)) from None
+
+
+def dumps(solution: Solution) -> str:
+    """The JSON text of a solution, ending in a newline."""
+    entries = ((key, _lines(value)) for key, value in to_document(solution).items())
+    return "{\n" + ",\n".join(f'"{key}": {text}' for key, text in entries) + "\n}\n"
+
+
+def loads(text: str | bytes) -> Solution:
+    """The solution written in ``text`` (UTF-8 if bytes)."""
+    try:
+        plain = text.decode("utf-8") if isinstance(text, bytes) else text
+        document = json.loads(plain, parse_constant=_no_constant)
+    except UnicodeDecodeError:
+        raise InputError("is not UTF-8 text", "save it as UTF-8") from None
+    except RecursionError:
+        raise InputError("is nested too deeply", "give a solution file") from None
+    except ValueError as error:
+        raise InputError(f"is not valid JSON ({error})", "give a solution file") from None
+    return of_document(document)
+
+
+def to_document(solution: Solution) -> dict[str, Any]:
+    """A solution as a plain document of dicts, lists, text and numbers."""
+    return {
+        "format": FORMAT,
+        "version": 1,
+        "made_by": solution.version,
+        "preset": solution.preset,
+        "solver": solution.solver,
+        "seed": solution.seed,
+        "brief_hash": solution.brief_hash,
+        "seconds": solution.seconds,
+        "evaluations": solution.evaluations,
+        "energies": dict(solution.energies),
+        "pieces": [_piece_document(piece) for piece in solution.pieces],
+        "patches": [patch._asdict() for patch in solution.patches],
+        "left_out": [entry._asdict() for entry in solution.left_out],
+        "terms": [value._asdict() for value in solution.terms],
+        "brief": solution.brief.model_dump(mode="json"),
+    }
+
+
+def of_document(document: object) -> Solution:
+    """The solution a document tells; raises :class:`InputError` if it tells none."""
+    record = checked(document)
+    return Solution(
+        brief=record.brief,
+        pieces=tuple(_piece(piece) for piece in record.pieces),
+        patches=tuple(Patch(p.id, p.space, p.function, p.box) for p in record.patches),
+        terms=tuple(TermValue(**dict(value)) for value in record.terms),
+        left_out=tuple(LeftOut(**dict(entry)) for entry in record.left_out),
+        energies=dict(record.energies),
+        preset=record.preset,
+        solver=record.solver,
+        seed=record.seed,
+        version=record.made_by,
+        brief_hash=record.brief_hash,
+        seconds=record.seconds,
+        evaluations=record.evaluations,
+    )
+
+
+def brief_of(document: object) -> Brief:
+    """The brief to solve again: locked pieces are its fixed items, everything else is free.
+
+    Fixed items of the brief inside stand among the pieces; one that was unlocked in the file is
+    free too. Id, category, asset, pose and size are kept.
+    """
+    solution = of_document(document)
+    rooms = [_room_with_locked(room, solution.pieces) for room in solution.brief.rooms]
+    return solution.brief.model_copy(update={"rooms": rooms})
+
+
+def _room_with_locked(room: Room, pieces: tuple[Piece, ...]) -> Room:
+    here = [piece for piece in pieces if piece.space == room.id]
+    names = {item.id: item.name for item in room.fixed if item.id}
+    locked = [_fixed_item(piece, names.get(piece.id, "")) for piece in here if piece.fixed]
+    unplaced = [item for item in room.fixed if not any(_same(item, piece) for piece in here)]
+    return room.model_copy(update={"fixed": [*locked, *unplaced]})
+
+
+def _same(item: FixedItem, piece: Piece) -> bool:
+    """Whether a piece is a brief's fixed item, by id or (where it has none) by place."""
+    if item.id:
+        return item.id == piece.id
+    apart = max(abs(item.at[0] - piece.pose.x), abs(item.at[1] - piece.pose.y))
+    return item.category == piece.category and apart < 1e-3
+
+
+def _fixed_item(piece: Piece, name: str) -> FixedItem:
+    x, y, z, heading = piece.pose
+    return FixedItem(
+        id=piece.id,
+        category=piece.category,
+        asset=piece.asset or None,
+        at=(x, y),
+        z=max(z, 0.0),
+        heading=heading,
+        size=(piece.size.width, piece.size.depth, piece.size.height),
+        name=name,
+    )
+
+
+def _piece_document(piece: Piece) -> dict[str, Any]:
+    return {
+        "id": piece.id,
+        "category": piece.category,
+        "asset": piece.asset,
+        "space": piece.space,
+        "pose": [float(v) for v in piece.pose],
+        "size": [float(v) for v in piece.size],
+        "group": piece.group,
+        "function": piece.function,
+        "on": piece.on,
+        "fixed": piece.fixed,
+    }
+
+
+def _piece(record: PieceRecord) -> Piece:
+    values = dict(record)
+    return Piece(**values | {"pose": Pose(*record.pose), "size": Size(*record.size)})
+
+
+def _no_constant(name: str) -> float:
+    raise ValueError(f"{name} is not a number")
+
+
+def _lines(value: object) -> str:
+    """JSON with one entry of a list a line."""
+    if isinstance(value, list) and value:
+        return "[\n" + ",\n".join(_compact(entry) for entry in value) + "\n]"
+    return _compact(value)
+
+
+def _compact(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False, default=_plain)
+
+
+def _plain(value: Any) -> Any:
+    """A NumPy number as a plain one."""
+    return value.item()

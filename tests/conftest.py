@@ -1,0 +1,38 @@
+"""What several tests need: a small furnished flat, built by hand, as a solution and a scene."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import hypothesis
+import pytest
+
+from flat import flat_solution
+from scenewright.solution import Solution
+
+hypothesis.settings.register_profile("scenewright", deadline=None, max_examples=60)
+hypothesis.settings.load_profile("scenewright")
+
+ROOT = Path(__file__).parent.parent
+
+
+@pytest.fixture(scope="session")
+def root() -> Path:
+    """The top folder of the source checkout."""
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def real_data() -> Path:
+    """The folder of real data sets; the test is skipped where there is none."""
+    folder = Path(os.environ.get("SCENEWRIGHT_DATA", ROOT.parent / "shared" / "data"))
+    if not folder.is_dir():
+        pytest.skip(f"no real data at {folder}: set SCENEWRIGHT_DATA")
+    return folder
+
+
+@pytest.fixture
+def solution() -> Solution:
+    """The furnished flat of two rooms."""
+    return flat_solution()
