@@ -1,0 +1,164 @@
+"""From the corners a user lists to clean rings: the geometry of one room.
+
+A clean outline runs counter-clockwise, its holes clockwise, without double points, without points
+in the middle of a straight edge, and never crosses or touches itself.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+
+from scenewright.errors import InputError
+from scenewright.space import Points
+
+SAME_POINT = 1e-3
+STRAIGHT = 1e-5
+LEAST_AREA = 0.1
+GREATEST_EXTENT = 300.0
+
+
+def ring(points: Sequence[tuple[float, float]] | Points, *, clockwise: bool = False) -> Points:
+    """The ring ``(m, 2)`` without double and straight points, in the direction asked for.
+
+    Points within 1 mm of the one before are one point; a point is straight when it lies within
+    0.01 mm of the line from the last point kept to the next one, so that fine curves survive.
+    Read-only.
+
+    >>> ring([(0, 0), (0, 1), (2, 1), (2, 0), (1, 0), (0, 0)]).tolist()
+    [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]]
+    """
+    corners = _without_straight(_without_doubles(np.asarray(points, float).reshape(-1, 2)))
+    if len(corners) > 2 and (signed_area(corners) < 0) != clockwise:
+        corners = np.roll(corners[::-1], 1, axis=0)
+    corners = np.ascontiguousarray(corners)
+    corners.setflags(write=False)
+    return corners
+
+
+def signed_area(corners: Points) -> float:
+    """Area of a ring ``(m, 2)``: sum of ``x_i y_(i+1) - x_(i+1) y_i`` over two; > 0 if ccw."""
+    x, y = (corners - corners[0]).T
+    return 0.5 * float(np.dot(x, np.roll(y, -1)) - np.dot(np.roll(x, -1), y))
+
+
+def edges(corners: Points) -> Points:
+    """Directed edges ``(m, 4)`` x0, y0, x1, y1 of a ring; edge i runs from corner i to i + 1."""
+    return np.hstack([corners, np.roll(corners, -1, axis=0)])
+
+
+def polygon(
+    outline: Sequence[tuple[float, float]] | Points,
+    holes: Sequence[Sequence[tuple[float, float]] | Points] = (),
+) -> shapely.Polygon:
+    """The floor of one room as a valid polygon, or an InputError that says what is wrong.
+
+    A hole that reaches over the outline (a column in the wall) is cut off the room.
+
+    >>> round(polygon([(0, 0), (4, 0), (4, 3), (0, 3)], [[(1, 1), (2, 1), (2, 2), (1, 2)]]).area)
+    11
+    """
+    floor = _simple(outline, "the outline")
+    _check_extent(floor)
+    if floor.area < LEAST_AREA:
+        raise InputError(
+            f"the outline holds only {floor.area:.2g} m² of floor", "give its corners in metres"
+        )
+    for number, hole in enumerate(holes):
+        floor = _cut(floor, _simple(hole, f"holes[{number}]"), number)
+    return floor
+
+
+def shrink(floor: shapely.Polygon, by: float) -> shapely.Polygon:
+    """The floor moved inwards by ``by`` metres with mitred corners: from the middle lines of the
+    walls to their inner faces.
+
+    Parts that fall off at a bottleneck narrower than the wall are dropped; the largest stays.
+    """
+    inner = floor.buffer(-by, join_style="mitre", mitre_limit=5.0)
+    parts = [part for part in getattr(inner, "geoms", [inner]) if part.area >= LEAST_AREA]
+    if not parts:
+        raise InputError(
+            f"nothing is left of the room inside walls {2 * by:g} m thick",
+            'make it larger, or set outlines to "inner"',
+        )
+    largest: shapely.Polygon = max(parts, key=lambda part: part.area)
+    return largest
+
+
+def rings(floor: shapely.Polygon) -> tuple[Points, tuple[Points, ...]]:
+    """Clean outline and holes of a polygon; holes of less than 1 cm² are left out."""
+    holes = (ring(shapely.get_coordinates(hole), clockwise=True) for hole in floor.interiors)
+    outline = ring(shapely.get_coordinates(floor.exterior))
+    return outline, tuple(hole for hole in holes if len(hole) > 2 and -signed_area(hole) > 1e-4)
+
+
+def _without_doubles(corners: Points) -> Points:
+    kept: list[Points] = []
+    for corner in corners:
+        if not kept or np.hypot(*(corner - kept[-1])) > SAME_POINT:
+            kept.append(corner)
+    while len(kept) > 1 and np.hypot(*(kept[-1] - kept[0])) <= SAME_POINT:
+        kept.pop()
+    return np.array(kept).reshape(-1, 2)
+
+
+def _without_straight(corners: Points) -> Points:
+    kept = [corners[i] for i in range(len(corners))]
+    i = 0
+    while i < len(kept) and len(kept) > 3:
+        if _straight(kept[i - 1], kept[i], kept[(i + 1) % len(kept)]):
+            kept.pop(i)
+        else:
+            i += 1
+    return np.array(kept).reshape(-1, 2)
+
+
+def _straight(before: Points, here: Points, after: Points) -> bool:
+    ax, ay = after[0] - before[0], after[1] - before[1]
+    bx, by = here[0] - before[0], here[1] - before[1]
+    ahead = 0 < ax * bx + ay * by < ax * ax + ay * ay
+    return bool(ahead and abs(ax * by - ay * bx) <= STRAIGHT * np.hypot(ax, ay))
+
+
+def _simple(points: Sequence[tuple[float, float]] | Points, what: str) -> shapely.Polygon:
+    corners = ring(points)
+    if not np.isfinite(corners).all():
+        raise InputError(f"{what} has a corner that is not a number", "give finite coordinates")
+    if len(corners) < 3:
+        raise InputError(f"{what} has fewer than three different corners", "list its corners")
+    shape = shapely.Polygon(corners)
+    if not shape.is_valid:
+        raise InputError(
+            f"{what} crosses or touches itself{_where(shape)}",
+            "list the corners in order, once around",
+        )
+    return shape
+
+
+def _where(shape: shapely.Polygon) -> str:
+    found = re.search(r"\[(\S+) (\S+?)\]", shapely.is_valid_reason(shape))
+    return f" at ({float(found[1]):.2f}, {float(found[2]):.2f})" if found else ""
+
+
+def _check_extent(floor: shapely.Polygon) -> None:
+    x0, y0, x1, y1 = floor.bounds
+    if max(x1 - x0, y1 - y0) > GREATEST_EXTENT:
+        raise InputError(
+            f"the room is {max(x1 - x0, y1 - y0):.0f} m long",
+            f"lengths are metres and a room is at most {GREATEST_EXTENT:.0f} m long",
+        )
+
+
+def _cut(floor: shapely.Polygon, hole: shapely.Polygon, number: int) -> shapely.Polygon:
+    if floor.intersection(hole).area < 0.5 * hole.area:
+        raise InputError(f"holes[{number}] is outside the outline", "move it in or leave it out")
+    rest = floor.difference(hole)
+    if not isinstance(rest, shapely.Polygon) or rest.area < LEAST_AREA or not rest.is_valid:
+        raise InputError(
+            f"holes[{number}] cuts the room in pieces", "make each piece a room of its own"
+        )
+    return rest

@@ -1,0 +1,196 @@
+"""The plan: from a brief to valid spaces and levels.
+
+Everything the later stages rely on is checked here, once: outlines that are simple and do not
+overlap, openings that lie on walls, fixed items that stand in their rooms.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from dataclasses import replace
+
+import numpy as np
+import shapely
+
+from scenewright import outlines
+from scenewright.brief import Brief, Room
+from scenewright.errors import InputError
+from scenewright.openings import find_openings
+from scenewright.room_names import functions_from_name, sort_functions
+from scenewright.space import Level, Points, Space
+
+DEFAULT_LEVEL = Level("0", "", 0.0, 2.6)
+OVERLAP = 0.02
+
+
+def levels(brief: Brief) -> tuple[Level, ...]:
+    """The storeys of a brief in the order listed; one at height 0 if none is listed."""
+    seen: set[str] = set()
+    for number, level in enumerate(brief.levels):
+        if level.id in seen:
+            raise InputError(
+                f"the id '{level.id}' is used twice",
+                "give every level its own id",
+                place=f"levels[{number}]",
+            )
+        seen.add(level.id)
+    found = tuple(Level(lv.id, lv.name or lv.id, lv.elevation, lv.height) for lv in brief.levels)
+    return found or (DEFAULT_LEVEL,)
+
+
+def spaces(brief: Brief) -> tuple[Space, ...]:
+    """The spaces of a brief, one a room in the order listed, with their openings shared.
+
+    Raises InputError, with the place in the brief, for anything that cannot be built.
+
+    >>> brief = Brief.model_validate(
+    ...     {"rooms": [{"name": "Bedroom 1", "outline": [[0, 0], [0, 3], [4, 3], [4, 0]]}]}
+    ... )
+    >>> space = spaces(brief)[0]
+    >>> space.id, space.functions, space.outline.tolist()[:2]
+    ('bedroom-1', ('bedroom',), [[0.0, 0.0], [4.0, 0.0]])
+    """
+    storeys = {level.id: level for level in levels(brief)}
+    ids = room_ids(brief)
+    floors = [_floor(room, number, brief) for number, room in enumerate(brief.rooms)]
+    found = [
+        _space(room, number, ids[number], floors[number], storeys)
+        for number, room in enumerate(brief.rooms)
+    ]
+    _check_overlaps(brief, found, floors)
+    for number, room in enumerate(brief.rooms):
+        _check_fixed(room, number, floors, brief)
+    openings = find_openings(brief, tuple(found))
+    return tuple(
+        replace(space, openings=tuple(o for o in openings if space.id in o.spaces))
+        for space in found
+    )
+
+
+def room_ids(brief: Brief) -> tuple[str, ...]:
+    """The id of every room: the one given, else its name in plain letters, else ``room-3``.
+
+    >>> room = {"name": "Kitchen", "outline": [[0, 0], [1, 0], [1, 1]]}
+    >>> room_ids(Brief.model_validate({"rooms": [room, room]}))
+    ('kitchen', 'kitchen-2')
+    """
+    given = Counter(room.id for room in brief.rooms if room.id)
+    ids: list[str] = []
+    taken = set(given)
+    for number, room in enumerate(brief.rooms):
+        if given[room.id] > 1:
+            raise InputError(
+                f"the id '{room.id}' is used twice",
+                "give every room its own id",
+                place=place(brief, number),
+            )
+        ids.append(room.id or _fresh(_slug(room.name) or f"room-{number + 1}", taken))
+        taken.add(ids[-1])
+    return tuple(ids)
+
+
+def place(brief: Brief, number: int, rest: str = "") -> str:
+    """How a room is named in messages: ``rooms[2] 'Kitchen'``."""
+    told = brief.rooms[number].name or brief.rooms[number].id
+    return " ".join(part for part in (f"rooms[{number}]", f"'{told}'" * bool(told), rest) if part)
+
+
+def _slug(name: str) -> str:
+    return re.sub(r"[\W_]+", "-", name.casefold()).strip("-")
+
+
+def _fresh(wish: str, taken: set[str]) -> str:
+    names = (wish if count == 1 else f"{wish}-{count}" for count in range(1, len(taken) + 2))
+    return next(name for name in names if name not in taken)
+
+
+def _floor(room: Room, number: int, brief: Brief) -> shapely.Polygon:
+    try:
+        floor = outlines.polygon(room.outline, room.holes)
+        if brief.outlines == "centre":
+            floor = outlines.shrink(floor, brief.wall_thickness / 2)
+    except InputError as error:
+        raise error.located(place=place(brief, number)) from None
+    return floor
+
+
+def _space(
+    room: Room, number: int, space_id: str, floor: shapely.Polygon, storeys: dict[str, Level]
+) -> Space:
+    told = f"rooms[{number}] '{room.name or space_id}'"
+    level = storeys.get(room.level) if room.level else next(iter(storeys.values()))
+    if level is None:
+        raise InputError(
+            f"the level '{room.level}' does not exist",
+            f"use one of: {', '.join(storeys)}",
+            place=told,
+        )
+    outline, holes = outlines.rings(floor)
+    return Space(
+        id=space_id,
+        name=room.name or space_id,
+        functions=_functions(room),
+        level=level.id,
+        outline=outline,
+        holes=holes,
+        height=room.height or level.height,
+        main_wall=_main_wall(room, outline, told),
+    )
+
+
+def _functions(room: Room) -> tuple[str, ...]:
+    if room.function is None or room.function == []:
+        return functions_from_name(room.name)
+    listed = [room.function] if isinstance(room.function, str) else room.function
+    return sort_functions(listed)
+
+
+def _main_wall(room: Room, outline: Points, told: str) -> int | None:
+    """The edge of the cleaned outline that lies nearest along the edge meant in the brief."""
+    if room.main_wall is None:
+        return None
+    count = len(room.outline)
+    if room.main_wall >= count:
+        raise InputError(
+            f"main_wall is {room.main_wall}, but the outline has edges 0 to {count - 1}",
+            "give the index of an edge",
+            place=told,
+        )
+    start = np.array(room.outline[room.main_wall])
+    end = np.array(room.outline[(room.main_wall + 1) % count])
+    if np.hypot(*(end - start)) < outlines.SAME_POINT:
+        raise InputError(
+            f"main_wall {room.main_wall} has no length", "give another edge", place=told
+        )
+    lines = shapely.linestrings(outlines.edges(outline).reshape(-1, 2, 2))
+    middles = shapely.points(start + np.linspace(0.25, 0.75, 3)[:, None] * (end - start))
+    return int(np.argmin(shapely.distance(lines[:, None], middles).sum(1)))
+
+
+def _check_overlaps(brief: Brief, found: list[Space], floors: list[shapely.Polygon]) -> None:
+    tree = shapely.STRtree(floors)
+    firsts, seconds = tree.query(floors, predicate="intersects")
+    for first, second in zip(firsts.tolist(), seconds.tolist(), strict=True):
+        if first >= second or found[first].level != found[second].level:
+            continue
+        shared = floors[first].intersection(floors[second])
+        if shared.area > OVERLAP:
+            middle = shared.representative_point()
+            raise InputError(
+                f"overlaps {place(brief, first)} by {shared.area:.2f} m² "
+                f"near ({middle.x:.2f}, {middle.y:.2f})",
+                "move one of them or cut it out of the other",
+                place=place(brief, second),
+            )
+
+
+def _check_fixed(room: Room, number: int, floors: list[shapely.Polygon], brief: Brief) -> None:
+    for index, item in enumerate(room.fixed):
+        away = floors[number].distance(shapely.Point(item.at))
+        if away > 0.05:
+            raise InputError(
+                f"the {item.category} stands {away:.2f} m outside the room",
+                "move it in or list it in the room it stands in",
+                place=place(brief, number, f"fixed[{index}]"),
+            )
