@@ -1,0 +1,240 @@
+"""Dress patches with furniture: the fitting case of each, checked piece by piece.
+
+The paper puts the nearest case in the patch and stops. Here a patch takes the nearest case that
+fits it, is drawn in to that case, and every piece is tried against the room, the doors, the
+windows and what stands already; what is not essential to the group gives way.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.catalog import Catalog, Group, Member
+from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.library import cases, fitting, nearest
+from scenewright.geometry.fit import (
+    AT_WINDOW,
+    COLLIDES,
+    IN_ZONE,
+    OUTSIDE,
+    backed,
+    faults,
+    side_gaps,
+)
+from scenewright.problem import Ground
+from scenewright.scene import Piece, Pose
+
+Floats = NDArray[np.float64]
+
+SLACK = 0.003
+BACKED = 0.03
+FLUSH = 0.04
+TRIED = 8
+
+
+class Standing(NamedTuple):
+    """What stands in the room so far: boxes ``(o, 5)``, underside and top ``(o, 2)``, and what
+    each is called."""
+
+    boxes: Floats
+    spans: Floats
+    names: tuple[str, ...]
+
+
+class Dressed(NamedTuple):
+    """A patch with its furniture: the case, the box it was drawn in to, which of its members
+    stand, and how many had to give way."""
+
+    case: Group
+    box: Floats
+    stands: tuple[bool, ...]
+    lost: int
+
+
+class Refused(NamedTuple):
+    """Why nothing could stand on a patch."""
+
+    reason: str
+
+
+def standing_of(pieces: tuple[Piece, ...], flat: frozenset[str]) -> Standing:
+    """Pieces as something to keep clear of, without the flat ones."""
+    solid = [p for p in pieces if p.category not in flat]
+    boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in solid]
+    spans = [(p.pose.z, p.pose.z + p.size.height) for p in solid]
+    return Standing(
+        np.array(boxes, np.float64).reshape(-1, 5),
+        np.array(spans, np.float64).reshape(-1, 2),
+        tuple(p.category for p in solid),
+    )
+
+
+def joined(standing: Standing, more: Standing) -> Standing:
+    """Both together."""
+    return Standing(
+        np.concatenate([standing.boxes, more.boxes]),
+        np.concatenate([standing.spans, more.spans]),
+        standing.names + more.names,
+    )
+
+
+def dress_patch(
+    function: str, box: Floats, ground: Ground, standing: Standing, catalog: Catalog,
+    height: float, exact: bool = True,
+) -> Dressed | Refused:  # fmt: skip
+    """The best case for a patch: fewest members lost, then nearest in size.
+
+    With ``exact`` false the nearest case is taken as the paper prints, fitting or not.
+    """
+    if not exact:
+        case = nearest(function, box[3], box[4])
+        return Dressed(case, box, tuple(True for _ in case.members), 0)
+    best: Dressed | None = None
+    reason = Refused("no case of it is small enough for the free floor")
+    smallest = cases(function).groups[int(np.argmin(cases(function).sizes.prod(-1)))]
+    for case in (*fitting(function, box[3], box[4])[:TRIED], smallest):
+        drawn = _drawn_in(case, box, ground)
+        tried = _try(function, case, drawn, ground, standing, catalog, height)
+        if isinstance(tried, Refused):
+            reason = tried
+        elif best is None or best.lost > tried.lost:
+            best = tried
+        if best is not None and best.lost == 0:
+            break
+    return best or reason
+
+
+def _drawn_in(case: Group, box: Floats, ground: Ground) -> Floats:
+    """The patch drawn in to its case: the back edge stays, and a side that stands at a wall."""
+    spare_width, spare_depth = box[3] - case.width, box[4] - case.depth
+    left, right = side_gaps(box, ground.walls)
+    shift = 0.0
+    if spare_width > 0 and min(left, right) < FLUSH:
+        shift = spare_width / 2 * (1 if right < left else -1)
+    cos, sin = np.cos(box[2]), np.sin(box[2])
+    x = box[0] + sin * shift - cos * spare_depth / 2
+    y = box[1] - cos * shift - sin * spare_depth / 2
+    return np.array([x, y, box[2], case.width, case.depth])
+
+
+def _try(
+    function: str, case: Group, box: Floats, ground: Ground, standing: Standing,
+    catalog: Catalog, height: float,
+) -> Dressed | Refused:  # fmt: skip
+    if not _leans(function, case, box, ground):
+        return Refused("its closed end would stand in the open")
+    boxes, spans, flat = world(case.members, box, catalog)
+    codes, offenders = faults(
+        boxes, spans, flat, ground.edges, ground.keep_free, ground.windows,
+        standing.boxes, standing.spans, SLACK,
+    )  # fmt: skip
+    codes = np.where((codes == 0) & (spans[:, 1] > height), OUTSIDE, codes)
+    stands = _supported(case.members, codes == 0, boxes, ground, catalog)
+    essential = GROUPS[function].essential
+    for i, member in enumerate(case.members):
+        if member.category in essential and not stands[i]:
+            return Refused(_reason(member, int(codes[i]), int(offenders[i]), standing))
+    lost = [m for m, stood in zip(case.members, stands, strict=True) if not stood]
+    heavy = sum(m.on < 0 and m.z < 0.05 and m.category != "rug" for m in lost)
+    fixtures = sum(m.category in _MUST for m in lost)
+    if fixtures:
+        return Refused(_reason(lost[0], int(codes[stands.index(False)]), -1, standing))
+    return Dressed(case, box, stands, heavy)
+
+
+_MUST = frozenset(
+    ("hob_cabinet", "fridge", "office_chair", "dining_chair", "coffee_table", "tv", "outdoor_chair")
+)
+
+
+def _leans(function: str, case: Group, box: Floats, ground: Ground) -> bool:
+    """Whether the end that belongs to a side wall is at the nearer one."""
+    lean = GROUPS[function].lean
+    xs = [m.x for m in case.members if m.category == lean]
+    if not xs or abs(xs[0]) < 0.05:
+        return True
+    left, right = side_gaps(box, ground.walls)
+    if abs(left - right) < 0.05 or min(left, right) > 0.6:
+        return True
+    return bool((xs[0] < 0) == (left < right))
+
+
+def world(
+    members: tuple[Member, ...], box: Floats, catalog: Catalog
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """Members of a group on a box as boxes ``(m, 5)``, underside and top ``(m, 2)``, and which
+    are flat."""
+    local = np.array([(m.x, m.y, m.heading, m.size.width, m.size.depth) for m in members])
+    cos, sin = np.cos(box[2]), np.sin(box[2])
+    boxes = local.copy()
+    boxes[:, 0] = box[0] + local[:, 0] * sin + local[:, 1] * cos
+    boxes[:, 1] = box[1] - local[:, 0] * cos + local[:, 1] * sin
+    boxes[:, 2] = box[2] + local[:, 2]
+    spans = np.array([(m.z, m.z + m.size.height) for m in members])
+    flat = np.array([catalog.kinds[m.category].flat for m in members])
+    return boxes, spans, flat
+
+
+def _supported(
+    members: tuple[Member, ...], fits: NDArray[np.bool_], boxes: Floats, ground: Ground,
+    catalog: Catalog,
+) -> tuple[bool, ...]:  # fmt: skip
+    """Which members stand: those that fit, hang on a wall if they hang, stand on what stands."""
+    stands: list[bool] = []
+    for i, member in enumerate(members):
+        held = bool(fits[i])
+        if held and member.on < 0 and catalog.kinds[member.category].support == "wall":
+            held = bool(backed(boxes[i], ground.walls, BACKED))
+        if held and member.on >= 0:
+            held = stands[member.on]
+        stands.append(held)
+    return tuple(stands)
+
+
+def _reason(member: Member, code: int, offender: int, standing: Standing) -> str:
+    what = member.category.replace("_", " ")
+    if code == OUTSIDE:
+        size = member.size
+        return f"the {what} ({size.width:.2f} x {size.depth:.2f} m) does not fit inside the room"
+    if code == IN_ZONE:
+        return f"the {what} would stand before a door"
+    if code == AT_WINDOW:
+        return f"the {what} would stand before a window"
+    if code == COLLIDES and offender >= 0:
+        return f"the {what} would run into the {standing.names[offender].replace('_', ' ')}"
+    return f"the {what} has no place left"
+
+
+def pieces_of(
+    dressed: Dressed, space: str, group: str, function: str, catalog: Catalog
+) -> tuple[Piece, ...]:
+    """The standing members as placed pieces, named ``space/group/category``."""
+    boxes, _, _ = world(dressed.case.members, dressed.box, catalog)
+    names: dict[int, str] = {}
+    found = []
+    for i, member in enumerate(dressed.case.members):
+        if not dressed.stands[i]:
+            continue
+        names[i] = _name(f"{group}/{member.category}", names)
+        asset = catalog.choose(member.category, member.size)
+        x, y, heading = (float(v) for v in boxes[i, :3])
+        found.append(
+            Piece(
+                id=names[i], category=member.category, asset=asset.id if asset else "",
+                space=space, pose=Pose(x, y, member.z, _wrapped(heading)), size=member.size,
+                group=group, function=function, on=names.get(member.on),
+            )
+        )  # fmt: skip
+    return tuple(found)
+
+
+def _name(wanted: str, taken: dict[int, str]) -> str:
+    count = sum(n == wanted or n.startswith(f"{wanted}_") for n in taken.values())
+    return f"{wanted}_{count + 1}" if count else wanted
+
+
+def _wrapped(angle: float) -> float:
+    return float((angle + np.pi) % (2 * np.pi) - np.pi)

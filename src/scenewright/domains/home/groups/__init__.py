@@ -1,0 +1,125 @@
+"""The table of furniture groups: how each is used, and the cases it can take.
+
+A row says how a patch of that function behaves in a room; its cases are concrete groups with real
+furniture sizes. Adding a group is one generator of cases and one row here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from scenewright.catalog import Group
+from scenewright.domains.home.groups import (
+    bath,
+    dining,
+    entry,
+    kitchen,
+    living,
+    outdoor,
+    sleeping,
+)
+
+Sides = tuple[float, float, float, float]
+NONE: Sides = (0, 0, 0, 0)
+FRONT: Sides = (1, 0, 0, 0)
+FLANKS: Sides = (0, 1, 0, 1)
+THREE: Sides = (1, 1, 0, 1)
+ALL: Sides = (1, 1, 1, 1)
+
+
+@dataclass(frozen=True, slots=True)
+class GroupKind:
+    """How a group's patch behaves. Sides are front, left, back, right, in metres or flags.
+
+    ``height`` is what counts in front of windows; ``back`` 1 if it belongs to a wall; ``main``
+    its role at the main wall; ``clear`` free depth outside the patch; ``access`` sides of which
+    one must be reachable; ``inset`` walkable depth inside; ``daylight`` and ``nestle`` wishes;
+    ``roomy`` the room areas (m²) at which the smallest and the largest case are preferred;
+    ``essential`` the category that makes the group what it is; ``lean`` the category whose end
+    belongs to the nearer side wall when the case is not symmetric.
+    """
+
+    cases: Callable[[], Iterator[Group]]
+    height: float
+    essential: tuple[str, ...]
+    back: float = 1.0
+    main: float = 0.0
+    clear: Sides = (0.6, 0, 0, 0)
+    access: Sides = FRONT
+    inset: Sides = NONE
+    daylight: float = 0.0
+    nestle: float = 0.0
+    roomy: tuple[float, float] = (8.0, 30.0)
+    lean: str = ""
+
+
+GROUPS: dict[str, GroupKind] = {
+    "media": GroupKind(living.media, 1.2, ("tv_stand",), main=-1, clear=(0.9, 0, 0, 0),
+                       access=NONE, roomy=(8, 34)),
+    "seating": GroupKind(living.seating, 0.85, ("sofa", "loveseat"), back=0.4, main=1,
+                         access=THREE, inset=(0, 0, 0, 0), roomy=(10, 34)),
+    "reading": GroupKind(living.reading, 1.55, ("armchair",), nestle=1, clear=(0.4, 0, 0, 0),
+                         daylight=0.5, back=0.5),
+    "shelf": GroupKind(living.shelf, 2.0, ("bookcase",), nestle=1, roomy=(8, 40)),
+    "sideboard": GroupKind(living.sideboard, 0.8, ("sideboard",), roomy=(12, 36)),
+    "plant": GroupKind(living.plant, 1.5, ("potted_tree",), back=0.5, nestle=1, clear=NONE,
+                       access=NONE, daylight=0.3, roomy=(8, 30)),
+    "sleeping": GroupKind(sleeping.sleeping, 0.95, ("double_bed",), main=-1, access=THREE,
+                          inset=(0, 0.45, 0, 0.45), roomy=(8, 19)),
+    "single": GroupKind(sleeping.single, 0.95, ("single_bed",), access=THREE, nestle=1,
+                        clear=(0.3, 0, 0, 0), inset=NONE, roomy=(5, 14), lean="single_bed"),
+    "bunk": GroupKind(sleeping.bunk, 1.65, ("bunk_bed",), access=THREE, nestle=1,
+                      clear=(0.3, 0, 0, 0)),
+    "wardrobe": GroupKind(sleeping.wardrobe, 2.2, ("wardrobe",), nestle=1,
+                          clear=(0.75, 0, 0, 0), roomy=(5, 20)),
+    "chest": GroupKind(sleeping.chest, 0.85, ("chest_of_drawers",), clear=(0.7, 0, 0, 0),
+                       roomy=(9, 18)),
+    "vanity": GroupKind(sleeping.vanity, 0.95, ("vanity",), clear=(0.3, 0, 0, 0), daylight=0.5,
+                        inset=(0.45, 0, 0, 0)),
+    "play": GroupKind(sleeping.play, 1.0, ("shelf_unit",), nestle=0.5, roomy=(8, 16)),
+    "dining": GroupKind(dining.dining, 0.8, ("dining_table", "round_table"), back=0.0,
+                        clear=(0.25, 0.25, 0.25, 0.25), access=ALL, inset=(0.5, 0.1, 0.5, 0.1),
+                        daylight=0.4, roomy=(8, 34)),
+    "dining_wall": GroupKind(dining.dining_wall, 0.8, ("dining_table",), access=THREE,
+                             clear=(0.3, 0.1, 0, 0.1), inset=(0.3, 0, 0, 0), daylight=0.3,
+                             roomy=(6, 14)),
+    "kitchen": GroupKind(kitchen.kitchen, 0.92, ("sink_cabinet",), clear=(0.9, 0, 0, 0),
+                         nestle=1, roomy=(5, 16), lean="fridge"),
+    "kitchenette": GroupKind(kitchen.kitchenette, 0.92, ("sink_cabinet",),
+                             clear=(0.8, 0, 0, 0), nestle=1, roomy=(3, 12)),
+    "counter": GroupKind(kitchen.counter, 0.92, ("oven_cabinet",), clear=(0.9, 0, 0, 0),
+                         nestle=1, roomy=(8, 18)),
+    "fridge": GroupKind(kitchen.fridge, 1.9, ("fridge",), clear=(0.8, 0, 0, 0), nestle=1),
+    "island": GroupKind(kitchen.island, 0.95, ("kitchen_island",), back=0, access=ALL,
+                        clear=(0.4, 0.7, 0.9, 0.7), inset=(0.4, 0, 0, 0), roomy=(14, 30)),
+    "toilet": GroupKind(bath.toilet, 0.8, ("toilet",), clear=(0.5, 0, 0, 0), roomy=(1.2, 5)),
+    "basin": GroupKind(bath.basin, 0.9, ("basin", "pedestal_basin"), clear=(0.55, 0, 0, 0),
+                       roomy=(1.2, 9)),
+    "bath": GroupKind(bath.bath, 0.6, ("bathtub",), clear=(0.5, 0, 0, 0), nestle=1,
+                      roomy=(2.5, 8)),
+    "shower": GroupKind(bath.shower, 2.0, ("shower",), clear=(0.5, 0, 0, 0), nestle=1,
+                        roomy=(2, 7)),
+    "washer": GroupKind(bath.washer, 0.86, ("washing_machine",), clear=(0.6, 0, 0, 0), nestle=1,
+                        roomy=(2, 9)),
+    "linen": GroupKind(bath.linen, 1.7, ("bathroom_cabinet",), clear=(0.5, 0, 0, 0), nestle=1),
+    "basket": GroupKind(bath.basket, 0.55, ("laundry_basket",), clear=NONE, access=NONE,
+                        nestle=1),
+    "desk": GroupKind(entry.desk, 0.8, ("desk",), clear=(0.25, 0, 0, 0), daylight=1,
+                      inset=(0.55, 0, 0, 0), nestle=0.3, roomy=(6, 16)),
+    "kids_desk": GroupKind(entry.kids_desk, 0.8, ("kids_desk",), clear=(0.25, 0, 0, 0),
+                           daylight=1, inset=(0.55, 0, 0, 0), nestle=0.3, roomy=(6, 14)),
+    "shoes": GroupKind(entry.shoes, 1.0, ("shoe_cabinet",), clear=(0.5, 0, 0, 0), nestle=0.5,
+                       roomy=(2, 8)),
+    "coats": GroupKind(entry.coats, 1.75, ("coat_rack",), clear=(0.3, 0, 0, 0), nestle=1),
+    "console": GroupKind(entry.console, 0.8, ("console_table",), roomy=(5, 12)),
+    "storage": GroupKind(entry.storage, 1.9, ("storage_shelf",), clear=(0.5, 0, 0, 0), nestle=1,
+                         roomy=(0.8, 8)),
+    "terrace": GroupKind(outdoor.terrace, 0.8, ("outdoor_table",), clear=NONE, access=THREE,
+                         back=0.6, roomy=(3, 10)),
+    "lounger": GroupKind(outdoor.lounger, 0.8, ("outdoor_chair",), clear=(0.3, 0, 0, 0),
+                         back=0.6),
+    "planter": GroupKind(outdoor.planter, 0.6, ("planter",), clear=NONE, access=NONE, nestle=1,
+                         roomy=(2, 10)),
+    "drying": GroupKind(outdoor.drying, 0.95, ("drying_rack",), clear=(0.3, 0, 0, 0)),
+}  # fmt: skip

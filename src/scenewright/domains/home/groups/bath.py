@@ -1,0 +1,71 @@
+"""Groups of bathrooms, toilets and washrooms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from scenewright.catalog import Group, Member
+from scenewright.scene import Size
+
+
+def toilet() -> Iterator[Group]:
+    """A toilet with elbow room on both sides."""
+    for width in (0.6, 0.7, 0.8):
+        piece = Member("toilet", 0, 0, 0, 0, Size(0.38, 0.66, 0.78))
+        yield Group("toilet", "toilet", width, 0.67, (piece,))
+    piece = Member("toilet", 0, 0, 0, 0, Size(0.36, 0.56, 0.76))
+    yield Group("toilet", "short toilet", 0.56, 0.57, (piece,))
+
+
+def basin() -> Iterator[Group]:
+    """A wash basin, on a cabinet where wide enough, with its mirror."""
+    sizes = ((0.4, 0.32), (0.5, 0.42), (0.6, 0.46), (0.8, 0.48), (1.0, 0.5), (1.2, 0.5))
+    for width, depth in sizes:
+        category = "basin" if width >= 0.6 else "pedestal_basin"
+        back = -depth / 2
+        members = (
+            Member(category, 0, 0, 0, 0, Size(width, depth - 0.01, 0.88)),
+            Member("mirror", 0, back + 0.02, 1.15, 0, Size(width - 0.05, 0.03, 0.75)),
+        )
+        yield Group("basin", f"{width:.1f} m basin", width, depth, members)
+
+
+def bath() -> Iterator[Group]:
+    """A bathtub along the wall."""
+    for width, depth in ((1.2, 0.7), (1.4, 0.7), (1.5, 0.7), (1.6, 0.75), (1.7, 0.75), (1.8, 0.8)):
+        tub = Member("bathtub", 0, 0, 0, 0, Size(width, depth, 0.58))
+        yield Group("bath", f"{width:.1f} m bath", width, depth, (tub,))
+
+
+def shower() -> Iterator[Group]:
+    """A shower tray with its screen."""
+    for width, depth in ((0.7, 0.7), (0.8, 0.8), (0.9, 0.9), (1.2, 0.8)):
+        tray = Member("shower", 0, 0, 0, 0, Size(width, depth, 2.0))
+        yield Group("shower", f"{width:.1f} m shower", width, depth, (tray,))
+
+
+def washer() -> Iterator[Group]:
+    """A washing machine, with a dryer beside it where there is room."""
+    machine = Size(0.6, 0.6, 0.85)
+    yield Group("washer", "washing machine", 0.62, 0.64,
+                (Member("washing_machine", 0, 0, 0, 0, machine),))  # fmt: skip
+    yield Group("washer", "small washing machine", 0.5, 0.5,
+                (Member("washing_machine", 0, 0, 0, 0, Size(0.48, 0.48, 0.85)),))  # fmt: skip
+    pair = (
+        Member("washing_machine", -0.31, 0, 0, 0, machine),
+        Member("dryer", 0.31, 0, 0, 0, machine),
+    )
+    yield Group("washer", "washing machine and dryer", 1.24, 0.64, pair)
+
+
+def linen() -> Iterator[Group]:
+    """A tall bathroom cabinet, or a laundry basket."""
+    for width in (0.4, 0.6):
+        piece = Member("bathroom_cabinet", 0, 0, 0, 0, Size(width, 0.34, 1.7))
+        yield Group("linen", "bathroom cabinet", width, 0.35, (piece,))
+
+
+def basket() -> Iterator[Group]:
+    """A laundry basket."""
+    piece = Member("laundry_basket", 0, 0, 0, 0, Size(0.4, 0.36, 0.55))
+    yield Group("basket", "laundry basket", 0.42, 0.38, (piece,))

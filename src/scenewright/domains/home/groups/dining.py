@@ -1,0 +1,94 @@
+"""Dining groups: tables with chairs on their free sides."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi
+
+from scenewright.catalog import Group, Member
+from scenewright.scene import Size
+
+CHAIR = Size(0.46, 0.5, 0.85)
+SEAT = 0.5  # free depth a chair and its sitter take beyond the table's edge
+TUCK = 0.2  # how far a chair stands under the table
+
+
+def dining() -> Iterator[Group]:
+    """Tables for two to eight, chairs on all used sides."""
+    yield _table(0.75, 0.75, sides=1, ends=0)
+    yield _table(0.8, 0.8, sides=1, ends=1)
+    for length, deep in ((1.2, 0.75), (1.3, 0.8), (1.4, 0.85), (1.6, 0.9)):
+        yield _table(length, deep, sides=2, ends=0)
+    for length, deep in ((1.6, 0.9), (1.8, 0.95), (2.0, 1.0)):
+        yield _table(length, deep, sides=2, ends=1)
+    yield _table(2.2, 1.0, sides=3, ends=1)
+    for diameter in (0.9, 1.1):
+        yield _round(diameter)
+
+
+def dining_wall() -> Iterator[Group]:
+    """A table with its long side at the wall: two chairs at the front or at the ends."""
+    for length, deep in ((0.8, 0.6), (1.0, 0.65), (1.2, 0.75)):
+        yield _wall_table(length, deep, front=1 if length < 1 else 2, ends=0)
+        yield _wall_table(length, deep, front=0, ends=1)
+        yield _wall_table(length, deep, front=1 if length < 1 else 2, ends=1)
+
+
+def _chairs_along(length: float, count: int, y: float, heading: float) -> list[Member]:
+    step = length / count
+    return [
+        Member("dining_chair", (i - (count - 1) / 2) * step, y, 0, heading, CHAIR)
+        for i in range(count)
+    ]
+
+
+def _chairs_at_ends(length: float, y: float) -> list[Member]:
+    x = length / 2 + CHAIR.depth / 2 - TUCK
+    return [
+        Member("dining_chair", x, y, 0, pi / 2, CHAIR),
+        Member("dining_chair", -x, y, 0, -pi / 2, CHAIR),
+    ]
+
+
+def _table(length: float, deep: float, sides: int, ends: int) -> Group:
+    width, depth = length + 2 * SEAT * ends, deep + 2 * SEAT
+    y = deep / 2 + CHAIR.depth / 2 - TUCK
+    members = [
+        Member("dining_table", 0, 0, 0, 0, Size(length, deep, 0.74)),
+        Member("bowl", 0, 0, 0.74, 0, Size(0.28, 0.28, 0.1), on=0),
+        *_chairs_along(length, sides, y, pi),
+        *_chairs_along(length, sides, -y, 0),
+        *(_chairs_at_ends(length, 0) if ends else ()),
+    ]
+    seats = 2 * (sides + ends)
+    return Group("dining", f"{length:.1f} m table for {seats}", width, depth, tuple(members))
+
+
+def _round(diameter: float) -> Group:
+    size = diameter + 2 * SEAT
+    reach = diameter / 2 + CHAIR.depth / 2 - TUCK + 0.04
+    members = [
+        Member("round_table", 0, 0, 0, 0, Size(diameter, diameter, 0.74)),
+        Member("vase", 0, 0, 0.74, 0, Size(0.16, 0.16, 0.28), on=0),
+        Member("dining_chair", 0, reach, 0, pi, CHAIR),
+        Member("dining_chair", 0, -reach, 0, 0, CHAIR),
+        Member("dining_chair", reach, 0, 0, pi / 2, CHAIR),
+        Member("dining_chair", -reach, 0, 0, -pi / 2, CHAIR),
+    ]
+    return Group("dining", f"{diameter:.1f} m round table for 4", size, size, tuple(members))
+
+
+def _wall_table(length: float, deep: float, front: int, ends: int) -> Group:
+    width, depth = length + 2 * SEAT * ends, deep + (SEAT if front else 0.0)
+    y = -depth / 2 + deep / 2
+    members = [
+        Member("dining_table", 0, y, 0, 0, Size(length, deep, 0.74)),
+        Member("vase", 0, y - deep / 5, 0.74, 0, Size(0.14, 0.14, 0.26), on=0),
+    ]
+    if front:
+        members += _chairs_along(length, front, y + deep / 2 + CHAIR.depth / 2 - TUCK, pi)
+    if ends:
+        members += _chairs_at_ends(length, y)
+    seats = front + 2 * ends
+    name = f"{length:.1f} m wall table for {seats}"
+    return Group("dining_wall", name, width, depth, tuple(members))

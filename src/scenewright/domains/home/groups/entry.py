@@ -1,0 +1,81 @@
+"""Groups of halls, storage rooms and studies: desk, shoes, coats, console, shelving."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi
+
+from scenewright.catalog import Group, Member
+from scenewright.scene import Size
+
+
+def desk() -> Iterator[Group]:
+    """A desk at the wall, its chair before it, a screen and a lamp on it."""
+    for width, deep in ((0.8, 0.5), (0.9, 0.5), (1.0, 0.55), (1.2, 0.6), (1.4, 0.65), (1.6, 0.7)):
+        yield _desk("desk", width, deep, "office_chair", Size(0.58, 0.58, 0.95))
+
+
+def kids_desk() -> Iterator[Group]:
+    """A smaller desk with a chair."""
+    for width in (0.8, 0.9, 1.0, 1.2):
+        yield _desk("kids_desk", width, 0.55, "dining_chair", Size(0.44, 0.46, 0.8))
+
+
+def _desk(function: str, width: float, deep: float, seat: str, chair: Size) -> Group:
+    depth = deep + 0.55
+    back = -depth / 2
+    table = "desk" if function == "desk" else "kids_desk"
+    members = [
+        Member(table, 0, back + deep / 2, 0, 0, Size(width, deep, 0.74)),
+        Member(seat, 0, back + deep - 0.2 + chair.depth / 2, 0, pi, chair),
+        Member("desk_lamp", -width / 2 + 0.15, back + 0.18, 0.74, 0, Size(0.2, 0.24, 0.45), on=0),
+    ]
+    if function == "desk":
+        members.append(Member("monitor", 0.08, back + 0.2, 0.74, 0, Size(0.58, 0.2, 0.45), on=0))
+    else:
+        members.append(Member("books", width / 4, back + 0.2, 0.74, 0, Size(0.3, 0.2, 0.24), on=0))
+    return Group(function, f"{width:.1f} m desk", width, depth, tuple(members))
+
+
+def shoes() -> Iterator[Group]:
+    """A shoe cabinet with a mirror above."""
+    for width in (0.5, 0.6, 0.8, 1.0, 1.2):
+        for depth in (0.22, 0.34):
+            members = (
+                Member("shoe_cabinet", 0, 0, 0, 0, Size(width, depth, 1.0)),
+                Member("bowl", 0, 0, 1.0, 0, Size(0.2, 0.2, 0.08), on=0),
+                Member("mirror", 0, 0.015 - depth / 2, 1.2, 0, Size(min(width, 0.6), 0.03, 0.8)),
+            )
+            yield Group("shoes", f"{width:.1f} m shoe cabinet", width, depth + 0.01, members)
+
+
+def coats() -> Iterator[Group]:
+    """A coat rack."""
+    for width in (0.4, 0.5):
+        piece = Member("coat_rack", 0, 0, 0, 0, Size(width, width, 1.75))
+        yield Group("coats", "coat rack", width, width, (piece,))
+
+
+def console() -> Iterator[Group]:
+    """A narrow console table with a vase and a picture above."""
+    for width in (0.8, 1.0, 1.2):
+        members = (
+            Member("console_table", 0, 0, 0, 0, Size(width, 0.3, 0.8)),
+            Member("vase", width / 4, 0, 0.8, 0, Size(0.16, 0.16, 0.3), on=0),
+            Member("picture", 0, -0.135, 1.3, 0, Size(0.6, 0.03, 0.5)),
+        )
+        yield Group("console", f"{width:.1f} m console", width, 0.31, members)
+
+
+def storage() -> Iterator[Group]:
+    """Storage shelving, 0.4 to 3.0 m long."""
+    for width in (0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.6, 2.0, 2.4, 3.0):
+        for depth in (0.3, 0.4, 0.5):
+            count = max(1, round(width / 1.0))
+            each = width / count
+            members = tuple(
+                Member("storage_shelf", (i - (count - 1) / 2) * each, 0, 0, 0,
+                       Size(each, depth, 1.9))
+                for i in range(count)
+            )  # fmt: skip
+            yield Group("storage", f"{width:.1f} m of shelving", width, depth + 0.01, members)

@@ -1,0 +1,112 @@
+"""Kitchen runs: units in a row along a wall, wall cabinets and hood above, and the fridge."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from scenewright.catalog import Group, Member
+from scenewright.scene import Size
+
+UNIT_DEPTH, WORKTOP = 0.6, 0.9
+FRIDGE = Size(0.6, 0.64, 1.9)
+WALL_CABINET_BASE = 1.45
+Unit = tuple[str, float]
+
+
+def kitchen() -> Iterator[Group]:
+    """Complete runs of 1.8 to 4.8 m: fridge, worktop, sink, worktop, hob, both ways round."""
+    for width in np.arange(18, 49) / 10:
+        units = _sequence(float(width) - FRIDGE.width)
+        yield _run("kitchen", float(width), units, fridge=True)
+        yield _run("kitchen", float(width), units, fridge=True, mirrored=True)
+
+
+def kitchenette() -> Iterator[Group]:
+    """Runs of 1.0 to 3.0 m without a fridge, for rooms with no long wall."""
+    for width in np.arange(10, 31) / 10:
+        units = _sequence(float(width))
+        yield _run("kitchenette", float(width), units, fridge=False)
+        yield _run("kitchenette", float(width), units, fridge=False, mirrored=True)
+
+
+def counter() -> Iterator[Group]:
+    """A second run: oven, dishwasher and drawers."""
+    for width in np.arange(12, 31, 3) / 10:
+        rest = float(width) - 1.2
+        units: list[Unit] = [("oven_cabinet", 0.6), ("dishwasher", 0.6), *_fill(rest)]
+        yield _run("counter", float(width), units, fridge=False)
+
+
+def fridge() -> Iterator[Group]:
+    """A fridge on its own, full or small."""
+    for width in (0.55, 0.6):
+        piece = Member("fridge", 0, 0, 0, 0, Size(width, width + 0.04, 1.85))
+        yield Group("fridge", "fridge", width, width + 0.05, (piece,))
+
+
+def island() -> Iterator[Group]:
+    """A kitchen island with two bar stools."""
+    for width in (1.2, 1.6, 2.0):
+        members = [Member("kitchen_island", 0, -0.2, 0, 0, Size(width, 0.8, 0.92))]
+        members += [
+            Member("bar_stool", x, 0.4, 0, np.pi, Size(0.4, 0.4, 0.7))
+            for x in (-width / 4, width / 4)
+        ]
+        yield Group("island", f"{width:.1f} m island", width, 1.22, tuple(members))
+
+
+def _sequence(length: float) -> list[Unit]:
+    """Units of a run of the given length from the fridge on: worktop, sink, worktop, hob."""
+    sink = 0.8 if length >= 2.4 else 0.6 if length >= 1.15 else length / 2
+    hob = 0.6 if length >= 1.15 else length / 2
+    rest = length - sink - hob
+    if rest < 0.3:
+        return [("sink_cabinet", sink + max(rest, 0) / 2), ("hob_cabinet", hob + max(rest, 0) / 2)]
+    before = _fill(rest * 0.3) if rest >= 1.2 else []
+    after = _fill(rest * 0.2) if rest >= 1.8 else []
+    used = sum(w for _, w in before + after)
+    return [
+        *before, ("sink_cabinet", sink), *_fill(rest - used), ("hob_cabinet", hob), *after,
+    ]  # fmt: skip
+
+
+def _fill(length: float) -> list[Unit]:
+    count = max(1, round(length / 0.6)) if length > 0.05 else 0
+    kinds = ("drawer_cabinet", "base_cabinet", "dishwasher")
+    wide = length / max(count, 1)
+    return [
+        (kinds[i % 3] if wide > 0.55 or i % 3 < 2 else "base_cabinet", wide) for i in range(count)
+    ]
+
+
+def _run(
+    function: str, width: float, units: list[Unit], *, fridge: bool, mirrored: bool = False
+) -> Group:
+    depth = FRIDGE.depth + 0.01 if fridge else UNIT_DEPTH + 0.01
+    back = -depth / 2
+    members: list[Member] = []
+    x = -width / 2
+    if fridge:
+        y = back + FRIDGE.depth / 2
+        members.append(Member("fridge", x + FRIDGE.width / 2, y, 0, 0, FRIDGE))
+        x += FRIDGE.width
+    for category, wide in units:
+        at = x + wide / 2
+        y = back + UNIT_DEPTH / 2
+        members.append(Member(category, at, y, 0, 0, Size(wide, UNIT_DEPTH, WORKTOP)))
+        members += _above(category, at, wide, back)
+        x += wide
+    if mirrored:
+        members = [m._replace(x=-m.x) for m in members]
+    told = " with fridge" if fridge else ""
+    return Group(function, f"{width:.1f} m kitchen run{told}", width, depth, tuple(members))
+
+
+def _above(category: str, x: float, wide: float, back: float) -> list[Member]:
+    if category == "hob_cabinet":
+        return [Member("hood", x, back + 0.24, 1.55, 0, Size(wide, 0.48, 0.65))]
+    if category == "sink_cabinet" and wide > 0.7:
+        return [Member("wall_cabinet", x, back + 0.175, 1.45, 0, Size(wide, 0.35, 0.7))]
+    return [Member("wall_cabinet", x, back + 0.175, WALL_CABINET_BASE, 0, Size(wide, 0.35, 0.7))]

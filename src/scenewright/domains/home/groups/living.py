@@ -1,0 +1,149 @@
+"""Groups of a living room: media, seating, reading corner, shelves, sideboard, plant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi
+
+from scenewright.catalog import Group, Member
+from scenewright.scene import Size
+
+SOFA_DEPTH, SOFA_HEIGHT = 0.9, 0.8
+
+
+def media() -> Iterator[Group]:
+    """A TV on its stand, 0.9 to 2.4 m wide; wide ones carry a plant beside the screen."""
+    for width in (0.9, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.2, 2.4):
+        screen = min(1.45, max(0.75, width - 0.35))
+        members = [
+            Member("tv_stand", 0, 0, 0, 0, Size(width, 0.4, 0.45)),
+            Member("tv", 0, -0.02, 0.45, 0, Size(screen, 0.22, screen * 0.62), on=0),
+        ]
+        if width - screen > 0.6:
+            x = (width + screen) / 4 + 0.02
+            members.append(Member("plant", x, 0, 0.45, 0, Size(0.22, 0.22, 0.4), on=0))
+        yield Group("media", f"TV on a {width:.1f} m stand", width, 0.42, tuple(members))
+
+
+def seating() -> Iterator[Group]:
+    """A sofa and coffee table on a rug, with armchairs or a lamp table where there is room."""
+    for sofa in (1.4, 1.6, 1.8, 2.0, 2.2, 2.4):
+        yield _compact(sofa)
+        yield _sofa_and_table(sofa, lamps=0)
+        yield _sofa_and_table(sofa, lamps=1)
+        yield _sofa_and_table(sofa, lamps=2)
+        if sofa >= 1.8:
+            yield _one_armchair(sofa)
+        if sofa >= 2.0:
+            yield _two_armchairs(sofa)
+
+
+def _sofa(width: float, depth: float, x: float = 0.0) -> Member:
+    category = "sofa" if width >= 1.7 else "loveseat"
+    return Member(category, x, -depth / 2 + 0.45, 0, 0, Size(width, SOFA_DEPTH, SOFA_HEIGHT))
+
+
+def _table(width: float, depth: float, x: float = 0.0, deep: float = 0.55) -> Member:
+    y = -depth / 2 + SOFA_DEPTH + 0.35 + deep / 2
+    return Member("coffee_table", x, y, 0, 0, Size(width, deep, 0.4))
+
+
+def _rug(width: float, depth: float, x: float = 0.0) -> Member:
+    deep = depth - 0.55
+    return Member("rug", x, depth / 2 - deep / 2, 0, 0, Size(width, deep, 0.012))
+
+
+def _compact(sofa: float) -> Group:
+    depth = SOFA_DEPTH + 0.35 + 0.42
+    members = (_sofa(sofa, depth), _table(0.45 * sofa, depth, deep=0.4))
+    return Group("seating", f"{sofa:.1f} m sofa, small table", sofa, depth, members)
+
+
+def _sofa_and_table(sofa: float, lamps: int) -> Group:
+    width, depth = sofa + 0.5 * lamps, 1.95
+    x = -0.25 if lamps == 1 else 0.0
+    members = [_rug(sofa, depth, x), _sofa(sofa, depth, x), _table(0.55 * sofa, depth, x)]
+    for sign in (1, -1)[:lamps]:
+        side = len(members)
+        at = x + sign * (sofa / 2 + 0.26)
+        members += [
+            Member("side_table", at, -depth / 2 + 0.3, 0, 0, Size(0.42, 0.42, 0.5)),
+            Member("table_lamp", at, -depth / 2 + 0.3, 0.5, 0, Size(0.28, 0.28, 0.48), on=side),
+        ]
+    members.append(_picture_above(depth, x, sofa))
+    told = ("", " and a lamp table", " between lamp tables")[lamps]
+    return Group("seating", f"{sofa:.1f} m sofa, table{told}", width, depth, tuple(members))
+
+
+def _armchair(x: float, depth: float, heading: float) -> Member:
+    y = -depth / 2 + SOFA_DEPTH + 0.35 + 0.3
+    return Member("armchair", x, y, 0, heading, Size(0.78, 0.8, 0.85))
+
+
+def _one_armchair(sofa: float) -> Group:
+    table, depth = 0.5 * sofa, 2.1
+    reach = table / 2 + 0.3 + 0.8
+    width = sofa / 2 + max(reach, sofa / 2)
+    x = sofa / 2 - width / 2
+    members = (
+        _rug(min(table + 1.0, sofa), depth, x), _sofa(sofa, depth, x), _table(table, depth, x),
+        _armchair(x + reach - 0.4, depth, pi / 2), _picture_above(depth, x, sofa),
+    )  # fmt: skip
+    return Group("seating", f"{sofa:.1f} m sofa and an armchair", width, depth, members)
+
+
+def _two_armchairs(sofa: float) -> Group:
+    table, depth = 0.5 * sofa, 2.1
+    reach = table / 2 + 0.3 + 0.8
+    width = 2 * max(reach, sofa / 2)
+    members = (
+        _rug(table + 1.2, depth), _sofa(sofa, depth), _table(table, depth),
+        _armchair(reach - 0.4, depth, pi / 2), _armchair(0.4 - reach, depth, -pi / 2),
+        _picture_above(depth, 0, sofa),
+    )  # fmt: skip
+    return Group("seating", f"{sofa:.1f} m sofa and two armchairs", width, depth, members)
+
+
+def _picture_above(depth: float, x: float, over: float) -> Member:
+    wide = round(min(1.4, over * 0.55), 2)
+    return Member("picture", x, -depth / 2 + 0.02, 1.25, 0, Size(wide, 0.04, wide * 0.6))
+
+
+def reading() -> Iterator[Group]:
+    """An armchair with a floor lamp."""
+    members = (
+        Member("armchair", -0.22, 0, 0, 0, Size(0.78, 0.8, 0.85)),
+        Member("floor_lamp", 0.42, -0.18, 0, 0, Size(0.36, 0.36, 1.55)),
+    )
+    yield Group("reading", "armchair and floor lamp", 1.24, 0.82, members)
+
+
+def shelf() -> Iterator[Group]:
+    """Bookcases, alone or in a row."""
+    for width in (0.6, 0.8, 1.0, 1.2, 1.6, 2.0, 2.4):
+        count = 1 if width <= 1.2 else 2
+        each = width / count
+        members = tuple(
+            Member("bookcase", (i - (count - 1) / 2) * each, 0, 0, 0, Size(each, 0.32, 2.0))
+            for i in range(count)
+        )
+        yield Group("shelf", f"{width:.1f} m of bookcase", width, 0.33, members)
+
+
+def sideboard() -> Iterator[Group]:
+    """A sideboard with a vase and a lamp, a picture above."""
+    for width in (1.0, 1.2, 1.4, 1.6, 1.8):
+        members = (
+            Member("sideboard", 0, 0, 0, 0, Size(width, 0.42, 0.78)),
+            Member("vase", -width / 2 + 0.2, 0, 0.78, 0, Size(0.16, 0.16, 0.3), on=0),
+            Member("table_lamp", width / 2 - 0.22, 0, 0.78, 0, Size(0.28, 0.28, 0.48), on=0),
+            Member("picture", 0, -0.2, 1.3, 0, Size(width * 0.5, 0.04, 0.5)),
+        )
+        yield Group("sideboard", f"{width:.1f} m sideboard", width, 0.44, members)
+
+
+def plant() -> Iterator[Group]:
+    """A tree in a pot."""
+    for width, height in ((0.4, 1.1), (0.5, 1.5), (0.6, 1.7)):
+        tree = Member("potted_tree", 0, 0, 0, 0, Size(width, width, height))
+        yield Group("plant", "potted tree", width + 0.04, width + 0.04, (tree,))

@@ -1,0 +1,109 @@
+"""Groups of bedrooms: beds with their nightstands, wardrobes, chests, vanities, play corner."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi
+
+from scenewright.catalog import Group, Member
+from scenewright.scene import Size
+
+DEPTH, BED_LENGTH = 2.1, 2.05
+
+
+def sleeping() -> Iterator[Group]:
+    """A double bed: both sides open with nightstands, or one side for the tightest rooms."""
+    for bed in (1.4, 1.6, 1.8):
+        for wing in (0.45, 0.5, 0.6, 0.7):
+            yield _bed("sleeping", "double_bed", bed, wing, wing)
+        yield _bed("sleeping", "double_bed", bed, 0.0, 0.62)
+        yield _bed("sleeping", "double_bed", bed, 0.0, 0.62, mirrored=True)
+
+
+def single() -> Iterator[Group]:
+    """A single bed, one long side free to get in, with a nightstand where it fits."""
+    for bed in (0.9, 1.0, 1.2):
+        yield _bed("single", "single_bed", bed, 0.0, 0.0)
+        for wing in (0.45, 0.62):
+            yield _bed("single", "single_bed", bed, 0.0, wing)
+            yield _bed("single", "single_bed", bed, 0.0, wing, mirrored=True)
+
+
+def bunk() -> Iterator[Group]:
+    """A bunk bed with a toy box at its foot side."""
+    bed = Member("bunk_bed", 0, 0, 0, 0, Size(1.0, BED_LENGTH, 1.65))
+    yield Group("bunk", "bunk bed", 1.0, DEPTH, (bed,))
+
+
+def _bed(
+    function: str, category: str, bed: float, left: float, right: float, mirrored: bool = False
+) -> Group:
+    width = bed + left + right
+    back = -DEPTH / 2
+    x = left + bed / 2 - width / 2
+    members = [Member(category, x, back + BED_LENGTH / 2, 0, 0, Size(bed, BED_LENGTH, 0.95))]
+    if min(left, right) >= 0.5:
+        members.append(Member("rug", x, DEPTH / 2 - 0.7, 0, 0, Size(width - 0.1, 1.4, 0.012)))
+    for sign, wing in ((-1, left), (1, right)):
+        members += _nightstand(x + sign * (bed / 2 + 0.23), back, len(members)) if wing else []
+    if category == "double_bed":
+        members.append(Member("picture", x, back + 0.02, 1.35, 0, Size(1.0, 0.04, 0.6)))
+    if mirrored:
+        members = [m._replace(x=-m.x, heading=-m.heading) for m in members]
+    stands = (left > 0) + (right > 0)
+    return Group(
+        function, f"{bed:.1f} m bed, {stands} nightstand{'s' * (stands != 1)}",
+        width, DEPTH, tuple(members),
+    )  # fmt: skip
+
+
+def _nightstand(x: float, back: float, index: int) -> list[Member]:
+    return [
+        Member("nightstand", x, back + 0.22, 0, 0, Size(0.42, 0.4, 0.5)),
+        Member("table_lamp", x, back + 0.2, 0.5, 0, Size(0.24, 0.24, 0.42), on=index),
+    ]
+
+
+def wardrobe() -> Iterator[Group]:
+    """Wardrobes from 0.6 to 3.0 m, in steps of 0.2 m; a shallow one for narrow rooms."""
+    for width in (0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.4, 2.8):
+        for depth in (0.5, 0.6):
+            piece = Member("wardrobe", 0, 0, 0, 0, Size(width, depth, 2.2))
+            yield Group("wardrobe", f"{width:.1f} m wardrobe", width, depth + 0.01, (piece,))
+
+
+def chest() -> Iterator[Group]:
+    """A chest of drawers with a mirror above it and a bowl on it."""
+    for width in (0.6, 0.8, 1.0, 1.2):
+        members = (
+            Member("chest_of_drawers", 0, 0, 0, 0, Size(width, 0.45, 0.85)),
+            Member("vase", width / 4, 0, 0.85, 0, Size(0.16, 0.16, 0.28), on=0),
+            Member("mirror", 0, -0.21, 1.15, 0, Size(min(width, 0.7), 0.03, 0.7)),
+        )
+        yield Group("chest", f"{width:.1f} m chest of drawers", width, 0.46, members)
+
+
+def vanity() -> Iterator[Group]:
+    """A vanity with a stool before it and a mirror above."""
+    for width in (0.8, 1.0):
+        members = (
+            Member("vanity", 0, -0.26, 0, 0, Size(width, 0.42, 0.75)),
+            Member("stool", 0, 0.12, 0, pi, Size(0.38, 0.38, 0.45)),
+            Member("mirror", 0, -0.455, 0.95, 0, Size(0.6, 0.03, 0.8)),
+        )
+        yield Group("vanity", f"{width:.1f} m vanity", width, 0.95, members)
+
+
+def play() -> Iterator[Group]:
+    """A child's corner: low shelf and toy box in a row."""
+    for width in (0.8, 1.2, 1.5):
+        shelf = min(width, 0.9)
+        members = [
+            Member("shelf_unit", shelf / 2 - width / 2, 0, 0, 0, Size(shelf, 0.35, 1.0)),
+        ]
+        if width > shelf + 0.25:
+            wide = width - shelf - 0.05
+            members.append(
+                Member("toy_box", width / 2 - wide / 2, 0, 0, 0, Size(wide, 0.35, 0.42))
+            )
+        yield Group("play", f"{width:.1f} m of toys", width, 0.36, tuple(members))

@@ -1,0 +1,116 @@
+"""Pose a room as a problem: wishes become patches with sizes, sides, relations."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.library import cases, wished
+from scenewright.domains.home.programme import Wish
+from scenewright.problem import Ground, Items, Problem, empty_items
+
+NAN = float("nan")
+
+
+class Relation(NamedTuple):
+    """Two groups that belong together: distance between their centres in metres, angle between
+    their headings, bearing of the second from the first's front (NaN: any) and weight."""
+
+    first: str
+    second: str
+    distance: float
+    angle: float
+    bearing: float
+    weight: float
+
+
+RELATIONS: tuple[Relation, ...] = (
+    Relation("seating", "media", 2.5, np.pi, 0.0, 2.0),
+    Relation("media", "seating", 2.5, np.pi, 0.0, 2.0),
+    Relation("seating", "dining", 3.4, NAN, NAN, 0.3),
+    Relation("kitchenette", "fridge", 1.2, 0.0, NAN, 1.0),
+    Relation("kitchen", "counter", 1.9, NAN, NAN, 0.6),
+    Relation("kitchen", "dining", 2.4, NAN, NAN, 0.3),
+    Relation("kitchen", "island", 1.9, NAN, 0.0, 2.0),
+    Relation("sleeping", "vanity", 2.6, NAN, NAN, 0.1),
+)
+
+
+def problem_of(
+    ground: Ground, wishes: tuple[Wish, ...], weights: dict[str, float], printed: bool,
+    route_width: float,
+) -> Problem:  # fmt: skip
+    """The problem of placing ``wishes`` on ``ground``; items in the order of the wishes."""
+    groups = [w.group for w in wishes]
+    return Problem(
+        ground, items_of(wishes, ground.area), tuple(_numbered(groups)), weights, printed,
+        route_width,
+    )  # fmt: skip
+
+
+def items_of(wishes: tuple[Wish, ...], area: float) -> Items:
+    """Patches as arrays: size range from the case library, behaviour from the table of groups."""
+    kinds = [GROUPS[w.group] for w in wishes]
+    sizes = [_sizes(w, area) for w in wishes]
+    pairs, targets, weights = _relations([w.group for w in wishes])
+
+    def column(values: list[float]) -> NDArray[np.float64]:
+        return np.array(values, np.float64).reshape(len(wishes))
+
+    def rows(values: list[tuple[float, ...]], width: int) -> NDArray[np.float64]:
+        return np.array(values, np.float64).reshape(len(wishes), width)
+
+    return empty_items(len(wishes))._replace(
+        low=rows([s[0] for s in sizes], 2), high=rows([s[1] for s in sizes], 2),
+        wish=rows([s[2] for s in sizes], 2), height=column([k.height for k in kinds]),
+        back_to_wall=column([k.back for k in kinds]), main_wall=column([k.main for k in kinds]),
+        clear=rows([k.clear for k in kinds], 4), access=rows([k.access for k in kinds], 4),
+        inset=rows([k.inset for k in kinds], 4), daylight=column([k.daylight for k in kinds]),
+        nestle=column([k.nestle for k in kinds]),
+        pairs=pairs, pair_targets=targets, pair_weights=weights,
+    )  # fmt: skip
+
+
+def _sizes(wish: Wish, area: float) -> tuple[tuple[float, float], ...]:
+    """Least, greatest and wished (width, depth): the least is that of the smallest real case."""
+    found = cases(wish.group).sizes
+    if wish.most is not None:
+        fits = (found <= np.array(wish.most) + 1e-9).all(-1)
+        found = found[fits] if fits.any() else found[[int(np.argmin(found.prod(-1)))]]
+    low = found[int(np.argmin(found.prod(-1)))]
+    high = np.maximum(found.max(0), low)
+    goal = wished(wish.group, area)
+    ideal = np.clip([goal.width, goal.depth], low, high)
+    return tuple(low), tuple(high), tuple(ideal)
+
+
+def _relations(
+    groups: list[str],
+) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+    pairs, targets, weights = [], [], []
+    for relation in RELATIONS:
+        if relation.first in groups and relation.second in groups:
+            pairs.append((groups.index(relation.first), groups.index(relation.second)))
+            targets.append((relation.distance, relation.angle, relation.bearing))
+            weights.append(relation.weight)
+    return (
+        np.array(pairs, np.int64).reshape(-1, 2),
+        np.array(targets, np.float64).reshape(-1, 3),
+        np.array(weights, np.float64),
+    )
+
+
+def _numbered(groups: list[str]) -> list[str]:
+    """Names for items: the group's, with a number from the second of its kind on.
+
+    >>> _numbered(["shelf", "plant", "shelf"])
+    ['shelf', 'plant', 'shelf_2']
+    """
+    names: list[str] = []
+    for i, group in enumerate(groups):
+        again = groups[:i].count(group)
+        names.append(f"{group}_{again + 1}" if again else group)
+    return names

@@ -1,0 +1,104 @@
+"""Whether upright boxes fit: inside the outline, clear of zones, windows and one another."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.geometry.boxes import (
+    area_in_polygon,
+    common_area,
+    distance_to_segment,
+    make_frame,
+)
+from scenewright.geometry.compiled import compiled
+
+Floats = NDArray[np.float64]
+
+FITS, OUTSIDE, IN_ZONE, AT_WINDOW, COLLIDES = 0, 1, 2, 3, 4
+_NOTHING = 1e-7
+
+
+@compiled
+def faults(
+    boxes: Floats, spans: Floats, flat: NDArray[np.bool_], edges: Floats, zones: Floats,
+    windows: Floats, others: Floats, other_spans: Floats, slack: float,
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:  # fmt: skip
+    """What is wrong with each of the boxes ``(m, 5)``: a code and the index of the offender.
+
+    ``spans`` (m, 2) are underside and top. Everything is judged on boxes drawn in by ``slack``
+    metres a side, so a touch is no fault. ``flat`` boxes need only lie inside ``edges``.
+    ``zones`` (k, 5) nothing below 2 m may enter; ``windows`` (q, 6) nothing above the sill;
+    ``others`` (o, 5) with ``other_spans`` may not be met where the heights meet too.
+    """
+    codes = np.zeros(boxes.shape[0], np.int64)
+    offenders = np.full(boxes.shape[0], -1, np.int64)
+    for i in range(boxes.shape[0]):
+        codes[i], offenders[i] = _fault(
+            boxes[i], spans[i], flat[i], edges, zones, windows, others, other_spans, slack
+        )
+    return codes, offenders
+
+
+@compiled
+def _fault(
+    box: Floats, span: Floats, flat: bool, edges: Floats, zones: Floats, windows: Floats,
+    others: Floats, other_spans: Floats, slack: float,
+) -> tuple[int, int]:  # fmt: skip
+    width, depth = max(box[3] - 2 * slack, 1e-3), max(box[4] - 2 * slack, 1e-3)
+    frame = make_frame(box[0], box[1], box[2], width, depth)
+    if width * depth - area_in_polygon(frame, edges) > _NOTHING:
+        return OUTSIDE, -1
+    if flat:
+        return FITS, -1
+    if span[0] < 2.0:
+        for k in range(zones.shape[0]):
+            z = zones[k]
+            if common_area(frame, make_frame(z[0], z[1], z[2], z[3], z[4])) > _NOTHING:
+                return IN_ZONE, k
+    for k in range(windows.shape[0]):
+        z = windows[k]
+        if span[1] > z[5] and common_area(frame, make_frame(z[0], z[1], z[2], z[3], z[4])) > 0:
+            return AT_WINDOW, k
+    for k in range(others.shape[0]):
+        z = others[k]
+        meets = span[0] < other_spans[k, 1] - 1e-3 and other_spans[k, 0] < span[1] - 1e-3
+        if meets and common_area(frame, make_frame(z[0], z[1], z[2], z[3], z[4])) > _NOTHING:
+            return COLLIDES, k
+    return FITS, -1
+
+
+@compiled
+def backed(box: Floats, walls: Floats, reach: float) -> bool:
+    """True if both back corners of a box lie within ``reach`` metres of one and the same wall.
+
+    >>> wall = np.array([[0.0, 0.0, 4.0, 0.0]])
+    >>> backed(np.array([2.0, 0.5, np.pi / 2, 1.0, 1.0]), wall, 0.01)
+    True
+    >>> backed(np.array([2.0, 0.6, np.pi / 2, 1.0, 1.0]), wall, 0.01)
+    False
+    """
+    c, s = np.cos(box[2]), np.sin(box[2])
+    x, y = box[0] - c * box[4] / 2, box[1] - s * box[4] / 2
+    dx, dy = s * box[3] / 2, -c * box[3] / 2
+    for k in range(walls.shape[0]):
+        w = walls[k]
+        first = distance_to_segment(x + dx, y + dy, w[0], w[1], w[2], w[3])
+        if first <= reach and (
+            distance_to_segment(x - dx, y - dy, w[0], w[1], w[2], w[3]) <= reach
+        ):
+            return True
+    return False
+
+
+@compiled
+def side_gaps(box: Floats, walls: Floats) -> tuple[float, float]:
+    """Distance from the middle of a box's left and right side to the nearest wall, metres."""
+    c, s = np.cos(box[2]), np.sin(box[2])
+    dx, dy = s * box[3] / 2, -c * box[3] / 2
+    left, right = np.inf, np.inf
+    for k in range(walls.shape[0]):
+        w = walls[k]
+        left = min(left, distance_to_segment(box[0] - dx, box[1] - dy, w[0], w[1], w[2], w[3]))
+        right = min(right, distance_to_segment(box[0] + dx, box[1] + dy, w[0], w[1], w[2], w[3]))
+    return left, right
