@@ -16,6 +16,7 @@ from typing import Any
 from scenewright.brief import Brief, FixedItem, Room
 from scenewright.errors import InputError
 from scenewright.formats.solution_record import FORMAT, PieceRecord, checked
+from scenewright.plan import room_ids
 from scenewright.scene import Piece, Pose, Size
 from scenewright.solution import LeftOut, Patch, Solution, TermValue
 
@@ -106,12 +107,14 @@ def brief_of(document: object) -> Brief:
     free too. Id, category, asset, pose and size are kept.
     """
     solution = of_document(document)
-    rooms = [_room_with_locked(room, solution.pieces) for room in solution.brief.rooms]
+    rooms = [
+        _room_with_locked(room, [piece for piece in solution.pieces if piece.space == space])
+        for room, space in zip(solution.brief.rooms, room_ids(solution.brief), strict=True)
+    ]
     return solution.brief.model_copy(update={"rooms": rooms})
 
 
-def _room_with_locked(room: Room, pieces: tuple[Piece, ...]) -> Room:
-    here = [piece for piece in pieces if piece.space == room.id]
+def _room_with_locked(room: Room, here: list[Piece]) -> Room:
     names = {item.id: item.name for item in room.fixed if item.id}
     locked = [_fixed_item(piece, names.get(piece.id, "")) for piece in here if piece.fixed]
     unplaced = [item for item in room.fixed if not any(_same(item, piece) for piece in here)]

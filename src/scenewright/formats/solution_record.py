@@ -10,6 +10,7 @@ from pydantic import Field, ValidationError
 
 from scenewright.brief import Brief, Coordinate, Length, Model
 from scenewright.errors import InputError
+from scenewright.plan import room_ids
 
 FORMAT = "scenewright/solution"
 
@@ -105,7 +106,7 @@ def checked(document: object) -> SolutionRecord:
 def _check_names(record: SolutionRecord) -> None:
     """Ids are unique and everything named exists."""
     known = Counter(piece.id for piece in record.pieces)
-    rooms = {room.id for room in record.brief.rooms}
+    rooms = set(room_ids(record.brief))
     if twice := [name for name, count in known.items() if count > 1]:
         raise InputError(f"several pieces have the id {twice[0]!r}", "give each its own")
     for index, piece in enumerate(record.pieces):

@@ -1,0 +1,147 @@
+"""Room names and areas, put where they can be read."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from shapely import (
+    Geometry,
+    Point,
+    Polygon,
+    area,
+    box,
+    contains_properly,
+    intersection,
+    points,
+    prepare,
+)
+from shapely.ops import polylabel
+
+from scenewright.formats.svg_marks import GREY, INK, View, clean, group, text, text_width, to_paper
+from scenewright.space import Space
+
+NAME, AREA, SIZE = 2.5, 2.0, 1.6
+"""Text heights in millimetres: room name, its area, its inner dimensions."""
+
+HALO, CLEAR = 0.9, 0.8
+
+
+class Label(NamedTuple):
+    """Lines of text with their heights, the turn in degrees and how much we mind using it."""
+
+    lines: tuple[tuple[str, float], ...]
+    turn: float
+    cost: float
+
+
+def labels_mark(view: View, spaces: Sequence[Space], busy: Sequence[Geometry]) -> str:
+    """Names of all rooms; ``busy[i]`` is what label i should not cover, in plan metres."""
+    marks = [_label_mark(view, *place(view, s, b)) for s, b in zip(spaces, busy, strict=True)]
+    return group(marks, stroke="none", fill=INK)
+
+
+def polygon_of(space: Space) -> Polygon:
+    """The space's floor as a polygon."""
+    return Polygon(space.outline, space.holes)
+
+
+def area_words(square_metres: float) -> str:
+    """An area as printed.
+
+    >>> area_words(12.345)
+    '12.3 m²'
+    """
+    return f"{square_metres:.1f} m²"
+
+
+def place(view: View, space: Space, busy: Geometry) -> tuple[Label, NDArray[np.float64]]:
+    """The wording, turn and plan position at which the room's label disturbs least."""
+    room = polygon_of(space)
+    tried = [_best_position(view, label, room, busy) for label in wordings(space, room.area)]
+    _, label, at = min(tried, key=lambda found: found[0])
+    return label, at
+
+
+def wordings(space: Space, square_metres: float) -> list[Label]:
+    """Ever shorter and smaller labels, upright and turned, with what each costs."""
+    name, floor = clean(space.name or space.id, 32), area_words(square_metres)
+    size = inner_dimensions(space)
+    full = ((name, NAME), (floor, AREA), *(((size, SIZE),) if size else ()))
+    short = ((name, NAME), (floor, AREA))
+    small = ((name, 0.72 * NAME), (floor, 0.72 * AREA))
+    options = ((full, 0.0), (short, 0.15), (small, 0.45))
+    turns = ((0.0, 0.0), (90.0, 0.3))
+    return [Label(rows, turn, cost + more) for rows, cost in options for turn, more in turns]
+
+
+def inner_dimensions(space: Space) -> str:
+    """Clear width and depth of a room that is (nearly) a rectangle square to the plan, or nothing.
+
+    >>> square = Space("a", "A", (), "g", np.array([[0, 0], [3, 0], [3, 4], [0, 4.0]]))
+    >>> inner_dimensions(square)
+    '3.00 × 4.00'
+    """
+    room = polygon_of(space)
+    west, south, east, north = room.bounds
+    width, depth = east - west, north - south
+    return f"{width:.2f} × {depth:.2f}" if room.area > 0.985 * width * depth else ""
+
+
+def extent(label: Label) -> tuple[float, float]:
+    """Width and height of the label on paper, in millimetres."""
+    width = max(text_width(words, size) for words, size in label.lines) + 2 * HALO
+    height = sum(1.35 * size for _, size in label.lines) + HALO
+    return (height, width) if label.turn else (width, height)
+
+
+def _best_position(
+    view: View, label: Label, room: Polygon, busy: Geometry
+) -> tuple[float, Label, NDArray[np.float64]]:
+    """Least of: share of the label off the floor, share over things, distance to the middle."""
+    width, height = ((side + 2 * CLEAR) / view.scale for side in extent(label))
+    at = _candidates(room)
+    boxes = box(at[:, 0] - width / 2, at[:, 1] - height / 2,
+                at[:, 0] + width / 2, at[:, 1] + height / 2)  # fmt: skip
+    off = 1 - area(intersection(boxes, room)) / (width * height)
+    over = area(intersection(boxes, busy)) / (width * height)
+    middle = np.array(_middle(room).coords[0])
+    away = np.hypot(*(at - middle).T) / np.sqrt(room.area)
+    cost = 12 * off + 2 * over + 0.15 * away + label.cost
+    best = int(np.argmin(cost))
+    return float(cost[best]), label, at[best]
+
+
+def _middle(room: Polygon) -> Point:
+    """The centroid of a compact room, else the point farthest from its walls."""
+    compact = room.area > 0.9 * room.convex_hull.area
+    return room.centroid if compact else polylabel(room, 0.05)
+
+
+def _candidates(room: Polygon, count: int = 24) -> NDArray[np.float64]:
+    """A grid of points inside the room, and one that is surely inside."""
+    west, south, east, north = room.bounds
+    x, y = np.meshgrid(np.linspace(west, east, count), np.linspace(south, north, count))
+    grid = np.column_stack([x.ravel(), y.ravel()])
+    prepare(room)
+    inside = grid[contains_properly(room, points(grid))]
+    return np.vstack([np.array(room.representative_point().coords), inside])
+
+
+def _label_mark(view: View, label: Label, at: NDArray[np.float64]) -> str:
+    """The lines, each over its own halo, stacked around the position."""
+    centre = to_paper(view, at)
+    heights = np.array([1.35 * size for _, size in label.lines])
+    offsets = np.cumsum(heights) - heights / 2 - heights.sum() / 2
+    angle = np.radians(label.turn)
+    down = np.array([np.sin(angle), np.cos(angle)])
+    marks = []
+    for row, ((words, size), offset) in enumerate(zip(label.lines, offsets, strict=True)):
+        style = {"font_weight": "bold"} if row == 0 else {"fill": INK if row == 1 else GREY}
+        halo = {"stroke": "#ffffff", "stroke_width": HALO, "stroke_linejoin": "round"}
+        where = centre + offset * down
+        marks.append(text(words, where, size, label.turn, **(style | halo)))
+        marks.append(text(words, where, size, label.turn, **style))
+    return group(marks)

@@ -1,0 +1,127 @@
+"""The sheet of paper: which size, which scale, frame, title block, scale bar, north arrow."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from scenewright._version import __version__
+from scenewright.formats.svg_marks import (
+    FINE,
+    GREY,
+    INK,
+    LINE,
+    OUTLINE,
+    View,
+    clean,
+    group,
+    line,
+    shape,
+    tag,
+    text,
+)  # fmt: skip
+
+SCALES = (50, 100, 200, 500, 1000, 2000, 5000, 10_000)
+PAPERS = ((297.0, 210.0), (210.0, 297.0), (420.0, 297.0), (297.0, 420.0))
+"""A4 and A3, lying and standing, in millimetres."""
+
+EDGE, STRIP = 7.0, 15.0
+"""Millimetres from the paper's edge to the frame, and height of the title strip."""
+
+
+class Sheet(NamedTuple):
+    """Width and height in millimetres, and the scale as in 1:50."""
+
+    width: float
+    height: float
+    scale: int
+
+
+def choose(width: float, height: float, extra_width: float, extra_height: float) -> Sheet:
+    """The largest scale and then smallest paper on which a drawing fits.
+
+    ``width`` and ``height`` are metres to scale; the extras millimetres that stay as they are.
+
+    >>> choose(9.0, 7.0, 30.0, 30.0)
+    Sheet(width=297.0, height=210.0, scale=50)
+    """
+    for scale in SCALES:
+        need = width * 1000 / scale + extra_width, height * 1000 / scale + extra_height
+        for paper in PAPERS:
+            if need[0] <= paper[0] - 2 * EDGE and need[1] <= paper[1] - 2 * EDGE - STRIP:
+                return Sheet(*paper, scale)
+    last = SCALES[-1]
+    return Sheet(
+        width * 1000 / last + extra_width + 2 * EDGE,
+        height * 1000 / last + extra_height + 2 * EDGE + STRIP,
+        last,
+    )
+
+
+def sheet_mark(sheet: Sheet, name: str, summary: str) -> str:
+    """Frame and title strip."""
+    right, bottom = sheet.width - EDGE, sheet.height - EDGE
+    top = bottom - STRIP
+    middle = (top + bottom) / 2
+    corners = [(EDGE, EDGE), (right, EDGE), (right, bottom), (EDGE, bottom)]
+    marks = [
+        shape([corners], stroke_width=OUTLINE),
+        line([(EDGE, top), (right, top)], stroke_width=LINE),
+        line([(right - 44, top), (right - 44, bottom)], stroke_width=LINE),
+        line([(right - 58, top), (right - 58, bottom)], stroke_width=LINE),
+        _words(clean(name, 40), (EDGE + 5, middle - 2.2), 4.4, weight="bold"),
+        _words(summary, (EDGE + 5, middle + 3.6), 2.3, fill=GREY),
+        scale_bar(right - 64, middle + 1.5, sheet.scale),
+        north_arrow(right - 51, middle + 1.2),
+        _words(f"1:{sheet.scale}", (right - 40, middle - 2.2), 4.4, weight="bold"),
+        _words(f"Scenewright {__version__}", (right - 40, middle + 3.6), 2.3, fill=GREY),
+    ]
+    return group(marks, fill="none", stroke=INK)
+
+
+def scale_bar(right: float, y: float, scale: int) -> str:
+    """A bar of five divisions, black and white, ending at ``right``; labelled in metres."""
+    unit = next(u for u in (1, 2, 5, 10, 20, 50, 100, 200) if u * 1000 / scale >= 9)
+    step = unit * 1000 / scale
+    left = right - 4 * step - 4
+    marks = []
+    for index in range(4):
+        x = left + index * step
+        box = [(x, y), (x + step, y), (x + step, y + 1.5), (x, y + 1.5)]
+        fill = INK if index % 2 == 0 else "#ffffff"
+        marks.append(shape([box], fill=fill, stroke_width=FINE))
+    for index in (0, 1, 2, 4):
+        words = f"{index * unit}" + (" m" if index == 4 else "")
+        at = (left + index * step + (1.2 if index == 4 else 0.0), y - 1.8)
+        marks.append(text(words, at, 1.8, stroke="none", fill=GREY))
+    return group(marks)
+
+
+def north_arrow(x: float, y: float, radius: float = 4.0) -> str:
+    """A circle with a needle to the top of the sheet: plans have y to the north."""
+    needle = [(x, y - radius), (x - 0.45 * radius, y + 0.78 * radius), (x, y + 0.45 * radius)]
+    half = [(x, y - radius), (x + 0.45 * radius, y + 0.78 * radius), (x, y + 0.45 * radius)]
+    marks = [
+        tag("circle", cx=x, cy=y, r=radius, stroke_width=FINE, stroke=GREY),
+        shape([needle], fill=INK, stroke_width=FINE),
+        shape([half], fill="#ffffff", stroke_width=FINE),
+        text("N", (x, y - 1.3 * radius), 1.9, stroke="none", fill=INK),
+    ]
+    return group(marks, stroke_linejoin="round")
+
+
+def drawing_area(sheet: Sheet) -> tuple[float, float]:
+    """Width and height in millimetres inside the frame, above the title strip."""
+    return sheet.width - 2 * EDGE, sheet.height - 2 * EDGE - STRIP
+
+
+def view_at(sheet: Sheet, west: float, south: float, left: float, bottom: float) -> View:
+    """The view that puts the plan point (west, south) at the paper point (left, bottom)."""
+    scale = 1000 / sheet.scale
+    return View(scale, left - west * scale, bottom + south * scale)
+
+
+def _words(
+    words: str, at: tuple[float, float], size: float, weight: str = "normal", fill: str = INK
+) -> str:
+    style = {"text_anchor": "start", "font_weight": weight, "fill": fill, "stroke": "none"}
+    return text(words, at, size, **style)
