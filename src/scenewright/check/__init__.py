@@ -1,0 +1,77 @@
+"""The referee: is the answer right? Exact geometry on the final pieces.
+
+It shares no code with what it judges: it sees the brief, the rooms made of it and the pieces,
+never patches, costs or kernels. Definitions follow SceneEval (Tam, Pun, Wang, Chang, Savva 2025,
+"SceneEval: Evaluating Semantic Coherence in Text-Conditioned 3D Indoor Scene Synthesis"); where
+ours differ the module of the test says how.
+"""
+
+from __future__ import annotations
+
+from scenewright.catalog import Catalog
+from scenewright.check.bodies import bodies_of, rooms_of
+from scenewright.check.bounds import find_out_of_bounds, find_unsupported
+from scenewright.check.collisions import find_collisions
+from scenewright.check.complete import (
+    ESSENTIALS,
+    USABLE,
+    expected,
+    find_incomplete,
+    inscribed_width,
+    room_figures,
+)
+from scenewright.check.openings import find_blocked
+from scenewright.check.reach import find_unreachable
+from scenewright.check.report import KINDS, Finding, Note, Report, count_by_kind
+from scenewright.check.routes import grounds_of, navigable_share
+from scenewright.solution import Solution
+from scenewright.space import Space
+
+__all__ = [
+    "ESSENTIALS", "KINDS", "USABLE", "Finding", "Note", "Report", "check", "expected",
+    "inscribed_width",
+]  # fmt: skip
+
+
+def check(
+    solution: Solution,
+    *,
+    spaces: tuple[Space, ...] | None = None,
+    catalog: Catalog | None = None,
+) -> Report:
+    """Judge a solution: every violation, what is missing, and figures.
+
+    ``spaces`` are the rooms, made of the solution's brief unless given; ``catalog`` tells how
+    each category is used, the shipped one unless given. Nothing the pieces hold, however broken,
+    raises an error: it becomes a finding.
+    """
+    rooms = rooms_of(_spaces(solution) if spaces is None else spaces)
+    bodies, malformed = bodies_of(solution.pieces, rooms, catalog or _shipped())
+    grounds = grounds_of(rooms, solution.brief.route_width)
+    findings = (
+        *malformed,
+        *find_collisions(bodies, rooms.levels),
+        *find_out_of_bounds(bodies, rooms),
+        *find_blocked(bodies, rooms),
+        *find_unreachable(bodies, rooms, grounds, solution.brief.route_width),
+        *find_unsupported(bodies, rooms),
+    )
+    figures = {
+        "pieces": len(solution.pieces),
+        "counts": count_by_kind(findings),
+        "navigable_share": navigable_share(bodies, rooms, grounds),
+        "rooms": room_figures(bodies, rooms),
+    }
+    return Report(findings, tuple(find_incomplete(bodies, rooms)), figures)
+
+
+def _spaces(solution: Solution) -> tuple[Space, ...]:
+    from scenewright.plan import spaces
+
+    return spaces(solution.brief)
+
+
+def _shipped() -> Catalog:
+    from scenewright.assets import shipped
+
+    return shipped()

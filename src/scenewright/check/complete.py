@@ -1,0 +1,165 @@
+"""Completeness: does a room hold what its function is unthinkable without?
+
+Validity says nothing is wrong; completeness that something is there. What counts as essential is
+our own table, after the rooms people actually live in; it judges categories only.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.check.bodies import Bodies, Rooms, Shape
+from scenewright.check.report import Note
+
+
+class Need(NamedTuple):
+    """One thing a function needs: what it is called, the categories that serve, how many."""
+
+    name: str
+    categories: frozenset[str]
+    least: int = 1
+
+
+class Usable(NamedTuple):
+    """The least floor area in square metres and inscribed width in metres for a function."""
+
+    area: float
+    width: float
+
+
+def _need(name: str, categories: str, least: int = 1) -> Need:
+    return Need(name, frozenset(categories.split()), least)
+
+
+_BED = _need("bed", "bed single_bed double_bed child_bed bunk_bed loft_bed sofa_bed crib")
+_DOUBLE = _need("double bed", "double_bed")
+_NIGHTSTAND = _need("nightstand", "nightstand bedside_table")
+_WARDROBE = _need("wardrobe", "wardrobe dresser chest_of_drawers closet")
+
+ESSENTIALS: dict[str, tuple[Need, ...]] = {
+    "living": (
+        _need("seat", "sofa corner_sofa loveseat sofa_bed armchair sectional"),
+        _need("table", "coffee_table side_table nest_of_tables"),
+        _need(
+            "screen or focal point",
+            "tv tv_stand tv_unit media_console fireplace bookcase bookshelf sideboard piano",
+        ),
+    ),
+    "dining": (
+        _need("dining table", "dining_table round_dining_table round_table bar_table"),
+        _need("two chairs", "dining_chair chair stool bar_stool bench dining_bench", 2),
+    ),
+    "kitchen": (
+        _need("sink", "sink kitchen_sink sink_unit"),
+        _need("hob", "hob stove cooker range"),
+        _need("fridge", "fridge refrigerator"),
+        _need("base units", "base_cabinet kitchen_counter counter base_unit kitchen_island"),
+    ),
+    "bedroom": (_BED, _WARDROBE),
+    "double_bedroom": (_DOUBLE, _NIGHTSTAND, _WARDROBE),
+    "single_bedroom": (_BED, _WARDROBE),
+    "child_bedroom": (_BED,),
+    "study": (
+        _need("desk", "desk corner_desk"),
+        _need("chair", "desk_chair office_chair chair"),
+    ),
+    "bathroom": (
+        _need("basin", "basin washbasin vanity double_vanity pedestal_basin"),
+        _need("bath, shower or toilet", "bathtub bath shower shower_cabin toilet"),
+    ),
+    "toilet": (_need("toilet", "toilet"),),
+    "washroom": (
+        _need("basin or washing machine", "basin washbasin vanity washing_machine pedestal_basin"),
+    ),
+    "storage": (
+        _need("storage", "shelf shelving storage_shelf cabinet wardrobe bookcase storage_cabinet"),
+    ),
+    "hall": (
+        _need(
+            "somewhere for coats or shoes",
+            "shoe_cabinet coat_rack console console_table bench cabinet wardrobe coat_stand",
+        ),
+    ),
+}
+"""What each function needs; a room of several functions needs all of theirs."""
+
+USABLE: dict[str, Usable] = {
+    "living": Usable(7.0, 2.0),
+    "dining": Usable(4.0, 1.8),
+    "kitchen": Usable(3.0, 1.4),
+    "bedroom": Usable(4.0, 1.6),
+    "double_bedroom": Usable(7.0, 2.2),
+    "single_bedroom": Usable(4.0, 1.6),
+    "child_bedroom": Usable(4.0, 1.6),
+    "study": Usable(3.0, 1.4),
+    "bathroom": Usable(1.5, 1.0),
+    "toilet": Usable(0.7, 0.7),
+    "washroom": Usable(1.2, 0.8),
+    "storage": Usable(0.5, 0.5),
+    "hall": Usable(2.5, 1.1),
+}
+"""From which size on a room is expected to hold its essentials; smaller ones are never noted."""
+
+
+def inscribed_width(shape: Shape) -> float:
+    """Diameter in metres of the largest circle that fits in a room.
+
+    >>> round(inscribed_width(shapely.box(0, 0, 4, 2)), 2)
+    2.0
+    """
+    if shape.is_empty or shape.area < 1e-6:
+        return 0.0
+    return 2 * float(shapely.length(shapely.maximum_inscribed_circle(shape, tolerance=0.005)))
+
+
+def expected(functions: tuple[str, ...], shape: Shape) -> tuple[str, ...]:
+    """The functions among ``functions`` whose essentials a room of this shape should hold.
+
+    An open plan has to be large enough for all that have essentials together, else only for the
+    first ones that fit.
+    """
+    left, width, kept = float(shape.area), inscribed_width(shape), []
+    for function in functions:
+        least = USABLE.get(function)
+        if least and left >= least.area and width >= least.width:
+            kept.append(function)
+            left -= least.area
+    return tuple(kept)
+
+
+def find_incomplete(bodies: Bodies, rooms: Rooms) -> list[Note]:
+    """A note for each essential thing a room of usable size lacks."""
+    notes: list[Note] = []
+    for i, space in enumerate(rooms.spaces):
+        held = [bodies.pieces[k].category for k in np.flatnonzero(bodies.room == i)]
+        for function in expected(space.functions, rooms.shapes[i]):
+            room = f"{space.id} ({function}, {rooms.shapes[i].area:.1f} m²)"
+            notes += [
+                Note(space.id, function, need.name, f"{room} has no {need.name}")
+                for need in ESSENTIALS[function]
+                if sum(category in need.categories for category in held) < need.least
+            ]
+    return notes
+
+
+def room_figures(bodies: Bodies, rooms: Rooms) -> dict[str, dict[str, Any]]:
+    """Pieces, floor area in square metres and density of each space.
+
+    Density is the share of the floor covered by what stands on it (rugs not counted).
+    """
+    figures = {}
+    stands = bodies.underfoot
+    for i, space in enumerate(rooms.spaces):
+        rows = np.flatnonzero(bodies.room == i)
+        area = float(rooms.shapes[i].area)
+        footprint = shapely.union_all(bodies.footprints[rows[stands[rows]]])
+        covered = float(shapely.area(shapely.intersection(footprint, rooms.shapes[i])))
+        figures[space.id] = {
+            "pieces": len(rows),
+            "area": round(area, 3),
+            "density": round(covered / area, 4) if area else 0.0,
+        }
+    return figures

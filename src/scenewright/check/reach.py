@@ -1,0 +1,153 @@
+"""Reach: which rooms and pieces no route leads to, and what blocks them.
+
+SceneEval (Tam et al. 2025) scores accessibility as the share of an area before each functional
+side that no object covers. A free patch nobody can walk to is of no use, so here a side counts
+when a person walking in by the door can come to stand before it.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.check.bodies import Bodies, Floats, Rooms, Shape, Shapes
+from scenewright.check.report import Finding
+from scenewright.check.routes import Ground, Walk, walk_in, walk_without
+
+REACH = 0.2
+"""How far an arm reaches beyond the person's own radius, in metres."""
+
+_SIDES = {"front": (1, 2), "left": (2, 3), "back": (3, 0), "right": (0, 1)}
+_NEAREST = 8
+
+
+class Target(NamedTuple):
+    """What has to be reached: a room, or a piece (its row, else -1), and the shape the centre of
+    the route has to come into."""
+
+    room: int
+    piece: int
+    shape: Shape
+
+
+def find_unreachable(
+    bodies: Bodies, rooms: Rooms, grounds: list[Ground], route_width: float
+) -> list[Finding]:
+    """Rooms and pieces no route of ``route_width`` metres leads to, each with what blocks it.
+
+    A room is reached if the centre of the route can come into it (or into its doorway, if even
+    the empty room is too tight); a room no route could enter empty is not judged. A piece with
+    using sides (its kind's ``access``) is reached if the centre comes within half the route
+    width and :data:`REACH` of one of them, straight before it. Pieces of a room that is not
+    reached are not told one by one. Seats that go under tables are pushed aside.
+    """
+    found: list[Finding] = []
+    for ground in grounds:
+        walk = walk_in(bodies, ground, route_width / 2)
+        shapely.prepare(walk.reached)
+        wanted = _room_targets(rooms, ground, walk)
+        missed = [t for t in wanted if not shapely.intersects(walk.reached, t.shape)]
+        open_rooms = {t.room for t in wanted} - {t.room for t in missed}
+        missed += _missed_pieces(bodies, rooms, ground, walk, open_rooms)
+        blockers = _blockers(walk, missed)
+        found += [
+            _finding(bodies, rooms, walk, target, rows)
+            for target, rows in zip(missed, blockers, strict=True)
+        ]
+    return found
+
+
+def _room_targets(rooms: Rooms, ground: Ground, walk: Walk) -> list[Target]:
+    targets = []
+    for room in ground.rooms:
+        ways = ground.doorways.get(int(room), [])
+        for shape in (rooms.shapes[room], shapely.union_all(ways)):
+            if shapely.intersects(walk.bare_reached, shape):
+                targets.append(Target(int(room), -1, shape))
+                break
+    return targets
+
+
+def _missed_pieces(
+    bodies: Bodies, rooms: Rooms, ground: Ground, walk: Walk, open_rooms: set[int]
+) -> list[Target]:
+    """Pieces with using sides, none of which the route comes to."""
+    missed = []
+    for room in sorted(open_rooms):
+        rows = [int(i) for i in np.flatnonzero(bodies.room == room) if bodies.kinds[i].access]
+        if not rows:
+            continue
+        within = shapely.union_all([rooms.shapes[room], *ground.doorways.get(room, [])])
+        shapes = [_before(bodies, i, walk.radius + REACH) for i in rows]
+        clipped = shapely.intersection(np.array(shapes, object), within)
+        for i, shape in zip(rows, clipped, strict=True):
+            if not shapely.intersects(walk.reached, shape):
+                missed.append(Target(room, i, shape))
+    return missed
+
+
+def _before(bodies: Bodies, i: int, depth: float) -> Shape:
+    """The boxes before the using sides of a piece, ``depth`` metres deep."""
+    corners = bodies.corners[i]
+    return shapely.multipolygons([_beyond(corners, s, depth) for s in bodies.kinds[i].access])
+
+
+def _beyond(corners: Floats, side: str, depth: float) -> Shape:
+    start, end = (corners[k] for k in _SIDES[side])
+    along = (end - start) / max(float(np.hypot(*(end - start))), 1e-12)
+    out = np.array([along[1], -along[0]]) * depth
+    return shapely.polygons(np.stack([start, start + out, end + out, end]))
+
+
+def _blockers(walk: Walk, missed: list[Target]) -> list[list[int]]:
+    """For each target the rows of pieces any one of which, taken away, would open the way; else
+    those along the gap."""
+    shapes: Shapes = np.array([target.shape for target in missed], object)
+    opening: list[list[int]] = [[] for _ in missed]
+    for k in _suspects(walk, shapes):
+        reached = walk_without(walk, k)
+        for t in np.flatnonzero(shapely.intersects(reached, shapes)):
+            if walk.blocking[k] != missed[t].piece:
+                opening[t].append(int(walk.blocking[k]))
+    return [rows or _along_gap(walk, target) for rows, target in zip(opening, missed, strict=True)]
+
+
+def _suspects(walk: Walk, shapes: Shapes) -> NDArray[np.int64]:
+    """Indices into ``walk.blocking`` of the pieces nearest to both the region reached and the
+    shapes missed."""
+    if not len(shapes) or not len(walk.blocking):
+        return np.empty(0, np.int64)
+    missed = shapely.union_all(shapes)
+    apart = shapely.distance(walk.grown, missed)
+    if not walk.reached.is_empty:
+        apart = apart + shapely.distance(walk.grown, walk.reached)
+    return np.asarray(np.argsort(apart, kind="stable")[:_NEAREST], np.int64)
+
+
+def _along_gap(walk: Walk, target: Target) -> list[int]:
+    """Rows of the pieces on the straight line from the region reached to the target."""
+    if walk.reached.is_empty or target.shape.is_empty or not len(walk.blocking):
+        return []
+    line = shapely.shortest_line(walk.reached, target.shape)
+    touched = np.flatnonzero(shapely.distance(walk.grown, line) < 0.02)
+    rows = [int(walk.blocking[k]) for k in touched]
+    return [row for row in rows if row != target.piece][:3]
+
+
+def _finding(bodies: Bodies, rooms: Rooms, walk: Walk, target: Target, rows: list[int]) -> Finding:
+    space = rooms.spaces[target.room]
+    piece = bodies.pieces[target.piece] if target.piece >= 0 else None
+    names = [bodies.pieces[row].id for row in rows]
+    short = shapely.distance(walk.reached, target.shape)
+    what = f"{piece.id} of {space.id}" if piece else f"room {space.id}"
+    told = f"no route {2 * walk.radius:.2f} m wide leads to {what}"
+    told += f": {' or '.join(names)} is in the way" if names else ": the room is too tight there"
+    given = all(bodies.pieces[row].fixed for row in rows) and (piece is None or piece.fixed)
+    return Finding(
+        "unreachable_piece" if piece else "unreachable_room", space.level, space.id,
+        piece.id if piece else "", ",".join(names), told,
+        round(float(np.nan_to_num(short)), 4), given=given and bool(rows or piece),
+    )  # fmt: skip

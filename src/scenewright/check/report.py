@@ -1,0 +1,109 @@
+"""What the referee says: findings, figures and a verdict."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field
+from typing import Any
+
+KINDS = (
+    "malformed",
+    "collision",
+    "out_of_bounds",
+    "blocked_door",
+    "blocked_window",
+    "unreachable_piece",
+    "unreachable_room",
+    "floating",
+    "sunk",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One violation.
+
+    ``kind`` is one of :data:`KINDS`; ``piece`` and ``other`` are ids (empty where there is none;
+    for a blocked opening ``other`` is the opening, for something unreachable what blocks it,
+    several ids joined by commas). ``amount`` is the size of the fault in metres (depth of an
+    overlap, distance outside, gap beneath) and ``area`` in square metres. ``given`` findings
+    concern only pieces that came fixed with the brief: they are told, but the answer is not to
+    blame for them.
+    """
+
+    kind: str
+    level: str
+    space: str
+    piece: str
+    other: str
+    message: str
+    amount: float = 0.0
+    area: float = 0.0
+    given: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """Something usual that a room of its function and size lacks; not a violation."""
+
+    space: str
+    function: str
+    missing: str
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """The verdict on a solution.
+
+    ``figures`` holds ``pieces`` and ``counts`` (findings by kind), ``navigable_share`` by level
+    and ``rooms`` (pieces, floor area in square metres and density of each space).
+    """
+
+    findings: tuple[Finding, ...]
+    notes: tuple[Note, ...] = ()
+    figures: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def valid(self) -> bool:
+        """Whether nothing but what came with the brief violates a rule."""
+        return all(found.given for found in self.findings)
+
+    def of(self, kind: str) -> tuple[Finding, ...]:
+        """The findings of one kind."""
+        return tuple(found for found in self.findings if found.kind == kind)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, ready for JSON.
+
+        >>> Report(()).to_dict()
+        {'valid': True, 'findings': [], 'notes': [], 'figures': {}}
+        """
+        return {
+            "valid": self.valid,
+            "findings": [_plain(found) for found in self.findings],
+            "notes": [_plain(note) for note in self.notes],
+            "figures": self.figures,
+        }
+
+    def __str__(self) -> str:
+        """One line.
+
+        >>> str(Report((Finding("collision", "0", "a", "sofa", "tv", "they overlap"),)))
+        'not valid: 1 collision'
+        """
+        blamed = Counter(found.kind for found in self.findings if not found.given)
+        counted = ", ".join(f"{blamed[k]} {k.replace('_', ' ')}" for k in KINDS if blamed[k])
+        given = len(self.findings) - blamed.total()
+        tail = f" ({given} more in what was given)" if given else ""
+        return (f"not valid: {counted}" if counted else "valid") + tail
+
+
+def count_by_kind(findings: tuple[Finding, ...]) -> dict[str, int]:
+    """How many findings there are of every kind, zeros included."""
+    counted = Counter(found.kind for found in findings)
+    return {kind: counted[kind] for kind in KINDS}
+
+
+def _plain(value: Finding | Note) -> dict[str, Any]:
+    return {name: getattr(value, name) for name in value.__slots__}

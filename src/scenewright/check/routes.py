@@ -1,0 +1,164 @@
+"""Routes: where a person can walk, and how much of the floor is navigable.
+
+A person is a disc. Where its centre may be is exact: the rooms of a level joined by their
+doorways, shrunk by the radius, less every footprint grown by it (Minkowski; discs as 32-gons).
+SceneEval (Tam et al. 2025, after PhyScene, Yang et al. 2024) rasters the same region at 256 x 256
+for its *navigability*, the largest connected part over the whole, with a robot of 0.2 m and
+without objects above 2 m; its doors are not joined, ours are.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from scenewright.check.bodies import Bodies, Rooms, Shape, Shapes
+from scenewright.space import Opening
+
+ROBOT_RADIUS = 0.2
+"""Radius of the robot whose navigable share is told (SceneEval), in metres."""
+
+_SLACK = 0.01
+
+
+class Ground(NamedTuple):
+    """One group of rooms joined by doors: their numbers, the joined floor with its doorways, the
+    doorways of each room, and the points where one comes in from outside (empty: not known)."""
+
+    rooms: NDArray[np.int64]
+    floor: Shape
+    doorways: dict[int, list[Shape]]
+    ways_in: Shapes
+
+
+class Walk(NamedTuple):
+    """Where the disc's centre may be in a ground: ``bare`` in the empty rooms, ``bare_reached``
+    the part of it joined to the way in, ``reached`` the same less the ``grown`` footprints of the
+    pieces ``blocking`` (their rows), from ``start``."""
+
+    radius: float
+    bare: Shape
+    bare_reached: Shape
+    blocking: NDArray[np.int64]
+    grown: Shapes
+    start: Shape
+    reached: Shape
+
+
+def navigable_share(bodies: Bodies, rooms: Rooms, grounds: list[Ground]) -> dict[str, float]:
+    """Largest connected part over the whole region open to a disc of 0.2 m, by level.
+
+    Where rooms of one level are not joined by any door (two storeys drawn side by side) the
+    largest part of each group of rooms counts. 1 for a level with no room for the disc.
+    """
+    parts = {level: [0.0, 0.0] for level in rooms.levels}
+    for ground in grounds:
+        inside = np.flatnonzero(np.isin(bodies.room, ground.rooms) & bodies.underfoot)
+        free = _less(_eroded(ground.floor, ROBOT_RADIUS), _grown(bodies, inside, ROBOT_RADIUS))
+        areas = shapely.area(shapely.get_parts(free))
+        total = parts[rooms.levels[rooms.level[ground.rooms[0]]]]
+        total[0] += float(areas.max(initial=0.0))
+        total[1] += float(areas.sum())
+    return {level: round(most / all_, 4) if all_ else 1.0 for level, (most, all_) in parts.items()}
+
+
+def grounds_of(rooms: Rooms, route_width: float) -> list[Ground]:
+    """Groups of rooms joined by doors and passages, each with its floor."""
+    number = {space.id: i for i, space in enumerate(rooms.spaces)}
+    found = {(s.level, *o.spaces, o.id, o.x, o.y): o for s in rooms.spaces for o in s.openings}
+    doors = [opening for opening in found.values() if opening.kind != "window"]
+    links = [[number[s] for s in o.spaces if s in number] for o in doors]
+    group = _components(len(rooms.spaces), [(a[0], a[1]) for a in links if len(a) == 2])
+    grounds = []
+    for g in range(int(group.max(initial=-1)) + 1):
+        members = np.flatnonzero(group == g)
+        near = [(o, a) for o, a in zip(doors, links, strict=True) if a and group[a[0]] == g]
+        ways = [(o, a, _doorway(o, rooms, a, route_width)) for o, a in near]
+        doorways: dict[int, list[Shape]] = {}
+        for _, joined, way in ways:
+            for room in joined:
+                doorways.setdefault(room, []).append(way)
+        floor = shapely.union_all([*rooms.shapes[members], *(way for _, _, way in ways)])
+        outer = [shapely.points(o.x, o.y) for o, a in near if len(a) == 1]
+        grounds.append(Ground(members, floor, doorways, np.array(outer, object)))
+    return grounds
+
+
+def _components(n: int, links: list[tuple[int, int]]) -> NDArray[np.int64]:
+    ends = np.array(links, np.int64).reshape(-1, 2)
+    graph = coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(n, n))
+    return np.asarray(connected_components(graph, directed=False)[1], np.int64)
+
+
+def _doorway(opening: Opening, rooms: Rooms, joined: list[int], route_width: float) -> Shape:
+    """The floor of a doorway, a little into the rooms on both sides.
+
+    However narrow, a door lets people through, so it counts as a centimetre more than the route;
+    a way in from outside goes on outside so that a person can stand in the door.
+    """
+    along = np.array([opening.ux, opening.uy])
+    left = np.array([-along[1], along[0]])
+    centre = np.array([opening.x, opening.y])
+    side = along * max(opening.width, route_width + 2 * _SLACK) / 2
+    half = opening.thickness / 2 + _SLACK
+    reach = np.array([half, half])
+    if len(joined) == 1:
+        apart = shapely.distance(
+            shapely.points(np.stack([centre + left * half, centre - left * half])),
+            rooms.shapes[joined[0]],
+        )
+        reach[int(np.argmax(apart))] = half + route_width
+    back, fore = centre - left * reach[1], centre + left * reach[0]
+    return shapely.polygons(np.stack([back - side, back + side, fore + side, fore - side]))
+
+
+def walk_in(bodies: Bodies, ground: Ground, radius: float) -> Walk:
+    """Where a disc of ``radius`` metres may go in a ground, and the part joined to the way in.
+
+    The way in is where outer doors are; the largest free part if there are none, or if they are
+    too tight even in the empty rooms.
+    """
+    inside = np.isin(bodies.room, ground.rooms) & bodies.underfoot & ~bodies.seat
+    blocking = np.flatnonzero(inside)
+    bare, grown = _eroded(ground.floor, radius), _grown(bodies, blocking, radius)
+    free = _less(bare, grown)
+    doors = shapely.multipoints(ground.ways_in) if len(ground.ways_in) else shapely.MultiPoint()
+    start = shapely.buffer(doors, 2 * _SLACK)
+    if not shapely.intersects(start, bare):
+        start = _somewhere_in_largest(free if not free.is_empty else bare)
+    return Walk(radius, bare, _joined(bare, start), blocking, grown, start, _joined(free, start))
+
+
+def _eroded(floor: Shape, radius: float) -> Shape:
+    return shapely.buffer(floor, -radius, quad_segs=8)
+
+
+def _grown(bodies: Bodies, rows: NDArray[np.int64], radius: float) -> Shapes:
+    return np.asarray(shapely.buffer(bodies.footprints[rows], radius, quad_segs=8), object)
+
+
+def _less(region: Shape, shapes: Shapes) -> Shape:
+    return shapely.difference(region, shapely.union_all(shapes)) if len(shapes) else region
+
+
+def _somewhere_in_largest(region: Shape) -> Shape:
+    parts = shapely.get_parts(region)
+    if not len(parts):
+        return shapely.Point()
+    return shapely.point_on_surface(parts[int(np.argmax(shapely.area(parts)))])
+
+
+def _joined(free: Shape, start: Shape) -> Shape:
+    """The connected parts of ``free`` that meet ``start``."""
+    parts = shapely.get_parts(free)
+    return shapely.multipolygons(parts[shapely.intersects(parts, start)])
+
+
+def walk_without(walk: Walk, k: int) -> Shape:
+    """What would be reached if the k-th of the blocking pieces were not there."""
+    return _joined(_less(walk.bare, np.delete(walk.grown, k)), walk.start)
