@@ -6,12 +6,14 @@ Here it becomes one shared value on the middle line of the wall.
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from scenewright import outlines
-from scenewright.brief import Brief, Door, Room, Window
+from scenewright.brief import Brief, Door, Window
 from scenewright.errors import InputError
 from scenewright.space import Opening, OpeningKind, Points, Space
 
@@ -71,11 +73,13 @@ def _of_room(
 ) -> list[tuple[str, Opening]]:
     room = brief.rooms[number]
     told = f"rooms[{number}] '{room.name or space.id}'"
-    listed = [("doors", i, door) for i, door in enumerate(room.doors)]
-    windows = [("windows", i, window) for i, window in enumerate(room.windows)]
+    listed: list[tuple[str, Door | Window]] = [
+        *((f"doors[{i}]", door) for i, door in enumerate(room.doors)),
+        *((f"windows[{i}]", window) for i, window in enumerate(room.windows)),
+    ]
     found = []
-    for kind, index, opening in (*listed, *windows):
-        place = f"{told} {kind}[{index}]"
+    for which, opening in listed:
+        place = f"{told} {which}"
         try:
             found.append((place, _opening(brief, number, ids, faces, space, opening)))
         except InputError as error:
@@ -101,8 +105,9 @@ def _opening(
         )
     return Opening(
         id=wish.id, kind=kind, level=space.level,
-        x=float(centre[0]), y=float(centre[1]), ux=float(along[0]), uy=float(along[1]),
-        width=width, thickness=float(thickness),
+        x=round(float(centre[0]), 9), y=round(float(centre[1]), 9),
+        ux=float(along[0]), uy=float(along[1]),
+        width=round(width, 9), thickness=round(float(thickness), 9),
         sill=sill, head=min(sill + wish.height, space.height), hinge=hinge, swing=swing,
         spaces=(space.id,) if beyond is None else (space.id, ids[beyond]),
     )  # fmt: skip
@@ -176,7 +181,7 @@ def _runs(ring: Points) -> list[Points]:
     turned = np.roll(ring, -cuts[0], axis=0)
     ends = [*(cuts - cuts[0]).tolist(), len(ring)]
     closed = np.vstack([turned, turned[:1]])
-    return [closed[a : b + 1] for a, b in zip(ends, ends[1:], strict=False)]
+    return [closed[a : b + 1] for a, b in pairwise(ends)]
 
 
 def _lengths(run: Points) -> Points:
@@ -240,9 +245,9 @@ def _outer_wall(brief: Brief, level: str, middle: Points, along: Points) -> floa
         if wall.level not in ("", level) or length < outlines.SAME_POINT:
             continue
         away = abs(line[0] * off[1] - line[1] * off[0]) / length
-        if -0.1 <= (line @ off) / length**2 <= 1.1 and abs(line @ along) > 0.9 * length:
-            if away <= wall.thickness / 2 + 0.05:
-                return wall.thickness
+        beside = -0.1 <= (line @ off) / length**2 <= 1.1 and away <= wall.thickness / 2 + 0.05
+        if beside and abs(line @ along) > 0.9 * length:
+            return wall.thickness
     return brief.outer_wall_thickness
 
 
@@ -282,8 +287,6 @@ def _same(one: Opening, other: Opening) -> bool:
 
 def _named(found: list[Opening]) -> tuple[Opening, ...]:
     """Openings with an id each: the one given, else ``kitchen-window-2``."""
-    from dataclasses import replace
-
     taken = {opening.id for opening in found if opening.id}
     if len(taken) < sum(bool(opening.id) for opening in found):
         ids = [opening.id for opening in found if opening.id]

@@ -163,9 +163,9 @@ def _main_wall(room: Room, outline: Points, told: str) -> int | None:
         raise InputError(
             f"main_wall {room.main_wall} has no length", "give another edge", place=told
         )
-    lines = shapely.linestrings(outlines.edges(outline).reshape(-1, 2, 2))
-    middles = shapely.points(start + np.linspace(0.25, 0.75, 3)[:, None] * (end - start))
-    return int(np.argmin(shapely.distance(lines[:, None], middles).sum(1)))
+    lines = np.array([shapely.LineString(row.reshape(2, 2)) for row in outlines.edges(outline)])
+    meant = shapely.points(start + np.linspace(0.25, 0.75, 3)[:, None] * (end - start))
+    return int(np.argmin(shapely.distance(lines[:, None], meant).sum(1)))
 
 
 def _check_overlaps(brief: Brief, found: list[Space], floors: list[shapely.Polygon]) -> None:

@@ -1,5 +1,156 @@
 """Files in and out: one file a format, found by suffix.
 
 A row says which suffix a module handles and whether it reads briefs or writes solutions; the
-module is imported on first use, so a missing extra is only noticed (and named) then.
+module is imported on first use, so a missing extra is only noticed (and named) then. A module
+that reads has ``read(path, keep=False) -> Brief``; one that writes ``write(solution, path)``.
+Other packages add rows through the entry point group ``scenewright.formats``: a name that is the
+suffix (``.dxf``), and a module.
 """
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from importlib import import_module, resources
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, NamedTuple
+
+from scenewright.errors import InputError
+
+if TYPE_CHECKING:
+    from scenewright.brief import Brief
+    from scenewright.solution import Solution
+
+SAMPLE = "sample:"
+
+
+class Format(NamedTuple):
+    """One row: the suffix, what it is, and the modules that read a brief or write a solution."""
+
+    suffix: str
+    about: str
+    reader: str = ""
+    writer: str = ""
+
+
+FORMATS = (
+    Format(
+        ".json",
+        "brief (read), solution (read as a brief with its locked pieces, written)",
+        "scenewright.formats.brief_json",
+        "scenewright.formats.solution_json",
+    ),
+    Format(".sh3d", "Sweet Home 3D home", "scenewright.formats.sh3d"),
+    Format(".xml", "Home.xml of a Sweet Home 3D home", "scenewright.formats.sh3d"),
+    Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
+    Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
+    Format(".png", "picture from above", writer="scenewright.formats.png"),
+)
+
+
+def read(source: str | os.PathLike[str], keep: bool = False) -> Brief:
+    """The brief in a file, or a sample (``sample:home-flat``); checked down to its geometry.
+
+    ``keep`` leaves movable furniture of the file where it is, as fixed items. Anything that
+    cannot be used raises :class:`InputError`, one line that names the file.
+
+    >>> read("sample:home-flat").rooms[1].name
+    'Kitchen'
+    """
+    from scenewright.plan import spaces
+
+    try:
+        brief = _read(source, keep)
+        spaces(brief)
+    except InputError as error:
+        raise error.located(file=str(source)) from None
+    return brief
+
+
+def write(solution: Solution, path: str | os.PathLike[str]) -> None:
+    """Write a solution in the format of the suffix of ``path``; missing folders are made."""
+    writing = writer(path)
+    try:
+        Path(path).parent.mkdir(parents=True, exist_ok=True)
+        writing(solution, path)
+    except OSError as error:
+        raise InputError(
+            f"cannot be written: {error.strerror or error}", "choose another place", file=str(path)
+        ) from None
+
+
+def writer(path: str | os.PathLike[str]) -> Callable[[Solution, str | os.PathLike[str]], None]:
+    """The function that writes files named like ``path``; InputError if there is none."""
+    row = _row(path, "writer")
+    write_function: Callable[[Solution, str | os.PathLike[str]], None] = _module(
+        row.writer, path
+    ).write
+    return write_function
+
+
+def samples() -> tuple[str, ...]:
+    """Names of the sample briefs, as :func:`read` takes them.
+
+    >>> "sample:home-flat" in samples()
+    True
+    """
+    files = resources.files("scenewright.samples").iterdir()
+    names = sorted(file.name for file in files if file.name.endswith(".json"))
+    return tuple(SAMPLE + name.removesuffix(".json") for name in names)
+
+
+def formats() -> tuple[Format, ...]:
+    """All formats: the rows above and those other packages add."""
+    from importlib.metadata import entry_points
+
+    return FORMATS + tuple(
+        Format(entry.name, entry.value, entry.value, entry.value)
+        for entry in entry_points(group="scenewright.formats")
+    )
+
+
+def _read(source: str | os.PathLike[str], keep: bool) -> Brief:
+    if str(source).startswith(SAMPLE):
+        return _sample(str(source))
+    row = _row(source, "reader")
+    path = Path(source)
+    if not path.exists():
+        raise InputError("there is no such file", "check the path")
+    if not path.is_file():
+        raise InputError("is not a file", "give the file itself")
+    try:
+        brief: Brief = _module(row.reader, source).read(path, keep=keep)
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror or error}", "check its rights") from None
+    return brief
+
+
+def _sample(name: str) -> Brief:
+    from scenewright.formats import brief_json
+
+    if name not in samples():
+        raise InputError("there is no such sample", f"use one of: {', '.join(samples())}")
+    file = resources.files("scenewright.samples") / f"{name.removeprefix(SAMPLE)}.json"
+    return brief_json.loads(file.read_bytes())
+
+
+def _row(path: str | os.PathLike[str], part: str) -> Format:
+    suffix = Path(path).suffix.lower()
+    found = [row for row in FORMATS if row.suffix == suffix and getattr(row, part)]
+    found = found or [row for row in formats() if row.suffix == suffix and getattr(row, part)]
+    if not found:
+        usable = ", ".join(row.suffix for row in formats() if getattr(row, part))
+        verb = "read" if part == "reader" else "written"
+        told = f"'{suffix}' files cannot be {verb}" if suffix else "the name has no suffix"
+        raise InputError(told, f"use one of: {usable}", file=str(path))
+    return found[0]
+
+
+def _module(name: str, path: str | os.PathLike[str]) -> ModuleType:
+    try:
+        return import_module(name)
+    except ModuleNotFoundError as error:
+        raise InputError(
+            f"this format needs the package '{error.name}'", "install it", file=str(path)
+        ) from None
