@@ -1,0 +1,200 @@
+"""Homes: every room posed, solved, dressed and told about.
+
+The composite model of Liu, Jiang, Mao, Wang (2017): functional areas (patches) are laid out first,
+furniture groups are fitted into them second.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from zlib import crc32
+
+import numpy as np
+import shapely
+
+from scenewright._version import __version__
+from scenewright.assets import shipped
+from scenewright.brief import Brief, Room
+from scenewright.catalog import Catalog
+from scenewright.domains.home.extras import extras
+from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.presets import PRESETS, Preset
+from scenewright.domains.home.programme import Wish, programme, resolved
+from scenewright.domains.home.reasons import left_out, patches, terms
+from scenewright.domains.home.room import Furnished, Task, furnish
+from scenewright.errors import InputError
+from scenewright.plan import spaces
+from scenewright.scene import Piece, Pose, Size
+from scenewright.solution import Solution
+from scenewright.solve import Budget
+from scenewright.space import Space
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+
+__all__ = ["PRESETS", "solve"]
+
+WORKERS = 2
+
+
+def solve(
+    brief: Brief,
+    *,
+    preset: str = "default",
+    solver: str | None = None,
+    seconds: float | None = None,
+    steps: int | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Solution:
+    """Furnish every room of a home.
+
+    The work is ``steps`` moves for each item, or ``seconds`` for the whole home, else what the
+    preset says. The same seed and steps give the same answer, whatever the number of threads;
+    each room has its own stream of random numbers. ``progress`` hears the share done and the
+    room's name; when ``cancel`` answers true, what was found so far is returned.
+    """
+    started = time.perf_counter()
+    chosen = _preset(preset)
+    rooms = spaces(brief)
+    catalog = shipped()
+    tasks = [
+        _task(brief, brief_room, space, catalog, chosen, solver or chosen.solver, seed, cancel)
+        for brief_room, space in zip(brief.rooms, rooms, strict=True)
+    ]
+    wishes = [
+        _wishes(brief_room, task, rooms)
+        for brief_room, task in zip(brief.rooms, tasks, strict=True)
+    ]
+    work = [float(len(w)) ** 1.5 for w in wishes]
+    budgets = [_budget(chosen, len(w), b / (sum(work) or 1), seconds, steps)
+               for w, b in zip(wishes, work, strict=True)]  # fmt: skip
+    answers = _run(tasks, wishes, budgets, progress)
+    return _solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
+
+
+def _run(
+    tasks: list[Task], wishes: list[tuple[Wish, ...]], budgets: list[Budget],
+    progress: Progress | None,
+) -> list[Furnished]:  # fmt: skip
+    """Rooms in parallel, the largest first; compiled code runs without the interpreter's lock."""
+    order = sorted(range(len(tasks)), key=lambda i: -len(wishes[i]))
+    answers: dict[int, Furnished] = {}
+    with ThreadPoolExecutor(WORKERS) as pool:
+        futures = {i: pool.submit(_furnish, tasks[i], wishes[i], budgets[i]) for i in order}
+        for done, i in enumerate(order, 1):
+            answers[i] = futures[i].result()
+            if progress:
+                progress(done / len(tasks), tasks[i].space.name or tasks[i].space.id)
+    return [answers[i] for i in range(len(tasks))]
+
+
+def _furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
+    if not wishes or (task.cancel is not None and task.cancel()):
+        return Furnished(0.0, (), (), (), None, 0.0, 0)
+    return furnish(task, wishes, budget)
+
+
+def _preset(name: str) -> Preset:
+    if name not in PRESETS:
+        raise InputError(f"there is no preset '{name}'", "one of " + ", ".join(PRESETS))
+    return PRESETS[name]
+
+
+def _budget(
+    preset: Preset, items: int, share: float, seconds: float | None, steps: int | None
+) -> Budget:
+    if seconds is not None:
+        return Budget(seconds=seconds * share * WORKERS)
+    return Budget(steps=(steps or preset.steps) * max(items, 1))
+
+
+def _task(
+    brief: Brief, room: Room, space: Space, catalog: Catalog, preset: Preset, solver: str,
+    seed: int, cancel: Cancel | None,
+) -> Task:  # fmt: skip
+    fixed = tuple(_fixed(room, space, catalog))
+    shape = shapely.Polygon(space.outline, list(space.holes))
+    taken = sum(p.size.width * p.size.depth for p in fixed if p.size.height > 0.05)
+    area = max(float(shape.area) - taken, 0.1)
+    stream = int(np.random.SeedSequence([seed, crc32(space.id.encode())]).generate_state(1)[0])
+    return Task(
+        space, ground_of(space, fixed, area), fixed, catalog, preset, solver,
+        brief.route_width, stream % 2**31, cancel,
+    )  # fmt: skip
+
+
+def _fixed(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
+    """What already stands in a room, as pieces."""
+    found = []
+    for number, item in enumerate(room.fixed, 1):
+        category = item.category if item.category in catalog.kinds else "obstacle"
+        size = Size(*item.size)
+        asset = item.asset if item.asset in catalog.assets else None
+        chosen = catalog.choose(category, size)
+        found.append(
+            Piece(
+                id=item.id or f"{space.id}/fixed/{category}_{number}", category=category,
+                asset=asset or (chosen.id if chosen else ""), space=space.id,
+                pose=Pose(*item.at, item.z, item.heading), size=size, group=f"{space.id}/fixed",
+                function="fixed", fixed=True,
+            )
+        )  # fmt: skip
+    return found
+
+
+def _wishes(room: Room, task: Task, rooms: tuple[Space, ...]) -> tuple[Wish, ...]:
+    """What the user asked for in a room, else what its function and size bring, less what
+    already stands there."""
+    area = task.ground.area
+    if room.ask is not None:
+        return tuple(
+            Wish(_known(ask.group), 0, required=ask.required, most=ask.size)
+            for ask in room.ask
+            for _ in range(ask.count)
+        )
+    others = frozenset(
+        f for s in rooms if s.id != task.space.id for f in resolved(s.functions, 0.0)
+    )
+    have = {p.category for p in task.fixed}
+    return tuple(
+        w for w in programme(task.space, area, others) if not have & set(GROUPS[w.group].essential)
+    )
+
+
+def _known(group: str) -> str:
+    if group not in GROUPS:
+        raise InputError(f"there is no furniture group '{group}'", "one of " + ", ".join(GROUPS))
+    return group
+
+
+def _solution(
+    brief: Brief, tasks: list[Task], answers: list[Furnished], preset: str, seed: int,
+    seconds: float,
+) -> Solution:  # fmt: skip
+    pieces: list[Piece] = []
+    for task, answer in zip(tasks, answers, strict=True):
+        placed = (*task.fixed, *(p for item in answer.placed for p in item.pieces))
+        more = extras(task.space, task.ground, placed, task.catalog) if task.preset.exact else ()
+        pieces += [*placed, *more]
+    pairs = list(zip(tasks, answers, strict=True))
+    return Solution(
+        brief=brief,
+        pieces=tuple(pieces),
+        patches=tuple(p for task, answer in pairs for p in patches(task, answer)),
+        terms=tuple(t for task, answer in pairs for t in terms(task, answer)),
+        left_out=tuple(out for task, answer in pairs for out in left_out(task, answer)),
+        energies={task.space.id: answer.energy for task, answer in pairs},
+        preset=preset,
+        solver=tasks[0].solver,
+        seed=seed,
+        version=__version__,
+        brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
+        seconds=seconds,
+        evaluations=sum(a.evaluations for a in answers),
+    )

@@ -1,0 +1,111 @@
+"""What completes a furnished room: lamps under the ceiling, curtains at the windows."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from scenewright.catalog import Catalog
+from scenewright.domains.home.dress import joined, standing_of
+from scenewright.domains.home.ground import Gate, gates
+from scenewright.geometry.fit import faults
+from scenewright.problem import Ground
+from scenewright.scene import Piece, Pose, Size
+from scenewright.space import Space
+
+DARK = frozenset(("balcony", "other", "storage"))
+CURTAINED = frozenset(
+    ("living", "dining", "study", "bedroom", "double_bedroom", "single_bedroom", "child_bedroom")
+)
+TABLES = ("dining_table", "round_table")
+LAMP = Size(0.46, 0.46, 0.14)
+PENDANT = Size(0.44, 0.44, 0.9)
+CURTAIN_DEPTH = 0.09
+
+
+def extras(
+    space: Space, ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog
+) -> tuple[Piece, ...]:
+    """Lamps and curtains for a room in which ``pieces`` stand already."""
+    return (*_lamps(space, pieces, catalog), *_curtains(space, ground, pieces, catalog))
+
+
+def _lamps(space: Space, pieces: tuple[Piece, ...], catalog: Catalog) -> list[Piece]:
+    if DARK & set(space.functions) or not space.functions:
+        return []
+    tables = [p for p in pieces if p.category in TABLES and p.function == "dining"]
+    found = [
+        _hung("pendant_lamp", space, catalog, t.pose.x, t.pose.y, t.pose.heading, PENDANT, i)
+        for i, t in enumerate(tables)
+        if space.height - PENDANT.height > 1.4
+    ]
+    x, y = _middle(space)
+    far = all(np.hypot(x - t.pose.x, y - t.pose.y) > 1.2 for t in tables)
+    tall = any(p.pose.z + p.size.height > space.height - LAMP.height for p in pieces)
+    if far and not tall:
+        found.append(_hung("ceiling_lamp", space, catalog, x, y, 0.0, LAMP, 0))
+    return found
+
+
+def _middle(space: Space) -> tuple[float, float]:
+    """The middle of the largest circle in the room, where a ceiling lamp belongs."""
+    shape = shapely.Polygon(space.outline, list(space.holes))
+    circle = shapely.maximum_inscribed_circle(shape, tolerance=0.05)
+    x, y = circle.coords[0]
+    centre = shape.centroid
+    inside = shape.buffer(-LAMP.width).contains(centre)
+    return (centre.x, centre.y) if inside else (x, y)
+
+
+def _hung(
+    category: str, space: Space, catalog: Catalog, x: float, y: float, heading: float, size: Size,
+    index: int,
+) -> Piece:  # fmt: skip
+    asset = catalog.choose(category, size)
+    name = f"{space.id}/{category}" + (f"_{index + 1}" if index else "")
+    pose = Pose(float(x), float(y), space.height - size.height, float(heading))
+    return Piece(name, category, asset.id if asset else "", space.id, pose, size, space.id, "light")
+
+
+def _curtains(
+    space: Space, ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog
+) -> list[Piece]:
+    if not CURTAINED & set(space.functions):
+        return []
+    standing = standing_of(pieces, frozenset(c for c, k in catalog.kinds.items() if k.flat))
+    found: list[Piece] = []
+    for gate in gates(space):
+        if gate.opening.kind != "window" or gate.opening.width < 0.6:
+            continue
+        for piece in _sizes(space, gate, catalog, len(found)):
+            box = np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]])
+            span = np.array([[piece.pose.z, piece.pose.z + piece.size.height]])
+            codes, _ = faults(
+                box, span, np.zeros(1, bool), ground.edges, ground.keep_free,
+                ground.windows[:0], standing.boxes, standing.spans, 0.002,
+            )  # fmt: skip
+            if codes[0] == 0:
+                found.append(piece)
+                standing = joined(standing, standing_of((piece,), frozenset()))
+                break
+    return found
+
+
+def _sizes(space: Space, gate: Gate, catalog: Catalog, index: int) -> list[Piece]:
+    """A curtain to the floor, else one that ends below the sill; wide, else as the window."""
+    opening = gate.opening
+    top = min(opening.head + 0.15, space.height - 0.02)
+    heading = float(np.arctan2(gate.inward[1], gate.inward[0]))
+    x, y = gate.face + gate.inward * (CURTAIN_DEPTH / 2 + 0.004)
+    name = f"{space.id}/curtain" + (f"_{index + 1}" if index else "")
+    pieces = []
+    for low in (0.02, max(opening.sill - 0.12, 0.02)):
+        for wider in (0.5, 0.24, 0.0):
+            size = Size(opening.width + wider, CURTAIN_DEPTH, top - low)
+            asset = catalog.choose("curtain", size)
+            pose = Pose(float(x), float(y), low, heading)
+            pieces.append(
+                Piece(name, "curtain", asset.id if asset else "", space.id, pose, size,
+                      space.id, "light")
+            )  # fmt: skip
+    return pieces

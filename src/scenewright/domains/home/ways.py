@@ -1,0 +1,104 @@
+"""Walking routes through a dressed room: which pieces no route of the stated width reaches."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.catalog import Catalog
+from scenewright.geometry.boxes import fill_frames, read_frame
+from scenewright.geometry.compiled import compiled
+from scenewright.geometry.paths import flood, make_grid, touches
+from scenewright.problem import Ground
+from scenewright.scene import Piece
+
+Floats = NDArray[np.float64]
+
+CELL = 0.04
+REACH = 0.2  # how far a hand gets beyond the route's edge, metres
+HEAD_HEIGHT = 2.0
+SIDES = ("front", "left", "back", "right")
+
+
+def unreached(
+    ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog, width: float
+) -> frozenset[str]:
+    """Ids of the pieces that no route of ``width`` metres from any door reaches.
+
+    A piece is reached if a disc as wide as the route, having come from a door, can stand with its
+    centre in front of one of the sides its kind is used from, at most half a route and
+    0.2 m away. Seats that push under a table are moved aside. ``door 2`` names a door that no
+    such route joins to the first.
+    """
+    if len(ground.doors) == 0:
+        return frozenset()
+    solid = [_box(p) for p in pieces if _stands(p, catalog)]
+    used = [p for p in pieces if catalog.kinds[p.category].access]
+    zones, owner = [], []
+    for i, piece in enumerate(used):
+        for side in catalog.kinds[piece.category].access:
+            zones.append(_access(piece, SIDES.index(side), width / 2 + REACH))
+            owner.append(i)
+    reached, joined = reach(
+        ground.edges, _rows([*ground.obstacles.tolist(), *solid]), ground.doors, _rows(zones),
+        ground.bounds, CELL, width,
+    )  # fmt: skip
+    found = np.zeros(len(used), bool)
+    np.logical_or.at(found, np.array(owner, np.int64), reached)
+    far = {p.id for p, seen in zip(used, found, strict=True) if not seen}
+    return frozenset(far | {f"door {k + 1}" for k in np.flatnonzero(~joined)})
+
+
+@compiled
+def reach(
+    edges: Floats, solid: Floats, doors: Floats, zones: Floats, bounds: Floats, cell: float,
+    width: float,
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:  # fmt: skip
+    """Which of the boxes ``zones`` a route of ``width`` from any door reaches, and which of the
+    ``doors`` are joined to the first; ``solid`` stands in the way. All boxes are ``(k, 5)``."""
+    solids, ways = np.empty((solid.shape[0], 8)), np.empty((doors.shape[0], 8))
+    aims = np.empty((zones.shape[0], 8))
+    fill_frames(solid, solids)
+    fill_frames(doors, ways)
+    fill_frames(zones, aims)
+    grid = make_grid(edges, solids, ways, bounds, cell, width)
+    joined = np.zeros(doors.shape[0], np.bool_)
+    first = grid.doors[0] & grid.free
+    flood(first, grid.free)
+    reached = first.copy()
+    for k in range(doors.shape[0]):
+        joined[k] = ((grid.doors[k] & first) != np.uint64(0)).any()
+        if not joined[k]:
+            more = grid.doors[k] & grid.free
+            flood(more, grid.free)
+            reached |= more
+    found = np.zeros(zones.shape[0], np.bool_)
+    for k in range(zones.shape[0]):
+        found[k] = touches(reached, grid.x0, grid.y0, cell, read_frame(aims, k))
+    return found, joined
+
+
+def _stands(piece: Piece, catalog: Catalog) -> bool:
+    kind = catalog.kinds[piece.category]
+    low = kind.flat or bool(kind.under) or piece.on is not None
+    return not low and piece.pose.z < HEAD_HEIGHT and kind.support not in ("ceiling",)
+
+
+def _box(piece: Piece) -> list[float]:
+    pose, size = piece.pose, piece.size
+    return [pose.x, pose.y, pose.heading, size.width, size.depth]
+
+
+def _access(piece: Piece, side: int, depth: float) -> list[float]:
+    """The box outside one side of a piece, as long as that side."""
+    pose, size = piece.pose, piece.size
+    heading = pose.heading + side * np.pi / 2
+    along, out = (size.width, size.depth) if side % 2 == 0 else (size.depth, size.width)
+    shift = (out + depth) / 2
+    return [
+        pose.x + np.cos(heading) * shift, pose.y + np.sin(heading) * shift, heading, along, depth,
+    ]  # fmt: skip
+
+
+def _rows(rows: list[list[float]]) -> Floats:
+    return np.array(rows, np.float64).reshape(-1, 5)
