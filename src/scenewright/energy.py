@@ -1,0 +1,198 @@
+"""Energy: the weighted terms of a layout, for whole populations, and where each part comes from."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.geometry.boxes import Floats, fill_frames, frames_of
+from scenewright.geometry.compiled import compiled_entry
+from scenewright.geometry.paths import Grid, make_grid
+from scenewright.problem import Ground, Items, Problem
+from scenewright.terms.assemble import Ints, Prepared, measure, route_cost
+from scenewright.terms.orientation import inward
+from scenewright.terms.table import (
+    CLEAR_ITEMS,
+    CLEAR_ROOM,
+    CORRIDORS,
+    KEEP_FREE,
+    OBSTACLES,
+    TERMS,
+    WINDOW,
+    Term,
+    read_weights,
+)
+
+
+class Part(NamedTuple):
+    """What one term says: of one item, of two (``a & b``), or of the whole layout (item empty).
+
+    ``cost`` is ``value`` times ``weight``; areas are already divided by the summed area.
+    """
+
+    item: str
+    term: str
+    value: float
+    weight: float
+    cost: float
+
+
+class Evaluation(NamedTuple):
+    """The energy of one layout and all its parts; their costs sum to the energy."""
+
+    energy: float
+    parts: tuple[Part, ...]
+
+
+def _fresh(array: Floats, *shape: int) -> Floats:
+    return np.array(array, dtype=np.float64, order="C").reshape(-1, *shape)
+
+
+def _zones(ground: Ground) -> Floats:
+    """Boxes to be kept free ``(k, 10)``: frame, term, the height it starts from."""
+    windows = _fresh(ground.windows, 6)
+    kinds = (
+        (KEEP_FREE, ground.keep_free, -np.inf),
+        (CORRIDORS, ground.corridors, -np.inf),
+        (OBSTACLES, ground.obstacles, -np.inf),
+        (WINDOW, windows[:, :5], windows[:, 5]),
+    )
+    zones = []
+    for term, boxes, height in kinds:
+        frames = frames_of(_fresh(boxes, 5))
+        rows = np.empty((len(frames), 10))
+        rows[:, :8], rows[:, 8], rows[:, 9] = frames, term, height
+        zones.append(rows)
+    return np.concatenate(zones)
+
+
+def _traits(items: Items, reach: Floats, role: Floats) -> Floats:
+    columns = (items.height, items.back_to_wall, role, items.daylight, items.nestle, items.wish)
+    return np.array(np.column_stack((*columns, reach)), np.float64, order="C")
+
+
+def _related(pairs: Ints, n: int) -> tuple[Ints, Ints]:
+    """For each item the relations it is in, as one list, and where each item's part starts."""
+    items = pairs.ravel()
+    order = np.argsort(items, kind="stable").astype(np.int64)
+    start = np.searchsorted(items[order], np.arange(n + 1)).astype(np.int64)
+    return start, order // 2
+
+
+def prepare(problem: Problem) -> Prepared:
+    """Arrays and weights of a problem, ready for compiled code."""
+    ground, items = problem.ground, problem.items
+    weights = read_weights(problem.weights, problem.printed)
+    main, bounds = _fresh(ground.main_wall, 4), _fresh(ground.bounds, 4)[0]
+    zoned = weights[CLEAR_ROOM] != 0.0 or weights[CLEAR_ITEMS] != 0.0
+    reach = items.clear.max(axis=1, initial=0.0) * (1.0 if zoned else 0.0)
+    pairs = np.array(items.pairs, np.int64, order="C").reshape(-1, 2)
+    start, related = _related(pairs, len(items.low))
+    return Prepared(
+        edges=_fresh(ground.edges, 4),
+        walls=_fresh(ground.walls, 4),
+        zones=_zones(ground),
+        sides=_fresh(np.stack([items.clear, items.access, items.inset]), len(items.low), 4),
+        traits=_traits(items, reach, items.main_wall * (1.0 if len(main) else 0.0)),
+        limits=np.hstack([_fresh(items.low, 2), _fresh(items.high, 2)]),
+        pairs=pairs,
+        targets=np.hstack([_fresh(items.pair_targets, 3), _fresh(items.pair_weights, 1)]),
+        related_start=start,
+        related=related,
+        weights=weights,
+        area=float(ground.area),
+        normal=float(inward(main[0])) if len(main) else float("nan"),
+        span=float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])),
+    )
+
+
+def route_grid(problem: Problem, cell: float) -> Grid:
+    """The grid the walking route is looked for on; empty if the route is not weighed."""
+    ground = problem.ground
+    wanted = problem.weights.get("route", 0.0) != 0.0
+    doors = frames_of(_fresh(ground.doors if wanted else np.zeros((0, 5)), 5))
+    bounds = _fresh(ground.bounds, 4)[0] * (1.0 if len(doors) else 0.0)
+    return make_grid(
+        _fresh(ground.edges, 4), frames_of(_fresh(ground.obstacles, 5)), doors, bounds,
+        float(cell), float(problem.route_width),
+    )  # fmt: skip
+
+
+@compiled_entry
+def energies_of(p: Prepared, grid: Grid, population: Floats) -> Floats:
+    """Energies ``(P,)`` of layouts ``(P, n, 5)``."""
+    count, n = population.shape[0], population.shape[1]
+    energies, frames = np.empty(count), np.empty((n, 8))
+    boxes, pairs, relations = np.empty((n, 4)), np.zeros((n, n)), np.empty(len(p.pairs))
+    free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
+    for k in range(count):
+        fill_frames(population[k], frames)
+        energies[k] = measure(frames, p, boxes, pairs, relations)
+        energies[k] += route_cost(frames, p, grid, free, reached)
+    return energies
+
+
+def evaluate(problem: Problem, boxes: Floats, cell: float = 0.1) -> Floats:
+    """Energies ``(P,)`` of a population of layouts ``(P, n, 5)``; lower is better.
+
+    ``cell`` is the size of the cells of the walking route's grid.
+    """
+    grid = route_grid(problem, cell)
+    return energies_of(prepare(problem), grid, np.array(boxes, np.float64, order="C"))
+
+
+@compiled_entry
+def parts_of(
+    p: Prepared, grid: Grid, layout: Floats
+) -> tuple[Floats, Floats, Floats, float, float]:
+    """Costs by box (n, 4), by pair (n, n), by relation (p,), energy without route, and route."""
+    n = layout.shape[0]
+    frames = frames_of(layout)
+    boxes, pairs, relations = np.empty((n, 4)), np.zeros((n, n)), np.empty(len(p.pairs))
+    energy = measure(frames, p, boxes, pairs, relations)
+    free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
+    return boxes, pairs, relations, energy, route_cost(frames, p, grid, free, reached)
+
+
+def _parts(
+    row: Term, weight: float, p: Prepared, grid: Grid, boxes: Floats, names: tuple[str, ...]
+) -> list[Part]:
+    """The parts of one term: the kernels run with its weight 1 and all others 0."""
+    only = np.zeros(len(TERMS))
+    only[row.index] = 1.0
+    by_box, by_pair, by_relation, energy, missed = parts_of(p._replace(weights=only), grid, boxes)
+    divisor = float(by_box[:, 2].sum()) if row.per_area else 1.0
+    if row.kind == "whole":
+        found = [("", energy + missed)]
+    elif row.kind == "box":
+        found = list(zip(names, by_box[:, 0 if row.per_area else 1] / divisor, strict=True))
+    else:
+        places = np.argwhere(np.triu(by_pair)) if row.per_area else p.pairs
+        values = by_pair[tuple(places.T)] if row.per_area else by_relation
+        labels = [f"{names[i]} & {names[j]}" for i, j in places]
+        found = list(zip(labels, values / divisor, strict=True))
+    return [
+        Part(item, row.name, float(value), weight, weight * float(value))
+        for item, value in found
+        if value != 0.0
+    ]
+
+
+def explain(problem: Problem, boxes: Floats, cell: float = 0.05) -> list[Part]:
+    """Every part of the energy of a layout ``(n, 5)`` that is not zero, term by term; the costs
+    sum to the energy."""
+    prepared, grid = prepare(problem), route_grid(problem, cell)
+    layout = np.array(boxes, np.float64, order="C")
+    parts: list[Part] = []
+    for row in TERMS:
+        weight = float(prepared.weights[row.index])
+        if weight != 0.0:
+            parts += _parts(row, weight, prepared, grid, layout, problem.names)
+    return parts
+
+
+def judge(problem: Problem, boxes: Floats, cell: float = 0.05) -> Evaluation:
+    """Energy and parts of one layout ``(n, 5)``."""
+    parts = tuple(explain(problem, boxes, cell))
+    return Evaluation(float(evaluate(problem, boxes[None], cell)[0]), parts)

@@ -1,0 +1,75 @@
+"""How kernels are compiled: numba, no Python inside, kept on disk between runs.
+
+Numba notices a changed file, but not a change in a file whose functions were inlined. So the
+cache folder is named by the size and time of every kernel source: any change starts afresh.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from functools import cache
+from hashlib import blake2b
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+
+Kernel = TypeVar("Kernel", bound=Callable[..., Any])
+SOURCES = ("problem.py", "energy.py", "geometry", "terms", "encodings", "solvers")
+
+
+def fingerprint(package: Path) -> str:
+    """Short name for the present state of the kernel sources below ``package``."""
+    digest = blake2b(numba.__version__.encode(), digest_size=6)
+    for source in SOURCES:
+        for file in sorted(package.glob(f"{source}/*.py" if "." not in source else source)):
+            told = file.stat()
+            digest.update(f"{file.name} {told.st_size} {told.st_mtime_ns};".encode())
+    return digest.hexdigest()
+
+
+@cache
+def cache_folder() -> Path:
+    """Where compiled kernels are kept: ``NUMBA_CACHE_DIR``, else beside the sources, else in the
+    user's cache folder."""
+    package = Path(__file__).parent.parent
+    given = os.environ.get("NUMBA_CACHE_DIR")
+    beside = package / "__pycache__"
+    if given:
+        root = Path(given)
+    elif os.access(beside if beside.exists() else package, os.W_OK):
+        root = beside
+    else:
+        root = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "scenewright"
+    return root / f"kernels-{fingerprint(package)}"
+
+
+def is_cold() -> bool:
+    """True if nothing was compiled yet for these sources: the first call will take seconds."""
+    folder = cache_folder()
+    return not (folder.is_dir() and next(folder.rglob("*.nbc"), None))
+
+
+def _compile(function: Kernel, counting: bool) -> Kernel:
+    before = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(cache_folder())
+    try:
+        options = {"cache": True, "nogil": True, "error_model": "numpy", "_nrt": counting}
+        return numba.njit(**options)(function)  # type: ignore[no-any-return]
+    finally:
+        numba.config.CACHE_DIR = before
+
+
+def compiled(function: Kernel) -> Kernel:
+    """Compile on first call, keep on disk; runs without the interpreter's lock.
+
+    For inner kernels: they may read and write arrays but not make any, so numba need not count
+    references to them (that counting costs more than a small term itself).
+    """
+    return _compile(function, counting=False)
+
+
+def compiled_entry(function: Kernel) -> Kernel:
+    """As :func:`compiled`, for the few functions that make arrays and are called from Python."""
+    return _compile(function, counting=True)
