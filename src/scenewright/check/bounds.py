@@ -37,9 +37,8 @@ def find_out_of_bounds(bodies: Bodies, rooms: Rooms) -> list[Finding]:
 def _beyond(bodies: Bodies, rooms: Rooms, i: int) -> Finding:
     piece, room = bodies.pieces[i], rooms.shapes[bodies.room[i]]
     rest = shapely.difference(bodies.footprints[i], room)
-    # A point outside is at most as far from the room as some vertex of what is outside, except
-    # within a hole, where the middle of the part may lie deeper; vertices serve as the measure.
-    depth = float(shapely.distance(shapely.points(shapely.get_coordinates(rest)), room).max())
+    edge = shapely.points(shapely.get_coordinates(shapely.segmentize(rest, 0.02)))
+    depth = float(shapely.distance(edge, room).max())
     area = float(rest.area)
     told = f"{piece.id} is {depth:.2f} m ({area:.2f} m²) outside {piece.space}"
     return _finding("out_of_bounds", bodies, rooms, i, told, depth, area)

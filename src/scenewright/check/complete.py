@@ -34,55 +34,54 @@ def _need(name: str, categories: str, least: int = 1) -> Need:
     return Need(name, frozenset(categories.split()), least)
 
 
-_BED = _need("bed", "bed single_bed double_bed child_bed bunk_bed loft_bed sofa_bed crib")
-_DOUBLE = _need("double bed", "double_bed")
-_NIGHTSTAND = _need("nightstand", "nightstand bedside_table")
-_WARDROBE = _need("wardrobe", "wardrobe dresser chest_of_drawers closet")
+_SEAT = "sofa loveseat corner_sofa sofa_bed armchair"
+_FOCAL = "tv tv_stand tv_unit fireplace bookcase sideboard shelf_unit piano"
+_BED = _need("bed", "single_bed double_bed bunk_bed child_bed loft_bed sofa_bed crib bed")
+_STORAGE = (
+    "storage_shelf shelf_unit bookcase wardrobe cabinet storage_cabinet tall_cabinet "
+    "chest_of_drawers washing_machine"
+)
+_COATS = "shoe_cabinet coat_rack coat_stand console_table bench wardrobe sideboard cabinet"
+_CLOTHES = _need("wardrobe", "wardrobe chest_of_drawers")
 
 ESSENTIALS: dict[str, tuple[Need, ...]] = {
     "living": (
-        _need("seat", "sofa corner_sofa loveseat sofa_bed armchair sectional"),
-        _need("table", "coffee_table side_table nest_of_tables"),
-        _need(
-            "screen or focal point",
-            "tv tv_stand tv_unit media_console fireplace bookcase bookshelf sideboard piano",
-        ),
+        _need("seat", _SEAT),
+        _need("table", "coffee_table side_table dining_table round_table"),
+        _need("screen or focal point", _FOCAL),
     ),
     "dining": (
-        _need("dining table", "dining_table round_dining_table round_table bar_table"),
-        _need("two chairs", "dining_chair chair stool bar_stool bench dining_bench", 2),
+        _need("dining table", "dining_table round_table bar_table"),
+        _need("two chairs", "dining_chair chair stool bar_stool bench", 2),
     ),
     "kitchen": (
-        _need("sink", "sink kitchen_sink sink_unit"),
-        _need("hob", "hob stove cooker range"),
-        _need("fridge", "fridge refrigerator"),
-        _need("base units", "base_cabinet kitchen_counter counter base_unit kitchen_island"),
+        _need("sink", "sink_cabinet sink kitchen_sink"),
+        _need("hob", "hob_cabinet hob stove cooker"),
+        _need("fridge", "fridge"),
+        _need("base units", "base_cabinet drawer_cabinet sink_cabinet hob_cabinet", 2),
     ),
-    "bedroom": (_BED, _WARDROBE),
-    "double_bedroom": (_DOUBLE, _NIGHTSTAND, _WARDROBE),
-    "single_bedroom": (_BED, _WARDROBE),
-    "child_bedroom": (_BED,),
+    "bedroom": (_BED, _CLOTHES),
+    "double_bedroom": (
+        _need("double bed", "double_bed"),
+        _need("nightstand", "nightstand"),
+        _CLOTHES,
+    ),
+    "single_bedroom": (_BED, _CLOTHES),
+    "child_bedroom": (_BED, _CLOTHES),
     "study": (
-        _need("desk", "desk corner_desk"),
-        _need("chair", "desk_chair office_chair chair"),
+        _need("desk", "desk kids_desk corner_desk"),
+        _need("chair", "office_chair chair dining_chair stool"),
     ),
     "bathroom": (
-        _need("basin", "basin washbasin vanity double_vanity pedestal_basin"),
-        _need("bath, shower or toilet", "bathtub bath shower shower_cabin toilet"),
+        _need("basin", "basin pedestal_basin washbasin"),
+        _need("bath, shower or toilet", "bathtub shower toilet"),
     ),
     "toilet": (_need("toilet", "toilet"),),
     "washroom": (
-        _need("basin or washing machine", "basin washbasin vanity washing_machine pedestal_basin"),
+        _need("basin or washing machine", "basin pedestal_basin washbasin washing_machine"),
     ),
-    "storage": (
-        _need("storage", "shelf shelving storage_shelf cabinet wardrobe bookcase storage_cabinet"),
-    ),
-    "hall": (
-        _need(
-            "somewhere for coats or shoes",
-            "shoe_cabinet coat_rack console console_table bench cabinet wardrobe coat_stand",
-        ),
-    ),
+    "storage": (_need("storage", _STORAGE),),
+    "hall": (_need("somewhere for coats or shoes", _COATS),),
 }
 """What each function needs; a room of several functions needs all of theirs."""
 

@@ -37,9 +37,9 @@ class Ground(NamedTuple):
 
 
 class Walk(NamedTuple):
-    """Where the disc's centre may be in a ground: ``bare`` in the empty rooms, ``bare_reached``
-    the part of it joined to the way in, ``reached`` the same less the ``grown`` footprints of the
-    pieces ``blocking`` (their rows), from ``start``."""
+    """Where the disc's centre may be in a ground: ``bare`` in the empty rooms, ``free`` less the
+    ``grown`` footprints of the pieces ``blocking`` (their rows); ``bare_reached`` and ``reached``
+    are the parts of both that are joined to ``start``."""
 
     radius: float
     bare: Shape
@@ -47,6 +47,7 @@ class Walk(NamedTuple):
     blocking: NDArray[np.int64]
     grown: Shapes
     start: Shape
+    free: Shape
     reached: Shape
 
 
@@ -131,7 +132,8 @@ def walk_in(bodies: Bodies, ground: Ground, radius: float) -> Walk:
     start = shapely.buffer(doors, 2 * _SLACK)
     if not shapely.intersects(start, bare):
         start = _somewhere_in_largest(free if not free.is_empty else bare)
-    return Walk(radius, bare, _joined(bare, start), blocking, grown, start, _joined(free, start))
+    bare_reached, reached = _joined(bare, start), _joined(free, start)
+    return Walk(radius, bare, bare_reached, blocking, grown, start, free, reached)
 
 
 def _eroded(floor: Shape, radius: float) -> Shape:
@@ -161,4 +163,7 @@ def _joined(free: Shape, start: Shape) -> Shape:
 
 def walk_without(walk: Walk, k: int) -> Shape:
     """What would be reached if the k-th of the blocking pieces were not there."""
-    return _joined(_less(walk.bare, np.delete(walk.grown, k)), walk.start)
+    touching = np.flatnonzero(shapely.intersects(walk.grown, walk.grown[k]))
+    own = shapely.intersection(walk.bare, walk.grown[k])
+    freed = _less(own, walk.grown[touching[touching != k]])
+    return _joined(shapely.union(walk.free, freed), walk.start)
