@@ -1,0 +1,34 @@
+# make demo   a furnished flat in demo/ (installs into .venv first)
+# make test   the whole check
+# make install
+# Needs Python 3.11 or newer and make; nothing else.
+
+PYTHON ?= python3
+BIN := .venv/bin
+
+.PHONY: demo install test clean
+
+demo: .venv/installed
+	$(BIN)/scenewright arrange sample:home-flat -o demo/home.glb -o demo/home.svg -o demo/home.png -o demo/home.json
+
+install: .venv/installed
+
+test: .venv/checked
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/pytest
+
+clean:
+	rm -rf .venv demo build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
+
+# An interrupted installation leaves no stamp and is done again.
+.venv/installed: pyproject.toml
+	$(PYTHON) -c 'import sys; sys.exit("Scenewright needs Python 3.11 or newer; this is " + sys.version.split()[0] + "; try make PYTHON=python3.12" if sys.version_info < (3, 11) else 0)'
+	test -x $(BIN)/python || $(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	touch $@
+
+.venv/checked: .venv/installed
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	touch $@

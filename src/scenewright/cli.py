@@ -1,0 +1,212 @@
+"""The command line: thin words around the façade.
+
+Exit codes: 0 everything asked is placed and valid; 1 done, but something was left out or breaks a
+rule; 2 the input cannot be used.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from math import isfinite
+from pathlib import Path
+from typing import Annotated, Any, cast
+
+import typer
+from rich.console import Console
+
+from scenewright import cli_show as show
+from scenewright._version import __version__
+from scenewright.errors import InputError
+
+app = typer.Typer(
+    name="scenewright",
+    help="Automatic 3D scene layout: from a floor plan to a furnished home.",
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    no_args_is_help=True,
+)
+
+USAGE_FAULT = cast(type[Exception], typer.BadParameter.__mro__[2])
+"""What the parser raises for arguments it cannot use (its own ``ClickException``)."""
+
+JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON document only.")]
+QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")]
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Run the command line and leave with its exit code; every fault is one line."""
+    sys.exit(run(arguments))
+
+
+def run(arguments: list[str] | None = None) -> int:
+    """Run the command line and return its exit code."""
+    try:
+        return int(app(arguments, standalone_mode=False) or 0)
+    except InputError as error:
+        return _fault(str(error))
+    except USAGE_FAULT as error:
+        return _fault(f"{_told(error)}; see scenewright --help")
+    except (KeyboardInterrupt, typer.Abort):
+        return _fault("interrupted", 130)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except Exception as error:
+        if os.environ.get("SCENEWRIGHT_DEBUG"):
+            raise
+        told = f"{type(error).__name__}: {error}"
+        return _fault(f"a fault of ours, {told} (SCENEWRIGHT_DEBUG=1 shows where)", 3)
+
+
+def _told(usage_fault: Any) -> str:
+    return str(usage_fault.format_message()).rstrip(".")
+
+
+def _fault(told: str, code: int = 2) -> int:
+    sys.stderr.write("scenewright: " + " ".join(told.split()) + "\n")
+    return code
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"scenewright {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _root(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    pass
+
+
+@app.command()
+def arrange(
+    source: Annotated[str, typer.Argument(metavar="INPUT", help="File, or a sample:NAME.")],
+    outputs: Annotated[
+        list[Path] | None,
+        typer.Option("-o", "--output", metavar="OUT", help="File to write; may be repeated."),
+    ] = None,
+    preset: Annotated[str, typer.Option(help="Weights and parameters by name.")] = "default",
+    solver: Annotated[str | None, typer.Option(help="Solver by name.")] = None,
+    seconds: Annotated[float | None, typer.Option(help="Time to solve for.")] = None,
+    steps: Annotated[int | None, typer.Option(help="Steps to solve for, instead.")] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Same seed, same result.")] = 0,
+    keep: Annotated[bool, typer.Option("--keep", help="Leave the file's furniture.")] = False,
+    as_json: JsonOption = False,
+    quiet: QuietOption = False,
+) -> int:
+    """Furnish a floor plan: read INPUT, solve it, write every OUT by its suffix."""
+    from scenewright import cli_arrange
+
+    _check_budget(seconds, steps)
+    request = cli_arrange.Request(
+        source, tuple(outputs or ()), preset, solver, seconds, steps, seed, keep
+    )
+    console = Console(stderr=True, quiet=quiet)
+    solution, report = cli_arrange.arrange(request, console)
+    complete = not any(entry.required for entry in solution.left_out)
+    code = 0 if report.valid and complete else 1
+    if as_json:
+        _print_json(show.arranged_document(request.source, request.outputs, solution, report, code))
+    elif not quiet:
+        show.arranged(Console(), request.outputs, solution, report)
+    return code
+
+
+@app.command()
+def check(
+    file: Annotated[Path, typer.Argument(metavar="SOLUTION.json", help="A saved solution.")],
+    as_json: JsonOption = False,
+    quiet: QuietOption = False,
+) -> int:
+    """Judge a solution exactly: collisions, doors, routes, what is out of bounds."""
+    from scenewright.check import check as judge
+    from scenewright.formats import solution_json
+
+    report = judge(solution_json.read(file))
+    if as_json:
+        _print_json({"file": str(file), **report.to_dict()})
+    elif not quiet:
+        show.checked(Console(), report)
+    return 0 if report.valid else 1
+
+
+@app.command()
+def explain(
+    file: Annotated[Path, typer.Argument(metavar="SOLUTION.json", help="A saved solution.")],
+    as_json: JsonOption = False,
+) -> int:
+    """Tell why: what every term costs every item, and what was left out."""
+    from scenewright.formats import solution_json
+
+    solution = solution_json.read(file)
+    if as_json:
+        _print_json(show.explained_document(solution))
+    else:
+        show.explained(Console(), solution)
+    return 0
+
+
+@app.command()
+def bench(
+    name: Annotated[str, typer.Argument(help="Which benchmark, such as home.")],
+    quick: Annotated[bool, typer.Option("--quick", help="Fewer runs.")] = False,
+    as_json: JsonOption = False,
+    quiet: QuietOption = False,
+) -> int:
+    """Measure against the baselines (needs a source checkout)."""
+    from scenewright import cli_bench
+    from scenewright.cli_progress import watching
+
+    with watching(Console(stderr=True), quiet) as watch:
+        records = cli_bench.records(name, quick, watch.progress)
+    if as_json:
+        _print_json(records)
+    elif not quiet:
+        show.table(Console(), records, title=f"bench {name}")
+    return 0
+
+
+@app.command("list")
+def list_(
+    what: Annotated[str, typer.Argument(help="solvers terms presets formats assets or samples.")],
+    as_json: JsonOption = False,
+) -> int:
+    """List what there is: solvers, terms, presets, formats, assets or samples."""
+    from scenewright import cli_lists
+
+    rows = cli_lists.rows(what)
+    if as_json:
+        _print_json(rows)
+    else:
+        show.table(Console(), rows, title=what)
+    return 0
+
+
+@app.command()
+def schema(
+    what: Annotated[str, typer.Argument(help="brief or solution.")] = "brief",
+) -> int:
+    """Print the JSON Schema of an input file."""
+    from scenewright import cli_lists
+
+    _print_json(cli_lists.schema(what))
+    return 0
+
+
+def _check_budget(seconds: float | None, steps: int | None) -> None:
+    if seconds is not None and steps is not None:
+        raise InputError("--seconds and --steps exclude each other", "give one of them")
+    if seconds is not None and not (isfinite(seconds) and seconds > 0):
+        raise InputError(f"--seconds {seconds:g} is not possible", "give a positive number")
+    if steps is not None and steps <= 0:
+        raise InputError(f"--steps {steps} is not possible", "give a positive whole number")
+
+
+def _print_json(document: Any) -> None:
+    sys.stdout.write(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n")

@@ -1,0 +1,105 @@
+"""The verb ``arrange``: read, solve, judge, and write every file or none."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from importlib import import_module
+from pathlib import Path
+from typing import NamedTuple
+
+from rich.console import Console
+
+from scenewright.check import Report, check
+from scenewright.cli_progress import Watch, tell_if_cold, watching
+from scenewright.errors import InputError
+from scenewright.solution import Solution
+
+
+class Request(NamedTuple):
+    """What the command line asks for."""
+
+    source: str
+    outputs: tuple[Path, ...]
+    preset: str
+    solver: str | None
+    seconds: float | None
+    steps: int | None
+    seed: int
+    keep: bool
+
+
+def arrange(request: Request, console: Console) -> tuple[Solution, Report]:
+    """Solve the request, write its outputs, and return the solution with the referee's report."""
+    from scenewright import formats
+
+    for path in request.outputs:
+        formats.writer(path)
+    brief = formats.read(request.source, keep=request.keep)
+    _check_names(request)
+    tell_if_cold(console)
+    domain = import_module(f"scenewright.domains.{brief.domain}")
+    with watching(console, console.quiet) as watch:
+        solution: Solution = domain.solve(
+            brief, preset=request.preset, solver=request.solver, seconds=request.seconds,
+            steps=request.steps, seed=request.seed, progress=watch.progress,
+            cancel=watch.cancelled,
+        )  # fmt: skip
+        report = check(solution)
+        write_together(solution, request.outputs, watch)
+    return solution, report
+
+
+def write_together(solution: Solution, outputs: Sequence[Path], watch: Watch) -> None:
+    """Write all files under temporary names, then rename them all: either all appear or none."""
+    from scenewright import formats
+
+    with _temporary(outputs) as parts:
+        for done, (path, part) in enumerate(zip(outputs, parts, strict=True)):
+            watch.progress(done / len(outputs), f"writing {path.name}")
+            formats.write(solution, part)
+        for path, part in zip(outputs, parts, strict=True):
+            _rename(part, path)
+
+
+@contextmanager
+def _temporary(outputs: Sequence[Path]) -> Iterator[list[Path]]:
+    """Names beside the outputs with the same suffixes; what is left of them is removed."""
+    parts = [path.with_name(f".{os.getpid()}-{i}-{path.name}") for i, path in enumerate(outputs)]
+    try:
+        yield parts
+    finally:
+        for part in parts:
+            part.unlink(missing_ok=True)
+
+
+def _rename(part: Path, path: Path) -> None:
+    try:
+        os.replace(part, path)
+    except OSError as error:
+        raise InputError(
+            f"cannot be written: {error.strerror}", "choose another place", file=str(path)
+        ) from None
+
+
+def _check_names(request: Request) -> None:
+    """Unknown names are told before anything is compiled."""
+    from scenewright.domains.home.presets import PRESETS
+
+    named("preset", request.preset, PRESETS)
+    if request.solver is not None:
+        from scenewright.solvers import SOLVERS
+
+        named("solver", request.solver, SOLVERS)
+
+
+def named(what: str, name: str, known: Sequence[str] | dict[str, object]) -> None:
+    """Raise :class:`InputError` naming the choices unless ``name`` is one of them.
+
+    >>> named("preset", "papper", ["default", "paper"])
+    Traceback (most recent call last):
+    scenewright.errors.InputError: there is no preset 'papper'; use one of: default, paper
+    """
+    if name not in known:
+        raise InputError(f"there is no {what} '{name}'", f"use one of: {', '.join(known)}")

@@ -1,0 +1,169 @@
+"""Tables a person reads and documents a machine reads; nothing here decides anything."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rich import box
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+if TYPE_CHECKING:
+    from scenewright.check import Report
+    from scenewright.solution import Solution
+
+MOST_FINDINGS = 20
+
+
+def arranged(console: Console, outputs: Sequence[Path], solution: Solution, report: Report) -> None:
+    """The table of rooms, what was left out, the referee's verdict and the files."""
+    table = _table("room", "energy", "placed", title=solution.brief.name)
+    table.columns[1].justify = "right"
+    for space, name in _rooms(solution).items():
+        energy = solution.energies.get(space)
+        told = f"{energy:.1f}" if energy is not None else ""
+        table.add_row(Text(name), told, Text(_placed(solution, space)))
+    console.print(table)
+    for entry in solution.left_out:
+        mark = "left out" if entry.required else "not placed"
+        style = "yellow" if entry.required else "dim"
+        console.print(Text(f"{mark}: {_where(solution, entry.space)}{entry.what}: {entry.reason}",
+                           style))  # fmt: skip
+    console.print(Text(_work(solution)))
+    checked(console, report)
+    for path in outputs:
+        console.print(Text(f"wrote {path}", "dim"))
+
+
+def checked(console: Console, report: Report) -> None:
+    """The verdict, then every finding on a line."""
+    console.print(Text(str(report), "green" if report.valid else "red"))
+    for found in report.findings[:MOST_FINDINGS]:
+        told = f"  {found.kind.replace('_', ' ')}: {found.message}"
+        console.print(Text(told + (" (given)" if found.given else "")))
+    if len(report.findings) > MOST_FINDINGS:
+        console.print(Text(f"  and {len(report.findings) - MOST_FINDINGS} more"))
+    for note in report.notes:
+        console.print(Text(f"  note: {note.message}", "dim"))
+    shares = report.figures.get("navigable_share", {})
+    if isinstance(shares, Mapping) and shares:
+        told = ", ".join(f"{share:.0%} ({level})" for level, share in shares.items())
+        console.print(Text(f"floor one can walk on: {told}", "dim"))
+
+
+def explained(console: Console, solution: Solution) -> None:
+    """Costs by room, item and term, dearest first; then what was left out."""
+    table = _table("room", "item", "term", "value", "weight", "cost", title="why")
+    for column in table.columns[3:]:
+        column.justify = "right"
+    rooms = _rooms(solution)
+    for term in sorted(solution.terms, key=lambda t: -t.cost):
+        if term.cost > 0:
+            table.add_row(Text(rooms.get(term.space, term.space)), Text(term.item), term.term,
+                          f"{term.value:.4g}", f"{term.weight:g}", f"{term.cost:.2f}")  # fmt: skip
+    console.print(table)
+    for entry in solution.left_out:
+        console.print(
+            Text(f"left out: {_where(solution, entry.space)}{entry.what}: {entry.reason}")
+        )
+
+
+def explained_document(solution: Solution) -> dict[str, Any]:
+    """Energies, terms and what was left out, as plain values."""
+    return {
+        "energies": dict(solution.energies),
+        "terms": [term._asdict() for term in solution.terms],
+        "left_out": [entry._asdict() for entry in solution.left_out],
+    }
+
+
+def arranged_document(
+    source: str, outputs: Sequence[Path], solution: Solution, report: Report, code: int
+) -> dict[str, Any]:
+    """Everything ``arrange`` tells, as plain values; ``exit`` is the exit code."""
+    rooms = [
+        {"id": space, "name": name, "energy": solution.energies.get(space),
+         "pieces": dict(_counts(solution, space))}
+        for space, name in _rooms(solution).items()
+    ]  # fmt: skip
+    return {
+        "input": source,
+        "outputs": [str(path) for path in outputs],
+        "exit": code,
+        "preset": solution.preset,
+        "solver": solution.solver,
+        "seed": solution.seed,
+        "version": solution.version,
+        "brief_hash": solution.brief_hash,
+        "seconds": float(solution.seconds),
+        "evaluations": int(solution.evaluations),
+        "rooms": rooms,
+        "left_out": [entry._asdict() for entry in solution.left_out],
+        "check": report.to_dict(),
+    }
+
+
+def table(console: Console, rows: Sequence[Mapping[str, Any]], title: str) -> None:
+    """Rows with the same keys as a table."""
+    if not rows:
+        console.print(f"no {title}")
+        return
+    shown = _table(*(key.replace("_", " ") for key in rows[0]), title=title)
+    for row in rows:
+        shown.add_row(*(Text(_cell(value)) for value in row.values()))
+    console.print(shown)
+
+
+def _table(*columns: str, title: str) -> Table:
+    made = Table(box=box.SIMPLE_HEAD, title=Text(title, "bold"), title_justify="left")
+    for column in columns:
+        made.add_column(column, overflow="fold")
+    return made
+
+
+def _cell(value: object) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else ""
+    if isinstance(value, float):
+        return f"{value:,.4g}" if abs(value) < 1e4 else f"{value:,.0f}"
+    if isinstance(value, Mapping):
+        return ", ".join(f"{key} {_cell(part)}" for key, part in value.items())
+    if isinstance(value, (list, tuple)):
+        return " × ".join(_cell(part) for part in value)
+    return "" if value is None else str(value)
+
+
+def _rooms(solution: Solution) -> dict[str, str]:
+    """Names of the rooms by id."""
+    from scenewright.plan import room_ids
+
+    ids = room_ids(solution.brief)
+    return {i: room.name or i for i, room in zip(ids, solution.brief.rooms, strict=True)}
+
+
+def _where(solution: Solution, space: str) -> str:
+    name = _rooms(solution).get(space, space)
+    return f"{name}: " if name else ""
+
+
+def _counts(solution: Solution, space: str) -> Counter[str]:
+    return Counter(piece.category for piece in solution.pieces if piece.space == space)
+
+
+def _placed(solution: Solution, space: str) -> str:
+    """``2 armchair, sofa``, in the order placed."""
+    counts = _counts(solution, space)
+    words = ((count, category.replace("_", " ")) for category, count in counts.items())
+    return ", ".join(f"{count} {word}" if count > 1 else word for count, word in words)
+
+
+def _work(solution: Solution) -> str:
+    return (
+        f"{len(solution.pieces)} pieces in {len(solution.brief.rooms)} rooms, "
+        f"{solution.seconds:.2f} s, {solution.evaluations:,} layouts looked at "
+        f"({solution.solver}, preset {solution.preset}, seed {solution.seed})"
+    )
