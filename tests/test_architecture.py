@@ -1,0 +1,205 @@
+"""The shape of the house: imports go down, files and functions stay small, names stay plain."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+import scenewright
+
+ROOT = Path(__file__).parent.parent
+PACKAGE = ROOT / "src" / "scenewright"
+FILES = sorted(PACKAGE.rglob("*.py"))
+NAMES = [str(file.relative_to(PACKAGE)) for file in FILES]
+
+LAYERS = (
+    {"errors", "geometry", "_version"},
+    {"space", "scene", "catalog", "layout", "brief", "solution", "problem"},
+    {"plan", "outlines", "openings", "room_names", "shell", "masonry", "assets", "samples"},
+    {"terms", "encodings"},
+    {"energy", "solve", "solvers"},
+    {"check", "domains"},
+    {"formats"},
+    {"scenewright", "cli"},
+)
+"""Top-level modules from the ground up; ``cli_arrange`` and the like belong to ``cli``."""
+
+BANNED = {"utils", "util", "helpers", "helper", "common", "manager", "base", "misc", "tools"}
+JUDGED = {"terms", "encodings", "energy", "solve", "solvers", "geometry", "domains"}
+HEAVY = ("numpy", "numba", "shapely", "trimesh", "embreex", "scipy", "pydantic")
+
+
+def room_of(module: str) -> str:
+    """The top-level room a dotted module name lies in."""
+    parts = module.split(".")
+    return parts[1].partition("_")[0] if parts[1:] and parts[1].startswith("cli") else (
+        parts[1] if parts[1:] else parts[0]
+    )  # fmt: skip
+
+
+def module_of(file: Path) -> str:
+    """The dotted name of a source file."""
+    parts = file.relative_to(PACKAGE.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def imported(file: Path) -> Iterator[str]:
+    """Dotted names of our modules that a file imports, at its head or inside functions."""
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names if alias.name.startswith("scenewright"))
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{file} imports relatively"
+            module = node.module or ""
+            if module == "scenewright":
+                yield from (f"scenewright.{alias.name}" for alias in node.names)
+            elif module.startswith("scenewright."):
+                yield module
+
+
+def layer_of(room: str) -> int:
+    """The floor a room is on."""
+    found = [level for level, rooms in enumerate(LAYERS) if room in rooms]
+    assert found, f"{room} belongs to no layer: add it to LAYERS"
+    return found[0]
+
+
+@pytest.mark.parametrize("file", FILES, ids=NAMES)
+def test_imports_only_go_down(file: Path) -> None:
+    own = room_of(module_of(file))
+    for name in imported(file):
+        assert layer_of(room_of(name)) <= layer_of(own), f"{file.name} imports {name}"
+        if own == "geometry":
+            assert room_of(name) == "geometry", f"{file.name} imports {name}"
+
+
+def test_the_referee_shares_no_code_with_what_it_judges() -> None:
+    seen: set[str] = set()
+    waiting = [module_of(file) for file in (PACKAGE / "check").rglob("*.py")]
+    while waiting:
+        module = waiting.pop()
+        if module in seen:
+            continue
+        seen.add(module)
+        assert room_of(module) not in JUDGED, f"the referee reaches {module}"
+        path = PACKAGE.parent.joinpath(*module.split("."))
+        files = [f for f in (path.with_suffix(".py"), path / "__init__.py") if f.exists()]
+        waiting += [name for file in files for name in imported(file)]
+
+
+@pytest.mark.parametrize("file", FILES, ids=NAMES)
+def test_files_and_functions_are_small(file: Path) -> None:
+    text = file.read_text(encoding="utf-8")
+    assert len(text.splitlines()) <= 300
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            assert (node.end_lineno or 0) - node.lineno < 60, f"{node.name} is too long"
+
+
+@pytest.mark.parametrize("file", FILES, ids=NAMES)
+def test_every_module_and_public_function_has_a_docstring(file: Path) -> None:
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    assert ast.get_docstring(tree) or not tree.body, "the module says nothing"
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
+            assert ast.get_docstring(node), f"{node.name} says nothing"
+
+
+@pytest.mark.parametrize("file", FILES, ids=NAMES)
+def test_names_tell_what_is_inside(file: Path) -> None:
+    words = {part for name in file.relative_to(PACKAGE).with_suffix("").parts
+             for part in name.split("_")}  # fmt: skip
+    assert not words & BANNED
+
+
+def test_no_class_of_ours_is_derived_from_another() -> None:
+    allowed = {"Model"}  # the settings every pydantic model of the brief shares
+    for file in FILES:
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        ours = {node.name for node in ast.walk(tree) if isinstance(node, ast.ClassDef)} - allowed
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ClassDef):
+                bases = {base.id for base in node.bases if isinstance(base, ast.Name)}
+                assert not bases & ours, f"{node.name} in {file.name}"
+
+
+def test_the_facade_lists_what_it_loads() -> None:
+    assert sorted(scenewright.__all__) == sorted([*scenewright._HOMES, "__version__"])
+    assert dir(scenewright) == sorted(scenewright.__all__)
+    for name in scenewright.__all__:
+        assert getattr(scenewright, name) is not None
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        scenewright.nothing  # noqa: B018
+
+
+def test_the_facade_tells_type_checkers_the_same() -> None:
+    tree = ast.parse((PACKAGE / "__init__.py").read_text(encoding="utf-8"))
+    blocks = [node for node in tree.body if isinstance(node, ast.If)]
+    told = {
+        alias.asname or alias.name: f"{node.module}:{alias.name}".removeprefix("scenewright.")
+        for node in blocks[0].body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    assert told == scenewright._HOMES
+
+
+@pytest.mark.parametrize("module", ["scenewright", "scenewright.cli"])
+def test_importing_is_light(module: str) -> None:
+    code = f"import {module}, sys; print(*[m for m in {HEAVY!r} if m in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == []
+
+
+@pytest.mark.parametrize("first", ["", "import scenewright.check, scenewright.solve"])
+def test_verbs_are_not_hidden_by_packages_of_the_same_name(first: str) -> None:
+    code = f"""{first}
+import scenewright as sw
+assert sw.check.__module__ == "scenewright.check", sw.check
+import scenewright.check.report, scenewright.solve
+assert callable(sw.check) and callable(sw.solve) and callable(sw.read)
+from scenewright.check import KINDS
+"""
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_no_import_cycle_between_layers_of_one_floor() -> None:
+    """Rooms of one floor may use each other, but not in a ring."""
+    uses: dict[str, set[str]] = {}
+    for file in FILES:
+        own = room_of(module_of(file))
+        uses.setdefault(own, set()).update({room_of(name) for name in imported(file)} - {own})
+    order: list[str] = []
+    while uses:
+        free = sorted(room for room, below in uses.items() if not below & uses.keys())
+        assert free, f"a ring of imports among {sorted(uses)}"
+        order += free
+        for room in free:
+            del uses[room]
+    assert order[-1] in {"cli", "scenewright"}
+
+
+def test_layers_name_only_what_exists_or_is_planned() -> None:
+    assert all(not lower & upper for lower, upper in pairwise(LAYERS))
+
+
+def test_no_address_of_a_registry_and_no_path_of_a_machine() -> None:
+    signs = ["/" + "work/", "/" + "root/", "/" + "home/user", "pypi" + ".org", "pythonhosted" + ".",
+             "registry." + "npmjs", "index" + "-url"]  # fmt: skip
+    listed = subprocess.run(
+        ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    if listed.returncode:
+        pytest.skip("not a git checkout")
+    for name in filter(None, listed.stdout.split("\0")):
+        data = (ROOT / name).read_bytes() if (ROOT / name).exists() else b""
+        if b"\0" in data[:8000]:
+            continue
+        text = data.decode("utf-8")
+        assert not [sign for sign in signs if sign in text], f"{name} holds an address or path"
