@@ -1,0 +1,39 @@
+"""From meshes and materials to the parts of an asset, and rows of the asset table."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from scenewright.assets.sizes import SIZES
+from scenewright.catalog import Asset, Material, Mesher, Part, Symbol
+from scenewright.geometry.mesh import Mesh, mapped, merge
+from scenewright.scene import Size
+
+Parts = tuple[Part, ...]
+Meshes = Mapping[Material, Sequence[Mesh]]
+
+
+def parts(size: Size, meshes: Meshes) -> Parts:
+    """One part a material, taken affinely into exactly ``[-w/2, w/2] x [-d/2, d/2] x [0, h]``."""
+    merged = {material: merge(list(found)) for material, found in meshes.items() if len(found)}
+    points = np.concatenate([mesh.vertices for mesh in merged.values()])
+    source = (points.min(0), points.max(0))
+    high = np.array([size.width / 2, size.depth / 2, size.height])
+    low = np.array([-size.width / 2, -size.depth / 2, 0.0])
+    return tuple(
+        Part(material, mapped(mesh.vertices, source, low, high), mesh.faces)
+        for material, mesh in merged.items()
+    )
+
+
+def asset(
+    category: str, mesh: Mesher, symbol: Symbol, *, name: str = "", variant: str = "",
+    sizes: tuple[Size, Size, Size] | None = None,
+) -> Asset:  # fmt: skip
+    """A row of the asset table; sizes are those of the category unless given."""
+    small, usual, large = sizes or SIZES[category]
+    told = name or category.replace("_", " ").capitalize()
+    identity = f"{category}_{variant}" if variant else category
+    return Asset(identity, category, told, small, usual, large, mesh, symbol)

@@ -1,0 +1,111 @@
+"""Real dimension ranges of the shipped assets: smallest, usual, largest, in metres.
+
+Figures follow what shops sell: width along the back or wall, depth front to back, height.
+"""
+
+from __future__ import annotations
+
+from scenewright.scene import Size
+
+Range = tuple[Size, Size, Size]
+
+
+def _range(width: str, depth: str, height: str) -> Range:
+    """Sizes from three columns ``"smallest usual largest"`` in centimetres."""
+    columns = [[float(v) / 100 for v in column.split()] for column in (width, depth, height)]
+    small, usual, large = (Size(*(column[i] for column in columns)) for i in range(3))
+    return small, usual, large
+
+
+SIZES: dict[str, Range] = {
+    "sofa": _range("165 210 280", "75 90 105", "68 80 95"),
+    "loveseat": _range("120 150 175", "72 88 100", "68 80 95"),
+    "corner_sofa": _range("200 260 340", "140 180 260", "68 80 95"),
+    "armchair": _range("60 78 100", "60 80 100", "70 85 105"),
+    "dining_chair": _range("38 46 58", "42 50 62", "75 85 105"),
+    "office_chair": _range("52 62 72", "52 62 72", "82 100 125"),
+    "stool": _range("28 38 50", "28 38 50", "40 45 52"),
+    "bar_stool": _range("34 40 50", "34 42 55", "60 75 110"),
+    "bench": _range("80 120 200", "30 38 52", "40 45 52"),
+    "pouf": _range("35 50 90", "35 50 90", "30 40 48"),
+    "dining_table": _range("60 160 300", "55 90 120", "70 74 78"),
+    "round_table": _range("60 110 180", "60 110 180", "70 74 78"),
+    "coffee_table": _range("45 110 160", "35 60 100", "30 40 52"),
+    "side_table": _range("28 45 65", "28 45 65", "40 50 65"),
+    "desk": _range("70 140 200", "45 70 90", "68 74 80"),
+    "kids_desk": _range("60 100 130", "40 55 70", "50 66 76"),
+    "console_table": _range("60 110 180", "22 35 48", "70 80 92"),
+    "vanity": _range("60 90 140", "36 42 55", "72 76 140"),
+    "double_bed": _range("135 160 215", "190 205 235", "70 95 130"),
+    "single_bed": _range("70 90 130", "160 205 220", "55 95 120"),
+    "bunk_bed": _range("80 100 120", "165 205 220", "145 165 185"),
+    "cot": _range("60 68 80", "110 126 150", "75 90 110"),
+    "nightstand": _range("28 42 65", "28 40 52", "38 50 65"),
+    "wardrobe": _range("45 150 320", "40 60 70", "180 220 270"),
+    "chest_of_drawers": _range("40 90 170", "36 45 58", "60 85 130"),
+    "bookcase": _range("35 80 150", "22 32 42", "140 200 245"),
+    "shelf_unit": _range("35 80 200", "22 35 45", "50 100 150"),
+    "sideboard": _range("80 150 240", "34 42 55", "60 78 105"),
+    "display_cabinet": _range("40 80 130", "30 40 48", "120 180 220"),
+    "tv_stand": _range("75 160 280", "30 40 55", "28 45 65"),
+    "shoe_cabinet": _range("40 80 140", "16 28 40", "45 100 140"),
+    "coat_rack": _range("28 60 140", "25 35 60", "150 175 205"),
+    "storage_shelf": _range("40 90 200", "25 40 65", "120 180 230"),
+    "toy_box": _range("30 60 110", "25 40 60", "28 42 60"),
+    "wall_shelf": _range("30 90 180", "12 22 35", "15 30 120"),
+    "base_cabinet": _range("15 60 125", "50 60 66", "80 90 96"),
+    "drawer_cabinet": _range("25 60 125", "50 60 66", "80 90 96"),
+    "sink_cabinet": _range("40 80 125", "50 60 66", "80 90 125"),
+    "hob_cabinet": _range("28 60 95", "50 60 66", "80 90 96"),
+    "oven_cabinet": _range("45 60 95", "50 60 66", "80 90 96"),
+    "dishwasher": _range("44 60 65", "50 60 66", "80 90 96"),
+    "fridge": _range("48 60 100", "52 65 85", "80 185 215"),
+    "tall_cabinet": _range("25 60 125", "35 60 66", "160 215 240"),
+    "wall_cabinet": _range("15 60 125", "25 35 42", "30 70 100"),
+    "hood": _range("45 60 125", "28 48 56", "12 65 110"),
+    "kitchen_island": _range("90 160 300", "60 85 125", "85 92 100"),
+    "corner_cabinet": _range("78 90 110", "78 90 110", "80 90 96"),
+    "toilet": _range("33 38 45", "48 66 76", "70 78 92"),
+    "basin": _range("45 80 160", "30 48 60", "78 88 100"),
+    "pedestal_basin": _range("30 50 70", "24 42 56", "76 86 95"),
+    "bathtub": _range("100 170 195", "60 75 110", "45 58 70"),
+    "shower": _range("65 90 165", "65 90 125", "185 200 225"),
+    "washing_machine": _range("44 60 70", "38 60 70", "78 85 106"),
+    "dryer": _range("55 60 70", "50 60 70", "80 85 106"),
+    "mirror": _range("25 60 180", "1 3 16", "35 80 190"),
+    "towel_rail": _range("30 50 80", "4 10 20", "8 80 180"),
+    "bathroom_cabinet": _range("20 40 90", "15 34 46", "50 170 205"),
+    "laundry_basket": _range("28 42 65", "25 35 50", "40 58 75"),
+    "tv": _range("50 110 190", "4 20 35", "32 68 115"),
+    "monitor": _range("40 58 90", "12 20 28", "34 45 60"),
+    "laptop": _range("26 34 42", "18 25 30", "16 22 28"),
+    "speaker": _range("12 24 40", "14 28 42", "20 90 120"),
+    "floor_lamp": _range("22 38 70", "22 38 70", "110 155 195"),
+    "table_lamp": _range("14 28 45", "14 28 45", "22 45 70"),
+    "desk_lamp": _range("12 18 30", "20 40 60", "28 45 65"),
+    "pendant_lamp": _range("15 42 90", "15 42 90", "25 90 180"),
+    "ceiling_lamp": _range("18 45 120", "18 45 120", "4 14 35"),
+    "rug": _range("40 200 500", "40 140 400", "0.4 1.2 3"),
+    "plant": _range("10 25 55", "10 25 55", "15 40 80"),
+    "potted_tree": _range("30 50 110", "30 50 110", "80 150 240"),
+    "picture": _range("15 70 200", "1.5 4 6", "15 50 140"),
+    "curtain": _range("30 180 600", "5 9 25", "50 220 340"),
+    "wall_clock": _range("15 30 60", "2 4 10", "15 30 60"),
+    "books": _range("10 25 90", "10 18 30", "3 10 32"),
+    "vase": _range("7 16 35", "7 16 35", "12 28 80"),
+    "bowl": _range("10 28 50", "10 28 50", "4 10 22"),
+    "outdoor_table": _range("40 80 220", "40 80 110", "40 72 78"),
+    "outdoor_chair": _range("44 54 70", "44 56 75", "70 82 98"),
+    "deck_chair": _range("55 66 85", "120 190 215", "30 75 112"),
+    "planter": _range("25 80 200", "18 30 60", "30 60 150"),
+    "drying_rack": _range("50 100 190", "35 55 70", "75 95 120"),
+    "radiator": _range("30 100 220", "6 10 22", "20 60 200"),
+    "column": _range("10 35 100", "10 35 100", "100 260 600"),
+    "staircase": _range("60 90 200", "120 320 600", "100 270 450"),
+    "fireplace": _range("80 125 190", "25 45 75", "80 115 260"),
+    "piano": _range("135 148 160", "50 62 75", "98 120 136"),
+    "exercise_bike": _range("45 55 72", "85 105 135", "100 125 150"),
+    "ironing_board": _range("30 38 50", "100 130 165", "70 88 100"),
+    "box": _range("15 40 120", "15 35 120", "10 30 120"),
+    "obstacle": _range("2 60 1000", "2 60 1000", "1 100 600"),
+}
