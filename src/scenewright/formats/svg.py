@@ -69,12 +69,13 @@ def plan(scene: Scene, catalog: Catalog) -> str:
     marks = [sheets.sheet_mark(sheet, scene.name, _summary(scene))]
     room_wide, room_high = sheets.drawing_area(sheet)
     spare = (room_wide - wide * 1000 / sheet.scale - extra_wide) / (len(storeys) + 1)
-    bottom = sheets.EDGE + room_high - CAPTION - max((m["south"] for m in margins), default=0.0)
+    below = max((m["south"] for m in margins), default=0.0)
+    bottom = sheets.EDGE + room_high - CAPTION - below
     bottom -= (room_high - high * 1000 / sheet.scale - extra_high) / 2
     left = sheets.EDGE
     for storey, margin in zip(storeys, margins, strict=True):
         left += spare + margin["west"]
-        marks.append(_storey_mark(storey, catalog, sheet, left, bottom, margin["south"]))
+        marks.append(_storey_mark(storey, catalog, sheet, left, bottom, below))
         left += (storey.bounds[2] - storey.bounds[0]) * 1000 / sheet.scale + margin["east"]
     return _document(sheet, scene.name, marks)
 
@@ -96,7 +97,8 @@ def _storey(scene: Scene, level: Level) -> Storey | None:
     west, south, east, north = map(float, everything.bounds)
     bounds = (west, south, east, north)
     cut = cut_walls(walls)
-    return Storey(level, part, cut, bounds, dimensions.chains(bounds, cut, spaces, part.openings))
+    solid = union_all([cut, *(polygon_of(space) for space in spaces)])
+    return Storey(level, part, cut, bounds, dimensions.chains(bounds, solid, spaces, part.openings))
 
 
 def _storey_mark(

@@ -42,16 +42,17 @@ class Chain(NamedTuple):
 
 
 def chains(
-    bounds: Bounds, walls: Geometry, spaces: Sequence[Space], openings: Sequence[Opening]
+    bounds: Bounds, solid: Geometry, spaces: Sequence[Space], openings: Sequence[Opening]
 ) -> dict[Side, list[Chain]]:
     """Chains of each side from the building outwards; repeated and empty ones are left out.
+    ``solid`` is what hides openings: walls and floors of rooms.
 
     South and west tell openings, rooms and the whole; north and east the openings only.
     """
     found: dict[Side, list[Chain]] = {}
     for side in ("south", "west", "north", "east"):
         whole = _ends(bounds, side)
-        rows = [_opening_stations(side, bounds, walls, openings)]
+        rows = [_opening_stations(side, bounds, solid, openings)]
         if side in ("south", "west"):
             rows += [_room_stations(side, bounds, spaces), []]
         kept = [tuple(_merged([*whole, *row])) for row in rows if row or row is rows[-1]]
@@ -105,25 +106,25 @@ def _measure(metres: float, middle: NDArray[np.float64], side: Side, room: float
 
 
 def _opening_stations(
-    side: Side, bounds: Bounds, walls: Geometry, openings: Sequence[Opening]
+    side: Side, bounds: Bounds, solid: Geometry, openings: Sequence[Opening]
 ) -> list[float]:
     """Jambs of the openings in walls that face this side with nothing beyond."""
     stations: list[float] = []
     for opening in openings:
         lengthwise = opening.ux if side in ("south", "north") else opening.uy
-        if abs(lengthwise) < 0.999 or _hidden(opening, side, bounds, walls):
+        if abs(lengthwise) < 0.999 or _hidden(opening, side, bounds, solid):
             continue
         middle = opening.x if side in ("south", "north") else opening.y
         stations += [middle - opening.width / 2, middle + opening.width / 2]
     return stations
 
 
-def _hidden(opening: Opening, side: Side, bounds: Bounds, walls: Geometry) -> bool:
-    """Whether a wall stands between the opening and this side of the building."""
+def _hidden(opening: Opening, side: Side, bounds: Bounds, solid: Geometry) -> bool:
+    """Whether a wall or room lies between the opening and this side of the building."""
     out = _outward(side) * (1, -1)
     start = np.array([opening.x, opening.y]) + out * (opening.thickness / 2 + 0.02)
     far = out * (bounds[2] - bounds[0] + bounds[3] - bounds[1])
-    return len(opening.spaces) > 1 or bool(intersects(LineString([start, start + far]), walls))
+    return len(opening.spaces) > 1 or bool(intersects(LineString([start, start + far]), solid))
 
 
 def _room_stations(side: Side, bounds: Bounds, spaces: Sequence[Space]) -> list[float]:
