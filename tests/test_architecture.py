@@ -21,7 +21,7 @@ NAMES = [str(file.relative_to(PACKAGE)) for file in FILES]
 LAYERS = (
     {"errors", "geometry", "_version"},
     {"space", "scene", "catalog", "layout", "brief", "solution", "problem"},
-    {"plan", "outlines", "openings", "room_names", "shell", "masonry", "assets", "samples"},
+    {"plan", "outlines", "openings", "room_names", "shell", "masonry", "joinery", "staging", "assets", "samples"},
     {"terms", "encodings"},
     {"energy", "solve", "solvers"},
     {"check", "domains"},

@@ -1,0 +1,108 @@
+"""Triangles of polygons with holes, of prisms over them and of boxes; normals of any mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import mapbox_earcut
+import numpy as np
+
+from scenewright.geometry.mesh import Floats, Ints, Mesh
+
+
+def triangles(outline: Floats, holes: Sequence[Floats] = ()) -> Ints:
+    """Triangles ``(t, 3)`` of a polygon, as indices into outline and holes stacked.
+
+    Ear clipping with bridges to the holes (after D. Eberly, *Triangulation by Ear Clipping*).
+
+    >>> triangles(np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])).shape
+    (2, 3)
+    """
+    corners = np.ascontiguousarray(np.vstack([outline, *holes]), np.float64)
+    ends = np.cumsum([len(ring) for ring in (outline, *holes)]).astype(np.uint32)
+    found = mapbox_earcut.triangulate_float64(corners, ends).reshape(-1, 3).astype(np.int64)
+    (ax, ay), (bx, by), (cx, cy) = (corners[found[:, k]].T for k in range(3))
+    clockwise = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) < 0
+    found[clockwise] = found[clockwise][:, ::-1]
+    return found
+
+
+def sheet(outline: Floats, holes: Sequence[Floats] = (), height: float = 0.0) -> Mesh:
+    """A flat polygon seen from above at ``height``."""
+    corners = np.vstack([outline, *holes])
+    return Mesh(
+        np.column_stack([corners, np.full(len(corners), height)]), triangles(outline, holes)
+    )
+
+
+def prism(outline: Floats, base: float, top: float, holes: Sequence[Floats] = ()) -> Mesh:
+    """A vertical prism: outline counter-clockwise, holes clockwise; closed.
+
+    >>> from scenewright.geometry.mesh import volume
+    >>> round(volume(prism(np.array([[0.0, 0], [2, 0], [2, 1], [0, 1]]), 0.0, 3.0)), 9)
+    6.0
+    """
+    upper, flat = sheet(outline, holes, top)
+    count = len(upper)
+    lower = upper.copy()
+    lower[:, 2] = base
+    sides, start = [], 0
+    for ring in (outline, *holes):
+        here = np.arange(start, start + len(ring))
+        there = np.roll(here, -1)
+        sides += [np.stack([here, there, there + count], 1),
+                  np.stack([here, there + count, here + count], 1)]  # fmt: skip
+        start += len(ring)
+    faces = np.vstack([flat + count, flat[:, ::-1], *sides])
+    return Mesh(np.vstack([lower, upper]), faces)
+
+
+def box(low: Sequence[float], high: Sequence[float]) -> Mesh:
+    """The box between two opposite corners.
+
+    >>> box((0, 0, 0), (1, 2, 3)).faces.shape
+    (12, 3)
+    """
+    (x0, y0, z0), (x1, y1, z1) = low, high
+    return prism(np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]], float), z0, z1)
+
+
+def face_normals(vertices: Floats, faces: Ints) -> Floats:
+    """Unit normals ``(m, 3)``; zero for faces without area."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    across = np.cross(b - a, c - a)
+    length = np.linalg.norm(across, axis=1, keepdims=True)
+    return np.where(length > 1e-14, across / np.maximum(length, 1e-14), 0.0)
+
+
+def corner_normals(vertices: Floats, faces: Ints, crease: float = np.deg2rad(40.0)) -> Floats:
+    """Normals ``(m, 3, 3)`` at the corners of each face, smooth across edges below ``crease``.
+
+    Each is the mean, weighted by area, of the faces that meet at the same point and whose normal
+    is within ``crease`` radians of this face's own. Points count as the same within 0.01 mm.
+    """
+    across = np.cross(
+        vertices[faces[:, 1]] - vertices[faces[:, 0]], vertices[faces[:, 2]] - vertices[faces[:, 0]]
+    )
+    own = face_normals(vertices, faces)
+    keys = np.round(vertices / 1e-5).astype(np.int64)
+    _, same = np.unique(keys, axis=0, return_inverse=True)
+    here, there = _meetings(same.reshape(-1)[faces.reshape(-1)])
+    mine, other = here // 3, there // 3
+    alike = np.einsum("ij,ij->i", own[mine], own[other]) >= np.cos(crease) - 1e-9
+    here, other = here[alike], other[alike]
+    summed = np.stack([np.bincount(here, across[other, axis], faces.size) for axis in range(3)], -1)
+    length = np.linalg.norm(summed, axis=1, keepdims=True)
+    flat = np.repeat(own, 3, axis=0)
+    return np.where(length > 1e-14, summed / np.maximum(length, 1e-14), flat).reshape(-1, 3, 3)
+
+
+def _meetings(points: Ints) -> tuple[Ints, Ints]:
+    """All ordered pairs of corners ``(i, j)`` that lie at the same point, i = j included."""
+    order = np.argsort(points, kind="stable")
+    _, first, count = np.unique(points[order], return_index=True, return_counts=True)
+    sizes = np.repeat(count, count)
+    here = np.repeat(order, sizes)
+    begin = np.repeat(np.repeat(first, count), sizes)
+    within = np.arange(len(here)) - np.repeat(np.cumsum(sizes) - sizes, sizes)
+    return here, order[begin + within]
