@@ -84,7 +84,7 @@ def prepare(problem: Problem) -> Prepared:
     """Arrays and weights of a problem, ready for compiled code."""
     ground, items = problem.ground, problem.items
     weights = read_weights(problem.weights, problem.printed)
-    main, bounds = _fresh(ground.main_wall, 4), _fresh(ground.bounds, 4)[0]
+    main, bounds = _fresh(ground.main_wall, 4), _fresh(ground.bounds, 4)[0].copy()
     zoned = weights[CLEAR_ROOM] != 0.0 or weights[CLEAR_ITEMS] != 0.0
     reach = items.clear.max(axis=1, initial=0.0) * (1.0 if zoned else 0.0)
     pairs = np.array(items.pairs, np.int64, order="C").reshape(-1, 2)
@@ -101,6 +101,7 @@ def prepare(problem: Problem) -> Prepared:
         related_start=start,
         related=related,
         weights=weights,
+        bounds=bounds,
         area=float(ground.area),
         normal=float(inward(main[0])) if len(main) else float("nan"),
         span=float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])),

@@ -106,7 +106,9 @@ def area_in_polygon(frame: Frame, edges: Floats) -> float:
     total = 0.0
     for e in range(edges.shape[0]):
         x0, y0, x1, y1 = edges[e, 0] - x, edges[e, 1] - y, edges[e, 2] - x, edges[e, 3] - y
-        total += area_under(x0 * s - y0 * c, x0 * c + y0 * s, x1 * s - y1 * c, x1 * c + y1 * s, w, d)
+        total += area_under(
+            x0 * s - y0 * c, x0 * c + y0 * s, x1 * s - y1 * c, x1 * c + y1 * s, w, d
+        )
     return min(max(total, 0.0), 4.0 * w * d)
 
 

@@ -1,0 +1,44 @@
+"""The table of solvers. A new one is one file and one row here; the rows drive the tests."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import NamedTuple
+
+from scenewright.problem import Problem
+from scenewright.solve import Budget, Cancel, Found, Progress
+
+
+class SolverRow(NamedTuple):
+    """One solver: its name, what it is, and where its function is (imported when first run)."""
+
+    name: str
+    doc: str
+    source: str
+    module: str
+    function: str
+
+    def run(
+        self,
+        problem: Problem,
+        budget: Budget,
+        seed: int = 0,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+    ) -> Found:
+        """Solve; see :data:`scenewright.solve.Run`."""
+        solve = getattr(import_module(f"{__name__}.{self.module}"), self.function)
+        return solve(problem, budget, seed, progress, cancel)  # type: ignore[no-any-return]
+
+
+ROWS = (
+    SolverRow("anneal", "compiled annealing with a designer's moves and adaptive restarts (default)",
+              "ours, after Kirkpatrick et al. 1983", "anneal", "anneal"),
+    SolverRow("paper-ga", "the paper's genetic algorithm, 40 layouts, 100 generations",
+              "Liu et al. 2017", "genetic", "paper_ga"),
+    SolverRow("paper-sa", "the paper's comparison: annealing over patches, 500 iterations",
+              "Liu et al. 2017", "paper_annealing", "paper_sa"),
+    SolverRow("random", "layouts drawn at random, the best kept", "baseline", "random_search",
+              "random_search"),
+)  # fmt: skip
+SOLVERS: dict[str, SolverRow] = {row.name: row for row in ROWS}

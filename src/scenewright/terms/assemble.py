@@ -62,6 +62,7 @@ class Prepared(NamedTuple):
     related_start: Ints
     related: Ints
     weights: Floats
+    bounds: Floats
     area: float
     normal: float
     span: float

@@ -31,9 +31,7 @@ def is_reached(frame: Frame, access: Sides, reached: Bits, grid: Grid) -> bool:
 
 
 @compiled
-def route(
-    frames: Floats, sides: Floats, grid: Grid, free: Bits, reached: Bits
-) -> float:
+def route(frames: Floats, sides: Floats, grid: Grid, free: Bits, reached: Bits) -> float:
     """Items not reached plus doors not joined to the first door, by a route of the stated width.
 
     A flood fill from the first door over the cells where a disc of the route's width fits; an

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import math
 
-from scenewright.geometry.boxes import Floats, Frame, distance_to_box, nearest_segment, read_frame, wrap
+from scenewright.geometry.boxes import (
+    Floats,
+    Frame,
+    distance_to_box,
+    nearest_segment,
+    read_frame,
+    wrap,
+)
 from scenewright.geometry.compiled import compiled
 from scenewright.terms.orientation import FLUSH, gap
 from scenewright.terms.table import OBSTACLES, WINDOW

@@ -1,0 +1,149 @@
+"""How solvers are asked: budgets, progress, cancelling, and the two contracts they may follow.
+
+*Populations* (genetic, random …) are ask / tell: the solver proposes genes and hears energies, it
+never sees the objective. *Chains* (annealing) run compiled inside, re-evaluating only what moved,
+and are driven in slices (:mod:`scenewright.solvers.anneal`). Either way a solver is one function
+of :data:`Run`, a row of :data:`scenewright.solvers.SOLVERS`.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.layout import Layout
+from scenewright.problem import Problem
+
+Floats = NDArray[np.float64]
+Progress = Callable[[float, float], None]
+Cancel = Callable[[], bool]
+Objective = Callable[[Floats], Floats]
+
+
+class Budget(NamedTuple):
+    """What a run may use: seconds, or steps (looked-at layouts), whichever ends first; it also
+    ends at an energy of ``target`` or below.
+
+    Without ``seconds`` the result depends on the seed alone, on any machine and number of threads.
+    """
+
+    seconds: float | None = None
+    steps: int | None = None
+    target: float = -math.inf
+
+
+class Found(NamedTuple):
+    """What a run found: distinct layouts, best first, and how many it looked at."""
+
+    layouts: tuple[Layout, ...]
+    evaluations: int
+
+
+Run = Callable[[Problem, Budget, int, Progress | None, Cancel | None], Found]
+
+
+class Watch:
+    """Tells how much of a budget is spent; started when made.
+
+    >>> watch = Watch(Budget(steps=10), None, None)
+    >>> watch.share(5), watch.over(5, 1.0), watch.over(10, 1.0)
+    (0.5, False, True)
+    """
+
+    def __init__(self, budget: Budget, progress: Progress | None, cancel: Cancel | None) -> None:
+        self.budget, self.progress, self.cancel = budget, progress, cancel
+        self.start = time.perf_counter()
+
+    def seconds(self) -> float:
+        """Seconds since the start."""
+        return time.perf_counter() - self.start
+
+    def share(self, steps: int) -> float:
+        """Share of the budget that is spent, 0 to 1."""
+        by_time = self.seconds() / self.budget.seconds if self.budget.seconds else 0.0
+        by_steps = steps / self.budget.steps if self.budget.steps else 0.0
+        return min(max(by_time, by_steps), 1.0)
+
+    def over(self, steps: int, best: float) -> bool:
+        """Report progress; true if the run should end with what it has."""
+        share = self.share(steps)
+        if self.progress is not None:
+            self.progress(share, best)
+        cancelled = self.cancel is not None and self.cancel()
+        return cancelled or share >= 1.0 or best <= self.budget.target
+
+
+class Population(NamedTuple):
+    """What every population solver keeps: genes (P, m) and their energies (P,)."""
+
+    genes: Floats
+    energies: Floats
+    round: int = 0
+
+
+class PopulationSolver(Protocol):
+    """Ask / tell over genes ``(P, m)`` within bounds. State is a value; nothing else is kept."""
+
+    def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Any:
+        """The state before the first ask."""
+
+    def ask(self, state: Any, rng: np.random.Generator) -> tuple[Floats, Any]:
+        """Genes to be judged next."""
+
+    def tell(self, state: Any, genes: Floats, energies: Floats) -> Any:
+        """The state after hearing their energies."""
+
+
+def run_population(
+    solver: PopulationSolver,
+    objective: Objective,
+    low: Floats,
+    high: Floats,
+    rng: np.random.Generator,
+    watch: Watch,
+    rounds: int | None = None,
+    keep: int = 64,
+) -> tuple[Floats, Floats, int]:
+    """Ask and tell until the budget (or ``rounds``) is spent.
+
+    Returns the ``keep`` best genes seen (k, m), their energies (k,) and the evaluations made.
+    """
+    state, done, count = solver.init(rng, low, high), 0, 0
+    best_genes, best = np.empty((0, len(low))), np.empty(0)
+    while True:
+        genes, state = solver.ask(state, rng)
+        energies = objective(genes)
+        state = solver.tell(state, genes, energies)
+        done, count = done + len(genes), count + 1
+        best_genes, best = np.concatenate([best_genes, genes]), np.concatenate([best, energies])
+        order = np.argsort(best, kind="stable")[:keep]
+        best_genes, best = best_genes[order], best[order]
+        if watch.over(done, float(best[0])) or count == rounds:
+            return best_genes, best, done
+
+
+def distinct(
+    boxes: Floats, energies: Floats, keep: int = 8, apart: float = 0.5
+) -> tuple[Layout, ...]:
+    """The best layouts that differ: some item more than ``apart`` metres or radians away.
+
+    ``boxes`` (P, n, 5), ``energies`` (P,); best first, at most ``keep``.
+    """
+    chosen: list[int] = []
+    for k in np.argsort(energies, kind="stable"):
+        gaps = [boxes[k] - boxes[other] for other in chosen]
+        near = [
+            np.all(np.hypot(g[:, 0], g[:, 1]) <= apart)
+            and np.all(np.abs((g[:, 2] + np.pi) % (2 * np.pi) - np.pi) <= apart)
+            for g in gaps
+        ]
+        if not any(near):
+            chosen.append(int(k))
+        if len(chosen) == keep:
+            break
+    return tuple(Layout(boxes[k].copy(), float(energies[k])) for k in chosen)
