@@ -51,8 +51,8 @@ def door(x: float, y: float, u: tuple[float, float] = (1, 0), **more) -> Opening
 def room(**more) -> Space:
     """A room 4 m by 3 m with its door in the middle of the south wall."""
     entrance = door(2.0, -0.05)
-    wanted = {"outline": rectangle(0, 0, 4, 3), "openings": (entrance,)}
-    return Space("a", "a", ("other",), "0", **wanted | more)
+    wanted = {"outline": rectangle(0, 0, 4, 3), "openings": (entrance,), "functions": ("other",)}
+    return Space("a", "a", level="0", **wanted | more)
 
 
 def piece(
@@ -371,3 +371,24 @@ def test_levels_do_not_meet():
     upper = replace(room(), id="up", level="1", openings=())
     pieces = piece("box", 1, 2), piece("box", 1, 2, space="up", id="v")
     assert judge(*pieces, spaces=(room(), upper)).valid
+
+
+def test_a_usable_room_is_told_what_it_lacks():
+    bedroom = room(functions=("bedroom",))
+    assert {n.missing for n in judge(spaces=(bedroom,)).notes} == {"bed", "wardrobe"}
+    small = room(functions=("bedroom",), outline=rectangle(0, 0, 2.4, 1.5))
+    assert judge(spaces=(small,)).notes == ()
+    bed = piece("single_bed", 0.5, 2.0, 0.9, 2.0, 0.5)
+    report = judge(bed, spaces=(bedroom,))
+    assert {n.missing for n in report.notes} == {"wardrobe"}
+    assert report.valid
+
+
+def test_every_essential_names_kinds_of_the_catalog():
+    from scenewright.assets.kinds import KINDS
+    from scenewright.check import ESSENTIALS, USABLE
+
+    assert set(ESSENTIALS) == set(USABLE)
+    for needs in ESSENTIALS.values():
+        for need in needs:
+            assert need.categories <= set(KINDS), need

@@ -34,15 +34,13 @@ def _need(name: str, categories: str, least: int = 1) -> Need:
     return Need(name, frozenset(categories.split()), least)
 
 
-_SEAT = "sofa loveseat corner_sofa sofa_bed armchair"
-_FOCAL = "tv tv_stand tv_unit fireplace bookcase sideboard shelf_unit piano"
-_BED = _need("bed", "single_bed double_bed bunk_bed child_bed loft_bed sofa_bed crib bed")
-_STORAGE = (
-    "storage_shelf shelf_unit bookcase wardrobe cabinet storage_cabinet tall_cabinet "
-    "chest_of_drawers washing_machine"
-)
-_COATS = "shoe_cabinet coat_rack coat_stand console_table bench wardrobe sideboard cabinet"
+_SEAT = "sofa loveseat corner_sofa armchair"
+_FOCAL = "tv tv_stand fireplace bookcase sideboard shelf_unit display_cabinet piano"
+_BED = _need("bed", "single_bed double_bed bunk_bed cot")
 _CLOTHES = _need("wardrobe", "wardrobe chest_of_drawers")
+_STORAGE = "storage_shelf shelf_unit bookcase wardrobe chest_of_drawers tall_cabinet shoe_cabinet"
+_COATS = "shoe_cabinet coat_rack console_table bench wardrobe sideboard storage_shelf"
+_BASIN = "basin pedestal_basin"
 
 ESSENTIALS: dict[str, tuple[Need, ...]] = {
     "living": (
@@ -51,14 +49,14 @@ ESSENTIALS: dict[str, tuple[Need, ...]] = {
         _need("screen or focal point", _FOCAL),
     ),
     "dining": (
-        _need("dining table", "dining_table round_table bar_table"),
-        _need("two chairs", "dining_chair chair stool bar_stool bench", 2),
+        _need("dining table", "dining_table round_table"),
+        _need("two chairs", "dining_chair bar_stool stool bench", 2),
     ),
     "kitchen": (
-        _need("sink", "sink_cabinet sink kitchen_sink"),
-        _need("hob", "hob_cabinet hob stove cooker"),
+        _need("sink", "sink_cabinet"),
+        _need("hob", "hob_cabinet"),
         _need("fridge", "fridge"),
-        _need("base units", "base_cabinet drawer_cabinet sink_cabinet hob_cabinet", 2),
+        _need("base units", "base_cabinet drawer_cabinet sink_cabinet hob_cabinet dishwasher", 2),
     ),
     "bedroom": (_BED, _CLOTHES),
     "double_bedroom": (
@@ -69,17 +67,15 @@ ESSENTIALS: dict[str, tuple[Need, ...]] = {
     "single_bedroom": (_BED, _CLOTHES),
     "child_bedroom": (_BED, _CLOTHES),
     "study": (
-        _need("desk", "desk kids_desk corner_desk"),
-        _need("chair", "office_chair chair dining_chair stool"),
+        _need("desk", "desk kids_desk"),
+        _need("chair", "office_chair dining_chair stool"),
     ),
     "bathroom": (
-        _need("basin", "basin pedestal_basin washbasin"),
+        _need("basin", _BASIN),
         _need("bath, shower or toilet", "bathtub shower toilet"),
     ),
     "toilet": (_need("toilet", "toilet"),),
-    "washroom": (
-        _need("basin or washing machine", "basin pedestal_basin washbasin washing_machine"),
-    ),
+    "washroom": (_need("basin or washing machine", f"{_BASIN} washing_machine"),),
     "storage": (_need("storage", _STORAGE),),
     "hall": (_need("somewhere for coats or shoes", _COATS),),
 }
