@@ -129,8 +129,8 @@ def _stretch(space: Space, wish: Door | Window, reach: float) -> Stretch:
     opening is slid along it by at most 0.3 m and narrowed by at most 0.1 m to fit.
     """
     at = np.array(wish.at)
-    runs = [run for ring in (space.outline, *space.holes) for run in _runs(ring)]
-    away = [_project(run, at) for run in runs]
+    runs = [run for ring in (space.outline, *space.holes) for run in wall_runs(ring)]
+    away = [project(run, at) for run in runs]
     near = [(run, s, d) for run, (s, d) in zip(runs, away, strict=True) if d <= reach]
     if not near:
         raise InputError(
@@ -143,12 +143,12 @@ def _stretch(space: Space, wish: Door | Window, reach: float) -> Stretch:
 
 
 def _overhang(run: Points, s: float, width: float) -> float:
-    length = _lengths(run)[-1]
+    length = run_lengths(run)[-1]
     return float(max(width / 2 - s, 0.0) + max(s + width / 2 - length, 0.0))
 
 
 def _fitted(run: Points, s: float, width: float) -> Stretch:
-    lengths = _lengths(run)
+    lengths = run_lengths(run)
     length = float(lengths[-1])
     slid = min(max(s, width / 2), max(length - width / 2, width / 2))
     if width > length + CLIP:
@@ -170,7 +170,7 @@ def _line(stretch: Stretch) -> tuple[Points, Points, float]:
     return (stretch.start + stretch.end) / 2, along / width, width
 
 
-def _runs(ring: Points) -> list[Points]:
+def wall_runs(ring: Points) -> list[Points]:
     """The walls of a ring as polylines: cut at every corner of more than 25 degrees."""
     along = np.roll(ring, -1, axis=0) - ring
     along /= np.linalg.norm(along, axis=1)[:, None]
@@ -184,12 +184,12 @@ def _runs(ring: Points) -> list[Points]:
     return [closed[a : b + 1] for a, b in pairwise(ends)]
 
 
-def _lengths(run: Points) -> Points:
+def run_lengths(run: Points) -> Points:
     steps = np.linalg.norm(np.diff(run, axis=0), axis=1)
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
-def _project(run: Points, at: Points) -> tuple[float, float]:
+def project(run: Points, at: Points) -> tuple[float, float]:
     """Arc length and distance of the point of a polyline that is nearest to ``at``."""
     start, along = run[:-1], np.diff(run, axis=0)
     length = np.linalg.norm(along, axis=1)
@@ -201,7 +201,7 @@ def _project(run: Points, at: Points) -> tuple[float, float]:
 
 def _nearest_point(runs: list[Points], away: list[tuple[float, float]]) -> str:
     best = min(range(len(runs)), key=lambda i: away[i][1])
-    lengths = _lengths(runs[best])
+    lengths = run_lengths(runs[best])
     x, y = (np.interp(away[best][0], lengths, runs[best][:, axis]) for axis in (0, 1))
     return f"({x:.2f}, {y:.2f})"
 

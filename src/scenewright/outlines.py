@@ -78,7 +78,8 @@ def shrink(floor: shapely.Polygon, by: float) -> shapely.Polygon:
 
     Parts that fall off at a bottleneck narrower than the wall are dropped; the largest stays.
     """
-    inner = floor.buffer(-by, join_style="mitre", mitre_limit=5.0)
+    with np.errstate(all="ignore"):
+        inner = floor.buffer(-by, join_style="mitre", mitre_limit=5.0)
     parts = [part for part in getattr(inner, "geoms", [inner]) if part.area >= LEAST_AREA]
     if not parts:
         raise InputError(

@@ -1,0 +1,94 @@
+"""The floors of a Sweet Home 3D level: rooms as drawn, freed of walls and of each other."""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+import numpy as np
+import shapely
+from shapely.geometry.base import BaseGeometry
+
+from scenewright.errors import InputError
+from scenewright.formats.sh3d_xml import Home, HomeRoom, HomeWall, middle_line
+
+LEAST_ROOM = 1.0
+LEAST_WIDTH = 0.3
+FINEST = 0.002
+
+
+class Floor(NamedTuple):
+    """One room's floor: its name as drawn (or ''), its level and polygon."""
+
+    name: str
+    level: str
+    polygon: shapely.Polygon
+
+
+def floors(home: Home, level: str) -> list[Floor]:
+    """Floors of a level, in the order drawn; if none is drawn, all that the walls enclose.
+
+    Of rooms that overlap the smaller one keeps the floor. What walls or smaller rooms cut into
+    several parts keeps its largest; parts narrower than 0.3 m fall off; floors of less than 1 m²
+    are left out.
+    """
+    solid = shapely.union_all([wall_polygon(w) for w in home.walls if w.level == level])
+    drawn = [room for room in home.rooms if room.level == level]
+    if not drawn:
+        return [Floor("", level, part) for part in _enclosed(solid)]
+    shapes = [_shape(room) for room in drawn]
+    order = sorted(range(len(drawn)), key=lambda i: shapes[i].area)
+    taken: BaseGeometry = solid
+    found: dict[int, shapely.Polygon] = {}
+    for i in order:
+        part = _largest(_opened(shapes[i].difference(taken)))
+        if part.area >= LEAST_ROOM:
+            found[i] = part
+            taken = taken.union(part)
+    return [Floor(drawn[i].name, level, found[i]) for i in sorted(found)]
+
+
+def wall_polygon(wall: HomeWall) -> BaseGeometry:
+    """The footprint of a wall; ends joined to another wall reach half a thickness farther."""
+    line = middle_line(wall)
+    for end, inner, joined in ((0, 1, wall.joined[0]), (-1, -2, wall.joined[1])):
+        along = line[end] - line[inner]
+        length = float((along @ along) ** 0.5)
+        if joined and length > 0:
+            line[end] += along / length * wall.thickness / 2
+    return grown(shapely.LineString(line), wall.thickness / 2, "flat")
+
+
+def grown(shape: BaseGeometry, by: float, cap: Literal["round", "flat"] = "round") -> BaseGeometry:
+    """The shape with mitred corners, grown by ``by`` metres on all sides (or shrunk)."""
+    with np.errstate(all="ignore"):
+        return shape.buffer(by, cap_style=cap, join_style="mitre")
+
+
+def _enclosed(solid: BaseGeometry) -> list[shapely.Polygon]:
+    """What the walls go around, in reading order (from the north-west)."""
+    parts = getattr(solid, "geoms", [solid])
+    holes = [shapely.Polygon(ring) for part in parts for ring in getattr(part, "interiors", ())]
+    inside = [_largest(_opened(hole.difference(solid))) for hole in holes]
+    inside = [part for part in inside if part.area >= LEAST_ROOM]
+    return sorted(inside, key=lambda part: (-round(part.centroid.y), part.centroid.x))
+
+
+def _shape(room: HomeRoom) -> BaseGeometry:
+    if len(room.corners) > 5000:
+        raise InputError("has more than 5000 corners", "draw it simpler", place=room.place)
+    if len(room.corners) < 3:
+        return shapely.Polygon()
+    shape: BaseGeometry = shapely.make_valid(shapely.Polygon(room.corners))
+    return shape
+
+
+def _opened(shape: BaseGeometry) -> BaseGeometry:
+    """Without parts narrower than LEAST_WIDTH: shrunk and grown again, inside what it was."""
+    half = LEAST_WIDTH / 2
+    core = grown(grown(shape, -half), half * 1.001)
+    return core.intersection(shape).simplify(FINEST)
+
+
+def _largest(shape: BaseGeometry) -> shapely.Polygon:
+    parts = [p for p in getattr(shape, "geoms", [shape]) if isinstance(p, shapely.Polygon)]
+    return max(parts, key=lambda part: part.area, default=shapely.Polygon())

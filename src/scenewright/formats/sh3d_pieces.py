@@ -1,0 +1,91 @@
+"""Furniture of a Sweet Home 3D level: what stays where it stands, and what it tells of a room."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import shapely
+
+from scenewright.brief import FixedItem
+from scenewright.formats.sh3d_kinds import LANDMARKS, kind_of
+from scenewright.formats.sh3d_xml import HomePiece, outline_of
+
+SIGNS = (
+    ("bathroom", ("bathtub", "shower")),
+    ("toilet", ("toilet",)),
+    ("kitchen", ("hob_cabinet", "sink_cabinet", "oven_cabinet", "fridge")),
+    ("living", ("sofa", "corner_sofa", "tv_stand")),
+    ("double_bedroom", ("double_bed",)),
+    ("bedroom", ("single_bed", "bunk_bed")),
+    ("dining", ("dining_table", "round_table")),
+    ("study", ("desk",)),
+    ("washroom", ("washing_machine",)),
+)
+
+
+def flattened(pieces: Sequence[HomePiece]) -> Iterator[HomePiece]:
+    """Visible pieces with groups opened; a group named as stairs or a fireplace stays whole.
+
+    Members of a group that is not movable are not movable either.
+    """
+    for piece in pieces:
+        if not piece.visible:
+            continue
+        if piece.kind != "furnitureGroup":
+            yield piece
+        elif kind_of(piece) in LANDMARKS:
+            yield piece._replace(movable=False)
+        else:
+            level = piece.level
+            yield from flattened([
+                m._replace(movable=m.movable and piece.movable, level=m.level or level)
+                for m in piece.members
+            ])  # fmt: skip
+
+
+def housed(pieces: Sequence[HomePiece], floors: Sequence[shapely.Polygon]) -> list[list[HomePiece]]:
+    """The pieces of each floor: by centre, or for those centred in no room by largest overlap."""
+    inside: list[list[HomePiece]] = [[] for _ in floors]
+    for piece in pieces:
+        number = _home_of(piece, floors)
+        if number is not None:
+            inside[number].append(piece)
+    return inside
+
+
+def fixed_item(piece: HomePiece) -> FixedItem:
+    """A piece as it stands. Its front is opposite the back, which is y in the piece's frame."""
+    return FixedItem(
+        category=kind_of(piece),
+        at=(piece.x, piece.y),
+        heading=math.remainder(piece.turn - math.pi / 2, 2 * math.pi),
+        size=(piece.width, piece.depth, piece.height),
+        z=max(piece.z, 0.0),
+        name=piece.name,
+    )
+
+
+def function_from_pieces(pieces: Sequence[HomePiece]) -> tuple[str, ...]:
+    """What a room is for by what stands in it; empty if nothing tells.
+
+    A toilet with a bathtub or shower is a bathroom; living, dining and kitchen may go together.
+    """
+    kinds = {kind_of(piece) for piece in pieces}
+    found = [function for function, signs in SIGNS if kinds.intersection(signs)]
+    open_plan = [function for function in found if function in ("living", "dining", "kitchen")]
+    if not found or found[0] not in open_plan:
+        return tuple(found[:1])
+    return tuple(open_plan)
+
+
+def _home_of(piece: HomePiece, floors: Sequence[shapely.Polygon]) -> int | None:
+    at = shapely.Point(piece.x, piece.y)
+    for number, floor in enumerate(floors):
+        if floor.contains(at):
+            return number
+    footprint = shapely.Polygon(outline_of(piece))
+    shared = [floor.intersection(footprint).area for floor in floors]
+    best = int(np.argmax(shared)) if shared else -1
+    return best if best >= 0 and shared[best] > 0.25 * footprint.area else None

@@ -1,0 +1,281 @@
+"""``Home.xml`` as records in our conventions: metres, y to the north, angles counter-clockwise.
+
+The file has centimetres, y down the page and angles clockwise on the page. Document types and
+entities are refused, so nothing can expand or reach outside the file.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+from xml.etree.ElementTree import Element, TreeBuilder
+from xml.parsers import expat
+
+from scenewright.errors import InputError
+from scenewright.space import Points
+
+CENTIMETRE = 0.01
+FARTHEST = 1e6
+DEEPEST = 50
+LINE = "#line"
+PIECES = ("pieceOfFurniture", "doorOrWindow", "light", "shelfUnit", "furnitureGroup")
+
+
+class HomeLevel(NamedTuple):
+    """A storey; ``visible`` false if it is hidden in the program."""
+
+    id: str
+    name: str
+    elevation: float
+    height: float
+    visible: bool
+
+
+class HomeWall(NamedTuple):
+    """A wall by its middle line; ``arc`` the angle of the arc from start to end (0: straight)."""
+
+    id: str
+    level: str
+    start: tuple[float, float]
+    end: tuple[float, float]
+    thickness: float
+    height: float | None
+    arc: float
+    joined: tuple[bool, bool]
+
+
+class HomeRoom(NamedTuple):
+    """A room as drawn: its name and corners."""
+
+    name: str
+    level: str
+    corners: tuple[tuple[float, float], ...]
+    place: str
+
+
+class Sash(NamedTuple):
+    """A leaf: hinge in the piece's frame (x right, y to the back), length, and the direction it
+    points when closed and open, in radians."""
+
+    x: float
+    y: float
+    width: float
+    closed: float
+    open: float
+
+
+class HomePiece(NamedTuple):
+    """A piece of furniture, door or window; ``turn`` rotates its frame (x right, y to the back).
+
+    ``members`` are the pieces of a group.
+    """
+
+    kind: str
+    catalog: str
+    name: str
+    level: str
+    x: float
+    y: float
+    z: float
+    turn: float
+    width: float
+    depth: float
+    height: float
+    movable: bool
+    visible: bool
+    sashes: tuple[Sash, ...]
+    members: tuple[HomePiece, ...]
+    place: str
+
+
+class Home(NamedTuple):
+    """All that is read of a home."""
+
+    name: str
+    wall_height: float
+    levels: tuple[HomeLevel, ...]
+    walls: tuple[HomeWall, ...]
+    rooms: tuple[HomeRoom, ...]
+    pieces: tuple[HomePiece, ...]
+
+
+def parse(content: bytes) -> Home:
+    """The records of a ``Home.xml``; InputError if it is broken or no home."""
+    root = _tree(content)
+    if root.tag != "home":
+        raise InputError(f"is <{root.tag[:40]}>, not a Sweet Home 3D home", "give a Home.xml")
+    return Home(
+        name=root.get("name", "").removesuffix(".sh3d") or "home",
+        wall_height=_number(root, "wallHeight", 250.0, low=1.0) * CENTIMETRE,
+        levels=tuple(_level(e) for e in root.findall("level")),
+        walls=tuple(_wall(e) for e in root.findall("wall")),
+        rooms=tuple(_room(e) for e in root.findall("room")),
+        pieces=tuple(_piece(e) for e in root if e.tag in PIECES),
+    )
+
+
+def _tree(content: bytes) -> Element:
+    if not content.strip():
+        raise InputError("is empty", "save the home again", place="Home.xml")
+    builder, depth = TreeBuilder(), 0
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        nonlocal depth
+        depth += 1
+        if depth > DEEPEST:
+            raise InputError("is nested too deeply", "save the home again")
+        builder.start(tag, attributes | {LINE: str(parser.CurrentLineNumber)})
+
+    def end(tag: str) -> None:
+        nonlocal depth
+        depth -= 1
+        builder.end(tag)
+
+    def refuse(*_: object) -> None:
+        raise InputError("has a document type or entities", "leave out the <!DOCTYPE>")
+
+    try:
+        parser = expat.ParserCreate()
+        parser.StartElementHandler, parser.EndElementHandler = start, end
+        parser.StartDoctypeDeclHandler = parser.EntityDeclHandler = refuse
+        parser.Parse(content, True)
+    except expat.ExpatError as error:
+        where = f"Home.xml line {error.lineno}, column {error.offset + 1}"
+        told = expat.ErrorString(error.code)
+        raise InputError(f"broken XML: {told}", "save the home again", place=where) from None
+    except (LookupError, UnicodeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise error.located(place="Home.xml") from None
+        raise InputError("has an unknown encoding", "save it as UTF-8", place="Home.xml") from None
+    return builder.close()
+
+
+def _level(e: Element) -> HomeLevel:
+    return HomeLevel(
+        id=_text(e, "id"),
+        name=e.get("name", ""),
+        elevation=_number(e, "elevation", 0.0) * CENTIMETRE,
+        height=_number(e, "height", 250.0, low=1.0) * CENTIMETRE,
+        visible=_flag(e, "visible") and _flag(e, "viewable"),
+    )
+
+
+def _wall(e: Element) -> HomeWall:
+    height = e.get("height")
+    return HomeWall(
+        id=e.get("id", ""),
+        level=e.get("level", ""),
+        start=_point(e, "xStart", "yStart"),
+        end=_point(e, "xEnd", "yEnd"),
+        thickness=_number(e, "thickness", 7.5, low=0.0, high=500.0) * CENTIMETRE,
+        height=None if height is None else _number(e, "height", low=0.0) * CENTIMETRE,
+        arc=-_number(e, "arcExtent", 0.0, high=2 * math.pi),
+        joined=("wallAtStart" in e.attrib, "wallAtEnd" in e.attrib),
+    )
+
+
+def _room(e: Element) -> HomeRoom:
+    corners = tuple(_point(p, "x", "y") for p in e.findall("point"))
+    return HomeRoom(e.get("name", "").strip(), e.get("level", ""), corners, _place(e))
+
+
+def _piece(e: Element) -> HomePiece:
+    width, depth = (max(_number(e, key, low=0.0), 0.1) * CENTIMETRE for key in ("width", "depth"))
+    mirrored = e.get("modelMirrored") == "true"
+    x, y = _point(e, "x", "y")
+    return HomePiece(
+        kind=e.tag,
+        catalog=e.get("catalogId", "").rpartition("#")[2],
+        name=e.get("name", ""),
+        level=e.get("level", ""),
+        x=x,
+        y=y,
+        z=_number(e, "elevation", 0.0) * CENTIMETRE,
+        turn=-_number(e, "angle", 0.0),
+        width=width,
+        depth=depth,
+        height=max(_number(e, "height", 1.0, low=0.0), 0.1) * CENTIMETRE,
+        movable=_flag(e, "movable"),
+        visible=_flag(e, "visible"),
+        sashes=tuple(_sash(s, width, depth, mirrored) for s in e.findall("sash")),
+        members=tuple(_piece(m) for m in e if m.tag in PIECES),
+        place=_place(e),
+    )
+
+
+def _sash(e: Element, width: float, depth: float, mirrored: bool) -> Sash:
+    x = (_number(e, "xAxis", 0.0) - 0.5) * width
+    closed, opened = -_number(e, "startAngle", 0.0), -_number(e, "endAngle", 0.0)
+    if mirrored:
+        x, closed, opened = -x, math.pi - closed, math.pi - opened
+    y = (0.5 - _number(e, "yAxis", 0.5)) * depth
+    return Sash(x, y, _number(e, "width", 1.0, low=0.0) * width, closed, opened)
+
+
+def _point(e: Element, x: str, y: str) -> tuple[float, float]:
+    return _number(e, x) * CENTIMETRE, -_number(e, y) * CENTIMETRE
+
+
+def _number(
+    e: Element,
+    key: str,
+    default: float | None = None,
+    low: float = -FARTHEST,
+    high: float = FARTHEST,
+) -> float:
+    text = e.get(key)
+    if text is None and default is not None:
+        return default
+    if text is None:
+        raise InputError(f"{key} is missing", "save the home again", place=_place(e))
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not low <= value <= high:
+        raise InputError(
+            f"{key} is '{text[:30]}'", f"it must be from {low:g} to {high:g}", place=_place(e)
+        )
+    return value
+
+
+def _text(e: Element, key: str) -> str:
+    text = e.get(key)
+    if not text:
+        raise InputError(f"{key} is missing", "save the home again", place=_place(e))
+    return text
+
+
+def _flag(e: Element, key: str) -> bool:
+    return e.get(key, "true") != "false"
+
+
+def _place(e: Element) -> str:
+    named = e.get("name") or e.get("id") or ""
+    return f"Home.xml line {e.get(LINE)}, <{e.tag}>" + f" '{named[:40]}'" * bool(named)
+
+
+def outline_of(piece: HomePiece) -> list[tuple[float, float]]:
+    """Corners of the footprint of a piece, counter-clockwise."""
+    c, s = math.cos(piece.turn), math.sin(piece.turn)
+    half = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    local = [(a * piece.width / 2, b * piece.depth / 2) for a, b in half]
+    return [(piece.x + c * u - s * v, piece.y + s * u + c * v) for u, v in local]
+
+
+def middle_line(wall: HomeWall) -> Points:
+    """The middle line of a wall as a polyline ``(n, 2)``; an arc has a point every 5 degrees.
+
+    The centre c of the arc turns start into end: ``c = (end - w start) / (1 - w)`` in complex
+    numbers with ``w = exp(i arc)``.
+    """
+    import numpy as np
+
+    start, end = complex(*wall.start), complex(*wall.end)
+    turn = complex(math.cos(wall.arc), math.sin(wall.arc))
+    if abs(1 - turn) < 1e-6 or start == end:
+        return np.array([wall.start, wall.end])
+    centre = (end - turn * start) / (1 - turn)
+    steps = np.linspace(0.0, wall.arc, max(2, math.ceil(abs(wall.arc) / math.radians(5)) + 1))
+    points = centre + (start - centre) * np.exp(1j * steps)
+    return np.column_stack([points.real, points.imag])
