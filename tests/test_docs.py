@@ -1,0 +1,59 @@
+"""Every example in the README and the documents runs."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from scenewright import cli
+from scenewright.check import KINDS
+from scenewright.domains.home.presets import PRESETS
+from scenewright.terms.table import TERMS
+
+ROOT = Path(__file__).parent.parent
+DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+BLOCK = re.compile(r"(?:<!-- file: (\S+) -->\n)?```(\w+)\n(.*?)```", re.DOTALL)
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
+def test_examples_run(
+    document: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    """Files are written, commands must not fail, Python runs; in order, in one folder."""
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    for file, language, body in BLOCK.findall(document.read_text(encoding="utf-8")):
+        if file:
+            Path(file).write_text(body, encoding="utf-8")
+        elif language == "python":
+            exec(compile(body, str(document), "exec"), names)
+        elif language == "console":
+            for line in body.splitlines():
+                run(line, capsys)
+
+
+def run(line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Run a line that calls Scenewright; others (``$ make demo``) are for people."""
+    if line.startswith("$ scenewright "):
+        code = cli.run(shlex.split(line.removeprefix("$ scenewright "), comments=True))
+        told = capsys.readouterr()
+        assert code == 0, f"{line}\n{told.out}\n{told.err}"
+
+
+def test_links_lead_somewhere() -> None:
+    for document in DOCUMENTS:
+        for link in re.findall(r"\]\(([^)#]+)", document.read_text(encoding="utf-8")):
+            if "://" not in link:
+                assert (document.parent / link).exists(), f"{document.name} links to {link}"
+
+
+def test_the_tables_are_told_whole() -> None:
+    home = (ROOT / "docs" / "home.md").read_text(encoding="utf-8")
+    check = (ROOT / "docs" / "check.md").read_text(encoding="utf-8")
+    assert [row.name for row in TERMS if f"`{row.name}`" not in home] == []
+    assert [name for name in PRESETS if f"`{name}`" not in home and name not in home] == []
+    assert [kind for kind in KINDS if f"`{kind}`" not in check] == []
