@@ -225,6 +225,24 @@ def test_a_side_is_used_from_within_reach():
     assert kinds(judge(bed, *squeezed)) == {"unreachable_piece"}
 
 
+@pytest.mark.parametrize(("depth", "reached"), [(0.19, True), (0.21, False)])
+def test_an_arm_reaches_over_what_stands_before(depth, reached):
+    """A person of radius 0.3 m comes to 0.3 m from a low box, an arm 0.2 m further."""
+    wardrobe = piece("wardrobe", 2, 2.75, 4, 0.5, 2, heading=SOUTH)
+    step = piece("box", 2, 2.5 - depth / 2, 4, depth, 0.3, id="step")
+    report = judge(wardrobe, step)
+    assert report.valid == reached
+    assert all(f.other == "step" for f in report.findings)
+
+
+def test_one_walks_beneath_what_hangs_high():
+    wardrobe = piece("wardrobe", 1, 2.75, 1, 0.5, 2, heading=SOUTH)
+    shelf = piece("picture", 2, 1.2, 0.8, 4.0, 0.3, z=2.0, heading=EAST, id="shelf")
+    assert not judge(wardrobe, shelf).of("unreachable_piece")
+    low = replace(shelf, pose=shelf.pose._replace(z=1.9))
+    assert judge(wardrobe, low).of("unreachable_piece")
+
+
 def test_chairs_move_aside_and_tall_gaps_do_not():
     row = piece("chair", 1.8, 1.2, 3.6, 0.5)
     wardrobe = piece("wardrobe", 1, 2.75, 1, 0.5, 2, heading=SOUTH)
@@ -382,6 +400,14 @@ def test_a_usable_room_is_told_what_it_lacks():
     report = judge(bed, spaces=(bedroom,))
     assert {n.missing for n in report.notes} == {"wardrobe"}
     assert report.valid
+
+
+def test_one_chair_is_not_enough_for_a_table():
+    dining = room(functions=("dining",))
+    table = piece("dining_table", 2, 2)
+    one, two = piece("dining_chair", 0.5, 2, 0.4, 0.4), piece("dining_chair", 3.5, 2, 0.4, 0.4)
+    assert [n.missing for n in judge(table, one, spaces=(dining,)).notes] == ["two chairs"]
+    assert judge(table, one, two, spaces=(dining,)).notes == ()
 
 
 def test_every_essential_names_kinds_of_the_catalog():
