@@ -1,0 +1,266 @@
+"""glTF 2.0 binary: home -> level -> rooms with their pieces, walls, openings; one file.
+
+Ours is z-up, glTF y-up: a point (x, y, z) is written as (x, z, -y), so importers that turn back
+(Blender) show the plan as it was. Pieces of one asset and size share a mesh; materials are plain
+metallic-roughness. Ceilings are left out, so that a viewer can look in from above.
+Khronos Group, *glTF 2.0 Specification* (2021).
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import struct
+from collections.abc import Hashable, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright._version import __version__
+from scenewright.catalog import Catalog, Material, Part
+from scenewright.geometry.prisms import corner_normals, face_normals, row_keys
+from scenewright.scene import Scene
+from scenewright.solution import Solution
+from scenewright.staging import Thing, things
+
+FLOAT, SHORT, INT = 5126, 5123, 5125
+Json = dict[str, Any]
+Floats = NDArray[np.float32]
+
+
+class Surface(NamedTuple):
+    """What the graphics card gets: positions and normals ``(n, 3)``, indices ``(3 m,)``."""
+
+    positions: Floats
+    normals: Floats
+    indices: NDArray[np.uint32]
+
+
+def write(solution: Solution, path: str | os.PathLike[str]) -> None:
+    """Write the scene of a solution to ``path``; the file appears whole or not at all."""
+    from scenewright.assets import shipped
+    from scenewright.shell import scene_of
+
+    final = Path(path)
+    partial = final.with_name(f".{final.name}.partial")
+    partial.write_bytes(encoded(scene_of(solution), shipped()))
+    os.replace(partial, final)
+
+
+def encoded(scene: Scene, catalog: Catalog) -> bytes:
+    """The bytes of a GLB file: a header, a chunk of JSON, a chunk of numbers."""
+    document, numbers = document_of(scene, catalog)
+    text = json.dumps(document, ensure_ascii=False, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    total = 12 + 8 + len(text) + 8 + len(numbers)
+    return b"".join(
+        [struct.pack("<4sII", b"glTF", 2, total), struct.pack("<I4s", len(text), b"JSON"), text,
+         struct.pack("<I4s", len(numbers), b"BIN\0"), numbers]
+    )  # fmt: skip
+
+
+def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
+    """The JSON document of a scene and the binary buffer it refers to."""
+    found = things(scene, catalog)
+    nodes = _tree(scene, found)
+    meshes: list[Json] = []
+    materials: dict[Material, int] = {}
+    surfaces: list[Surface] = []
+    numbers: dict[Hashable, int] = {}
+    places = {thing.name: thing for thing in found}
+    for node in nodes:
+        thing = places.get(node["name"]) if node.pop("drawn", False) else None
+        if thing is None:
+            continue
+        if thing.key not in numbers:
+            numbers[thing.key] = len(meshes)
+            meshes.append(_mesh(thing, materials, surfaces))
+        node["mesh"] = numbers[thing.key]
+    buffer, views, accessors = _packed(surfaces)
+    document = {
+        "asset": {"version": "2.0", "generator": f"Scenewright {__version__}"},
+        "scene": 0,
+        "scenes": [{"name": scene.name or "home", "nodes": [0]}],
+        "nodes": nodes,
+        "meshes": meshes,
+        "materials": [_material(material) for material in materials],
+        "accessors": accessors,
+        "bufferViews": views,
+        "buffers": [{"byteLength": len(buffer)}],
+    }
+    return document, buffer
+
+
+def _tree(scene: Scene, found: Sequence[Thing]) -> list[Json]:
+    """All nodes, the home first; children by index."""
+    taken = {thing.name for thing in found}
+    nodes: list[Json] = [{"name": _free(scene.name or "home", taken),
+                          "extras": {"category": "home"}}]  # fmt: skip
+    for level in scene.levels:
+        extras = {"category": "level", "height": level.height, "elevation": level.elevation}
+        name = _free(level.name or f"level {level.id or 1}", taken)
+        node: Json = {"name": name, "extras": extras}
+        if level.elevation:
+            node["translation"] = [0.0, float(level.elevation), 0.0]
+        _add(nodes, 0, node)
+        _storey(nodes, len(nodes) - 1, [t for t in found if t.level == level.id], taken, name)
+    return nodes
+
+
+def _storey(
+    nodes: list[Json], top: int, found: Sequence[Thing], taken: set[str], name: str
+) -> None:
+    """One level's branch: slab, spaces with their pieces, walls, openings."""
+    rooms: dict[str, int] = {}
+    for thing in found:
+        if thing.kind in ("slab", "space"):
+            index = _add(nodes, top, _node(thing))
+            rooms[thing.space] = index
+    for kind, label in (("wall", "walls"), ("opening", "openings")):
+        mine = [thing for thing in found if thing.kind == kind]
+        if mine:
+            branch = _add(nodes, top, {"name": _free(f"{label} of {name}", taken)})
+            for thing in mine:
+                _add(nodes, branch, _node(thing))
+    for thing in found:
+        if thing.kind == "piece":
+            _add(nodes, rooms.get(thing.space, top), _node(thing))
+
+
+def _free(wish: str, taken: set[str]) -> str:
+    """A name nobody has yet."""
+    names = (wish if count == 1 else f"{wish} {count}" for count in range(1, len(taken) + 2))
+    name = next(name for name in names if name not in taken)
+    taken.add(name)
+    return name
+
+
+def _add(nodes: list[Json], parent: int, node: Json) -> int:
+    nodes.append(node)
+    nodes[parent].setdefault("children", []).append(len(nodes) - 1)
+    return len(nodes) - 1
+
+
+def _node(thing: Thing) -> Json:
+    """A node at its place; a turn about our z is the same turn about glTF's y."""
+    x, y, z = (float(v) for v in thing.at)
+    node: Json = {"name": thing.name, "drawn": bool(thing.parts)}
+    if thing.extras:
+        node["extras"] = thing.extras
+    if x or y or z:
+        node["translation"] = [x, z, -y if y else 0.0]
+    if thing.turn:
+        half = thing.turn / 2
+        node["rotation"] = [0.0, float(np.sin(half)), 0.0, float(np.cos(half))]
+    return node
+
+
+def _mesh(thing: Thing, materials: dict[Material, int], surfaces: list[Surface]) -> Json:
+    """One mesh with a primitive a part; its numbers go to ``surfaces``, three accessors each."""
+    primitives = []
+    for part in thing.parts:
+        accessor = 3 * len(surfaces)
+        surfaces.append(surface(part))
+        primitives.append({
+            "attributes": {"POSITION": accessor, "NORMAL": accessor + 1},
+            "indices": accessor + 2,
+            "material": materials.setdefault(part.material, len(materials)),
+        })  # fmt: skip
+    name = thing.extras.get("asset", thing.name) if thing.kind == "piece" else thing.name
+    return {"name": str(name), "primitives": primitives}
+
+
+def surface(part: Part) -> Surface:
+    """Vertices split where normals differ, in glTF's axes; faces without area are left out.
+
+    >>> from scenewright.geometry.prisms import box
+    >>> cube = surface(Part(Material("grey", (0.5, 0.5, 0.5)), *box((0, 0, 0), (1, 1, 1))))
+    >>> cube.positions.shape, cube.indices.shape
+    ((24, 3), (36,))
+    """
+    real = np.abs(face_normals(part.vertices, part.faces)).sum(1) > 0
+    faces = part.faces[real]
+    normals = corner_normals(part.vertices, faces).reshape(-1, 3)
+    points = part.vertices[faces.reshape(-1)]
+    keys = row_keys(np.column_stack([points * 1e5, normals * 1e3]))
+    _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
+    turned = [np.ascontiguousarray(rows[first][:, [0, 2, 1]] * [1, 1, -1], np.float32)
+              for rows in (points, normals)]  # fmt: skip
+    return Surface(turned[0], turned[1], inverse.astype(np.uint32))
+
+
+def _packed(surfaces: Sequence[Surface]) -> tuple[bytes, list[Json], list[Json]]:
+    """One buffer: all positions and normals, then 16-bit indices, then 32-bit ones."""
+    vertices: list[bytes] = []
+    narrow: list[bytes] = []
+    wide: list[bytes] = []
+    accessors: list[Json] = []
+    ends = [0, 0, 0]
+    for found in surfaces:
+        for rows in (found.positions, found.normals):
+            accessors.append(_accessor(0, ends[0], FLOAT, len(rows), "VEC3"))
+            vertices.append(rows.tobytes())
+            ends[0] += rows.nbytes
+        accessors[-2]["min"] = found.positions.min(0).tolist()
+        accessors[-2]["max"] = found.positions.max(0).tolist()
+        short = len(found.positions) < 65535
+        listed = found.indices.astype(np.uint16) if short else found.indices
+        view, where = (1, narrow) if short else (2, wide)
+        accessors.append(
+            _accessor(view, ends[view], SHORT if short else INT, len(listed), "SCALAR")
+        )
+        where.append(listed.tobytes())
+        ends[view] += listed.nbytes
+    return _buffer([b"".join(rows) for rows in (vertices, narrow, wide)], accessors)
+
+
+def _buffer(blocks: list[bytes], accessors: list[Json]) -> tuple[bytes, list[Json], list[Json]]:
+    """The blocks end to end on four-byte bounds, with a view each; empty ones are skipped."""
+    views: list[Json] = []
+    moved: dict[int, int] = {}
+    buffer = b""
+    for number, block in enumerate(blocks):
+        if block:
+            moved[number] = len(views)
+            view: Json = {"buffer": 0, "byteOffset": len(buffer), "byteLength": len(block),
+                          "target": 34963 if number else 34962}  # fmt: skip
+            views.append(view if number else view | {"byteStride": 12})
+            buffer += block + b"\0" * (-len(block) % 4)
+    for accessor in accessors:
+        accessor["bufferView"] = moved[accessor["bufferView"]]
+    return buffer, views, accessors
+
+
+def _accessor(view: int, offset: int, component: int, count: int, kind: str) -> Json:
+    return {"bufferView": view, "byteOffset": offset, "componentType": component,
+            "count": count, "type": kind}  # fmt: skip
+
+
+def _material(material: Material) -> Json:
+    """Plain metallic-roughness; sRGB colours become linear."""
+    linear = [round(float(value), 5) for value in linear_of(np.array(material.color))]
+    found: Json = {
+        "name": material.name,
+        "pbrMetallicRoughness": {
+            "baseColorFactor": [*linear, float(material.opacity)],
+            "metallicFactor": float(material.metallic),
+            "roughnessFactor": float(material.roughness),
+        },
+    }
+    if material.opacity < 1:
+        found["alphaMode"] = "BLEND"
+    if material.emission > 0:
+        glow = min(float(material.emission), 1.0)
+        found["emissiveFactor"] = [round(value * glow, 5) for value in linear]
+    return found
+
+
+def linear_of(color: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Linear light of sRGB values in [0, 1] (IEC 61966-2-1).
+
+    >>> linear_of(np.array([0.0, 0.5, 1.0])).round(4).tolist()
+    [0.0, 0.214, 1.0]
+    """
+    return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)

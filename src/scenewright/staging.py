@@ -1,0 +1,244 @@
+"""From a scene to things with a mesh and a place: what every writer of 3D or pictures draws.
+
+Walls, floors and openings get their triangles here; pieces get theirs from the catalog.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator, Sequence
+from functools import lru_cache
+from typing import Literal, NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright import joinery
+from scenewright.catalog import Asset, Catalog, Material, Part
+from scenewright.geometry.mesh import Floats, Mesh, merge
+from scenewright.geometry.prisms import box, prism, sheet
+from scenewright.scene import Piece, Prism, Scene, Size, Wall
+from scenewright.space import Level, Opening, Space
+
+ThingKind = Literal["slab", "space", "wall", "opening", "piece"]
+
+SLAB = 0.22
+"""Thickness in metres of the slab drawn under each level."""
+SKIN = 0.012
+"""Thickness in metres of a room's floor finish; its top is the floor level."""
+LOW = 1.2
+"""Walls up to this height, in metres, are parapets: their tops are not drawn as a section."""
+
+PLASTER = Material("wall plaster", (0.955, 0.945, 0.925), roughness=0.95)
+SECTION = Material("wall top", (0.30, 0.31, 0.33), roughness=0.9)
+CONCRETE = Material("slab concrete", (0.74, 0.73, 0.71), roughness=0.95)
+UNKNOWN = Material("plain", (0.75, 0.74, 0.72), roughness=0.9)
+WOOD_FLOOR = Material("oak floor", (0.78, 0.64, 0.48), roughness=0.55)
+STONE_FLOOR = Material("stone floor", (0.83, 0.81, 0.77), roughness=0.5)
+TILE_FLOOR = Material("tile floor", (0.80, 0.82, 0.82), roughness=0.3)
+DECK_FLOOR = Material("deck floor", (0.64, 0.58, 0.51), roughness=0.8)
+PLAIN_FLOOR = Material("screed floor", (0.78, 0.77, 0.74), roughness=0.85)
+
+FLOORS: dict[str, Material] = {
+    "kitchen": STONE_FLOOR, "hall": STONE_FLOOR, "bathroom": TILE_FLOOR, "toilet": TILE_FLOOR,
+    "washroom": TILE_FLOOR, "balcony": DECK_FLOOR, "storage": PLAIN_FLOOR,
+}  # fmt: skip
+"""Floor finish by a room's first function; all others are oak."""
+
+
+class Thing(NamedTuple):
+    """One drawable: parts in its own frame, moved by ``at`` (above the level's floor) after a
+    turn of ``turn`` radians about z. Things with equal ``key`` have equal parts. ``space`` is the
+    id of the space a piece stands in; ``extras`` are facts to be kept with it."""
+
+    name: str
+    kind: ThingKind
+    level: str
+    space: str
+    key: Hashable
+    parts: tuple[Part, ...]
+    at: tuple[float, float, float]
+    turn: float
+    extras: dict[str, str | float]
+
+
+def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[Thing, ...]:
+    """Everything to draw, level by level: slab, floors, walls, openings, pieces.
+
+    ``cut`` (metres above each floor) leaves out what walls and openings have above it.
+    """
+    level_of = {space.id: space.level for space in scene.spaces}
+    first = scene.levels[0].id if scene.levels else ""
+    found: list[Thing] = []
+    for level in scene.levels:
+        found += _slab(scene, level)
+        found += [_floor(space) for space in scene.spaces if space.level == level.id]
+        walls = (_wall(wall, cut) for wall in scene.walls if wall.level == level.id)
+        found += [wall for wall in walls if wall.parts]
+        found += [_opening(o, cut) for o in scene.openings if o.level == level.id]
+        found += [
+            _piece(piece, level.id, catalog)
+            for piece in scene.pieces
+            if level_of.get(piece.space, first) == level.id
+        ]
+    return tuple(_named(found))
+
+
+def placed(thing: Thing, vertices: Floats) -> Floats:
+    """Points ``(n, 3)`` of a thing's own frame in its level's frame."""
+    cos, sin = np.cos(thing.turn), np.sin(thing.turn)
+    turned = vertices @ np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]])
+    return turned + np.asarray(thing.at)
+
+
+def asset_of(piece: Piece, catalog: Catalog) -> Asset | None:
+    """The asset that draws a piece: the one it names, else the nearest of its category."""
+    return catalog.assets.get(piece.asset) or catalog.choose(piece.category, piece.size)
+
+
+def floor_of(space: Space) -> Material:
+    """The floor finish of a space by its functions.
+
+    >>> floor_of(Space("a", "", ("kitchen",), "0", np.zeros((3, 2)))).name
+    'stone floor'
+    """
+    return FLOORS.get(space.functions[0] if space.functions else "", WOOD_FLOOR)
+
+
+def _slab(scene: Scene, level: Level) -> Iterator[Thing]:
+    """One plate under all rooms and walls of a level."""
+    prisms = [p for wall in scene.walls if wall.level == level.id for p in wall.prisms]
+    shapes = [shapely.Polygon(p.outline, p.holes) for p in prisms if p.base == 0]
+    shapes += [shapely.Polygon(s.outline) for s in scene.spaces if s.level == level.id]
+    shapes += [
+        shapely.Polygon(joinery.placed(o, _corners(o))[:, :2])
+        for o in scene.openings if o.level == level.id
+    ]  # fmt: skip
+    region = shapely.union_all([shape.buffer(0.002, join_style="mitre") for shape in shapes])
+    meshes = []
+    for part in shapely.get_parts(region):
+        ordered = shapely.orient_polygons(part.simplify(0.003))
+        rings = [shapely.get_coordinates(r)[:-1] for r in (ordered.exterior, *ordered.interiors)]
+        meshes.append(prism(rings[0], -SLAB, -SKIN, rings[1:]))
+    if meshes:
+        name = f"slab of {level.name or level.id or 'the floor'}"
+        plate = Part(CONCRETE, *merge(meshes))
+        yield Thing(name, "slab", level.id, "", name, (plate,), (0, 0, 0), 0.0, {})
+
+
+def _corners(opening: Opening) -> Floats:
+    half, face = opening.width / 2, opening.thickness / 2
+    return np.array([[-half, -face, 0], [half, -face, 0], [half, face, 0], [-half, face, 0]])
+
+
+def _floor(space: Space) -> Thing:
+    mesh = prism(space.outline, -SKIN, 0.0, space.holes)
+    area = shapely.Polygon(space.outline, space.holes).area
+    extras: dict[str, str | float] = {
+        "function": ", ".join(space.functions), "category": "space", "label": space.name,
+        "area": round(area, 3), "height": space.height,
+    }  # fmt: skip
+    part = Part(floor_of(space), *mesh)
+    return Thing(
+        space.id, "space", space.level, space.id, ("space", space.id), (part,), (0, 0, 0), 0.0,
+        extras,
+    )  # fmt: skip
+
+
+def _wall(wall: Wall, cut: float | None) -> Thing:
+    top = max((p.top for p in wall.prisms), default=0.0)
+    top = top if cut is None else min(top, cut)
+    dark = top - 1e-6 if top > LOW else np.inf
+    caps: list[Mesh] = []
+    sides: list[Mesh] = []
+    for solid in wall.prisms:
+        if cut is None or solid.base < cut - 1e-6:
+            side, cap = _open_prism(solid, min(solid.top, top))
+            sides.append(side)
+            (caps if solid.top >= dark else sides).append(cap)
+    parts = [Part(PLASTER, *merge(sides))] if sides else []
+    parts += [Part(SECTION, *merge(caps))] if caps else []
+    extras: dict[str, str | float] = {"category": "wall", "height": top}
+    return Thing(
+        wall.id, "wall", wall.level, "", ("wall", wall.level, wall.id), tuple(parts), (0, 0, 0),
+        0.0, extras,
+    )  # fmt: skip
+
+
+def _open_prism(solid: Prism, top: float) -> tuple[Mesh, Mesh]:
+    """The sides and underside of a prism, and its upper face."""
+    vertices, faces = prism(solid.outline, solid.base, top, solid.holes)
+    cap = sheet(solid.outline, solid.holes, top)
+    return Mesh(vertices, faces[len(cap.faces) :]), cap
+
+
+def _opening(opening: Opening, cut: float | None) -> Thing:
+    parts = tuple(p for part in joinery.parts(opening) if (p := _below(part, cut)) is not None)
+    extras: dict[str, str | float] = {
+        "category": opening.kind, "width": opening.width, "sill": opening.sill,
+        "head": opening.head, "space": ", ".join(opening.spaces),
+    }  # fmt: skip
+    shape = (
+        opening.kind, opening.width, opening.thickness, opening.sill, opening.head,
+        opening.hinge, opening.swing,
+    )  # fmt: skip
+    turn = float(np.arctan2(opening.uy, opening.ux))
+    at = (opening.x, opening.y, 0.0)
+    return Thing(opening.id, "opening", opening.level, "", shape, parts, at, turn, extras)
+
+
+def _below(part: Part, cut: float | None) -> Part | None:
+    """A part made of boxes without what is above ``cut``; those it goes through are shortened."""
+    if cut is None:
+        return part
+    low = part.vertices[:, 2].copy()
+    for _ in range(3):
+        least = low[part.faces].min(1)
+        np.minimum.at(low, part.faces, least[:, None])
+    faces = part.faces[low[part.faces[:, 0]] < cut - 1e-6]
+    short = part.vertices * [1, 1, 0] + np.minimum(part.vertices[:, 2:], cut) * [0, 0, 1]
+    return Part(part.material, short, faces) if len(faces) else None
+
+
+def _piece(piece: Piece, level: str, catalog: Catalog) -> Thing:
+    asset = asset_of(piece, catalog)
+    size = Size(*(round(length, 4) for length in piece.size))
+    key = (asset.id if asset else piece.category, size)
+    x, y, z, heading = piece.pose
+    return Thing(
+        piece.id, "piece", level, piece.space, key, _meshed(asset, size), (x, y, z),
+        heading - np.pi / 2, _facts(piece, asset),
+    )  # fmt: skip
+
+
+def _facts(piece: Piece, asset: Asset | None) -> dict[str, str | float]:
+    told: dict[str, str | float] = {
+        "function": piece.function, "category": piece.category,
+        "asset": asset.id if asset else piece.asset, "group": piece.group, "space": piece.space,
+        "licence": asset.licence if asset else "", "author": asset.author if asset else "",
+        "on": piece.on or "",
+    }  # fmt: skip
+    return {name: fact for name, fact in told.items() if fact != ""}
+
+
+@lru_cache(maxsize=4096)
+def _shaped(asset: Asset, size: Size) -> tuple[Part, ...]:
+    return tuple(part for part in asset.mesh(size) if len(part.faces))
+
+
+def _meshed(asset: Asset | None, size: Size) -> tuple[Part, ...]:
+    if asset is not None:
+        return _shaped(asset, size)
+    width, depth, height = size
+    return (Part(UNKNOWN, *box((-width / 2, -depth / 2, 0), (width / 2, depth / 2, height))),)
+
+
+def _named(found: Sequence[Thing]) -> Iterator[Thing]:
+    """Names made unique by a number behind the second of a kind and later."""
+    taken: set[str] = set()
+    for thing in found:
+        name, count = thing.name or thing.kind, 1
+        while name in taken:
+            count += 1
+            name = f"{thing.name or thing.kind} {count}"
+        taken.add(name)
+        yield thing._replace(name=name)
