@@ -11,7 +11,7 @@ from scenewright.geometry.boxes import (
     distance_to_segment,
     make_frame,
 )
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, compiled_entry
 
 Floats = NDArray[np.float64]
 
@@ -19,7 +19,7 @@ FITS, OUTSIDE, IN_ZONE, AT_WINDOW, COLLIDES = 0, 1, 2, 3, 4
 _NOTHING = 1e-7
 
 
-@compiled
+@compiled_entry
 def faults(
     boxes: Floats, spans: Floats, flat: NDArray[np.bool_], edges: Floats, zones: Floats,
     windows: Floats, others: Floats, other_spans: Floats, slack: float,

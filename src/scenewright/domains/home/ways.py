@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog
 from scenewright.geometry.boxes import fill_frames, read_frame
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled_entry
 from scenewright.geometry.paths import flood, make_grid, touches
 from scenewright.problem import Ground
 from scenewright.scene import Piece
@@ -49,7 +49,7 @@ def unreached(
     return frozenset(far | {f"door {k + 1}" for k in np.flatnonzero(~joined)})
 
 
-@compiled
+@compiled_entry
 def reach(
     edges: Floats, solid: Floats, doors: Floats, zones: Floats, bounds: Floats, cell: float,
     width: float,

@@ -9,6 +9,7 @@ from scenewright.catalog import Group, Member
 from scenewright.scene import Size
 
 SOFA_DEPTH, SOFA_HEIGHT = 0.9, 0.8
+GAP = 0.62  # the way in between a sofa and the armchair beside its table, metres
 
 
 def media() -> Iterator[Group]:
@@ -76,12 +77,12 @@ def _sofa_and_table(sofa: float, lamps: int) -> Group:
 
 
 def _armchair(x: float, depth: float, heading: float) -> Member:
-    y = -depth / 2 + SOFA_DEPTH + 0.35 + 0.3
+    y = -depth / 2 + SOFA_DEPTH + GAP + 0.39
     return Member("armchair", x, y, 0, heading, Size(0.78, 0.8, 0.85))
 
 
 def _one_armchair(sofa: float) -> Group:
-    table, depth = 0.5 * sofa, 2.1
+    table, depth = 0.5 * sofa, SOFA_DEPTH + GAP + 0.8
     reach = table / 2 + 0.3 + 0.8
     width = sofa / 2 + max(reach, sofa / 2)
     x = sofa / 2 - width / 2
@@ -93,7 +94,7 @@ def _one_armchair(sofa: float) -> Group:
 
 
 def _two_armchairs(sofa: float) -> Group:
-    table, depth = 0.5 * sofa, 2.1
+    table, depth = 0.5 * sofa, SOFA_DEPTH + GAP + 0.8
     reach = table / 2 + 0.3 + 0.8
     width = 2 * max(reach, sofa / 2)
     members = (
