@@ -147,8 +147,12 @@ def _caption(storey: Storey, at: tuple[float, float]) -> str:
 
 def _summary(scene: Scene) -> str:
     total = area_words(sum(polygon_of(space).area for space in scene.spaces))
-    rooms, pieces = len(scene.spaces), len(scene.pieces)
-    return f"Furnished plan · {rooms} rooms · {total} floor area · {pieces} pieces"
+    rooms, pieces = _counted(len(scene.spaces), "room"), _counted(len(scene.pieces), "piece")
+    return f"Furnished plan · {rooms} · {total} floor area · {pieces}"
+
+
+def _counted(count: int, word: str) -> str:
+    return f"{count} {word}" if count == 1 else f"{count} {word}s"
 
 
 def _document(sheet: sheets.Sheet, name: str, marks: Sequence[str]) -> str:

@@ -1,0 +1,263 @@
+"""The command line: exit codes, one line for every fault, whole files or none."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import scenewright
+from flat import flat_brief, flat_solution
+from scenewright import cli, cli_arrange, cli_bench
+from scenewright.cli_progress import Watch
+from scenewright.errors import InputError
+from scenewright.formats import brief_json, solution_json
+from scenewright.solution import Solution
+
+Captured = pytest.CaptureFixture[str]
+IDLE = Watch(lambda _fraction, _message: None, lambda: False)
+
+
+@pytest.fixture(autouse=True)
+def _in_an_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "100")
+
+
+def fault(capsys: Captured, *arguments: str, code: int = 2) -> str:
+    """The one line a command that cannot work tells; stdout stays empty."""
+    assert cli.run(list(arguments)) == code
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert told.err.startswith("scenewright: ")
+    assert told.err.count("\n") == 1
+    return told.err
+
+
+def save_brief(**changes: Any) -> str:
+    brief = flat_brief().model_copy(update=changes)
+    Path("flat.json").write_text(brief_json.dumps(brief), encoding="utf-8")
+    return "flat.json"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["arrange"], "INPUT"),
+        (["frob"], "frob"),
+        (["arrange", "sample:home-flat", "--seconds", "1", "--steps", "2"], "exclude each other"),
+        (["arrange", "sample:home-flat", "--seconds", "nan"], "positive number"),
+        (["arrange", "sample:home-flat", "--seconds", "inf"], "positive number"),
+        (["arrange", "sample:home-flat", "--seconds", "-1"], "positive number"),
+        (["arrange", "sample:home-flat", "--steps", "0"], "positive whole number"),
+        (["arrange", "sample:home-flat", "--steps", "x"], "--steps"),
+        (["arrange", "sample:home-flat", "--seed", "-1"], "--seed"),
+        (["arrange", "sample:home-flat", "--preset", "papper"], "use one of: default"),
+        (["arrange", "sample:home-flat", "--solver", "magic"], "use one of: anneal"),
+        (["arrange", "sample:home-flat", "-o", "home.obj"], ".glb"),
+        (["arrange", "sample:home-flat", "-o", "home"], "no suffix"),
+        (["arrange", "sample:nowhere"], "sample:home-flat"),
+        (["arrange", "missing.json"], "missing.json: there is no such file"),
+        (["arrange", "plan.dwg"], "use one of: .json"),
+        (["arrange", "."], "suffix"),
+        (["check", "missing.json"], "missing.json"),
+        (["explain", "missing.json"], "missing.json"),
+        (["list", "wishes"], "use one of: solvers"),
+        (["schema", "poem"], "use one of: brief, solution"),
+    ],
+)
+def test_what_cannot_work_is_one_line(arguments: list[str], told: str, capsys: Captured) -> None:
+    assert told in fault(capsys, *arguments)
+    assert list(Path().iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("", "is empty"),
+        ("{", "broken JSON"),
+        ('{"rooms": []}', "rooms"),
+        ('{"rooms": [{"outline": [[0, 0], [4, 0], [0, 3], [4, 3]]}]}', "cross"),
+        ('{"rooms": [{"outline": [[0, 0], [4, 0], [4, NaN]]}]}', "NaN"),
+        ('{"rooms": [{"outline": [[0, 0], [4, 0], [4, 3]], "doors": [{"at": [9, 9]}]}]}', "door"),
+    ],
+)
+def test_a_bad_brief_is_one_line_and_writes_nothing(text: str, told: str, capsys: Captured) -> None:
+    Path("bad.json").write_text(text)
+    found = fault(capsys, "arrange", "bad.json", "-o", "out/home.svg")
+    assert "bad.json" in found
+    assert told in found
+    assert os.listdir() == ["bad.json"]
+
+
+def test_version_and_help(capsys: Captured) -> None:
+    assert cli.run(["--version"]) == 0
+    assert capsys.readouterr().out == f"scenewright {scenewright.__version__}\n"
+    assert cli.run(["--help"]) == 0
+    out = capsys.readouterr().out
+    assert all(verb in out for verb in ("arrange", "check", "explain", "bench", "list", "schema"))
+
+
+def test_arrange_check_explain_and_arrange_again(capsys: Captured) -> None:
+    source = save_brief()
+    code = cli.run(["arrange", source, "-o", "new/home.json", "-o", "new/home.svg",
+                    "--steps", "2000", "--json"])  # fmt: skip
+    document = json.loads(capsys.readouterr().out)
+    assert code == document["exit"]
+    assert sorted(os.listdir("new")) == ["home.json", "home.svg"]
+    assert {room["id"] for room in document["rooms"]} == {"living", "bedroom"}
+    assert "sofa" in document["rooms"][0]["pieces"]
+    assert (document["preset"], document["seed"]) == ("default", 0)
+    valid = cli.run(["check", "new/home.json", "--json"])
+    assert json.loads(capsys.readouterr().out)["findings"] == document["check"]["findings"]
+    assert (valid == 0) == document["check"]["valid"]
+    assert cli.run(["explain", "new/home.json", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["terms"]
+    relock(Path("new/home.json"), "sofa")
+
+
+def relock(path: Path, category: str) -> None:
+    """A piece locked in the file stays to the bit while another seed moves others."""
+    document = json.loads(path.read_text())
+    locked = next(piece for piece in document["pieces"] if piece["category"] == category)
+    locked["fixed"] = True
+    path.write_text(json.dumps(document))
+    assert cli.run(["arrange", str(path), "-o", "again.json", "--steps", "2000", "--seed", "9",
+                    "-q"]) in (0, 1)  # fmt: skip
+    again = solution_json.read("again.json")
+    same = next(piece for piece in again.pieces if piece.id == locked["id"])
+    assert [*same.pose] == locked["pose"]
+    assert [*same.size] == locked["size"]
+    assert same.fixed
+
+
+def test_the_same_seed_gives_the_same_pieces(capsys: Captured) -> None:
+    source = save_brief()
+    for name in ("a.json", "b.json"):
+        cli.run(["arrange", source, "-o", name, "--steps", "2000", "--seed", "5", "--quiet"])
+    told = capsys.readouterr()
+    assert (told.out, told.err) == ("", "")
+    first, second = (solution_json.read(name) for name in ("a.json", "b.json"))
+    assert first.pieces == second.pieces
+    assert first.energies == second.energies
+
+
+def test_the_table_tells_rooms_reasons_and_verdict(capsys: Captured) -> None:
+    """A room too small for what is asked: files are written, the exit code is 1."""
+    room = flat_brief().rooms[1].model_copy(
+        update={"outline": [(0, 0), (1.2, 0), (1.2, 1.3), (0, 1.3)], "fixed": [], "windows": []}
+    )  # fmt: skip
+    source = save_brief(rooms=[room])
+    assert cli.run(["arrange", source, "-o", "home.json", "--steps", "1000"]) == 1
+    out = capsys.readouterr().out
+    assert "left out: Bedroom: " in out
+    assert "wrote home.json" in out
+    assert "Bedroom" in out.splitlines()[4]
+
+
+def test_check_tells_every_violation(solution: Solution, capsys: Captured) -> None:
+    solution_json.write(solution, "good.json")
+    document = solution_json.to_document(solution)
+    document["pieces"][2]["pose"] = document["pieces"][0]["pose"]
+    Path("bad.json").write_text(json.dumps(document))
+    assert cli.run(["check", "bad.json"]) == 1
+    out = capsys.readouterr().out
+    assert "not valid" in out
+    assert "collision" in out
+    assert cli.run(["check", "bad.json", "--quiet"]) == 1
+    assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize("what", ["solvers", "terms", "presets", "formats", "assets", "samples"])
+def test_lists(what: str, capsys: Captured) -> None:
+    assert cli.run(["list", what, "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)
+    assert rows
+    assert cli.run(["list", what]) == 0
+    first = next(iter(rows[0].values()))
+    assert str(first) in capsys.readouterr().out
+
+
+def test_schemas_accept_what_is_written(solution: Solution, capsys: Captured) -> None:
+    jsonschema = pytest.importorskip("jsonschema")
+    for what, text in (
+        ("brief", brief_json.dumps(solution.brief)),
+        ("solution", solution_json.dumps(solution)),
+    ):
+        assert cli.run(["schema", what]) == 0
+        jsonschema.validate(json.loads(text), json.loads(capsys.readouterr().out))
+
+
+def test_markup_in_names_is_printed_as_it_is(capsys: Captured) -> None:
+    source = save_brief(name="[red]home[/red] [/nothing]")
+    assert cli.run(["arrange", source, "--steps", "500"]) in (0, 1)
+    assert "[red]home[/red] [/nothing]" in capsys.readouterr().out
+
+
+def test_all_files_or_none(tmp_path: Path) -> None:
+    """The second output cannot be written: the first does not appear, the old one stays."""
+    Path("home.json").write_text("old")
+    Path("taken").write_text("a file where a folder is wanted")
+    with pytest.raises(InputError, match="cannot be written"):
+        cli_arrange.write_together(
+            flat_solution(), [Path("home.json"), Path("taken/home.svg")], IDLE
+        )
+    assert Path("home.json").read_text() == "old"
+    assert sorted(os.listdir()) == ["home.json", "taken"]
+
+
+def test_a_fault_of_ours_is_one_line_and_three(
+    capsys: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cli.show, "table", None)
+    assert "a fault of ours" in fault(capsys, "list", "formats", code=3)
+    monkeypatch.setenv("SCENEWRIGHT_DEBUG", "1")
+    with pytest.raises(TypeError):
+        cli.run(["list", "formats"])
+
+
+def test_benchmarks_are_found_from_the_checkout(
+    root: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert cli_bench.find_folder() == root / "benchmarks"
+    folder = Path("src/scenewright")
+    folder.mkdir(parents=True)
+    Path("benchmarks").mkdir()
+    record = {"case": "a", "metric": "time", "unit": "s", "ours": 1.0, "ratio": 2.0}
+    Path("benchmarks/tiny.py").write_text(
+        f"def records(quick=False, progress=None):\n    progress(1.0, 'a')\n    return [{record}]\n"
+    )
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    for name in [name for name in sys.modules if name.partition(".")[0] == "benchmarks"]:
+        monkeypatch.delitem(sys.modules, name)
+    assert cli.run(["bench", "tiny", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == [record]
+    assert cli.run(["bench", "tiny"]) == 0
+    assert "time" in capsys.readouterr().out
+    assert "use one of: tiny" in fault(capsys, "bench", "huge")
+    sys.modules.pop("benchmarks.tiny", None)
+    sys.modules.pop("benchmarks", None)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals")
+def test_interrupting_keeps_the_best_so_far(tmp_path: Path) -> None:
+    """Ctrl-C while solving for a minute ends soon and writes what was found."""
+    source = save_brief()
+    command = [sys.executable, "-m", "scenewright", "arrange", source, "-o", "home.json",
+               "--seconds", "60"]  # fmt: skip
+    process = subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE,
+                               stdout=subprocess.PIPE, text=True)  # fmt: skip
+    time.sleep(6)
+    begun = time.monotonic()
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=30)
+    assert time.monotonic() - begun < 20
+    assert process.returncode in (0, 1)
+    assert solution_json.read(tmp_path / "home.json").pieces
