@@ -1,0 +1,93 @@
+"""The adapter of real flats: what becomes of rooms, openings and slivers."""
+
+from __future__ import annotations
+
+import pytest
+from benchmarks.plans_r2v import adapt, raw_plans
+from benchmarks.r2v import data_dir, tally
+
+from scenewright import plan
+
+
+def box(x0: float, y0: float, x1: float, y1: float, *labels: str) -> dict:
+    polygon = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
+    return {"labels": list(labels), "polygon": polygon, "area": (x1 - x0) * (y1 - y0)}
+
+
+def opening(a: list[float], b: list[float], kind: str = "door") -> dict:
+    return {"a": a, "b": b, "rooms": [], "kind": kind, "width": abs(a[0] - b[0] + a[1] - b[1])}
+
+
+FLAT = {
+    "id": "flat",
+    "rooms": [
+        box(0, 0, 4, 3, "bedroom"),
+        box(4, 0, 6, 3, "corridor", "entrance"),
+        box(0, -1, 4, 0, "balcony"),
+        box(4, 3, 6, 4.2, "closet"),
+        box(0, 3, 4, 3.1),
+    ],
+    "openings": [
+        opening([4, 1], [4, 1.8]),
+        opening([1, 0], [2.8, 0]),
+        opening([4.5, 3], [5.4, 3]),
+        opening([6, 1], [6, 1.9], "entrance_or_window"),
+        opening([0, 1], [0, 2], "window_or_outer"),
+        opening([8, 8], [9, 8]),
+    ],
+}
+
+
+def test_a_flat_becomes_a_brief_with_doors_where_they_belong():
+    found = adapt(FLAT)
+    spaces = {space.functions[0]: space for space in plan.spaces(found.brief)}
+    assert set(spaces) == {"bedroom", "hall", "balcony", "storage"}
+    openings = {o.id: o for space in spaces.values() for o in space.openings}.values()
+    joined = {frozenset(s.split("-")[1] for s in o.spaces): o for o in openings}
+    leaf = joined[frozenset(("bedroom", "hall"))]
+    assert leaf.spaces[0].endswith("bedroom")
+    assert leaf.hinge != 0
+    assert leaf.swing == 1
+    assert joined[frozenset(("bedroom", "balcony"))].hinge == 0
+    assert joined[frozenset(("hall", "storage"))].kind == "door"
+    assert joined[frozenset(("hall",))].swing == -1
+    assert joined[frozenset(("bedroom",))].kind == "window"
+    assert len(found.words) == 2, found.words
+
+
+def test_a_room_within_another_becomes_a_hole():
+    rooms = [box(0, 0, 5, 5, "living_room"), box(2, 2, 3, 3, "restroom")]
+    found = adapt({"id": "x", "rooms": rooms, "openings": [opening([2, 2.1], [2, 2.9])]})
+    living, toilet = sorted(plan.spaces(found.brief), key=lambda s: s.functions != ("living",))
+    assert len(living.holes) == 1
+    assert toilet.openings[0].spaces == living.openings[0].spaces
+
+
+def test_a_flat_of_slivers_is_told_to_be_useless():
+    found = adapt({"id": "x", "rooms": [box(0, 0, 4, 0.1)], "openings": []})
+    assert found.brief is None
+    assert found.words[-1] == "no room is left"
+
+
+def test_the_tally_counts_flats_and_rooms():
+    rooms = [["bedroom", 9.0, [], []], ["toilet", 1.0, ["toilet"], ["toilet: too small"]]]
+    done = {"faults": {"collision": 2}, "rooms": rooms, "solve": 1.0, "check": 0.5}
+    good = {"faults": {}, "rooms": rooms[:1], "solve": 1.0, "check": 0.5}
+    crash = {"crash": "ValueError: x", "solve": 0.0, "check": 0.0}
+    found = {r["case"]: (r["ours"], r["runs"]) for r in tally([done, good, crash])}
+    assert found["flats without a crash"] == (0.6667, 3)
+    assert found["flats with no collision"] == (0.5, 2)
+    assert found["usable rooms holding their essentials"] == (0.6667, 3)
+    assert found["of the others, told why"] == (1.0, 1)
+    assert found["solve and check, 2 processes"][0] == pytest.approx(60 * 3 / 1.5)
+
+
+@pytest.mark.realdata
+def test_real_flats_become_briefs_that_build():
+    if not (data_dir() / "floorplans_r2v" / "plans.json").exists():
+        pytest.skip(f"no floorplans_r2v in {data_dir()}: set SCENEWRIGHT_DATA")
+    for raw in raw_plans(data_dir())[::25]:
+        found = adapt(raw)
+        assert found.brief is not None, (found.id, found.words)
+        kept = len(found.brief.rooms)
+        assert kept >= 0.6 * len(raw["rooms"])
