@@ -260,11 +260,7 @@ def _merged(found: list[tuple[str, Opening]]) -> list[Opening]:
             kept.append((place, opening))
         for told, other in others:
             if not _same(opening, other):
-                raise InputError(
-                    f"overlaps {told.replace(place.split(' ')[0], '').strip() or told}",
-                    "move one of them along the wall",
-                    place=place,
-                )
+                raise InputError(f"overlaps {told}", "move one of them along the wall", place=place)
     return [opening for _, opening in kept]
 
 

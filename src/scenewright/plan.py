@@ -16,6 +16,7 @@ import shapely
 from scenewright import outlines
 from scenewright.brief import Brief, Room
 from scenewright.errors import InputError
+from scenewright.layout import corners
 from scenewright.openings import find_openings
 from scenewright.room_names import functions_from_name, sort_functions
 from scenewright.space import Level, Points, Space
@@ -187,7 +188,8 @@ def _check_overlaps(brief: Brief, found: list[Space], floors: list[shapely.Polyg
 
 def _check_fixed(room: Room, number: int, floors: list[shapely.Polygon], brief: Brief) -> None:
     for index, item in enumerate(room.fixed):
-        away = floors[number].distance(shapely.Point(item.at))
+        box = np.array([[*item.at, item.heading, *item.size[:2]]])
+        away = floors[number].distance(shapely.Polygon(corners(box)[0]))
         if away > 0.05:
             raise InputError(
                 f"the {item.category} stands {away:.2f} m outside the room",

@@ -10,10 +10,12 @@ from shapely.geometry.base import BaseGeometry
 
 from scenewright.errors import InputError
 from scenewright.formats.sh3d_xml import Home, HomeRoom, HomeWall, middle_line
+from scenewright.space import Points
 
 LEAST_ROOM = 1.0
 LEAST_WIDTH = 0.3
 FINEST = 0.002
+GAP = 0.15
 
 
 class Floor(NamedTuple):
@@ -31,7 +33,7 @@ def floors(home: Home, level: str) -> list[Floor]:
     several parts keeps its largest; parts narrower than 0.3 m fall off; floors of less than 1 m²
     are left out.
     """
-    solid = shapely.union_all([wall_polygon(w) for w in home.walls if w.level == level])
+    solid = walls_of(home, level)
     drawn = [room for room in home.rooms if room.level == level]
     if not drawn:
         return [Floor("", level, part) for part in _enclosed(solid)]
@@ -47,15 +49,32 @@ def floors(home: Home, level: str) -> list[Floor]:
     return [Floor(drawn[i].name, level, found[i]) for i in sorted(found)]
 
 
-def wall_polygon(wall: HomeWall) -> BaseGeometry:
-    """The footprint of a wall; ends joined to another wall reach half a thickness farther."""
-    line = middle_line(wall)
-    for end, inner, joined in ((0, 1, wall.joined[0]), (-1, -2, wall.joined[1])):
-        along = line[end] - line[inner]
-        length = float((along @ along) ** 0.5)
-        if joined and length > 0:
-            line[end] += along / length * wall.thickness / 2
-    return grown(shapely.LineString(line), wall.thickness / 2, "flat")
+def walls_of(home: Home, level: str) -> BaseGeometry:
+    """The footprint of all walls of a level, mitred where two walls are joined."""
+    walls = {wall.id or str(i): wall for i, wall in enumerate(home.walls) if wall.level == level}
+    parts = [
+        grown(shapely.LineString(middle_line(w)), w.thickness / 2, "flat") for w in walls.values()
+    ]
+    for wall in walls.values():
+        for end, other in zip((0, -1), wall.joined, strict=True):
+            if other in walls:
+                parts.append(_joint(wall, end, walls[other]))
+    return shapely.union_all(parts)
+
+
+def _joint(wall: HomeWall, end: int, other: HomeWall) -> BaseGeometry:
+    """Half of each of two joined walls, as one band with a mitred corner."""
+    line, partner = middle_line(wall), middle_line(other)
+    near = 0 if np.hypot(*(partner[0] - line[end])) < np.hypot(*(partner[-1] - line[end])) else -1
+    first, second = (_half(line, end), _half(partner, near))
+    band = shapely.LineString([first, line[end], second])
+    return grown(band, min(wall.thickness, other.thickness) / 2, "flat")
+
+
+def _half(line: Points, end: int) -> Points:
+    """The middle of the first or last segment of a polyline."""
+    inner: Points = (line[end] + line[1 if end == 0 else -2]) / 2
+    return inner
 
 
 def grown(shape: BaseGeometry, by: float, cap: Literal["round", "flat"] = "round") -> BaseGeometry:
@@ -65,8 +84,12 @@ def grown(shape: BaseGeometry, by: float, cap: Literal["round", "flat"] = "round
 
 
 def _enclosed(solid: BaseGeometry) -> list[shapely.Polygon]:
-    """What the walls go around, in reading order (from the north-west)."""
-    parts = getattr(solid, "geoms", [solid])
+    """What the walls go around, in reading order (from the north-west).
+
+    Walls that miss each other by less than GAP are taken as joined.
+    """
+    closed = grown(grown(solid, GAP / 2), -GAP / 2)
+    parts = getattr(closed, "geoms", [closed])
     holes = [shapely.Polygon(ring) for part in parts for ring in getattr(part, "interiors", ())]
     inside = [_largest(_opened(hole.difference(solid))) for hole in holes]
     inside = [part for part in inside if part.area >= LEAST_ROOM]

@@ -1,6 +1,7 @@
 """``Home.xml`` as records in our conventions: metres, y to the north, angles counter-clockwise.
 
-The file has centimetres, y down the page and angles clockwise on the page. Document types and
+The file has centimetres, y down the page and angles clockwise on the page (those of door leaves
+counter-clockwise). Document types and
 entities are refused, so nothing can expand or reach outside the file.
 """
 
@@ -32,7 +33,10 @@ class HomeLevel(NamedTuple):
 
 
 class HomeWall(NamedTuple):
-    """A wall by its middle line; ``arc`` the angle of the arc from start to end (0: straight)."""
+    """A wall by its middle line; ``arc`` the angle of the arc from start to end (0: straight).
+
+    ``joined`` are the ids of the walls that meet its start and its end ('' for none).
+    """
 
     id: str
     level: str
@@ -41,7 +45,7 @@ class HomeWall(NamedTuple):
     thickness: float
     height: float | None
     arc: float
-    joined: tuple[bool, bool]
+    joined: tuple[str, str]
 
 
 class HomeRoom(NamedTuple):
@@ -170,7 +174,7 @@ def _wall(e: Element) -> HomeWall:
         thickness=_number(e, "thickness", 7.5, low=0.0, high=500.0) * CENTIMETRE,
         height=None if height is None else _number(e, "height", low=0.0) * CENTIMETRE,
         arc=-_number(e, "arcExtent", 0.0, high=2 * math.pi),
-        joined=("wallAtStart" in e.attrib, "wallAtEnd" in e.attrib),
+        joined=(e.get("wallAtStart", ""), e.get("wallAtEnd", "")),
     )
 
 
@@ -205,7 +209,7 @@ def _piece(e: Element) -> HomePiece:
 
 def _sash(e: Element, width: float, depth: float, mirrored: bool) -> Sash:
     x = (_number(e, "xAxis", 0.0) - 0.5) * width
-    closed, opened = -_number(e, "startAngle", 0.0), -_number(e, "endAngle", 0.0)
+    closed, opened = _number(e, "startAngle", 0.0), _number(e, "endAngle", 0.0)
     if mirrored:
         x, closed, opened = -x, math.pi - closed, math.pi - opened
     y = (0.5 - _number(e, "yAxis", 0.5)) * depth
