@@ -29,7 +29,11 @@ from scenewright.space import Level, Opening, Space
 SVG = "{http://www.w3.org/2000/svg}"
 UNIT = View(20.0, 0.0, 0.0)
 PLACES = st.floats(-50, 50)
-KINDS = {"rug": Kind("rug", flat=True), "chair": Kind("chair", under=("table",))}
+KINDS = {
+    "rug": Kind("rug", flat=True),
+    "chair": Kind("chair", under=("table",)),
+    "pendant": Kind("pendant", support="ceiling"),
+}
 
 
 @pytest.fixture(scope="module")
@@ -119,7 +123,9 @@ def test_lower_things_are_drawn_first(scene: Scene) -> None:
     }
     order = sorted(heights, key=lambda name: drawing_height(heights[name], KINDS))
     assert order == ["rug", "chair", "table", "vase", "lamp"]
-    drawn = pieces_mark(UNIT, list(heights.values())[::-1], Catalog(KINDS))
+    lamp = Piece("p", "pendant", "", "r", Pose(0, 0, 2.0, 0), Size(0.2, 0.2, 0.3))
+    drawn = pieces_mark(UNIT, [*list(heights.values())[::-1], lamp], Catalog(KINDS))
+    assert "pendant" not in drawn
     assert [drawn.index(f"<title>{name}</title>") for name in order] == sorted(
         drawn.index(f"<title>{name}</title>") for name in order
     )

@@ -155,10 +155,10 @@ def _counts(solution: Solution, space: str) -> Counter[str]:
 
 
 def _placed(solution: Solution, space: str) -> str:
-    """``2 armchair, sofa``, in the order placed."""
+    """``sofa, 2 × armchair``, in the order placed."""
     counts = _counts(solution, space)
     words = ((count, category.replace("_", " ")) for category, count in counts.items())
-    return ", ".join(f"{count} {word}" if count > 1 else word for count, word in words)
+    return ", ".join(f"{count} × {word}" if count > 1 else word for count, word in words)
 
 
 def _work(solution: Solution) -> str:

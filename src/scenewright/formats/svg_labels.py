@@ -109,7 +109,7 @@ def _best_position(
     over = area(intersection(boxes, busy)) / (width * height)
     middle = np.array(_middle(room).coords[0])
     away = np.hypot(*(at - middle).T) / np.sqrt(room.area)
-    cost = 12 * off + 2 * over + 0.15 * away + label.cost
+    cost = 12 * off + 4 * over + 0.15 * away + label.cost
     best = int(np.argmin(cost))
     return float(cost[best]), label, at[best]
 

@@ -29,8 +29,10 @@ PAPER, RUG = "#ffffff", "#e9e4d9"
 
 
 def pieces_mark(view: View, pieces: Sequence[Piece], catalog: Catalog) -> str:
-    """Every piece by its symbol, drawn from the floor up; what hangs above the cut is dashed."""
-    ordered = sorted(pieces, key=lambda piece: drawing_height(piece, catalog.kinds))
+    """Every piece by its symbol, drawn from the floor up; what hangs on a wall above the cut is
+    dashed, what hangs from the ceiling is left to the ceiling plan."""
+    seen = [p for p in pieces if _support(p, catalog.kinds) != "ceiling"]
+    ordered = sorted(seen, key=lambda piece: drawing_height(piece, catalog.kinds))
     return group(
         [_piece(view, piece, catalog) for piece in ordered],
         stroke=INK, fill=PAPER, stroke_linejoin="round", stroke_linecap="round",
@@ -47,8 +49,12 @@ def drawing_height(piece: Piece, kinds: dict[str, Kind]) -> float:
     return piece.pose.z + tall + (100.0 if hangs(piece) else 0.0)
 
 
+def _support(piece: Piece, kinds: dict[str, Kind]) -> str:
+    return kinds[piece.category].support if piece.category in kinds else "floor"
+
+
 def hangs(piece: Piece) -> bool:
-    """Whether the piece is wholly above the cut (wall cabinets, ceiling lamps)."""
+    """Whether the piece is wholly above the cut (wall cabinets, pictures)."""
     return piece.pose.z >= CUT_HEIGHT
 
 
