@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from functools import cache
+from importlib import import_module
 
 from scenewright.assets.kinds import KINDS
 from scenewright.assets.materials import GREY
 from scenewright.assets.model import asset, parts
 from scenewright.assets.sizes import SIZES
 from scenewright.assets.symbols import plain
-from scenewright.catalog import Catalog, Part
+from scenewright.catalog import Asset, Catalog, Part
 from scenewright.geometry.solids import block
 from scenewright.scene import Size
+
+_THEMES = (
+    "seating", "tables", "beds", "storage", "kitchen", "sanitary", "appliances", "lighting",
+    "decor", "outdoor", "building",
+)  # fmt: skip
 
 
 @cache
@@ -21,7 +27,14 @@ def shipped() -> Catalog:
     >>> shipped().choose("sofa", Size(2.0, 0.9, 0.8)).name
     'Sofa'
     """
-    rows = [asset(name, _plain, plain) for name in SIZES]
+    rows: list[Asset] = []
+    for theme in _THEMES:
+        try:
+            rows += import_module(f"scenewright.assets.{theme}").ASSETS
+        except ModuleNotFoundError:
+            continue
+    have = {row.category for row in rows}
+    rows += [asset(name, _plain, plain) for name in SIZES if name not in have]
     return Catalog(KINDS, {row.id: row for row in rows})
 
 

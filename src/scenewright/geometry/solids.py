@@ -31,10 +31,10 @@ def rectangle_ring(
     x: Interval, y: Interval, z: float, radius: float = 0.0, steps: int = 1
 ) -> Floats:
     """A rectangle at height ``z``, counter-clockwise, its corners rounded in ``steps``."""
-    radius = min(radius, (x[1] - x[0]) / 2, (y[1] - y[0]) / 2)
     if radius <= 0:
         corners = [(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])]
         return np.array([(px, py, z) for px, py in corners])
+    radius = max(min(radius, (x[1] - x[0]) / 2, (y[1] - y[0]) / 2), 0.0)
     centres = [(x[1], y[1], -1, -1), (x[0], y[1], 1, -1), (x[0], y[0], 1, 1), (x[1], y[0], -1, 1)]
     found = []
     for quarter, (px, py, sx, sy) in enumerate(centres):
@@ -70,12 +70,16 @@ def cushion(
         middle = z[0] + radius if k <= steps else z[1] - radius
         inset = radius * (1 - cos(angle))
         inset += puff * radius * 0.5 * (k in (0, 2 * steps + 1))
-        ring = rectangle_ring(
-            (x[0] + inset, x[1] - inset), (y[0] + inset, y[1] - inset),
-            middle + radius * sin(angle), max(radius - inset, 1e-12), steps,
-        )  # fmt: skip
+        round_by = max(radius - inset, 1e-12)
+        level = middle + radius * sin(angle)
+        ring = rectangle_ring(_drawn(x, inset), _drawn(y, inset), level, round_by, steps)
         rings.append(ring)
     return loft(rings)
+
+
+def _drawn(span: Interval, inset: float) -> Interval:
+    inset = min(inset, (span[1] - span[0]) / 2)
+    return span[0] + inset, span[1] - inset
 
 
 def bevelled(x: Interval, y: Interval, z: Interval, bevel: float = 0.008) -> Mesh:
