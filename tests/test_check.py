@@ -267,6 +267,14 @@ def test_rooms_behind_a_row_cannot_be_reached():
     assert (found.kind, found.space, found.other) == ("unreachable_room", "b", "row")
 
 
+def test_pieces_that_block_together_are_named_together():
+    first, second = piece("box", 2, 0.9, 4, 0.2, id="p"), piece("box", 2, 1.9, 4, 0.2, id="q")
+    wardrobe = piece("wardrobe", 1, 2.75, 1, 0.5, 2, heading=SOUTH)
+    (found,) = judge(first, second, wardrobe).findings
+    assert set(found.other.split(",")) == {"p", "q"}
+    assert " and " in found.message
+
+
 def test_a_narrow_door_still_lets_through_and_a_wall_does_not():
     narrow = two_rooms((door(4.05, 1.5, (0, 1), id="inner", width=0.5, spaces=("a", "b")),))
     far = piece("wardrobe", 6.5, 1.5, 1, 1, 2, heading=WEST, space="b")

@@ -54,8 +54,8 @@ def find_unreachable(
         missed += _missed_pieces(bodies, rooms, ground, walk, open_rooms)
         blockers = _blockers(walk, missed)
         found += [
-            _finding(bodies, rooms, walk, target, rows)
-            for target, rows in zip(missed, blockers, strict=True)
+            _finding(bodies, rooms, walk, target, rows, word)
+            for target, (rows, word) in zip(missed, blockers, strict=True)
         ]
     return found
 
@@ -102,17 +102,33 @@ def _beyond(corners: Floats, side: str, depth: float) -> Shape:
     return shapely.polygons(np.stack([start, start + out, end + out, end]))
 
 
-def _blockers(walk: Walk, missed: list[Target]) -> list[list[int]]:
-    """For each target the rows of pieces any one of which, taken away, would open the way; else
-    those along the gap."""
+def _blockers(walk: Walk, missed: list[Target]) -> list[tuple[list[int], str]]:
+    """For each target the rows of pieces in the way and the word that joins them: any one of
+    them would open the way if taken away (or), or only all of them together (and)."""
     shapes: Shapes = np.array([target.shape for target in missed], object)
-    opening: list[list[int]] = [[] for _ in missed]
-    for k in _suspects(walk, shapes):
-        reached = walk_without(walk, k)
+    singles: list[list[int]] = [[] for _ in missed]
+    suspects = _suspects(walk, shapes)
+    for k in suspects:
+        reached = walk_without(walk, np.array([k]))
         for t in np.flatnonzero(shapely.intersects(reached, shapes)):
             if walk.blocking[k] != missed[t].piece:
-                opening[t].append(int(walk.blocking[k]))
-    return [rows or _along_gap(walk, target) for rows, target in zip(opening, missed, strict=True)]
+                singles[t].append(int(walk.blocking[k]))
+    return [
+        (rows, "or") if rows else (_together(walk, target, suspects), "and")
+        for rows, target in zip(singles, missed, strict=True)
+    ]
+
+
+def _together(walk: Walk, target: Target, suspects: NDArray[np.int64]) -> list[int]:
+    """Rows of a least set of suspects that opens the way to a target; empty if none does."""
+    away = suspects[walk.blocking[suspects] != target.piece]
+    if not len(away) or not shapely.intersects(walk_without(walk, away), target.shape):
+        return []
+    for k in away[::-1]:
+        fewer = away[away != k]
+        if len(fewer) and shapely.intersects(walk_without(walk, fewer), target.shape):
+            away = fewer
+    return [int(row) for row in walk.blocking[away]]
 
 
 def _suspects(walk: Walk, shapes: Shapes) -> NDArray[np.int64]:
@@ -127,24 +143,17 @@ def _suspects(walk: Walk, shapes: Shapes) -> NDArray[np.int64]:
     return np.asarray(np.argsort(apart, kind="stable")[:_NEAREST], np.int64)
 
 
-def _along_gap(walk: Walk, target: Target) -> list[int]:
-    """Rows of the pieces on the straight line from the region reached to the target."""
-    if walk.reached.is_empty or target.shape.is_empty or not len(walk.blocking):
-        return []
-    line = shapely.shortest_line(walk.reached, target.shape)
-    touched = np.flatnonzero(shapely.distance(walk.grown, line) < 0.02)
-    rows = [int(walk.blocking[k]) for k in touched]
-    return [row for row in rows if row != target.piece][:3]
-
-
-def _finding(bodies: Bodies, rooms: Rooms, walk: Walk, target: Target, rows: list[int]) -> Finding:
+def _finding(
+    bodies: Bodies, rooms: Rooms, walk: Walk, target: Target, rows: list[int], word: str
+) -> Finding:
     space = rooms.spaces[target.room]
     piece = bodies.pieces[target.piece] if target.piece >= 0 else None
     names = [bodies.pieces[row].id for row in rows]
     short = shapely.distance(walk.reached, target.shape)
     what = f"{piece.id} of {space.id}" if piece else f"room {space.id}"
     told = f"no route {2 * walk.radius:.2f} m wide leads to {what}"
-    told += f": {' or '.join(names)} is in the way" if names else ": the room is too tight there"
+    verb = "are" if word == "and" and len(names) > 1 else "is"
+    told += f": {f' {word} '.join(names)} {verb} in the way" if names else ", it is too tight there"
     given = all(bodies.pieces[row].fixed for row in rows) and (piece is None or piece.fixed)
     return Finding(
         "unreachable_piece" if piece else "unreachable_room", space.level, space.id,

@@ -161,9 +161,9 @@ def _joined(free: Shape, start: Shape) -> Shape:
     return shapely.multipolygons(parts[shapely.intersects(parts, start)])
 
 
-def walk_without(walk: Walk, k: int) -> Shape:
-    """What would be reached if the k-th of the blocking pieces were not there."""
-    touching = np.flatnonzero(shapely.intersects(walk.grown, walk.grown[k]))
-    own = shapely.intersection(walk.bare, walk.grown[k])
-    freed = _less(own, walk.grown[touching[touching != k]])
+def walk_without(walk: Walk, away: NDArray[np.int64]) -> Shape:
+    """What would be reached if these of the blocking pieces (indices) were not there."""
+    gone = shapely.union_all(walk.grown[away])
+    touching = np.setdiff1d(np.flatnonzero(shapely.intersects(walk.grown, gone)), away)
+    freed = _less(shapely.intersection(walk.bare, gone), walk.grown[touching])
     return _joined(shapely.union(walk.free, freed), walk.start)
