@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
@@ -53,12 +53,10 @@ def arrange(request: Request, console: Console) -> tuple[Solution, Report]:
 
 def write_together(solution: Solution, outputs: Sequence[Path], watch: Watch) -> None:
     """Write all files under temporary names, then rename them all: either all appear or none."""
-    from scenewright import formats
-
     with _temporary(outputs) as parts:
         for done, (path, part) in enumerate(zip(outputs, parts, strict=True)):
             watch.progress(done / len(outputs), f"writing {path.name}")
-            formats.write(solution, part)
+            _write(solution, part, path)
         for path, part in zip(outputs, parts, strict=True):
             _rename(part, path)
 
@@ -71,7 +69,18 @@ def _temporary(outputs: Sequence[Path]) -> Iterator[list[Path]]:
         yield parts
     finally:
         for part in parts:
-            part.unlink(missing_ok=True)
+            with suppress(OSError):
+                part.unlink()
+
+
+def _write(solution: Solution, part: Path, path: Path) -> None:
+    """Write to ``part``; a fault names ``path``, which the user knows."""
+    from scenewright import formats
+
+    try:
+        formats.write(solution, part)
+    except InputError as error:
+        raise InputError(error.fault, error.remedy, file=str(path)) from None
 
 
 def _rename(part: Path, path: Path) -> None:
