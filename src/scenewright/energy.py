@@ -7,10 +7,11 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.geometry.boxes import Floats, fill_frames, frames_of
-from scenewright.geometry.compiled import compiled_entry
-from scenewright.geometry.paths import Grid, make_grid
+from scenewright.geometry.compiled import compiled
+from scenewright.geometry.paths import Bits, Grid, make_grid
 from scenewright.problem import Ground, Items, Problem
-from scenewright.terms.assemble import Ints, Prepared, measure, route_cost
+from scenewright.terms.assemble import Costs, Ints, Prepared, make_costs, measure
+from scenewright.terms.circulation import route
 from scenewright.terms.orientation import inward
 from scenewright.terms.table import (
     CLEAR_ITEMS,
@@ -18,6 +19,7 @@ from scenewright.terms.table import (
     CORRIDORS,
     KEEP_FREE,
     OBSTACLES,
+    ROUTE,
     TERMS,
     WINDOW,
     Term,
@@ -93,7 +95,9 @@ def prepare(problem: Problem) -> Prepared:
         edges=_fresh(ground.edges, 4),
         walls=_fresh(ground.walls, 4),
         zones=_zones(ground),
-        sides=_fresh(np.stack([items.clear, items.access, items.inset]), len(items.low), 4),
+        clear=_fresh(items.clear, 4),
+        access=_fresh(items.access, 4),
+        inset=_fresh(items.inset, 4),
         traits=_traits(items, reach, items.main_wall * (1.0 if len(main) else 0.0)),
         limits=np.hstack([_fresh(items.low, 2), _fresh(items.high, 2)]),
         pairs=pairs,
@@ -120,18 +124,31 @@ def route_grid(problem: Problem, cell: float) -> Grid:
     )  # fmt: skip
 
 
-@compiled_entry
-def energies_of(p: Prepared, grid: Grid, population: Floats) -> Floats:
-    """Energies ``(P,)`` of layouts ``(P, n, 5)``."""
-    count, n = population.shape[0], population.shape[1]
-    energies, frames = np.empty(count), np.empty((n, 8))
-    boxes, pairs, relations = np.empty((n, 4)), np.zeros((n, n)), np.empty(len(p.pairs))
-    free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
-    for k in range(count):
+@compiled
+def fill_energies(
+    p: Prepared, grid: Grid, population: Floats, energies: Floats, routes: Floats,
+    frames: Floats, costs: Costs, free: Bits, reached: Bits,
+) -> None:  # fmt: skip
+    """Write energies and, of these, what the route costs ``(P,)`` for layouts ``(P, n, 5)``.
+
+    The rest is scratch; ``costs`` keeps the parts of the last layout.
+    """
+    for k in range(population.shape[0]):
         fill_frames(population[k], frames)
-        energies[k] = measure(frames, p, boxes, pairs, relations)
-        energies[k] += route_cost(frames, p, grid, free, reached)
-    return energies
+        energies[k], routes[k] = measure(frames, p, costs), 0.0
+        if p.weights[ROUTE] != 0.0:
+            routes[k] = p.weights[ROUTE] * route(frames, p.access, p.inset, grid, free, reached)
+            energies[k] += routes[k]
+
+
+def energies_of(p: Prepared, grid: Grid, population: Floats) -> tuple[Floats, Floats, Costs]:
+    """Energies ``(P,)``, the route's share in them, and the parts of the last layout."""
+    count, n = len(population), len(p.limits)
+    energies, routes, costs = np.empty(count), np.empty(count), make_costs(n, len(p.pairs))
+    free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
+    boxes = np.array(population, np.float64, order="C").reshape(count, n, 5)
+    fill_energies(p, grid, boxes, energies, routes, np.empty((n, 8)), costs, free, reached)
+    return energies, routes, costs
 
 
 def evaluate(problem: Problem, boxes: Floats, cell: float = 0.1) -> Floats:
@@ -140,20 +157,7 @@ def evaluate(problem: Problem, boxes: Floats, cell: float = 0.1) -> Floats:
     ``cell`` is the size of the cells of the walking route's grid.
     """
     grid = route_grid(problem, cell)
-    return energies_of(prepare(problem), grid, np.array(boxes, np.float64, order="C"))
-
-
-@compiled_entry
-def parts_of(
-    p: Prepared, grid: Grid, layout: Floats
-) -> tuple[Floats, Floats, Floats, float, float]:
-    """Costs by box (n, 4), by pair (n, n), by relation (p,), energy without route, and route."""
-    n = layout.shape[0]
-    frames = frames_of(layout)
-    boxes, pairs, relations = np.empty((n, 4)), np.zeros((n, n)), np.empty(len(p.pairs))
-    energy = measure(frames, p, boxes, pairs, relations)
-    free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
-    return boxes, pairs, relations, energy, route_cost(frames, p, grid, free, reached)
+    return energies_of(prepare(problem), grid, boxes)[0]
 
 
 def _parts(
@@ -162,15 +166,15 @@ def _parts(
     """The parts of one term: the kernels run with its weight 1 and all others 0."""
     only = np.zeros(len(TERMS))
     only[row.index] = 1.0
-    by_box, by_pair, by_relation, energy, missed = parts_of(p._replace(weights=only), grid, boxes)
-    divisor = float(by_box[:, 2].sum()) if row.per_area else 1.0
+    energies, _, costs = energies_of(p._replace(weights=only), grid, boxes[None])
+    divisor = float(costs.boxes[:, 2].sum()) if row.per_area else 1.0
     if row.kind == "whole":
-        found = [("", energy + missed)]
+        found = [("", energies[0])]
     elif row.kind == "box":
-        found = list(zip(names, by_box[:, 0 if row.per_area else 1] / divisor, strict=True))
+        found = list(zip(names, costs.boxes[:, 0 if row.per_area else 1] / divisor, strict=True))
     else:
-        places = np.argwhere(np.triu(by_pair)) if row.per_area else p.pairs
-        values = by_pair[tuple(places.T)] if row.per_area else by_relation
+        places = np.argwhere(np.triu(costs.pairs)) if row.per_area else p.pairs
+        values = costs.pairs[tuple(places.T)] if row.per_area else costs.relations
         labels = [f"{names[i]} & {names[j]}" for i, j in places]
         found = list(zip(labels, values / divisor, strict=True))
     return [

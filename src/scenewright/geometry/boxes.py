@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.geometry.compiled import compiled, compiled_entry
+from scenewright.geometry.compiled import compiled
 
 Floats = NDArray[np.float64]
 Frame = tuple[float, float, float, float, float, float, float, float]
@@ -39,9 +39,9 @@ def read_frame(frames: Floats, i: int) -> Frame:
 
 
 @compiled
-def read_sides(sides: Floats, k: int, i: int) -> Sides:
-    """What table ``k`` of ``sides`` (tables, n, 4) says of the four sides of item ``i``."""
-    return sides[k, i, 0], sides[k, i, 1], sides[k, i, 2], sides[k, i, 3]
+def read_sides(sides: Floats, i: int) -> Sides:
+    """Row ``i`` of ``sides`` (n, 4): something for the front, left, back and right side."""
+    return sides[i, 0], sides[i, 1], sides[i, 2], sides[i, 3]
 
 
 @compiled
@@ -199,7 +199,6 @@ def fill_frames(boxes: Floats, frames: Floats) -> None:
             frames[i, k] = f[k]
 
 
-@compiled_entry
 def frames_of(boxes: Floats) -> Floats:
     """Frames ``(n, 8)`` of boxes ``(n, 5)``."""
     frames = np.empty((boxes.shape[0], 8))

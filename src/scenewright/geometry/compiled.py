@@ -51,25 +51,15 @@ def is_cold() -> bool:
     return not (folder.is_dir() and next(folder.rglob("*.nbc"), None))
 
 
-def _compile(function: Kernel, counting: bool) -> Kernel:
-    before = numba.config.CACHE_DIR
-    numba.config.CACHE_DIR = str(cache_folder())
-    try:
-        options = {"cache": True, "nogil": True, "error_model": "numpy", "_nrt": counting}
-        return numba.njit(**options)(function)  # type: ignore[no-any-return]
-    finally:
-        numba.config.CACHE_DIR = before
-
-
 def compiled(function: Kernel) -> Kernel:
     """Compile on first call, keep on disk; runs without the interpreter's lock.
 
-    For inner kernels: they may read and write arrays but not make any, so numba need not count
-    references to them (that counting costs more than a small term itself).
+    Kernels read and write arrays but never make any, so numba need not count references to them:
+    that counting costs more than a small term itself. Scratch arrays are arguments.
     """
-    return _compile(function, counting=False)
-
-
-def compiled_entry(function: Kernel) -> Kernel:
-    """As :func:`compiled`, for the few functions that make arrays and are called from Python."""
-    return _compile(function, counting=True)
+    before = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(cache_folder())
+    try:
+        return numba.njit(cache=True, nogil=True, error_model="numpy", _nrt=False)(function)  # type: ignore[no-any-return]
+    finally:
+        numba.config.CACHE_DIR = before

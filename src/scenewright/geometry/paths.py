@@ -14,12 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.geometry.boxes import Floats, Frame, make_frame, part_of, read_frame
-from scenewright.geometry.compiled import compiled, compiled_entry
+from scenewright.geometry.compiled import compiled
 
 Bits = NDArray[np.uint64]
 ALL = np.uint64(0xFFFFFFFFFFFFFFFF)
 NONE = np.uint64(0)
-ONE = np.uint64(1)
+# Plain integers would make numba compile each function once for every value.
+CLEAR, SET, LOOK = np.int64(0), np.int64(1), np.int64(2)
 
 
 class Grid(NamedTuple):
@@ -44,7 +45,7 @@ def rounded_span(frame: Frame, radius: float, y: float) -> tuple[float, float]:
     low, high = math.inf, -math.inf
     x, c, s, w, d = frame[0], frame[2], frame[3], frame[4], frame[5]
     dy = y - frame[1]
-    for quarter in range(4):  # the edge ahead: outward normal (c, s), from its right end leftward
+    for _quarter in range(4):  # the edge ahead: outward normal (c, s), from its right end leftward
         px, py = s * w + c * d, -c * w + s * d
         qx, qy = -s * w + c * d, c * w + s * d
         rest = radius * radius - (dy - py) ** 2
@@ -70,55 +71,38 @@ def word_mask(first: int, last: int, word: int) -> np.uint64:
 
 
 @compiled
-def mark_span(
-    bits: Bits, row: int, low: float, high: float, x0: float, cell: float, put: bool
-) -> None:
-    """Set or clear the cells of a row whose centres lie in [low, high]."""
-    count = bits.shape[1]
+def sweep_span(
+    bits: Bits, row: int, low: float, high: float, x0: float, cell: float, task: np.int64
+) -> bool:
+    """Clear (0), set (1) or only look at (2) the cells of a row whose centres lie in [low, high];
+    true if one of them was set before."""
     if not (low <= high):
-        return
-    first = max(int(math.ceil((low - x0) / cell - 0.5)), 0)
-    last = min(int(math.floor((high - x0) / cell - 0.5)), 64 * count - 1)
+        return False
+    met, count = False, bits.shape[1]
+    first = max(math.ceil((low - x0) / cell - 0.5), 0)
+    last = min(math.floor((high - x0) / cell - 0.5), 64 * count - 1)
     for k in range(first >> 6, (last >> 6) + 1 if last >= first else 0):
         mask = word_mask(first, last, k)
-        if put:
-            bits[row, k] |= mask
-        else:
+        met |= (bits[row, k] & mask) != NONE
+        if task == CLEAR:
             bits[row, k] &= ~mask
+        elif task == SET:
+            bits[row, k] |= mask
+    return met
 
 
 @compiled
-def rows_of(frame: Frame, radius: float, y0: float, cell: float, count: int) -> tuple[int, int]:
-    """First row and end of the rows a grown box may touch."""
+def sweep_box(bits: Bits, grid: Grid, frame: Frame, radius: float, task: np.int64) -> bool:
+    """Clear (0), set (1) or only look at (2) the cells whose centres lie within ``radius`` of a
+    box; true if one of them was set before."""
     tall = abs(frame[2]) * frame[4] + abs(frame[3]) * frame[5] + radius
-    first = int(math.floor((frame[1] - tall - y0) / cell - 0.5))
-    return max(first, 0), min(int(math.ceil((frame[1] + tall - y0) / cell + 0.5)), count)
-
-
-@compiled
-def mark_box(
-    bits: Bits, x0: float, y0: float, cell: float, frame: Frame, radius: float, put: bool
-) -> None:
-    """Set or clear the cells whose centres lie within ``radius`` of a box."""
-    first, end = rows_of(frame, radius, y0, cell, bits.shape[0])
-    for row in range(first, end):
-        low, high = rounded_span(frame, radius, y0 + (row + 0.5) * cell)
-        mark_span(bits, row, low, high, x0, cell, put)
-
-
-@compiled
-def touches(bits: Bits, x0: float, y0: float, cell: float, frame: Frame) -> bool:
-    """True if the centre of some set cell lies in a box."""
-    first, end = rows_of(frame, 0.0, y0, cell, bits.shape[0])
-    for row in range(first, end):
-        low, high = rounded_span(frame, 0.0, y0 + (row + 0.5) * cell)
-        if low <= high:
-            left = max(int(math.ceil((low - x0) / cell - 0.5)), 0)
-            right = min(int(math.floor((high - x0) / cell - 0.5)), 64 * bits.shape[1] - 1)
-            for k in range(left >> 6, (right >> 6) + 1 if right >= left else 0):
-                if bits[row, k] & word_mask(left, right, k) != NONE:
-                    return True
-    return False
+    first = math.floor((frame[1] - tall - grid.y0) / grid.cell - 0.5)
+    end = math.ceil((frame[1] + tall - grid.y0) / grid.cell + 0.5)
+    met = False
+    for row in range(max(first, 0), min(end, bits.shape[0])):
+        low, high = rounded_span(frame, radius, grid.y0 + (row + 0.5) * grid.cell)
+        met |= sweep_span(bits, row, low, high, grid.x0, grid.cell, task)
+    return met
 
 
 @compiled
@@ -169,18 +153,18 @@ def flood(reached: Bits, free: Bits) -> None:
 
 
 @compiled
-def mark_inside(bits: Bits, x0: float, y0: float, cell: float, edges: Floats) -> None:
+def mark_inside(bits: Bits, grid: Grid, edges: Floats) -> None:
     """Set the cells whose centres lie inside the outline and outside the holes.
 
     Every edge a row crosses flips all cells to its right.
     """
     for row in range(bits.shape[0]):
-        y = y0 + (row + 0.5) * cell
+        y = grid.y0 + (row + 0.5) * grid.cell
         for e in range(edges.shape[0]):
             if (edges[e, 1] <= y) != (edges[e, 3] <= y):
                 share = (y - edges[e, 1]) / (edges[e, 3] - edges[e, 1])
                 x = edges[e, 0] + share * (edges[e, 2] - edges[e, 0])
-                first = max(int(math.ceil((x - x0) / cell - 0.5)), 0)
+                first = max(math.ceil((x - grid.x0) / grid.cell - 0.5), 0)
                 for k in range(first >> 6, bits.shape[1]):
                     bits[row, k] ^= word_mask(first, 64 * bits.shape[1], k)
 
@@ -205,9 +189,7 @@ def share_in_box(edge: Floats, frame: Frame) -> tuple[float, float]:
 
 
 @compiled
-def clear_wall(
-    bits: Bits, x0: float, y0: float, cell: float, radius: float, edge: Floats, doors: Floats
-) -> None:
+def clear_wall(bits: Bits, grid: Grid, edge: Floats, doors: Floats) -> None:
     """Clear the cells near an edge, leaving out its parts in door boxes (at least as wide as
     the route)."""
     here = 0.0
@@ -215,7 +197,7 @@ def clear_wall(
         stop, after = 1.0, 1.0
         for k in range(doors.shape[0]):
             door = read_frame(doors, k)
-            wide = part_of(door, 0.0, 0.0, max(door[4], radius + cell), door[5])
+            wide = part_of(door, 0.0, 0.0, max(door[4], grid.radius + grid.cell), door[5])
             t0, t1 = share_in_box(edge, wide)
             if t1 > max(t0, here) and t0 < stop:
                 stop, after = max(t0, here), t1
@@ -225,33 +207,41 @@ def clear_wall(
         if stop > here:
             heading = math.atan2(by - ay, bx - ax)
             part = make_frame(0.5 * (ax + bx), 0.5 * (ay + by), heading, 0.0, length)
-            mark_box(bits, x0, y0, cell, part, radius, False)
+            sweep_box(bits, grid, part, grid.radius, CLEAR)
         here = after
 
 
-@compiled_entry
-def make_grid(
-    edges: Floats, obstacles: Floats, doors: Floats, bounds: Floats, cell: float, width: float
-) -> Grid:
-    """The grid of a room: what is free of walls and fixed pieces for a route of this width.
+@compiled
+def fill_grid(edges: Floats, obstacles: Floats, doors: Floats, grid: Grid) -> None:
+    """Write what is free of walls and fixed pieces, and the cells of the doors.
 
     ``obstacles`` and ``doors`` are frames (k, 8). A door box is free of its own wall.
     """
-    x0, y0, x1, y1 = bounds[0], bounds[1], bounds[2], bounds[3]
-    for k in range(doors.shape[0]):
-        reach = doors[k, 6]
-        x0, y0 = min(x0, doors[k, 0] - reach), min(y0, doors[k, 1] - reach)
-        x1, y1 = max(x1, doors[k, 0] + reach), max(y1, doors[k, 1] + reach)
-    rows = int(math.ceil((y1 - y0) / cell)) + 1
-    words = (int(math.ceil((x1 - x0) / cell)) >> 6) + 1
-    radius = 0.5 * width + 0.5 * cell
-    free, ways = np.zeros((rows, words), np.uint64), np.zeros((len(doors), rows, words), np.uint64)
-    mark_inside(free, x0, y0, cell, edges)
+    mark_inside(grid.free, grid, edges)
     for e in range(edges.shape[0]):
-        clear_wall(free, x0, y0, cell, radius, edges[e], doors)
+        clear_wall(grid.free, grid, edges[e], doors)
     for k in range(doors.shape[0]):
-        mark_box(free, x0, y0, cell, read_frame(doors, k), 0.0, True)
-        mark_box(ways[k], x0, y0, cell, read_frame(doors, k), 0.0, True)
+        sweep_box(grid.free, grid, read_frame(doors, k), 0.0, SET)
+        sweep_box(grid.doors[k], grid, read_frame(doors, k), 0.0, SET)
     for k in range(obstacles.shape[0]):
-        mark_box(free, x0, y0, cell, read_frame(obstacles, k), radius, False)
-    return Grid(x0, y0, cell, radius, free, ways)
+        sweep_box(grid.free, grid, read_frame(obstacles, k), grid.radius, CLEAR)
+
+
+def make_grid(
+    edges: Floats, obstacles: Floats, doors: Floats, bounds: Floats, cell: float, width: float
+) -> Grid:
+    """The grid of a room for a route of some width: over its bounds (x0, y0, x1, y1) and doors.
+
+    ``edges`` (e, 4), ``obstacles`` and ``doors`` as frames (k, 8). Without doors it is empty.
+    """
+    if not len(doors):
+        return Grid(0.0, 0.0, cell, 0.5 * width + 0.5 * cell, np.zeros((0, 0), np.uint64),
+                    np.zeros((0, 0, 0), np.uint64))  # fmt: skip
+    low = np.minimum(bounds[:2], (doors[:, :2] - doors[:, 6:7]).min(axis=0))
+    high = np.maximum(bounds[2:], (doors[:, :2] + doors[:, 6:7]).max(axis=0))
+    columns, rows = (np.ceil((high - low) / cell).astype(int) + 1).tolist()
+    shape = (rows, (columns + 63) // 64)
+    grid = Grid(float(low[0]), float(low[1]), cell, 0.5 * width + 0.5 * cell,
+                np.zeros(shape, np.uint64), np.zeros((len(doors), *shape), np.uint64))  # fmt: skip
+    fill_grid(edges, obstacles, doors, grid)
+    return grid

@@ -6,7 +6,7 @@ from importlib import import_module
 from typing import NamedTuple
 
 from scenewright.problem import Problem
-from scenewright.solve import Budget, Cancel, Found, Progress
+from scenewright.solve import Budget, Cancel, Found, Progress, Run
 
 
 class SolverRow(NamedTuple):
@@ -27,12 +27,12 @@ class SolverRow(NamedTuple):
         cancel: Cancel | None = None,
     ) -> Found:
         """Solve; see :data:`scenewright.solve.Run`."""
-        solve = getattr(import_module(f"{__name__}.{self.module}"), self.function)
-        return solve(problem, budget, seed, progress, cancel)  # type: ignore[no-any-return]
+        solve: Run = getattr(import_module(f"{__name__}.{self.module}"), self.function)
+        return solve(problem, budget, seed, progress, cancel)
 
 
 ROWS = (
-    SolverRow("anneal", "compiled annealing with a designer's moves and adaptive restarts (default)",
+    SolverRow("anneal", "compiled annealing, a designer's moves, adaptive restarts (default)",
               "ours, after Kirkpatrick et al. 1983", "anneal", "anneal"),
     SolverRow("paper-ga", "the paper's genetic algorithm, 40 layouts, 100 generations",
               "Liu et al. 2017", "genetic", "paper_ga"),

@@ -12,17 +12,20 @@ import os
 import time
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.energy import energies_of, prepare, route_grid
+from scenewright.geometry.boxes import frames_of
 from scenewright.geometry.paths import Grid
 from scenewright.problem import Problem
 from scenewright.solve import Budget, Cancel, Found, Progress, Watch, distinct
+from scenewright.solvers.chain import make_chain
 from scenewright.solvers.draws import Stream, streams
-from scenewright.solvers.metropolis import anneal_chains
+from scenewright.solvers.metropolis import run_chains
 from scenewright.terms.assemble import Prepared
 
 Floats = NDArray[np.float64]
@@ -42,9 +45,10 @@ class Stage(NamedTuple):
 
 
 class Chains(NamedTuple):
-    """Chains side by side: frames now and at their best (c, n, 8), best energies (c,), streams."""
+    """Chains side by side: frames now and at their best (c, n, 8), both energies (c, 2), random
+    streams (c, 1)."""
 
-    frames: Floats
+    now: Floats
     bests: Floats
     energies: Floats
     draws: Stream
@@ -84,40 +88,48 @@ def plan(steps: int, n: int) -> tuple[Stage, ...]:
     return (Stage(chains, 0.7, 0.0), Stage(1, 0.3, 0.5)) if chains > 1 else (Stage(1, 1.0, 0.0),)
 
 
+def scatter(p: Prepared, count: int, rng: np.random.Generator) -> Floats:
+    """Boxes ``(count, n, 5)`` drawn anywhere within the bounds, sizes within their limits."""
+    shape, low, high = (count, len(p.limits)), p.limits[:, :2], p.limits[:, 2:]
+    boxes = np.empty((*shape, 5))
+    boxes[..., :2] = rng.uniform(p.bounds[:2], p.bounds[2:], (*shape, 2))
+    boxes[..., 2] = rng.uniform(0.0, 2.0 * math.pi, shape)
+    boxes[..., 3:] = rng.uniform(low, high, (*shape, 2))
+    return boxes
+
+
 def _begin(p: Prepared, grid: Grid, count: int, seed: int) -> Chains:
-    n = len(p.limits)
-    chains = Chains(np.zeros((count, n, 8)), np.zeros((count, n, 8)), np.full(count, np.inf),
-                    streams(seed, count))  # fmt: skip
-    found = anneal_chains(p, grid, chains.frames, chains.bests, chains.draws, True, 0,
-                          1.0, 1.0, 0.0, 1.0)  # fmt: skip
-    chains.energies[:] = found
-    return chains
+    boxes = scatter(p, count, np.random.default_rng(seed))
+    frames = frames_of(boxes.reshape(-1, 5)).reshape(count, -1, 8)
+    energies = np.repeat(energies_of(p, grid, boxes)[0][:, None], 2, axis=1)
+    return Chains(frames, frames.copy(), energies, streams(seed, count))
 
 
 def _select(chains: Chains, count: int) -> Chains:
     """The best chains, to go on from their best layouts."""
-    chosen = np.argsort(chains.energies, kind="stable")[:count]
-    bests = chains.bests[chosen]
-    return Chains(bests.copy(), bests, chains.energies[chosen], chains.draws[chosen].copy())
+    chosen = np.argsort(chains.energies[:, 1], kind="stable")[:count]
+    bests, energies = chains.bests[chosen], chains.energies[chosen]
+    energies[:, 0] = energies[:, 1]
+    return Chains(bests.copy(), bests, energies, chains.draws[chosen])
 
 
 def _advance(setup: Setup, chains: Chains, steps: int, first: float, last: float) -> None:
     """Run every chain on for some steps; the result does not depend on the number of threads."""
-    bests = np.empty_like(chains.bests)
+    schedule = np.array([setup.heat.hot, setup.heat.cold, first, last])
+    p, grid, count = setup.p, setup.grid, len(chains.now)
 
-    def run(part: slice) -> Floats:
-        return anneal_chains(
-            setup.p, setup.grid, chains.frames[part], bests[part], chains.draws[part], False,
-            steps, setup.heat.hot, setup.heat.cold, first, last,
+    def run(part: slice) -> None:
+        chain = make_chain(len(p.limits), len(p.pairs))
+        free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
+        now, bests = chains.now[part], chains.bests[part]
+        energies, draws = chains.energies[part], chains.draws[part]
+        run_chains(
+            chain, p, grid, free, reached, now, bests, energies, draws, steps, schedule
         )  # fmt: skip
 
-    cuts = np.linspace(0, len(bests), min(setup.threads, len(bests)) + 1).astype(int)
-    parts = [slice(int(a), int(b)) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
-    energies = np.concatenate(
-        list(setup.pool.map(run, parts) if len(parts) > 1 else map(run, parts))
-    )
-    better = energies < chains.energies
-    chains.energies[better], chains.bests[better] = energies[better], bests[better]
+    cuts = np.linspace(0, count, min(setup.threads, count) + 1).astype(int)
+    parts = [slice(int(a), int(b)) for a, b in pairwise(cuts)]
+    list(setup.pool.map(run, parts) if len(parts) > 1 else map(run, parts))
 
 
 def pace_by_steps(steps: int, most: int) -> Iterator[tuple[int, float]]:
@@ -155,9 +167,9 @@ def _run_stage(
             setup, chains, steps, first + (1.0 - first) * before, first + (1.0 - first) * share
         )
         before, spent = share, spent + steps * len(chains.energies)
-        if setup.watch.over(spent, float(chains.energies.min())) and share < 1.0:
+        if setup.watch.over(spent, float(chains.energies[:, 1].min())) and share < 1.0:
             return spent, True
-    return spent, setup.watch.over(spent, float(chains.energies.min()))
+    return spent, setup.watch.over(spent, float(chains.energies[:, 1].min()))
 
 
 def _run_stages(setup: Setup, chains: Chains, budget: Budget) -> tuple[list[Chains], int]:
@@ -216,7 +228,7 @@ def anneal(
     chains = _begin(p, grid, SAMPLES, seed)
     threads = threads or min(os.cpu_count() or 1, 16)
     with ThreadPoolExecutor(threads) as pool:
-        setup = Setup(p, grid, _heat(chains.energies), watch, pool, threads)
+        setup = Setup(p, grid, _heat(chains.energies[:, 0]), watch, pool, threads)
         ended, spent = _run_stages(setup, chains, budget)
     bests = boxes_of(np.concatenate([part.bests for part in ended]))
-    return Found(distinct(bests, energies_of(p, grid, bests)), spent)
+    return Found(distinct(bests, energies_of(p, grid, bests)[0]), spent)

@@ -59,7 +59,7 @@ def turn(frame: Frame, scale: float, stream: Stream) -> Frame:
     """Quarter turns about the centre, or a small angle."""
     angle = scale * bell(stream)
     if uniform(stream) < 0.6:
-        angle = QUARTER * (1 + below(stream, 3))
+        angle = QUARTER * (1 + int(3.0 * uniform(stream)))
     return make_frame(frame[0], frame[1], frame[7] + angle, 2.0 * frame[4], 2.0 * frame[5])
 
 
@@ -70,9 +70,9 @@ def align(frame: Frame, p: Prepared, stream: Stream) -> Frame:
     heading = inward(p.walls[k]) if k >= 0 else 0.0
     if not math.isnan(p.normal) and (k < 0 or uniform(stream) < 0.5):
         heading = p.normal
-    steps = math.floor((frame[7] - heading) / QUARTER + 0.5)
+    steps = 1.0 * math.floor((frame[7] - heading) / QUARTER + 0.5)
     if uniform(stream) < 0.3:
-        steps = float(below(stream, 4))
+        steps = float(int(4.0 * uniform(stream)))
     return make_frame(frame[0], frame[1], heading + steps * QUARTER, 2.0 * frame[4], 2.0 * frame[5])
 
 
@@ -116,7 +116,7 @@ def resize(frame: Frame, limits: Floats, scale: float, stream: Stream) -> Frame:
     if kind > 0.35:
         d = min(max(d + scale * (limits[3] - limits[1]) * bell(stream), limits[1]), limits[3])
     x, y = back_of(frame)
-    shift = (0.5 * w - frame[4]) * (below(stream, 3) - 1.0)
+    shift = (0.5 * w - frame[4]) * (int(3.0 * uniform(stream)) - 1.0)
     return from_back(x + frame[3] * shift, y - frame[2] * shift, frame[7], 0.5 * w, 0.5 * d)
 
 
@@ -135,7 +135,7 @@ def relate(frame: Frame, other: Frame, first: bool, target: Floats, stream: Stre
     ``first`` if this is the item the bearing is measured from. What is left open is drawn.
     """
     distance = target[0] if not math.isnan(target[0]) else 1.0 + 2.0 * uniform(stream)
-    angle = target[1] if not math.isnan(target[1]) else QUARTER * below(stream, 4)
+    angle = target[1] if not math.isnan(target[1]) else QUARTER * int(4.0 * uniform(stream))
     bearing = target[2]
     if math.isnan(bearing):
         bearing = 0.0 if uniform(stream) < 0.5 else 2.0 * math.pi * uniform(stream)

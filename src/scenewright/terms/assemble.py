@@ -14,9 +14,7 @@ from numpy.typing import NDArray
 
 from scenewright.geometry.boxes import Floats, Frame, common_area, read_frame, read_sides
 from scenewright.geometry.compiled import compiled
-from scenewright.geometry.paths import Bits, Grid
 from scenewright.terms import clearance, orientation, packing, relations
-from scenewright.terms.circulation import route
 from scenewright.terms.table import (
     AGAINST_WALL,
     AGAINST_WALL_PRINTED,
@@ -31,7 +29,6 @@ from scenewright.terms.table import (
     OVERLAP,
     PAIRS,
     PAIRS_PRINTED,
-    ROUTE,
     SIZE,
     WISH,
 )
@@ -43,9 +40,10 @@ class Prepared(NamedTuple):
     """A problem ready for compiled code, in few arrays.
 
     ``zones`` (k, 10): frame of a box to be kept free, its term, the height it starts from.
-    ``sides`` (3, n, 4): clear, access, inset. ``traits`` (n, 8): height, back to wall, main
-    wall, daylight, nestle, preferred width and depth, how far clear zones stick out. ``limits`` (n, 4): least
-    width and depth, greatest width and depth. ``pairs`` (p, 2) and
+    ``clear``, ``access``, ``inset`` (n, 4) as of the items. ``traits`` (n, 8): height,
+    back to wall, main wall, daylight, nestle, preferred width and depth, how far clear zones
+    stick out.
+    ``limits`` (n, 4): least width and depth, greatest width and depth. ``pairs`` (p, 2) and
     ``targets`` (p, 4) with the weight last. ``related`` (2p,) lists the relations item i is in
     from ``related_start[i]`` to ``related_start[i + 1]``. ``normal`` is the main wall's inward
     direction (NaN without one), ``span`` the diagonal of the bounds.
@@ -54,7 +52,9 @@ class Prepared(NamedTuple):
     edges: Floats
     walls: Floats
     zones: Floats
-    sides: Floats
+    clear: Floats
+    access: Floats
+    inset: Floats
     traits: Floats
     limits: Floats
     pairs: Ints
@@ -78,7 +78,7 @@ def box_cost(frame: Frame, i: int, p: Prepared) -> tuple[float, float, float, fl
         shared += w[BOUNDARY] * packing.outside(frame, p.edges)
     shared += clearance.entered(frame, p.traits[i, 0], p.zones, w)
     if w[CLEAR_ROOM] != 0.0 and p.traits[i, 7] > 0.0:
-        clear = read_sides(p.sides, 0, i)
+        clear = read_sides(p.clear, i)
         shared += w[CLEAR_ROOM] * clearance.zone_blocked(frame, clear, p.edges, p.zones)
     if w[MAIN_WALL] != 0.0 and role != 0.0:
         own += w[MAIN_WALL] * orientation.main_wall(frame[7], role, p.normal)
@@ -110,7 +110,7 @@ def pair_cost(a: Frame, b: Frame, i: int, j: int, p: Prepared) -> float:
     if p.weights[OVERLAP] != 0.0:
         shared += p.weights[OVERLAP] * common_area(a, b)
     if p.weights[CLEAR_ITEMS] != 0.0 and beyond_box > 0.0:
-        clear_a, clear_b = read_sides(p.sides, 0, i), read_sides(p.sides, 0, j)
+        clear_a, clear_b = read_sides(p.clear, i), read_sides(p.clear, j)
         shared += p.weights[CLEAR_ITEMS] * clearance.zones_covered(a, b, clear_a, clear_b)
     return shared
 
@@ -137,30 +137,40 @@ def whole_cost(shared: float, own: float, area: float, turn: float, p: Prepared)
     return energy
 
 
+class Costs(NamedTuple):
+    """All parts of a layout's energy but the route: of ``boxes`` (n, 4) as :func:`box_cost` gives
+    them, ``pairs`` (n, n) symmetric, ``relations`` (r,), and the ``sums`` (4,) of the columns of
+    boxes with pairs and relations added."""
+
+    boxes: Floats
+    pairs: Floats
+    relations: Floats
+    sums: Floats
+
+
+def make_costs(n: int, relations: int) -> Costs:
+    """Room for the parts of a layout of ``n`` items."""
+    return Costs(np.zeros((n, 4)), np.zeros((n, n)), np.zeros(relations), np.zeros(4))
+
+
 @compiled
-def measure(frames: Floats, p: Prepared, boxes: Floats, pairs: Floats, relations: Floats) -> float:
-    """Energy without the route of frames (n, 8), all its parts written: ``boxes`` (n, 4) as of
-    :func:`box_cost`, ``pairs`` (n, n) symmetric, ``relations`` (p,)."""
+def measure(frames: Floats, p: Prepared, costs: Costs) -> float:
+    """Energy without the route of frames (n, 8); all its parts are written to ``costs``."""
     shared, own, area, turn = 0.0, 0.0, 0.0, 0.0
     for i in range(frames.shape[0]):
         frame = read_frame(frames, i)
         cost = box_cost(frame, i, p)
+        boxes = costs.boxes
         boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3] = cost
         shared, own, area, turn = shared + cost[0], own + cost[1], area + cost[2], turn + cost[3]
         for j in range(i):
             value = pair_cost(frame, read_frame(frames, j), i, j, p)
-            pairs[i, j] = pairs[j, i] = value
+            costs.pairs[i, j] = costs.pairs[j, i] = value
             shared += value
     for r in range(p.pairs.shape[0]):
         i, j = p.pairs[r, 0], p.pairs[r, 1]
-        relations[r] = relation_cost(read_frame(frames, i), read_frame(frames, j), r, p)
-        own += relations[r]
+        value = relation_cost(read_frame(frames, i), read_frame(frames, j), r, p)
+        costs.relations[r] = value
+        own += value
+    costs.sums[0], costs.sums[1], costs.sums[2], costs.sums[3] = shared, own, area, turn
     return whole_cost(shared, own, area, turn, p)
-
-
-@compiled
-def route_cost(frames: Floats, p: Prepared, grid: Grid, free: Bits, reached: Bits) -> float:
-    """Weighted cost of what the walking route does not reach."""
-    if p.weights[ROUTE] == 0.0:
-        return 0.0
-    return p.weights[ROUTE] * route(frames, p.sides, grid, free, reached)

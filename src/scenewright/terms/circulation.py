@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scenewright.geometry.boxes import Floats, Frame, Sides, beyond, part_of, read_frame, read_sides
 from scenewright.geometry.compiled import compiled
-from scenewright.geometry.paths import Bits, Grid, flood, mark_box, touches
+from scenewright.geometry.paths import CLEAR, LOOK, Bits, Grid, flood, sweep_box
 
 REACH = 0.2
 
@@ -25,18 +25,21 @@ def is_reached(frame: Frame, access: Sides, reached: Bits, grid: Grid) -> bool:
         if access[side] > 0.0:
             asked = True
             zone = beyond(frame, side, grid.radius - 0.5 * grid.cell + REACH)
-            if touches(reached, grid.x0, grid.y0, grid.cell, zone):
+            if sweep_box(reached, grid, zone, 0.0, LOOK):
                 return True
     return not asked
 
 
 @compiled
-def route(frames: Floats, sides: Floats, grid: Grid, free: Bits, reached: Bits) -> float:
+def route(
+    frames: Floats, access: Floats, inset: Floats, grid: Grid, free: Bits, reached: Bits
+) -> float:
     """Items not reached plus doors not joined to the first door, by a route of the stated width.
 
     A flood fill from the first door over the cells where a disc of the route's width fits; an
     item is reached if a filled cell lies within half the width + 0.2 m of a side it is used
-    from. ``sides`` (3, n, 4) are clear, access and inset; ``free`` and ``reached`` are scratch (h, k). A room without doors has nothing to reach.
+    from. ``access`` and ``inset`` (n, 4) are the items'; ``free`` and ``reached`` scratch
+    (h, k). A room without doors has nothing to reach.
     """
     doors = grid.doors.shape[0]
     if doors == 0:
@@ -46,8 +49,8 @@ def route(frames: Floats, sides: Floats, grid: Grid, free: Bits, reached: Bits) 
             free[row, word] = grid.free[row, word]
             reached[row, word] = grid.doors[0, row, word]
     for i in range(frames.shape[0]):
-        solid = solid_part(read_frame(frames, i), read_sides(sides, 2, i))
-        mark_box(free, grid.x0, grid.y0, grid.cell, solid, grid.radius, False)
+        solid = solid_part(read_frame(frames, i), read_sides(inset, i))
+        sweep_box(free, grid, solid, grid.radius, CLEAR)
     flood(reached, free)
     missed = 0.0
     for k in range(1, doors):
@@ -57,6 +60,6 @@ def route(frames: Floats, sides: Floats, grid: Grid, free: Bits, reached: Bits) 
                 joined |= (reached[row, word] & grid.doors[k, row, word]) != 0
         missed += 0.0 if joined else 1.0
     for i in range(frames.shape[0]):
-        solid = solid_part(read_frame(frames, i), read_sides(sides, 2, i))
-        missed += 0.0 if is_reached(solid, read_sides(sides, 1, i), reached, grid) else 1.0
+        solid = solid_part(read_frame(frames, i), read_sides(inset, i))
+        missed += 0.0 if is_reached(solid, read_sides(access, i), reached, grid) else 1.0
     return missed

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-
 from scenewright.geometry.boxes import (
     Floats,
     Frame,
