@@ -54,8 +54,8 @@ def arrange(request: Request, console: Console) -> tuple[Solution, Report]:
 def write_together(solution: Solution, outputs: Sequence[Path], watch: Watch) -> None:
     """Write all files under temporary names, then rename them all: either all appear or none."""
     with _temporary(outputs) as parts:
-        for done, (path, part) in enumerate(zip(outputs, parts, strict=True)):
-            watch.progress(done / len(outputs), f"writing {path.name}")
+        for path, part in zip(outputs, parts, strict=True):
+            watch.progress(1.0, f"writing {path.name}")
             _write(solution, part, path)
         for path, part in zip(outputs, parts, strict=True):
             _rename(part, path)

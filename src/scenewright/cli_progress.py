@@ -4,9 +4,9 @@ Ctrl-C that keeps the best so far."""
 from __future__ import annotations
 
 import signal
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from threading import Timer
 from types import FrameType
 from typing import NamedTuple
 
@@ -27,30 +27,31 @@ class Watch(NamedTuple):
 @contextmanager
 def watching(console: Console, quiet: bool = False) -> Iterator[Watch]:
     """A bar on ``console`` if the work takes over a second; the first Ctrl-C asks it to stop."""
-    with _bar(console) as bar, _interrupts() as interrupted:
-        task = bar.add_task("solving", total=1.0, start=True)
-        begun = time.monotonic()
+    with _bar(console, quiet) as bar, _interrupts() as interrupted:
+        task = bar.add_task("starting", total=1.0)
 
         def progress(fraction: float, message: str = "") -> None:
             bar.update(task, completed=min(max(fraction, 0.0), 1.0), description=message[:40])
-            if not quiet and not bar.live.is_started and time.monotonic() - begun > PATIENCE:
-                bar.start()
 
         yield Watch(progress, lambda: bool(interrupted))
 
 
 @contextmanager
-def _bar(console: Console) -> Iterator[Progress]:
-    """A progress bar that the caller may start; always stopped."""
+def _bar(console: Console, quiet: bool) -> Iterator[Progress]:
+    """A progress bar that appears after :data:`PATIENCE` seconds, if anyone is looking."""
     bar = Progress(
         TextColumn("{task.description}", markup=False), BarColumn(), TaskProgressColumn(),
         TimeElapsedColumn(), console=console, transient=True,
+        disable=quiet or not console.is_terminal,
     )  # fmt: skip
+    timer = Timer(PATIENCE, bar.start)
+    timer.start()
     try:
         yield bar
     finally:
-        if bar.live.is_started:
-            bar.stop()
+        timer.cancel()
+        timer.join()
+        bar.stop()
 
 
 @contextmanager
