@@ -1,0 +1,209 @@
+"""Pictures by ray casting: coloured triangles and a camera in, pixels out; no screen needed.
+
+One ray a pixel finds the surface; one more each goes to the sun and to the sky, and neighbours
+share what they found (:mod:`scenewright.geometry.light`). Pixels at edges are drawn again with
+four rays. Glass is laid over at the end. The same scene gives the same picture.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.catalog import Material
+from scenewright.geometry import finish, light, rays
+
+Singles = NDArray[np.float32]
+Ints = NDArray[np.int32]
+Pixels = NDArray[np.uint8]
+
+REACH = 2.2
+"""How far away, in metres, things still darken a surface."""
+SUN_SPREAD = 0.045
+FINER = np.array([[-0.375, -0.125], [0.125, -0.375], [0.375, 0.125], [-0.125, 0.375]], np.float32)
+"""Where in a pixel the four finer rays go (a rotated grid)."""
+PAGE = Material("page", (0.955, 0.950, 0.942))
+ROW = 7
+
+
+class Camera(NamedTuple):
+    """Eye, the point looked at (both in metres, z up) and the width of the view in radians."""
+
+    eye: tuple[float, float, float]
+    target: tuple[float, float, float]
+    angle: float
+
+
+class Stage(NamedTuple):
+    """What is drawn: triangles ``corners`` (m, 3, 3) with ``normals`` at their corners, the
+    ``finishes`` (m,) they have (rows of ``table``: linear colour, roughness, metallic, emission,
+    pattern), ``keys`` (m,) equal where light may be shared, ``smooth`` (m,) for round parts;
+    ``glass`` (g, 3, 3) and ``tints`` (g, 4), linear colour and opacity."""
+
+    corners: Singles
+    normals: Singles
+    finishes: Ints
+    keys: Ints
+    smooth: NDArray[np.bool_]
+    table: Singles
+    glass: Singles
+    tints: Singles
+
+
+class Seen(NamedTuple):
+    """What rays met: triangle, key (-1 for the page beyond), point and normal."""
+
+    met: Ints
+    keys: Ints
+    points: Singles
+    facing: Singles
+
+
+class View(NamedTuple):
+    """A camera as numbers: eye, axes (right, up, ahead), tangent of half the width, size."""
+
+    eye: Singles
+    axes: Singles
+    across: float
+    width: int
+    height: int
+
+
+def render(stage: Stage, camera: Camera, width: int, height: int,
+           sun: tuple[float, float, float] = (-0.55, 0.35, 1.0)) -> Pixels:  # fmt: skip
+    """The picture ``(height, width, 3)`` in sRGB; ``sun`` is the direction towards the sun."""
+    view = view_of(camera, width, height)
+    to_sun = _frame(sun)
+    solid = rays.build(stage.corners.reshape(-1, 3), _triples(len(stage.corners)))
+    every = np.arange(width * height, dtype=np.int32)
+    ways = _aimed(view, every, np.zeros((1, 2), np.float32))
+    seen = _look(stage, solid, view, ways)
+    arriving = _arriving(solid, view, seen, to_sun)
+    grain = _grain(view, stage)
+    linear = _shaded(stage, seen, ways, arriving, to_sun[2], grain)
+    _refine(stage, solid, view, seen, arriving, to_sun[2], grain, linear)
+    _glaze(stage, view, ways, seen, linear)
+    return developed(linear).reshape(height, width, 3)
+
+
+def view_of(camera: Camera, width: int, height: int) -> View:
+    """The camera's axes: right, up and ahead, with z upwards in the picture."""
+    eye, target = np.array(camera.eye, float), np.array(camera.target, float)
+    ahead = (target - eye) / np.linalg.norm(target - eye)
+    right = np.cross(ahead, [0.0, 0.0, 1.0])
+    right = right / np.linalg.norm(right)
+    axes = np.stack([right, np.cross(right, ahead), ahead]).astype(np.float32)
+    return View(eye.astype(np.float32), axes, float(np.tan(camera.angle / 2)), width, height)
+
+
+def developed(linear: Singles) -> Pixels:
+    """sRGB bytes of linear light, highlights rolled off above 0.8 so that white keeps its form."""
+    light_ = np.linspace(0.0, 4.0, 4096)
+    rolled = np.where(light_ < 0.7, light_, 0.7 + 0.3 * np.tanh((light_ - 0.7) / 0.3 * 0.75))
+    coded = np.where(rolled < 0.0031308, 12.92 * rolled, 1.055 * rolled ** (1 / 2.4) - 0.055)
+    shades = np.clip(np.round(coded * 255), 0, 255).astype(np.uint8)
+    return shades[np.minimum(linear * (4095 / 4.0), 4095.0).astype(np.int16)]
+
+
+def _frame(sun: tuple[float, float, float]) -> Singles:
+    """Two directions across the sun's, and the sun's own."""
+    towards = np.array(sun) / np.linalg.norm(sun)
+    side = np.cross(towards, [0.0, 1.0, 0.0] if abs(towards[1]) < 0.9 else [1.0, 0.0, 0.0])
+    side = side / np.linalg.norm(side)
+    return np.stack([side, np.cross(towards, side), towards]).astype(np.float32)
+
+
+def _triples(count: int) -> Ints:
+    return np.arange(3 * count, dtype=np.int32).reshape(-1, 3)
+
+
+def _aimed(view: View, pixels: Ints, shift: Singles) -> Singles:
+    ways = np.empty((len(pixels), 3), np.float32)
+    light.aim(view.axes, view.width, view.height, view.across, pixels, shift, ways)
+    return ways
+
+
+def _look(stage: Stage, solid: rays.Caster, view: View, ways: Singles) -> Seen:
+    """What each of the rays from the eye meets."""
+    met = rays.first(solid, np.broadcast_to(view.eye, ways.shape), ways)
+    keys = np.where(met >= 0, stage.keys[met], -1).astype(np.int32)
+    points, facing = np.zeros_like(ways), np.zeros_like(ways)
+    light.strike(view.eye, ways, met, stage.corners, stage.normals, stage.smooth, points, facing)
+    return Seen(met, keys, points, facing)
+
+
+def _arriving(solid: rays.Caster, view: View, seen: Seen, sun: Singles) -> Singles:
+    """Share of the sun and of the sky ``(n, 2)`` that reaches each pixel's surface."""
+    pixels = np.flatnonzero(seen.keys >= 0).astype(np.int32)
+    starts, to_sun, to_sky = (np.empty((len(pixels), 3), np.float32) for _ in range(3))
+    light.scatter(pixels, view.width, seen.points, seen.facing, sun, SUN_SPREAD, light.samples(),
+                  starts, to_sun, to_sky)  # fmt: skip
+    raw = np.ones((len(seen.keys), 2), np.float32)
+    raw[pixels, 0] = ~rays.occluded(solid, starts, to_sun)
+    raw[pixels, 1] = ~rays.occluded(solid, starts, to_sky, REACH)
+    rows, both = raw.copy(), raw.copy()
+    light.average(seen.keys, view.width, 1, raw, rows)
+    light.average(seen.keys, view.width, view.width, rows, both)
+    return both
+
+
+def _shaded(stage: Stage, seen: Seen, ways: Singles, arriving: Singles, to_sun: Singles,
+            grain: float) -> Singles:  # fmt: skip
+    linear = np.empty((len(ways), 3), np.float32)
+    finishes = np.where(seen.met >= 0, stage.finishes[seen.met], len(stage.table) - 1)
+    finish.shade(seen.points, seen.facing, ways, finishes.astype(np.int32), stage.table, arriving,
+                 to_sun, grain, linear)  # fmt: skip
+    return linear
+
+
+def _refine(stage: Stage, solid: rays.Caster, view: View, seen: Seen, arriving: Singles,
+            to_sun: Singles, grain: float, linear: Singles) -> None:  # fmt: skip
+    """Draw the pixels at edges again, as the mean of four finer rays."""
+    marked = np.zeros(len(seen.keys), np.bool_)
+    light.edges(seen.keys, view.width, marked)
+    pixels = np.repeat(np.flatnonzero(marked).astype(np.int32), len(FINER))
+    ways = _aimed(view, pixels, FINER)
+    finer = _look(stage, solid, view, ways)
+    lent = np.empty((len(pixels), 2), np.float32)
+    light.borrow(pixels, seen.keys, view.width, arriving, finer.keys, lent)
+    shades = _shaded(stage, finer, ways, lent, to_sun, grain)
+    linear[pixels[:: len(FINER)]] = np.minimum(shades, 1.2).reshape(-1, len(FINER), 3).mean(1)
+
+
+def _glaze(stage: Stage, view: View, ways: Singles, seen: Seen, linear: Singles) -> None:
+    """Lay the colour of glass over what is seen through it."""
+    if not len(stage.glass):
+        return
+    pixels = _covered(stage.glass, view)
+    panes = rays.build(stage.glass.reshape(-1, 3), _triples(len(stage.glass)))
+    start = np.broadcast_to(view.eye, (len(pixels), 3))
+    distance, face, _ = rays.hits(panes, start, ways[pixels])
+    behind = np.linalg.norm(seen.points[pixels] - view.eye, axis=1)
+    behind /= np.linalg.norm(ways[pixels], axis=1)
+    over = (face >= 0) & ((distance < behind) | (seen.met[pixels] < 0))
+    tint = stage.tints[face[over]]
+    share = tint[:, 3:]
+    linear[pixels[over]] = linear[pixels[over]] * (1 - share) + tint[:, :3] * share
+
+
+def _covered(triangles: Singles, view: View) -> Ints:
+    """Pixels within the bounds of any of the triangles on the screen."""
+    away = (triangles - view.eye) @ view.axes.T
+    step = 2.0 * view.across / view.width
+    x = away[..., 0] / away[..., 2] / step + view.width / 2
+    y = view.height / 2 - away[..., 1] / away[..., 2] / step
+    mask = np.zeros((view.height, view.width), np.bool_)
+    for left, right, top, bottom in np.stack(
+        [x.min(1), x.max(1) + 2, y.min(1), y.max(1) + 2], 1
+    ).clip(0).astype(int).tolist():  # fmt: skip
+        mask[top:bottom, left:right] = True
+    return np.flatnonzero(mask).astype(np.int32)
+
+
+def _grain(view: View, stage: Stage) -> float:
+    """Size of a pixel in metres at the middle of the stage."""
+    middle = stage.corners.reshape(-1, 3)
+    away = float(np.linalg.norm((middle.min(0) + middle.max(0)) / 2 - view.eye))
+    return 2 * view.across / view.width * away
