@@ -165,7 +165,7 @@ def _parts(
 ) -> list[Part]:
     """The parts of one term: the kernels run with its weight 1 and all others 0."""
     only = np.zeros(len(TERMS))
-    only[row.index] = 1.0
+    only[row.number] = 1.0
     energies, _, costs = energies_of(p._replace(weights=only), grid, boxes[None])
     divisor = float(costs.boxes[:, 2].sum()) if row.per_area else 1.0
     if row.kind == "whole":
@@ -191,7 +191,7 @@ def explain(problem: Problem, boxes: Floats, cell: float = 0.05) -> list[Part]:
     layout = np.array(boxes, np.float64, order="C")
     parts: list[Part] = []
     for row in TERMS:
-        weight = float(prepared.weights[row.index])
+        weight = float(prepared.weights[row.number])
         if weight != 0.0:
             parts += _parts(row, weight, prepared, grid, layout, problem.names)
     return parts

@@ -23,13 +23,13 @@ from scenewright.errors import InputError
 
 
 class Term(NamedTuple):
-    """One row. ``name`` is what weights are given by (two forms of one term share it), ``index``
+    """One row. ``name`` is what weights are given by (two forms of one term share it), ``number``
     its place in the vector of weights. ``kind`` tells what the value is of: one box, one pair
     of boxes, or the whole layout. ``per_area``: an area, divided by the summed area of all items.
     ``function`` is the compiled function, as theme:name."""
 
     name: str
-    index: int
+    number: int
     form: Literal["both", "printed", "repaired"]
     kind: Literal["box", "pair", "whole"]
     per_area: bool
@@ -116,7 +116,9 @@ def read_weights(weights: Mapping[str, float], printed: bool) -> NDArray[np.floa
     """
     unwanted = "repaired" if printed else "printed"
     twice = {row.name for row in TERMS if row.form == "printed"}
-    places = {row.name: row.index for row in TERMS if row.form != unwanted or row.name not in twice}
+    places = {
+        row.name: row.number for row in TERMS if row.form != unwanted or row.name not in twice
+    }
     vector = np.zeros(len(TERMS))
     for name, weight in weights.items():
         if name not in places:

@@ -1,0 +1,52 @@
+"""Genes of rectangles: what the paper's genetic algorithm works on, and back to boxes.
+
+A gene row is ``(x, y, θ, lx, ly)`` (Liu et al. 2017): the lower left corner of the rectangle in
+its own axes, the angle of its own x axis, length and width. The edge on its own x axis is the
+back, so a box's heading is θ + π / 2, its width lx and its depth ly.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.problem import Problem
+
+Floats = NDArray[np.float64]
+
+
+def to_boxes(genes: Floats) -> Floats:
+    """Boxes ``(..., n, 5)`` of genes ``(..., n, 5)``.
+
+    >>> to_boxes(np.array([[0.0, 0.0, 0.0, 2.0, 1.0]])).round(3).tolist()
+    [[1.0, 0.5, 1.571, 2.0, 1.0]]
+    """
+    x, y, angle, length, width = np.moveaxis(genes, -1, 0)
+    cos, sin = np.cos(angle), np.sin(angle)
+    centre_x = x + 0.5 * (length * cos - width * sin)
+    centre_y = y + 0.5 * (length * sin + width * cos)
+    return np.stack([centre_x, centre_y, angle + 0.5 * np.pi, length, width], axis=-1)
+
+
+def to_genes(boxes: Floats) -> Floats:
+    """Genes ``(..., n, 5)`` of boxes ``(..., n, 5)``, angles in [0, 2π).
+
+    >>> to_genes(np.array([[1.0, 0.5, np.pi / 2, 2.0, 1.0]])).round(3).tolist()
+    [[0.0, 0.0, 0.0, 2.0, 1.0]]
+    """
+    x, y, heading, width, depth = np.moveaxis(boxes, -1, 0)
+    angle = (heading - 0.5 * np.pi) % (2.0 * np.pi)
+    cos, sin = np.cos(angle), np.sin(angle)
+    corner_x = x - 0.5 * (width * cos - depth * sin)
+    corner_y = y - 0.5 * (width * sin + depth * cos)
+    return np.stack([corner_x, corner_y, angle, width, depth], axis=-1)
+
+
+def gene_bounds(problem: Problem) -> tuple[Floats, Floats]:
+    """Least and greatest genes ``(n, 5)``: corners within the ground's bounds, any angle, sizes
+    within the items' limits."""
+    ground, items = problem.ground, problem.items
+    n = len(items.low)
+    low = np.column_stack([np.tile(ground.bounds[:2], (n, 1)), np.zeros(n), items.low])
+    turns = np.full(n, 2.0 * np.pi)
+    return low, np.column_stack([np.tile(ground.bounds[2:], (n, 1)), turns, items.high])
