@@ -98,6 +98,12 @@ def swing_square(opening: Opening) -> Polygon | None:
 def _opening(view: View, opening: Opening) -> str:
     if opening.kind == "window":
         return _window(view, opening)
+    half, face = opening.width / 2, opening.thickness / 2
+    gap = [to_paper(view, _box(opening, -half, half, -face, face))]
+    return group([shape(gap, fill=FLOOR, stroke="none"), _way(view, opening)])
+
+
+def _way(view: View, opening: Opening) -> str:
     if opening.kind == "passage":
         return _faces(view, opening, stroke_dasharray="1 0.7", stroke_width=LINE)
     if opening.hinge and opening.swing:
