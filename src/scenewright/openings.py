@@ -7,7 +7,6 @@ Here it becomes one shared value on the middle line of the wall.
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -15,12 +14,12 @@ import numpy as np
 from scenewright import outlines
 from scenewright.brief import Brief, Door, Window
 from scenewright.errors import InputError
+from scenewright.outlines import project, run_lengths, wall_runs
 from scenewright.space import Opening, OpeningKind, Points, Space
 
 REACH = 0.35
 SLIDE = 0.3
 CLIP = 0.1
-CURVE = np.cos(np.deg2rad(25.0))
 WIDEST_WALL = 0.6
 THINNEST_WALL = 0.02
 
@@ -168,35 +167,6 @@ def _line(stretch: Stretch) -> tuple[Points, Points, float]:
     along = stretch.end - stretch.start
     width = float(np.hypot(*along))
     return (stretch.start + stretch.end) / 2, along / width, width
-
-
-def wall_runs(ring: Points) -> list[Points]:
-    """The walls of a ring as polylines: cut at every corner of more than 25 degrees."""
-    along = np.roll(ring, -1, axis=0) - ring
-    along /= np.linalg.norm(along, axis=1)[:, None]
-    turn = (along * np.roll(along, 1, axis=0)).sum(1)
-    cuts = np.flatnonzero(turn < CURVE)
-    if len(cuts) == 0:
-        return [np.vstack([ring, ring[:1]])]
-    turned = np.roll(ring, -cuts[0], axis=0)
-    ends = [*(cuts - cuts[0]).tolist(), len(ring)]
-    closed = np.vstack([turned, turned[:1]])
-    return [closed[a : b + 1] for a, b in pairwise(ends)]
-
-
-def run_lengths(run: Points) -> Points:
-    steps = np.linalg.norm(np.diff(run, axis=0), axis=1)
-    return np.concatenate([[0.0], np.cumsum(steps)])
-
-
-def project(run: Points, at: Points) -> tuple[float, float]:
-    """Arc length and distance of the point of a polyline that is nearest to ``at``."""
-    start, along = run[:-1], np.diff(run, axis=0)
-    length = np.linalg.norm(along, axis=1)
-    t = np.clip(((at - start) * along).sum(1) / length**2, 0.0, 1.0)
-    away = np.linalg.norm(start + t[:, None] * along - at, axis=1)
-    best = int(np.argmin(away))
-    return float(length[:best].sum() + t[best] * length[best]), float(away[best])
 
 
 def _nearest_point(runs: list[Points], away: list[tuple[float, float]]) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 import shapely
@@ -19,6 +20,7 @@ SAME_POINT = 1e-3
 STRAIGHT = 1e-5
 LEAST_AREA = 0.1
 GREATEST_EXTENT = 300.0
+CURVE = np.cos(np.deg2rad(25.0))
 
 
 def ring(points: Sequence[tuple[float, float]] | Points, *, clockwise: bool = False) -> Points:
@@ -95,6 +97,40 @@ def rings(floor: shapely.Polygon) -> tuple[Points, tuple[Points, ...]]:
     holes = (ring(shapely.get_coordinates(hole), clockwise=True) for hole in floor.interiors)
     outline = ring(shapely.get_coordinates(floor.exterior))
     return outline, tuple(hole for hole in holes if len(hole) > 2 and -signed_area(hole) > 1e-4)
+
+
+def wall_runs(ring: Points) -> list[Points]:
+    """The walls of a ring as polylines: cut at every corner of more than 25 degrees.
+
+    >>> len(wall_runs(ring([(0, 0), (4, 0), (4, 3), (0, 3)])))
+    4
+    """
+    along = np.roll(ring, -1, axis=0) - ring
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    turn = (along * np.roll(along, 1, axis=0)).sum(1)
+    cuts = np.flatnonzero(turn < CURVE)
+    if len(cuts) == 0:
+        return [np.vstack([ring, ring[:1]])]
+    turned = np.roll(ring, -cuts[0], axis=0)
+    ends = [*(cuts - cuts[0]).tolist(), len(ring)]
+    closed = np.vstack([turned, turned[:1]])
+    return [closed[a : b + 1] for a, b in pairwise(ends)]
+
+
+def run_lengths(run: Points) -> Points:
+    """Arc length ``(n,)`` at every corner of a polyline ``(n, 2)``."""
+    steps = np.linalg.norm(np.diff(run, axis=0), axis=1)
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def project(run: Points, at: Points) -> tuple[float, float]:
+    """Arc length and distance of the point of a polyline that is nearest to ``at``."""
+    start, along = run[:-1], np.diff(run, axis=0)
+    length = np.linalg.norm(along, axis=1)
+    t = np.clip(((at - start) * along).sum(1) / length**2, 0.0, 1.0)
+    away = np.linalg.norm(start + t[:, None] * along - at, axis=1)
+    best = int(np.argmin(away))
+    return float(length[:best].sum() + t[best] * length[best]), float(away[best])
 
 
 def _without_doubles(corners: Points) -> Points:

@@ -35,8 +35,9 @@ LAST = {
     "doppelzimmer; hauptschlafzimmer; parents; parents room; master suite; primary suite; mbr",
     "single_bedroom": "single bedroom; single room; maid room; maids room; einzelzimmer;"
     "staff bedroom",
-    "child_bedroom": "child; kid; children; kids; baby; child bedroom; children bedroom; childrens bedroom; childs bedroom;"
-    "kids bedroom; kid bedroom; kids room; kid room; child room; childs room; children room;"
+    "child_bedroom": "child; kid; children; kids; baby; child bedroom; children bedroom;"
+    "childrens bedroom; childs bedroom; kids bedroom; kid bedroom; kids room; kid room;"
+    "child room; childs room; children room;"
     "childrens room; boys room; girls room; boy room; girl room; nursery; playroom; play room;"
     "baby room; babys room; kinderzimmer; babyzimmer; kind; kinder; spielzimmer; jugendzimmer",
     "study": "study; office; home office; den; library; work room; workroom; workspace; computer;"

@@ -84,19 +84,17 @@ def _no_constant(name: str) -> float:
 
 
 def _told(error: ValidationError) -> InputError:
-    """The first error of pydantic in our words, and how many more there are."""
-    found: dict[str, Any] = {}
-    for one in error.errors(include_url=False):
-        where = _place(one["loc"])
-        if not any(where.startswith(told) for told in found):
-            found[where] = one
-        elif where not in found:  # the other reading of "one or a list" knows more exactly
-            found = {where if where.startswith(t) else t: one if where.startswith(t) else e
-                     for t, e in found.items()}  # fmt: skip
-    where, first = next(iter(found.items()))
-    fault, remedy = _fault(first)
-    rest = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
-    return InputError(fault + rest, remedy, place=where)
+    """The first error of pydantic in our words, and how many more there are.
+
+    Where a value may be one or a list there is an error for each reading: the deepest counts.
+    """
+    errors = error.errors(include_url=False)
+    places = [_place(one["loc"]) for one in errors]
+    twins = [i for i, place in enumerate(places) if place.startswith(places[0])]
+    best = max(twins, key=lambda i: len(places[i]))
+    fault, remedy = _fault(errors[best])
+    more = len(errors) - len(twins)
+    return InputError(fault + f" (and {more} more)" * bool(more), remedy, place=places[best])
 
 
 def _fault(error: Any) -> tuple[str, str]:

@@ -13,8 +13,7 @@ from shapely.geometry.base import BaseGeometry
 from scenewright.brief import Door, Window
 from scenewright.formats.sh3d_floors import grown
 from scenewright.formats.sh3d_xml import HomePiece, Sash
-from scenewright.openings import project, run_lengths, wall_runs
-from scenewright.outlines import edges, rings
+from scenewright.outlines import edges, project, rings, run_lengths, wall_runs
 from scenewright.space import Points
 
 PARALLEL = 0.9
