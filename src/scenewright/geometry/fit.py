@@ -102,3 +102,64 @@ def side_gaps(box: Floats, walls: Floats) -> tuple[float, float]:
         left = min(left, distance_to_segment(box[0] - dx, box[1] - dy, w[0], w[1], w[2], w[3]))
         right = min(right, distance_to_segment(box[0] + dx, box[1] + dy, w[0], w[1], w[2], w[3]))
     return left, right
+
+
+@compiled
+def _stands(x: float, y: float, boxes: Floats, me: int, edges: Floats, zones: Floats) -> bool:
+    """True if box ``me`` moved to (x, y), drawn in by a millimetre a side, meets nothing."""
+    width, depth = max(boxes[me, 3] - 2e-3, 1e-3), max(boxes[me, 4] - 2e-3, 1e-3)
+    frame = make_frame(x, y, boxes[me, 2], width, depth)
+    if width * depth - area_in_polygon(frame, edges) > _NOTHING:
+        return False
+    for k in range(boxes.shape[0]):
+        z = boxes[k]
+        if k != me and common_area(frame, make_frame(z[0], z[1], z[2], z[3], z[4])) > _NOTHING:
+            return False
+    for k in range(zones.shape[0]):
+        z = zones[k]
+        if common_area(frame, make_frame(z[0], z[1], z[2], z[3], z[4])) > _NOTHING:
+            return False
+    return True
+
+
+@compiled
+def _room_beside(
+    boxes: Floats, me: int, sign: float, most: float, edges: Floats, zones: Floats
+) -> float:
+    """How far a box can slide sideways until it touches something; ``most`` if nothing is met."""
+    x, y = boxes[me, 0], boxes[me, 1]
+    dx, dy = sign * np.sin(boxes[me, 2]), -sign * np.cos(boxes[me, 2])
+    if _stands(x + dx * most, y + dy * most, boxes, me, edges, zones):
+        return most
+    low, high = 0.0, most
+    for _ in range(9):
+        middle = 0.5 * (low + high)
+        if _stands(x + dx * middle, y + dy * middle, boxes, me, edges, zones):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@compiled_entry
+def settle(
+    boxes: Floats, may: NDArray[np.bool_], edges: Floats, zones: Floats, most: float
+) -> Floats:
+    """Boxes ``(n, 5)`` pushed sideways against the nearer neighbour or wall, where a gap of less
+    than ``most`` metres lies between; only those that ``may``, one after the other.
+
+    >>> room = np.array([[0, 0, 4, 0], [4, 0, 4, 3], [4, 3, 0, 3], [0, 3, 0, 0]], float)
+    >>> row = np.array([[0.6, 0.3, np.pi / 2, 1.0, 0.6]])
+    >>> float(settle(row, np.array([True]), room, row[:0], 0.3)[0, 0].round(2))
+    0.5
+    """
+    found = boxes.copy()
+    for i in range(boxes.shape[0]):
+        if may[i] and _stands(found[i, 0], found[i, 1], found, i, edges, zones):
+            right = _room_beside(found, i, 1.0, most, edges, zones)
+            left = _room_beside(found, i, -1.0, most, edges, zones)
+            if min(left, right) < most:
+                shift = right if right <= left else -left
+                found[i, 0] += shift * np.sin(found[i, 2])
+                found[i, 1] -= shift * np.cos(found[i, 2])
+    return found

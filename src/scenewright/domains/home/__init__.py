@@ -26,6 +26,7 @@ from scenewright.domains.home.presets import PRESETS, Preset
 from scenewright.domains.home.programme import Wish, programme, resolved
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.room import Furnished, Task, furnish
+from scenewright.domains.home.ways import unreached
 from scenewright.errors import InputError
 from scenewright.plan import spaces
 from scenewright.scene import Piece, Pose, Size
@@ -123,9 +124,11 @@ def _task(
     taken = sum(p.size.width * p.size.depth for p in fixed if p.size.height > 0.05)
     area = max(float(shape.area) - taken, 0.1)
     stream = int(np.random.SeedSequence([seed, crc32(space.id.encode())]).generate_state(1)[0])
+    ground = ground_of(space, fixed, area)
+    tight = unreached(ground, fixed, catalog, brief.route_width)
     return Task(
-        space, ground_of(space, fixed, area), fixed, catalog, preset, solver,
-        brief.route_width, stream % 2**31, cancel,
+        space, ground, fixed, catalog, preset, solver, brief.route_width, tight,
+        stream % 2**31, cancel,
     )  # fmt: skip
 
 

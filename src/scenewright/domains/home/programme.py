@@ -72,7 +72,7 @@ PROGRAMME: dict[str, tuple[Row, ...]] = {
         Row("basin", 0), Row("washer", 0), Row("linen", 1, 3), Row("basket", 2, 3),
     ),
     "hall": (
-        Row("shoes", 0, 3), Row("shoes", 1, 1.5, 3), Row("coats", 2, 4), Row("console", 2, 9),
+        Row("shoes", 1, 1.5), Row("coats", 2, 4), Row("console", 2, 9),
         Row("plant", 2, 12),
     ),
     "storage": (Row("storage", 0), Row("storage", 1, 2.2), Row("storage", 2, 4.5)),

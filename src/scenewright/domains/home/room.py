@@ -12,16 +12,17 @@ from scenewright.catalog import Catalog
 from scenewright.domains.home.dress import (
     Dressed,
     Refused,
-    Standing,
     dress_patch,
     joined,
     pieces_of,
     standing_of,
 )
+from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.pose import problem_of
 from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import ALSO, FALLBACK, Wish
 from scenewright.domains.home.ways import unreached
+from scenewright.geometry.fit import settle
 from scenewright.problem import Ground, Problem
 from scenewright.scene import Piece
 from scenewright.solve import Budget
@@ -34,11 +35,13 @@ Cancel = Callable[[], bool]
 PENALTY = (1000.0, 60.0, 8.0)  # for what is missing, by rank
 UNREACHED = 300.0
 LOST = 4.0
+CLOSE = 0.3  # gaps up to this many metres beside a patch are closed
 LAYOUTS = 5  # how many of the solver's layouts are dressed
 
 
 class Task(NamedTuple):
-    """All that does not change while one room is furnished."""
+    """All that does not change while one room is furnished; ``tight`` names the doors that no
+    route joins even while the room is empty."""
 
     space: Space
     ground: Ground
@@ -47,6 +50,7 @@ class Task(NamedTuple):
     preset: Preset
     solver: str
     route_width: float
+    tight: frozenset[str]
     seed: int
     cancel: Cancel | None
 
@@ -80,42 +84,68 @@ class Furnished(NamedTuple):
 
 
 def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
-    """The best answer found: all wishes at once, then again with what held and fallbacks for the
-    rest, at last with the essential alone."""
+    """The best answer found: all wishes at once; if that fails, what held and fallbacks for the
+    rest; then the first wish alone; what is still missing is tried in the room that is left."""
     best = _attempt(task, wishes, _share(budget, 0.5), task.seed)
-    if _complete(best):
-        return best
-    for round_, fewer in enumerate((_held, _essential), 1):
-        again = fewer(best)
-        if again == wishes or not again:
-            continue
-        tried = _attempt(task, again, _share(budget, 0.25), task.seed + round_)
-        best = _better(best, _reported(tried, wishes, best))
-        if not any(m.wish.rank == 0 for m in best.missing) and not best.unreached:
-            break
-    return best
+    for round_, fewer in enumerate((_held, _core), 1):
+        again = () if _sound(best) else fewer(best, wishes)
+        if again and again != wishes:
+            tried = _attempt(task, again, _share(budget, 0.2), task.seed + round_)
+            best = _better(best, _reported(tried, wishes, best))
+    return best if not best.missing else _filled(task, best, _share(budget, 0.2))
 
 
-def _complete(answer: Furnished) -> bool:
-    return not answer.missing and not answer.unreached
+def _sound(answer: Furnished) -> bool:
+    """Nothing essential is missing and everything can be reached."""
+    return not answer.unreached and not any(m.wish.rank == 0 for m in answer.missing)
 
 
-def _held(answer: Furnished) -> tuple[Wish, ...]:
+def _held(answer: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
     """What stood and could be reached, and fallbacks for what did not."""
-    kept = [p.wish for p in answer.placed if p.name not in answer.unreached or p.wish.rank < 2]
-    for missing in answer.missing:
-        wish = missing.wish
-        other = FALLBACK.get(wish.group)
-        if other:
-            kept.append(wish._replace(group=other))
-            kept += [wish._replace(group=ALSO[other])] if other in ALSO else []
+    kept: list[Wish] = []
+    for wish in wishes:
+        stood = [p for p in answer.placed if p.wish == wish]
+        if stood and (wish.rank == 0 or stood[0].name not in answer.unreached):
+            kept.append(wish)
+        elif wish.group in FALLBACK:
+            kept += _instead(wish)
         elif wish.rank == 0:
             kept.append(wish)
-    return tuple(sorted(kept, key=lambda w: w.rank))
+    return tuple(kept)
 
 
-def _essential(answer: Furnished) -> tuple[Wish, ...]:
-    return tuple(w for w in _held(answer) if w.rank == 0 or w.required)
+def _core(answer: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
+    """The first essential wish alone, if it is missing, as its fallback."""
+    first = wishes[0]
+    lacking = any(m.wish == first or m.wish in _instead(first) for m in answer.missing)
+    return tuple(_instead(first)) if lacking else ()
+
+
+def _instead(wish: Wish) -> list[Wish]:
+    other = FALLBACK.get(wish.group, wish.group)
+    also = [ALSO[other]] if other in ALSO else []
+    return [wish._replace(group=group) for group in (other, *also)]
+
+
+def _filled(task: Task, answer: Furnished, budget: Budget) -> Furnished:
+    """Try what is missing in the room that is left, with what stands taken as fixed."""
+    wishes = tuple(m.wish for m in answer.missing if m.wish.rank < 2 or len(answer.missing) < 4)
+    taken = np.array([p.dressed.box for p in answer.placed]).reshape(-1, 5)
+    ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, taken]))
+    problem = problem_of(
+        ground, wishes, task.preset.weights, task.preset.printed, task.route_width
+    )
+    found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
+    best = answer
+    for layout in found.layouts[:2]:
+        more = _dressed(task, wishes, problem, layout.boxes, answer.energy, answer.placed)
+        others = tuple(m for m in answer.missing if m.wish not in wishes)
+        more = more._replace(
+            missing=(*more.missing, *others),
+            score=more.score + sum(PENALTY[m.wish.rank] for m in others),
+        )
+        best = min(best, more, key=lambda a: a.score)
+    return best._replace(evaluations=answer.evaluations + found.evaluations)
 
 
 def _reported(tried: Furnished, wishes: tuple[Wish, ...], before: Furnished) -> Furnished:
@@ -161,13 +191,44 @@ def _attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) ->
 
 
 def _dressed(
-    task: Task, wishes: tuple[Wish, ...], problem: Problem, boxes: Floats, energy: float
-) -> Furnished:
+    task: Task, wishes: tuple[Wish, ...], problem: Problem, boxes: Floats, energy: float,
+    before: tuple[Placed, ...] = (),
+) -> Furnished:  # fmt: skip
+    """Dress a layout; then once more with the patches pushed together."""
+    placed, missing = _placed(task, wishes, problem.names, boxes, before)
+    if task.preset.exact and placed:
+        names = tuple(p.name for p in placed)
+        settled = settle(
+            np.array([p.dressed.box for p in placed]),
+            np.array([GROUPS[p.wish.group].nestle > 0 for p in placed]) & _new(placed, before),
+            task.ground.edges, np.concatenate([task.ground.keep_free, task.ground.obstacles]),
+            CLOSE,
+        )  # fmt: skip
+        again, lost = _placed(task, tuple(p.wish for p in placed), names, settled, ())
+        if not lost and _lost(again) <= _lost(placed):
+            placed = again
+    return _scored(task, placed, missing, problem, energy)
+
+
+def _new(placed: tuple[Placed, ...], before: tuple[Placed, ...]) -> NDArray[np.bool_]:
+    return np.array([p not in before for p in placed])
+
+
+def _lost(placed: tuple[Placed, ...]) -> int:
+    return sum(p.dressed.lost for p in placed)
+
+
+def _placed(
+    task: Task, wishes: tuple[Wish, ...], names: tuple[str, ...], boxes: Floats,
+    before: tuple[Placed, ...],
+) -> tuple[tuple[Placed, ...], tuple[Missing, ...]]:  # fmt: skip
+    """Dress the patches one by one, in order, beside what was placed before."""
     flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
-    standing: Standing = standing_of(task.fixed, flat)
-    placed: list[Placed] = []
-    missing: list[Missing] = []
-    for wish, name, box in zip(wishes, problem.names, boxes, strict=True):
+    standing = standing_of((*task.fixed, *(q for p in before for q in p.pieces)), flat)
+    placed, missing = list(before), []
+    taken = {p.name for p in before}
+    for wish, wanted, box in zip(wishes, names, boxes, strict=True):
+        name = wanted if wanted not in taken else f"{wanted}_{len(taken) + 1}"
         dressed = dress_patch(
             wish.group, box, task.ground, standing, task.catalog, task.space.height,
             task.preset.exact,
@@ -178,8 +239,9 @@ def _dressed(
         group = f"{task.space.id}/{name}"
         pieces = pieces_of(dressed, task.space.id, group, wish.group, task.catalog)
         placed.append(Placed(wish, name, dressed, pieces))
+        taken.add(name)
         standing = joined(standing, standing_of(pieces, flat))
-    return _scored(task, tuple(placed), tuple(missing), problem, energy)
+    return tuple(placed), tuple(missing)
 
 
 def _scored(
@@ -212,16 +274,23 @@ def _opened(
         others = tuple(p for p in placed if p is not candidate)
         still = _blocked(task, others)
         if len(still) < len(blocked):
+            opened = sorted(set(blocked) - set(still))
             placed, blocked = others, still
-            reason = "it would stand in the way to " + " and ".join(
-                sorted(candidate.name if b == candidate.name else b for b in blocked)
-            ) if blocked else "no walking route of the stated width would be left"
-            gone.append(Missing(candidate.wish, reason))
+            gone.append(Missing(candidate.wish, _barred(candidate.name, opened)))
     return placed, tuple(gone), blocked
 
 
+def _barred(name: str, opened: list[str]) -> str:
+    others = [o.replace("_", " ") for o in opened if o != name]
+    if not others:
+        return "no walking route of the stated width would reach it"
+    return f"it would bar the walking route to the {' and the '.join(others)}"
+
+
 def _blocked(task: Task, placed: tuple[Placed, ...]) -> tuple[str, ...]:
-    """Names of the groups with a piece that no route reaches."""
+    """Names of the groups with a piece that no route reaches, and of doors that none joins,
+    unless the empty room is too tight for that already."""
     pieces = [p for item in placed for p in item.pieces]
     far = unreached(task.ground, (*task.fixed, *pieces), task.catalog, task.route_width)
-    return tuple(item.name for item in placed if any(p.id in far for p in item.pieces))
+    doors = sorted(name for name in far - task.tight if name.startswith("door "))
+    return (*doors, *(item.name for item in placed if any(p.id in far for p in item.pieces)))

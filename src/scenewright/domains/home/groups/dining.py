@@ -16,7 +16,7 @@ TUCK = 0.2  # how far a chair stands under the table
 def dining() -> Iterator[Group]:
     """Tables for two to eight, chairs on all used sides."""
     yield _table(0.75, 0.75, sides=1, ends=0)
-    yield _table(0.8, 0.8, sides=1, ends=1)
+    yield _table(0.9, 0.9, sides=1, ends=1)
     for length, deep in ((1.2, 0.75), (1.3, 0.8), (1.4, 0.85), (1.6, 0.9)):
         yield _table(length, deep, sides=2, ends=0)
     for length, deep in ((1.6, 0.9), (1.8, 0.95), (2.0, 1.0)):
@@ -28,10 +28,11 @@ def dining() -> Iterator[Group]:
 
 def dining_wall() -> Iterator[Group]:
     """A table with its long side at the wall: two chairs at the front or at the ends."""
-    for length, deep in ((0.8, 0.6), (1.0, 0.65), (1.2, 0.75)):
+    for length, deep in ((0.7, 0.6), (0.9, 0.6), (1.0, 0.65), (1.2, 0.75)):
         yield _wall_table(length, deep, front=1 if length < 1 else 2, ends=0)
         yield _wall_table(length, deep, front=0, ends=1)
-        yield _wall_table(length, deep, front=1 if length < 1 else 2, ends=1)
+        if length >= 0.9:
+            yield _wall_table(length, deep, front=1, ends=1)
 
 
 def _chairs_along(length: float, count: int, y: float, heading: float) -> list[Member]:
@@ -86,7 +87,8 @@ def _wall_table(length: float, deep: float, front: int, ends: int) -> Group:
         Member("vase", 0, y - deep / 5, 0.74, 0, Size(0.14, 0.14, 0.26), on=0),
     ]
     if front:
-        members += _chairs_along(length, front, y + deep / 2 + CHAIR.depth / 2 - TUCK, pi)
+        row = length - 0.3 if ends else length
+        members += _chairs_along(row, front, y + deep / 2 + CHAIR.depth / 2 - TUCK, pi)
     if ends:
         members += _chairs_at_ends(length, y)
     seats = front + 2 * ends

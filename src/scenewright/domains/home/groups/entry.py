@@ -25,13 +25,15 @@ def _desk(function: str, width: float, deep: float, seat: str, chair: Size) -> G
     depth = deep + 0.55
     back = -depth / 2
     table = "desk" if function == "desk" else "kids_desk"
+    screen = min(0.58, width - 0.42)
     members = [
         Member(table, 0, back + deep / 2, 0, 0, Size(width, deep, 0.74)),
         Member(seat, 0, back + deep - 0.2 + chair.depth / 2, 0, pi, chair),
-        Member("desk_lamp", -width / 2 + 0.15, back + 0.18, 0.74, 0, Size(0.2, 0.24, 0.45), on=0),
+        Member("desk_lamp", -width / 2 + 0.13, back + 0.18, 0.74, 0, Size(0.2, 0.24, 0.45), on=0),
     ]
     if function == "desk":
-        members.append(Member("monitor", 0.08, back + 0.2, 0.74, 0, Size(0.58, 0.2, 0.45), on=0))
+        size = Size(screen, 0.2, 0.45)
+        members.append(Member("monitor", 0.12, back + 0.2, 0.74, 0, size, on=0))
     else:
         members.append(Member("books", width / 4, back + 0.2, 0.74, 0, Size(0.3, 0.2, 0.24), on=0))
     return Group(function, f"{width:.1f} m desk", width, depth, tuple(members))
@@ -69,8 +71,8 @@ def console() -> Iterator[Group]:
 
 def storage() -> Iterator[Group]:
     """Storage shelving, 0.4 to 3.0 m long."""
-    for width in (0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.6, 2.0, 2.4, 3.0):
-        for depth in (0.3, 0.4, 0.5):
+    for width in (0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 2.0, 2.4, 3.0):
+        for depth in (0.2, 0.3, 0.4, 0.5):
             count = max(1, round(width / 1.0))
             each = width / count
             members = tuple(

@@ -28,6 +28,9 @@ def media() -> Iterator[Group]:
 
 def seating() -> Iterator[Group]:
     """A sofa and coffee table on a rug, with armchairs or a lamp table where there is room."""
+    yield _alone(1.2)
+    yield _alone(1.4)
+    yield _compact(1.2)
     for sofa in (1.4, 1.6, 1.8, 2.0, 2.2, 2.4):
         yield _compact(sofa)
         yield _sofa_and_table(sofa, lamps=0)
@@ -52,6 +55,16 @@ def _table(width: float, depth: float, x: float = 0.0, deep: float = 0.55) -> Me
 def _rug(width: float, depth: float, x: float = 0.0) -> Member:
     deep = depth - 0.55
     return Member("rug", x, depth / 2 - deep / 2, 0, 0, Size(width, deep, 0.012))
+
+
+def _alone(sofa: float) -> Group:
+    """A small sofa with a side table, for rooms with no depth for more."""
+    width, depth = sofa + 0.42, 0.82
+    members = (
+        Member("loveseat", -0.21, 0, 0, 0, Size(sofa, 0.8, SOFA_HEIGHT)),
+        Member("side_table", sofa / 2, -0.1, 0, 0, Size(0.4, 0.4, 0.5)),
+    )
+    return Group("seating", f"{sofa:.1f} m sofa, side table", width, depth, members)
 
 
 def _compact(sofa: float) -> Group:

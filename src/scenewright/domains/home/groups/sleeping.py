@@ -8,7 +8,7 @@ from math import pi
 from scenewright.catalog import Group, Member
 from scenewright.scene import Size
 
-DEPTH, BED_LENGTH = 2.1, 2.05
+BED_LENGTH = 2.05
 
 
 def sleeping() -> Iterator[Group]:
@@ -22,28 +22,29 @@ def sleeping() -> Iterator[Group]:
 
 def single() -> Iterator[Group]:
     """A single bed, one long side free to get in, with a nightstand where it fits."""
-    for bed in (0.9, 1.0, 1.2):
-        yield _bed("single", "single_bed", bed, 0.0, 0.0)
-        for wing in (0.45, 0.62):
-            yield _bed("single", "single_bed", bed, 0.0, wing)
-            yield _bed("single", "single_bed", bed, 0.0, wing, mirrored=True)
+    for bed, length in ((0.75, 1.8), (0.8, 1.9), (0.9, 2.05), (1.0, 2.05), (1.2, 2.05)):
+        yield _bed("single", "single_bed", bed, 0.0, 0.0, length)
+        for wing in (0.45, 0.62) if bed >= 0.8 else ():
+            yield _bed("single", "single_bed", bed, 0.0, wing, length)
+            yield _bed("single", "single_bed", bed, 0.0, wing, length, mirrored=True)
 
 
 def bunk() -> Iterator[Group]:
     """A bunk bed with a toy box at its foot side."""
     bed = Member("bunk_bed", 0, 0, 0, 0, Size(1.0, BED_LENGTH, 1.65))
-    yield Group("bunk", "bunk bed", 1.0, DEPTH, (bed,))
+    yield Group("bunk", "bunk bed", 1.0, BED_LENGTH + 0.02, (bed,))
 
 
 def _bed(
-    function: str, category: str, bed: float, left: float, right: float, mirrored: bool = False
-) -> Group:
-    width = bed + left + right
-    back = -DEPTH / 2
+    function: str, category: str, bed: float, left: float, right: float,
+    length: float = BED_LENGTH, mirrored: bool = False,
+) -> Group:  # fmt: skip
+    width, depth = bed + left + right, length + 0.03
+    back = -depth / 2
     x = left + bed / 2 - width / 2
-    members = [Member(category, x, back + BED_LENGTH / 2, 0, 0, Size(bed, BED_LENGTH, 0.95))]
+    members = [Member(category, x, back + length / 2, 0, 0, Size(bed, length, 0.95))]
     if min(left, right) >= 0.5:
-        members.append(Member("rug", x, DEPTH / 2 - 0.7, 0, 0, Size(width - 0.1, 1.4, 0.012)))
+        members.append(Member("rug", x, depth / 2 - 0.7, 0, 0, Size(width - 0.1, 1.4, 0.012)))
     for sign, wing in ((-1, left), (1, right)):
         members += _nightstand(x + sign * (bed / 2 + 0.23), back, len(members)) if wing else []
     if category == "double_bed":
@@ -53,7 +54,7 @@ def _bed(
     stands = (left > 0) + (right > 0)
     return Group(
         function, f"{bed:.1f} m bed, {stands} nightstand{'s' * (stands != 1)}",
-        width, DEPTH, tuple(members),
+        width, depth, tuple(members),
     )  # fmt: skip
 
 
