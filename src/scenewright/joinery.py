@@ -26,7 +26,7 @@ FRAME = 0.06
 Span = tuple[float, float]
 
 PAINT = Material("joinery white", (0.93, 0.92, 0.90), roughness=0.5)
-LEAF_WOOD = Material("door oak", (0.72, 0.55, 0.38), roughness=0.55)
+LEAF_WOOD = Material("door oak", (0.80, 0.70, 0.57), roughness=0.55)
 METAL = Material("brushed steel", (0.72, 0.72, 0.72), roughness=0.35, metallic=0.9)
 DARK_FRAME = Material("frame graphite", (0.24, 0.25, 0.27), roughness=0.5)
 GLASS = Material("window glass", (0.74, 0.86, 0.92), roughness=0.05, opacity=0.28)

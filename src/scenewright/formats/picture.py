@@ -25,7 +25,8 @@ SUN_SPREAD = 0.045
 FINER = np.array([[-0.375, -0.125], [0.125, -0.375], [0.375, 0.125], [-0.125, 0.375]], np.float32)
 """Where in a pixel the four finer rays go (a rotated grid)."""
 PAGE = Material("page", (0.955, 0.950, 0.942))
-ROW = 7
+MORE = 3
+"""Further rays to the sun for pixels in half shadow."""
 
 
 class Camera(NamedTuple):
@@ -40,7 +41,8 @@ class Stage(NamedTuple):
     """What is drawn: triangles ``corners`` (m, 3, 3) with ``normals`` at their corners, the
     ``finishes`` (m,) they have (rows of ``table``: linear colour, roughness, metallic, emission,
     pattern), ``keys`` (m,) equal where light may be shared, ``smooth`` (m,) for round parts;
-    ``glass`` (g, 3, 3) and ``tints`` (g, 4), linear colour and opacity."""
+    ``glass`` (g, 3, 3) and ``tints`` (g, 4), linear colour and opacity; ``near`` (2, 3), the
+    lower and upper corner of what shadows may fall on."""
 
     corners: Singles
     normals: Singles
@@ -50,10 +52,11 @@ class Stage(NamedTuple):
     table: Singles
     glass: Singles
     tints: Singles
+    near: Singles
 
 
 class Seen(NamedTuple):
-    """What rays met: triangle, key (-1 for the page beyond), point and normal."""
+    """What rays met: triangle, key (-1 beyond all shadows), point and normal."""
 
     met: Ints
     keys: Ints
@@ -72,7 +75,7 @@ class View(NamedTuple):
 
 
 def render(stage: Stage, camera: Camera, width: int, height: int,
-           sun: tuple[float, float, float] = (-0.55, 0.35, 1.0)) -> Pixels:  # fmt: skip
+           sun: tuple[float, float, float] = (-0.62, -0.30, 1.0)) -> Pixels:  # fmt: skip
     """The picture ``(height, width, 3)`` in sRGB; ``sun`` is the direction towards the sun."""
     view = view_of(camera, width, height)
     to_sun = _frame(sun)
@@ -135,14 +138,35 @@ def _look(stage: Stage, solid: rays.Caster, view: View, ways: Singles) -> Seen:
 
 
 def _arriving(solid: rays.Caster, view: View, seen: Seen, sun: Singles) -> Singles:
-    """Share of the sun and of the sky ``(n, 2)`` that reaches each pixel's surface."""
-    pixels = np.flatnonzero(seen.keys >= 0).astype(np.int32)
+    """Share of the sun and of the sky ``(n, 2)`` that reaches each pixel's surface.
+
+    Pixels that came out half in the sun take more rays before they are averaged again.
+    """
+    raw = np.ones((len(seen.keys), 2), np.float32)
+    everywhere = np.flatnonzero(seen.keys >= 0).astype(np.int32)
+    starts, to_sun, to_sky = _scattered(view, seen, everywhere, sun, 0)
+    raw[everywhere, 0] = ~rays.occluded(solid, starts, to_sun)
+    raw[everywhere, 1] = ~rays.occluded(solid, starts, to_sky, REACH)
+    mean = _averaged(seen, view, raw)
+    half = np.flatnonzero(np.abs(mean[:, 0] - 0.5) < 0.48).astype(np.int32)
+    for turn in range(1, 1 + MORE):
+        starts, to_sun, _ = _scattered(view, seen, half, sun, turn)
+        raw[half, 0] += ~rays.occluded(solid, starts, to_sun)
+    raw[half, 0] /= 1 + MORE
+    return _averaged(seen, view, raw)
+
+
+def _scattered(
+    view: View, seen: Seen, pixels: Ints, sun: Singles, turn: int
+) -> tuple[Singles, Singles, Singles]:
+    """Where rays to the light start, and their directions to the sun and to the sky."""
     starts, to_sun, to_sky = (np.empty((len(pixels), 3), np.float32) for _ in range(3))
     light.scatter(pixels, view.width, seen.points, seen.facing, sun, SUN_SPREAD, light.samples(),
-                  starts, to_sun, to_sky)  # fmt: skip
-    raw = np.ones((len(seen.keys), 2), np.float32)
-    raw[pixels, 0] = ~rays.occluded(solid, starts, to_sun)
-    raw[pixels, 1] = ~rays.occluded(solid, starts, to_sky, REACH)
+                  turn, starts, to_sun, to_sky)  # fmt: skip
+    return starts, to_sun, to_sky
+
+
+def _averaged(seen: Seen, view: View, raw: Singles) -> Singles:
     rows, both = raw.copy(), raw.copy()
     light.average(seen.keys, view.width, 1, raw, rows)
     light.average(seen.keys, view.width, view.width, rows, both)

@@ -25,9 +25,11 @@ from scenewright.staging import SLAB, Thing, placed, things
 CUT = 1.35
 """Height in metres above the floor at which walls are cut."""
 APART = 2.0
-WIDTH, TALLEST = 1600, 1250
+SHADOW = 2.3
+"""How far beyond the home, in metres, its shadow is drawn."""
+WIDTH, TALLEST = 1600, 1200
 ANGLE = np.deg2rad(24.0)
-TOWARDS = (0.16, 0.60, -1.0)
+TOWARDS = (0.10, 0.62, -1.0)
 """Direction of view: mostly down, a little to the north and east."""
 MARGIN = 1.06
 
@@ -111,6 +113,7 @@ def stage_of(blocks: Sequence[Block], bounds: Floats) -> Stage:
         np.array([_row(material) for material in materials], np.float32),
         np.concatenate([np.zeros((0, 3, 3)), *panes]).astype(np.float32),
         np.concatenate([np.zeros((0, 4)), *tints]).astype(np.float32),
+        np.stack([bounds.min(0) - SHADOW, bounds.max(0) + SHADOW]).astype(np.float32),
     )  # fmt: skip
 
 

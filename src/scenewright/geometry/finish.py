@@ -18,7 +18,7 @@ Ints = NDArray[np.int32]
 PLAIN, PLANKS, SLABS, TILES, DECK, PAGE = 0, 1, 2, 3, 4, 5
 """Patterns: none, oak planks, 0.6 m slabs, 0.3 m tiles, outdoor boards, the page itself."""
 
-SUN = (1.62, 1.47, 1.24)
+SUN = (1.42, 1.36, 1.26)
 SKY = (0.60, 0.66, 0.75)
 BOUNCE = (0.30, 0.275, 0.25)
 """Light from the sun, the open sky, and surroundings that hide the sky."""

@@ -110,19 +110,31 @@ def _between(corners: Singles, normals: Singles, f: int, x: float, y: float, z: 
 
 @compiled
 def scatter(pixels: Ints, width: int, points: Singles, facing: Singles, sun: Singles,
-            spread: float, sets: Singles, starts: Singles, to_sun: Singles, to_sky: Singles,
-            ) -> None:  # fmt: skip
+            spread: float, sets: Singles, turn: int, starts: Singles, to_sun: Singles,
+            to_sky: Singles) -> None:  # fmt: skip
     """For each of ``pixels`` a ray into the sun's disc and one into the sky by the cosine.
 
     ``sun`` rows are two directions across the sun and the one towards it; ``spread`` is the
-    tangent of the disc's radius.
+    tangent of the disc's radius. ``turn`` counts the rays a pixel has had. For the sun every tile
+    turns and shifts the samples by its own amounts, else shadows would have steps of a tile.
     """
     for i in range(pixels.shape[0]):
         p = pixels[i]
-        turn = (p // width) % TILE * TILE + p % width % TILE
-        angle, radius = 2.0 * math.pi * sets[turn, 1], math.sqrt(sets[turn, 0])
+        u, v = p % width, p // width
+        rank = v % TILE * TILE + u % TILE
+        own = u // TILE * 0.7548776662 + v // TILE * 0.5698402910
+        other = u // TILE * 0.8191725134 + v // TILE * 0.6710436067
+        share = sets[rank, 0] + own + 0.618034 * turn
+        angle = 2.0 * math.pi * (sets[rank, 1] + other + 0.381966 * turn)
+        radius = math.sqrt(share - math.floor(share))
+        for k in range(3):
+            starts[i, k] = points[p, k] + OFFSET * facing[p, k]
+            to_sun[i, k] = sun[2, k] + spread * radius * (
+                math.cos(angle) * sun[0, k] + math.sin(angle) * sun[1, k]
+            )
+        radius, angle = math.sqrt(sets[rank, 0]), 2.0 * math.pi * sets[rank, 1]
         x, y = radius * math.cos(angle), radius * math.sin(angle)
-        z = math.sqrt(max(1.0 - radius * radius, 0.0))
+        z = math.sqrt(1.0 - radius * radius)
         nx, ny, nz = facing[p, 0], facing[p, 1], facing[p, 2]
         sign = 1.0 if nz >= 0.0 else -1.0
         a = -1.0 / (sign + nz)
@@ -130,9 +142,6 @@ def scatter(pixels: Ints, width: int, points: Singles, facing: Singles, sun: Sin
         to_sky[i, 0] = x * (1.0 + sign * nx * nx * a) + y * b + z * nx
         to_sky[i, 1] = x * sign * b + y * (sign + ny * ny * a) + z * ny
         to_sky[i, 2] = -x * sign * nx - y * ny + z * nz
-        for k in range(3):
-            starts[i, k] = points[p, k] + OFFSET * facing[p, k]
-            to_sun[i, k] = sun[2, k] + spread * (x * sun[0, k] + y * sun[1, k])
 
 
 @compiled
