@@ -267,6 +267,28 @@ def test_rooms_behind_a_row_cannot_be_reached():
     assert (found.kind, found.space, found.other) == ("unreachable_room", "b", "row")
 
 
+def test_a_toilet_may_be_used_sideways_but_not_through_a_gap_of_a_hand():
+    """In 0.8 x 1.3 m a disc of 0.6 m cannot turn to the toilet from a door at the side."""
+    side = door(-0.05, 1.0, (0, 1), width=0.6)
+    closet = room(outline=rectangle(0, 0, 0.8, 1.3), openings=(side,))
+    toilet = piece("wardrobe", 0.4, 0.33, 0.4, 0.66, 0.8)
+    assert judge(toilet, spaces=(closet,)).valid
+    longer = piece("wardrobe", 0.4, 0.475, 0.4, 0.95, 0.8)
+    assert "unreachable_room" in kinds(judge(longer, spaces=(closet,)))
+    wide = room(outline=rectangle(0, 0, 3, 1.3), openings=(side,))
+    row = piece("box", 1.8, 0.65, 0.6, 1.3, id="row")
+    beyond = piece("wardrobe", 2.7, 0.65, 0.5, 0.5, heading=WEST)
+    assert judge(row, beyond, spaces=(wide,)).of("unreachable_piece")
+
+
+def test_what_stands_on_a_blocker_is_not_blamed():
+    row = piece("box", 2, 1.2, 4, 0.5, id="row")
+    lamp = piece("lamp", 2, 1.2, 0.2, 0.2, 0.4, z=1.0, on="row")
+    wardrobe = piece("wardrobe", 1, 2.75, 1, 0.5, 2, heading=SOUTH)
+    (found,) = judge(row, lamp, wardrobe).findings
+    assert found.other == "row"
+
+
 def test_pieces_that_block_together_are_named_together():
     first, second = piece("box", 2, 0.9, 4, 0.2, id="p"), piece("box", 2, 1.9, 4, 0.2, id="q")
     wardrobe = piece("wardrobe", 1, 2.75, 1, 0.5, 2, heading=SOUTH)

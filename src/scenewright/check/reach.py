@@ -14,14 +14,16 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.check.bodies import Bodies, Floats, Rooms, Shape, Shapes
+from scenewright.check.complete import inscribed_width
 from scenewright.check.report import Finding
-from scenewright.check.routes import Ground, Walk, walk_in, walk_without
+from scenewright.check.routes import Ground, Walk, squeeze_in, walk_in, walk_without
 
 REACH = 0.2
 """How far an arm reaches beyond the person's own radius, in metres."""
 
 _SIDES = {"front": (1, 2), "left": (2, 3), "back": (3, 0), "right": (0, 1)}
-_NEAREST = 8
+_NEAREST = 12
+_TIGHT = 2.0
 
 
 class Target(NamedTuple):
@@ -38,11 +40,14 @@ def find_unreachable(
 ) -> list[Finding]:
     """Rooms and pieces no route of ``route_width`` metres leads to, each with what blocks it.
 
-    A room is reached if the centre of the route can come into it (or into its doorway, if even
-    the empty room is too tight); a room no route could enter empty is not judged. A piece with
-    using sides (its kind's ``access``) is reached if the centre comes within half the route
-    width and :data:`REACH` of one of them, straight before it. Pieces of a room that is not
-    reached are not told one by one. Seats that go under tables are pushed aside.
+    A room is reached if the centre of the route can come into it; a room no route could enter
+    even empty is not judged. A piece with using sides (its kind's ``access``) is reached if the
+    centre comes within half the route width and :data:`REACH` of one of them, straight before
+    it. Pieces of a room that is not reached are not told one by one. Seats that go under tables
+    are pushed aside.
+
+    No closet or toilet could be used if one had to walk about in it. So a *tight* room, nowhere
+    as wide as two routes, is reached if its doorway is, and within it a person goes on sideways.
     """
     found: list[Finding] = []
     for ground in grounds:
@@ -63,12 +68,22 @@ def find_unreachable(
 def _room_targets(rooms: Rooms, ground: Ground, walk: Walk) -> list[Target]:
     targets = []
     for room in ground.rooms:
-        ways = ground.doorways.get(int(room), [])
-        for shape in (rooms.shapes[room], shapely.union_all(ways)):
-            if shapely.intersects(walk.bare_reached, shape):
-                targets.append(Target(int(room), -1, shape))
+        within = _with_doorways(rooms, ground, int(room))
+        shape = within if _tight(rooms, int(room), walk) else rooms.shapes[room]
+        for wanted in (shape, within):
+            if shapely.intersects(walk.bare_reached, wanted):
+                targets.append(Target(int(room), -1, wanted))
                 break
     return targets
+
+
+def _with_doorways(rooms: Rooms, ground: Ground, room: int) -> Shape:
+    return shapely.union_all([rooms.shapes[room], *ground.doorways.get(room, [])])
+
+
+def _tight(rooms: Rooms, room: int, walk: Walk) -> bool:
+    wide = _TIGHT * 2 * walk.radius
+    return rooms.shapes[room].area < 4 * wide**2 and inscribed_width(rooms.shapes[room]) < wide
 
 
 def _missed_pieces(
@@ -80,12 +95,13 @@ def _missed_pieces(
         rows = [int(i) for i in np.flatnonzero(bodies.room == room) if bodies.kinds[i].access]
         if not rows:
             continue
-        within = shapely.union_all([rooms.shapes[room], *ground.doorways.get(room, [])])
+        within = _with_doorways(rooms, ground, room)
         shapes = [_before(bodies, i, walk.radius + REACH) for i in rows]
-        clipped = shapely.intersection(np.array(shapes, object), within)
-        for i, shape in zip(rows, clipped, strict=True):
-            if not shapely.intersects(walk.reached, shape):
-                missed.append(Target(room, i, shape))
+        clipped: Shapes = shapely.intersection(np.array(shapes, object), within)
+        far = ~shapely.intersects(walk.reached, clipped)
+        if far.any() and _tight(rooms, room, walk):
+            far &= ~shapely.intersects(squeeze_in(bodies, ground, walk, within), clipped)
+        missed += [Target(room, rows[k], clipped[k]) for k in np.flatnonzero(far)]
     return missed
 
 
@@ -132,15 +148,17 @@ def _together(walk: Walk, target: Target, suspects: NDArray[np.int64]) -> list[i
 
 
 def _suspects(walk: Walk, shapes: Shapes) -> NDArray[np.int64]:
-    """Indices into ``walk.blocking`` of the pieces nearest to both the region reached and the
-    shapes missed."""
+    """Indices into ``walk.blocking`` of the pieces nearest to both the region reached and what is
+    beyond: the shapes missed and the free floor that is cut off."""
     if not len(shapes) or not len(walk.blocking):
         return np.empty(0, np.int64)
-    missed = shapely.union_all(shapes)
-    apart = shapely.distance(walk.grown, missed)
+    parts = shapely.get_parts(walk.free)
+    beyond = parts[~shapely.intersects(parts, walk.start)]
+    apart = shapely.distance(walk.grown, shapely.union_all([*shapes, *beyond]))
     if not walk.reached.is_empty:
         apart = apart + shapely.distance(walk.grown, walk.reached)
-    return np.asarray(np.argsort(apart, kind="stable")[:_NEAREST], np.int64)
+    order = np.lexsort((-shapely.area(walk.grown), np.round(apart, 2)))
+    return np.asarray(order[:_NEAREST], np.int64)
 
 
 def _finding(

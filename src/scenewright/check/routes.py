@@ -21,7 +21,7 @@ from scenewright.check.bodies import Bodies, Rooms, Shape, Shapes
 from scenewright.space import Opening
 
 ROBOT_RADIUS = 0.2
-"""Radius of the robot whose navigable share is told (SceneEval), in metres."""
+"""Radius of the robot whose navigable share is told (SceneEval), and of a person sideways."""
 
 _SLACK = 0.01
 
@@ -124,8 +124,7 @@ def walk_in(bodies: Bodies, ground: Ground, radius: float) -> Walk:
     The way in is where outer doors are; the largest free part if there are none, or if they are
     too tight even in the empty rooms.
     """
-    inside = np.isin(bodies.room, ground.rooms) & bodies.underfoot & ~bodies.seat
-    blocking = np.flatnonzero(inside)
+    blocking = blocking_in(bodies, ground.rooms)
     bare, grown = _eroded(ground.floor, radius), _grown(bodies, blocking, radius)
     free = _less(bare, grown)
     doors = shapely.multipoints(ground.ways_in) if len(ground.ways_in) else shapely.MultiPoint()
@@ -134,6 +133,28 @@ def walk_in(bodies: Bodies, ground: Ground, radius: float) -> Walk:
         start = _somewhere_in_largest(free if not free.is_empty else bare)
     bare_reached, reached = _joined(bare, start), _joined(free, start)
     return Walk(radius, bare, bare_reached, blocking, grown, start, free, reached)
+
+
+def blocking_in(bodies: Bodies, within: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Rows of the pieces in some rooms that stand in the way: seats can be pushed aside, and what
+    stands on or hangs over another piece takes no floor of its own."""
+    rows = np.flatnonzero(np.isin(bodies.room, within) & bodies.underfoot & ~bodies.seat)
+    if not len(rows):
+        return rows
+    wider = shapely.buffer(bodies.footprints[rows], _SLACK, join_style="mitre")
+    small, large = shapely.STRtree(wider).query(bodies.footprints[rows], predicate="covered_by")
+    area = shapely.area(bodies.footprints[rows])
+    under = (area[large] > area[small]) | ((area[large] == area[small]) & (large < small))
+    under &= (small != large) & (bodies.low[rows[small]] > _SLACK)
+    return np.delete(rows, np.unique(small[under]))
+
+
+def squeeze_in(bodies: Bodies, ground: Ground, walk: Walk, within: Shape) -> Shape:
+    """Where a person comes who has walked to a narrow room by the route and goes on sideways, as
+    a disc of 0.2 m: in the floor of the room and its doorways, and just before them."""
+    near = shapely.intersection(ground.floor, shapely.buffer(within, 2 * walk.radius))
+    free = _less(_eroded(near, ROBOT_RADIUS), _grown(bodies, walk.blocking, ROBOT_RADIUS))
+    return _joined(free, walk.reached)
 
 
 def _eroded(floor: Shape, radius: float) -> Shape:
