@@ -11,10 +11,11 @@ import pytest
 import shapely
 
 from scenewright import formats
+from scenewright.assets.kinds import KINDS
 from scenewright.brief import Brief
 from scenewright.formats.sh3d_archive import home_xml
 from scenewright.formats.sh3d_floors import floors
-from scenewright.formats.sh3d_kinds import kind_of
+from scenewright.formats.sh3d_kinds import CATALOG, NAMES, kind_of
 from scenewright.formats.sh3d_pieces import fixed_item, flattened
 from scenewright.formats.sh3d_xml import HomeWall, middle_line, parse
 from scenewright.outlines import signed_area
@@ -262,3 +263,9 @@ def test_real_doors_open_into_rooms(real_data: Path) -> None:
                 into_hall += "hall" in inside.functions
                 into_room += "hall" not in inside.functions
     assert into_room > 2 * into_hall
+
+
+def test_every_kind_is_in_the_catalog() -> None:
+    by_size = {"bed", "table", "lamp", ""}
+    named = set(CATALOG.values()) | {kind for kind, _ in NAMES}
+    assert named - by_size <= set(KINDS)
