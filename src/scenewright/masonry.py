@@ -157,15 +157,10 @@ def _partitions(floors: list[Polygon]) -> BaseGeometry:
 
 
 def _partition(first: Polygon, second: Polygon) -> BaseGeometry:
-    near = second.buffer(PARTITION, join_style="mitre")
-    shared = shapely.line_merge(first.boundary.intersection(near))
-    lines = [line for line in shapely.get_parts(shared) if line.length > 3 * PARTITION]
-    gap = first.distance(second)
-    grown = [
-        shapely.buffer(line, PARTITION / 2 + gap / 2, cap_style="flat", join_style="mitre")
-        for line in lines
-    ]
-    return shapely.union_all(grown)
+    """What both rooms reach when grown by half the thickness (and half the gap)."""
+    by = (PARTITION + first.distance(second)) / 2
+    grown = shapely.buffer([first, second], by, join_style="mitre", mitre_limit=MITRE)
+    return grown[0].intersection(grown[1])
 
 
 def _stretches(spaces: Sequence[Space]) -> Iterator[tuple[str, LineString]]:

@@ -115,8 +115,9 @@ def scatter(pixels: Ints, width: int, points: Singles, facing: Singles, sun: Sin
     """For each of ``pixels`` a ray into the sun's disc and one into the sky by the cosine.
 
     ``sun`` rows are two directions across the sun and the one towards it; ``spread`` is the
-    tangent of the disc's radius. ``turn`` counts the rays a pixel has had. For the sun every tile
-    turns and shifts the samples by its own amounts, else shadows would have steps of a tile.
+    tangent of the disc's radius. ``turn`` counts the rays a pixel has had; only the first comes
+    with one to the sky. For the sun every tile turns and shifts the samples by its own amounts,
+    else shadows would have steps of a tile.
     """
     for i in range(pixels.shape[0]):
         p = pixels[i]
@@ -132,6 +133,8 @@ def scatter(pixels: Ints, width: int, points: Singles, facing: Singles, sun: Sin
             to_sun[i, k] = sun[2, k] + spread * radius * (
                 math.cos(angle) * sun[0, k] + math.sin(angle) * sun[1, k]
             )
+        if turn:
+            continue
         radius, angle = math.sqrt(sets[rank, 0]), 2.0 * math.pi * sets[rank, 1]
         x, y = radius * math.cos(angle), radius * math.sin(angle)
         z = math.sqrt(1.0 - radius * radius)
