@@ -7,17 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from shapely import (
-    Geometry,
-    Point,
-    Polygon,
-    area,
-    box,
-    contains_properly,
-    intersection,
-    points,
-    prepare,
-)
+from shapely import Geometry, Point, Polygon, contains_xy, prepare
 from shapely.ops import polylabel
 
 from scenewright.formats.svg_marks import GREY, INK, View, clean, group, text, text_width, to_paper
@@ -57,12 +47,27 @@ def area_words(square_metres: float) -> str:
     return f"{square_metres:.1f} m²"
 
 
+class Raster(NamedTuple):
+    """Cells of ``cell`` metres from ``corner``; ``floor`` and ``busy`` (ny + 1, nx + 1) hold how
+    many cells of the kind lie south-west of each cell corner (summed-area tables)."""
+
+    corner: NDArray[np.float64]
+    cell: float
+    floor: NDArray[np.int64]
+    busy: NDArray[np.int64]
+
+
 def place(view: View, space: Space, busy: Geometry) -> tuple[Label, NDArray[np.float64]]:
     """The wording, turn and plan position at which the room's label disturbs least."""
     room = polygon_of(space)
-    tried = [_best_position(view, label, room, busy) for label in wordings(space, room.area)]
-    _, label, at = min(tried, key=lambda found: found[0])
-    return label, at
+    raster, at = _raster(room, busy), _candidates(room)
+    away = np.hypot(*(at - np.array(_middle(room).coords[0])).T) / np.sqrt(room.area)
+    tried = [
+        (*_best_position(view, label, raster, at, away), label)
+        for label in wordings(space, room.area)
+    ]
+    _, best, label = min(tried, key=lambda found: found[0])
+    return label, at[best]
 
 
 def wordings(space: Space, square_metres: float) -> list[Label]:
@@ -98,20 +103,39 @@ def extent(label: Label) -> tuple[float, float]:
 
 
 def _best_position(
-    view: View, label: Label, room: Polygon, busy: Geometry
-) -> tuple[float, Label, NDArray[np.float64]]:
+    view: View, label: Label, raster: Raster, at: NDArray[np.float64], away: NDArray[np.float64]
+) -> tuple[float, int]:
     """Least of: share of the label off the floor, share over things, distance to the middle."""
-    width, height = ((side + 2 * CLEAR) / view.scale for side in extent(label))
-    at = _candidates(room)
-    boxes = box(at[:, 0] - width / 2, at[:, 1] - height / 2,
-                at[:, 0] + width / 2, at[:, 1] + height / 2)  # fmt: skip
-    off = 1 - area(intersection(boxes, room)) / (width * height)
-    over = area(intersection(boxes, busy)) / (width * height)
-    middle = np.array(_middle(room).coords[0])
-    away = np.hypot(*(at - middle).T) / np.sqrt(room.area)
+    half = (np.array(extent(label)) + 2 * CLEAR) / view.scale / 2
+    whole = np.prod(2 * half / raster.cell)
+    low = np.rint((at - half - raster.corner) / raster.cell).astype(int)
+    high = np.rint((at + half - raster.corner) / raster.cell).astype(int)
+    off = 1 - np.minimum(_cells(raster.floor, low, high) / whole, 1)
+    over = _cells(raster.busy, low, high) / whole
     cost = 12 * off + 4 * over + 0.15 * away + label.cost
     best = int(np.argmin(cost))
-    return float(cost[best]), label, at[best]
+    return float(cost[best]), best
+
+
+def _raster(room: Polygon, busy: Geometry) -> Raster:
+    west, south, east, north = room.bounds
+    cell = max(0.04, np.sqrt((east - west) * (north - south)) / 120)
+    x, y = np.meshgrid(np.arange(west, east, cell) + cell / 2,
+                       np.arange(south, north, cell) + cell / 2)  # fmt: skip
+    prepare([room, busy])
+    masks = [contains_xy(region, x, y) for region in (room, busy)]
+    floor, taken = (np.pad(mask.cumsum(0).cumsum(1), ((1, 0), (1, 0))) for mask in masks)
+    return Raster(np.array([west, south]), cell, floor, taken)
+
+
+def _cells(
+    sums: NDArray[np.int64], low: NDArray[np.int64], high: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """Marked cells in boxes of cell indices ``(k, 2)``, x first; outside the raster is none."""
+    most = np.array(sums.shape[::-1]) - 1
+    (x0, y0), (x1, y1) = np.clip(low, 0, most).T, np.clip(high, 0, most).T
+    found: NDArray[np.int64] = sums[y1, x1] - sums[y0, x1] - sums[y1, x0] + sums[y0, x0]
+    return found
 
 
 def _middle(room: Polygon) -> Point:
@@ -125,8 +149,7 @@ def _candidates(room: Polygon, count: int = 24) -> NDArray[np.float64]:
     west, south, east, north = room.bounds
     x, y = np.meshgrid(np.linspace(west, east, count), np.linspace(south, north, count))
     grid = np.column_stack([x.ravel(), y.ravel()])
-    prepare(room)
-    inside = grid[contains_properly(room, points(grid))]
+    inside = grid[contains_xy(room, grid)]
     return np.vstack([np.array(room.representative_point().coords), inside])
 
 
@@ -139,8 +162,13 @@ def _label_mark(view: View, label: Label, at: NDArray[np.float64]) -> str:
     down = np.array([np.sin(angle), np.cos(angle)])
     marks = []
     for row, ((words, size), offset) in enumerate(zip(label.lines, offsets, strict=True)):
-        style = {"font_weight": "bold"} if row == 0 else {"fill": INK if row == 1 else GREY}
-        halo = {"stroke": "#ffffff", "stroke_width": HALO, "stroke_linejoin": "round"}
+        style: dict[str, str | float] = {"fill": INK if row < 2 else GREY}
+        style["font_weight"] = "normal" if row else "bold"
+        halo: dict[str, str | float] = {
+            "stroke": "#ffffff",
+            "stroke_width": HALO,
+            "stroke_linejoin": "round",
+        }
         where = centre + offset * down
         marks.append(text(words, where, size, label.turn, **(style | halo)))
         marks.append(text(words, where, size, label.turn, **style))
