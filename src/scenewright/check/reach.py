@@ -161,6 +161,13 @@ def _suspects(walk: Walk, shapes: Shapes) -> NDArray[np.int64]:
     return np.asarray(order[:_NEAREST], np.int64)
 
 
+def _why(walk: Walk, target: Target) -> str:
+    """What to say when no piece can be blamed."""
+    if target.piece >= 0 and not shapely.intersects(walk.bare, target.shape):
+        return ": there is no room to stand before it"
+    return ", whatever is taken away nearby"
+
+
 def _finding(
     bodies: Bodies, rooms: Rooms, walk: Walk, target: Target, rows: list[int], word: str
 ) -> Finding:
@@ -171,7 +178,7 @@ def _finding(
     what = f"{piece.id} of {space.id}" if piece else f"room {space.id}"
     told = f"no route {2 * walk.radius:.2f} m wide leads to {what}"
     verb = "are" if word == "and" and len(names) > 1 else "is"
-    told += f": {f' {word} '.join(names)} {verb} in the way" if names else ", it is too tight there"
+    told += f": {f' {word} '.join(names)} {verb} in the way" if names else _why(walk, target)
     given = all(bodies.pieces[row].fixed for row in rows) and (piece is None or piece.fixed)
     return Finding(
         "unreachable_piece" if piece else "unreachable_room", space.level, space.id,
