@@ -28,7 +28,7 @@ from scenewright.formats.svg_shell import (
     tile_pattern,
     walls_mark,
 )  # fmt: skip
-from scenewright.scene import Scene
+from scenewright.scene import Piece, Scene
 from scenewright.solution import Solution
 from scenewright.space import Level
 
@@ -121,16 +121,19 @@ def _storey_mark(
 
 
 def _busy(part: Scene, catalog: Catalog) -> list[Geometry]:
-    """What the label of each space should not cover: standing pieces and door swings."""
+    """What the label of each space should not cover: standing pieces, edges of rugs, swings."""
     swings = [s for opening in part.openings if (s := swing_square(opening)) is not None]
+    covered = [_covered(part.pieces, space.id, catalog) for space in part.spaces]
+    return [union_all([*shapes, *swings]) for shapes in covered]
+
+
+def _covered(pieces: Sequence[Piece], space: str, catalog: Catalog) -> list[Geometry]:
+    here = [piece for piece in pieces if piece.space == space and not hangs(piece)]
+    shapes = [(piece, Polygon(footprint(piece))) for piece in here]
     return [
-        union_all([
-            Polygon(footprint(piece))
-            for piece in part.pieces
-            if piece.space == space.id and not hangs(piece) and not _flat(piece.category, catalog)
-        ] + swings)
-        for space in part.spaces
-    ]  # fmt: skip
+        shape.boundary.buffer(0.04) if _flat(piece.category, catalog) else shape
+        for piece, shape in shapes
+    ]
 
 
 def _flat(category: str, catalog: Catalog) -> bool:
