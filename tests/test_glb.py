@@ -1,0 +1,186 @@
+"""The GLB file: a named node for everything, in the right place, meshes shared, bytes in order."""
+
+from __future__ import annotations
+
+import json
+import struct
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+
+from flat import flat_brief, flat_solution
+from scenewright.assets import shipped
+from scenewright.catalog import Material, Part
+from scenewright.formats.glb import document_of, encoded, surface, write
+from scenewright.geometry.mesh import Mesh
+from scenewright.geometry.prisms import box, prism
+from scenewright.layout import corners
+from scenewright.scene import Piece, Pose, Scene, Size
+from scenewright.shell import scene_of
+
+GREY = Material("grey", (0.5, 0.5, 0.5))
+COMPONENTS = {5126: np.float32, 5123: np.uint16, 5125: np.uint32}
+
+
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    return scene_of(flat_solution())
+
+
+@pytest.fixture(scope="module")
+def document(scene: Scene) -> dict[str, Any]:
+    return document_of(scene, shipped())[0]
+
+
+def chunks(data: bytes) -> tuple[dict[str, Any], bytes]:
+    """The two chunks of a GLB file, read by the letter of the specification."""
+    magic, version, total = struct.unpack_from("<4sII", data)
+    assert (magic, version, total) == (b"glTF", 2, len(data))
+    size, kind = struct.unpack_from("<I4s", data, 12)
+    assert kind == b"JSON"
+    assert size % 4 == 0
+    after = 20 + size
+    rest, binary = struct.unpack_from("<I4s", data, after)
+    assert binary == b"BIN\0"
+    assert after + 8 + rest == total
+    return json.loads(data[20:after]), data[after + 8 :]
+
+
+def numbers(document: dict[str, Any], buffer: bytes, index: int) -> Any:
+    row = document["accessors"][index]
+    view = document["bufferViews"][row["bufferView"]]
+    wide = 3 if row["type"] == "VEC3" else 1
+    start = view["byteOffset"] + row["byteOffset"]
+    found = np.frombuffer(buffer, COMPONENTS[row["componentType"]], row["count"] * wide, start)
+    assert start + found.nbytes <= view["byteOffset"] + view["byteLength"]
+    return found.reshape(-1, wide)
+
+
+def test_everything_has_a_node_of_its_name(scene: Scene, document: dict[str, Any]) -> None:
+    names = [node["name"] for node in document["nodes"]]
+    assert len(names) == len(set(names))
+    wanted = [thing.id for group in (scene.spaces, scene.walls, scene.openings, scene.pieces)
+              for thing in group]  # fmt: skip
+    assert set(wanted) <= set(names)
+    assert {level.name for level in scene.levels} <= set(names)
+
+
+def test_pieces_hang_below_their_rooms_and_rooms_below_their_level(
+    scene: Scene, document: dict[str, Any]
+) -> None:
+    nodes = document["nodes"]
+    parent = {child: i for i, node in enumerate(nodes) for child in node.get("children", ())}
+    index = {node["name"]: i for i, node in enumerate(nodes)}
+    for piece in scene.pieces:
+        room = nodes[parent[index[piece.id]]]
+        assert room["name"] == piece.space
+        assert nodes[parent[index[piece.space]]]["name"] == "Ground floor"
+    assert set(parent) == set(range(1, len(nodes)))
+
+
+def test_extras_tell_what_a_piece_is(document: dict[str, Any]) -> None:
+    extras = next(node for node in document["nodes"] if node["name"] == "sofa")["extras"]
+    assert extras["category"] == "sofa"
+    assert extras["space"] == "living"
+    assert extras["group"] == "living/seating"
+    assert extras["licence"] == "Apache-2.0"
+    assert {"asset", "author", "function"} <= set(extras)
+
+
+def test_the_bytes_follow_the_specification(scene: Scene) -> None:
+    document, buffer = chunks(encoded(scene, shipped()))
+    assert document["asset"]["generator"].startswith("Scenewright ")
+    for mesh in document["meshes"]:
+        for primitive in mesh["primitives"]:
+            place = primitive["attributes"]["POSITION"]
+            points = numbers(document, buffer, place)
+            normals = numbers(document, buffer, primitive["attributes"]["NORMAL"])
+            indices = numbers(document, buffer, primitive["indices"])
+            assert np.allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-4)
+            assert document["accessors"][place]["min"] == points.min(0).tolist()
+            assert document["accessors"][place]["max"] == points.max(0).tolist()
+            assert indices.max() == len(points) - 1
+            assert primitive["material"] < len(document["materials"])
+
+
+def test_materials_are_listed_once_and_glass_blends(document: dict[str, Any]) -> None:
+    listed = [json.dumps(material, sort_keys=True) for material in document["materials"]]
+    assert len(listed) == len(set(listed))
+    glass = next(m for m in document["materials"] if m["name"] == "window glass")
+    assert glass["alphaMode"] == "BLEND"
+    assert glass["pbrMetallicRoughness"]["baseColorFactor"][3] < 1
+
+
+def test_a_piece_lies_where_the_plan_says_with_y_up() -> None:
+    pose, size = Pose(1.7, 2.2, 0.25, 0.7), Size(1.4, 0.6, 0.8)
+    solution = replace(
+        flat_solution(), pieces=(Piece("crate", "no_such_kind", "", "living", pose, size),)
+    )
+    loaded = trimesh.load(
+        trimesh.util.wrap_as_stream(encoded(scene_of(solution), shipped())), file_type="glb"
+    )
+    turn, geometry = loaded.graph["crate"]
+    points = trimesh.transform_points(loaded.geometry[geometry].vertices, turn)
+    ours = np.column_stack([points[:, 0], -points[:, 2], points[:, 1]])
+    expected = corners(np.array([pose.x, pose.y, pose.heading, size.width, size.depth]))
+    for corner in expected:
+        assert np.abs(ours[:, :2] - corner).sum(1).min() < 1e-5
+    assert ours[:, 2].min() == pytest.approx(0.25, abs=1e-6)
+    assert ours[:, 2].max() == pytest.approx(1.05, abs=1e-6)
+
+
+def test_levels_are_raised_and_equal_pieces_share_a_mesh() -> None:
+    brief = flat_brief().model_dump()
+    brief["levels"].append({"id": "up", "name": "Upstairs", "elevation": 2.9})
+    brief["rooms"].append({"id": "loft", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]],
+                           "level": "up"})  # fmt: skip
+    size = Size(0.5, 0.5, 0.9)
+    pieces = tuple(
+        Piece(f"chair-{k}", "dining_chair", "", "loft", Pose(1.0 + k, 2, 0, k), size)
+        for k in range(3)
+    )
+    base = flat_solution()
+    made = replace(base, brief=type(base.brief).model_validate(brief), pieces=pieces)
+    document = document_of(scene_of(made), shipped())[0]
+    nodes = {node["name"]: node for node in document["nodes"]}
+    assert nodes["Upstairs"]["translation"] == [0, 2.9, 0]
+    assert len({nodes[piece.id]["mesh"] for piece in pieces}) == 1
+
+
+def test_every_node_is_named_in_trimesh_and_the_home_has_its_size(scene: Scene) -> None:
+    loaded = trimesh.load(trimesh.util.wrap_as_stream(encoded(scene, shipped())), file_type="glb")
+    assert all(name and not name.startswith("geometry") for name in loaded.graph.nodes_geometry)
+    low, high = loaded.bounds
+    assert high[1] == pytest.approx(2.6, abs=1e-5)
+    assert high[0] - low[0] == pytest.approx(8.2 + 0.5, abs=0.01)
+    assert high[2] - low[2] == pytest.approx(4.5, abs=0.03)
+
+
+def test_faces_look_outwards(scene: Scene) -> None:
+    for part in (Part(GREY, *box((0, 0, 0), (1, 2, 3))),
+                 Part(GREY, *prism(np.array([[0.0, 0], [2, 0], [0, 2]]), 0, 1))):  # fmt: skip
+        found = surface(part)
+        solid = trimesh.Trimesh(found.positions, found.indices.reshape(-1, 3), process=False)
+        assert solid.volume > 0
+        rows = found.indices.reshape(-1, 3)
+        across = np.cross(found.positions[rows[:, 1]] - found.positions[rows[:, 0]],
+                          found.positions[rows[:, 2]] - found.positions[rows[:, 0]])  # fmt: skip
+        assert (np.einsum("ij,ikj->ik", across, found.normals[rows]) > 0).all()
+
+
+def test_faces_without_area_are_left_out() -> None:
+    square = box((0, 0, 0), (1, 1, 1))
+    spoilt = Mesh(square.vertices, np.vstack([square.faces, [[0, 0, 1]]]))
+    assert len(surface(Part(GREY, *spoilt)).indices) == 36
+
+
+def test_the_file_is_the_same_each_time_and_leaves_nothing_beside_it(tmp_path: Path) -> None:
+    first, second = tmp_path / "a.glb", tmp_path / "b.glb"
+    write(flat_solution(), first)
+    write(flat_solution(), second)
+    assert first.read_bytes() == second.read_bytes()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.glb", "b.glb"]
