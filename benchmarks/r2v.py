@@ -132,7 +132,7 @@ def _one(brief: Any) -> Record:
         report = check(solution, spaces=spaces)
         found = _summary(solution, report, spaces)
     except Exception as error:
-        found = {"crash": f"{type(error).__name__}: {error}"}
+        found = {"crash": f"{type(error).__name__}: {error}".splitlines()[0]}
     ended = time.perf_counter()
     return found | {"solve": solved - started, "check": ended - solved}
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 
 import numpy as np
@@ -159,3 +160,22 @@ def test_out_of_bounds_agrees_with_sampled_points(box):
     assume(abs(outside - 0.01) > 5e-3)
     assert bool(found) == (outside > 0.01)
     assert not found or abs(found[0].amount - outside) < 0.05
+
+
+anything = st.floats(allow_nan=True, allow_infinity=True)
+odd = st.one_of(st.floats(-5, 5), st.sampled_from([0.0, 1e-9, 1e-300, 1e4, -1e4]), anything)
+
+
+@given(st.lists(st.tuples(odd, odd, odd, odd, odd, odd, odd), max_size=5), st.booleans())
+@settings(max_examples=100, deadline=None)
+def test_nothing_a_piece_holds_raises(rows, named):
+    """However odd poses and sizes are, there is a report that JSON can hold."""
+    pieces = tuple(
+        Piece(f"p{i}" if named else "", ("wardrobe", "box", "?")[i % 3], "", "a",
+              Pose(*row[:4]), Size(*row[4:]), on="p0" if i == 3 else None)
+        for i, row in enumerate(rows)
+    )  # fmt: skip
+    report = judge(pieces)
+    json.dumps(report.to_dict(), allow_nan=False)
+    assert report.figures["pieces"] == len(rows)
+    assert str(report)
