@@ -28,7 +28,10 @@ def may_meet(first: Member, second: Member, group: Group) -> bool:
     kinds = shipped().kinds
     if kinds[first.category].flat or kinds[second.category].flat:
         return True
-    if second.category in kinds[first.category].under or first.category in kinds[second.category].under:
+    if (
+        second.category in kinds[first.category].under
+        or first.category in kinds[second.category].under
+    ):
         return True
     low, high = max(first.z, second.z), min(first.z + first.size[2], second.z + second.size[2])
     return low > high - 1e-9
@@ -74,7 +77,9 @@ def test_every_case_holds_what_makes_it(function: str) -> None:
 
 
 @given(st.sampled_from(sorted(GROUPS)), st.floats(0.2, 5), st.floats(0.2, 5))
-def test_fitting_cases_fit_and_come_nearest_first(function: str, width: float, depth: float) -> None:
+def test_fitting_cases_fit_and_come_nearest_first(
+    function: str, width: float, depth: float
+) -> None:
     found = fitting(function, width, depth)
     far = [np.hypot(g.width - width, g.depth - depth) for g in found]
     assert far == sorted(far)
@@ -104,7 +109,9 @@ def test_the_programme_names_only_known_groups() -> None:
     assert named | set(FALLBACK.values()) | set(ALSO.values()) <= set(GROUPS)
 
 
-@pytest.mark.parametrize("function", [f for f in PROGRAMME if f not in ("other", "balcony", "hall")])
+@pytest.mark.parametrize(
+    "function", [f for f in PROGRAMME if f not in ("other", "balcony", "hall")]
+)
 def test_every_function_has_something_essential_in_a_good_room(function: str) -> None:
     outline = np.array([[0, 0], [4, 0], [4, 3], [0, 3]], float)
     wishes = programme(Space("r", "", (function,), "0", outline), 12.0, frozenset())

@@ -11,7 +11,7 @@ from scenewright.geometry.boxes import (
     distance_to_segment,
     make_frame,
 )
-from scenewright.geometry.compiled import compiled, compiled_entry
+from scenewright.geometry.compiled import compiled
 
 Floats = NDArray[np.float64]
 
@@ -19,7 +19,6 @@ FITS, OUTSIDE, IN_ZONE, AT_WINDOW, COLLIDES = 0, 1, 2, 3, 4
 _NOTHING = 1e-7
 
 
-@compiled_entry
 def faults(
     boxes: Floats, spans: Floats, flat: NDArray[np.bool_], edges: Floats, zones: Floats,
     windows: Floats, others: Floats, other_spans: Floats, slack: float,
@@ -31,13 +30,20 @@ def faults(
     ``zones`` (k, 5) nothing below 2 m may enter; ``windows`` (q, 6) nothing above the sill;
     ``others`` (o, 5) with ``other_spans`` may not be met where the heights meet too.
     """
-    codes = np.zeros(boxes.shape[0], np.int64)
-    offenders = np.full(boxes.shape[0], -1, np.int64)
+    found = np.empty((len(boxes), 2), np.int64)
+    _find_faults(boxes, spans, flat, edges, zones, windows, others, other_spans, slack, found)
+    return found[:, 0], found[:, 1]
+
+
+@compiled
+def _find_faults(
+    boxes: Floats, spans: Floats, flat: NDArray[np.bool_], edges: Floats, zones: Floats,
+    windows: Floats, others: Floats, other_spans: Floats, slack: float, found: NDArray[np.int64],
+) -> None:  # fmt: skip
     for i in range(boxes.shape[0]):
-        codes[i], offenders[i] = _fault(
+        found[i, 0], found[i, 1] = _fault(
             boxes[i], spans[i], flat[i], edges, zones, windows, others, other_spans, slack
         )
-    return codes, offenders
 
 
 @compiled
@@ -141,7 +147,6 @@ def _room_beside(
     return low
 
 
-@compiled_entry
 def settle(
     boxes: Floats, may: NDArray[np.bool_], edges: Floats, zones: Floats, most: float
 ) -> Floats:
@@ -154,7 +159,15 @@ def settle(
     0.5
     """
     found = boxes.copy()
-    for i in range(boxes.shape[0]):
+    _settle(found, may, edges, zones, most)
+    return found
+
+
+@compiled
+def _settle(
+    found: Floats, may: NDArray[np.bool_], edges: Floats, zones: Floats, most: float
+) -> None:
+    for i in range(found.shape[0]):
         if may[i] and _stands(found[i, 0], found[i, 1], found, i, edges, zones):
             right = _room_beside(found, i, 1.0, most, edges, zones)
             left = _room_beside(found, i, -1.0, most, edges, zones)
@@ -162,4 +175,3 @@ def settle(
                 shift = right if right <= left else -left
                 found[i, 0] += shift * np.sin(found[i, 2])
                 found[i, 1] -= shift * np.cos(found[i, 2])
-    return found

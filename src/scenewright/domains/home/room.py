@@ -101,11 +101,13 @@ def _sound(answer: Furnished) -> bool:
 
 
 def _held(answer: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
-    """What stood and could be reached, and fallbacks for what did not."""
+    """What stood and could be reached, and fallbacks for what did not or what bars a door."""
+    barred = any(name.startswith("door ") for name in answer.unreached)
     kept: list[Wish] = []
     for wish in wishes:
         stood = [p for p in answer.placed if p.wish == wish]
-        if stood and (wish.rank == 0 or stood[0].name not in answer.unreached):
+        smaller = barred and wish.group in FALLBACK
+        if stood and not smaller and (wish.rank == 0 or stood[0].name not in answer.unreached):
             kept.append(wish)
         elif wish.group in FALLBACK:
             kept += _instead(wish)
@@ -132,9 +134,7 @@ def _filled(task: Task, answer: Furnished, budget: Budget) -> Furnished:
     wishes = tuple(m.wish for m in answer.missing if m.wish.rank < 2 or len(answer.missing) < 4)
     taken = np.array([p.dressed.box for p in answer.placed]).reshape(-1, 5)
     ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, taken]))
-    problem = problem_of(
-        ground, wishes, task.preset.weights, task.preset.printed, task.route_width
-    )
+    problem = problem_of(ground, wishes, task.preset.weights, task.preset.printed, task.route_width)
     found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
     best = answer
     for layout in found.layouts[:2]:
@@ -179,9 +179,7 @@ def _share(budget: Budget, share: float) -> Budget:
 
 def _attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> Furnished:
     preset = task.preset
-    problem = problem_of(
-        task.ground, wishes, preset.weights, preset.printed, task.route_width
-    )
+    problem = problem_of(task.ground, wishes, preset.weights, preset.printed, task.route_width)
     found = SOLVERS[task.solver].run(problem, budget, seed, cancel=task.cancel)
     answers = [
         _dressed(task, wishes, problem, layout.boxes, layout.energy)

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog
-from scenewright.geometry.boxes import fill_frames, read_frame
-from scenewright.geometry.compiled import compiled_entry
-from scenewright.geometry.paths import flood, make_grid, touches
+from scenewright.geometry.boxes import frames_of, read_frame
+from scenewright.geometry.compiled import compiled
+from scenewright.geometry.paths import LOOK, Bits, Grid, flood, make_grid, sweep_box
 from scenewright.problem import Ground
 from scenewright.scene import Piece
 
@@ -49,33 +49,31 @@ def unreached(
     return frozenset(far | {f"door {k + 1}" for k in np.flatnonzero(~joined)})
 
 
-@compiled_entry
 def reach(
     edges: Floats, solid: Floats, doors: Floats, zones: Floats, bounds: Floats, cell: float,
     width: float,
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:  # fmt: skip
     """Which of the boxes ``zones`` a route of ``width`` from any door reaches, and which of the
     ``doors`` are joined to the first; ``solid`` stands in the way. All boxes are ``(k, 5)``."""
-    solids, ways = np.empty((solid.shape[0], 8)), np.empty((doors.shape[0], 8))
-    aims = np.empty((zones.shape[0], 8))
-    fill_frames(solid, solids)
-    fill_frames(doors, ways)
-    fill_frames(zones, aims)
-    grid = make_grid(edges, solids, ways, bounds, cell, width)
-    joined = np.zeros(doors.shape[0], np.bool_)
+    grid = make_grid(edges, frames_of(solid), frames_of(doors), bounds, cell, width)
     first = grid.doors[0] & grid.free
     flood(first, grid.free)
+    joined = (grid.doors & first).any(axis=(1, 2))
     reached = first.copy()
-    for k in range(doors.shape[0]):
-        joined[k] = ((grid.doors[k] & first) != np.uint64(0)).any()
-        if not joined[k]:
-            more = grid.doors[k] & grid.free
-            flood(more, grid.free)
-            reached |= more
-    found = np.zeros(zones.shape[0], np.bool_)
-    for k in range(zones.shape[0]):
-        found[k] = touches(reached, grid.x0, grid.y0, cell, read_frame(aims, k))
+    for k in np.flatnonzero(~joined):
+        more = grid.doors[k] & grid.free
+        flood(more, grid.free)
+        reached |= more
+    found = np.zeros(len(zones), bool)
+    touched(reached, grid, frames_of(zones), found)
     return found, joined
+
+
+@compiled
+def touched(reached: Bits, grid: Grid, zones: Floats, found: NDArray[np.bool_]) -> None:
+    """Write into ``found`` whether a reached cell lies in each of the zones (frames)."""
+    for k in range(zones.shape[0]):
+        found[k] = sweep_box(reached, grid, read_frame(zones, k), 0.0, LOOK)
 
 
 def _stands(piece: Piece, catalog: Catalog) -> bool:

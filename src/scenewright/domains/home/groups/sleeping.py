@@ -42,7 +42,7 @@ def _bed(
     width, depth = bed + left + right, length + 0.03
     back = -depth / 2
     x = left + bed / 2 - width / 2
-    members = [Member(category, x, back + length / 2, 0, 0, Size(bed, length, 0.95))]
+    members = [Member(category, x, back + length / 2, 0, 0, Size(bed, length, 0.9))]
     if min(left, right) >= 0.5:
         members.append(Member("rug", x, depth / 2 - 0.7, 0, 0, Size(width - 0.1, 1.4, 0.012)))
     for sign, wing in ((-1, left), (1, right)):
@@ -104,7 +104,5 @@ def play() -> Iterator[Group]:
         ]
         if width > shelf + 0.25:
             wide = width - shelf - 0.05
-            members.append(
-                Member("toy_box", width / 2 - wide / 2, 0, 0, 0, Size(wide, 0.35, 0.42))
-            )
+            members.append(Member("toy_box", width / 2 - wide / 2, 0, 0, 0, Size(wide, 0.35, 0.42)))
         yield Group("play", f"{width:.1f} m of toys", width, 0.36, tuple(members))
