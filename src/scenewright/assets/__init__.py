@@ -15,8 +15,8 @@ from scenewright.geometry.solids import block
 from scenewright.scene import Size
 
 _THEMES = (
-    "seating", "tables", "beds", "storage", "kitchen", "sanitary", "appliances", "lighting",
-    "decor", "outdoor", "building",
+    "seating", "tables", "beds", "storage", "shelves", "kitchen", "sanitary", "appliances",
+    "lighting", "decor", "outdoor", "building",
 )  # fmt: skip
 
 

@@ -147,7 +147,8 @@ def _nightstand(size: Size) -> Parts:
     return parts(size, {
         OAK: [slab((-w, w), (-d, d - 0.012), (h - 0.02, h), 0.015), *legs,
               block(x, (-d + 0.005, face), z)],
-        WHITE: fronts((-w + 0.012, w - 0.012), (low + 0.008, h - 0.024), 1, 2, (face, face + 0.016)),
+        WHITE: fronts((-w + 0.012, w - 0.012), (low + 0.008, h - 0.024), 1, 2,
+                      (face, face + 0.016)),
         PINE: drawer_pulls(x, z, 1, 2, face + 0.016, 0.019, 0.3),
     })  # fmt: skip
 
@@ -160,7 +161,8 @@ def bed_symbol(size: Size, pillows: int) -> Lines:
     corner = min(0.45 * w, 0.2 * length)
     flap = closed([(w, fold + corner), (w - corner, fold + corner), (w - corner, fold)])
     return (
-        rectangle(size), path((-w, -d + head), (w, -d + head)), *_pillow_marks(w, -d + head, length, pillows),
+        rectangle(size), path((-w, -d + head), (w, -d + head)),
+        *_pillow_marks(w, -d + head, length, pillows),
         path((-w, fold), (w - corner, fold), (w, fold + corner)), flap,
     )  # fmt: skip
 

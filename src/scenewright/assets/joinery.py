@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import pi
 
 import numpy as np
@@ -15,7 +16,7 @@ GAP = 0.004
 def spread(low: float, high: float, count: int) -> list[Interval]:
     """``count`` equal intervals that fill ``(low, high)``."""
     ends = np.linspace(low, high, count + 1)
-    return [(float(a), float(b)) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+    return [(float(a), float(b)) for a, b in pairwise(ends)]
 
 
 def fronts(x: Interval, z: Interval, columns: int, rows: int, y: Interval) -> list[Mesh]:
@@ -88,7 +89,7 @@ def corpus(x: Interval, y: Interval, z: Interval, thick: float = 0.02, shelves: 
     found += [block(inner, deep, (k - thick / 2, k + thick / 2)) for k in levels]
     ends = [z[0] + thick / 2, *levels, z[1] - thick / 2]
     for k in np.linspace(x[0] + thick / 2, x[1] - thick / 2, uprights + 2)[1:-1]:
-        for low, high in zip(ends[:-1], ends[1:], strict=True):
+        for low, high in pairwise(ends):
             level = (low + thick / 2, high - thick / 2)
             found.append(block((k - thick / 2, k + thick / 2), deep, level))
     return found

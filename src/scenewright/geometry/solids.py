@@ -123,20 +123,22 @@ def tube(path: ArrayLike, radius: float, sides: int = 6) -> Mesh:
 
 
 def _swept(path: Floats, radii: Sequence[float], sides: int) -> Mesh:
+    """Circles carried along a polyline without twist, each joint cut in the plane that halves
+    the bend."""
     steps = np.diff(path, axis=0)
     steps /= np.linalg.norm(steps, axis=1, keepdims=True)
-    tangents = np.concatenate([steps[:1], steps[:-1] + steps[1:], steps[-1:]])
-    tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
-    stretch = [1.0, *(1 / np.sqrt((1 + np.sum(steps[:-1] * steps[1:], 1)) / 2)), 1.0]
-    normal = np.cross(tangents[0], np.eye(3)[np.argmin(np.abs(tangents[0]))])
+    mitres = np.concatenate([steps[:1], steps[:-1] + steps[1:], steps[-1:]])
+    normal = np.cross(steps[0], np.eye(3)[np.argmin(np.abs(steps[0]))])
+    normal /= np.linalg.norm(normal)
     angle = (np.arange(sides) + 0.5) * 2 * pi / sides
     rings = []
-    for point, tangent, radius, wide in zip(path, tangents, radii, stretch, strict=True):
-        normal = normal - tangent * (normal @ tangent)
-        normal /= np.linalg.norm(normal)
-        other = np.cross(tangent, normal)
-        ring = np.outer(np.cos(angle), normal) + np.outer(np.sin(angle), other)
-        rings.append(point + ring * radius * min(wide, 1.5))
+    for i, (point, mitre, radius) in enumerate(zip(path, mitres, radii, strict=True)):
+        along = steps[max(i - 1, 0)]
+        circle = np.outer(np.cos(angle), normal) + np.outer(np.sin(angle), np.cross(along, normal))
+        rings.append(point + radius * (circle - np.outer(circle @ mitre / (along @ mitre), along)))
+        if 0 < i < len(steps):
+            half = along + steps[i]
+            normal = normal - half * (half @ normal) / (1 + along @ steps[i])
     return loft(rings)
 
 
@@ -165,7 +167,7 @@ def pipe(outer: float, inner: float, z: Interval, at: Spot = (0.0, 0.0), sides: 
     circle = np.column_stack([np.cos(angle), np.sin(angle)])
     corners = [(outer, z[0]), (outer, z[1]), (inner, z[1]), (inner, z[0])]
     stack = [np.column_stack([circle * r + at, np.full(sides, level)]) for r, level in corners]
-    return _ringed(np.array(stack))
+    return ringed(np.array(stack))
 
 
 def frame(x: Interval, y: Interval, z: Interval, rim: float, radius: float = 0.0) -> Mesh:
@@ -176,10 +178,10 @@ def frame(x: Interval, y: Interval, z: Interval, rim: float, radius: float = 0.0
         rectangle_ring(a, b, level, r, 2)[:, [0, 2, 1]]
         for (a, b, level), r in zip(corners, (radius, radius, radius / 2, radius / 2), strict=True)
     ]
-    return _ringed(np.array(stack))
+    return ringed(np.array(stack))
 
 
-def _ringed(stack: Floats) -> Mesh:
+def ringed(stack: Floats) -> Mesh:
     """A closed ring of rings ``(k, n, 3)``: sides between each and the next, the last and first."""
     k, n = stack.shape[:2]
     i, j = np.meshgrid(np.arange(k), np.arange(n), indexing="ij")

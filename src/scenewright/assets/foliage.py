@@ -1,0 +1,72 @@
+"""Plants: pots, rosettes of leaves, crowns of small trees."""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+
+from scenewright.assets.objects import wobble
+from scenewright.geometry.mesh import Mesh
+from scenewright.geometry.solids import Spot, ball, disc, lathe, leaf, tube
+
+GOLDEN = pi * (3 - 5**0.5)
+"""Angle in radians between one leaf and the next on most plants (Vogel 1979)."""
+
+
+def pot(radius: float, high: float, at: Spot = (0.0, 0.0)) -> tuple[Mesh, Mesh]:
+    """A tapered pot with a rim, and the soil in it."""
+    wall = [(0.72, 0), (1, high), (0.88, high), (0.84, 0.88 * high)]
+    body = lathe([(r * radius, z) for r, z in wall], at, 16)
+    return body, disc(0.85 * radius, (0.84 * high, 0.9 * high), at, 12)
+
+
+def rosette(count: int, length: float, wide: float, low: float, at: Spot = (0.0, 0.0),
+            rise: tuple[float, float] = (0.5, 1.35), droop: float = 1.2) -> list[Mesh]:  # fmt: skip
+    """Leaves from one root, the inner ones upright, the outer ones bending over."""
+    found = []
+    for k in range(count):
+        share = (k + 0.5) / count
+        slope = rise[1] + (rise[0] - rise[1]) * share
+        long = length * (0.75 + 0.25 * wobble(k))
+        found.append(leaf(long, wide, slope, droop, k * GOLDEN, (*at, low)))
+    return found
+
+
+def stems(count: int, low: float, high: float, reach: float, length: float, wide: float,
+          at: Spot = (0.0, 0.0)) -> tuple[list[Mesh], list[Mesh]]:  # fmt: skip
+    """Upright stems with leaves all along: stems and leaves."""
+    wood, green = [], []
+    for k in range(count):
+        angle, top = k * GOLDEN, low + (high - low) * (0.75 + 0.25 * wobble(k + 3))
+        x, y = at[0] + reach * 0.35 * cos(angle), at[1] + reach * 0.35 * sin(angle)
+        wood.append(tube([(*at, low), (x, y, (low + top) / 2), (x * 1.4, y * 1.4, top)], 0.006, 4))
+        for i in range(4):
+            share = 0.45 + 0.18 * i
+            place = (x * (0.6 + share * 0.7), y * (0.6 + share * 0.7), low + share * (top - low))
+            green.append(leaf(length, wide, 0.5, 0.9, angle + i * 2.2 + k, place))
+    return wood, green
+
+
+def tree(low: float, high: float, radius: float, leaves: int) -> tuple[list[Mesh], list[Mesh]]:
+    """A slender trunk that forks, with broad leaves around the crown: wood and leaves."""
+    fork = low + 0.4 * (high - low)
+    wood = [tube([(0, 0, low), (0.01, 0.01, fork), (0.0, 0.0, high - 0.12 * (high - low))],
+                 0.014, 5)]  # fmt: skip
+    green = []
+    for k in range(4):
+        angle = k * GOLDEN + 0.4
+        out = 0.38 * radius
+        tip = (out * cos(angle), out * sin(angle), fork + (0.5 + 0.1 * k) * (high - fork))
+        wood.append(tube([(0, 0, fork - 0.05 + 0.05 * k), tip], 0.008, 4))
+    for k in range(leaves):
+        share = (k + 0.5) / leaves
+        angle, z = k * GOLDEN, fork + (0.98 - 0.86 * share) * (high - fork - 0.12)
+        out = radius * 0.42 * (0.25 + 0.75 * min(1.0, 2.6 * share))
+        long = 0.52 * radius * (0.85 + 0.3 * wobble(k))
+        place = (out * cos(angle), out * sin(angle), z)
+        green.append(leaf(long, 0.5 * long, 0.75 - 0.8 * share, 0.9, angle, place))
+    return wood, green
+
+
+def bush(x: float, y: float, z: float, radius: float, high: float) -> Mesh:
+    """A low round clump."""
+    return ball(radius, radius, high / 2, (x, y, z + high / 2), 8, 4)
