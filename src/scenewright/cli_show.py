@@ -51,7 +51,10 @@ def checked(console: Console, report: Report) -> None:
         console.print(Text(f"  note: {note.message}", "dim"))
     shares = report.figures.get("navigable_share", {})
     if isinstance(shares, Mapping) and shares:
-        told = ", ".join(f"{share:.0%} ({level})" for level, share in shares.items())
+        levels = [f" on level {level}" if len(shares) > 1 else "" for level in shares]
+        told = ", ".join(
+            f"{share:.0%}{level}" for level, share in zip(levels, shares.values(), strict=True)
+        )
         console.print(Text(f"floor one can walk on: {told}", "dim"))
 
 
