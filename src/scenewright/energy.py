@@ -9,6 +9,7 @@ import numpy as np
 from scenewright.geometry.boxes import Floats, fill_frames, frames_of
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.paths import Bits, Grid, make_grid
+from scenewright.layout import Layout
 from scenewright.problem import Ground, Items, Problem
 from scenewright.terms.assemble import Costs, Ints, Prepared, make_costs, measure
 from scenewright.terms.circulation import route
@@ -158,6 +159,11 @@ def evaluate(problem: Problem, boxes: Floats, cell: float = 0.1) -> Floats:
     """
     grid = route_grid(problem, cell)
     return energies_of(prepare(problem), grid, boxes)[0]
+
+
+def empty_layout(problem: Problem) -> Layout:
+    """The only layout of a problem without items."""
+    return Layout(np.zeros((0, 5)), float(evaluate(problem, np.zeros((1, 0, 5)))[0]))
 
 
 def _parts(

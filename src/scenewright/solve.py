@@ -107,24 +107,29 @@ def run_population(
     rng: np.random.Generator,
     watch: Watch,
     rounds: int | None = None,
-    keep: int = 64,
 ) -> tuple[Floats, Floats, int]:
     """Ask and tell until the budget (or ``rounds``) is spent.
 
-    Returns the ``keep`` best genes seen (k, m), their energies (k,) and the evaluations made.
+    Returns the last population and every best on the way, as genes (k, m) best first, with their
+    energies (k,), and the evaluations made.
     """
     state, done, count = solver.init(rng, low, high), 0, 0
-    best_genes, best = np.empty((0, len(low))), np.empty(0)
+    records: list[Floats] = []
+    least = [math.inf]
     while True:
         genes, state = solver.ask(state, rng)
         energies = objective(genes)
         state = solver.tell(state, genes, energies)
         done, count = done + len(genes), count + 1
-        best_genes, best = np.concatenate([best_genes, genes]), np.concatenate([best, energies])
-        order = np.argsort(best, kind="stable")[:keep]
-        best_genes, best = best_genes[order], best[order]
-        if watch.over(done, float(best[0])) or count == rounds:
-            return best_genes, best, done
+        first = int(energies.argmin())
+        if energies[first] < least[-1]:
+            records.append(genes[first].copy())
+            least.append(float(energies[first]))
+        if watch.over(done, least[-1]) or count == rounds:
+            seen = np.concatenate([np.array(records).reshape(-1, len(low)), genes])
+            heard = np.concatenate([least[1:], energies])
+            order = np.argsort(heard, kind="stable")
+            return seen[order], heard[order], done
 
 
 def distinct(

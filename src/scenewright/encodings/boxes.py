@@ -21,11 +21,12 @@ def to_boxes(genes: Floats) -> Floats:
     >>> to_boxes(np.array([[0.0, 0.0, 0.0, 2.0, 1.0]])).round(3).tolist()
     [[1.0, 0.5, 1.571, 2.0, 1.0]]
     """
-    x, y, angle, length, width = np.moveaxis(genes, -1, 0)
+    angle, half, boxes = genes[..., 2], 0.5 * genes[..., 3:], genes.copy()
     cos, sin = np.cos(angle), np.sin(angle)
-    centre_x = x + 0.5 * (length * cos - width * sin)
-    centre_y = y + 0.5 * (length * sin + width * cos)
-    return np.stack([centre_x, centre_y, angle + 0.5 * np.pi, length, width], axis=-1)
+    boxes[..., 0] += half[..., 0] * cos - half[..., 1] * sin
+    boxes[..., 1] += half[..., 0] * sin + half[..., 1] * cos
+    boxes[..., 2] += 0.5 * np.pi
+    return boxes
 
 
 def to_genes(boxes: Floats) -> Floats:
@@ -34,12 +35,16 @@ def to_genes(boxes: Floats) -> Floats:
     >>> to_genes(np.array([[1.0, 0.5, np.pi / 2, 2.0, 1.0]])).round(3).tolist()
     [[0.0, 0.0, 0.0, 2.0, 1.0]]
     """
-    x, y, heading, width, depth = np.moveaxis(boxes, -1, 0)
-    angle = (heading - 0.5 * np.pi) % (2.0 * np.pi)
+    angle, half, genes = (
+        (boxes[..., 2] - 0.5 * np.pi) % (2.0 * np.pi),
+        0.5 * boxes[..., 3:],
+        boxes.copy(),
+    )
     cos, sin = np.cos(angle), np.sin(angle)
-    corner_x = x - 0.5 * (width * cos - depth * sin)
-    corner_y = y - 0.5 * (width * sin + depth * cos)
-    return np.stack([corner_x, corner_y, angle, width, depth], axis=-1)
+    genes[..., 0] -= half[..., 0] * cos - half[..., 1] * sin
+    genes[..., 1] -= half[..., 0] * sin + half[..., 1] * cos
+    genes[..., 2] = angle
+    return genes
 
 
 def gene_bounds(problem: Problem) -> tuple[Floats, Floats]:

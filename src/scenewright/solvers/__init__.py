@@ -27,6 +27,10 @@ class SolverRow(NamedTuple):
         cancel: Cancel | None = None,
     ) -> Found:
         """Solve; see :data:`scenewright.solve.Run`."""
+        if not problem.names:
+            from scenewright.energy import empty_layout
+
+            return Found((empty_layout(problem),), 1)
         solve: Run = getattr(import_module(f"{__name__}.{self.module}"), self.function)
         return solve(problem, budget, seed, progress, cancel)
 

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.energy import energies_of, prepare, route_grid
+from scenewright.energy import empty_layout, energies_of, prepare, route_grid
 from scenewright.geometry.boxes import frames_of
 from scenewright.geometry.paths import Grid
 from scenewright.problem import Problem
@@ -76,7 +76,7 @@ def plan(steps: int, n: int) -> tuple[Stage, ...]:
     """Stages for a budget of steps: as many chains as leave each enough to settle.
 
     >>> [stage.chains for stage in plan(200_000, 3)], [stage.chains for stage in plan(200_000, 20)]
-    ([32, 8, 2], [2, 1])
+    ([32, 8, 2], [5, 1, 1])
     """
     chains = int(np.clip(0.5 * steps / (1000 * n), 1, 32))
     if chains >= 4:
@@ -225,6 +225,8 @@ def anneal(
         budget = budget._replace(seconds=SECONDS)
     watch = Watch(budget, progress, cancel)
     p, grid = prepare(problem), route_grid(problem, 0.1)
+    if not len(p.limits):
+        return Found((empty_layout(problem),), 1)
     chains = _begin(p, grid, SAMPLES, seed)
     threads = threads or min(os.cpu_count() or 1, 16)
     with ThreadPoolExecutor(threads) as pool:

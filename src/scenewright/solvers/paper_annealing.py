@@ -27,7 +27,7 @@ STEP = 0.3
 
 def moved(genes: Floats, low: Floats, high: Floats, rng: np.random.Generator) -> Floats:
     """Another layout (n, 5): one of the paper's four moves, within the bounds."""
-    changed, i, kind = genes.copy(), rng.integers(len(genes)), rng.integers(4)
+    changed, i, kind = genes.copy(), int(rng.integers(len(genes))), int(rng.integers(4))
     if kind == 3 and len(genes) > 1:
         j = (i + rng.integers(1, len(genes))) % len(genes)
         changed[i, :3], changed[j, :3] = genes[j, :3], genes[i, :3]
