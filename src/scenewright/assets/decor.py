@@ -6,7 +6,7 @@ from math import cos, pi, sin
 
 import numpy as np
 
-from scenewright.assets.foliage import GOLDEN, pot, rosette, stems, tree
+from scenewright.assets.foliage import GOLDEN, grown, pot, rosette, tree
 from scenewright.assets.joinery import spread
 from scenewright.assets.materials import (
     BARK,
@@ -72,11 +72,12 @@ def _diamonds(w: float, d: float, z: tuple[float, float]) -> list[Mesh]:
 
 def _plant(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
-    radius, high = 0.5 * min(w, d), 0.36 * h
+    radius, high = 0.62 * min(w, d), 0.36 * h
     body, soil = pot(radius, high)
     reach = h - high
     count = 13 if h < 0.3 else 17
-    leaves = rosette(count, 0.95 * reach, 0.3 * min(w, d), 0.9 * high, droop=1.0)
+    leaves = rosette(count, reach, 0.34 * reach, 0.9 * high, droop=1.0)
+    (leaves,) = grown(w, d, (0.85 * high, h), leaves)
     return parts(size, {
         CERAMIC: [body], SOIL: [soil], LEAF: leaves[::2], LEAF_LIGHT: leaves[1::2],
     })  # fmt: skip
@@ -86,7 +87,7 @@ def _potted_tree(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     radius, high = min(0.6 * min(w, d), 0.2), min(0.24 * h, 0.36)
     body, soil = pot(radius, high)
-    wood, leaves = tree(0.8 * high, h, 1.15 * min(w, d), 42)
+    wood, leaves = grown(w, d, (0.8 * high, h), *tree(0.8 * high, h, 1.2 * min(w, d), 48))
     return parts(size, {
         CLAY: [body], SOIL: [soil], BARK: wood, LEAF: [*leaves[::3], *leaves[1::3]],
         LEAF_LIGHT: leaves[2::3],
@@ -97,10 +98,10 @@ def _palm(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     radius, high = min(0.55 * min(w, d), 0.19), min(0.24 * h, 0.32)
     body, soil = pot(radius, high)
-    wood, low = stems(5, 0.85 * high, h, 0.8 * min(w, d), 0.7 * min(w, d), 0.22 * min(w, d))
-    crown = rosette(12, 0.8 * (h - high), 0.3 * min(w, d), 0.9 * high, rise=(0.9, 1.45), droop=0.9)
+    crown = rosette(19, h - high, 0.2 * (h - high), 0.9 * high, rise=(0.75, 1.5), droop=1.5)
+    (crown,) = grown(w, d, (0.85 * high, h), crown)
     return parts(size, {
-        RATTAN: [body], SOIL: [soil], BARK: wood, LEAF: crown, LEAF_LIGHT: low,
+        RATTAN: [body], SOIL: [soil], LEAF: crown[::2], LEAF_LIGHT: crown[1::2],
     })  # fmt: skip
 
 

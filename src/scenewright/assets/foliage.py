@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from math import cos, pi, sin
 
+import numpy as np
+
 from scenewright.assets.objects import wobble
-from scenewright.geometry.mesh import Mesh
+from scenewright.geometry.mesh import Mesh, mapped
 from scenewright.geometry.solids import Spot, ball, disc, lathe, leaf, tube
 
 GOLDEN = pi * (3 - 5**0.5)
@@ -31,21 +33,6 @@ def rosette(count: int, length: float, wide: float, low: float, at: Spot = (0.0,
     return found
 
 
-def stems(count: int, low: float, high: float, reach: float, length: float, wide: float,
-          at: Spot = (0.0, 0.0)) -> tuple[list[Mesh], list[Mesh]]:  # fmt: skip
-    """Upright stems with leaves all along: stems and leaves."""
-    wood, green = [], []
-    for k in range(count):
-        angle, top = k * GOLDEN, low + (high - low) * (0.75 + 0.25 * wobble(k + 3))
-        x, y = at[0] + reach * 0.35 * cos(angle), at[1] + reach * 0.35 * sin(angle)
-        wood.append(tube([(*at, low), (x, y, (low + top) / 2), (x * 1.4, y * 1.4, top)], 0.006, 4))
-        for i in range(4):
-            share = 0.45 + 0.18 * i
-            place = (x * (0.6 + share * 0.7), y * (0.6 + share * 0.7), low + share * (top - low))
-            green.append(leaf(length, wide, 0.5, 0.9, angle + i * 2.2 + k, place))
-    return wood, green
-
-
 def tree(low: float, high: float, radius: float, leaves: int) -> tuple[list[Mesh], list[Mesh]]:
     """A slender trunk that forks, with broad leaves around the crown: wood and leaves."""
     fork = low + 0.4 * (high - low)
@@ -54,17 +41,27 @@ def tree(low: float, high: float, radius: float, leaves: int) -> tuple[list[Mesh
     green = []
     for k in range(4):
         angle = k * GOLDEN + 0.4
-        out = 0.38 * radius
-        tip = (out * cos(angle), out * sin(angle), fork + (0.5 + 0.1 * k) * (high - fork))
+        out = 0.4 * radius
+        tip = (out * cos(angle), out * sin(angle), fork + (0.35 + 0.12 * k) * (high - fork))
         wood.append(tube([(0, 0, fork - 0.05 + 0.05 * k), tip], 0.008, 4))
     for k in range(leaves):
         share = (k + 0.5) / leaves
-        angle, z = k * GOLDEN, fork + (0.98 - 0.86 * share) * (high - fork - 0.12)
-        out = radius * 0.42 * (0.25 + 0.75 * min(1.0, 2.6 * share))
-        long = 0.52 * radius * (0.85 + 0.3 * wobble(k))
+        angle, z = k * GOLDEN, fork + (0.9 - 0.95 * share) * (high - fork)
+        out = 0.5 * radius * sin(pi * min(0.2 + 0.75 * share, 1.0))
+        long = 0.72 * radius * (0.85 + 0.3 * wobble(k))
         place = (out * cos(angle), out * sin(angle), z)
-        green.append(leaf(long, 0.5 * long, 0.75 - 0.8 * share, 0.9, angle, place))
+        green.append(leaf(long, 0.55 * long, 0.9 - 1.1 * share, 0.9, angle, place))
     return wood, green
+
+
+def grown(w: float, d: float, z: tuple[float, float], *groups: list[Mesh]) -> list[list[Mesh]]:
+    """Groups of foliage stretched together to fill ``[-w, w] x [-d, d]`` between two heights."""
+    points = np.concatenate([m.vertices for group in groups for m in group])
+    source = (points.min(0), points.max(0))
+    low, high = np.array([-w, -d, z[0]]), np.array([w, d, z[1]])
+    return [
+        [Mesh(mapped(m.vertices, source, low, high), m.faces) for m in group] for group in groups
+    ]
 
 
 def bush(x: float, y: float, z: float, radius: float, high: float) -> Mesh:

@@ -27,7 +27,7 @@ def shade(radius: Spot, top: float, low: float, high: float, sides: int = 24) ->
 def _floor_lamp(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     low = h - min(0.32, 0.26 * h)
-    reach = 0.62
+    reach = 0.88
     feet = [leg(0.06 * a * w, 0.06 * b * d, (0, low + 0.02), 0.012, 0.01,
                 lean=(reach * a * w, reach * b * d))
             for a, b in ((0, 1.1), (0.95, -0.55), (-0.95, -0.55))]  # fmt: skip
@@ -43,8 +43,8 @@ def _table_lamp(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     low = 0.5 * h
     belly = min(0.62 * min(w, d), 0.3 * low)
-    base = lathe([(0.6 * belly, 0), (0.62 * belly, 0.012), (belly, 0.4 * low), (0.8 * belly, 0.7 * low),
-                  (0.22 * belly, 0.92 * low), (0.2 * belly, low)], sides=16)  # fmt: skip
+    rows = [(0.6, 0), (0.62, 0.05), (1, 0.4), (0.8, 0.7), (0.22, 0.92), (0.2, 1)]
+    base = lathe([(r * belly, z * low) for r, z in rows], sides=16)  # fmt: skip
     return parts(size, {
         CERAMIC: [base], BRASS: [rod((0, 0, low - 0.01), (0, 0, low + 0.06), 0.008, sides=6)],
         SHADE: [shade((w, d), 0.7, low, h, 20)],

@@ -1,0 +1,317 @@
+"""Things that belong to the building, and large odd ones: radiator, stairs, fireplace, piano."""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+
+import numpy as np
+
+from scenewright.assets.joinery import spread
+from scenewright.assets.materials import (
+    BLACK,
+    CARDBOARD,
+    CHARCOAL,
+    CHROME,
+    EMBER,
+    GREY,
+    LINEN,
+    NAVY,
+    OAK,
+    OAK_DARK,
+    PLASTER,
+    RUBBER,
+    SLATE,
+    STEEL,
+    WALNUT,
+    WHITE,
+)
+from scenewright.assets.model import Parts, asset, parts
+from scenewright.assets.symbols import Lines, arc, box, closed, crossed, oval, path, rectangle
+from scenewright.geometry.mesh import Mesh, extrude, moved, turned
+from scenewright.geometry.solids import (
+    bevelled,
+    block,
+    cushion,
+    disc,
+    lathe,
+    pipe,
+    profile,
+    rod,
+    tube,
+)
+from scenewright.scene import Size
+
+
+def _radiator(size: Size) -> Parts:
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    count = max(4, round(size.width / 0.07))
+    deep = (-d + min(0.025, 0.3 * d), d)
+    ribs = [bevelled((a + 0.006, b - 0.006), deep, (0.0, h), 0.012)
+            for a, b in spread(-w - 0.006, w + 0.006, count)]  # fmt: skip
+    pipes = [
+        block((-w + 0.01, w - 0.01), (-0.4 * d, 0.4 * d), (z, z + 0.03)) for z in (0.06, h - 0.09)
+    ]
+    stays = [block((s * 0.7 * w - 0.01, s * 0.7 * w + 0.01), (-d, -0.3 * d), (h - 0.1, h - 0.07))
+             for s in (-1, 1)]  # fmt: skip
+    return parts(size, {WHITE: [*ribs, *pipes], STEEL: stays})
+
+
+def _column(size: Size) -> Parts:
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    return parts(size, {PLASTER: [block((-w, w), (-d, d), (0, h))]})
+
+
+def _obstacle(size: Size) -> Parts:
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    return parts(size, {GREY: [block((-w, w), (-d, d), (0, h))]})
+
+
+def _box(size: Size) -> Parts:
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    tape = min(0.025, 0.2 * d)
+    return parts(size, {
+        CARDBOARD: [block((-w, w), (-d + 0.001, d - 0.001), (0, h - 0.001))],
+        LINEN: [block((-w + 0.001, w - 0.001), (-tape, tape), (h - 0.01, h))],
+        RUBBER: [block((0.2 * w, 0.7 * w), (d - 0.002, d), (0.35 * h, 0.6 * h)),
+                 block((0.2 * w, 0.7 * w), (-d, -d + 0.002), (0.35 * h, 0.6 * h))],
+    })  # fmt: skip
+
+
+def risers(size: Size) -> int:
+    """Number of steps for a rise near 17.5 cm (a comfortable stair, Blondel's 2 r + g = 63 cm)."""
+    return max(3, round(size.height / 0.175))
+
+
+def _staircase(size: Size) -> Parts:
+    """A straight flight up from the front (+y) to the back; a rail as far as the height allows."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    count = risers(size)
+    run, rise = size.depth / count, h / count
+    treads, faces = [], []
+    for k in range(count):
+        y, level = d - k * run, (k + 1) * rise
+        back = max(y - run - 0.02, -d)
+        treads.append(block((-w + 0.03, w - 0.03), (back, y), (level - 0.035, level)))
+        faces.append(block((-w + 0.031, w - 0.031), (y - 0.035, y - 0.015),
+                           (k * rise - 0.035 * (k > 0), level - 0.035)))  # fmt: skip
+    low = d - 0.28 * run / rise
+    slope = [(low, 0.0), (d, 0.0), (d, rise + 0.02), (-d + run, h), (-d, h), (-d, h - 0.3)]
+    strings = [profile(slope, (s * (w - 0.015) - 0.015, s * (w - 0.015) + 0.015)) for s in (-1, 1)]
+    rails, bars = _railing(w - 0.015, d, rise, run, h)
+    return parts(size, {OAK: [*treads, *rails], WHITE: [*faces, *strings], BLACK: bars})
+
+
+def _railing(
+    x: float, d: float, rise: float, run: float, h: float
+) -> tuple[list[Mesh], list[Mesh]]:
+    """Handrails 0.9 m above the noses on both sides, up to the height ``h``, and their bars."""
+    tall = min(0.9, 0.5 * h)
+    steps = int((h - tall - rise) / rise)
+    if steps < 1:
+        return [], []
+    spots = [(d - 0.04 - k * run, (k + 1) * rise) for k in range(steps + 1)]
+    (y0, z0), (y1, z1) = spots[0], spots[-1]
+    rails = [rod((s * x, y0, z0 + tall - 0.02), (s * x, y1, z1 + tall - 0.02), 0.02, sides=8)
+             for s in (-1, 1)]  # fmt: skip
+    bars = [rod((s * x, y, z - 0.05), (s * x, y, z + tall - 0.02), 0.009, sides=4)
+            for s in (-1, 1) for y, z in spots]  # fmt: skip
+    return rails, bars
+
+
+def _fireplace(size: Size) -> Parts:
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    mouth, top, base = 0.52 * w, 0.58 * min(h, 1.3), 0.08
+    mantel = min(h, 1.3) - 0.06
+    y = (-d, d - 0.06)
+    body = [
+        block((-w + 0.06, -mouth), y, (0, mantel)), block((mouth, w - 0.06), y, (0, mantel)),
+        block((-mouth, mouth), y, (top, mantel)), block((-mouth, mouth), (-d, -d + 0.05), (0, top)),
+    ]  # fmt: skip
+    chimney = (
+        [block((-0.6 * w, 0.6 * w), (-d, 0.3 * d), (mantel + 0.06, h))] if h > mantel + 0.1 else []
+    )
+    under = rod((-0.3 * mouth, 0.1 * d, base + 0.05), (0.32 * mouth, 0.0, base + 0.05), 0.04)
+    logs = [turned(under, "z", a) for a in (0.15, -0.2)]
+    logs.append(
+        rod((-0.25 * mouth, -0.1 * d, base + 0.12), (0.28 * mouth, 0.15 * d, base + 0.12), 0.036)
+    )
+    flames = [moved(Mesh(_flame().vertices * (s, s, s), _flame().faces), x, 0.0, base + 0.12)
+              for x, s in ((-0.2 * mouth, 0.14), (0.02, 0.2), (0.24 * mouth, 0.12))]  # fmt: skip
+    return parts(size, {
+        PLASTER: [*body, *chimney], SLATE: [
+            block((-w, w), (-d, d), (0, 0.04)),
+            block((-mouth, mouth), (-d + 0.05, d - 0.06), (0.04, base)),
+            block((-mouth + 0.001, mouth - 0.001), (-d + 0.05, -d + 0.06), (base, top - 0.001)),
+        ],
+        OAK_DARK: [bevelled((-w, w), (-d, d), (mantel, mantel + 0.06), 0.008), *logs],
+        EMBER: flames,
+    })  # fmt: skip
+
+
+def _flame() -> Mesh:
+    return lathe([(0.0, 0), (0.3, 0.12), (0.34, 0.35), (0.16, 0.75), (0.0, 1.2)], sides=8)
+
+
+def _piano(size: Size) -> Parts:
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    deck, lip = 0.62 * h, d - 0.02
+    case = [
+        block((-w, w), (-d, 0.05 * d), (0, h - 0.025)),
+        bevelled((-w, w), (-d, 0.12 * d), (h - 0.025, h), 0.006),
+        block((-w + 0.03, w - 0.03), (0.05 * d, d), (deck - 0.07, deck - 0.02)),
+        block((-w, -w + 0.04), (0.05 * d, d), (deck - 0.07, deck + 0.04)),
+        block((w - 0.04, w), (0.05 * d, d), (deck - 0.07, deck + 0.04)),
+        *(
+            block(
+                (s * (w - 0.04) - 0.025, s * (w - 0.04) + 0.025),
+                (d - 0.1, d - 0.04),
+                (0, deck - 0.07),
+            )
+            for s in (-1, 1)
+        ),
+        block((-0.35 * w, 0.35 * w), (0.06 * d, 0.1 * d), (deck + 0.1, deck + 0.3 * h)),
+    ]
+    keys = block((-w + 0.06, w - 0.06), (0.35 * d, lip), (deck - 0.025, deck))
+    count = 36
+    step = (2 * w - 0.12) / count
+    black = [
+        block((-w + 0.06 + (k + 0.7) * step, -w + 0.06 + (k + 1.3) * step), (0.35 * d, 0.68 * d),
+              (deck - 0.01, deck + 0.012))
+        for k in range(count - 1) if k % 7 not in (2, 6)
+    ]  # fmt: skip
+    return parts(size, {WALNUT: case, WHITE: [keys], BLACK: black})
+
+
+def _exercise_bike(size: Size) -> Parts:
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    seat = 0.72 * h
+    wheel = moved(turned(disc(1, (-0.03, 0.03), sides=20), "y", pi / 2), 0, 0, 0)
+    radius = min(0.26, 0.24 * h)
+    wheel = Mesh(wheel.vertices * (1, radius, radius) + (0, 0.45 * d, 0.08 + radius), wheel.faces)
+    rim = turned(pipe(1, 0.82, (-0.035, 0.035), sides=20), "y", pi / 2)
+    rim = Mesh(rim.vertices * (1, radius, radius) + (0, 0.45 * d, 0.08 + radius), rim.faces)
+    crank = (0.0, 0.0, 0.3)
+    frame = [
+        rod((0, -d + 0.05, 0.06), (0, d - 0.05, 0.06), 0.03),
+        rod(crank, (0, -0.42 * d, seat - 0.03), 0.026),
+        rod((0, 0.45 * d, 0.08 + radius), (0, 0.55 * d, h - 0.1), 0.026),
+        rod(crank, (0, 0.52 * d, 0.62 * h), 0.026),
+    ]
+    feet = [rod((-w, y, 0.03), (w, y, 0.03), 0.03) for y in (-d + 0.03, d - 0.03)]
+    bars = tube([(-w + 0.06, 0.25 * d, h - 0.02), (-w + 0.06, 0.5 * d, h - 0.05),
+                 (w - 0.06, 0.5 * d, h - 0.05), (w - 0.06, 0.25 * d, h - 0.02)], 0.015)  # fmt: skip
+    saddle = cushion(
+        (-0.11, 0.11), (-0.42 * d - 0.14, -0.42 * d + 0.14), (seat - 0.04, seat + 0.03), 0.03
+    )
+    pedals, cranks = [], []
+    for s, y, z in ((1, 0.12, 0.38), (-1, -0.12, 0.22)):
+        pedals.append(
+            block((s * 0.12 - 0.05, s * 0.12 + 0.05), (y - 0.04, y + 0.04), (z - 0.012, z + 0.012))
+        )
+        cranks.append(rod((s * 0.05, 0, 0.3), (s * 0.08, y, z), 0.012))
+    screen = bevelled((-0.1, 0.1), (0.5 * d, 0.5 * d + 0.03), (h - 0.14, h), 0.006)
+    return parts(size, {
+        CHARCOAL: [*frame, rim, screen], BLACK: [*feet, bars, saddle, *pedals],
+        CHROME: [wheel, *cranks],
+    })  # fmt: skip
+
+
+def _ironing_board(size: Size) -> Parts:
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    board = [(w, -d + 0.03), (w, 0.3 * d), (0.72 * w, 0.7 * d), (0.3 * w, 0.95 * d), (0, d)]
+    ring = [*board, *[(-x, y) for x, y in board[-2::-1]], (-w + 0.03, -d), (w - 0.03, -d)]
+    legs = [
+        tube([(s * 0.5 * w, -0.75 * d, h - 0.085), (s * 0.9 * w, 0.62 * d, 0.012)], 0.011)
+        for s in (-1, 1)
+    ]
+    legs += [tube([(s * 0.35 * w, 0.6 * d, h - 0.085), (s * 0.9 * w, -0.7 * d, 0.012)], 0.011)
+             for s in (-1, 1)]  # fmt: skip
+    feet = [rod((-w, y, 0.014), (w, y, 0.014), 0.014) for y in (0.62 * d, -0.7 * d)]
+    iron = [bevelled((-0.05, 0.05), (-0.62 * d, -0.62 * d + 0.22), (h - 0.06, h - 0.03), 0.012)]
+    iron.append(
+        tube(
+            [
+                (0, -0.62 * d + 0.03, h - 0.035),
+                (0, -0.62 * d + 0.03, h - 0.01),
+                (0, -0.62 * d + 0.18, h - 0.01),
+                (0, -0.62 * d + 0.18, h - 0.035),
+            ],
+            0.01,
+        )
+    )
+    return parts(size, {
+        NAVY: [extrude(ring, h - 0.09, h - 0.06)], STEEL: [*legs, *feet], RUBBER: iron,
+    })  # fmt: skip
+
+
+def _radiator_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    ribs = spread(-w, w, max(4, round(size.width / 0.1)))
+    return rectangle(size), *(path((a, -d), (a, d)) for a, _ in ribs[1:])
+
+
+def _hatched(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    marks = np.linspace(-1, 1, 6)
+    strokes = [path((w * t, -d), (w, -d * t)) for t in marks[:-1]]
+    strokes += [path((-w, d * t), (-w * t, d)) for t in marks[1:-1]]
+    return rectangle(size), *strokes
+
+
+def _stairs_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    treads = [path((-w, y), (w, y)) for y, _ in spread(-d, d, risers(size))[1:]]
+    tip = -d + 0.15
+    arrow = path((-0.08, tip + 0.14), (0, tip), (0.08, tip + 0.14))
+    return rectangle(size), *treads, path((0, d - 0.12), (0, tip)), arrow, oval(0, d - 0.12, 0.03)
+
+
+def _fireplace_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    mouth = 0.52 * w
+    hearth = path((-mouth, d), (-0.8 * mouth, -0.5 * d), (0.8 * mouth, -0.5 * d), (mouth, d))
+    flame = arc(0, 0.1 * d, 0.35 * mouth, 0.5 * d, pi, 2 * pi)
+    return rectangle(size), hearth, flame
+
+
+def _piano_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    keys = [path((x, 0.35 * d), (x, d - 0.02)) for x, _ in spread(-w + 0.06, w - 0.06, 26)[1:]]
+    return (
+        rectangle(size), path((-w, 0.1 * d), (w, 0.1 * d)),
+        box(-w + 0.06, w - 0.06, 0.35 * d, d - 0.02), *keys,
+    )  # fmt: skip
+
+
+def _bike_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    return (
+        box(-0.07, 0.07, -d, d, 0.05), path((-w, -d + 0.03), (w, -d + 0.03)),
+        path((-w, d - 0.03), (w, d - 0.03)), path((-w + 0.06, 0.25 * d), (-w + 0.06, 0.5 * d),
+        (w - 0.06, 0.5 * d), (w - 0.06, 0.25 * d)), oval(0, -0.42 * d, 0.1, 0.14),
+    )  # fmt: skip
+
+
+def _board_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    angle = np.linspace(0, pi, 17)
+    nose = [(w * cos(a), 0.2 * d + 0.8 * d * sin(a)) for a in angle]
+    return closed([(-w, -d), (w, -d), *nose]), box(-0.05, 0.05, -0.62 * d, -0.62 * d + 0.2, 0.04)
+
+
+def _box_symbol(size: Size) -> Lines:
+    w = size.width / 2
+    return rectangle(size), path((-w, 0), (w, 0))
+
+
+ASSETS = (
+    asset("radiator", _radiator, _radiator_symbol),
+    asset("column", _column, _hatched),
+    asset("staircase", _staircase, _stairs_symbol),
+    asset("fireplace", _fireplace, _fireplace_symbol),
+    asset("piano", _piano, _piano_symbol),
+    asset("exercise_bike", _exercise_bike, _bike_symbol),
+    asset("ironing_board", _ironing_board, _board_symbol),
+    asset("box", _box, _box_symbol),
+    asset("obstacle", _obstacle, crossed),
+)

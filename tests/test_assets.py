@@ -1,0 +1,229 @@
+"""The shipped catalog: every model at every size fills its box, is sound and drawn in plan."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import trimesh
+from hypothesis import given
+from hypothesis import strategies as st
+
+from scenewright.assets import shipped
+from scenewright.assets.kinds import KINDS
+from scenewright.catalog import Asset, Part
+from scenewright.geometry.mesh import Mesh, clipped_ears, extrude, merge, mirrored, turned, volume
+from scenewright.geometry.solids import cushion, frame, lathe, leaf, tube
+from scenewright.scene import Size
+
+REQUIRED = (
+    "sofa loveseat corner_sofa armchair dining_chair office_chair stool bar_stool bench pouf "
+    "dining_table round_table coffee_table side_table desk kids_desk console_table vanity "
+    "double_bed single_bed bunk_bed cot nightstand wardrobe chest_of_drawers bookcase "
+    "shelf_unit sideboard display_cabinet tv_stand shoe_cabinet coat_rack storage_shelf toy_box "
+    "wall_shelf base_cabinet drawer_cabinet sink_cabinet hob_cabinet oven_cabinet dishwasher "
+    "fridge tall_cabinet wall_cabinet hood kitchen_island corner_cabinet toilet basin "
+    "pedestal_basin bathtub shower washing_machine dryer mirror towel_rail bathroom_cabinet "
+    "laundry_basket tv monitor laptop speaker floor_lamp table_lamp desk_lamp pendant_lamp "
+    "ceiling_lamp rug plant potted_tree picture curtain wall_clock books vase bowl "
+    "outdoor_table outdoor_chair deck_chair planter drying_rack radiator column staircase "
+    "fireplace piano exercise_bike ironing_board box obstacle "
+)
+
+ASSETS = list(shipped().assets.values())
+SIZES = ("smallest", "usual", "largest")
+CASES = [pytest.param(a, getattr(a, s), id=f"{a.id}-{s}") for a in ASSETS for s in SIZES]
+
+
+@cache
+def _mesh(asset: Asset, size: Size) -> tuple[Part, ...]:
+    return asset.mesh(size)
+
+
+MOST_TRIANGLES = {"usual": 1600, "largest": 7000}
+
+
+def _bounds(parts: tuple[Part, ...]) -> tuple[np.ndarray, np.ndarray]:
+    points = np.concatenate([p.vertices for p in parts])
+    return points.min(0), points.max(0)
+
+
+@pytest.mark.parametrize(("asset", "size"), CASES)
+def test_a_mesh_fills_exactly_its_box(asset: Asset, size: Size) -> None:
+    low, high = _bounds(_mesh(asset, size))
+    w, d, h = size
+    assert low == pytest.approx([-w / 2, -d / 2, 0], abs=1e-6)
+    assert high == pytest.approx([w / 2, d / 2, h], abs=1e-6)
+
+
+@pytest.mark.parametrize(("asset", "size"), CASES)
+def test_parts_are_closed_and_look_outward(asset: Asset, size: Size) -> None:
+    for part in _mesh(asset, size):
+        assert np.isfinite(part.vertices).all()
+        assert part.vertices.dtype == np.float64
+        assert part.faces.dtype == np.int64
+        assert 0 <= part.faces.min() <= part.faces.max() < len(part.vertices)
+        assert _open_edges(part.faces) == 0, f"{asset.id}: {part.material.name} is not closed"
+        assert _areas(part).min() > 1e-12, f"{asset.id}: {part.material.name} has a flat face"
+        least = _volumes(part).min()
+        assert least > 0, f"{asset.id}: {part.material.name} has a body turned inside out {least}"
+
+
+def _open_edges(faces: np.ndarray) -> int:
+    """Directed edges without exactly one partner in the other direction."""
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    count = int(faces.max()) + 1
+    there, back = edges @ (count, 1), edges[:, ::-1] @ (count, 1)
+    return len(np.setxor1d(there, back)) + len(there) - len(np.unique(there))
+
+
+def _areas(part: Part) -> np.ndarray:
+    a, b, c = (part.vertices[part.faces[:, i]] for i in range(3))
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+
+def _volumes(part: Part) -> np.ndarray:
+    """Signed volume of every connected body."""
+    edges = np.concatenate([part.faces[:, [0, 1]], part.faces[:, [1, 2]]])
+    label = trimesh.graph.connected_component_labels(edges, len(part.vertices))[part.faces[:, 0]]
+    start = np.zeros((label.max() + 1, 3))
+    start[label] = part.vertices[part.faces[:, 0]]
+    a, b, c = (part.vertices[part.faces[:, i]] - start[label] for i in range(3))
+    found = np.zeros(label.max() + 1)
+    np.add.at(found, label, np.einsum("ij,ij->i", a, np.cross(b, c)) / 6)
+    return found[np.unique(label)]
+
+
+@pytest.mark.parametrize("asset", ASSETS, ids=lambda a: a.id)
+def test_meshes_are_light_and_sizes_ordered(asset: Asset) -> None:
+    for which, most in MOST_TRIANGLES.items():
+        assert sum(len(p.faces) for p in _mesh(asset, getattr(asset, which))) <= most
+    assert np.all(np.array(asset.smallest) > 0)
+    assert np.all(np.array(asset.smallest) <= asset.usual)
+    assert np.all(np.array(asset.usual) <= asset.largest)
+
+
+@pytest.mark.parametrize("asset", ASSETS, ids=lambda a: a.id)
+def test_equal_sizes_give_equal_meshes(asset: Asset) -> None:
+    first, second = _mesh(asset, asset.usual), asset.mesh(asset.usual)
+    for one, other in zip(first, second, strict=True):
+        assert one.material == other.material
+        assert np.array_equal(one.vertices, other.vertices)
+
+
+@pytest.mark.parametrize(("asset", "size"), CASES)
+def test_a_symbol_stays_inside_the_footprint(asset: Asset, size: Size) -> None:
+    lines = asset.symbol(size)
+    assert lines
+    half = np.array(size[:2]) / 2
+    for line in lines:
+        assert line.ndim == 2
+        assert line.shape[1] == 2
+        assert len(line) >= 2
+        assert np.all(np.abs(line) <= half + 1e-9), asset.id
+    extent = np.abs(np.concatenate(lines)).max(0)
+    assert np.all(extent > 0.6 * half)
+
+
+def test_the_required_categories_are_there() -> None:
+    found = {asset.category for asset in ASSETS}
+    assert not set(REQUIRED.split()) - found
+    assert found == set(KINDS) == set(shipped().kinds)
+    assert all(category == kind.category for category, kind in KINDS.items())
+    assert {u for kind in KINDS.values() for u in kind.under} <= found
+
+
+def test_ids_are_unique_and_materials_valid() -> None:
+    from scenewright.assets import _THEMES, rows
+
+    listed = [row.id for row in rows()]
+    assert len(listed) == len(set(listed)) == len(shipped().assets)
+    assert len(_THEMES) == len(set(_THEMES))
+    names: dict[str, object] = {}
+    for asset in ASSETS:
+        for part in _mesh(asset, asset.usual):
+            material = part.material
+            shares = (*material.color, material.roughness, material.metallic, material.opacity)
+            assert all(0 <= v <= 1 for v in (*shares, material.emission))
+            assert names.setdefault(material.name, material) == material
+
+
+@pytest.mark.parametrize(
+    ("category", "size", "chosen"),
+    [
+        ("sofa", Size(2.1, 0.9, 0.8), "sofa"),
+        ("wardrobe", Size(1.0, 0.6, 2.2), "wardrobe"),
+        ("wardrobe", Size(2.6, 0.65, 2.3), "wardrobe_sliding"),
+        ("potted_tree", Size(0.5, 0.5, 1.5), "potted_tree"),
+        ("potted_tree", Size(0.4, 0.4, 0.6), "potted_tree_low"),
+    ],
+)
+def test_choose_takes_the_asset_that_fits(category: str, size: Size, chosen: str) -> None:
+    asset = shipped().choose(category, size)
+    assert asset is not None
+    assert asset.id == chosen
+
+
+def test_seats_look_to_the_front_and_beds_have_their_head_behind() -> None:
+    for name in ("sofa", "armchair", "dining_chair", "office_chair", "toilet", "double_bed", "cot"):
+        asset = shipped().assets[name]
+        points = np.concatenate([p.vertices for p in asset.mesh(asset.usual)])
+        top = points[points[:, 2] > 0.85 * asset.usual.height]
+        if name != "cot":
+            assert top[:, 1].mean() < -0.1 * asset.usual.depth, name
+    tv = shipped().assets["tv"]
+    screen = next(p for p in tv.mesh(tv.usual) if p.material.name == "screen")
+    case = next(p for p in tv.mesh(tv.usual) if p.material.name == "black metal")
+    case_front = case.vertices[case.vertices[:, 2] > 0.3, 1].max()
+    assert screen.vertices[:, 1].max() > case_front
+
+
+@given(st.integers(3, 14), st.integers(0, 10_000))
+def test_ears_cover_a_star_polygon(count: int, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    angle = (np.arange(count) + rng.uniform(0.1, 0.9, count)) * 2 * np.pi / count
+    ring = rng.uniform(0.3, 2, (count, 1)) * np.column_stack([np.cos(angle), np.sin(angle)])
+    if count == 3 and np.max(np.diff(np.append(angle, angle[0] + 2 * np.pi))) >= np.pi:
+        return
+    following = np.roll(ring, -1, 0)
+    area = np.sum(ring[:, 0] * following[:, 1] - ring[:, 1] * following[:, 0]) / 2
+    triangles = ring[clipped_ears(ring)]
+    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
+    each = np.cross(np.pad(b - a, ((0, 0), (0, 1))), np.pad(c - a, ((0, 0), (0, 1))))[:, 2] / 2
+    assert len(triangles) == count - 2
+    assert np.all(each > -1e-12)
+    assert each.sum() == pytest.approx(area)
+    assert volume(extrude(ring, 0.5, 2.0)) == pytest.approx(1.5 * area)
+
+
+@given(st.floats(-3, 3), st.sampled_from("xyz"))
+def test_turning_and_mirroring_keep_the_volume(angle: float, axis: str) -> None:
+    body = merge([cushion((0, 1), (0, 0.4), (0, 0.2)), frame((2, 3), (0, 0.1), (0, 1), 0.1)])
+    kept = volume(body)
+    assert volume(turned(body, axis, angle, (1, 2, 3))) == pytest.approx(kept)
+    assert volume(mirrored(body)) == pytest.approx(kept)
+
+
+def test_a_lathe_has_the_volume_of_its_prism() -> None:
+    sides = 12
+    share = sides / 2 * np.sin(2 * np.pi / sides)
+    assert volume(lathe([(1, 0), (1, 2)], sides=sides)) == pytest.approx(2 * share)
+
+
+@given(
+    st.lists(st.sampled_from([(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0)]), min_size=1, max_size=6)
+)
+def test_a_bent_tube_has_the_volume_of_its_length(steps: list[tuple[int, int, int]]) -> None:
+    path = np.cumsum([(0, 0, 0), *steps], axis=0).astype(float)
+    length = sum(float(np.linalg.norm(b - a)) for a, b in pairwise(path))
+    section = 6 / 2 * np.sin(2 * np.pi / 6) * 0.05**2
+    assert volume(tube(path, 0.05, 6)) == pytest.approx(section * length)
+
+
+@given(st.floats(-0.5, 1.5), st.floats(0, 2), st.floats(-7, 7))
+def test_a_leaf_is_closed(rise: float, droop: float, turn: float) -> None:
+    found: Mesh = leaf(0.4, 0.1, rise, droop, turn, (1, 2, 3))
+    assert _open_edges(found.faces) == 0
+    assert volume(Mesh(found.vertices - (1, 2, 3), found.faces)) > 0
