@@ -35,7 +35,7 @@ def pieces_mark(view: View, pieces: Sequence[Piece], catalog: Catalog) -> str:
     ordered = sorted(seen, key=lambda piece: drawing_height(piece, catalog.kinds))
     return group(
         [_piece(view, piece, catalog) for piece in ordered],
-        stroke=INK, fill=PAPER, stroke_linejoin="round", stroke_linecap="round",
+        stroke=INK, stroke_linejoin="round", stroke_linecap="round",
     )  # fmt: skip
 
 
@@ -78,8 +78,10 @@ def _piece(view: View, piece: Piece, catalog: Catalog) -> str:
         dashed = [line(points, stroke=GREY, stroke_width=FINE, fill="none") for points in drawn[:1]]
         return group([name, *dashed], stroke_dasharray="0.8 0.6")
     kind = catalog.kinds.get(piece.category)
-    first = _stroke(drawn[0], LINE, RUG if kind and kind.flat else PAPER)
-    return group([name, first, *(_stroke(points, FINE) for points in drawn[1:])])
+    fill = RUG if kind and kind.flat else PAPER
+    pens = [LINE] + [FINE] * (len(drawn) - 1)
+    strokes = [_stroke(points, pen, fill) for points, pen in zip(drawn, pens, strict=True)]
+    return group([name, *strokes])
 
 
 def symbol(piece: Piece, catalog: Catalog) -> tuple[Points, ...]:
@@ -96,11 +98,11 @@ def _box_symbol(piece: Piece) -> tuple[Points, ...]:
     return box, front
 
 
-def _stroke(points: Points, pen: float, fill: str = "") -> str:
+def _stroke(points: Points, pen: float, fill: str) -> str:
     """Closed lines are filled, so that what is below does not show through."""
     style: dict[str, str | float] = {"stroke_width": pen}
     if len(points) > 2 and np.allclose(points[0], points[-1]):
-        return shape([points[:-1]], **(style | ({"fill": fill} if fill else {})))
+        return shape([points[:-1]], fill=fill, **style)
     return line(points, fill="none", **style)
 
 
