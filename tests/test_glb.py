@@ -17,7 +17,7 @@ from scenewright.assets import shipped
 from scenewright.catalog import Material, Part
 from scenewright.formats.glb import document_of, encoded, surface, write
 from scenewright.geometry.mesh import Mesh
-from scenewright.geometry.prisms import box, prism
+from scenewright.geometry.prisms import box, corner_normals, prism
 from scenewright.layout import corners
 from scenewright.scene import Piece, Pose, Scene, Size
 from scenewright.shell import scene_of
@@ -163,7 +163,7 @@ def test_every_node_is_named_in_trimesh_and_the_home_has_its_size(scene: Scene) 
 def test_faces_look_outwards(scene: Scene) -> None:
     for part in (Part(GREY, *box((0, 0, 0), (1, 2, 3))),
                  Part(GREY, *prism(np.array([[0.0, 0], [2, 0], [0, 2]]), 0, 1))):  # fmt: skip
-        found = surface(part)
+        found = surface(part, corner_normals(part.vertices, part.faces))
         solid = trimesh.Trimesh(found.positions, found.indices.reshape(-1, 3), process=False)
         assert solid.volume > 0
         rows = found.indices.reshape(-1, 3)
@@ -175,7 +175,7 @@ def test_faces_look_outwards(scene: Scene) -> None:
 def test_faces_without_area_are_left_out() -> None:
     square = box((0, 0, 0), (1, 1, 1))
     spoilt = Mesh(square.vertices, np.vstack([square.faces, [[0, 0, 1]]]))
-    assert len(surface(Part(GREY, *spoilt)).indices) == 36
+    assert len(surface(Part(GREY, *spoilt), corner_normals(*spoilt)).indices) == 36
 
 
 def test_the_file_is_the_same_each_time_and_leaves_nothing_beside_it(tmp_path: Path) -> None:

@@ -74,7 +74,9 @@ def test_nothing_is_met_where_there_is_nothing() -> None:
 
 
 def test_samples_are_stratified_in_every_quarter_of_a_tile() -> None:
-    points = light.samples().reshape(8, 8, 2)
+    points = light.samples().reshape(8, 8, 5)
+    assert np.allclose(np.linalg.norm(points[..., 2:], axis=-1), 1)
+    assert points[..., 4].mean() == pytest.approx(2 / 3, abs=0.01)
     for axis in range(2):
         assert sorted((points[..., axis].ravel() * 64).astype(int).tolist()) == list(range(64))
     for part in (points[:4, :4], points[4:, :4], points[:4, 4:], points[4:, 4:]):

@@ -64,7 +64,8 @@ class Thing(NamedTuple):
 def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[Thing, ...]:
     """Everything to draw, level by level: slab, floors, walls, openings, pieces.
 
-    ``cut`` (metres above each floor) leaves out what walls and openings have above it.
+    ``cut`` (metres above each floor) leaves out what walls, openings and pieces that hang on
+    them have above it, and all that hangs from the ceiling.
     """
     level_of = {space.id: space.level for space in scene.spaces}
     first = scene.levels[0].id if scene.levels else ""
@@ -75,11 +76,9 @@ def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[Th
         walls = (_wall(wall, cut) for wall in scene.walls if wall.level == level.id)
         found += [wall for wall in walls if wall.parts]
         found += [_opening(o, cut) for o in scene.openings if o.level == level.id]
-        found += [
-            _piece(piece, level.id, catalog)
-            for piece in scene.pieces
-            if level_of.get(piece.space, first) == level.id
-        ]
+        pieces = (p for p in scene.pieces if level_of.get(p.space, first) == level.id)
+        staged = (_piece(piece, level.id, catalog, cut) for piece in pieces)
+        found += [piece for piece in staged if piece.parts or cut is None]
     return tuple(_named(found))
 
 
@@ -199,14 +198,20 @@ def _below(part: Part, cut: float | None) -> Part | None:
     return Part(part.material, short, faces) if len(faces) else None
 
 
-def _piece(piece: Piece, level: str, catalog: Catalog) -> Thing:
+def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> Thing:
     asset = asset_of(piece, catalog)
     size = Size(*(round(length, 4) for length in piece.size))
-    key = (asset.id if asset else piece.category, size)
+    key: Hashable = (asset.id if asset else piece.category, size)
     x, y, z, heading = piece.pose
+    parts = _meshed(asset, size)
+    kind = catalog.kinds.get(piece.category)
+    if cut is not None and kind is not None and kind.support in ("wall", "ceiling"):
+        top = 0.0 if kind.support == "ceiling" else cut - z
+        parts = tuple(p for part in parts if (p := _below(part, top)) is not None)
+        key = (key, round(top, 4))
     return Thing(
-        piece.id, "piece", level, piece.space, key, _meshed(asset, size), (x, y, z),
-        heading - np.pi / 2, _facts(piece, asset),
+        piece.id, "piece", level, piece.space, key, parts, (x, y, z), heading - np.pi / 2,
+        _facts(piece, asset),
     )  # fmt: skip
 
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from scenewright._version import __version__
 from scenewright.catalog import Catalog, Material, Part
-from scenewright.geometry.prisms import corner_normals, face_normals, row_keys
+from scenewright.geometry.prisms import face_normals, normals_of, row_keys
 from scenewright.scene import Scene
 from scenewright.solution import Solution
 from scenewright.staging import Thing, things
@@ -28,6 +28,7 @@ from scenewright.staging import Thing, things
 FLOAT, SHORT, INT = 5126, 5123, 5125
 Json = dict[str, Any]
 Floats = NDArray[np.float32]
+Floats64 = NDArray[np.float64]
 
 
 class Surface(NamedTuple):
@@ -67,7 +68,7 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
     nodes = _tree(scene, found)
     meshes: list[Json] = []
     materials: dict[Material, int] = {}
-    surfaces: list[Surface] = []
+    parts: list[Part] = []
     numbers: dict[Hashable, int] = {}
     places = {thing.name: thing for thing in found}
     for node in nodes:
@@ -76,9 +77,12 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
             continue
         if thing.key not in numbers:
             numbers[thing.key] = len(meshes)
-            meshes.append(_mesh(thing, materials, surfaces))
+            meshes.append(_mesh(thing, materials, parts))
         node["mesh"] = numbers[thing.key]
-    buffer, views, accessors = _packed(surfaces)
+    normals = normals_of([(part.vertices, part.faces) for part in parts])
+    buffer, views, accessors = _packed(
+        [surface(part, corner) for part, corner in zip(parts, normals, strict=True)]
+    )
     document = {
         "asset": {"version": "2.0", "generator": f"Scenewright {__version__}"},
         "scene": 0,
@@ -157,12 +161,12 @@ def _node(thing: Thing) -> Json:
     return node
 
 
-def _mesh(thing: Thing, materials: dict[Material, int], surfaces: list[Surface]) -> Json:
-    """One mesh with a primitive a part; its numbers go to ``surfaces``, three accessors each."""
+def _mesh(thing: Thing, materials: dict[Material, int], parts: list[Part]) -> Json:
+    """One mesh with a primitive a part; the parts are put in a row, three accessors each."""
     primitives = []
     for part in thing.parts:
-        accessor = 3 * len(surfaces)
-        surfaces.append(surface(part))
+        accessor = 3 * len(parts)
+        parts.append(part)
         primitives.append({
             "attributes": {"POSITION": accessor, "NORMAL": accessor + 1},
             "indices": accessor + 2,
@@ -172,17 +176,18 @@ def _mesh(thing: Thing, materials: dict[Material, int], surfaces: list[Surface])
     return {"name": str(name), "primitives": primitives}
 
 
-def surface(part: Part) -> Surface:
+def surface(part: Part, normals: Floats64) -> Surface:
     """Vertices split where normals differ, in glTF's axes; faces without area are left out.
 
-    >>> from scenewright.geometry.prisms import box
-    >>> cube = surface(Part(Material("grey", (0.5, 0.5, 0.5)), *box((0, 0, 0), (1, 1, 1))))
+    >>> from scenewright.geometry.prisms import box, corner_normals
+    >>> cube = box((0, 0, 0), (1, 1, 1))
+    >>> cube = surface(Part(Material("grey", (0.5, 0.5, 0.5)), *cube), corner_normals(*cube))
     >>> cube.positions.shape, cube.indices.shape
     ((24, 3), (36,))
     """
     real = np.abs(face_normals(part.vertices, part.faces)).sum(1) > 0
     faces = part.faces[real]
-    normals = corner_normals(part.vertices, faces).reshape(-1, 3)
+    normals = normals[real].reshape(-1, 3)
     points = part.vertices[faces.reshape(-1)]
     keys = row_keys(np.column_stack([points * 1e5, normals * 1e3]))
     _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)

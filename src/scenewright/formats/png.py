@@ -1,35 +1,36 @@
 """A picture of the whole home from above at an angle: walls cut open, soft light, no screen.
 
-Levels stand side by side. Walls are cut a little above the sills, so that every room shows.
+Levels stand side by side. Walls are cut just below the heads of doors and windows, so
+that every room shows.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog import Catalog, Material, Part
+from scenewright.catalog import Catalog, Material
 from scenewright.formats.glb import linear_of
 from scenewright.formats.picture import PAGE, Camera, Pixels, Stage, render, view_of
 from scenewright.geometry import finish
-from scenewright.geometry.prisms import corner_normals, face_normals, row_keys
+from scenewright.geometry.prisms import face_normals, normals_of, row_keys
 from scenewright.scene import Scene
 from scenewright.solution import Solution
 from scenewright.staging import SLAB, Thing, placed, things
 
-CUT = 1.35
+CUT = 2.0
 """Height in metres above the floor at which walls are cut."""
 APART = 2.0
-SHADOW = 2.3
+SHADOW = 1.7
 """How far beyond the home, in metres, its shadow is drawn."""
-WIDTH, TALLEST = 1600, 1200
-ANGLE = np.deg2rad(24.0)
-TOWARDS = (0.10, 0.62, -1.0)
+WIDTH, TALLEST = 1600, 1140
+ANGLE = np.deg2rad(26.0)
+TOWARDS = (0.08, 0.42, -1.0)
 """Direction of view: mostly down, a little to the north and east."""
 MARGIN = 1.06
 
@@ -119,14 +120,15 @@ def stage_of(blocks: Sequence[Block], bounds: Floats) -> Stage:
 
 def _blocks(scene: Scene, catalog: Catalog) -> list[Block]:
     """Every part of every thing, levels side by side on one ground."""
-    shared: dict[object, list[Floats]] = {}
+    shown = things(scene, catalog, CUT)
+    normals = _shared_normals(shown)
     found: list[Block] = []
     start = 0.0
     for level in scene.levels:
-        mine = [thing for thing in things(scene, catalog, CUT) if thing.level == level.id]
-        if not mine:
+        mine = [thing for thing in shown if thing.level == level.id]
+        blocks = [block for thing in mine for block in _of_thing(thing, normals[thing.key])]
+        if not blocks:
             continue
-        blocks = [block for thing in mine for block in _of_thing(thing, shared)]
         points = np.vstack([block.vertices for block in blocks])
         shift = np.array([start - points[:, 0].min() if found else 0.0, 0.0, 0.0])
         found += [block._replace(vertices=block.vertices + shift) for block in blocks]
@@ -134,19 +136,20 @@ def _blocks(scene: Scene, catalog: Catalog) -> list[Block]:
     return found
 
 
-def _of_thing(thing: Thing, shared: dict[object, list[Floats]]) -> list[Block]:
-    if thing.key not in shared:
-        shared[thing.key] = [_normals(part) for part in thing.parts]
+def _shared_normals(shown: Sequence[Thing]) -> dict[Hashable, list[Floats]]:
+    """Normals of the parts of every kind of thing, by its key."""
+    kinds = {thing.key: thing.parts for thing in shown}
+    found = iter(normals_of([(p.vertices, p.faces) for parts in kinds.values() for p in parts]))
+    return {key: [next(found) for _ in parts] for key, parts in kinds.items()}
+
+
+def _of_thing(thing: Thing, normals: Sequence[Floats]) -> list[Block]:
     turn = thing._replace(at=(0.0, 0.0, 0.0))
     return [
         Block(part.material, placed(thing, part.vertices), part.faces,
-              placed(turn, normals.reshape(-1, 3)).reshape(-1, 3, 3))
-        for part, normals in zip(thing.parts, shared[thing.key], strict=True)
+              placed(turn, corner.reshape(-1, 3)).reshape(-1, 3, 3))
+        for part, corner in zip(thing.parts, normals, strict=True)
     ]  # fmt: skip
-
-
-def _normals(part: Part) -> Floats:
-    return corner_normals(part.vertices, part.faces)
 
 
 def _flat_normals(corners: Floats) -> Floats:

@@ -24,20 +24,24 @@ OFFSET = 0.002
 
 
 def samples() -> Singles:
-    """The 64 points ``(64, 2)`` of the unit square used in turn, stratified in every part.
+    """The 64 samples ``(64, 5)`` used in turn, stratified in every part: a point of the unit
+    square, and the direction about +z, by the cosine, that belongs to it.
 
     The first coordinate is the rank of a Bayer matrix (ordered dithering, B. Bayer 1973), the
     second that rank with its bits mirrored (J. Hammersley's points).
 
     >>> points = samples()
-    >>> points.shape, len(set(points[:, 0].tolist())), float(points.mean().round(2))
-    ((64, 2), 64, 0.5)
+    >>> points.shape, len(set(points[:, 0].tolist())), float(points[:, :2].mean().round(2))
+    ((64, 5), 64, 0.5)
     """
     rank = np.zeros((1, 1), np.int64)
     for _ in range(3):
         rank = np.block([[4 * rank, 4 * rank + 2], [4 * rank + 3, 4 * rank + 1]])
     mirrored = sum(((rank >> bit) & 1) << (5 - bit) for bit in range(6))
-    return ((np.stack([rank, mirrored], -1).reshape(-1, 2) + 0.5) / 64).astype(np.float32)
+    square = (np.stack([rank, mirrored], -1).reshape(-1, 2) + 0.5) / 64
+    radius, angle = np.sqrt(square[:, 0]), 2 * np.pi * square[:, 1]
+    way = [radius * np.cos(angle), radius * np.sin(angle), np.sqrt(1 - square[:, 0])]
+    return np.column_stack([square, *way]).astype(np.float32)
 
 
 @compiled
@@ -135,9 +139,7 @@ def scatter(pixels: Ints, width: int, points: Singles, facing: Singles, sun: Sin
             )
         if turn:
             continue
-        radius, angle = math.sqrt(sets[rank, 0]), 2.0 * math.pi * sets[rank, 1]
-        x, y = radius * math.cos(angle), radius * math.sin(angle)
-        z = math.sqrt(1.0 - radius * radius)
+        x, y, z = sets[rank, 2], sets[rank, 3], sets[rank, 4]
         nx, ny, nz = facing[p, 0], facing[p, 1], facing[p, 2]
         sign = 1.0 if nz >= 0.0 else -1.0
         a = -1.0 / (sign + nz)

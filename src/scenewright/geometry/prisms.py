@@ -69,31 +69,59 @@ def box(low: Sequence[float], high: Sequence[float]) -> Mesh:
 
 def face_normals(vertices: Floats, faces: Ints) -> Floats:
     """Unit normals ``(m, 3)``; zero for faces without area."""
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    across = np.cross(b - a, c - a)
-    length = np.linalg.norm(across, axis=1, keepdims=True)
-    return np.where(length > 1e-14, across / np.maximum(length, 1e-14), 0.0)
+    return _unit(_across(vertices, faces))
 
 
-def corner_normals(vertices: Floats, faces: Ints, crease: float = np.deg2rad(40.0)) -> Floats:
+def corner_normals(
+    vertices: Floats,
+    faces: Ints,
+    bodies: Ints | None = None,
+    crease: float = np.deg2rad(40.0),
+) -> Floats:
     """Normals ``(m, 3, 3)`` at the corners of each face, smooth across edges below ``crease``.
 
     Each is the mean, weighted by area, of the faces that meet at the same point and whose normal
-    is within ``crease`` radians of this face's own. Points count as the same within 0.01 mm.
+    is within ``crease`` radians of this face's own. Points count as the same within 0.01 mm, and
+    if they belong to the same body (``bodies`` (n,), default all one).
     """
-    across = np.cross(
-        vertices[faces[:, 1]] - vertices[faces[:, 0]], vertices[faces[:, 2]] - vertices[faces[:, 0]]
+    across = _across(vertices, faces)
+    own = _unit(across)
+    keys = row_keys(
+        vertices / 1e-5 if bodies is None else np.column_stack([vertices / 1e-5, bodies])
     )
-    own = face_normals(vertices, faces)
-    _, same = np.unique(row_keys(vertices / 1e-5), return_inverse=True)
+    _, same = np.unique(keys, return_inverse=True)
     here, there = _meetings(same[faces.reshape(-1)])
     mine, other = here // 3, there // 3
     alike = np.einsum("ij,ij->i", own[mine], own[other]) >= np.cos(crease) - 1e-9
     here, other = here[alike], other[alike]
     summed = np.stack([np.bincount(here, across[other, axis], faces.size) for axis in range(3)], -1)
-    length = np.linalg.norm(summed, axis=1, keepdims=True)
     flat = np.repeat(own, 3, axis=0)
-    return np.where(length > 1e-14, summed / np.maximum(length, 1e-14), flat).reshape(-1, 3, 3)
+    found = _unit(summed)
+    return np.where(np.abs(found).max(1, keepdims=True) > 0, found, flat).reshape(-1, 3, 3)
+
+
+def normals_of(meshes: Sequence[tuple[Floats, Ints]]) -> list[Floats]:
+    """The :func:`corner_normals` of many meshes, found together (far faster than one by one)."""
+    if not meshes:
+        return []
+    starts = np.cumsum([0, *(len(vertices) for vertices, _ in meshes)])
+    vertices = np.concatenate([vertices for vertices, _ in meshes])
+    faces = np.concatenate([f + start for (_, f), start in zip(meshes, starts, strict=False)])
+    bodies = np.repeat(np.arange(len(meshes)), np.diff(starts))
+    ends = np.cumsum([len(f) for _, f in meshes])[:-1]
+    return np.split(corner_normals(vertices, faces, bodies), ends)
+
+
+def _across(vertices: Floats, faces: Ints) -> Floats:
+    """The cross product of two sides of each face: its normal, twice its area long."""
+    a = vertices[faces[:, 0]]
+    (ux, uy, uz), (vx, vy, vz) = (vertices[faces[:, 1]] - a).T, (vertices[faces[:, 2]] - a).T
+    return np.stack([uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx], 1)
+
+
+def _unit(rows: Floats) -> Floats:
+    length = np.sqrt(np.einsum("ij,ij->i", rows, rows))[:, None]
+    return np.where(length > 1e-14, rows / np.maximum(length, 1e-14), 0.0)
 
 
 def row_keys(rows: Floats) -> Ints:
