@@ -13,8 +13,8 @@ from scenewright.assets.kinds import KINDS
 from scenewright.catalog import Asset, Catalog
 
 _THEMES = (
-    "seating", "tables", "beds", "storage", "shelves", "kitchen", "sanitary", "appliances",
-    "lighting", "decor", "outdoor", "building",
+    "seating", "tables", "beds", "storage", "shelves", "kitchen", "cooking", "sanitary",
+    "appliances", "lighting", "decor", "greenery", "outdoor", "building", "leisure",
 )  # fmt: skip
 
 

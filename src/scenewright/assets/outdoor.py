@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import pi
-
 import numpy as np
 
 from scenewright.assets.foliage import bush, grown, rosette
@@ -22,7 +20,7 @@ from scenewright.assets.materials import (
     TERRACOTTA,
 )
 from scenewright.assets.model import Parts, asset, parts
-from scenewright.assets.symbols import Lines, arc, box, oval, path, rectangle
+from scenewright.assets.symbols import Lines, box, crescent, oval, path, rectangle
 from scenewright.geometry.mesh import Mesh, moved, turned
 from scenewright.geometry.solids import block, cushion, profile, rod, trough, tube
 from scenewright.scene import Size
@@ -156,7 +154,7 @@ def _chair_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     arms = [box(min(s * w, s * w - s * 0.05), max(s * w, s * w - s * 0.05), -d + 0.1, d - 0.02)
             for s in (-1, 1)]  # fmt: skip
-    back = arc(0, -d + 0.12, 0.9 * w, 0.12, 0, -pi)
+    back = crescent(0.92 * w, -d, 0.14, 0.07)
     return box(-w + 0.05, w - 0.05, -d + 0.06, d, 0.04), back, *arms
 
 

@@ -21,7 +21,7 @@ from scenewright.assets.materials import (
     WALNUT,
 )
 from scenewright.assets.model import Parts, asset, parts
-from scenewright.assets.symbols import Lines, arc, box, oval, path, rectangle, round_plain
+from scenewright.assets.symbols import Lines, box, crescent, oval, path, rectangle, round_plain
 from scenewright.geometry.mesh import Mesh, moved, turned
 from scenewright.geometry.solids import (
     Interval,
@@ -261,15 +261,14 @@ def _corner_symbol(size: Size) -> Lines:
 
 def _chair_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
-    deep = 0.18 * size.depth
-    back = arc(0, -d + deep, w, deep, 0, -pi)
-    inner = arc(0, -d + deep, 0.82 * w, 0.62 * deep, 0, -pi)
-    return box(-0.88 * w, 0.88 * w, -d + 0.5 * deep, d, 0.06), back, inner
+    deep = 0.16 * size.depth
+    seat = box(-0.9 * w, 0.9 * w, -d + 0.6 * deep, d, 0.06)
+    return seat, crescent(w, -d, deep, 0.1 * size.depth)
 
 
 def _office_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
-    back = arc(0, -d + 0.16, 0.75 * w, 0.16, 0, -pi)
+    back = crescent(0.78 * w, -d, 0.18, 0.09)
     arms = [box(s * w - max(s, 0) * 0.06, s * w + max(-s, 0) * 0.06, -0.12, 0.14) for s in (-1, 1)]
     return box(-w + 0.08, w - 0.08, -d + 0.12, d, 0.08), back, *arms
 

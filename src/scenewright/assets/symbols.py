@@ -62,6 +62,13 @@ def arc(x: float, y: float, rx: float, ry: float, start: float, end: float) -> L
     return np.column_stack([x + rx * np.cos(angle), y + ry * np.sin(angle)])
 
 
+def crescent(half: float, back: float, deep: float, thick: float) -> Line:
+    """A bent backrest: its rear at ``back``, its ends ``deep`` further to the front."""
+    outer = arc(0, back + deep, half, deep, 0, -pi)
+    inner = arc(0, back + deep, half - 0.6 * thick, deep - thick, -pi, 0)
+    return closed(np.concatenate([outer, inner]))
+
+
 def plain(size: Size) -> Lines:
     """The footprint alone."""
     return (rectangle(size),)
