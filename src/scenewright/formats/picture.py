@@ -7,6 +7,7 @@ four rays. Glass is laid over at the end. The same scene gives the same picture.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -24,6 +25,9 @@ REACH = 2.2
 SUN_SPREAD = 0.045
 FINER = np.array([[-0.375, -0.125], [0.125, -0.375], [0.375, 0.125], [-0.125, 0.375]], np.float32)
 """Where in a pixel the four finer rays go (a rotated grid)."""
+CENTRE = np.zeros((1, 2), np.float32)
+SETS = light.samples()
+PORTION = 1 << 15
 PAGE = Material("page", (0.955, 0.950, 0.942))
 MORE = 3
 """Further rays to the sun for pixels in half shadow."""
@@ -81,13 +85,11 @@ def render(stage: Stage, camera: Camera, width: int, height: int,
     to_sun = _frame(sun)
     solid = rays.build(stage.corners.reshape(-1, 3), _triples(len(stage.corners)))
     every = np.arange(width * height, dtype=np.int32)
-    ways = _aimed(view, every, np.zeros((1, 2), np.float32))
-    seen = _look(stage, solid, view, ways)
+    seen = _look(stage, solid, view, every, CENTRE)
     arriving = _arriving(solid, view, seen, to_sun)
-    grain = _grain(view, stage)
-    linear = _shaded(stage, seen, ways, arriving, to_sun[2], grain)
-    _refine(stage, solid, view, seen, arriving, to_sun[2], grain, linear)
-    _glaze(stage, view, ways, seen, linear)
+    linear = _shaded(stage, view, seen, arriving, to_sun[2])
+    _refine(stage, solid, view, seen, arriving, to_sun[2], linear)
+    _glaze(stage, view, seen, linear)
     return developed(linear).reshape(height, width, 3)
 
 
@@ -122,19 +124,28 @@ def _triples(count: int) -> Ints:
     return np.arange(3 * count, dtype=np.int32).reshape(-1, 3)
 
 
+def _portions(pixels: Ints) -> Iterator[tuple[slice, Ints]]:
+    """Pixels by the portion: few enough that the numbers of all rays stay in the cache."""
+    for start in range(0, len(pixels), PORTION):
+        yield slice(start, start + PORTION), pixels[start : start + PORTION]
+
+
+def _look(stage: Stage, solid: rays.Caster, view: View, pixels: Ints, shift: Singles) -> Seen:
+    """What the rays through ``pixels``, shifted in turn, meet."""
+    met, keys = (np.empty(len(pixels), np.int32) for _ in range(2))
+    points, facing = (np.zeros((len(pixels), 3), np.float32) for _ in range(2))
+    for here, portion in _portions(pixels):
+        ways = _aimed(view, portion, shift)
+        met[here] = rays.first(solid, np.broadcast_to(view.eye, ways.shape), ways)
+        light.strike(view.eye, ways, met[here], stage.corners, stage.normals, stage.smooth,
+                     stage.keys, stage.near, points[here], facing[here], keys[here])  # fmt: skip
+    return Seen(met, keys, points, facing)
+
+
 def _aimed(view: View, pixels: Ints, shift: Singles) -> Singles:
     ways = np.empty((len(pixels), 3), np.float32)
     light.aim(view.axes, view.width, view.height, view.across, pixels, shift, ways)
     return ways
-
-
-def _look(stage: Stage, solid: rays.Caster, view: View, ways: Singles) -> Seen:
-    """What each of the rays from the eye meets."""
-    met = rays.first(solid, np.broadcast_to(view.eye, ways.shape), ways)
-    keys = np.where(met >= 0, stage.keys[met], -1).astype(np.int32)
-    points, facing = np.zeros_like(ways), np.zeros_like(ways)
-    light.strike(view.eye, ways, met, stage.corners, stage.normals, stage.smooth, points, facing)
-    return Seen(met, keys, points, facing)
 
 
 def _arriving(solid: rays.Caster, view: View, seen: Seen, sun: Singles) -> Singles:
@@ -144,14 +155,16 @@ def _arriving(solid: rays.Caster, view: View, seen: Seen, sun: Singles) -> Singl
     """
     raw = np.ones((len(seen.keys), 2), np.float32)
     everywhere = np.flatnonzero(seen.keys >= 0).astype(np.int32)
-    starts, to_sun, to_sky = _scattered(view, seen, everywhere, sun, 0)
-    raw[everywhere, 0] = ~rays.occluded(solid, starts, to_sun)
-    raw[everywhere, 1] = ~rays.occluded(solid, starts, to_sky, REACH)
+    for _, portion in _portions(everywhere):
+        starts, to_sun, to_sky = _scattered(view, seen, portion, sun, 0)
+        raw[portion, 0] = ~rays.occluded(solid, starts, to_sun)
+        raw[portion, 1] = ~rays.occluded(solid, starts, to_sky, REACH)
     mean = _averaged(seen, view, raw)
     half = np.flatnonzero(np.abs(mean[:, 0] - 0.5) < 0.48).astype(np.int32)
-    for turn in range(1, 1 + MORE):
-        starts, to_sun, _ = _scattered(view, seen, half, sun, turn)
-        raw[half, 0] += ~rays.occluded(solid, starts, to_sun)
+    for _, portion in _portions(half):
+        for turn in range(1, 1 + MORE):
+            starts, to_sun, _ = _scattered(view, seen, portion, sun, turn)
+            raw[portion, 0] += ~rays.occluded(solid, starts, to_sun)
     raw[half, 0] /= 1 + MORE
     return _averaged(seen, view, raw)
 
@@ -161,8 +174,8 @@ def _scattered(
 ) -> tuple[Singles, Singles, Singles]:
     """Where rays to the light start, and their directions to the sun and to the sky."""
     starts, to_sun, to_sky = (np.empty((len(pixels), 3), np.float32) for _ in range(3))
-    light.scatter(pixels, view.width, seen.points, seen.facing, sun, SUN_SPREAD, light.samples(),
-                  turn, starts, to_sun, to_sky)  # fmt: skip
+    light.scatter(pixels, view.width, seen.points, seen.facing, sun, SUN_SPREAD, SETS, turn,
+                  starts, to_sun, to_sky)  # fmt: skip
     return starts, to_sun, to_sky
 
 
@@ -173,39 +186,36 @@ def _averaged(seen: Seen, view: View, raw: Singles) -> Singles:
     return both
 
 
-def _shaded(stage: Stage, seen: Seen, ways: Singles, arriving: Singles, to_sun: Singles,
-            grain: float) -> Singles:  # fmt: skip
-    linear = np.empty((len(ways), 3), np.float32)
+def _shaded(stage: Stage, view: View, seen: Seen, arriving: Singles, to_sun: Singles) -> Singles:
+    linear = np.empty((len(seen.met), 3), np.float32)
     finishes = np.where(seen.met >= 0, stage.finishes[seen.met], len(stage.table) - 1)
-    finish.shade(seen.points, seen.facing, ways, finishes.astype(np.int32), stage.table, arriving,
-                 to_sun, grain, linear)  # fmt: skip
+    finish.shade(view.eye, seen.points, seen.facing, finishes.astype(np.int32), stage.table,
+                 arriving, to_sun, _grain(view, stage), linear)  # fmt: skip
     return linear
 
 
 def _refine(stage: Stage, solid: rays.Caster, view: View, seen: Seen, arriving: Singles,
-            to_sun: Singles, grain: float, linear: Singles) -> None:  # fmt: skip
+            to_sun: Singles, linear: Singles) -> None:  # fmt: skip
     """Draw the pixels at edges again, as the mean of four finer rays."""
     marked = np.zeros(len(seen.keys), np.bool_)
     light.edges(seen.keys, view.width, marked)
     pixels = np.repeat(np.flatnonzero(marked).astype(np.int32), len(FINER))
-    ways = _aimed(view, pixels, FINER)
-    finer = _look(stage, solid, view, ways)
+    finer = _look(stage, solid, view, pixels, FINER)
     lent = np.empty((len(pixels), 2), np.float32)
     light.borrow(pixels, seen.keys, view.width, arriving, finer.keys, lent)
-    shades = _shaded(stage, finer, ways, lent, to_sun, grain)
+    shades = _shaded(stage, view, finer, lent, to_sun)
     linear[pixels[:: len(FINER)]] = np.minimum(shades, 1.2).reshape(-1, len(FINER), 3).mean(1)
 
 
-def _glaze(stage: Stage, view: View, ways: Singles, seen: Seen, linear: Singles) -> None:
+def _glaze(stage: Stage, view: View, seen: Seen, linear: Singles) -> None:
     """Lay the colour of glass over what is seen through it."""
     if not len(stage.glass):
         return
     pixels = _covered(stage.glass, view)
     panes = rays.build(stage.glass.reshape(-1, 3), _triples(len(stage.glass)))
-    start = np.broadcast_to(view.eye, (len(pixels), 3))
-    distance, face, _ = rays.hits(panes, start, ways[pixels])
-    behind = np.linalg.norm(seen.points[pixels] - view.eye, axis=1)
-    behind /= np.linalg.norm(ways[pixels], axis=1)
+    ways = _aimed(view, pixels, CENTRE)
+    distance, face, _ = rays.hits(panes, np.broadcast_to(view.eye, ways.shape), ways)
+    behind = (seen.points[pixels] - view.eye) @ view.axes[2]
     over = (face >= 0) & ((distance < behind) | (seen.met[pixels] < 0))
     tint = stage.tints[face[over]]
     share = tint[:, 3:]

@@ -25,13 +25,13 @@ BOUNCE = (0.30, 0.275, 0.25)
 
 
 @compiled
-def shade(points: Singles, facing: Singles, ways: Singles, finishes: Ints, table: Singles,
+def shade(eye: Singles, points: Singles, facing: Singles, finishes: Ints, table: Singles,
           light: Singles, to_sun: Singles, grain: float, out: Singles) -> None:  # fmt: skip
     """Colours ``(n, 3)`` of surface points.
 
     ``table`` rows are colour, roughness, metallic, emission and pattern, picked by
-    ``finishes`` (n,); ``light`` (n, 2) the share of sun and of sky that arrives; ``ways`` the
-    view rays; ``grain`` the size of a pixel in metres.
+    ``finishes`` (n,); ``light`` (n, 2) the share of sun and of sky that arrives; ``grain`` the
+    size of a pixel in metres.
     """
     for i in range(out.shape[0]):
         m = finishes[i]
@@ -44,7 +44,7 @@ def shade(points: Singles, facing: Singles, ways: Singles, finishes: Ints, table
                 out[i, k] = table[m, k] * (1.0 - (0.50 - 0.03 * k) * dark)
             continue
         tone = _tone(pattern, points[i, 0], points[i, 1], grain) if nz > 0.9 else 1.0
-        gloss_sun, gloss_sky, facet = _gloss(ways, facing, i, to_sun, table[m, 3])
+        gloss_sun, gloss_sky, facet = _gloss(eye, points, facing, i, to_sun, table[m, 3])
         metal = table[m, 4]
         weight = metal * 0.6 + (1.0 - metal) * (0.04 + 0.5 * facet) * (1.0 - table[m, 3])
         open_sky = light[i, 1]
@@ -59,13 +59,13 @@ def shade(points: Singles, facing: Singles, ways: Singles, finishes: Ints, table
 
 
 @compiled
-def _gloss(ways: Singles, facing: Singles, i: int, to_sun: Singles, rough: float
+def _gloss(eye: Singles, points: Singles, facing: Singles, i: int, to_sun: Singles, rough: float
            ) -> tuple[float, float, float]:  # fmt: skip
     """Sun and sky seen in a surface, and how much more it mirrors at a grazing view.
 
     C. Schlick's approximation for the last (1994), a power of the cosine for the first.
     """
-    wx, wy, wz = ways[i, 0], ways[i, 1], ways[i, 2]
+    wx, wy, wz = points[i, 0] - eye[0], points[i, 1] - eye[1], points[i, 2] - eye[2]
     length = math.sqrt(wx * wx + wy * wy + wz * wz)
     wx, wy, wz = wx / length, wy / length, wz / length
     nx, ny, nz = facing[i, 0], facing[i, 1], facing[i, 2]

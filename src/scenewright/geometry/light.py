@@ -62,12 +62,18 @@ def aim(axes: Singles, width: int, height: int, across: float, pixels: Ints, shi
 
 @compiled
 def strike(eye: Singles, ways: Singles, met: Ints, corners: Singles, normals: Singles,
-           smooth: NDArray[np.bool_], points: Singles, facing: Singles) -> None:  # fmt: skip
-    """Where each ray meets its triangle, and the normal there (turned to the eye)."""
+           smooth: NDArray[np.bool_], names: Ints, near: Singles, points: Singles,
+           facing: Singles, keys: Ints) -> None:  # fmt: skip
+    """Where each ray meets its triangle, the normal there (turned to the eye) and the key.
+
+    ``names`` are the keys of the triangles; points outside the box ``near`` (2, 3) get none, -1.
+    """
     for i in range(met.shape[0]):
         f = met[i]
         if f < 0:
+            keys[i] = -1
             continue
+        keys[i] = names[f]
         ux, uy, uz = _cross(corners, f)
         top = low = 0.0
         for k in range(3):
@@ -77,6 +83,8 @@ def strike(eye: Singles, ways: Singles, met: Ints, corners: Singles, normals: Si
         t = top / low if low != 0.0 else 0.0
         for k in range(3):
             points[i, k] = eye[k] + t * ways[i, k]
+            if points[i, k] < near[0, k] or points[i, k] > near[1, k]:
+                keys[i] = -1
         if smooth[f]:
             ux, uy, uz = _between(corners, normals, f, points[i, 0], points[i, 1], points[i, 2],
                                   ux, uy, uz)  # fmt: skip
