@@ -10,6 +10,7 @@ from scenewright.assets.materials import (
     CHROME,
     GREY,
     RUBBER,
+    SAGE,
     STEEL,
     STONE,
     WHITE,
@@ -103,6 +104,9 @@ def _bar(x: Interval, face: float, z: float) -> list[Mesh]:
 def _oven(found: Stuff, x: Interval, z: Interval, face: float) -> None:
     """An oven front: panel with knobs, window, bar handle."""
     wide = min(x[1] - x[0], 0.6) / 2
+    if x[1] > wide + 0.02:
+        for beside in ((x[0], -wide), (wide, x[1])):
+            found[SAGE] += fronts(beside, z, 1, 1, (face, face + 0.018))
     x = (-wide, wide)
     low, high = max(z[0], z[1] - 0.6), z[1]
     panel = high - 0.1

@@ -70,13 +70,14 @@ def _pendant_lamp(size: Size) -> Parts:
     dome = min(0.55 * min(w, d) * 2, 0.5 * h)
     rows = [(1.0, 0.0), (0.97, 0.25), (0.82, 0.6), (0.5, 0.88), (0.12, 1.0)]
     inner = [(0.1, 0.97), (0.46, 0.83), (0.77, 0.57), (0.93, 0.25), (0.97, 0.0)]
+    bulb = min(0.07, 0.4 * min(w, d), 0.3 * dome)
     stack = np.array([ring(r * w, r * d, z * dome, 24) for r, z in (*rows, *inner)])
     return parts(size, {
         SAGE: [ringed(stack)],
         BLACK: [rod((0, 0, 0.9 * dome), (0, 0, h - 0.01), 0.006, sides=6),
-                disc(0.05, (h - 0.025, h), sides=14)],
-        BRASS: [disc(0.04, (dome - 0.02, dome + 0.03), sides=12)],
-        GLOW: [ball(0.07, 0.07, 0.07, (0, 0, 0.35 * dome), 10, 6)],
+                disc(0.24 * min(w, d), (h - 0.025, h), sides=14)],
+        BRASS: [disc(0.1 * (w + d), (0.93 * dome, 1.1 * dome), sides=12)],
+        GLOW: [ball(bulb, bulb, bulb, (0, 0, 0.4 * dome), 10, 6)],
     })  # fmt: skip
 
 

@@ -98,16 +98,15 @@ def _coat_rack(size: Size) -> Parts:
 
 def _wall_shelf(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
-    rows = max(1, round(h / 0.34))
-    found: Stuff = {OAK: [], BLACK: []}
-    for low, high in spread(0, h, rows):
-        found[OAK].append(block((-w, w), (-d, d), (low, low + 0.024)))
-        found[BLACK] += [
-            block((x - 0.008, x + 0.008), (-d, -d + 0.012), (low + 0.024, high - 0.003))
-            for x in (-0.75 * w, 0.75 * w)
-        ]  # fmt: skip
-        _add(found, book_rows((-w + 0.03, w - 0.03), (-d + 0.02, d - 0.02), [(low + 0.024, high)]))
-    return parts(size, found)
+    levels = [(low + 0.024, high) for low, high in spread(0, h, max(1, round(h / 0.34)))]
+    found: Stuff = {OAK: [block((-w, w), (-d, d), (low - 0.024, low)) for low, _ in levels]}
+    found[BLACK] = [
+        block((x - 0.008, x + 0.008), (-d, -d + 0.012), (low, high - 0.003))
+        for low, high in levels
+        for x in (-0.75 * w, 0.75 * w)
+    ]
+    more = book_rows((-w + 0.03, w - 0.03), (-d + 0.02, d - 0.02), levels, 0.7, round(100 * h))
+    return parts(size, _add(found, more))
 
 
 def _open_shelf(size: Size) -> Lines:

@@ -16,6 +16,11 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 
+_MIX = np.array([0x9E3779B97F4A7C15, 0x3C6EF372FE94F82B, 0x5851F42D4C957F2D], np.uint64).astype(
+    np.int64
+)  # odd numbers without pattern
+
+
 class Mesh(NamedTuple):
     """Triangles: ``vertices`` (n, 3) in metres and ``faces`` (m, 3) of indices into them."""
 
@@ -48,13 +53,18 @@ def loft(rings: ArrayLike) -> Mesh:
     sides = np.stack([np.stack([a, b, c], -1), np.stack([a, c, d], -1)], 2).reshape(-1, 3)
     fan = np.stack([np.zeros(size - 2, int), np.arange(1, size - 1), np.arange(2, size)], -1)
     faces = np.concatenate([fan[:, ::-1], sides, fan + (count - 1) * size])
-    return welded(Mesh(stack.reshape(-1, 3), faces))
+    return welded(Mesh(stack.reshape(-1, 3), faces.astype(np.int64)))
 
 
 def welded(mesh: Mesh) -> Mesh:
-    """The mesh with equal vertices joined (to 1e-9 m) and faces that vanish by it dropped."""
-    keys = np.round(mesh.vertices, 9) + 0.0
-    _, first, inverse = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    """The mesh with equal vertices joined (to 1e-9 m) and faces that vanish by it dropped.
+
+    Vertices are told apart by a 64-bit mix of their rounded coordinates.
+    """
+    keys = np.round(mesh.vertices * 1e9).astype(np.int64) @ _MIX
+    _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
+    if len(first) == len(keys):
+        return mesh
     faces = inverse.reshape(-1)[mesh.faces]
     kept = (
         (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])

@@ -24,7 +24,14 @@ def block(x: Interval, y: Interval, z: Interval) -> Mesh:
     >>> len(block((0, 1), (0, 1), (0, 1)).faces)
     12
     """
-    return loft([rectangle_ring(x, y, level) for level in z])
+    corners = np.array([(px, py, pz) for pz in z for py in y for px in x], np.float64)
+    return Mesh(corners, _BLOCK)
+
+
+_BLOCK = np.array(
+    [(0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
+     (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5)]
+)  # fmt: skip
 
 
 def rectangle_ring(
