@@ -85,7 +85,7 @@ def test_fitting_cases_fit_and_come_nearest_first(
     assert far == sorted(far)
     assert all(g.width <= width + 0.01 and g.depth <= depth + 0.01 for g in found)
     fit = [g for g in cases(function).groups if g.width <= width and g.depth <= depth]
-    assert set(g.name for g in fit) <= set(g.name for g in found)
+    assert {g.name for g in fit} <= {g.name for g in found}
 
 
 @given(st.sampled_from(sorted(GROUPS)), st.floats(0.2, 5), st.floats(0.2, 5))

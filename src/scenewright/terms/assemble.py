@@ -88,8 +88,8 @@ def box_cost(frame: Frame, i: int, p: Prepared) -> tuple[float, float, float, fl
         own += w[AGAINST_WALL] * back * orientation.against_wall(frame, p.walls)
     if w[AGAINST_WALL_PRINTED] != 0.0 and back != 0.0:
         own += w[AGAINST_WALL_PRINTED] * back * orientation.against_wall_printed(frame, p.walls)
-    if w[ALIGNMENT] != 0.0 and back == 0.0:
-        own += w[ALIGNMENT] * orientation.alignment(frame, p.walls)
+    if w[ALIGNMENT] != 0.0 and back < 1.0:
+        own += w[ALIGNMENT] * (1.0 - back) * orientation.alignment(frame, p.walls)
     if w[DAYLIGHT] != 0.0 and light != 0.0:
         own += w[DAYLIGHT] * light * relations.daylight(frame, p.zones, p.span)
     if w[NESTLE] != 0.0 and snug != 0.0:

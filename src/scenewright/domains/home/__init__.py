@@ -40,6 +40,7 @@ Cancel = Callable[[], bool]
 __all__ = ["PRESETS", "solve"]
 
 WORKERS = 2
+SIDEWAYS = 0.4  # the width of a person turned sideways, metres
 
 
 def solve(
@@ -125,11 +126,18 @@ def _task(
     area = max(float(shape.area) - taken, 0.1)
     stream = int(np.random.SeedSequence([seed, crc32(space.id.encode())]).generate_state(1)[0])
     ground = ground_of(space, fixed, area)
-    tight = unreached(ground, fixed, catalog, brief.route_width)
+    width = _route(shape, brief.route_width)
+    tight = unreached(ground, fixed, catalog, width)
     return Task(
-        space, ground, fixed, catalog, preset, solver, brief.route_width, tight,
+        space, ground, fixed, catalog, preset, solver, width, tight,
         stream % 2**31, cancel,
     )  # fmt: skip
+
+
+def _route(shape: shapely.Polygon, width: float) -> float:
+    """The route's width in a room: a room nowhere as wide as two routes is used sideways."""
+    across = 2 * float(shapely.maximum_inscribed_circle(shape, tolerance=0.02).length)
+    return width if across >= 2 * width else min(width, SIDEWAYS)
 
 
 def _fixed(room: Room, space: Space, catalog: Catalog) -> list[Piece]:

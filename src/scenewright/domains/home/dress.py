@@ -139,8 +139,7 @@ def _try(
             return Refused(_reason(member, int(codes[i]), int(offenders[i]), standing))
     lost = [m for m, stood in zip(case.members, stands, strict=True) if not stood]
     heavy = sum(m.on < 0 and m.z < 0.05 and m.category != "rug" for m in lost)
-    fixtures = sum(m.category in _MUST for m in lost)
-    if fixtures:
+    if _MUST & {m.category for m in lost} or _without_table(case, lost):
         return Refused(_reason(lost[0], int(codes[stands.index(False)]), -1, standing))
     return Dressed(case, box, stands, heavy)
 
@@ -148,6 +147,11 @@ def _try(
 _MUST = frozenset(
     ("hob_cabinet", "fridge", "office_chair", "dining_chair", "coffee_table", "tv", "outdoor_chair")
 )
+
+
+def _without_table(case: Group, lost: list[Member]) -> bool:
+    tables = [m for m in case.members if m.category in ("coffee_table", "side_table")]
+    return bool(tables) and all(m in lost for m in tables)
 
 
 def _leans(function: str, case: Group, box: Floats, ground: Ground) -> bool:

@@ -40,7 +40,10 @@ def _lamps(space: Space, pieces: tuple[Piece, ...], catalog: Catalog) -> list[Pi
         if space.height - PENDANT.height > 1.4
     ]
     x, y = _middle(space)
-    far = all(np.hypot(x - t.pose.x, y - t.pose.y) > 1.2 for t in tables)
+    wide = _shape(space).buffer(-LAMP.width * 0.72)
+    far = wide.contains(shapely.Point(x, y)) and all(
+        np.hypot(x - t.pose.x, y - t.pose.y) > 1.2 for t in tables
+    )
     tall = any(p.pose.z + p.size.height > space.height - LAMP.height for p in pieces)
     if far and not tall:
         found.append(_hung("ceiling_lamp", space, catalog, x, y, 0.0, LAMP, 0))
@@ -49,12 +52,16 @@ def _lamps(space: Space, pieces: tuple[Piece, ...], catalog: Catalog) -> list[Pi
 
 def _middle(space: Space) -> tuple[float, float]:
     """The middle of the largest circle in the room, where a ceiling lamp belongs."""
-    shape = shapely.Polygon(space.outline, list(space.holes))
+    shape = _shape(space)
     circle = shapely.maximum_inscribed_circle(shape, tolerance=0.05)
     x, y = circle.coords[0]
     centre = shape.centroid
     inside = shape.buffer(-LAMP.width).contains(centre)
     return (centre.x, centre.y) if inside else (x, y)
+
+
+def _shape(space: Space) -> shapely.Polygon:
+    return shapely.Polygon(space.outline, list(space.holes))
 
 
 def _hung(

@@ -13,6 +13,7 @@ from scenewright.domains.home.programme import Wish
 from scenewright.problem import Ground, Items, Problem, empty_items
 
 NAN = float("nan")
+BECOMING = 0.6  # the least footprint of a group, as a share of the one wished for
 
 
 class Relation(NamedTuple):
@@ -75,14 +76,17 @@ def items_of(wishes: tuple[Wish, ...], area: float) -> Items:
 
 
 def _sizes(wish: Wish, area: float) -> tuple[tuple[float, float], ...]:
-    """Least, greatest and wished (width, depth): the least is that of the smallest real case."""
+    """Least, greatest and wished (width, depth): the least is that of the smallest real case
+    that becomes the room (of any case if the wish may be small)."""
     found = cases(wish.group).sizes
+    goal = wished(wish.group, area)
+    if not wish.small:
+        found = found[found.prod(-1) >= BECOMING * goal.width * goal.depth]
     if wish.most is not None:
         fits = (found <= np.array(wish.most) + 1e-9).all(-1)
         found = found[fits] if fits.any() else found[[int(np.argmin(found.prod(-1)))]]
     low = found[int(np.argmin(found.prod(-1)))]
     high = np.maximum(found.max(0), low)
-    goal = wished(wish.group, area)
     ideal = np.clip([goal.width, goal.depth], low, high)
     return tuple(low), tuple(high), tuple(ideal)
 

@@ -14,12 +14,15 @@ from scenewright.space import Space
 
 class Wish(NamedTuple):
     """One group wished for: its function and rank; ``required`` if the user asked for it, then
-    ``most`` may bound its width and depth."""
+    ``most`` may bound its width and depth; ``small`` if any of its cases will do, not only those
+    that become the room; ``core`` if it is what makes the function (the bed of a bedroom)."""
 
     group: str
     rank: int
     required: bool = False
     most: tuple[float, float] | None = None
+    small: bool = False
+    core: bool = False
 
 
 class Row(NamedTuple):
@@ -77,7 +80,7 @@ PROGRAMME: dict[str, tuple[Row, ...]] = {
     ),
     "storage": (Row("storage", 0), Row("storage", 1, 2.2), Row("storage", 2, 4.5)),
     "balcony": (
-        Row("terrace", 0, 3.5), Row("lounger", 1, 1.6, 3.5), Row("planter", 1, 3),
+        Row("terrace", 1, 3.5), Row("lounger", 1, 1.6, 3.5), Row("planter", 1, 3),
         Row("drying", 2, 6),
     ),
     "other": (),
@@ -92,6 +95,7 @@ FALLBACK: dict[str, str] = {
 }
 ALSO: dict[str, str] = {"kitchenette": "fridge"}
 DOUBLE_BEDROOM = 8.8
+CORE: dict[str, int] = {"bathroom": 5, "child_bedroom": 2, "washroom": 2}  # leading rows; else 1
 
 
 def resolved(functions: Iterable[str], area: float) -> tuple[str, ...]:
@@ -113,12 +117,12 @@ def programme(space: Space, area: float, home: frozenset[str]) -> tuple[Wish, ..
     functions = resolved(space.functions, area)
     avoid = set(functions) | {f"home:{f}" for f in home}
     wishes = [
-        Wish(row.group, row.rank)
+        Wish(row.group, row.rank, core=row.rank == 0 and number < CORE.get(function, 1))
         for function in functions
-        for row in PROGRAMME[function]
+        for number, row in enumerate(PROGRAMME[function])
         if row.least <= area < row.below and not avoid & (set(row.unless) - {function})
     ]
-    return tuple(sorted(_once(wishes), key=lambda w: w.rank))
+    return tuple(sorted(_once(wishes), key=lambda w: (w.rank, not w.core)))
 
 
 def _once(wishes: list[Wish]) -> list[Wish]:

@@ -33,9 +33,12 @@ Floats = NDArray[np.float64]
 Cancel = Callable[[], bool]
 
 PENALTY = (1000.0, 60.0, 8.0)  # for what is missing, by rank
-UNREACHED = 300.0
+CORE = 3000.0  # for a missing core
+UNREACHED = 300.0  # for a group no route reaches
+BARRED = 1500.0  # for a door that nothing joins to the others
 LOST = 4.0
 CLOSE = 0.3  # gaps up to this many metres beside a patch are closed
+DOOR = "door "
 LAYOUTS = 5  # how many of the solver's layouts are dressed
 
 
@@ -90,9 +93,13 @@ def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
     for round_, fewer in enumerate((_held, _core), 1):
         again = () if _sound(best) else fewer(best, wishes)
         if again and again != wishes:
-            tried = _attempt(task, again, _share(budget, 0.2), task.seed + round_)
+            tried = _attempt(task, again, _share(budget, 0.3), task.seed + round_)
             best = _better(best, _reported(tried, wishes, best))
     return best if not best.missing else _filled(task, best, _share(budget, 0.2))
+
+
+def _penalty(wish: Wish) -> float:
+    return CORE if wish.core else PENALTY[wish.rank]
 
 
 def _sound(answer: Furnished) -> bool:
@@ -102,36 +109,37 @@ def _sound(answer: Furnished) -> bool:
 
 def _held(answer: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
     """What stood and could be reached, and fallbacks for what did not or what bars a door."""
-    barred = any(name.startswith("door ") for name in answer.unreached)
+    barred = any(name.startswith(DOOR) for name in answer.unreached)
     kept: list[Wish] = []
     for wish in wishes:
         stood = [p for p in answer.placed if p.wish == wish]
-        smaller = barred and wish.group in FALLBACK
-        if stood and not smaller and (wish.rank == 0 or stood[0].name not in answer.unreached):
+        reached = bool(stood) and stood[0].name not in answer.unreached and not barred
+        if stood and (reached or (wish.group not in FALLBACK and wish.rank == 0)):
             kept.append(wish)
         elif wish.group in FALLBACK:
             kept += _instead(wish)
         elif wish.rank == 0:
-            kept.append(wish)
+            kept.append(wish._replace(small=True))
     return tuple(kept)
 
 
 def _core(answer: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
-    """The first essential wish alone, if it is missing, as its fallback."""
-    first = wishes[0]
-    lacking = any(m.wish == first or m.wish in _instead(first) for m in answer.missing)
-    return tuple(_instead(first)) if lacking else ()
+    """What makes the room's functions alone, in its smallest form, if some of it is missing."""
+    if not any(m.wish.core for m in answer.missing):
+        return ()
+    return tuple(other for w in wishes if w.core for other in _instead(w))
 
 
 def _instead(wish: Wish) -> list[Wish]:
     other = FALLBACK.get(wish.group, wish.group)
     also = [ALSO[other]] if other in ALSO else []
-    return [wish._replace(group=group) for group in (other, *also)]
+    return [wish._replace(group=group, small=True) for group in (other, *also)]
 
 
 def _filled(task: Task, answer: Furnished, budget: Budget) -> Furnished:
     """Try what is missing in the room that is left, with what stands taken as fixed."""
-    wishes = tuple(m.wish for m in answer.missing if m.wish.rank < 2 or len(answer.missing) < 4)
+    wanted = [m.wish for m in answer.missing if m.wish.rank < 2 or len(answer.missing) < 4]
+    wishes = tuple(w._replace(small=True) for w in wanted)
     taken = np.array([p.dressed.box for p in answer.placed]).reshape(-1, 5)
     ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, taken]))
     problem = problem_of(ground, wishes, task.preset.weights, task.preset.printed, task.route_width)
@@ -139,10 +147,10 @@ def _filled(task: Task, answer: Furnished, budget: Budget) -> Furnished:
     best = answer
     for layout in found.layouts[:2]:
         more = _dressed(task, wishes, problem, layout.boxes, answer.energy, answer.placed)
-        others = tuple(m for m in answer.missing if m.wish not in wishes)
+        others = tuple(m for m in answer.missing if m.wish not in wanted)
         more = more._replace(
             missing=(*more.missing, *others),
-            score=more.score + sum(PENALTY[m.wish.rank] for m in others),
+            score=more.score + sum(_penalty(m.wish) for m in others),
         )
         best = min(best, more, key=lambda a: a.score)
     return best._replace(evaluations=answer.evaluations + found.evaluations)
@@ -161,7 +169,7 @@ def _reported(tried: Furnished, wishes: tuple[Wish, ...], before: Furnished) -> 
             groups.remove(FALLBACK[wish.group])
         else:
             dropped.append(Missing(wish, why.get(wish.group, "no room is left beside the rest")))
-    score = tried.score + sum(PENALTY[m.wish.rank] for m in dropped)
+    score = tried.score + sum(_penalty(m.wish) for m in dropped)
     return tried._replace(missing=(*tried.missing, *dropped), score=score)
 
 
@@ -251,8 +259,8 @@ def _scored(
         placed, gone, blocked = _opened(task, placed)
         missing = (*missing, *gone)
     score = (
-        sum(PENALTY[m.wish.rank] for m in missing)
-        + UNREACHED * len(blocked)
+        sum(_penalty(m.wish) for m in missing)
+        + sum(BARRED if b.startswith(DOOR) else UNREACHED for b in blocked)
         + LOST * sum(p.dressed.lost for p in placed)
         + 1e-2 * energy
     )
@@ -267,7 +275,8 @@ def _opened(
     blocked = _blocked(task, placed)
     gone: list[Missing] = []
     for candidate in sorted(placed, key=lambda p: -p.wish.rank):
-        if not blocked or candidate.wish.rank == 0:
+        barred = any(b.startswith(DOOR) for b in blocked)
+        if not blocked or candidate.wish.core or (candidate.wish.rank == 0 and not barred):
             break
         others = tuple(p for p in placed if p is not candidate)
         still = _blocked(task, others)
@@ -290,5 +299,5 @@ def _blocked(task: Task, placed: tuple[Placed, ...]) -> tuple[str, ...]:
     unless the empty room is too tight for that already."""
     pieces = [p for item in placed for p in item.pieces]
     far = unreached(task.ground, (*task.fixed, *pieces), task.catalog, task.route_width)
-    doors = sorted(name for name in far - task.tight if name.startswith("door "))
+    doors = sorted(name for name in far - task.tight if name.startswith(DOOR))
     return (*doors, *(item.name for item in placed if any(p.id in far for p in item.pieces)))

@@ -32,7 +32,8 @@ def seating() -> Iterator[Group]:
     yield _alone(1.4)
     yield _compact(1.2)
     for sofa in (1.4, 1.6, 1.8, 2.0, 2.2, 2.4):
-        yield _compact(sofa)
+        if sofa <= 1.8:
+            yield _compact(sofa)
         yield _sofa_and_table(sofa, lamps=0)
         yield _sofa_and_table(sofa, lamps=1)
         yield _sofa_and_table(sofa, lamps=2)
@@ -69,7 +70,7 @@ def _alone(sofa: float) -> Group:
 
 def _compact(sofa: float) -> Group:
     depth = SOFA_DEPTH + 0.35 + 0.42
-    members = (_sofa(sofa, depth), _table(0.45 * sofa, depth, deep=0.4))
+    members = (_rug(sofa, depth), _sofa(sofa, depth), _table(0.45 * sofa, depth, deep=0.4))
     return Group("seating", f"{sofa:.1f} m sofa, small table", sofa, depth, members)
 
 

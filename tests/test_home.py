@@ -1,0 +1,131 @@
+"""Homes: valid whatever the room, the same for the same seed, honest about what is missing."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from scenewright.brief import Ask, Brief, FixedItem
+from scenewright.check import check
+from scenewright.domains import home
+from scenewright.domains.home.programme import PROGRAMME
+from scenewright.errors import InputError
+from scenewright.formats import read, samples
+from scenewright.solution import Solution
+
+FUNCTIONS = sorted(set(PROGRAMME) - {"other"})
+
+
+def one_room(function: str, width: float, depth: float, skew: float = 0.0, **more: object) -> Brief:
+    outline = [(0.0, 0.0), (width, 0.0), (width + skew, depth), (0.0, depth)]
+    door = {"at": (min(0.7, width / 2), 0.0), "width": 0.8, "swing": "in", "hinge": "left"}
+    window = {"at": (width / 2, depth), "width": min(1.2, width / 2), "sill": 0.9}
+    room = {
+        "id": "r", "function": function, "outline": outline, "doors": [door],
+        "windows": [window], **more,
+    }  # fmt: skip
+    return Brief.model_validate({"rooms": [room]})
+
+
+def faults(solution: Solution) -> list[str]:
+    return [f.message for f in check(solution).findings]
+
+
+@pytest.mark.parametrize("name", samples())
+def test_samples_are_valid_and_complete(name: str) -> None:
+    solution = home.solve(read(name), seed=1)
+    report = check(solution)
+    assert report.valid, faults(solution)
+    assert not report.notes, report.notes
+    assert not [out for out in solution.left_out if out.required]
+
+
+def test_the_same_seed_gives_the_same_home_on_any_number_of_threads(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    brief = read("sample:home-studio")
+    first = home.solve(brief, seed=5, steps=2000)
+    monkeypatch.setattr(home, "WORKERS", 1)
+    second = home.solve(brief, seed=5, steps=2000)
+    assert first.pieces == second.pieces
+    assert first.terms == second.terms
+    assert home.solve(brief, seed=6, steps=2000).pieces != first.pieces
+
+
+@settings(max_examples=25, deadline=None, suppress_health_check=list(HealthCheck))
+@given(
+    function=st.sampled_from(FUNCTIONS),
+    width=st.floats(1.2, 6.0),
+    depth=st.floats(1.2, 6.0),
+    skew=st.floats(-0.5, 1.5),
+    seed=st.integers(0, 1000),
+)
+def test_nothing_collides_or_blocks_in_any_room(
+    function: str, width: float, depth: float, skew: float, seed: int
+) -> None:
+    solution = home.solve(one_room(function, width, depth, skew), seed=seed, steps=2000)
+    wrong = [f for f in check(solution).findings if f.kind not in ("unreachable_piece",)]
+    assert not wrong, [f.message for f in wrong]
+
+
+def test_what_cannot_fit_is_left_out_with_a_reason() -> None:
+    brief = one_room("double_bedroom", 1.5, 1.5)
+    solution = home.solve(brief, steps=1000)
+    assert {"sleeping", "wardrobe"} & {out.what for out in solution.left_out if out.required}
+    assert all(out.reason for out in solution.left_out)
+
+
+def test_a_wish_replaces_the_programme() -> None:
+    brief = one_room("living", 4.0, 4.0, ask=[Ask(group="desk", count=2).model_dump()])
+    solution = home.solve(brief, steps=4000)
+    assert [p.function for p in solution.patches] == ["desk", "desk"]
+    assert not solution.left_out
+
+
+def test_an_unknown_wish_is_told() -> None:
+    brief = one_room("living", 4.0, 4.0, ask=[{"group": "sofabed"}])
+    with pytest.raises(InputError, match="no furniture group 'sofabed'"):
+        home.solve(brief, steps=10)
+
+
+def test_fixed_things_stay_and_are_kept_clear_of() -> None:
+    bed = FixedItem(category="double_bed", at=(3.0, 1.2), heading=np.pi, size=(1.6, 2.0, 0.9))
+    brief = one_room("double_bedroom", 4.2, 3.6, fixed=[bed.model_dump()])
+    solution = home.solve(brief, seed=2, steps=6000)
+    beds = [p for p in solution.pieces if p.category.endswith("_bed")]
+    assert [p.fixed for p in beds] == [True]
+    assert beds[0].pose[:2] == (3.0, 1.2)
+    assert not faults(solution)
+
+
+def test_cancelling_returns_what_was_found() -> None:
+    solution = home.solve(read("sample:home-flat"), cancel=lambda: True)
+    assert check(solution).valid
+
+
+def test_progress_runs_to_the_end() -> None:
+    heard: list[float] = []
+    home.solve(read("sample:home-studio"), steps=500, progress=lambda share, _: heard.append(share))
+    assert heard == sorted(heard)
+    assert heard[-1] == 1.0
+
+
+def test_energies_are_the_sums_of_the_explained_costs() -> None:
+    solution = home.solve(read("sample:home-studio"), steps=2000)
+    assert all(t.cost == pytest.approx(t.value * t.weight) for t in solution.terms)
+    assert {t.space for t in solution.terms} <= set(solution.energies)
+
+
+@pytest.mark.parametrize("preset", ["paper", "paper-repaired", "quick"])
+def test_presets_run(preset: str) -> None:
+    solution = home.solve(one_room("living", 5.0, 4.5), preset=preset, steps=500)
+    assert solution.preset == preset
+    assert solution.patches
+
+
+def test_seconds_bound_the_work() -> None:
+    solution = home.solve(read("sample:home-studio"), seconds=0.3)
+    assert solution.seconds < 3.0
+    assert solution.pieces
