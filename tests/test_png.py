@@ -147,7 +147,7 @@ def test_the_camera_sees_the_whole_home(
     assert away[:, 2].min() > 0
     assert np.abs(x).max() < 1
     assert np.abs(y).max() < max(shape, 0.0)
-    assert max(np.abs(x).max(), np.abs(y).max() / 0.75) > 0.85
+    assert max(np.abs(x).max(), np.abs(y).max() / (1140 / 1600)) > 0.85
 
 
 def test_the_picture_of_a_flat_shows_rooms_and_is_the_same_each_time(tmp_path: Path) -> None:

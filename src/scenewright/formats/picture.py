@@ -79,7 +79,7 @@ class View(NamedTuple):
 
 
 def render(stage: Stage, camera: Camera, width: int, height: int,
-           sun: tuple[float, float, float] = (-0.62, -0.30, 1.0)) -> Pixels:  # fmt: skip
+           sun: tuple[float, float, float] = (-0.50, -0.22, 1.0)) -> Pixels:  # fmt: skip
     """The picture ``(height, width, 3)`` in sRGB; ``sun`` is the direction towards the sun."""
     view = view_of(camera, width, height)
     to_sun = _frame(sun)

@@ -87,7 +87,7 @@ def framed(points: Floats) -> tuple[Camera, float]:
         x, y = local[:, 0] / deep, local[:, 1] / deep
         middle = np.array([x.min() + x.max(), y.min() + y.max()]) / 2 * away
         target = target + middle @ view.axes[:2].astype(float)
-        half = max((x.max() - x.min()) / 2, (y.max() - y.min()) / 2 / 0.75) * MARGIN
+        half = max((x.max() - x.min()) / 2, (y.max() - y.min()) / 2 / (TALLEST / WIDTH)) * MARGIN
         shape = (y.max() - y.min() + 2 * (MARGIN - 1) * half) / (2 * half)
         away *= half / view.across
     return Camera(tuple(target - away * ahead), tuple(target), ANGLE), float(shape)

@@ -18,8 +18,8 @@ Ints = NDArray[np.int32]
 PLAIN, PLANKS, SLABS, TILES, DECK, PAGE = 0, 1, 2, 3, 4, 5
 """Patterns: none, oak planks, 0.6 m slabs, 0.3 m tiles, outdoor boards, the page itself."""
 
-SUN = (1.42, 1.36, 1.26)
-SKY = (0.60, 0.66, 0.75)
+SUN = (1.24, 1.18, 1.08)
+SKY = (0.55, 0.60, 0.67)
 BOUNCE = (0.30, 0.275, 0.25)
 """Light from the sun, the open sky, and surroundings that hide the sky."""
 
