@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from importlib import import_module
 from pathlib import Path
@@ -103,7 +103,7 @@ def _check_names(request: Request) -> None:
         named("solver", request.solver, SOLVERS)
 
 
-def named(what: str, name: str, known: Sequence[str] | dict[str, object]) -> None:
+def named(what: str, name: str, known: Collection[str]) -> None:
     """Raise :class:`InputError` naming the choices unless ``name`` is one of them.
 
     >>> named("preset", "papper", ["default", "paper"])

@@ -68,12 +68,12 @@ def outline(points: ArrayLike, closed: bool = True) -> str:
 
 def shape(rings: Sequence[ArrayLike], **attributes: str | float) -> str:
     """One filled path of several rings; inner rings are holes."""
-    return tag("path", d="".join(outline(ring) for ring in rings), **attributes)
+    return tag("path", "", d="".join(outline(ring) for ring in rings), **attributes)
 
 
 def line(points: ArrayLike, **attributes: str | float) -> str:
     """An open line through paper points."""
-    return tag("path", d=outline(points, closed=False), **attributes)
+    return tag("path", "", d=outline(points, closed=False), **attributes)
 
 
 def text(

@@ -123,5 +123,10 @@ def view_at(sheet: Sheet, west: float, south: float, left: float, bottom: float)
 def _words(
     words: str, at: tuple[float, float], size: float, weight: str = "normal", fill: str = INK
 ) -> str:
-    style = {"text_anchor": "start", "font_weight": weight, "fill": fill, "stroke": "none"}
-    return text(words, at, size, **style)
+    style: dict[str, str | float] = {
+        "text_anchor": "start",
+        "font_weight": weight,
+        "fill": fill,
+        "stroke": "none",
+    }
+    return text(words, at, size, 0.0, **style)

@@ -171,8 +171,8 @@ def _faces(view: View, opening: Opening, **style: str | float) -> str:
     """Lines across the opening in the two faces of the wall."""
     half, face = opening.width / 2, opening.thickness / 2
     box = _box(opening, -half, half, -face, face)
-    style = {"stroke_width": FINE} | style
-    return "\n".join(line(to_paper(view, side), **style) for side in (box[:2], box[2:]))
+    pen: dict[str, str | float] = {"stroke_width": FINE}
+    return "\n".join(line(to_paper(view, side), **(pen | style)) for side in (box[:2], box[2:]))
 
 
 def _polygon(prism: Prism) -> Polygon:
