@@ -33,6 +33,7 @@ SLICE = 16384
 SECONDS = 0.1
 SAMPLES = 32
 PILOT = 16
+HOT, COLD = 0.07, 5e-6
 
 
 class Stage(NamedTuple):
@@ -76,9 +77,9 @@ def plan(steps: int, n: int) -> tuple[Stage, ...]:
     """Stages for a budget of steps: as many chains as leave each enough to settle.
 
     >>> [stage.chains for stage in plan(200_000, 3)], [stage.chains for stage in plan(200_000, 20)]
-    ([32, 8, 2], [5, 1, 1])
+    ([32, 8, 2], [2, 1])
     """
-    chains = int(np.clip(0.5 * steps / (1000 * n), 1, 32))
+    chains = int(np.clip(0.5 * steps / max(500 * n, 100 * n * n), 1, 32))
     if chains >= 4:
         return (
             Stage(chains, 0.5, 0.0),
@@ -205,7 +206,7 @@ def boxes_of(frames: Floats) -> Floats:
 def _heat(energies: Floats) -> Heat:
     """From the spread of random layouts' energies."""
     scale = float(np.median(energies) - energies.min()) + 1e-3 * float(abs(energies.min())) + 1e-6
-    return Heat(0.2 * scale, 2e-5 * scale)
+    return Heat(HOT * scale, COLD * scale)
 
 
 def anneal(
