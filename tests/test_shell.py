@@ -184,6 +184,19 @@ def test_listed_walls_keep_their_lines_and_meet_in_mitres() -> None:
     assert not blocked(walls, openings[0], 0.0, 1.0)
 
 
+def test_listed_walls_of_different_thickness_close_their_corner() -> None:
+    walls, _ = built(
+        brief_of(
+            {"outline": [[0.2, 0.1], [4.8, 0.1], [4.8, 3.9], [0.2, 3.9]]},
+            walls=[{"start": (0, 0), "end": (5, 0), "thickness": 0.2},
+                   {"start": (0, 0), "end": (0, 4), "thickness": 0.4}],
+        )
+    )  # fmt: skip
+    whole = shapely.union_all(bodies(walls, 1.0))
+    assert whole.area == pytest.approx(5.2 * 0.2 + 0.4 * 4.1 - 0.4 * 0.2, abs=1e-9)
+    assert shapely.box(*whole.bounds).exterior.covers(shapely.Point(-0.2, -0.1))
+
+
 @pytest.mark.parametrize("hinge", [-1, 1])
 @pytest.mark.parametrize("swing", [-1, 1])
 def test_an_open_leaf_hangs_at_its_hinge_and_stands_on_its_side(hinge: int, swing: int) -> None:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
-from shapely import LineString, Polygon
+from shapely import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from scenewright.brief import Brief, WallBrief
@@ -267,23 +267,22 @@ def _joints(
         for b in (listed[j][1].start, listed[j][1].end)
         if np.hypot(a[0] - b[0], a[1] - b[1]) <= max(wall.thickness, listed[j][1].thickness) / 2
     ]
-    return shapely.union_all(wedges)
+    return shapely.union_all(wedges).difference(shapely.union_all([bodies[j] for j in near]))
 
 
 def _wedge(
     here: tuple[float, float], there: tuple[float, float], wall: WallBrief, other: WallBrief
 ) -> BaseGeometry:
-    """The mitred corner where two walls meet, within a few thicknesses of the joint."""
-    thickness = min(wall.thickness, other.thickness)
-    middle = ((here[0] + there[0]) / 2, (here[1] + there[1]) / 2)
-    far = wall.end if here == wall.start else wall.start
-    beyond = other.end if there == other.start else other.start
-    if middle in (far, beyond):
-        return Polygon()
-    bend = LineString([far, middle, beyond])
-    corner = shapely.buffer(
-        bend, thickness / 2, cap_style="flat", join_style="mitre", mitre_limit=MITRE
+    """The corner where two walls meet: what both cover when they run on past their ends."""
+    on = MITRE * max(wall.thickness, other.thickness) / 2
+    near = Point((here[0] + there[0]) / 2, (here[1] + there[1]) / 2).buffer(on)
+    return _longer(wall, here, on).intersection(_longer(other, there, on)).intersection(near)
+
+
+def _longer(wall: WallBrief, end: tuple[float, float], by: float) -> Polygon:
+    """A wall's body, longer at one end."""
+    far = np.array(wall.end if end == wall.start else wall.start)
+    way = (np.array(end) - far) / np.hypot(*(np.array(end) - far))
+    return shapely.buffer(
+        LineString([far, np.array(end) + by * way]), wall.thickness / 2, cap_style="flat"
     )
-    reach = MITRE * max(wall.thickness, other.thickness) / 2
-    return corner.intersection(shapely.box(middle[0] - reach, middle[1] - reach,
-                                           middle[0] + reach, middle[1] + reach))  # fmt: skip

@@ -15,7 +15,7 @@ import shapely
 from scenewright import joinery
 from scenewright.catalog import Asset, Catalog, Material, Part
 from scenewright.geometry.mesh import Floats, Mesh, merge
-from scenewright.geometry.prisms import box, prism, sheet
+from scenewright.geometry.prisms import box, face_normals, prism, sheet
 from scenewright.scene import Piece, Prism, Scene, Size, Wall
 from scenewright.space import Level, Opening, Space
 
@@ -227,7 +227,7 @@ def _facts(piece: Piece, asset: Asset | None) -> dict[str, str | float]:
 
 @lru_cache(maxsize=4096)
 def _shaped(asset: Asset, size: Size) -> tuple[Part, ...]:
-    return tuple(part for part in asset.mesh(size) if len(part.faces))
+    return tuple(p for p in asset.mesh(size) if face_normals(p.vertices, p.faces).any())
 
 
 def _meshed(asset: Asset | None, size: Size) -> tuple[Part, ...]:

@@ -191,9 +191,12 @@ def surface(part: Part, normals: Floats64) -> Surface:
     points = part.vertices[faces.reshape(-1)]
     keys = row_keys(np.column_stack([points * 1e5, normals * 1e3]))
     _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
-    turned = [np.ascontiguousarray(rows[first][:, [0, 2, 1]] * [1, 1, -1], np.float32)
-              for rows in (points, normals)]  # fmt: skip
-    return Surface(turned[0], turned[1], inverse.astype(np.uint32))
+    rows = inverse.astype(np.uint32).reshape(-1, 3)
+    whole = (rows != rows[:, [1, 2, 0]]).all(1)
+    rows = rows[whole if whole.any() else slice(1)]
+    turned = [np.ascontiguousarray(told[first][:, [0, 2, 1]] * [1, 1, -1], np.float32)
+              for told in (points, normals)]  # fmt: skip
+    return Surface(turned[0], turned[1], rows.reshape(-1))
 
 
 def _packed(surfaces: Sequence[Surface]) -> tuple[bytes, list[Json], list[Json]]:
