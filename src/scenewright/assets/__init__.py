@@ -14,7 +14,7 @@ from scenewright.catalog import Asset, Catalog
 
 _THEMES = (
     "seating", "tables", "beds", "storage", "shelves", "kitchen", "cooking", "sanitary",
-    "appliances", "lighting", "decor", "greenery", "outdoor", "building", "leisure",
+    "appliances", "lighting", "textiles", "decor", "greenery", "outdoor", "building", "leisure",
 )  # fmt: skip
 
 

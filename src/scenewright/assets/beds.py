@@ -8,6 +8,7 @@ from scenewright.assets.materials import (
     FABRIC,
     LINEN,
     MATTRESS,
+    MUSTARD,
     NAVY,
     OAK,
     PINE,
@@ -15,7 +16,7 @@ from scenewright.assets.materials import (
     TERRACOTTA,
     WHITE,
 )
-from scenewright.assets.model import Parts, asset, parts
+from scenewright.assets.model import Parts, asset, parts, pick
 from scenewright.assets.symbols import Line, Lines, box, closed, path, rectangle
 from scenewright.catalog import Material
 from scenewright.geometry.mesh import Mesh, moved, turned
@@ -78,11 +79,11 @@ def _bed(size: Size, pillows: int, accent: Material, wood: Material, soft: bool)
 
 
 def _double_bed(size: Size) -> Parts:
-    return _bed(size, 2, TERRACOTTA, OAK, soft=True)
+    return _bed(size, 2, pick(size, (TERRACOTTA, NAVY, MUSTARD)), OAK, soft=True)
 
 
 def _single_bed(size: Size) -> Parts:
-    return _bed(size, 1, SAGE_FABRIC, OAK, soft=False)
+    return _bed(size, 1, pick(size, (SAGE_FABRIC, MUSTARD, NAVY)), OAK, soft=False)
 
 
 def _bunk_bed(size: Size) -> Parts:

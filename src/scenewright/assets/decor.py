@@ -1,4 +1,4 @@
-"""Rugs, pictures, curtains, clocks and small things."""
+"""Pictures, clocks and books."""
 
 from __future__ import annotations
 
@@ -9,57 +9,23 @@ import numpy as np
 from scenewright.assets.joinery import spread
 from scenewright.assets.materials import (
     BLACK,
-    FABRIC_LIGHT,
+    LEAF,
     LINEN,
     MUSTARD,
     NAVY,
     OAK,
     PAPER,
     SAGE_FABRIC,
-    SHEER,
     TERRACOTTA,
     WHITE,
-    WOOL,
 )
-from scenewright.assets.model import Parts, asset, parts
+from scenewright.assets.model import Parts, asset, parts, pick
 from scenewright.assets.objects import SPINES, Stuff, wobble
 from scenewright.assets.symbols import Lines, closed, path, plain, rectangle
 from scenewright.catalog import Material
-from scenewright.geometry.mesh import Mesh, extrude, turned
-from scenewright.geometry.solids import ball, block, disc, frame, pipe, rod, sheet, slab
+from scenewright.geometry.mesh import Mesh, turned
+from scenewright.geometry.solids import Interval, block, disc, frame, pipe, sheet
 from scenewright.scene import Size
-
-
-def _rug(size: Size) -> Parts:
-    w, d, h = size.width / 2, size.depth / 2, size.height
-    edge = min(0.06, 0.1 * min(w, d))
-    stripe = min(0.1, 0.12 * min(w, d))
-    inner = edge + 2.2 * stripe
-    lines = [
-        frame((-w + k, w - k), (0.0, 0.01), (-d + k, d - k), 0.3 * stripe)
-        for k in (edge + stripe, edge + 1.7 * stripe)
-    ]
-    flat = [Mesh(m.vertices[:, [0, 2, 1]] * (1, 1, 0.4 * h / 0.01) + (0, 0, 0.5 * h),
-                 m.faces[:, ::-1]) for m in lines]  # fmt: skip
-    diamonds = _diamonds(w - inner, d - inner, (0.5 * h, h))
-    return parts(size, {
-        FABRIC_LIGHT: [slab((-w, w), (-d, d), (0, 0.6 * h), 0.01)],
-        WOOL: [block((-w + edge, w - edge), (-d + edge, d - edge), (0.3 * h, 0.8 * h))],
-        TERRACOTTA: flat, SAGE_FABRIC: diamonds,
-    })  # fmt: skip
-
-
-def _diamonds(w: float, d: float, z: tuple[float, float]) -> list[Mesh]:
-    """A few lozenges along the longer side."""
-    count = max(1, round(max(w, d) / min(w, d) * 1.5))
-    found = []
-    for a, b in spread(-max(w, d), max(w, d), count):
-        middle, long, short = (a + b) / 2, 0.4 * (b - a), 0.62 * min(w, d)
-        ring = [(middle + long, 0), (middle, short), (middle - long, 0), (middle, -short)]
-        if d > w:
-            ring = [(-y, x) for x, y in ring]
-        found.append(extrude(ring, *z))
-    return found
 
 
 def _picture(size: Size) -> Parts:
@@ -72,14 +38,13 @@ def _picture(size: Size) -> Parts:
         OAK: [frame((-w, w), (-d, d), (0, h), rim)],
         PAPER: [block((-w + rim, w - rim), (-d + 0.1 * d, front), (rim, h - rim))],
     }
-    for material, mesh in _landscape(*art, (front - 0.0004, front + 0.1 * size.depth)):
+    drawn = pick(size, (_landscape, _circles, _leaves))
+    for material, mesh in drawn(*art, (front - 0.0004, front + 0.1 * size.depth)):
         found.setdefault(material, []).append(mesh)
     return parts(size, found)
 
 
-def _landscape(
-    x: tuple[float, float], z: tuple[float, float], y: tuple[float, float]
-) -> list[tuple[Material, Mesh]]:
+def _landscape(x: Interval, z: Interval, y: Interval) -> list[tuple[Material, Mesh]]:
     """Hills under a sun, each a little further to the front."""
     wide, tall, step = x[1] - x[0], z[1] - z[0], (y[1] - y[0]) / 4
     sky = block(x, (y[0], y[0] + step), z)
@@ -101,31 +66,43 @@ def _landscape(
     return found
 
 
-def _curtain(size: Size) -> Parts:
-    """Two drawn-back lengths in folds on a rod."""
-    w, d, h = size.width / 2, size.depth / 2, size.height
-    each = min(0.3 * size.width, 0.6)
-    rail = h - 0.035
-    lengths = [
-        _folds((-w + 0.02, -w + 0.02 + each), d, rail),
-        _folds((w - 0.02 - each, w - 0.02), d, rail),
-    ]
-    bar = [rod((-w + 0.015, 0, rail + 0.012), (w - 0.015, 0, rail + 0.012), 0.011, sides=8)]
-    bar += [
-        ball(0.02, min(0.02, d), 0.022, (s * (w - 0.02), 0, rail + 0.012), 8, 4) for s in (-1, 1)
-    ]
-    return parts(size, {SHEER: lengths, BLACK: bar})
+def _circles(x: Interval, z: Interval, y: Interval) -> list[tuple[Material, Mesh]]:
+    """Overlapping discs and half discs on a light ground."""
+    wide, tall, step = x[1] - x[0], z[1] - z[0], (y[1] - y[0]) / 4
+    found = [(LINEN, block(x, (y[0], y[0] + step), z))]
+    spots = (
+        (SAGE_FABRIC, 0.32, 0.62, 0.34),
+        (TERRACOTTA, 0.62, 0.45, 0.42),
+        (NAVY, 0.42, 0.28, 0.25),
+    )
+    for k, (material, px, pz, share) in enumerate(spots):
+        radius = share * min(wide, tall)
+        middle = (x[0] + px * wide, z[0] + pz * tall)
+        angle = np.arange(20) * 2 * pi / 20
+        ring = np.column_stack([np.cos(angle), np.sin(angle)]) * radius + middle
+        found.append((material, sheet(ring, (y[0], y[0] + (2 + 0.6 * k) * step))))
+    return found
 
 
-def _folds(x: tuple[float, float], d: float, high: float) -> Mesh:
-    waves = max(2, round((x[1] - x[0]) / 0.09))
-    share = np.linspace(0, 1, 4 * waves + 1)
-    thin = min(0.008, 0.2 * d)
-    across = x[0] + share * (x[1] - x[0])
-    swing = (d - thin) * np.sin(share * waves * 2 * pi)
-    front = np.column_stack([across, swing + thin / 2])
-    rear = np.column_stack([across, swing - thin / 2])
-    return extrude(np.concatenate([rear, front[::-1]]), 0.0, high)
+def _leaves(x: Interval, z: Interval, y: Interval) -> list[tuple[Material, Mesh]]:
+    """A branch with pairs of leaves on a light ground."""
+    wide, tall, step = x[1] - x[0], z[1] - z[0], (y[1] - y[0]) / 4
+    middle, thin = x[0] + wide / 2, 0.012 * wide
+    found = [(LINEN, block(x, (y[0], y[0] + step), z))]
+    stem = block((middle - thin, middle + thin), (y[0], y[0] + 2 * step),
+                 (z[0] + 0.08 * tall, z[0] + 0.8 * tall))  # fmt: skip
+    found.append((LEAF, stem))
+    share = np.linspace(0, 1, 6)
+    bow = 0.17 * np.sin(share * pi)
+    blade = np.concatenate([np.column_stack([share, -bow]), np.column_stack([share, bow])[-2:0:-1]])
+    for k in range(7):
+        angle = pi / 2 if k == 6 else (0.6 if k % 2 == 0 else pi - 0.6)
+        long = (0.46 - 0.05 * (k // 2)) * min(wide, tall)
+        turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+        root = (middle, z[0] + tall * (0.16 + 0.18 * (k // 2)))
+        green = SAGE_FABRIC if k % 3 else LEAF
+        found.append((green, sheet(blade * long @ turn + root, (y[0], y[0] + 2.6 * step))))
+    return found
 
 
 def _wall_clock(size: Size) -> Parts:
@@ -169,18 +146,6 @@ def _books(size: Size) -> Parts:
     return parts(size, found)
 
 
-def _rug_symbol(size: Size) -> Lines:
-    return rectangle(size), rectangle(size, min(0.08, 0.1 * min(size[:2])))
-
-
-def _curtain_symbol(size: Size) -> Lines:
-    w, d = size.width / 2, size.depth / 2
-    count = max(6, round(size.width / 0.09))
-    share = np.linspace(0, 1, 6 * count + 1)
-    wave = np.column_stack([-w + share * 2 * w, 0.9 * d * np.sin(share * count * 2 * pi)])
-    return (wave,)
-
-
 def _books_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     if size.height <= 0.75 * size.depth:
@@ -196,9 +161,7 @@ def _books_symbol(size: Size) -> Lines:
 
 
 ASSETS = (
-    asset("rug", _rug, _rug_symbol),
     asset("picture", _picture, plain),
-    asset("curtain", _curtain, _curtain_symbol),
     asset("wall_clock", _wall_clock, plain),
     asset("books", _books, _books_symbol),
 )

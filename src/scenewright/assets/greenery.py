@@ -16,10 +16,11 @@ from scenewright.assets.materials import (
     MUSTARD,
     OAK,
     RATTAN,
+    SLATE,
     SOIL,
     TERRACOTTA,
 )
-from scenewright.assets.model import Parts, asset, parts
+from scenewright.assets.model import Parts, asset, parts, pick
 from scenewright.assets.objects import wobble
 from scenewright.assets.symbols import Lines, oval, path
 from scenewright.geometry.mesh import Mesh
@@ -85,7 +86,9 @@ def _vase(size: Size) -> Parts:
         leaves += [ball(0.16 * radius + 0.004, 0.16 * radius + 0.004, 0.26 * radius, (
             s * tip[0], s * tip[1], 0.85 * tall + s * (tip[2] - 0.85 * tall) - 0.02 * h), 6, 3)
             for s in (0.55, 0.78, 1.0)]  # fmt: skip
-    return parts(size, {CLAY: [body], BARK: twigs, LEAF_LIGHT: leaves})
+    return parts(
+        size, {pick(size, (CLAY, CERAMIC, SLATE)): [body], BARK: twigs, LEAF_LIGHT: leaves}
+    )
 
 
 def _bowl(size: Size) -> Parts:

@@ -94,7 +94,7 @@ def _wall_cabinet(size: Size) -> Parts:
     columns = 2 if size.width > 0.65 else 1
     face = d - 0.02
     return parts(size, {
-        OAK: [block((-w, w), (-d, face), (0, h))],
+        WHITE: [block((-w, w), (-d, face), (0, h))],
         CREAM: fronts((-w, w), (0, h), columns, 1, (face, d)),
     })  # fmt: skip
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from scenewright.assets.materials import BLACK, BRASS, CERAMIC, GLOW, OAK, SAGE, SHADE
-from scenewright.assets.model import Parts, asset, parts
+from scenewright.assets.materials import BLACK, BRASS, CERAMIC, CLAY, GLOW, OAK, SAGE, SHADE, SLATE
+from scenewright.assets.model import Parts, asset, parts, pick
 from scenewright.assets.symbols import Lines, oval, path
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.solids import Spot, ball, disc, lathe, leg, ringed, rod, tube
@@ -46,7 +46,8 @@ def _table_lamp(size: Size) -> Parts:
     rows = [(0.6, 0), (0.62, 0.05), (1, 0.4), (0.8, 0.7), (0.22, 0.92), (0.2, 1)]
     base = lathe([(r * belly, z * low) for r, z in rows], sides=16)  # fmt: skip
     return parts(size, {
-        CERAMIC: [base], BRASS: [rod((0, 0, low - 0.01), (0, 0, low + 0.06), 0.008, sides=6)],
+        pick(size, (CERAMIC, CLAY, SLATE)): [base],
+        BRASS: [rod((0, 0, low - 0.01), (0, 0, low + 0.06), 0.008, sides=6)],
         SHADE: [shade((w, d), 0.7, low, h, 20)],
         GLOW: [ball(0.03, 0.03, 0.04, (0, 0, low + 0.09), 6, 4)],
     })  # fmt: skip

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from scenewright.catalog import Material
 
-OAK = Material("oak", (0.79, 0.64, 0.46), 0.6)
+OAK = Material("oak", (0.78, 0.66, 0.50), 0.6)
 OAK_DARK = Material("smoked oak", (0.60, 0.45, 0.31), 0.6)
 WALNUT = Material("walnut", (0.43, 0.29, 0.20), 0.55)
-PINE = Material("pine", (0.87, 0.75, 0.57), 0.65)
+PINE = Material("pine", (0.86, 0.77, 0.62), 0.65)
 TEAK = Material("teak", (0.64, 0.45, 0.29), 0.65)
 WHITE = Material("white lacquer", (0.93, 0.92, 0.90), 0.45)
 CREAM = Material("cream lacquer", (0.89, 0.86, 0.79), 0.5)
+GREIGE = Material("greige lacquer", (0.78, 0.74, 0.68), 0.5)
 SAGE = Material("sage lacquer", (0.60, 0.66, 0.56), 0.5)
 STONE = Material("light stone", (0.83, 0.81, 0.77), 0.4)
 SLATE = Material("slate", (0.33, 0.34, 0.35), 0.5)

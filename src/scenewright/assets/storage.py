@@ -16,6 +16,7 @@ from scenewright.assets.materials import (
     BRASS,
     CREAM,
     GLASS,
+    GREIGE,
     MIRROR,
     OAK,
     PINE,
@@ -25,7 +26,7 @@ from scenewright.assets.materials import (
     WALNUT,
     WHITE,
 )
-from scenewright.assets.model import Parts, asset, parts
+from scenewright.assets.model import Parts, asset, parts, pick
 from scenewright.assets.objects import book_rows
 from scenewright.assets.symbols import Lines, box, path, rectangle
 from scenewright.catalog import Material
@@ -44,7 +45,7 @@ def _wardrobe(size: Size) -> Parts:
         block(x, (-d, face), z),
     ]  # fmt: skip
     return parts(size, {
-        OAK: case, WHITE: fronts(x, z, doors, 1, (face, face + 0.022)),
+        WHITE: case, pick(size, (GREIGE, OAK, CREAM)): fronts(x, z, doors, 1, (face, face + 0.022)),
         BRASS: door_pulls(x, z, doors, face + 0.022, 0.02, 0.48, 0.32),
     })  # fmt: skip
 
