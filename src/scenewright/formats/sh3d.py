@@ -1,7 +1,8 @@
 """Sweet Home 3D: a home drawn in that program, as a brief.
 
 Reads ``.sh3d`` archives and bare ``Home.xml`` files: levels, rooms, walls, doors, windows and
-furniture. Movable furniture is taken out, to be placed anew; what is built in stays.
+furniture. Movable furniture and kitchen units (of which that program calls only some movable)
+are taken out, to be placed anew; what else is built in stays.
 """
 
 from __future__ import annotations
@@ -20,7 +21,13 @@ from scenewright.errors import InputError
 from scenewright.formats.sh3d_archive import home_xml
 from scenewright.formats.sh3d_floors import Floor, floors
 from scenewright.formats.sh3d_openings import is_door, open_sides, place_openings
-from scenewright.formats.sh3d_pieces import fixed_item, flattened, function_from_pieces, housed
+from scenewright.formats.sh3d_pieces import (
+    fixed_item,
+    flattened,
+    function_from_pieces,
+    housed,
+    stays,
+)
 from scenewright.formats.sh3d_xml import Home, HomeLevel, HomePiece, middle_line, parse
 from scenewright.room_names import functions_from_name
 
@@ -85,7 +92,7 @@ def _rooms(home: Home, level: HomeLevel, keep: bool) -> list[dict[str, Any]]:
             "windows": [w for w in mine if hasattr(w, "sill") and w.sill < level.height - 0.05],
             "fixed": [
                 fixed_item(p) for p in inside[number]
-                if (keep or not p.movable) and p.z < level.height - 0.05
+                if (keep or stays(p)) and p.z < level.height - 0.05
             ],
         })  # fmt: skip
     return rooms

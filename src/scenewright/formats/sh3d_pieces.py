@@ -24,6 +24,11 @@ SIGNS = (
     ("washroom", ("washing_machine",)),
 )
 
+KITCHEN = (
+    "base_cabinet", "drawer_cabinet", "corner_cabinet", "sink_cabinet", "hob_cabinet",
+    "oven_cabinet", "wall_cabinet", "tall_cabinet", "hood", "dishwasher", "fridge",
+)  # fmt: skip
+
 
 def flattened(pieces: Sequence[HomePiece]) -> Iterator[HomePiece]:
     """Visible pieces with groups opened; a group named as stairs or a fireplace stays whole.
@@ -53,6 +58,11 @@ def housed(pieces: Sequence[HomePiece], floors: Sequence[shapely.Polygon]) -> li
         if number is not None:
             inside[number].append(piece)
     return inside
+
+
+def stays(piece: HomePiece) -> bool:
+    """True for what is built in. Kitchen units are not: a new kitchen is planned as a whole."""
+    return not piece.movable and kind_of(piece) not in KITCHEN
 
 
 def fixed_item(piece: HomePiece) -> FixedItem:

@@ -172,10 +172,8 @@ def _wishes(room: Room, task: Task, rooms: tuple[Space, ...]) -> tuple[Wish, ...
     others = frozenset(
         f for s in rooms if s.id != task.space.id for f in resolved(s.functions, 0.0)
     )
-    have = {p.category for p in task.fixed}
-    return tuple(
-        w for w in programme(task.space, area, others) if not have & set(GROUPS[w.group].essential)
-    )
+    have = frozenset(p.category for p in task.fixed)
+    return programme(task.space, area, others, have)
 
 
 def _known(group: str) -> str:

@@ -18,6 +18,7 @@ WINDOW_DEPTH = 0.3  # nothing taller than the sill this near to the glass, metre
 PASSAGE = 0.9  # kept free of a wide opening, metres
 WIDE = 1.2  # openings without a leaf wider than this need not stay free in full, metres
 CORRIDOR = 0.7  # width of the way from door to door, metres
+USE = 0.6  # floor before a fixed piece, metres
 HEAD_HEIGHT = 2.0
 
 
@@ -68,7 +69,7 @@ def ground_of(space: Space, fixed: tuple[Piece, ...], area: float) -> Ground:
         edges=np.ascontiguousarray(edges_of(space)),
         walls=np.hstack([space.outline, np.roll(space.outline, -1, 0)]),
         keep_free=_rows([box for g in doors for box in door_zone(space, g)], 5),
-        corridors=_rows(_corridors(doors), 5),
+        corridors=_rows(_corridors(doors) + [_use(p) for p in fixed if _in_the_way(p)], 5),
         obstacles=_rows([_footprint(p) for p in fixed if _in_the_way(p)], 5),
         windows=_rows(windows, 6),
         doors=_rows([_throat(g) for g in doors], 5),
@@ -154,6 +155,13 @@ def _corridors(doors: tuple[Gate, ...]) -> list[list[float]]:
             heading = float(np.arctan2(way[1], way[0]))
             found.append([x, y, heading, CORRIDOR, float(np.hypot(*way))])
     return found
+
+
+def _use(piece: Piece) -> list[float]:
+    """The floor before a fixed piece, better left free to use it."""
+    pose, out = piece.pose, (piece.size.depth + USE) / 2
+    x, y = pose.x + out * np.cos(pose.heading), pose.y + out * np.sin(pose.heading)
+    return [float(x), float(y), pose.heading, piece.size.width, USE]
 
 
 def _in_the_way(piece: Piece) -> bool:

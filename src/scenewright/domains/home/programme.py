@@ -94,6 +94,22 @@ FALLBACK: dict[str, str] = {
     "terrace": "lounger",
 }
 ALSO: dict[str, str] = {"kitchenette": "fridge"}
+_BED = ("double_bed", "single_bed", "bunk_bed", "cot")
+_TABLE = ("dining_table", "round_table")
+_COATS = ("shoe_cabinet", "coat_rack", "console_table")
+STANDS_FOR: dict[str, tuple[str, ...]] = {
+    "sleeping": _BED, "single": _BED, "bunk": _BED,
+    "wardrobe": ("wardrobe",), "desk": ("desk", "kids_desk"), "kids_desk": ("desk", "kids_desk"),
+    "seating": ("sofa", "loveseat", "corner_sofa"), "media": ("tv", "tv_stand", "fireplace"),
+    "dining": _TABLE, "dining_wall": _TABLE,
+    "kitchen": ("hob_cabinet", "sink_cabinet"), "kitchenette": ("hob_cabinet", "sink_cabinet"),
+    "fridge": ("fridge",), "toilet": ("toilet",),
+    "bath": ("bathtub", "shower"), "shower": ("bathtub", "shower"),
+    "basin": ("basin", "pedestal_basin", "vanity"), "washer": ("washing_machine",),
+    "shoes": _COATS, "coats": _COATS, "terrace": ("outdoor_table",),
+}  # fmt: skip
+"""Fixed pieces of these categories make a group unnecessary."""
+
 DOUBLE_BEDROOM = 8.8
 CORE: dict[str, int] = {"bathroom": 5, "child_bedroom": 2, "washroom": 2}  # leading rows; else 1
 
@@ -108,11 +124,13 @@ def resolved(functions: Iterable[str], area: float) -> tuple[str, ...]:
     return tuple(dict.fromkeys(bedroom if f == "bedroom" else f for f in functions))
 
 
-def programme(space: Space, area: float, home: frozenset[str]) -> tuple[Wish, ...]:
+def programme(
+    space: Space, area: float, home: frozenset[str], have: frozenset[str] = frozenset()
+) -> tuple[Wish, ...]:
     """The groups a space of this function and area should hold, the essential first.
 
     ``home`` are the functions of all other rooms: a living room gets a dining table only where
-    there is no dining room.
+    there is no dining room. ``have`` are the categories that stand there already.
     """
     functions = resolved(space.functions, area)
     avoid = set(functions) | {f"home:{f}" for f in home}
@@ -120,7 +138,9 @@ def programme(space: Space, area: float, home: frozenset[str]) -> tuple[Wish, ..
         Wish(row.group, row.rank, core=row.rank == 0 and number < CORE.get(function, 1))
         for function in functions
         for number, row in enumerate(PROGRAMME[function])
-        if row.least <= area < row.below and not avoid & (set(row.unless) - {function})
+        if row.least <= area < row.below
+        and not avoid & (set(row.unless) - {function})
+        and not have.intersection(STANDS_FOR.get(row.group, ()))
     ]
     return tuple(sorted(_once(wishes), key=lambda w: (w.rank, not w.core)))
 

@@ -295,9 +295,10 @@ def _barred(name: str, opened: list[str]) -> str:
 
 
 def _blocked(task: Task, placed: tuple[Placed, ...]) -> tuple[str, ...]:
-    """Names of the groups with a piece that no route reaches, and of doors that none joins,
-    unless the empty room is too tight for that already."""
+    """What no route reaches though one would in the empty room: doors and fixed pieces by name,
+    and the groups with a piece out of reach."""
     pieces = [p for item in placed for p in item.pieces]
     far = unreached(task.ground, (*task.fixed, *pieces), task.catalog, task.route_width)
-    doors = sorted(name for name in far - task.tight if name.startswith(DOOR))
-    return (*doors, *(item.name for item in placed if any(p.id in far for p in item.pieces)))
+    groups = [item.name for item in placed if any(p.id in far for p in item.pieces)]
+    others = far - task.tight - {p.id for p in pieces}
+    return (*sorted(others), *groups)
