@@ -96,7 +96,7 @@ def corner_normals(
     here, other = here[alike], other[alike]
     summed = np.stack([np.bincount(here, across[other, axis], faces.size) for axis in range(3)], -1)
     flat = np.repeat(own, 3, axis=0)
-    found = _unit(summed)
+    found = _unit(summed.astype(np.float64))
     return np.where(np.abs(found).max(1, keepdims=True) > 0, found, flat).reshape(-1, 3, 3)
 
 
