@@ -229,6 +229,13 @@ def test_a_narrow_room_gets_a_smaller_or_turned_label() -> None:
     assert label in wordings(room, 2.8)
 
 
+def test_a_long_name_is_set_in_two_lines_before_it_leaves_the_room() -> None:
+    outline = np.array([[0, 0], [1.2, 0], [1.2, 1.6], [0, 1.6]], float)
+    label, _ = place(UNIT, Space("r", "Walk-in wardrobe", (), "0", outline), Polygon())
+    assert [words for words, _ in label.lines] == ["Walk-in", "wardrobe", "1.9 m²"]
+    assert extent(label)[0] / UNIT.scale < 1.2
+
+
 def test_wide_scripts_are_given_their_width() -> None:
     assert text_width("客厅", 2.5) == pytest.approx(5.0)
     assert text_width("ab", 2.5) < 3.0

@@ -16,13 +16,15 @@ from scenewright.space import Space
 NAME, AREA, SIZE = 2.5, 2.0, 1.6
 """Text heights in millimetres: room name, its area, its inner dimensions."""
 
-HALO, CLEAR = 0.9, 0.8
+HALO, CLEAR, BOLD = 0.9, 0.8, 1.12
 
 
 class Label(NamedTuple):
-    """Lines of text with their heights, the turn in degrees and how much we mind using it."""
+    """Lines of text with their heights, the first ``names`` of them bold; the turn in degrees and
+    how much we mind using it."""
 
     lines: tuple[tuple[str, float], ...]
+    names: int
     turn: float
     cost: float
 
@@ -74,12 +76,37 @@ def wordings(space: Space, square_metres: float) -> list[Label]:
     """Ever shorter and smaller labels, upright and turned, with what each costs."""
     name, floor = clean(space.name or space.id, 32), area_words(square_metres)
     size = inner_dimensions(space)
-    full = ((name, NAME), (floor, AREA), *(((size, SIZE),) if size else ()))
-    short = ((name, NAME), (floor, AREA))
-    small = ((name, 0.72 * NAME), (floor, 0.72 * AREA))
-    options = ((full, 0.0), (short, 0.15), (small, 0.45))
+    split = _halves(name)
+    options = (
+        ((name,), (floor, size), 1.0, 0.0),
+        ((name,), (floor,), 1.0, 0.15),
+        (split, (floor,), 1.0, 0.2),
+        ((name,), (floor,), 0.72, 0.45),
+        (split, (floor,), 0.72, 0.5),
+    )
     turns = ((0.0, 0.0), (90.0, 0.3))
-    return [Label(rows, turn, cost + more) for rows, cost in options for turn, more in turns]
+    return [
+        Label(_lines(names, rest, scale), len(names), turn, cost + more)
+        for names, rest, scale, cost in options
+        for turn, more in turns
+    ]
+
+
+def _lines(
+    names: tuple[str, ...], rest: tuple[str, ...], scale: float
+) -> tuple[tuple[str, float], ...]:
+    bold = [(words, scale * NAME) for words in names]
+    plain = zip(rest, (scale * AREA, scale * SIZE), strict=False)
+    return (*bold, *((words, size) for words, size in plain if words))
+
+
+def _halves(name: str) -> tuple[str, ...]:
+    """The name in two lines, parted at the space nearest its middle, if it has one."""
+    gaps = [i for i, letter in enumerate(name) if letter == " "]
+    if not gaps:
+        return (name,)
+    cut = min(gaps, key=lambda i: abs(2 * i - len(name)))
+    return name[:cut], name[cut + 1 :]
 
 
 def inner_dimensions(space: Space) -> str:
@@ -97,7 +124,12 @@ def inner_dimensions(space: Space) -> str:
 
 def extent(label: Label) -> tuple[float, float]:
     """Width and height of the label on paper, in millimetres."""
-    width = max(text_width(words, size) for words, size in label.lines) + 2 * HALO
+    bold = [BOLD] * label.names + [1.0] * len(label.lines)
+    widths = [
+        text_width(words, size) * wide
+        for (words, size), wide in zip(label.lines, bold, strict=False)
+    ]
+    width = max(widths) + 2 * HALO
     height = sum(1.35 * size for _, size in label.lines) + HALO
     return (height, width) if label.turn else (width, height)
 
@@ -162,8 +194,8 @@ def _label_mark(view: View, label: Label, at: NDArray[np.float64]) -> str:
     down = np.array([np.sin(angle), np.cos(angle)])
     marks = []
     for row, ((words, size), offset) in enumerate(zip(label.lines, offsets, strict=True)):
-        style: dict[str, str | float] = {"fill": INK if row < 2 else GREY}
-        style["font_weight"] = "normal" if row else "bold"
+        style: dict[str, str | float] = {"fill": INK if row <= label.names else GREY}
+        style["font_weight"] = "bold" if row < label.names else "normal"
         halo: dict[str, str | float] = {
             "stroke": "#ffffff",
             "stroke_width": HALO,
