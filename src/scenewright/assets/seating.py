@@ -15,6 +15,7 @@ from scenewright.assets.materials import (
     MUSTARD,
     NAVY,
     OAK,
+    OAK_DARK,
     RUBBER,
     SAGE_FABRIC,
     TERRACOTTA,
@@ -157,7 +158,7 @@ def _dining_chair(size: Size) -> Parts:
     rails = [block((-w + 0.05, w - 0.05), (y - 0.01, y + 0.01), (seat - 0.07, seat - 0.02))
              for y in (-d + 0.07, d - 0.07)]  # fmt: skip
     pad = cushion((-w + 0.015, w - 0.015), (-d + 0.05, d), (seat - 0.03, seat + 0.02), 0.022)
-    return parts(size, {OAK: [*legs, *posts, rest, *rails], FABRIC: [pad]})
+    return parts(size, {OAK_DARK: [*legs, *posts, rest, *rails], FABRIC: [pad]})
 
 
 def _office_chair(size: Size) -> Parts:

@@ -5,7 +5,17 @@ from __future__ import annotations
 from math import cos, pi, sin
 
 from scenewright.assets.joinery import drawer_pulls, four_legs, fronts, knobs
-from scenewright.assets.materials import BLACK, BRASS, MIRROR, OAK, PINE, SAGE, WALNUT, WHITE
+from scenewright.assets.materials import (
+    BLACK,
+    BRASS,
+    MIRROR,
+    OAK,
+    OAK_DARK,
+    PINE,
+    SAGE,
+    WALNUT,
+    WHITE,
+)
 from scenewright.assets.model import Parts, asset, parts
 from scenewright.assets.symbols import Lines, box, oval, path, rectangle, round_plain
 from scenewright.geometry.mesh import Mesh
@@ -21,7 +31,7 @@ def _dining_table(size: Size) -> Parts:
     apron += [block((x - 0.011, x + 0.011), (-d + 0.1, d - 0.1), (h - 0.1, h - 0.032))
               for x in (w - 0.085, -w + 0.085)]  # fmt: skip
     legs = four_legs(w, d, (0, h - 0.032), 0.036, 0.022, 0.03, 0.02, square=True)
-    return parts(size, {OAK: [top, *apron, *legs]})
+    return parts(size, {OAK_DARK: [top, *apron, *legs]})
 
 
 def _round_table(size: Size) -> Parts:
@@ -40,7 +50,7 @@ def _coffee_table(size: Size) -> Parts:
     top = slab((-w, w), (-d, d), (h - 0.028, h), min(0.16, 0.45 * d), 4)
     shelf = slab((-w + 0.09, w - 0.09), (-d + 0.08, d - 0.08), (0.12, 0.135), min(0.1, 0.3 * d), 3)
     legs = four_legs(w, d, (0, h - 0.028), 0.022, 0.014, 0.055, 0.025)
-    return parts(size, {OAK: [top, *legs], BLACK: [shelf]})
+    return parts(size, {WALNUT: [top, *legs], BLACK: [shelf]})
 
 
 def _side_table(size: Size) -> Parts:
