@@ -42,19 +42,20 @@ def roulette(energies: Floats, count: int, rng: np.random.Generator) -> NDArray[
     total = float(fitness.sum())
     if total <= 0.0:
         return rng.integers(0, len(energies), count)
-    wheel = np.cumsum(fitness)
-    return np.minimum(np.searchsorted(wheel, rng.uniform(0.0, wheel[-1], count)), len(wheel) - 1)
+    wheel = fitness.cumsum()
+    return wheel.searchsorted(rng.random(count) * wheel[-1], side="right")
 
 
 def cross(genes: Floats, rate: float, rng: np.random.Generator) -> Floats:
     """Arithmetic crossover of rows 0 and 1, 2 and 3 …: αA + (1 - α)B and αB + (1 - α)A."""
     half = len(genes) // 2
     a, b = genes[0 : 2 * half : 2], genes[1 : 2 * half : 2]
-    share = rng.uniform(size=(half, 1))
-    share[rng.uniform(size=half) >= rate] = 1.0
+    share = rng.random((half, 1))
+    share[rng.random(half) >= rate] = 1.0
+    shift = (1.0 - share) * (b - a)
     children = genes.copy()
-    children[0 : 2 * half : 2] = share * a + (1.0 - share) * b
-    children[1 : 2 * half : 2] = share * b + (1.0 - share) * a
+    children[0 : 2 * half : 2] += shift
+    children[1 : 2 * half : 2] -= shift
     return children
 
 
@@ -77,20 +78,20 @@ class PaperGenetic(NamedTuple):
             return rng.uniform(state.low, state.high, (self.population, len(state.low))), state
         parents = state.genes[roulette(state.energies, self.population, rng)]
         children = self.mutate(cross(parents, self.crossover, rng), state, rng)
-        children[0] = state.genes[np.argmin(state.energies)]
+        children[0] = state.genes[state.energies.argmin()]
         return children, state
 
     def mutate(self, genes: Floats, state: Generation, rng: np.random.Generator) -> Floats:
         """One gene of each mutated row: drawn anew early, moved by a normal step later."""
-        rows = np.flatnonzero(rng.uniform(size=len(genes)) < self.mutation)
+        rows = (rng.random(len(genes)) < self.mutation).nonzero()[0]
         columns = rng.integers(0, genes.shape[1], len(rows))
         low, high = state.low[columns], state.high[columns]
         if state.age <= self.generations // 2:
-            genes[rows, columns] = rng.uniform(low, high)
+            genes[rows, columns] = low + (high - low) * rng.random(len(rows))
         else:
             spread = self.step * max(1.0 - state.age / self.generations, 0.0)
             moved = genes[rows, columns] + rng.normal(0.0, spread, len(rows))
-            genes[rows, columns] = np.clip(moved, low, high)
+            genes[rows, columns] = np.minimum(np.maximum(moved, low), high)
         return genes
 
     def tell(self, state: Generation, genes: Floats, energies: Floats) -> Generation:
