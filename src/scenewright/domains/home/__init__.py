@@ -19,14 +19,14 @@ from scenewright._version import __version__
 from scenewright.assets import shipped
 from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog
+from scenewright.domains.home.attempt import Furnished, Task, out_of_reach
 from scenewright.domains.home.extras import extras
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.presets import PRESETS, Preset
 from scenewright.domains.home.programme import Wish, programme, resolved
 from scenewright.domains.home.reasons import left_out, patches, terms
-from scenewright.domains.home.room import Furnished, Task, furnish
-from scenewright.domains.home.ways import unreached
+from scenewright.domains.home.room import furnish
 from scenewright.errors import InputError
 from scenewright.plan import spaces
 from scenewright.scene import Piece, Pose, Size
@@ -126,16 +126,16 @@ def _task(
     area = max(float(shape.area) - taken, 0.1)
     stream = int(np.random.SeedSequence([seed, crc32(space.id.encode())]).generate_state(1)[0])
     ground = ground_of(space, fixed, area)
-    width = _route(shape, brief.route_width)
-    tight = unreached(ground, fixed, catalog, width)
-    return Task(
-        space, ground, fixed, catalog, preset, solver, width, tight,
+    task = Task(
+        space, ground, fixed, catalog, preset, solver, brief.route_width,
+        _use_width(shape, brief.route_width), frozenset(),
         stream % 2**31, cancel,
     )  # fmt: skip
+    return task._replace(tight=out_of_reach(task, ()))
 
 
-def _route(shape: shapely.Polygon, width: float) -> float:
-    """The route's width in a room: a room nowhere as wide as two routes is used sideways."""
+def _use_width(shape: shapely.Polygon, width: float) -> float:
+    """The width of the way to pieces: a room nowhere as wide as two routes is used sideways."""
     across = 2 * float(shapely.maximum_inscribed_circle(shape, tolerance=0.02).length)
     return width if across >= 2 * width else min(width, SIDEWAYS)
 

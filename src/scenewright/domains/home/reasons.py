@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from scenewright.domains.home.attempt import Furnished, Task
 from scenewright.domains.home.pose import problem_of
-from scenewright.domains.home.room import Furnished, Task
 from scenewright.energy import explain
 from scenewright.solution import LeftOut, Patch, TermValue
 

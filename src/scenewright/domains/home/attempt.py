@@ -1,0 +1,223 @@
+"""One attempt at a room: solve the problem, dress the layouts, keep ways open, score."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.catalog import Catalog
+from scenewright.domains.home.dress import (
+    Dressed,
+    Refused,
+    dress_patch,
+    joined,
+    pieces_of,
+    standing_of,
+)
+from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.pose import problem_of
+from scenewright.domains.home.presets import Preset
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.ways import unreached
+from scenewright.geometry.fit import settle
+from scenewright.problem import Ground, Problem
+from scenewright.scene import Piece
+from scenewright.solve import Budget
+from scenewright.solvers import SOLVERS
+from scenewright.space import Space
+
+Floats = NDArray[np.float64]
+Cancel = Callable[[], bool]
+
+PENALTY = (1000.0, 60.0, 8.0)  # for what is missing, by rank
+CORE = 3000.0  # for a missing core
+UNREACHED = 300.0  # for a group no route reaches
+BARRED = 1500.0  # for a door that nothing joins to the others
+LOST = 4.0
+CLOSE = 0.3  # gaps up to this many metres beside a patch are closed
+DOOR = "door "
+LAYOUTS = 5  # how many of the solver's layouts are dressed
+
+
+class Task(NamedTuple):
+    """All that does not change while one room is furnished.
+
+    ``route_width`` is that of the way from door to door, ``use_width`` of the way to the pieces;
+    ``tight`` names the doors and fixed pieces no route reaches even while the room is empty."""
+
+    space: Space
+    ground: Ground
+    fixed: tuple[Piece, ...]
+    catalog: Catalog
+    preset: Preset
+    solver: str
+    route_width: float
+    use_width: float
+    tight: frozenset[str]
+    seed: int
+    cancel: Cancel | None
+
+
+class Placed(NamedTuple):
+    """A wish that came true: the item's name, its dressed patch and its pieces."""
+
+    wish: Wish
+    name: str
+    dressed: Dressed
+    pieces: tuple[Piece, ...]
+
+
+class Missing(NamedTuple):
+    """A wish that did not, and why."""
+
+    wish: Wish
+    reason: str
+
+
+class Furnished(NamedTuple):
+    """One answer for a room; the lower ``score`` the better."""
+
+    score: float
+    placed: tuple[Placed, ...]
+    missing: tuple[Missing, ...]
+    unreached: tuple[str, ...]
+    problem: Problem | None
+    energy: float
+    evaluations: int
+
+
+def penalty(wish: Wish) -> float:
+    return CORE if wish.core else PENALTY[wish.rank]
+
+
+def attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> Furnished:
+    preset = task.preset
+    problem = problem_of(task.ground, wishes, preset.weights, preset.printed, task.route_width)
+    found = SOLVERS[task.solver].run(problem, budget, seed, cancel=task.cancel)
+    answers = [
+        dressed(task, wishes, problem, layout.boxes, layout.energy)
+        for layout in found.layouts[: LAYOUTS if preset.exact else 1]
+    ]
+    return min(answers, key=lambda a: a.score)._replace(evaluations=found.evaluations)
+
+
+def dressed(
+    task: Task, wishes: tuple[Wish, ...], problem: Problem, boxes: Floats, energy: float,
+    before: tuple[Placed, ...] = (),
+) -> Furnished:  # fmt: skip
+    """Dress a layout; then once more with the patches pushed together."""
+    placed, missing = _placed(task, wishes, problem.names, boxes, before)
+    if task.preset.exact and placed:
+        names = tuple(p.name for p in placed)
+        settled = settle(
+            np.array([p.dressed.box for p in placed]),
+            np.array([GROUPS[p.wish.group].nestle > 0 for p in placed]) & _new(placed, before),
+            task.ground.edges, np.concatenate([task.ground.keep_free, task.ground.obstacles]),
+            CLOSE,
+        )  # fmt: skip
+        again, lost = _placed(task, tuple(p.wish for p in placed), names, settled, ())
+        if not lost and _lost(again) <= _lost(placed):
+            placed = again
+    return _scored(task, placed, missing, problem, energy)
+
+
+def _new(placed: tuple[Placed, ...], before: tuple[Placed, ...]) -> NDArray[np.bool_]:
+    return np.array([p not in before for p in placed])
+
+
+def _lost(placed: tuple[Placed, ...]) -> int:
+    return sum(p.dressed.lost for p in placed)
+
+
+def _placed(
+    task: Task, wishes: tuple[Wish, ...], names: tuple[str, ...], boxes: Floats,
+    before: tuple[Placed, ...],
+) -> tuple[tuple[Placed, ...], tuple[Missing, ...]]:  # fmt: skip
+    """Dress the patches one by one, in order, beside what was placed before."""
+    flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
+    standing = standing_of((*task.fixed, *(q for p in before for q in p.pieces)), flat)
+    placed, missing = list(before), []
+    taken = {p.name for p in before}
+    for wish, wanted, box in zip(wishes, names, boxes, strict=True):
+        name = wanted if wanted not in taken else f"{wanted}_{len(taken) + 1}"
+        worn = dress_patch(
+            wish.group, box, task.ground, standing, task.catalog, task.space.height,
+            task.preset.exact,
+        )  # fmt: skip
+        if isinstance(worn, Refused):
+            missing.append(Missing(wish, worn.reason))
+            continue
+        group = f"{task.space.id}/{name}"
+        pieces = pieces_of(worn, task.space.id, group, wish.group, task.catalog)
+        placed.append(Placed(wish, name, worn, pieces))
+        taken.add(name)
+        standing = joined(standing, standing_of(pieces, flat))
+    return tuple(placed), tuple(missing)
+
+
+def _scored(
+    task: Task, placed: tuple[Placed, ...], missing: tuple[Missing, ...], problem: Problem,
+    energy: float,
+) -> Furnished:  # fmt: skip
+    blocked: tuple[str, ...] = ()
+    if task.preset.exact:
+        placed, gone, blocked = _opened(task, placed)
+        missing = (*missing, *gone)
+    score = (
+        sum(penalty(m.wish) for m in missing)
+        + sum(BARRED if b.startswith(DOOR) else UNREACHED for b in blocked)
+        + LOST * sum(p.dressed.lost for p in placed)
+        + 1e-2 * energy
+    )
+    return Furnished(score, placed, missing, blocked, problem, energy, 0)
+
+
+def _opened(
+    task: Task, placed: tuple[Placed, ...]
+) -> tuple[tuple[Placed, ...], tuple[Missing, ...], tuple[str, ...]]:
+    """Take out welcome and usual groups, the least important first, while that opens a way to
+    something that cannot be reached."""
+    blocked = _blocked(task, placed)
+    gone: list[Missing] = []
+    for candidate in sorted(placed, key=lambda p: -p.wish.rank):
+        barred = any(b.startswith(DOOR) for b in blocked)
+        if not blocked or candidate.wish.core or (candidate.wish.rank == 0 and not barred):
+            break
+        others = tuple(p for p in placed if p is not candidate)
+        still = _blocked(task, others)
+        if len(still) < len(blocked):
+            opened = sorted(set(blocked) - set(still))
+            placed, blocked = others, still
+            gone.append(Missing(candidate.wish, _barred(candidate.name, opened)))
+    return placed, tuple(gone), blocked
+
+
+def _barred(name: str, opened: list[str]) -> str:
+    others = [o.replace("_", " ") for o in opened if o != name]
+    if not others:
+        return "no walking route of the stated width would reach it"
+    return f"it would bar the walking route to the {' and the '.join(others)}"
+
+
+def _blocked(task: Task, placed: tuple[Placed, ...]) -> tuple[str, ...]:
+    """What no route reaches though one would in the empty room: doors and fixed pieces by name,
+    and the groups with a piece out of reach."""
+    pieces = tuple(p for item in placed for p in item.pieces)
+    far = out_of_reach(task, pieces)
+    groups = [item.name for item in placed if any(p.id in far for p in item.pieces)]
+    others = far - task.tight - {p.id for p in pieces}
+    return (*sorted(others), *groups)
+
+
+def out_of_reach(task: Task, pieces: tuple[Piece, ...]) -> frozenset[str]:
+    """Doors that no route joins to the first, and pieces that none reaches."""
+    standing = (*task.fixed, *pieces)
+    far = unreached(task.ground, standing, task.catalog, task.route_width)
+    if task.use_width == task.route_width:
+        return far
+    doors = frozenset(name for name in far if name.startswith(DOOR))
+    near = unreached(task.ground, standing, task.catalog, task.use_width)
+    return doors | frozenset(name for name in near if not name.startswith(DOOR))
