@@ -25,8 +25,8 @@ class Ground(NamedTuple):
     thresholds). ``corridors`` (c, 5): boxes joining doors, better left free. ``obstacles``
     (o, 5): footprints of fixed pieces. ``windows`` (q, 6): box in front of the glass and the sill
     height. ``doors`` (d, 5): box of each way in, from the outer face of the wall to a little
-    inside; routes start there. ``main_wall`` (m, 4) has one row or none. ``bounds`` (4,) is x0, y0, x1, y1 and
-    ``area`` the free area in square metres.
+    inside; routes start there. ``main_wall`` (m, 4) has one row or none. ``bounds`` (4,) is
+    x0, y0, x1, y1 and ``area`` the free area in square metres.
     """
 
     edges: Floats
