@@ -28,6 +28,7 @@ LEAST_AREA = 0.3
 LEAST_WIDTH = 0.3
 LEAST_DOOR = 0.3
 WIDE = 1.2
+CRAMPED = 3.0  # wet rooms below this many square metres have doors that open out
 
 FUNCTIONS = {
     "bedroom": "bedroom", "living_room": "living", "kitchen": "kitchen", "bathroom": "bathroom",
@@ -257,8 +258,10 @@ def _door(faces: list[Face], seats: list[Seat]) -> tuple[int, dict[str, Any]]:
 
 
 def _welcome(face: Face) -> float:
-    """How gladly a room takes a door leaf: its size, halls last."""
-    return float(face.floor.area) - 100.0 * (set(face.functions) <= {"hall"})
+    """How gladly a room takes a door leaf: its size, halls late, small wet rooms last."""
+    functions = set(face.functions)
+    cramped = functions <= {"toilet", "bathroom", "washroom"} and face.floor.area < CRAMPED
+    return float(face.floor.area) - 100.0 * (functions <= {"hall"}) - 200.0 * cramped
 
 
 def _hinges(face: Face, seat: Seat) -> tuple[str, str]:

@@ -18,6 +18,7 @@ WINDOW_DEPTH = 0.3  # nothing taller than the sill this near to the glass, metre
 PASSAGE = 0.9  # kept free of a wide opening, metres
 WIDE = 1.2  # openings without a leaf wider than this need not stay free in full, metres
 CORRIDOR = 0.7  # width of the way from door to door, metres
+QUARTER = 0.71  # a little over the cosine of 45 degrees
 USE = 0.6  # floor before a fixed piece, metres
 HEAD_HEIGHT = 2.0
 
@@ -106,8 +107,19 @@ def door_zone(space: Space, gate: Gate) -> list[list[float]]:
     wide = opening.hinge == 0 and opening.width > WIDE
     zones = [_before(gate, PASSAGE if wide else opening.width, depth)]
     if opening.hinge and opening.swing and _opens_here(gate):
-        zones.append(_before(gate, opening.width, opening.width))
+        zones += _sweep(gate)
     return zones
+
+
+def _sweep(gate: Gate) -> list[list[float]]:
+    """Two boxes that cover the quarter disc of a leaf: wide and shallow, narrow and deep."""
+    width = gate.opening.width
+    along = np.array([gate.opening.ux, gate.opening.uy]) * gate.opening.hinge
+    near = gate.face + along * (1 - QUARTER) * width / 2
+    return [
+        _before(gate, width, QUARTER * width),
+        _before(gate._replace(face=near), QUARTER * width, width),
+    ]
 
 
 def room_depth(space: Space, gate: Gate) -> float:

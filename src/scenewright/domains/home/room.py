@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from scenewright.domains.home.attempt import (
-    DOOR,
     Furnished,
     Missing,
     Task,
@@ -37,25 +36,26 @@ def _sound(answer: Furnished) -> bool:
 
 
 def _held(answer: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
-    """What stood and could be reached, and fallbacks for what did not or what bars a door."""
-    barred = any(name.startswith(DOOR) for name in answer.unreached)
+    """What stood and could be reached, and fallbacks for the essential that did not or that bars
+    a way."""
     kept: list[Wish] = []
     for wish in wishes:
         stood = [p for p in answer.placed if p.wish == wish]
-        reached = bool(stood) and stood[0].name not in answer.unreached and not barred
-        if stood and (reached or (wish.group not in FALLBACK and wish.rank == 0)):
+        reached = bool(stood) and stood[0].name not in answer.unreached and not _barred(answer)
+        if reached:
             kept.append(wish)
-        elif wish.group in FALLBACK:
+        elif wish.rank == 0 or (wish.group in FALLBACK and not stood):
             kept += _instead(wish)
-        elif wish.rank == 0:
-            kept.append(wish._replace(small=True))
     return tuple(kept)
 
 
-def _core(answer: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
-    """What makes the room's functions alone, in its smallest form, if some of it is missing."""
-    if not any(m.wish.core for m in answer.missing):
-        return ()
+def _barred(answer: Furnished) -> bool:
+    """True if a door or fixed piece is cut off."""
+    return bool(set(answer.unreached) - {p.name for p in answer.placed})
+
+
+def _core(_: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
+    """What makes the room's functions alone, in its smallest form."""
     return tuple(other for w in wishes if w.core for other in _instead(w))
 
 
