@@ -28,6 +28,7 @@ LEAST_AREA = 0.3
 LEAST_WIDTH = 0.3
 LEAST_DOOR = 0.3
 WIDE = 1.2
+LEAF = 1.0  # no single leaf is wider than this, metres: such doors slide
 CRAMPED = 3.0  # wet rooms below this many square metres have doors that open out
 
 FUNCTIONS = {
@@ -249,7 +250,8 @@ def _door(faces: list[Face], seats: list[Seat]) -> tuple[int, dict[str, Any]]:
     if host.width >= WIDE:
         swing = "none" if all(f & _OPEN for f in functions) else "slide"
         return host.face, door | {"swing": swing}
-    for seat in sorted(seats, key=lambda seat: -_welcome(faces[seat.face])):
+    turning = seats if host.width <= LEAF else []
+    for seat in sorted(turning, key=lambda seat: -_welcome(faces[seat.face])):
         for hinge in _hinges(faces[seat.face], seat):
             if _turns(faces[seat.face].floor, seat, hinge):
                 leaf = {"at": _at(seat), "width": round(seat.width, 4)}

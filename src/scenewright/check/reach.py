@@ -24,6 +24,7 @@ REACH = 0.2
 _SIDES = {"front": (1, 2), "left": (2, 3), "back": (3, 0), "right": (0, 1)}
 _NEAREST = 12
 _TIGHT = 2.0
+_STEP = 0.1  # a route has entered a room when its centre is this far inside, metres
 
 
 class Target(NamedTuple):
@@ -47,7 +48,8 @@ def find_unreachable(
     are pushed aside.
 
     No closet or toilet could be used if one had to walk about in it. So a *tight* room, nowhere
-    as wide as two routes, is reached if its doorway is, and within it a person goes on sideways.
+    as wide as two routes or closed to the route by a narrow doorway even while empty, is reached
+    if its doorway is, and within it a person goes on sideways.
     """
     found: list[Finding] = []
     for ground in grounds:
@@ -82,8 +84,11 @@ def _with_doorways(rooms: Rooms, ground: Ground, room: int) -> Shape:
 
 
 def _tight(rooms: Rooms, room: int, walk: Walk) -> bool:
-    wide = _TIGHT * 2 * walk.radius
-    return rooms.shapes[room].area < 4 * wide**2 and inscribed_width(rooms.shapes[room]) < wide
+    """Nowhere as wide as two routes, or closed to the route by its own doorway while empty."""
+    wide, shape = _TIGHT * 2 * walk.radius, rooms.shapes[room]
+    if shape.area < 4 * wide**2 and inscribed_width(shape) < wide:
+        return True
+    return not shapely.intersects(walk.bare_reached, shapely.buffer(shape, -_STEP))
 
 
 def _missed_pieces(

@@ -13,8 +13,9 @@ def toilet() -> Iterator[Group]:
     for width in (0.6, 0.7, 0.8):
         piece = Member("toilet", 0, 0, 0, 0, Size(0.38, 0.66, 0.78))
         yield Group("toilet", "toilet", width, 0.67, (piece,))
-    piece = Member("toilet", 0, 0, 0, 0, Size(0.36, 0.56, 0.76))
-    yield Group("toilet", "short toilet", 0.56, 0.57, (piece,))
+    for width, depth in ((0.56, 0.56), (0.5, 0.5)):
+        piece = Member("toilet", 0, 0, 0, 0, Size(0.36, depth, 0.76))
+        yield Group("toilet", "short toilet", width, depth + 0.01, (piece,))
 
 
 def basin() -> Iterator[Group]:
