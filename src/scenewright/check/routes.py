@@ -14,8 +14,6 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from scenewright.check.bodies import Bodies, Rooms, Shape, Shapes
 from scenewright.space import Opening
@@ -91,9 +89,15 @@ def grounds_of(rooms: Rooms, route_width: float) -> list[Ground]:
 
 
 def _components(n: int, links: list[tuple[int, int]]) -> NDArray[np.int64]:
-    ends = np.array(links, np.int64).reshape(-1, 2)
-    graph = coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(n, n))
-    return np.asarray(connected_components(graph, directed=False)[1], np.int64)
+    """The number of the connected part each of ``n`` nodes is in, counted in order.
+
+    >>> _components(4, [(3, 1)]).tolist()
+    [0, 1, 2, 1]
+    """
+    least = np.arange(n)
+    for a, b in links:
+        least[least == max(least[a], least[b])] = min(least[a], least[b])
+    return np.asarray(np.unique(least, return_inverse=True)[1], np.int64)
 
 
 def _doorway(opening: Opening, rooms: Rooms, joined: list[int], route_width: float) -> Shape:

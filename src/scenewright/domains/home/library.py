@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from scenewright.catalog import Group
 from scenewright.domains.home.groups import GROUPS
+from scenewright.geometry.kd_tree import Node, nearest_first, plant
 
 
 class Cases(NamedTuple):
@@ -23,7 +23,7 @@ class Cases(NamedTuple):
 
     groups: tuple[Group, ...]
     sizes: NDArray[np.float64]
-    tree: cKDTree
+    tree: Node | None
 
 
 @cache
@@ -31,7 +31,7 @@ def cases(function: str) -> Cases:
     """All cases of a group function."""
     groups = tuple(GROUPS[function].cases())
     sizes = np.array([(g.width, g.depth) for g in groups])
-    return Cases(groups, sizes, cKDTree(sizes))
+    return Cases(groups, sizes, plant(sizes.tolist()))
 
 
 def nearest(function: str, width: float, depth: float) -> Group:
@@ -41,7 +41,7 @@ def nearest(function: str, width: float, depth: float) -> Group:
     'TV on a 1.2 m stand'
     """
     found = cases(function)
-    return found.groups[int(found.tree.query((width, depth))[1])]
+    return found.groups[next(nearest_first(found.tree, (width, depth)))]
 
 
 def fitting(function: str, width: float, depth: float, slack: float = 0.005) -> tuple[Group, ...]:
@@ -53,9 +53,8 @@ def fitting(function: str, width: float, depth: float, slack: float = 0.005) -> 
     ()
     """
     found = cases(function)
-    order = np.atleast_1d(found.tree.query((width, depth), k=len(found.groups))[1])
-    fits = (found.sizes[order] <= np.array([width, depth]) + slack).all(-1)
-    return tuple(found.groups[i] for i in order[fits])
+    most = (width + slack, depth + slack)
+    return tuple(found.groups[i] for i in nearest_first(found.tree, (width, depth), most))
 
 
 def wished(function: str, area: float) -> Group:
