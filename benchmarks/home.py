@@ -1,0 +1,97 @@
+"""The home benchmark: kernels and solvers against shapely, the sample homes, the whole process.
+
+``scenewright bench home``. Figures of speed are medians of several runs in this process or of
+whole processes; where nothing else does the same work the baseline is the aim stated for it.
+"""
+
+from __future__ import annotations
+
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from benchmarks.shapely_home import Record, bench_home
+from scenewright.check import check
+from scenewright.domains.home import solve
+from scenewright.formats import read, samples
+
+Progress = Callable[[float, str], None]
+
+DEMO = "sample:home-flat"
+SUFFIXES = ("glb", "svg", "png", "json")
+
+
+def records(quick: bool = False, progress: Progress | None = None) -> list[Record]:
+    """All records; ``quick`` leaves out the kernels against shapely and takes fewer runs."""
+    runs = 2 if quick else 5
+    stages: list[tuple[str, Callable[[], list[Record]]]] = [
+        ("sample homes", lambda: bench_samples(2 if quick else 20)),
+        ("solving the demo", lambda: bench_solving(runs)),
+        ("whole process", lambda: bench_process(runs)),
+    ]
+    if not quick:
+        stages.insert(0, ("kernels and solvers", bench_home))
+    found: list[Record] = []
+    for number, (name, stage) in enumerate(stages):
+        if progress:
+            progress(number / len(stages), name)
+        found += stage()
+    return found
+
+
+def bench_samples(seeds: int) -> list[Record]:
+    """Share of sample homes, over seeds, that the referee calls valid, and that are complete."""
+    found = []
+    for name in samples():
+        reports = [check(solve(read(name), seed=seed)) for seed in range(seeds)]
+        valid = sum(r.valid for r in reports) / seeds
+        complete = sum(not r.notes for r in reports) / seeds
+        found.append(_against(name, "valid homes", "share", valid, 1.0, seeds))
+        found.append(_against(name, "complete homes", "share", complete, 1.0, seeds))
+    return found
+
+
+def bench_solving(runs: int) -> list[Record]:
+    """Seconds of solving for the demo's home, warm."""
+    brief = read(DEMO)
+    solve(brief)
+    taken = [solve(brief, seed=seed).seconds for seed in range(runs)]
+    return [_against(DEMO, "solving, warm", "s", statistics.median(taken), 1.0, runs)]
+
+
+def bench_process(runs: int) -> list[Record]:
+    """Seconds of the whole command with all four files, warm and with an empty kernel cache, and
+    the size of the GLB."""
+    with tempfile.TemporaryDirectory() as folder:
+        cold = _process(Path(folder))
+        warm = statistics.median(_process(Path(folder)) for _ in range(runs))
+        size = (Path(folder) / "home.glb").stat().st_size / 1e6
+    return [
+        _against(DEMO, "whole process, warm, four files", "s", warm, 3.0, runs),
+        _against(DEMO, "compiling, first run only", "s", cold - warm, 15.0, 1),
+        _against(DEMO, "size of the GLB", "MB", size, 5.0, 1),
+    ]
+
+
+def _against(case: str, metric: str, unit: str, ours: float, aim: float, runs: int) -> Record:
+    """A figure beside its aim; the ratio says how many times better than the aim it is."""
+    ratio = ours / aim if unit == "share" else aim / ours
+    return Record(case=case, metric=metric, unit=unit, ours=ours, baseline=aim,
+                  baseline_name="aim", ratio=ratio, runs=runs)  # fmt: skip
+
+
+def _process(folder: Path) -> float:
+    outputs = [part for s in SUFFIXES for part in ("-o", str(folder / f"home.{s}"))]
+    command = [sys.executable, "-m", "scenewright", "arrange", DEMO, *outputs, "--quiet"]
+    started = time.perf_counter()
+    subprocess.run(command, check=True, env=_environment(folder), capture_output=True)
+    return time.perf_counter() - started
+
+
+def _environment(folder: Path) -> dict[str, str]:
+    return {**os.environ, "NUMBA_CACHE_DIR": str(folder / "kernels")}
