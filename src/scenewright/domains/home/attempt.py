@@ -20,7 +20,7 @@ from scenewright.domains.home.dress import (
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.pose import problem_of
 from scenewright.domains.home.presets import Preset
-from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.programme import Wish, part_of
 from scenewright.domains.home.ways import unreached
 from scenewright.geometry.fit import settle
 from scenewright.problem import Ground, Problem
@@ -93,9 +93,18 @@ def penalty(wish: Wish) -> float:
     return CORE if wish.core else PENALTY[wish.rank]
 
 
+def posed(task: Task, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
+    """The problem of placing wishes on a ground, by the task's preset."""
+    preset = task.preset
+    return problem_of(
+        ground, wishes, preset.weights, preset.printed, task.route_width,
+        part_of(task.space.functions, task.ground.area),
+    )  # fmt: skip
+
+
 def attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> Furnished:
     preset = task.preset
-    problem = problem_of(task.ground, wishes, preset.weights, preset.printed, task.route_width)
+    problem = posed(task, wishes, task.ground)
     found = SOLVERS[task.solver].run(problem, budget, seed, cancel=task.cancel)
     answers = [
         dressed(task, wishes, problem, layout.boxes, layout.energy)

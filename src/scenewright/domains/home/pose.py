@@ -42,12 +42,13 @@ RELATIONS: tuple[Relation, ...] = (
 
 def problem_of(
     ground: Ground, wishes: tuple[Wish, ...], weights: dict[str, float], printed: bool,
-    route_width: float,
+    route_width: float, area: float,
 ) -> Problem:  # fmt: skip
-    """The problem of placing ``wishes`` on ``ground``; items in the order of the wishes."""
+    """The problem of placing ``wishes`` on ``ground``; items in the order of the wishes, their
+    sizes those of a room of ``area`` square metres."""
     groups = [w.group for w in wishes]
     return Problem(
-        ground, items_of(wishes, ground.area), tuple(_numbered(groups)), weights, printed,
+        ground, items_of(wishes, area), tuple(_numbered(groups)), weights, printed,
         route_width,
     )  # fmt: skip
 

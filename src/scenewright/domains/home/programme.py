@@ -111,6 +111,7 @@ STANDS_FOR: dict[str, tuple[str, ...]] = {
 """Fixed pieces of these categories make a group unnecessary."""
 
 DOUBLE_BEDROOM = 8.8
+SHARED = 0.35  # by how much each further function of an open plan makes it feel smaller
 CORE: dict[str, int] = {"bathroom": 5, "child_bedroom": 2, "washroom": 2}  # leading rows; else 1
 
 
@@ -124,6 +125,15 @@ def resolved(functions: Iterable[str], area: float) -> tuple[str, ...]:
     return tuple(dict.fromkeys(bedroom if f == "bedroom" else f for f in functions))
 
 
+def part_of(functions: tuple[str, ...], area: float) -> float:
+    """The area by which furniture is chosen in an open plan: that of a room of one function.
+
+    >>> part_of(("living",), 20.0), round(part_of(("living", "dining"), 27.0), 1)
+    (20.0, 20.0)
+    """
+    return area / (1.0 + SHARED * (max(len(functions), 1) - 1))
+
+
 def programme(
     space: Space, area: float, home: frozenset[str], have: frozenset[str] = frozenset()
 ) -> tuple[Wish, ...]:
@@ -133,6 +143,7 @@ def programme(
     there is no dining room. ``have`` are the categories that stand there already.
     """
     functions = resolved(space.functions, area)
+    area = part_of(functions, area)
     avoid = set(functions) | {f"home:{f}" for f in home}
     wishes = [
         Wish(row.group, row.rank, core=row.rank == 0 and number < CORE.get(function, 1))

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from scenewright.domains.home.attempt import Furnished, Task
-from scenewright.domains.home.pose import problem_of
+from scenewright.domains.home.attempt import Furnished, Task, posed
 from scenewright.energy import explain
 from scenewright.solution import LeftOut, Patch, TermValue
 
@@ -25,10 +24,7 @@ def terms(task: Task, answer: Furnished) -> list[TermValue]:
     """Every term's value by item, on the patches as they stand."""
     if not answer.placed:
         return []
-    problem = problem_of(
-        task.ground, tuple(p.wish for p in answer.placed), task.preset.weights,
-        task.preset.printed, task.route_width,
-    )  # fmt: skip
+    problem = posed(task, tuple(p.wish for p in answer.placed), task.ground)
     boxes = np.array([p.dressed.box for p in answer.placed])
     return [
         TermValue(task.space.id, part.item, part.term, part.value, part.weight, part.cost)

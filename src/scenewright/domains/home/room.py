@@ -11,20 +11,23 @@ from scenewright.domains.home.attempt import (
     attempt,
     dressed,
     penalty,
+    posed,
 )
-from scenewright.domains.home.pose import problem_of
 from scenewright.domains.home.programme import ALSO, FALLBACK, Wish
 from scenewright.solve import Budget
 from scenewright.solvers import SOLVERS
 
+ROOMY = 4  # placed groups that make another try worth its time
+
 
 def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
     """The best answer found: all wishes at once; if that fails, what held and fallbacks for the
-    rest; then the first wish alone; what is still missing is tried in the room that is left."""
+    rest; then, where only a way is missing, the same afresh; then the core alone; what is still
+    missing is tried in the room that is left."""
     best = attempt(task, wishes, _share(budget, 0.5), task.seed)
-    for round_, fewer in enumerate((_held, _core), 1):
+    for round_, fewer in enumerate((_held, _afresh, _afresh, _core), 1):
         again = () if _sound(best) else fewer(best, wishes)
-        if again and again != wishes:
+        if again:
             tried = attempt(task, again, _share(budget, 0.3), task.seed + round_)
             best = _better(best, _reported(tried, wishes, best))
     return best if not best.missing else _filled(task, best, _share(budget, 0.2))
@@ -49,6 +52,13 @@ def _held(answer: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
     return tuple(kept)
 
 
+def _afresh(answer: Furnished, _: tuple[Wish, ...]) -> tuple[Wish, ...]:
+    """All that is placed, to be laid out anew, if something of a roomy room is out of reach."""
+    if not answer.unreached or len(answer.placed) < ROOMY:
+        return ()
+    return tuple(p.wish for p in answer.placed)
+
+
 def _barred(answer: Furnished) -> bool:
     """True if a door or fixed piece is cut off."""
     return bool(set(answer.unreached) - {p.name for p in answer.placed})
@@ -71,7 +81,7 @@ def _filled(task: Task, answer: Furnished, budget: Budget) -> Furnished:
     wishes = tuple(w._replace(small=True) for w in wanted)
     taken = np.array([p.dressed.box for p in answer.placed]).reshape(-1, 5)
     ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, taken]))
-    problem = problem_of(ground, wishes, task.preset.weights, task.preset.printed, task.route_width)
+    problem = posed(task, wishes, ground)
     found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
     best = answer
     for layout in found.layouts[:2]:

@@ -79,7 +79,7 @@ GROUPS: dict[str, GroupKind] = {
                         inset=(0.45, 0, 0, 0)),
     "play": GroupKind(sleeping.play, 1.0, ("shelf_unit",), nestle=0.5, roomy=(8, 16)),
     "dining": GroupKind(dining.dining, 0.8, ("dining_table", "round_table"), back=0.0,
-                        clear=(0.25, 0.25, 0.25, 0.25), access=ALL, inset=(0.5, 0.1, 0.5, 0.1),
+                        clear=(0.4, 0.25, 0.4, 0.25), access=ALL, inset=(0.5, 0.1, 0.5, 0.1),
                         daylight=0.4, roomy=(8, 34)),
     "dining_wall": GroupKind(dining.dining_wall, 0.8, ("dining_table",), access=THREE,
                              clear=(0.3, 0.1, 0, 0.1), inset=(0.3, 0, 0, 0), daylight=0.3,
