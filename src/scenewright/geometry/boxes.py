@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 Frame = tuple[float, float, float, float, float, float, float, float]
@@ -29,7 +29,7 @@ def make_frame(x: float, y: float, heading: float, width: float, depth: float) -
     return (x, y, math.cos(heading), math.sin(heading), w, d, math.sqrt(w * w + d * d), heading)
 
 
-@compiled
+@inlined
 def read_frame(frames: Floats, i: int) -> Frame:
     """Row ``i`` of frames ``(n, 8)``."""
     return (
@@ -38,7 +38,7 @@ def read_frame(frames: Floats, i: int) -> Frame:
     )  # fmt: skip
 
 
-@compiled
+@inlined
 def read_sides(sides: Floats, i: int) -> Sides:
     """Row ``i`` of ``sides`` (n, 4): something for the front, left, back and right side."""
     return sides[i, 0], sides[i, 1], sides[i, 2], sides[i, 3]
@@ -54,7 +54,7 @@ def part_of(frame: Frame, u: float, v: float, w: float, d: float) -> Frame:
     )  # fmt: skip
 
 
-@compiled
+@inlined
 def beyond(frame: Frame, side: int, depth: float) -> Frame:
     """The zone of ``depth`` metres outside one side (0 front, 1 left, 2 back, 3 right)."""
     w, d, half = frame[4], frame[5], 0.5 * depth
@@ -67,7 +67,7 @@ def beyond(frame: Frame, side: int, depth: float) -> Frame:
     return part_of(frame, w + half, 0.0, half, d)
 
 
-@compiled
+@inlined
 def area_under(u0: float, v0: float, u1: float, v1: float, w: float, d: float) -> float:
     """Signed share of one directed edge in the area common to a polygon and a box.
 
@@ -112,7 +112,7 @@ def area_in_polygon(frame: Frame, edges: Floats) -> float:
     return min(max(total, 0.0), 4.0 * w * d)
 
 
-@compiled
+@inlined
 def apart(a: Frame, b: Frame) -> bool:
     """True if the circles round two boxes do not meet, so the boxes do not."""
     dx, dy, reach = b[0] - a[0], b[1] - a[1], a[6] + b[6]
@@ -154,7 +154,7 @@ def distance_to_segment(x: float, y: float, x0: float, y0: float, x1: float, y1:
     return math.sqrt(dx * dx + dy * dy)
 
 
-@compiled
+@inlined
 def nearest_segment(x: float, y: float, segments: Floats) -> tuple[int, float]:
     """Index of and distance to the nearest of segments (w, 4); -1 and infinity if there is none."""
     found, least = -1, np.inf

@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 
 Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
@@ -58,7 +58,7 @@ def shade(eye: Singles, points: Singles, facing: Singles, finishes: Ints, table:
             )
 
 
-@compiled
+@inlined
 def _gloss(eye: Singles, points: Singles, facing: Singles, i: int, to_sun: Singles, rough: float
            ) -> tuple[float, float, float]:  # fmt: skip
     """Sun and sky seen in a surface, and how much more it mirrors at a grazing view.
@@ -78,7 +78,7 @@ def _gloss(eye: Singles, points: Singles, facing: Singles, i: int, to_sun: Singl
     return sun, sky, (1.0 - max(min(along, 1.0), 0.0)) ** 5
 
 
-@compiled
+@inlined
 def _tone(pattern: int, x: float, y: float, grain: float) -> float:
     """How bright a floor is at a place: boards and tiles differ a little, joints are darker."""
     if pattern == PLANKS:
@@ -92,7 +92,7 @@ def _tone(pattern: int, x: float, y: float, grain: float) -> float:
     return 1.0
 
 
-@compiled
+@inlined
 def _boards(x: float, y: float, wide: float, long: float, vary: float, joint: float,
             dark: float, grain: float) -> float:  # fmt: skip
     """Boards along x, each row shifted if they are longer than wide."""
@@ -110,7 +110,7 @@ def _boards(x: float, y: float, wide: float, long: float, vary: float, joint: fl
     return tone * (1.0 - dark * line)
 
 
-@compiled
+@inlined
 def _noise(a: float, b: float) -> float:
     """A number in [0, 1) that depends on two whole ones in no visible way."""
     wave = math.sin(a * 127.1 + b * 311.7) * 43758.5453

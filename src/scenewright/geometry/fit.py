@@ -11,7 +11,7 @@ from scenewright.geometry.boxes import (
     distance_to_segment,
     make_frame,
 )
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 
@@ -46,7 +46,7 @@ def _find_faults(
         )
 
 
-@compiled
+@inlined
 def _fault(
     box: Floats, span: Floats, flat: bool, edges: Floats, zones: Floats, windows: Floats,
     others: Floats, other_spans: Floats, slack: float,
@@ -110,7 +110,7 @@ def side_gaps(box: Floats, walls: Floats) -> tuple[float, float]:
     return left, right
 
 
-@compiled
+@inlined
 def _stands(x: float, y: float, boxes: Floats, me: int, edges: Floats, zones: Floats) -> bool:
     """True if box ``me`` moved to (x, y), drawn in by a millimetre a side, meets nothing."""
     width, depth = max(boxes[me, 3] - 2e-3, 1e-3), max(boxes[me, 4] - 2e-3, 1e-3)
@@ -128,7 +128,7 @@ def _stands(x: float, y: float, boxes: Floats, me: int, edges: Floats, zones: Fl
     return True
 
 
-@compiled
+@inlined
 def _room_beside(
     boxes: Floats, me: int, sign: float, most: float, edges: Floats, zones: Floats
 ) -> float:

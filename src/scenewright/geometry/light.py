@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 
 Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
@@ -93,7 +93,7 @@ def strike(eye: Singles, ways: Singles, met: Ints, corners: Singles, normals: Si
         facing[i, 0], facing[i, 1], facing[i, 2] = ux / length, uy / length, uz / length
 
 
-@compiled
+@inlined
 def _cross(corners: Singles, f: int) -> tuple[float, float, float]:
     ax, ay, az = corners[f, 0, 0], corners[f, 0, 1], corners[f, 0, 2]
     bx, by, bz = corners[f, 1, 0] - ax, corners[f, 1, 1] - ay, corners[f, 1, 2] - az
@@ -101,7 +101,7 @@ def _cross(corners: Singles, f: int) -> tuple[float, float, float]:
     return by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx
 
 
-@compiled
+@inlined
 def _between(corners: Singles, normals: Singles, f: int, x: float, y: float, z: float,
              ux: float, uy: float, uz: float) -> tuple[float, float, float]:  # fmt: skip
     """The normal at a point of a face, between those at its corners by their areas."""

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.geometry.boxes import Floats, Frame, make_frame, part_of, read_frame
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 
 Bits = NDArray[np.uint64]
 ALL = np.uint64(0xFFFFFFFFFFFFFFFF)
@@ -61,7 +61,7 @@ def rounded_span(frame: Frame, radius: float, y: float) -> tuple[float, float]:
     return x + low, x + high
 
 
-@compiled
+@inlined
 def word_mask(first: int, last: int, word: int) -> np.uint64:
     """Bits of one word for the cells ``first`` to ``last`` of a row."""
     low, high = max(first - 64 * word, 0), min(last - 64 * word, 63)
@@ -70,7 +70,7 @@ def word_mask(first: int, last: int, word: int) -> np.uint64:
     return (ALL << np.uint64(low)) & (ALL >> np.uint64(63 - high))
 
 
-@compiled
+@inlined
 def sweep_span(
     bits: Bits, row: int, low: float, high: float, x0: float, cell: float, task: np.int64
 ) -> bool:
@@ -91,7 +91,7 @@ def sweep_span(
     return met
 
 
-@compiled
+@inlined
 def sweep_box(bits: Bits, grid: Grid, frame: Frame, radius: float, task: np.int64) -> bool:
     """Clear (0), set (1) or only look at (2) the cells whose centres lie within ``radius`` of a
     box; true if one of them was set before."""
@@ -105,7 +105,7 @@ def sweep_box(bits: Bits, grid: Grid, frame: Frame, radius: float, task: np.int6
     return met
 
 
-@compiled
+@inlined
 def spread(seed: np.uint64, free: np.uint64) -> np.uint64:
     """Grow set bits both ways along the free bits of one word."""
     up, down, up_free, down_free = seed, seed, free, free
@@ -118,7 +118,7 @@ def spread(seed: np.uint64, free: np.uint64) -> np.uint64:
     return up | down
 
 
-@compiled
+@inlined
 def fill_row(reached: Bits, free: Bits, row: int, source: int) -> bool:
     """Take over what is reached in the row ``source`` and grow it; true if anything was gained."""
     gained = False
@@ -152,7 +152,7 @@ def flood(reached: Bits, free: Bits) -> None:
             gained |= fill_row(reached, free, row, min(row + 1, rows - 1))
 
 
-@compiled
+@inlined
 def mark_inside(bits: Bits, grid: Grid, edges: Floats) -> None:
     """Set the cells whose centres lie inside the outline and outside the holes.
 
@@ -169,7 +169,7 @@ def mark_inside(bits: Bits, grid: Grid, edges: Floats) -> None:
                     bits[row, k] ^= word_mask(first, 64 * bits.shape[1], k)
 
 
-@compiled
+@inlined
 def share_in_box(edge: Floats, frame: Frame) -> tuple[float, float]:
     """Part [t0, t1] of an edge x0, y0, x1, y1 that lies in a box; t0 >= t1 if none."""
     c, s = frame[2], frame[3]
@@ -188,7 +188,7 @@ def share_in_box(edge: Floats, frame: Frame) -> tuple[float, float]:
     return low, high
 
 
-@compiled
+@inlined
 def clear_wall(bits: Bits, grid: Grid, edge: Floats, doors: Floats) -> None:
     """Clear the cells near an edge, leaving out its parts in door boxes (at least as wide as
     the route)."""

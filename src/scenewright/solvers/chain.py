@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.geometry.boxes import Floats, Frame, read_frame
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import inlined
 from scenewright.terms.assemble import (
     Costs,
     Prepared,
@@ -43,14 +43,14 @@ def make_chain(n: int, relations: int) -> Chain:
     )  # fmt: skip
 
 
-@compiled
+@inlined
 def write_frame(frames: Floats, i: int, frame: Frame) -> None:
     """Set row ``i`` of frames (n, 8)."""
     frames[i, 0], frames[i, 1], frames[i, 2], frames[i, 3] = frame[0], frame[1], frame[2], frame[3]
     frames[i, 4], frames[i, 5], frames[i, 6], frames[i, 7] = frame[4], frame[5], frame[6], frame[7]
 
 
-@compiled
+@inlined
 def copy_rows(into: Floats, source: Floats) -> None:
     """Copy one (n, k) array over another."""
     for i in range(source.shape[0]):
@@ -58,7 +58,7 @@ def copy_rows(into: Floats, source: Floats) -> None:
             into[i, k] = source[i, k]
 
 
-@compiled
+@inlined
 def try_item(chain: Chain, p: Prepared, i: int, frame: Frame) -> float:
     """Energy without the route if item ``i`` stood at ``frame``; nothing is changed yet."""
     box, sums, old = chain.box, chain.sums, chain.costs
@@ -83,7 +83,7 @@ def try_item(chain: Chain, p: Prepared, i: int, frame: Frame) -> float:
     return whole_cost(shared, own, sums[2], sums[3], p)
 
 
-@compiled
+@inlined
 def commit(chain: Chain, p: Prepared, i: int, frame: Frame) -> None:
     """Take over the move of item ``i`` to ``frame`` just tried."""
     write_frame(chain.frames, i, frame)

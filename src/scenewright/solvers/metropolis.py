@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from scenewright.geometry.boxes import Floats, read_frame
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 from scenewright.geometry.paths import Bits, Grid
 from scenewright.solvers.chain import Chain, commit, copy_rows, try_item, write_frame
 from scenewright.solvers.draws import Stream, below, uniform
@@ -22,7 +22,7 @@ REFRESH = 4096
 SWAPS = 0.03
 
 
-@compiled
+@inlined
 def attempt(
     chain: Chain, p: Prepared, grid: Grid, free: Bits, reached: Bits,
     stream: Stream, energy: float, temperature: float, heat: float,

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from scenewright.geometry.boxes import Floats, Frame, make_frame, nearest_segment, read_frame
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import inlined
 from scenewright.solvers.draws import Stream, bell, below, uniform
 from scenewright.terms.assemble import Prepared
 from scenewright.terms.orientation import inward
@@ -17,7 +17,7 @@ from scenewright.terms.orientation import inward
 QUARTER = 0.5 * math.pi
 
 
-@compiled
+@inlined
 def from_back(x: float, y: float, heading: float, w: float, d: float) -> Frame:
     """The frame with half width ``w``, half depth ``d`` whose back edge has its middle at x, y."""
     return make_frame(
@@ -25,13 +25,13 @@ def from_back(x: float, y: float, heading: float, w: float, d: float) -> Frame:
     )
 
 
-@compiled
+@inlined
 def back_of(frame: Frame) -> tuple[float, float]:
     """The middle of the back edge."""
     return frame[0] - frame[2] * frame[5], frame[1] - frame[3] * frame[5]
 
 
-@compiled
+@inlined
 def nudge(frame: Frame, scale: float, stream: Stream) -> Frame:
     """Shift along both axes of the box, or one."""
     u, v = scale * bell(stream), scale * bell(stream)
@@ -46,7 +46,7 @@ def nudge(frame: Frame, scale: float, stream: Stream) -> Frame:
     )
 
 
-@compiled
+@inlined
 def jump(frame: Frame, bounds: Floats, stream: Stream) -> Frame:
     """Anywhere within the bounds, heading kept."""
     x = bounds[0] + uniform(stream) * (bounds[2] - bounds[0])
@@ -54,7 +54,7 @@ def jump(frame: Frame, bounds: Floats, stream: Stream) -> Frame:
     return make_frame(x, y, frame[7], 2.0 * frame[4], 2.0 * frame[5])
 
 
-@compiled
+@inlined
 def turn(frame: Frame, scale: float, stream: Stream) -> Frame:
     """Quarter turns about the centre, or a small angle."""
     angle = scale * bell(stream)
@@ -63,7 +63,7 @@ def turn(frame: Frame, scale: float, stream: Stream) -> Frame:
     return make_frame(frame[0], frame[1], frame[7] + angle, 2.0 * frame[4], 2.0 * frame[5])
 
 
-@compiled
+@inlined
 def align(frame: Frame, p: Prepared, stream: Stream) -> Frame:
     """Square to the nearest wall or the main wall, by the nearest quarter turn or any."""
     k = nearest_segment(frame[0], frame[1], p.walls)[0]
@@ -76,7 +76,7 @@ def align(frame: Frame, p: Prepared, stream: Stream) -> Frame:
     return make_frame(frame[0], frame[1], heading + steps * QUARTER, 2.0 * frame[4], 2.0 * frame[5])
 
 
-@compiled
+@inlined
 def at_wall(frame: Frame, wall: Floats, along: float) -> Frame:
     """Back flush to a wall, its middle ``along`` metres from the wall's start, kept on the wall if
     it is long enough."""
@@ -89,7 +89,7 @@ def at_wall(frame: Frame, wall: Floats, along: float) -> Frame:
     return from_back(wall[0] + along * dx, wall[1] + along * dy, inward(wall), frame[4], frame[5])
 
 
-@compiled
+@inlined
 def to_wall(frame: Frame, walls: Floats, stream: Stream) -> Frame:
     """Snap the back to a wall: the nearest, keeping its place along it, or any, anywhere on it or
     into one of its corners."""
@@ -107,7 +107,7 @@ def to_wall(frame: Frame, walls: Floats, stream: Stream) -> Frame:
     return at_wall(frame, wall, 0.0 if kind < 0.825 else length)
 
 
-@compiled
+@inlined
 def resize(frame: Frame, limits: Floats, scale: float, stream: Stream) -> Frame:
     """Another width or depth within the limits; the back and one side edge keep their place."""
     w, d, kind = 2.0 * frame[4], 2.0 * frame[5], uniform(stream)
@@ -120,7 +120,7 @@ def resize(frame: Frame, limits: Floats, scale: float, stream: Stream) -> Frame:
     return from_back(x + frame[3] * shift, y - frame[2] * shift, frame[7], 0.5 * w, 0.5 * d)
 
 
-@compiled
+@inlined
 def beside(frame: Frame, other: Frame, stream: Stream) -> Frame:
     """At the left or right of another item, touching it, backs in one line, same heading."""
     x, y = back_of(other)
@@ -128,7 +128,7 @@ def beside(frame: Frame, other: Frame, stream: Stream) -> Frame:
     return from_back(x + other[3] * shift, y - other[2] * shift, other[7], frame[4], frame[5])
 
 
-@compiled
+@inlined
 def relate(frame: Frame, other: Frame, first: bool, target: Floats, stream: Stream) -> Frame:
     """Where a relation wants this item, given the other: distance, angle, bearing.
 
@@ -150,7 +150,7 @@ def relate(frame: Frame, other: Frame, first: bool, target: Floats, stream: Stre
     )
 
 
-@compiled
+@inlined
 def propose(frames: Floats, i: int, p: Prepared, heat: float, stream: Stream) -> Frame:
     """A move of one item; ``heat`` from 1 (start) to 0 (end) sets how far small moves go."""
     frame, n, scale = read_frame(frames, i), frames.shape[0], 0.004 + 0.6 * heat * heat

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.geometry.boxes import Floats, Frame, common_area, read_frame, read_sides
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import inlined
 from scenewright.terms import clearance, orientation, packing, relations
 from scenewright.terms.table import (
     AGAINST_WALL,
@@ -68,7 +68,7 @@ class Prepared(NamedTuple):
     span: float
 
 
-@compiled
+@inlined
 def box_cost(frame: Frame, i: int, p: Prepared) -> tuple[float, float, float, float]:
     """Weighted costs of item ``i`` standing at ``frame``: shared, own, its area, and its printed
     main-wall turn."""
@@ -99,7 +99,7 @@ def box_cost(frame: Frame, i: int, p: Prepared) -> tuple[float, float, float, fl
     return shared, own, 4.0 * frame[4] * frame[5], turn
 
 
-@compiled
+@inlined
 def pair_cost(a: Frame, b: Frame, i: int, j: int, p: Prepared) -> float:
     """Weighted shared cost of items ``i`` at ``a`` and ``j`` at ``b``."""
     beyond_box = max(p.traits[i, 7], p.traits[j, 7])
@@ -115,7 +115,7 @@ def pair_cost(a: Frame, b: Frame, i: int, j: int, p: Prepared) -> float:
     return shared
 
 
-@compiled
+@inlined
 def relation_cost(a: Frame, b: Frame, r: int, p: Prepared) -> float:
     """Weighted own cost of relation ``r`` between its first item at ``a`` and second at ``b``."""
     own, distance, angle = 0.0, p.targets[r, 0], p.targets[r, 1]
@@ -126,7 +126,7 @@ def relation_cost(a: Frame, b: Frame, r: int, p: Prepared) -> float:
     return own * p.targets[r, 3]
 
 
-@compiled
+@inlined
 def whole_cost(shared: float, own: float, area: float, turn: float, p: Prepared) -> float:
     """Energy from the sums over boxes and pairs; all but the route."""
     energy = own + p.weights[MAIN_WALL_PRINTED] * abs(turn)
@@ -153,7 +153,7 @@ def make_costs(n: int, relations: int) -> Costs:
     return Costs(np.zeros((n, 4)), np.zeros((n, n)), np.zeros(relations), np.zeros(4))
 
 
-@compiled
+@inlined
 def measure(frames: Floats, p: Prepared, costs: Costs) -> float:
     """Energy without the route of frames (n, 8); all its parts are written to ``costs``."""
     shared, own, area, turn = 0.0, 0.0, 0.0, 0.0

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from scenewright.geometry.boxes import Floats, Frame, Sides, beyond, part_of, read_frame, read_sides
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import inlined
 from scenewright.geometry.paths import CLEAR, LOOK, Bits, Grid, flood, sweep_box
 
 REACH = 0.2
 
 
-@compiled
+@inlined
 def solid_part(frame: Frame, inset: Sides) -> Frame:
     """The box less its walkable insets (front, left, back, right)."""
     w = max(frame[4] - 0.5 * (inset[1] + inset[3]), 0.0)
@@ -17,7 +17,7 @@ def solid_part(frame: Frame, inset: Sides) -> Frame:
     return part_of(frame, 0.5 * (inset[1] - inset[3]), 0.5 * (inset[2] - inset[0]), w, d)
 
 
-@compiled
+@inlined
 def is_reached(frame: Frame, access: Sides, reached: Bits, grid: Grid) -> bool:
     """True if some reached cell lies beside one of the sides it is used from, or none is asked."""
     asked = False
@@ -30,7 +30,7 @@ def is_reached(frame: Frame, access: Sides, reached: Bits, grid: Grid) -> bool:
     return not asked
 
 
-@compiled
+@inlined
 def route(
     frames: Floats, access: Floats, inset: Floats, grid: Grid, free: Bits, reached: Bits
 ) -> float:

@@ -11,11 +11,11 @@ from scenewright.geometry.boxes import (
     common_area,
     read_frame,
 )
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import inlined
 from scenewright.terms.table import OBSTACLES
 
 
-@compiled
+@inlined
 def entered(frame: Frame, height: float, zones: Floats, weights: Floats) -> float:
     """Σ_r w_r A(P ∩ D_r): area of an item in zones to be kept free, weighted.
 
@@ -31,7 +31,7 @@ def entered(frame: Frame, height: float, zones: Floats, weights: Floats) -> floa
     return total
 
 
-@compiled
+@inlined
 def zone_blocked(frame: Frame, clear: Sides, edges: Floats, zones: Floats) -> float:
     """Area of an item's clear zones outside the room or on fixed pieces, square metres.
 
@@ -48,7 +48,7 @@ def zone_blocked(frame: Frame, clear: Sides, edges: Floats, zones: Floats) -> fl
     return total
 
 
-@compiled
+@inlined
 def zone_covered(frame: Frame, clear: Sides, other: Frame) -> float:
     """Area of an item's clear zones under another item, square metres."""
     total = 0.0
@@ -58,7 +58,7 @@ def zone_covered(frame: Frame, clear: Sides, other: Frame) -> float:
     return total
 
 
-@compiled
+@inlined
 def zones_covered(a: Frame, b: Frame, clear_a: Sides, clear_b: Sides) -> float:
     """Area of each item's clear zones under the other, summed both ways, square metres."""
     return zone_covered(a, clear_a, b) + zone_covered(b, clear_b, a)

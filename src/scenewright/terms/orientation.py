@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from scenewright.geometry.boxes import Floats, Frame, distance_to_segment, nearest_segment, wrap
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 
 FLUSH = 0.02
 NEAR = 0.1
@@ -17,7 +17,7 @@ def inward(wall: Floats) -> float:
     return math.atan2(wall[2] - wall[0], wall[1] - wall[3])
 
 
-@compiled
+@inlined
 def main_wall_turn(heading: float, role: float, normal: float) -> float:
     """r (θ - (r + 1) π / 2), θ in [0, 2π) from the main wall's inward normal, radians.
 
@@ -41,7 +41,7 @@ def main_wall(heading: float, role: float, normal: float) -> float:
     return abs(wrap(heading - normal - (role + 1.0) * 0.5 * math.pi))
 
 
-@compiled
+@inlined
 def gap(distance: float, allowed: float) -> float:
     """0 up to the allowed distance, then 1 - (allowed / distance)²; range [0, 1)."""
     return 0.0 if distance <= allowed else 1.0 - (allowed / distance) ** 2
@@ -74,7 +74,7 @@ def against_wall(frame: Frame, walls: Floats) -> float:
     return gap(least, FLUSH)
 
 
-@compiled
+@inlined
 def alignment(frame: Frame, walls: Floats) -> float:
     """Angle between a free item and its nearest wall modulo a quarter turn, as a share of 45°."""
     k = nearest_segment(frame[0], frame[1], walls)[0]

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 from scenewright.geometry.boxes import Floats, Frame, area_in_polygon, common_area
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 
 LEAST_SHARE = 0.40
 MOST_SHARE = 0.55
 
 
-@compiled
+@inlined
 def outside(frame: Frame, edges: Floats) -> float:
     """A(P) - A(P ∩ R): area of an item outside the room, square metres (Liu et al. 2017, C1)."""
     return max(4.0 * frame[4] * frame[5] - area_in_polygon(frame, edges), 0.0)
@@ -40,7 +40,7 @@ def size(area: float, room: float) -> float:
     return 0.0
 
 
-@compiled
+@inlined
 def wish(frame: Frame, width: float, depth: float) -> float:
     """|w - w*| / w* + |d - d*| / d*: relative deviation from the preferred size; NaN: none.
 

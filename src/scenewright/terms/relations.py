@@ -12,7 +12,7 @@ from scenewright.geometry.boxes import (
     read_frame,
     wrap,
 )
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 from scenewright.terms.orientation import FLUSH, gap
 from scenewright.terms.table import OBSTACLES, WINDOW
 
@@ -44,7 +44,7 @@ def pair(a: Frame, b: Frame, distance: float, angle: float, bearing: float) -> f
     return off
 
 
-@compiled
+@inlined
 def daylight(frame: Frame, zones: Floats, span: float) -> float:
     """Distance from an item's centre to the nearest window's box as a share of the room's span.
 
@@ -57,7 +57,7 @@ def daylight(frame: Frame, zones: Floats, span: float) -> float:
     return 0.0 if least == math.inf else min(least / span, 1.0)
 
 
-@compiled
+@inlined
 def nestle(frame: Frame, walls: Floats, zones: Floats) -> float:
     """Gap between the middle of the nearer of the left and right sides and a wall or fixed piece.
 

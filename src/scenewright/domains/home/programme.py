@@ -111,7 +111,7 @@ STANDS_FOR: dict[str, tuple[str, ...]] = {
 """Fixed pieces of these categories make a group unnecessary."""
 
 DOUBLE_BEDROOM = 8.8
-SHARED = 0.35  # by how much each further function of an open plan makes it feel smaller
+SHARED = 0.15  # by how much the k-th further function of an open plan, times k, shrinks it
 CORE: dict[str, int] = {"bathroom": 5, "child_bedroom": 2, "washroom": 2}  # leading rows; else 1
 
 
@@ -128,10 +128,11 @@ def resolved(functions: Iterable[str], area: float) -> tuple[str, ...]:
 def part_of(functions: tuple[str, ...], area: float) -> float:
     """The area by which furniture is chosen in an open plan: that of a room of one function.
 
-    >>> part_of(("living",), 20.0), round(part_of(("living", "dining"), 27.0), 1)
+    >>> part_of(("living",), 20.0), round(part_of(("living", "dining"), 23.0), 1)
     (20.0, 20.0)
     """
-    return area / (1.0 + SHARED * (max(len(functions), 1) - 1))
+    further = max(len(functions), 1) - 1
+    return area / (1.0 + SHARED * further * (further + 1) / 2)
 
 
 def programme(
