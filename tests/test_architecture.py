@@ -214,3 +214,50 @@ def test_no_address_of_a_registry_and_no_path_of_a_machine() -> None:
             continue
         text = data.decode("utf-8")
         assert not [sign for sign in signs if sign in text], f"{name} holds an address or path"
+
+
+def decorated(node: ast.AST, names: set[str]) -> bool:
+    return isinstance(node, ast.FunctionDef) and any(
+        isinstance(d, ast.Name) and d.id in names for d in node.decorator_list
+    )
+
+
+INLINED = {
+    f"{module_of(file)}.{node.name}"
+    for file in FILES
+    for node in ast.parse(file.read_text()).body
+    if decorated(node, {"inlined"})
+}
+
+
+def names_used_by_python(tree: ast.AST, names: dict[str, str]) -> Iterator[str]:
+    """Full names used outside compiled functions, by what the file's own ``names`` mean."""
+    for child in ast.iter_child_nodes(tree):
+        if decorated(child, {"compiled", "inlined"}):
+            continue
+        if isinstance(child, ast.Name):
+            yield names.get(child.id, "")
+        if isinstance(child, ast.Attribute) and isinstance(child.value, ast.Name):
+            yield f"{names.get(child.value.id, '')}.{child.attr}"
+        yield from names_used_by_python(child, names)
+
+
+@pytest.mark.parametrize(
+    "file",
+    [*FILES, *(ROOT / "tests").glob("*.py"), *(ROOT / "benchmarks").glob("*.py")],
+    ids=lambda file: str(file.relative_to(ROOT)),
+)
+def test_inlined_functions_are_only_called_by_kernels(file: Path) -> None:
+    """They have no entry from Python: a call would crash."""
+    tree = ast.parse(file.read_text())
+    module = module_of(file) if PACKAGE in file.parents else ""
+    names = {node.name: f"{module}.{node.name}" for node in tree.body if hasattr(node, "name")}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            names |= {a.asname or a.name: f"{node.module}.{a.name}" for a in node.names}
+    assert not INLINED.intersection(names_used_by_python(tree, names))
+
+
+def test_inlined_functions_are_found_where_python_names_them() -> None:
+    told = names_used_by_python(ast.parse("moves.turn(1)"), {"moves": "scenewright.solvers.moves"})
+    assert INLINED.intersection(told) == {"scenewright.solvers.moves.turn"}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -13,6 +15,7 @@ from scenewright.domains import home
 from scenewright.domains.home.programme import PROGRAMME
 from scenewright.errors import InputError
 from scenewright.formats import read, samples
+from scenewright.formats.solution_json import brief_of, to_document
 from scenewright.solution import Solution
 
 FUNCTIONS = sorted(set(PROGRAMME) - {"other"})
@@ -129,3 +132,18 @@ def test_seconds_bound_the_work() -> None:
     solution = home.solve(read("sample:home-studio"), seconds=0.3)
     assert solution.seconds < 3.0
     assert solution.pieces
+
+
+def test_locked_groups_stay_whole_when_solved_again() -> None:
+    first = home.solve(read("sample:home-studio"), seed=2)
+    locked = [
+        replace(p, fixed=p.category == "double_bed" or p.category == "single_bed")
+        for p in first.pieces
+    ]
+    document = to_document(replace(first, pieces=tuple(locked)))
+    second = home.solve(brief_of(document), seed=9)
+    group = next(p.group for p in locked if p.fixed)
+    kept = {(p.id, p.pose, p.on) for p in second.pieces if p.group == group}
+    assert kept == {(p.id, p.pose, p.on) for p in first.pieces if p.group == group}
+    assert len({p.id for p in second.pieces}) == len(second.pieces)
+    assert not [f for f in check(second).findings if f.kind in ("collision", "floating")]

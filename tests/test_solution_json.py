@@ -83,10 +83,11 @@ def test_locked_pieces_become_fixed_items(solution: Solution) -> None:
     document = solution_json.to_document(solution)
     document["pieces"][0]["fixed"] = document["pieces"][5]["fixed"] = True
     living, bedroom = solution_json.brief_of(document).rooms
-    (sofa,) = living.fixed
+    sofa, *companions = living.fixed
     assert (sofa.id, sofa.category, sofa.asset) == ("sofa", "sofa", "sofa")
     assert [*sofa.at, sofa.z, sofa.heading] == document["pieces"][0]["pose"]
     assert list(sofa.size) == document["pieces"][0]["size"]
+    assert {item.group for item in companions} == {sofa.group}
     chest, lamp = bedroom.fixed
     assert (lamp.id, lamp.z) == ("lamp", 0.8)
     assert (chest.id, chest.name) == ("old-chest", "Grandmother's chest")

@@ -68,7 +68,8 @@ class Window(Model):
 
 class FixedItem(Model):
     """A thing that stands where it stands. ``size`` is width, depth, height; ``heading`` of its
-    front; ``z`` the height of its underside above the floor."""
+    front; ``z`` the height of its underside above the floor; ``on`` the id of the fixed item it
+    stands on. ``group`` and ``function`` tell the furniture group it belongs to, if any."""
 
     category: str
     at: Point
@@ -78,6 +79,9 @@ class FixedItem(Model):
     asset: str | None = None
     name: str = ""
     id: str = ""
+    on: str | None = None
+    group: str = ""
+    function: str = ""
 
 
 class Ask(Model):

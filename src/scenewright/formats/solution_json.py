@@ -103,8 +103,9 @@ def of_document(document: object) -> Solution:
 def brief_of(document: object) -> Brief:
     """The brief to solve again: locked pieces are its fixed items, everything else is free.
 
-    Fixed items of the brief inside stand among the pieces; one that was unlocked in the file is
-    free too. Id, category, asset, pose and size are kept.
+    A locked piece keeps its whole furniture group: a locked table its chairs. Fixed items of the
+    brief inside stand among the pieces; one that was unlocked in the file is free too. Id,
+    category, asset, pose and size are kept.
     """
     solution = of_document(document)
     rooms = [
@@ -116,7 +117,9 @@ def brief_of(document: object) -> Brief:
 
 def _room_with_locked(room: Room, here: list[Piece]) -> Room:
     names = {item.id: item.name for item in room.fixed if item.id}
-    locked = [_fixed_item(piece, names.get(piece.id, "")) for piece in here if piece.fixed]
+    groups = {p.group for p in here if p.fixed and p.function not in ("", "fixed", "light")}
+    kept = [piece for piece in here if piece.fixed or piece.group in groups]
+    locked = [_fixed_item(piece, names.get(piece.id, "")) for piece in kept]
     unplaced = [item for item in room.fixed if not any(_same(item, piece) for piece in here)]
     return room.model_copy(update={"fixed": [*locked, *unplaced]})
 
@@ -140,6 +143,9 @@ def _fixed_item(piece: Piece, name: str) -> FixedItem:
         heading=heading,
         size=(piece.size.width, piece.size.depth, piece.size.height),
         name=name,
+        on=piece.on,
+        group=piece.group,
+        function=piece.function,
     )
 
 

@@ -54,7 +54,7 @@ def part_of(frame: Frame, u: float, v: float, w: float, d: float) -> Frame:
     )  # fmt: skip
 
 
-@inlined
+@compiled
 def beyond(frame: Frame, side: int, depth: float) -> Frame:
     """The zone of ``depth`` metres outside one side (0 front, 1 left, 2 back, 3 right)."""
     w, d, half = frame[4], frame[5], 0.5 * depth

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.geometry.compiled import compiled, inlined
+from scenewright.geometry.compiled import compiled
 
 Stream = NDArray[np.uint64]
 
@@ -16,7 +16,7 @@ def streams(seed: int, count: int) -> Stream:
     return np.maximum(state, 1).reshape(count, 1)
 
 
-@inlined
+@compiled
 def uniform(stream: Stream) -> float:
     """A number in [0, 1): xorshift64* (Marsaglia 2003; Vigna 2016)."""
     x = stream[0]
@@ -27,7 +27,7 @@ def uniform(stream: Stream) -> float:
     return float((x * np.uint64(2685821657736338717)) >> np.uint64(11)) * 2.0**-53
 
 
-@inlined
+@compiled
 def below(stream: Stream, count: int) -> int:
     """An integer in 0 … count - 1."""
     return min(int(uniform(stream) * count), count - 1)

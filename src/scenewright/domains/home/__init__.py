@@ -141,8 +141,9 @@ def _use_width(shape: shapely.Polygon, width: float) -> float:
 
 
 def _fixed(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
-    """What already stands in a room, as pieces."""
+    """What already stands in a room, as pieces; a locked group stays one."""
     found = []
+    known = {item.id for item in room.fixed if item.id}
     for number, item in enumerate(room.fixed, 1):
         category = item.category if item.category in catalog.kinds else "obstacle"
         size = Size(*item.size)
@@ -152,8 +153,9 @@ def _fixed(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
             Piece(
                 id=item.id or f"{space.id}/fixed/{category}_{number}", category=category,
                 asset=asset or (chosen.id if chosen else ""), space=space.id,
-                pose=Pose(*item.at, item.z, item.heading), size=size, group=f"{space.id}/fixed",
-                function="fixed", fixed=True,
+                pose=Pose(*item.at, item.z, item.heading), size=size,
+                group=item.group or f"{space.id}/fixed", function=item.function or "fixed",
+                on=item.on if item.on in known else None, fixed=True,
             )
         )  # fmt: skip
     return found

@@ -149,7 +149,7 @@ def _placed(
     flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
     standing = standing_of((*task.fixed, *(q for p in before for q in p.pieces)), flat)
     placed, missing = list(before), []
-    taken = {p.name for p in before}
+    taken = {p.name for p in before} | {p.group.rpartition("/")[2] for p in task.fixed}
     for wish, wanted, box in zip(wishes, names, boxes, strict=True):
         name = wanted if wanted not in taken else f"{wanted}_{len(taken) + 1}"
         worn = dress_patch(
