@@ -41,11 +41,14 @@ def arrange(request: Request, console: Console) -> tuple[Solution, Report]:
     tell_if_cold(console)
     domain = import_module(f"scenewright.domains.{brief.domain}")
     with watching(console, console.quiet) as watch:
-        solution: Solution = domain.solve(
-            brief, preset=request.preset, solver=request.solver, seconds=request.seconds,
-            steps=request.steps, seed=request.seed, progress=watch.progress,
-            cancel=watch.cancelled,
-        )  # fmt: skip
+        try:
+            solution: Solution = domain.solve(
+                brief, preset=request.preset, solver=request.solver, seconds=request.seconds,
+                steps=request.steps, seed=request.seed, progress=watch.progress,
+                cancel=watch.cancelled,
+            )  # fmt: skip
+        except InputError as error:
+            raise error.located(file=str(request.source)) from None
         report = check(solution)
         write_together(solution, request.outputs, watch)
     return solution, report

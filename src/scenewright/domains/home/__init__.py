@@ -28,7 +28,7 @@ from scenewright.domains.home.programme import Wish, programme, resolved
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.room import furnish
 from scenewright.errors import InputError
-from scenewright.plan import spaces
+from scenewright.plan import place, spaces
 from scenewright.scene import Piece, Pose, Size
 from scenewright.solution import Solution
 from scenewright.solve import Budget
@@ -63,6 +63,7 @@ def solve(
     """
     started = time.perf_counter()
     chosen = _preset(preset)
+    _check_asks(brief)
     rooms = spaces(brief)
     catalog = shipped()
     tasks = [
@@ -167,7 +168,7 @@ def _wishes(room: Room, task: Task, rooms: tuple[Space, ...]) -> tuple[Wish, ...
     area = task.ground.area
     if room.ask is not None:
         return tuple(
-            Wish(_known(ask.group), 0, required=ask.required, most=ask.size)
+            Wish(ask.group, 0, required=ask.required, most=ask.size)
             for ask in room.ask
             for _ in range(ask.count)
         )
@@ -178,10 +179,14 @@ def _wishes(room: Room, task: Task, rooms: tuple[Space, ...]) -> tuple[Wish, ...
     return programme(task.space, area, others, have)
 
 
-def _known(group: str) -> str:
-    if group not in GROUPS:
-        raise InputError(f"there is no furniture group '{group}'", "one of " + ", ".join(GROUPS))
-    return group
+def _check_asks(brief: Brief) -> None:
+    for number, room in enumerate(brief.rooms):
+        for k, ask in enumerate(room.ask or ()):
+            if ask.group not in GROUPS:
+                raise InputError(
+                    f"there is no furniture group '{ask.group}'",
+                    "use one of: " + ", ".join(GROUPS), place=place(brief, number, f"ask[{k}]"),
+                )  # fmt: skip
 
 
 def _solution(
