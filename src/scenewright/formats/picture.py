@@ -7,7 +7,8 @@ four rays. Glass is laid over at the end. The same scene gives the same picture.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
 import numpy as np
@@ -124,21 +125,26 @@ def _triples(count: int) -> Ints:
     return np.arange(3 * count, dtype=np.int32).reshape(-1, 3)
 
 
-def _portions(pixels: Ints) -> Iterator[tuple[slice, Ints]]:
-    """Pixels by the portion: few enough that the numbers of all rays stay in the cache."""
-    for start in range(0, len(pixels), PORTION):
-        yield slice(start, start + PORTION), pixels[start : start + PORTION]
+def _by_portions(work: Callable[[slice], None], count: int) -> None:
+    """Work through ``count`` pixels by the portion, few enough that the numbers of all rays stay
+    in the cache. Two threads: while one casts rays, the other can run a kernel."""
+    portions = [slice(start, start + PORTION) for start in range(0, count, PORTION)]
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(work, portions))
 
 
 def _look(stage: Stage, solid: rays.Caster, view: View, pixels: Ints, shift: Singles) -> Seen:
     """What the rays through ``pixels``, shifted in turn, meet."""
     met, keys = (np.empty(len(pixels), np.int32) for _ in range(2))
     points, facing = (np.zeros((len(pixels), 3), np.float32) for _ in range(2))
-    for here, portion in _portions(pixels):
-        ways = _aimed(view, portion, shift)
+
+    def look(here: slice) -> None:
+        ways = _aimed(view, pixels[here], shift)
         met[here] = rays.first(solid, np.broadcast_to(view.eye, ways.shape), ways)
         light.strike(view.eye, ways, met[here], stage.corners, stage.normals, stage.smooth,
                      stage.keys, stage.near, points[here], facing[here], keys[here])  # fmt: skip
+
+    _by_portions(look, len(pixels))
     return Seen(met, keys, points, facing)
 
 
@@ -155,16 +161,21 @@ def _arriving(solid: rays.Caster, view: View, seen: Seen, sun: Singles) -> Singl
     """
     raw = np.ones((len(seen.keys), 2), np.float32)
     everywhere = np.flatnonzero(seen.keys >= 0).astype(np.int32)
-    for _, portion in _portions(everywhere):
-        starts, to_sun, to_sky = _scattered(view, seen, portion, sun, 0)
-        raw[portion, 0] = ~rays.occluded(solid, starts, to_sun)
-        raw[portion, 1] = ~rays.occluded(solid, starts, to_sky, REACH)
+
+    def once(here: slice) -> None:
+        starts, to_sun, to_sky = _scattered(view, seen, everywhere[here], sun, 0)
+        raw[everywhere[here], 0] = ~rays.occluded(solid, starts, to_sun)
+        raw[everywhere[here], 1] = ~rays.occluded(solid, starts, to_sky, REACH)
+
+    def again(here: slice) -> None:
+        for turn in range(1, 1 + MORE):
+            starts, to_sun, _ = _scattered(view, seen, half[here], sun, turn)
+            raw[half[here], 0] += ~rays.occluded(solid, starts, to_sun)
+
+    _by_portions(once, len(everywhere))
     mean = _averaged(seen, view, raw)
     half = np.flatnonzero(np.abs(mean[:, 0] - 0.5) < 0.48).astype(np.int32)
-    for _, portion in _portions(half):
-        for turn in range(1, 1 + MORE):
-            starts, to_sun, _ = _scattered(view, seen, portion, sun, turn)
-            raw[portion, 0] += ~rays.occluded(solid, starts, to_sun)
+    _by_portions(again, len(half))
     raw[half, 0] /= 1 + MORE
     return _averaged(seen, view, raw)
 
@@ -188,9 +199,15 @@ def _averaged(seen: Seen, view: View, raw: Singles) -> Singles:
 
 def _shaded(stage: Stage, view: View, seen: Seen, arriving: Singles, to_sun: Singles) -> Singles:
     linear = np.empty((len(seen.met), 3), np.float32)
-    finishes = np.where(seen.met >= 0, stage.finishes[seen.met], len(stage.table) - 1)
-    finish.shade(view.eye, seen.points, seen.facing, finishes.astype(np.int32), stage.table,
-                 arriving, to_sun, _grain(view, stage), linear)  # fmt: skip
+    grain = _grain(view, stage)
+
+    def shade(here: slice) -> None:
+        met = seen.met[here]
+        finishes = np.where(met >= 0, stage.finishes[met], len(stage.table) - 1).astype(np.int32)
+        finish.shade(view.eye, seen.points[here], seen.facing[here], finishes, stage.table,
+                     arriving[here], to_sun, grain, linear[here])  # fmt: skip
+
+    _by_portions(shade, len(linear))
     return linear
 
 

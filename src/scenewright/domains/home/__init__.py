@@ -56,18 +56,20 @@ def solve(
 ) -> Solution:
     """Furnish every room of a home.
 
-    The work is ``steps`` moves for each item, or ``seconds`` for the whole home, else what the
-    preset says. The same seed and steps give the same answer, whatever the number of threads;
-    each room has its own stream of random numbers. ``progress`` hears the share done and the
-    room's name; when ``cancel`` answers true, what was found so far is returned.
+    The work is ``steps`` looked-at layouts for each item, or ``seconds`` for the whole home, else
+    what the preset says, else what the solver does of itself. The same seed and steps give the
+    same answer, whatever the number of threads; each room has its own stream of random numbers.
+    ``progress`` hears the share done and the room's name; when ``cancel`` answers true, what was
+    found so far is returned.
     """
     started = time.perf_counter()
     chosen = _preset(preset)
+    named = solver or chosen.solver
     _check_asks(brief)
     rooms = spaces(brief)
     catalog = shipped()
     tasks = [
-        _task(brief, brief_room, space, catalog, chosen, solver or chosen.solver, seed, cancel)
+        _task(brief, brief_room, space, catalog, chosen, named, seed, cancel)
         for brief_room, space in zip(brief.rooms, rooms, strict=True)
     ]
     wishes = [
@@ -75,7 +77,7 @@ def solve(
         for brief_room, task in zip(brief.rooms, tasks, strict=True)
     ]
     work = [float(len(w)) ** 1.5 for w in wishes]
-    budgets = [_budget(chosen, len(w), b / (sum(work) or 1), seconds, steps)
+    budgets = [_budget(chosen, named, len(w), b / (sum(work) or 1), seconds, steps)
                for w, b in zip(wishes, work, strict=True)]  # fmt: skip
     answers = _run(tasks, wishes, budgets, progress)
     return _solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
@@ -110,11 +112,13 @@ def _preset(name: str) -> Preset:
 
 
 def _budget(
-    preset: Preset, items: int, share: float, seconds: float | None, steps: int | None
-) -> Budget:
+    preset: Preset, solver: str, items: int, share: float, seconds: float | None,
+    steps: int | None,
+) -> Budget:  # fmt: skip
     if seconds is not None:
         return Budget(seconds=seconds * share * WORKERS)
-    return Budget(steps=(steps or preset.steps) * max(items, 1))
+    each = steps or (preset.steps if solver == preset.solver else None)
+    return Budget(steps=None if each is None else each * max(items, 1))
 
 
 def _task(

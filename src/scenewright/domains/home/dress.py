@@ -202,14 +202,17 @@ def _reason(member: Member, code: int, offender: int, standing: Standing) -> str
     what = member.category.replace("_", " ")
     if code == OUTSIDE:
         size = member.size
-        return f"the {what} ({size.width:.2f} x {size.depth:.2f} m) does not fit inside the room"
+        return (
+            f"no place found: the {what} of {size.width:.2f} x {size.depth:.2f} m would stick out"
+        )
     if code == IN_ZONE:
-        return f"the {what} would stand before a door"
+        return f"no place found: the {what} would stand before a door"
     if code == AT_WINDOW:
-        return f"the {what} would stand before a window"
+        return f"no place found: the {what} would stand before a window"
     if code == COLLIDES and offender >= 0:
-        return f"the {what} would run into the {standing.names[offender].replace('_', ' ')}"
-    return f"the {what} has no place left"
+        other = standing.names[offender].replace("_", " ")
+        return f"no place found: the {what} would run into the {other}"
+    return f"no place found for the {what}"
 
 
 def pieces_of(

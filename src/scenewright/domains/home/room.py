@@ -17,20 +17,23 @@ from scenewright.domains.home.programme import ALSO, FALLBACK, Wish
 from scenewright.solve import Budget
 from scenewright.solvers import SOLVERS
 
+FIRST, AGAIN, FILL = 0.5, 0.3, 0.2  # shares of a room's work: first, each later try, the rest
 ROOMY = 4  # placed groups that make another try worth its time
 
 
 def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
     """The best answer found: all wishes at once; if that fails, what held and fallbacks for the
     rest; then, where only a way is missing, the same afresh; then the core alone; what is still
-    missing is tried in the room that is left."""
-    best = attempt(task, wishes, _share(budget, 0.5), task.seed)
-    for round_, fewer in enumerate((_held, _afresh, _afresh, _core), 1):
+    missing is tried in the room that is left. Presets that are not exact try once."""
+    if not task.preset.exact:
+        return attempt(task, wishes, budget, task.seed)
+    best = attempt(task, wishes, _share(budget, FIRST), task.seed)
+    for round_, fewer in enumerate(FEWER, 1):
         again = () if _sound(best) else fewer(best, wishes)
         if again:
-            tried = attempt(task, again, _share(budget, 0.3), task.seed + round_)
+            tried = attempt(task, again, _share(budget, AGAIN), task.seed + round_)
             best = _better(best, _reported(tried, wishes, best))
-    return best if not best.missing else _filled(task, best, _share(budget, 0.2))
+    return best if not best.missing else _filled(task, best, _share(budget, FILL))
 
 
 def _sound(answer: Furnished) -> bool:
@@ -118,7 +121,12 @@ def _better(first: Furnished, second: Furnished) -> Furnished:
 
 
 def _share(budget: Budget, share: float) -> Budget:
+    """A share of the work; all shares a room may take together stay within its seconds."""
     return budget._replace(
-        seconds=None if budget.seconds is None else budget.seconds * share,
+        seconds=None if budget.seconds is None else budget.seconds * share / ALL_SHARES,
         steps=None if budget.steps is None else max(1, int(budget.steps * share)),
     )
+
+
+FEWER = (_held, _afresh, _afresh, _core)
+ALL_SHARES = FIRST + len(FEWER) * AGAIN + FILL
