@@ -38,7 +38,7 @@ def faults(solution: Solution) -> list[str]:
 
 @pytest.mark.parametrize("name", samples())
 def test_samples_are_valid_and_complete(name: str) -> None:
-    solution = home.solve(read(name), seed=1)
+    solution = home.solve(read(name), seed=0)
     report = check(solution)
     assert report.valid, faults(solution)
     assert not report.notes, report.notes

@@ -90,6 +90,7 @@ class Furnished(NamedTuple):
 
 
 def penalty(wish: Wish) -> float:
+    """What it costs that a wish did not come true."""
     return CORE if wish.core else PENALTY[wish.rank]
 
 
@@ -103,6 +104,7 @@ def posed(task: Task, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
 
 
 def attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> Furnished:
+    """One run of the solver; the best of its layouts once dressed."""
     preset = task.preset
     problem = posed(task, wishes, task.ground)
     found = SOLVERS[task.solver].run(problem, budget, seed, cancel=task.cancel)

@@ -18,6 +18,7 @@ from scenewright.solve import Budget
 from scenewright.solvers import SOLVERS
 
 FIRST, AGAIN, FILL = 0.5, 0.3, 0.2  # shares of a room's work: first, each later try, the rest
+INSTEAD = 200.0  # what it costs to take a fallback
 ROOMY = 4  # placed groups that make another try worth its time
 
 
@@ -103,15 +104,16 @@ def _reported(tried: Furnished, wishes: tuple[Wish, ...], before: Furnished) -> 
     asked = [p.wish for p in tried.placed] + [m.wish for m in tried.missing]
     groups = [w.group for w in asked]
     why = {m.wish.group: m.reason for m in before.missing}
-    dropped = []
+    dropped, instead = [], 0
     for wish in wishes:
         if wish.group in groups:
             groups.remove(wish.group)
         elif FALLBACK.get(wish.group) in groups:
             groups.remove(FALLBACK[wish.group])
+            instead += 1
         else:
             dropped.append(Missing(wish, why.get(wish.group, "no room is left beside the rest")))
-    score = tried.score + sum(penalty(m.wish) for m in dropped)
+    score = tried.score + sum(penalty(m.wish) for m in dropped) + INSTEAD * instead
     return tried._replace(missing=(*tried.missing, *dropped), score=score)
 
 
