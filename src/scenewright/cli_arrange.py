@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from importlib import import_module
 from pathlib import Path
@@ -55,11 +56,16 @@ def arrange(request: Request, console: Console) -> tuple[Solution, Report]:
 
 
 def write_together(solution: Solution, outputs: Sequence[Path], watch: Watch) -> None:
-    """Write all files under temporary names, then rename them all: either all appear or none."""
+    """Write all files under temporary names, two at a time, then rename them all: either all
+    appear or none."""
+
+    def written(path: Path, part: Path) -> None:
+        watch.progress(1.0, f"writing {path.name}")
+        _write(solution, part, path)
+
     with _temporary(outputs) as parts:
-        for path, part in zip(outputs, parts, strict=True):
-            watch.progress(1.0, f"writing {path.name}")
-            _write(solution, part, path)
+        with ThreadPoolExecutor(2) as pool:
+            list(pool.map(written, outputs, parts))
         for path, part in zip(outputs, parts, strict=True):
             _rename(part, path)
 
