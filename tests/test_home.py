@@ -45,13 +45,10 @@ def test_samples_are_valid_and_complete(name: str) -> None:
     assert not [out for out in solution.left_out if out.required]
 
 
-def test_the_same_seed_gives_the_same_home_on_any_number_of_threads(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_the_same_seed_gives_the_same_home_on_any_number_of_threads() -> None:
     brief = read("sample:home-studio")
-    first = home.solve(brief, seed=5, steps=2000)
-    monkeypatch.setattr(home, "WORKERS", 1)
-    second = home.solve(brief, seed=5, steps=2000)
+    first = home.solve(brief, seed=5, steps=2000, threads=3)
+    second = home.solve(brief, seed=5, steps=2000, threads=1)
     assert first.pieces == second.pieces
     assert first.terms == second.terms
     assert home.solve(brief, seed=6, steps=2000).pieces != first.pieces

@@ -27,7 +27,8 @@ Objective = Callable[[Floats], Floats]
 
 class Budget(NamedTuple):
     """What a run may use: seconds, or steps (looked-at layouts), whichever ends first; it also
-    ends at an energy of ``target`` or below.
+    ends at an energy of ``target`` or below. ``threads`` is how many it may run on (``None``: one
+    for each processor).
 
     Without ``seconds`` the result depends on the seed alone, on any machine and number of threads.
     """
@@ -35,6 +36,7 @@ class Budget(NamedTuple):
     seconds: float | None = None
     steps: int | None = None
     target: float = -math.inf
+    threads: int | None = None
 
 
 class Found(NamedTuple):

@@ -229,7 +229,7 @@ def anneal(
     if not len(p.limits):
         return Found((empty_layout(problem),), 1)
     chains = _begin(p, grid, SAMPLES, seed)
-    threads = threads or min(os.cpu_count() or 1, 16)
+    threads = threads or budget.threads or min(os.cpu_count() or 1, 16)
     with ThreadPoolExecutor(threads) as pool:
         setup = Setup(p, grid, _heat(chains.energies[:, 0]), watch, pool, threads)
         ended, spent = _run_stages(setup, chains, budget)

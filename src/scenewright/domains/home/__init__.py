@@ -7,6 +7,7 @@ furniture groups are fitted into them second.
 from __future__ import annotations
 
 import hashlib
+import os
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -39,7 +40,7 @@ Cancel = Callable[[], bool]
 
 __all__ = ["PRESETS", "solve"]
 
-WORKERS = 2
+MOST_THREADS = 16
 SIDEWAYS = 0.4  # the width of a person turned sideways, metres
 
 
@@ -51,6 +52,7 @@ def solve(
     seconds: float | None = None,
     steps: int | None = None,
     seed: int = 0,
+    threads: int | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> Solution:
@@ -58,7 +60,8 @@ def solve(
 
     The work is ``steps`` looked-at layouts for each item, or ``seconds`` for the whole home, else
     what the preset says, else what the solver does of itself. The same seed and steps give the
-    same answer, whatever the number of threads; each room has its own stream of random numbers.
+    same answer, whatever the number of ``threads`` (one for each processor, if not stated); each
+    room has its own stream of random numbers.
     ``progress`` hears the share done and the room's name; when ``cancel`` answers true, what was
     found so far is returned.
     """
@@ -77,20 +80,23 @@ def solve(
         for brief_room, task in zip(brief.rooms, tasks, strict=True)
     ]
     work = [float(len(w)) ** 1.5 for w in wishes]
-    budgets = [_budget(chosen, named, len(w), b / (sum(work) or 1), seconds, steps)
+    threads = min(threads or os.cpu_count() or 1, MOST_THREADS)
+    each = Budget(threads=1 if len(rooms) > 1 else threads)
+    pool = min(threads, len(rooms))
+    budgets = [_budget(each, chosen, named, len(w), pool * b / (sum(work) or 1), seconds, steps)
                for w, b in zip(wishes, work, strict=True)]  # fmt: skip
-    answers = _run(tasks, wishes, budgets, progress)
+    answers = _run(tasks, wishes, budgets, pool, progress)
     return _solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
 
 
 def _run(
-    tasks: list[Task], wishes: list[tuple[Wish, ...]], budgets: list[Budget],
+    tasks: list[Task], wishes: list[tuple[Wish, ...]], budgets: list[Budget], threads: int,
     progress: Progress | None,
 ) -> list[Furnished]:  # fmt: skip
     """Rooms in parallel, the largest first; compiled code runs without the interpreter's lock."""
     order = sorted(range(len(tasks)), key=lambda i: -len(wishes[i]))
     answers: dict[int, Furnished] = {}
-    with ThreadPoolExecutor(WORKERS) as pool:
+    with ThreadPoolExecutor(threads) as pool:
         futures = {i: pool.submit(_furnish, tasks[i], wishes[i], budgets[i]) for i in order}
         for done, i in enumerate(order, 1):
             answers[i] = futures[i].result()
@@ -112,13 +118,13 @@ def _preset(name: str) -> Preset:
 
 
 def _budget(
-    preset: Preset, solver: str, items: int, share: float, seconds: float | None,
+    least: Budget, preset: Preset, solver: str, items: int, share: float, seconds: float | None,
     steps: int | None,
 ) -> Budget:  # fmt: skip
     if seconds is not None:
-        return Budget(seconds=seconds * share * WORKERS)
+        return least._replace(seconds=seconds * share)
     each = steps or (preset.steps if solver == preset.solver else None)
-    return Budget(steps=None if each is None else each * max(items, 1))
+    return least if each is None else least._replace(steps=each * max(items, 1))
 
 
 def _task(
