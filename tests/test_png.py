@@ -159,5 +159,5 @@ def test_the_picture_of_a_flat_shows_rooms_and_is_the_same_each_time(tmp_path: P
     assert corner.min() > 225
     write(flat_solution(), tmp_path / "flat.png")
     with Image.open(tmp_path / "flat.png") as image:
-        assert image.size[0] == 1600
+        assert image.size[0] == 1440
     assert [path.name for path in tmp_path.iterdir()] == ["flat.png"]

@@ -28,7 +28,7 @@ CUT = 2.0
 APART = 2.0
 SHADOW = 1.7
 """How far beyond the home, in metres, its shadow is drawn."""
-WIDTH, TALLEST = 1600, 1140
+WIDTH, TALLEST = 1440, 1026
 ANGLE = np.deg2rad(26.0)
 TOWARDS = (0.08, 0.42, -1.0)
 """Direction of view: mostly down, a little to the north and east."""
