@@ -7,9 +7,12 @@ back, so a box's heading is θ + π / 2, its width lx and its depth ly.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.geometry.compiled import compiled
 from scenewright.problem import Problem
 
 Floats = NDArray[np.float64]
@@ -21,12 +24,19 @@ def to_boxes(genes: Floats) -> Floats:
     >>> to_boxes(np.array([[0.0, 0.0, 0.0, 2.0, 1.0]])).round(3).tolist()
     [[1.0, 0.5, 1.571, 2.0, 1.0]]
     """
-    angle, half, boxes = genes[..., 2], 0.5 * genes[..., 3:], genes.copy()
-    cos, sin = np.cos(angle), np.sin(angle)
-    boxes[..., 0] += half[..., 0] * cos - half[..., 1] * sin
-    boxes[..., 1] += half[..., 0] * sin + half[..., 1] * cos
-    boxes[..., 2] += 0.5 * np.pi
+    boxes = np.array(genes, np.float64, order="C")
+    _turn_to_boxes(boxes.reshape(-1, 5))
     return boxes
+
+
+@compiled
+def _turn_to_boxes(rows: Floats) -> None:
+    for i in range(rows.shape[0]):
+        cos, sin = math.cos(rows[i, 2]), math.sin(rows[i, 2])
+        w, d = 0.5 * rows[i, 3], 0.5 * rows[i, 4]
+        rows[i, 0] += w * cos - d * sin
+        rows[i, 1] += w * sin + d * cos
+        rows[i, 2] += 0.5 * math.pi
 
 
 def to_genes(boxes: Floats) -> Floats:

@@ -140,6 +140,16 @@ def common_area(a: Frame, b: Frame) -> float:
     return min(max(total, 0.0), 4.0 * min(w * d, b[4] * b[5]))
 
 
+@inlined
+def square_to_segment(x: float, y: float, x0: float, y0: float, x1: float, y1: float) -> float:
+    """Squared distance of a point to a segment, square metres."""
+    ex, ey, px, py = x1 - x0, y1 - y0, x - x0, y - y0
+    length = ex * ex + ey * ey
+    t = min(max((px * ex + py * ey) / length, 0.0), 1.0) if length > 0.0 else 0.0
+    dx, dy = px - t * ex, py - t * ey
+    return dx * dx + dy * dy
+
+
 @compiled
 def distance_to_segment(x: float, y: float, x0: float, y0: float, x1: float, y1: float) -> float:
     """Distance of a point to a segment, metres.
@@ -147,11 +157,7 @@ def distance_to_segment(x: float, y: float, x0: float, y0: float, x1: float, y1:
     >>> distance_to_segment(3.0, 4.0, 0.0, 0.0, 0.0, 0.0)
     5.0
     """
-    ex, ey, px, py = x1 - x0, y1 - y0, x - x0, y - y0
-    length = ex * ex + ey * ey
-    t = min(max((px * ex + py * ey) / length, 0.0), 1.0) if length > 0.0 else 0.0
-    dx, dy = px - t * ex, py - t * ey
-    return math.sqrt(dx * dx + dy * dy)
+    return math.sqrt(square_to_segment(x, y, x0, y0, x1, y1))
 
 
 @inlined
@@ -159,12 +165,12 @@ def nearest_segment(x: float, y: float, segments: Floats) -> tuple[int, float]:
     """Index of and distance to the nearest of segments (w, 4); -1 and infinity if there is none."""
     found, least = -1, np.inf
     for k in range(segments.shape[0]):
-        far = distance_to_segment(
+        far = square_to_segment(
             x, y, segments[k, 0], segments[k, 1], segments[k, 2], segments[k, 3]
         )
         if far < least:
             found, least = k, far
-    return found, least
+    return found, math.sqrt(least)
 
 
 @compiled

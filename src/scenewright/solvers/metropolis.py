@@ -37,9 +37,10 @@ def attempt(
     i = below(stream, n)
     j = below(stream, n) if uniform(stream) < SWAPS else i
     a, b = read_frame(chain.frames, i), read_frame(chain.frames, j)
-    there = from_back(b[0] - b[2] * b[5], b[1] - b[3] * b[5], b[7], a[4], a[5])
     if i == j:
         there = propose(chain.frames, i, p, heat, stream)
+    else:
+        there = from_back(b[0] - b[2] * b[5], b[1] - b[3] * b[5], b[7], a[4], a[5])
     limit = energy - temperature * math.log(1.0 - uniform(stream))
     item, frame, turn, accepted = i, there, 1 if i == j else 0, True
     while turn < 3:

@@ -8,7 +8,14 @@ from __future__ import annotations
 
 import math
 
-from scenewright.geometry.boxes import Floats, Frame, make_frame, nearest_segment, read_frame
+from scenewright.geometry.boxes import (
+    Floats,
+    Frame,
+    make_frame,
+    nearest_segment,
+    part_of,
+    read_frame,
+)
 from scenewright.geometry.compiled import inlined
 from scenewright.solvers.draws import Stream, bell, below, uniform
 from scenewright.terms.assemble import Prepared
@@ -40,10 +47,7 @@ def nudge(frame: Frame, scale: float, stream: Stream) -> Frame:
         v = 0.0
     elif only < 0.7:
         u = 0.0
-    x, y, c, s = frame[0], frame[1], frame[2], frame[3]
-    return make_frame(
-        x + u * s + v * c, y - u * c + v * s, frame[7], 2.0 * frame[4], 2.0 * frame[5]
-    )
+    return part_of(frame, u, v, frame[4], frame[5])
 
 
 @inlined
@@ -51,7 +55,7 @@ def jump(frame: Frame, bounds: Floats, stream: Stream) -> Frame:
     """Anywhere within the bounds, heading kept."""
     x = bounds[0] + uniform(stream) * (bounds[2] - bounds[0])
     y = bounds[1] + uniform(stream) * (bounds[3] - bounds[1])
-    return make_frame(x, y, frame[7], 2.0 * frame[4], 2.0 * frame[5])
+    return (x, y, frame[2], frame[3], frame[4], frame[5], frame[6], frame[7])
 
 
 @inlined
@@ -115,9 +119,8 @@ def resize(frame: Frame, limits: Floats, scale: float, stream: Stream) -> Frame:
         w = min(max(w + scale * (limits[2] - limits[0]) * bell(stream), limits[0]), limits[2])
     if kind > 0.35:
         d = min(max(d + scale * (limits[3] - limits[1]) * bell(stream), limits[1]), limits[3])
-    x, y = back_of(frame)
     shift = (0.5 * w - frame[4]) * (int(3.0 * uniform(stream)) - 1.0)
-    return from_back(x + frame[3] * shift, y - frame[2] * shift, frame[7], 0.5 * w, 0.5 * d)
+    return part_of(frame, shift, 0.5 * d - frame[5], 0.5 * w, 0.5 * d)
 
 
 @inlined
