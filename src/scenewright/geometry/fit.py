@@ -148,30 +148,43 @@ def _room_beside(
 
 
 def settle(
-    boxes: Floats, may: NDArray[np.bool_], edges: Floats, zones: Floats, most: float
-) -> Floats:
+    boxes: Floats, may: NDArray[np.bool_], grow: NDArray[np.bool_], edges: Floats, zones: Floats,
+    most: float,
+) -> Floats:  # fmt: skip
     """Boxes ``(n, 5)`` pushed sideways against the nearer neighbour or wall, where a gap of less
-    than ``most`` metres lies between; only those that ``may``, one after the other.
+    than ``most`` metres lies between; only those that ``may``, one after the other. Those that may
+    ``grow`` also widen over such a gap on their other side.
 
     >>> room = np.array([[0, 0, 4, 0], [4, 0, 4, 3], [4, 3, 0, 3], [0, 3, 0, 0]], float)
     >>> row = np.array([[0.6, 0.3, np.pi / 2, 1.0, 0.6]])
-    >>> float(settle(row, np.array([True]), room, row[:0], 0.3)[0, 0].round(2))
+    >>> yes, no = np.array([True]), np.array([False])
+    >>> float(settle(row, yes, no, room, row[:0], 0.3)[0, 0].round(2))
     0.5
     """
     found = boxes.copy()
-    _settle(found, may, edges, zones, most)
+    _settle(found, may, grow, edges, zones, most)
     return found
 
 
 @compiled
 def _settle(
-    found: Floats, may: NDArray[np.bool_], edges: Floats, zones: Floats, most: float
-) -> None:
+    found: Floats, may: NDArray[np.bool_], grow: NDArray[np.bool_], edges: Floats, zones: Floats,
+    most: float,
+) -> None:  # fmt: skip
     for i in range(found.shape[0]):
         if may[i] and _stands(found[i, 0], found[i, 1], found, i, edges, zones):
             right = _room_beside(found, i, 1.0, most, edges, zones)
             left = _room_beside(found, i, -1.0, most, edges, zones)
             if min(left, right) < most:
-                shift = right if right <= left else -left
+                shift, rest = right if right <= left else -left, max(left, right)
+                if grow[i] and left + right < most:
+                    shift, rest = 0.5 * (right - left), left + right
+                    found[i, 3] += rest
                 found[i, 0] += shift * np.sin(found[i, 2])
                 found[i, 1] -= shift * np.cos(found[i, 2])
+
+
+@compiled
+def stands(boxes: Floats, i: int, edges: Floats, zones: Floats) -> bool:
+    """True if box ``i`` lies inside ``edges`` and meets no other box and none of the ``zones``."""
+    return _stands(boxes[i, 0], boxes[i, 1], boxes, i, edges, zones)

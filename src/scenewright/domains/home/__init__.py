@@ -20,7 +20,7 @@ from scenewright._version import __version__
 from scenewright.assets import shipped
 from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog
-from scenewright.domains.home.attempt import Furnished, Task, out_of_reach
+from scenewright.domains.home.attempt import Furnished, Task, floor_of, out_of_reach
 from scenewright.domains.home.extras import extras
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
@@ -175,7 +175,6 @@ def _fixed(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
 def _wishes(room: Room, task: Task, rooms: tuple[Space, ...]) -> tuple[Wish, ...]:
     """What the user asked for in a room, else what its function and size bring, less what
     already stands there."""
-    area = task.ground.area
     if room.ask is not None:
         return tuple(
             Wish(ask.group, 0, required=ask.required, most=ask.size)
@@ -186,7 +185,7 @@ def _wishes(room: Room, task: Task, rooms: tuple[Space, ...]) -> tuple[Wish, ...
         f for s in rooms if s.id != task.space.id for f in resolved(s.functions, 0.0)
     )
     have = frozenset(p.category for p in task.fixed)
-    return programme(task.space, area, others, have)
+    return programme(task.space, floor_of(task.ground), others, have)
 
 
 def _check_asks(brief: Brief) -> None:

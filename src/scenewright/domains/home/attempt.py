@@ -17,12 +17,11 @@ from scenewright.domains.home.dress import (
     pieces_of,
     standing_of,
 )
-from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.pose import problem_of
 from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import Wish, part_of
+from scenewright.domains.home.tidy import tidied
 from scenewright.domains.home.ways import unreached
-from scenewright.geometry.fit import settle
 from scenewright.problem import Ground, Problem
 from scenewright.scene import Piece
 from scenewright.solve import Budget
@@ -37,7 +36,6 @@ CORE = 3000.0  # for a missing core
 UNREACHED = 300.0  # for a group no route reaches
 BARRED = 1500.0  # for a door that nothing joins to the others
 LOST = 4.0
-CLOSE = 0.3  # gaps up to this many metres beside a patch are closed
 DOOR = "door "
 LAYOUTS = 5  # how many of the solver's layouts are dressed
 
@@ -94,12 +92,17 @@ def penalty(wish: Wish) -> float:
     return CORE if wish.core else PENALTY[wish.rank]
 
 
+def floor_of(ground: Ground) -> float:
+    """The floor of a room with what fixed pieces take of it, square metres."""
+    return ground.area + float(ground.obstacles[:, 3:].prod(-1).sum())
+
+
 def posed(task: Task, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
     """The problem of placing wishes on a ground, by the task's preset."""
     preset = task.preset
     return problem_of(
         ground, wishes, preset.weights, preset.printed, task.route_width,
-        part_of(task.space.functions, task.ground.area),
+        part_of(task.space.functions, floor_of(task.ground)),
     )  # fmt: skip
 
 
@@ -123,20 +126,14 @@ def dressed(
     placed, missing = _placed(task, wishes, problem.names, boxes, before)
     if task.preset.exact and placed:
         names = tuple(p.name for p in placed)
-        settled = settle(
-            np.array([p.dressed.box for p in placed]),
-            np.array([GROUPS[p.wish.group].nestle > 0 for p in placed]) & _new(placed, before),
-            task.ground.edges, np.concatenate([task.ground.keep_free, task.ground.obstacles]),
-            CLOSE,
+        settled = tidied(
+            tuple(p.wish.group for p in placed), np.array([p.dressed.box for p in placed]),
+            np.array([p not in before for p in placed]), task.ground,
         )  # fmt: skip
         again, lost = _placed(task, tuple(p.wish for p in placed), names, settled, ())
         if not lost and _lost(again) <= _lost(placed):
             placed = again
     return _scored(task, placed, missing, problem, energy)
-
-
-def _new(placed: tuple[Placed, ...], before: tuple[Placed, ...]) -> NDArray[np.bool_]:
-    return np.array([p not in before for p in placed])
 
 
 def _lost(placed: tuple[Placed, ...]) -> int:

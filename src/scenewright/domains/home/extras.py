@@ -21,6 +21,7 @@ TABLES = ("dining_table", "round_table")
 LAMP = Size(0.46, 0.46, 0.14)
 PENDANT = Size(0.44, 0.44, 0.9)
 CURTAIN_DEPTH = 0.09
+COOKING = 0.8  # no curtain nearer than this to kitchen units, metres
 
 
 def extras(
@@ -82,7 +83,9 @@ def _curtains(
     standing = standing_of(pieces, frozenset(c for c, k in catalog.kinds.items() if k.flat))
     found: list[Piece] = []
     for gate in gates(space):
-        if gate.opening.kind != "window" or gate.opening.width < 0.6:
+        opening = gate.opening
+        outer = opening.kind == "window" and len(opening.spaces) == 1
+        if not outer or opening.width < 0.6 or _cooked_at(gate, pieces):
             continue
         for piece in _sizes(space, gate, catalog, len(found)):
             box = np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]])
@@ -96,6 +99,13 @@ def _curtains(
                 standing = joined(standing, standing_of((piece,), frozenset()))
                 break
     return found
+
+
+def _cooked_at(gate: Gate, pieces: tuple[Piece, ...]) -> bool:
+    """True if kitchen units stand near a window: no place for a curtain."""
+    near = gate.opening.width / 2 + COOKING
+    units = (p for p in pieces if p.function in ("kitchen", "kitchenette", "counter"))
+    return any(np.hypot(*(gate.face - np.array(p.pose[:2]))) < near for p in units)
 
 
 def _sizes(space: Space, gate: Gate, catalog: Catalog, index: int) -> list[Piece]:

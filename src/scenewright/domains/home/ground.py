@@ -15,7 +15,7 @@ Floats = NDArray[np.float64]
 
 THRESHOLD = 0.5  # kept free before a door, metres
 WINDOW_DEPTH = 0.3  # nothing taller than the sill this near to the glass, metres
-PASSAGE = 0.9  # kept free of a wide opening, metres
+PASSAGE, SHARE = 0.9, 0.6  # kept free of a wide opening at least: metres, share of its width
 WIDE = 1.2  # openings without a leaf wider than this need not stay free in full, metres
 CORRIDOR = 0.7  # width of the way from door to door, metres
 QUARTER = 0.71  # a little over the cosine of 45 degrees
@@ -105,7 +105,8 @@ def door_zone(space: Space, gate: Gate) -> list[list[float]]:
     opening = gate.opening
     depth = min(THRESHOLD, 0.5 * room_depth(space, gate))
     wide = opening.hinge == 0 and opening.width > WIDE
-    zones = [_before(gate, PASSAGE if wide else opening.width, depth)]
+    kept = max(PASSAGE, SHARE * opening.width) if wide else opening.width
+    zones = [_before(gate, kept, depth)]
     if opening.hinge and opening.swing and _opens_here(gate):
         zones += _sweep(gate)
     return zones

@@ -29,8 +29,8 @@ class Relation(NamedTuple):
 
 
 RELATIONS: tuple[Relation, ...] = (
-    Relation("seating", "media", 2.5, np.pi, 0.0, 2.0),
-    Relation("media", "seating", 2.5, np.pi, 0.0, 2.0),
+    Relation("seating", "media", 2.5, np.pi, 0.0, 3.0),
+    Relation("media", "seating", 2.5, np.pi, 0.0, 3.0),
     Relation("seating", "dining", 3.4, NAN, NAN, 0.3),
     Relation("kitchenette", "fridge", 1.2, 0.0, NAN, 1.0),
     Relation("kitchen", "counter", 1.9, NAN, NAN, 0.6),

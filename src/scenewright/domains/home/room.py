@@ -29,6 +29,9 @@ def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
     if not task.preset.exact:
         return attempt(task, wishes, budget, task.seed)
     best = attempt(task, wishes, _share(budget, FIRST), task.seed)
+    if budget.seconds is not None and _sound(best):
+        rest = budget._replace(seconds=budget.seconds * (1 - FIRST / ALL_SHARES))
+        return _better(best, attempt(task, wishes, rest, task.seed + 1))
     for round_, fewer in enumerate(FEWER, 1):
         again = () if _sound(best) else fewer(best, wishes)
         if again:

@@ -88,7 +88,7 @@ GROUPS: dict[str, GroupKind] = {
                          nestle=1, roomy=(5, 16), lean="fridge"),
     "kitchenette": GroupKind(kitchen.kitchenette, 0.92, ("sink_cabinet",),
                              clear=(0.8, 0, 0, 0), nestle=1, roomy=(3, 12)),
-    "counter": GroupKind(kitchen.counter, 0.92, ("oven_cabinet",), clear=(0.9, 0, 0, 0),
+    "counter": GroupKind(kitchen.counter, 0.92, ("drawer_cabinet",), clear=(0.9, 0, 0, 0),
                          nestle=1, roomy=(8, 18)),
     "fridge": GroupKind(kitchen.fridge, 1.9, ("fridge",), clear=(0.8, 0, 0, 0), nestle=1),
     "island": GroupKind(kitchen.island, 0.95, ("kitchen_island",), back=0, access=ALL,

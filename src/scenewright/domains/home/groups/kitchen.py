@@ -17,7 +17,7 @@ Unit = tuple[str, float]
 
 def kitchen() -> Iterator[Group]:
     """Complete runs of 1.8 to 4.8 m: fridge, worktop, sink, worktop, hob, both ways round."""
-    for width in np.arange(18, 49) / 10:
+    for width in np.arange(36, 97) / 20:
         units = _sequence(float(width) - FRIDGE.width)
         yield _run("kitchen", float(width), units, fridge=True)
         yield _run("kitchen", float(width), units, fridge=True, mirrored=True)
@@ -25,18 +25,16 @@ def kitchen() -> Iterator[Group]:
 
 def kitchenette() -> Iterator[Group]:
     """Runs of 1.0 to 3.0 m without a fridge, for rooms with no long wall."""
-    for width in np.arange(10, 31) / 10:
+    for width in np.arange(20, 61) / 20:
         units = _sequence(float(width))
         yield _run("kitchenette", float(width), units, fridge=False)
         yield _run("kitchenette", float(width), units, fridge=False, mirrored=True)
 
 
 def counter() -> Iterator[Group]:
-    """A second run: oven, dishwasher and drawers."""
-    for width in np.arange(12, 31, 3) / 10:
-        rest = float(width) - 1.2
-        units: list[Unit] = [("oven_cabinet", 0.6), ("dishwasher", 0.6), *_fill(rest)]
-        yield _run("counter", float(width), units, fridge=False)
+    """A second run: drawers and cupboards under a worktop."""
+    for width in np.arange(24, 61) / 20:
+        yield _run("counter", float(width), _fill(float(width)), fridge=False)
 
 
 def fridge() -> Iterator[Group]:
@@ -59,26 +57,26 @@ def island() -> Iterator[Group]:
 
 def _sequence(length: float) -> list[Unit]:
     """Units of a run of the given length from the fridge on: worktop, sink, worktop, hob."""
-    sink = 0.8 if length >= 2.4 else 0.6 if length >= 1.15 else length / 2
-    hob = 0.6 if length >= 1.15 else length / 2
+    sink = 0.8 if length >= 2.4 else 0.6 if length >= 1.199 else length / 2
+    hob = 0.6 if length >= 1.199 else length / 2
     rest = length - sink - hob
     if rest < 0.3:
         return [("sink_cabinet", sink + max(rest, 0) / 2), ("hob_cabinet", hob + max(rest, 0) / 2)]
+    washer: list[Unit] = [("dishwasher", 0.6)] if rest >= 0.9 else []
+    rest -= 0.6 * len(washer)
     before = _fill(rest * 0.3) if rest >= 1.2 else []
     after = _fill(rest * 0.2) if rest >= 1.8 else []
     used = sum(w for _, w in before + after)
     return [
-        *before, ("sink_cabinet", sink), *_fill(rest - used), ("hob_cabinet", hob), *after,
+        *before, ("sink_cabinet", sink), *washer, *_fill(rest - used), ("hob_cabinet", hob), *after,
     ]  # fmt: skip
 
 
 def _fill(length: float) -> list[Unit]:
+    """Drawers and cupboards in turn, of equal width near 0.6 m."""
     count = max(1, round(length / 0.6)) if length > 0.05 else 0
-    kinds = ("drawer_cabinet", "base_cabinet", "dishwasher")
-    wide = length / max(count, 1)
-    return [
-        (kinds[i % 3] if wide > 0.55 or i % 3 < 2 else "base_cabinet", wide) for i in range(count)
-    ]
+    kinds = ("drawer_cabinet", "base_cabinet")
+    return [(kinds[i % 2], length / count) for i in range(count)]
 
 
 def _run(
