@@ -208,13 +208,14 @@ def _solution(
         more = extras(task.space, task.ground, placed, task.catalog) if task.preset.exact else ()
         pieces += [*placed, *more]
     pairs = list(zip(tasks, answers, strict=True))
+    told = {task.space.id: terms(task, answer) for task, answer in pairs}
     return Solution(
         brief=brief,
         pieces=tuple(pieces),
         patches=tuple(p for task, answer in pairs for p in patches(task, answer)),
-        terms=tuple(t for task, answer in pairs for t in terms(task, answer)),
+        terms=tuple(value for values in told.values() for value in values),
         left_out=tuple(out for task, answer in pairs for out in left_out(task, answer)),
-        energies={task.space.id: answer.energy for task, answer in pairs},
+        energies={space: sum(value.cost for value in values) for space, values in told.items()},
         preset=preset,
         solver=tasks[0].solver,
         seed=seed,

@@ -22,6 +22,7 @@ from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import Wish, part_of
 from scenewright.domains.home.tidy import tidied
 from scenewright.domains.home.ways import unreached
+from scenewright.energy import evaluate
 from scenewright.problem import Ground, Problem
 from scenewright.scene import Piece
 from scenewright.solve import Budget
@@ -36,6 +37,7 @@ CORE = 3000.0  # for a missing core
 UNREACHED = 300.0  # for a group no route reaches
 BARRED = 1500.0  # for a door that nothing joins to the others
 LOST = 4.0
+ENERGY = 0.05  # what a unit of energy counts beside the above
 DOOR = "door "
 LAYOUTS = 5  # how many of the solver's layouts are dressed
 
@@ -174,13 +176,22 @@ def _scored(
     if task.preset.exact:
         placed, gone, blocked = _opened(task, placed)
         missing = (*missing, *gone)
+    energy = _energy(task, placed, energy)
     score = (
         sum(penalty(m.wish) for m in missing)
         + sum(BARRED if b.startswith(DOOR) else UNREACHED for b in blocked)
         + LOST * sum(p.dressed.lost for p in placed)
-        + 1e-2 * energy
+        + ENERGY * energy
     )
     return Furnished(score, placed, missing, blocked, problem, energy, 0)
+
+
+def _energy(task: Task, placed: tuple[Placed, ...], otherwise: float) -> float:
+    """Energy of the patches as they are dressed."""
+    if not placed:
+        return otherwise
+    problem = posed(task, tuple(p.wish for p in placed), task.ground)
+    return float(evaluate(problem, np.array([[p.dressed.box for p in placed]]))[0])
 
 
 def _opened(
