@@ -17,14 +17,20 @@ def streams(seed: int, count: int) -> Stream:
 
 
 @compiled
-def uniform(stream: Stream) -> float:
-    """A number in [0, 1): xorshift64* (Marsaglia 2003; Vigna 2016)."""
+def bits(stream: Stream) -> np.uint64:
+    """The next 64 random bits: xorshift64* (Marsaglia 2003; Vigna 2016)."""
     x = stream[0]
     x ^= x >> np.uint64(12)
     x ^= x << np.uint64(25)
     x ^= x >> np.uint64(27)
     stream[0] = x
-    return float((x * np.uint64(2685821657736338717)) >> np.uint64(11)) * 2.0**-53
+    return x * np.uint64(2685821657736338717)
+
+
+@compiled
+def uniform(stream: Stream) -> float:
+    """A number in [0, 1)."""
+    return float(bits(stream) >> np.uint64(11)) * 2.0**-53
 
 
 @compiled
@@ -35,6 +41,8 @@ def below(stream: Stream, count: int) -> int:
 
 @compiled
 def bell(stream: Stream) -> float:
-    """Nearly normal with mean 0, variance 1, within ±3.5: the sum of four uniforms."""
-    total = uniform(stream) + uniform(stream) + uniform(stream) + uniform(stream)
-    return (total - 2.0) * 1.7320508075688772
+    """Nearly normal with mean 0, variance 1, within ±3.5: the sum of four uniforms of 16 bits."""
+    x, part = bits(stream), np.uint64(0xFFFF)
+    low = (x & part) + ((x >> np.uint64(16)) & part)
+    high = ((x >> np.uint64(32)) & part) + (x >> np.uint64(48))
+    return (float(low + high) * 2.0**-16 - 2.0) * 1.7320508075688772

@@ -41,12 +41,11 @@ def back_of(frame: Frame) -> tuple[float, float]:
 @inlined
 def nudge(frame: Frame, scale: float, stream: Stream) -> Frame:
     """Shift along both axes of the box, or one."""
-    u, v = scale * bell(stream), scale * bell(stream)
-    only = uniform(stream)
-    if only < 0.35:
-        v = 0.0
-    elif only < 0.7:
-        u = 0.0
+    only, u, v = uniform(stream), 0.0, 0.0
+    if only >= 0.35:
+        v = scale * bell(stream)
+    if only < 0.35 or only >= 0.7:
+        u = scale * bell(stream)
     return part_of(frame, u, v, frame[4], frame[5])
 
 
