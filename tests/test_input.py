@@ -114,6 +114,25 @@ BAD_JSON = {
         one_room(fixed=[{"category": "sofa", "at": [8, 1], "size": [2, 1, 0.8]}]),
         "fixed[0]: the sofa stands",
     ),
+    "degrees": (
+        one_room(fixed=[{"category": "sofa", "at": [1, 1], "size": [2, 1, 0.8], "heading": 90}]),
+        "rooms[0].fixed[0].heading: 90 is not possible; headings are radians",
+    ),
+    "a sofa in centimetres": (
+        one_room(fixed=[{"category": "sofa", "at": [1, 1], "size": [200, 1, 0.8]}]),
+        "fixed[0].size[0]: 200 is not possible; it should be less than or equal to 30 (lengths",
+    ),
+    "a number in quotes": (door(width="0.9"), 'doors[0].width: "0.9" is not possible; give a num'),
+    "yes for true": (
+        one_room(ask=[{"group": "desk", "required": "yes"}]),
+        'ask[0].required: "yes" is not possible; give true or false',
+    ),
+    "a wish in short": (one_room(ask=["desk"]), 'ask[0]: "desk" is not possible; write {"group": '),
+    "two corners": (one_room(outline=[[0, 0], [4, 0]]), "outline: needs at least 3 corners, has 2"),
+    "three coordinates": (
+        one_room(outline=[[0, 0], [4, 0, 1], [4, 4]]),
+        "rooms[0].outline[1]: takes at most 2 entries, has 3",
+    ),
     "a flat sofa": (
         one_room(fixed=[{"category": "sofa", "at": [1, 1], "size": [2, 0, 0.8]}]),
         "rooms[0].fixed[0].size[1]",
@@ -190,6 +209,7 @@ def test_files_that_are_not_there_or_not_files(tmp_path: Path) -> None:
     assert "'.dwg' files cannot be read; use one of: .json, .sh3d, .xml" in refusal("flat.dwg")
     assert "no suffix" in refusal("flat")
     assert "use one of: sample:home-" in refusal("sample:castle")
+    assert "say sample:home-flat" in refusal("home-flat")
 
 
 def test_text_that_is_not_utf8(tmp_path: Path) -> None:

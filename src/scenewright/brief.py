@@ -6,13 +6,19 @@ are metres, angles radians counter-clockwise from +x, plans seen from above with
 
 from __future__ import annotations
 
+from math import tau
 from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-Coordinate = Annotated[float, Field(ge=-1e4, le=1e4, allow_inf_nan=False)]
-Length = Annotated[float, Field(gt=0, le=1e3, allow_inf_nan=False)]
-Height = Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)]
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Whole = Annotated[int, Field(strict=True)]
+Switch = Annotated[bool, Field(strict=True)]
+Coordinate = Annotated[Number, Field(ge=-1e4, le=1e4)]
+Length = Annotated[Number, Field(gt=0, le=1e3)]
+Side = Annotated[Number, Field(gt=0, le=30)]
+Height = Annotated[Number, Field(ge=0, le=100)]
+Heading = Annotated[Number, Field(ge=-tau, le=tau)]
 Point = tuple[Coordinate, Coordinate]
 Outline = Annotated[list[Point], Field(min_length=3, max_length=5000)]
 
@@ -48,7 +54,7 @@ class Door(Model):
     """
 
     at: Point
-    width: Annotated[float, Field(ge=0.3, le=20)] = 0.85
+    width: Annotated[Number, Field(ge=0.3, le=20)] = 0.85
     height: Length = 2.05
     hinge: Literal["left", "right"] = "left"
     swing: Literal["in", "out", "slide", "none"] = "in"
@@ -60,21 +66,22 @@ class Window(Model):
     """A window; ``at`` its middle on the room's outline, ``sill`` the height of its lower edge."""
 
     at: Point
-    width: Annotated[float, Field(ge=0.1, le=30)] = 1.2
+    width: Annotated[Number, Field(ge=0.1, le=30)] = 1.2
     height: Length = 1.4
     sill: Height = 0.9
     id: str = ""
 
 
 class FixedItem(Model):
-    """A thing that stands where it stands. ``size`` is width, depth, height; ``heading`` of its
-    front; ``z`` the height of its underside above the floor; ``on`` the id of the fixed item it
-    stands on. ``group`` and ``function`` tell the furniture group it belongs to, if any."""
+    """A thing that stands where it stands. ``size`` is width, depth, height, of at most 30 m;
+    ``heading`` of its front, in radians; ``z`` the height of its underside above the floor;
+    ``on`` the id of the fixed item it stands on. ``group`` and ``function`` tell the
+    furniture group it belongs to, if any."""
 
     category: str
     at: Point
-    heading: Annotated[float, Field(ge=-1e3, le=1e3, allow_inf_nan=False)] = 0.0
-    size: tuple[Length, Length, Length]
+    heading: Heading = 0.0
+    size: tuple[Side, Side, Side]
     z: Height = 0.0
     asset: str | None = None
     name: str = ""
@@ -89,9 +96,9 @@ class Ask(Model):
     deep at most, and whether leaving it out is a failure."""
 
     group: str
-    count: Annotated[int, Field(ge=1, le=50)] = 1
+    count: Annotated[Whole, Field(ge=1, le=50)] = 1
     size: tuple[Length, Length] | None = None
-    required: bool = True
+    required: Switch = True
 
 
 class Room(Model):
@@ -112,7 +119,7 @@ class Room(Model):
     height: Length | None = None
     doors: Annotated[list[Door], Field(max_length=200)] = []
     windows: Annotated[list[Window], Field(max_length=200)] = []
-    main_wall: Annotated[int, Field(ge=0)] | None = None
+    main_wall: Annotated[Whole, Field(ge=0)] | None = None
     fixed: Annotated[list[FixedItem], Field(max_length=2000)] = []
     ask: Annotated[list[Ask], Field(max_length=200)] | None = None
 
@@ -122,7 +129,7 @@ class WallBrief(Model):
 
     start: Point
     end: Point
-    thickness: Annotated[float, Field(gt=0, le=5)] = 0.1
+    thickness: Annotated[Number, Field(gt=0, le=5)] = 0.1
     height: Length | None = None
     level: str = ""
     id: str = ""
@@ -144,6 +151,6 @@ class Brief(Model):
     rooms: Annotated[list[Room], Field(min_length=1, max_length=10_000)]
     walls: Annotated[list[WallBrief], Field(max_length=50_000)] = []
     outlines: Literal["inner", "centre"] = "inner"
-    wall_thickness: Annotated[float, Field(ge=0.02, le=2)] = 0.12
-    outer_wall_thickness: Annotated[float, Field(ge=0.02, le=2)] = 0.25
-    route_width: Annotated[float, Field(ge=0.3, le=3)] = 0.6
+    wall_thickness: Annotated[Number, Field(ge=0.02, le=2)] = 0.12
+    outer_wall_thickness: Annotated[Number, Field(ge=0.02, le=2)] = 0.25
+    route_width: Annotated[Number, Field(ge=0.3, le=3)] = 0.6

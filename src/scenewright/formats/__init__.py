@@ -58,6 +58,9 @@ def read(source: str | os.PathLike[str], keep: bool = False) -> Brief:
     >>> read("sample:home-flat").rooms[1].name
     'Kitchen'
     """
+    from pydantic import ValidationError
+
+    from scenewright.formats.model_faults import told
     from scenewright.plan import spaces
 
     try:
@@ -65,6 +68,8 @@ def read(source: str | os.PathLike[str], keep: bool = False) -> Brief:
         spaces(brief)
     except InputError as error:
         raise error.located(file=str(source)) from None
+    except ValidationError as error:
+        raise told(error).located(file=str(source)) from None
     return brief
 
 
@@ -113,6 +118,8 @@ def formats() -> tuple[Format, ...]:
 def _read(source: str | os.PathLike[str], keep: bool) -> Brief:
     if str(source).startswith(SAMPLE):
         return _sample(str(source))
+    if f"{SAMPLE}{source}" in samples() and not Path(source).exists():
+        raise InputError("is the name of a sample", f"say {SAMPLE}{source}")
     row = _row(source, "reader")
     path = Path(source)
     if not path.exists():

@@ -13,6 +13,7 @@ from pydantic import ValidationError
 
 from scenewright.brief import Brief
 from scenewright.errors import InputError
+from scenewright.formats.model_faults import told
 
 GREATEST_FILE = 64 * 2**20
 SOLUTION = "scenewright/solution"
@@ -42,7 +43,7 @@ def loads(text: str | bytes) -> Brief:
     try:
         return Brief.model_validate(document)
     except ValidationError as error:
-        raise _told(error) from None
+        raise told(error) from None
 
 
 def dumps(brief: Brief) -> str:
@@ -81,42 +82,3 @@ def _document(text: str | bytes) -> dict[str, Any]:
 
 def _no_constant(name: str) -> float:
     raise ValueError(f"{name} is not a number")
-
-
-def _told(error: ValidationError) -> InputError:
-    """The first error of pydantic in our words, and how many more there are.
-
-    Where a value may be one or a list there is an error for each reading: the deepest counts.
-    """
-    errors = error.errors(include_url=False)
-    places = [_place(one["loc"]) for one in errors]
-    twins = [i for i, place in enumerate(places) if place.startswith(places[0])]
-    best = max(twins, key=lambda i: len(places[i]))
-    fault, remedy = _fault(errors[best])
-    more = len(errors) - len(twins)
-    return InputError(fault + f" (and {more} more)" * bool(more), remedy, place=places[best])
-
-
-def _fault(error: Any) -> tuple[str, str]:
-    kind, given = error["type"], error.get("input")
-    if kind == "missing":
-        return "is missing", "add it"
-    if kind == "extra_forbidden":
-        return "is not a known key", "correct its spelling or leave it out"
-    if kind == "too_short" and isinstance(given, list) and error["ctx"]["min_length"] == 1:
-        return "is empty", "list at least one"
-    shown = json.dumps(given, ensure_ascii=False, default=str)
-    shown = shown if len(shown) <= 40 else f"{shown[:37]}..."
-    expected = error["msg"].replace("Input should", "it should")
-    return f"{shown} is not possible", expected[:1].lower() + expected[1:]
-
-
-def _place(where: tuple[int | str, ...]) -> str:
-    """``('rooms', 2, 'doors', 0, 'width')`` as ``rooms[2].doors[0].width``."""
-    told = ""
-    for part in where:
-        if isinstance(part, int):
-            told += f"[{part}]"
-        elif "[" not in part:
-            told += f".{part}"
-    return told.removeprefix(".")

@@ -31,8 +31,12 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
 
 def read(path: str | os.PathLike[str]) -> Solution:
     """Read a solution; raises :class:`InputError` naming file, place and fault."""
+    if Path(path).suffix.lower() != ".json":
+        raise InputError("is no solution", "give a solution .json", file=str(path))
     try:
         return loads(Path(path).read_bytes())
+    except FileNotFoundError:
+        raise InputError("there is no such file", "check the path", file=str(path)) from None
     except InputError as error:
         raise error.located(file=str(path)) from None
     except OSError as error:

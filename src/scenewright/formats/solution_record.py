@@ -8,15 +8,14 @@ from typing import Annotated, Literal
 
 from pydantic import Field, ValidationError
 
-from scenewright.brief import Brief, Coordinate, Length, Model
+from scenewright.brief import Brief, Coordinate, Heading, Length, Model, Number, Side, Switch, Whole
 from scenewright.errors import InputError
+from scenewright.formats.model_faults import told
 from scenewright.plan import room_ids
 
 FORMAT = "scenewright/solution"
 
-Finite = Annotated[float, Field(allow_inf_nan=False)]
-Heading = Annotated[float, Field(ge=-1e3, le=1e3, allow_inf_nan=False)]
-Count = Annotated[int, Field(ge=0, le=2**63 - 1)]
+Count = Annotated[Whole, Field(ge=0, le=2**63 - 1)]
 
 
 class PieceRecord(Model):
@@ -27,11 +26,11 @@ class PieceRecord(Model):
     asset: str = ""
     space: str
     pose: tuple[Coordinate, Coordinate, Coordinate, Heading]
-    size: tuple[Length, Length, Length]
+    size: tuple[Side, Side, Side]
     group: str = ""
     function: str = ""
     on: str | None = None
-    fixed: bool = False
+    fixed: Switch = False
 
 
 class PatchRecord(Model):
@@ -40,7 +39,7 @@ class PatchRecord(Model):
     id: str
     space: str
     function: str
-    box: tuple[Coordinate, Coordinate, Heading, Length, Length]
+    box: tuple[Coordinate, Coordinate, Number, Length, Length]
 
 
 class TermRecord(Model):
@@ -49,9 +48,9 @@ class TermRecord(Model):
     space: str
     item: str = ""
     term: str
-    value: Finite
-    weight: Finite
-    cost: Finite
+    value: Number
+    weight: Number
+    cost: Number
 
 
 class LeftOutRecord(Model):
@@ -60,7 +59,7 @@ class LeftOutRecord(Model):
     space: str
     what: str
     reason: str
-    required: bool
+    required: Switch
 
 
 class SolutionRecord(Model):
@@ -71,11 +70,11 @@ class SolutionRecord(Model):
     made_by: str = ""
     preset: str = "default"
     solver: str = ""
-    seed: int = 0
+    seed: Whole = 0
     brief_hash: str = ""
-    seconds: Annotated[float, Field(ge=0, allow_inf_nan=False)] = 0.0
+    seconds: Annotated[Number, Field(ge=0)] = 0.0
     evaluations: Count = 0
-    energies: dict[str, Finite]
+    energies: dict[str, Number]
     pieces: Annotated[list[PieceRecord], Field(max_length=100_000)]
     patches: Annotated[list[PatchRecord], Field(max_length=100_000)]
     left_out: Annotated[list[LeftOutRecord], Field(max_length=100_000)]
@@ -95,8 +94,7 @@ def checked(document: object) -> SolutionRecord:
     try:
         record = SolutionRecord.model_validate(document)
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        raise InputError(first["msg"], place=_place(first["loc"])) from None
+        raise told(error) from None
     except RecursionError:
         raise InputError("is nested too deeply", "give a solution file") from None
     _check_names(record)
@@ -115,9 +113,3 @@ def _check_names(record: SolutionRecord) -> None:
             raise InputError(fault, place=f"pieces[{index}].space")
         if piece.on is not None and piece.on not in known:
             raise InputError(f"there is no piece {piece.on!r}", place=f"pieces[{index}].on")
-
-
-def _place(location: tuple[int | str, ...]) -> str:
-    """``("pieces", 3, "size")`` as ``pieces[3].size``."""
-    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in location)
-    return "".join(steps).lstrip(".")
