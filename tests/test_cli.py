@@ -8,19 +8,22 @@ import signal
 import sys
 import threading
 import time
+from dataclasses import replace
 from math import prod
 from pathlib import Path
 from typing import Any
 
 import pytest
+from rich.console import Console
 
 import scenewright
 from flat import flat_brief, flat_solution
 from scenewright import cli, cli_arrange, cli_bench
+from scenewright import cli_show as show
 from scenewright.cli_progress import Watch
 from scenewright.errors import InputError
 from scenewright.formats import brief_json, solution_json
-from scenewright.solution import Solution
+from scenewright.solution import LeftOut, Solution, TermValue
 
 Captured = pytest.CaptureFixture[str]
 IDLE = Watch(lambda _fraction, _message: None, lambda: False)
@@ -59,6 +62,9 @@ def save_brief(**changes: Any) -> str:
         (["arrange", "sample:home-flat", "--seconds", "-1"], "positive number"),
         (["arrange", "sample:home-flat", "--steps", "0"], "positive whole number"),
         (["arrange", "sample:home-flat", "--steps", "x"], "--steps"),
+        (["arrange", "sample:home-flat", "--seconds", "abc"], "'--seconds': give a number;"),
+        (["arrange", "home-flat"], "say sample:home-flat"),
+        (["arrange", "sample:home-flat", "-o", "a.svg", "-o", "./a.svg"], "a.svg: is given twice"),
         (["arrange", "sample:home-flat", "--seed", "-1"], "--seed"),
         (["arrange", "sample:home-flat", "--preset", "papper"], "use one of: default"),
         (["arrange", "sample:home-flat", "--solver", "magic"], "use one of: anneal"),
@@ -68,7 +74,8 @@ def save_brief(**changes: Any) -> str:
         (["arrange", "missing.json"], "missing.json: there is no such file"),
         (["arrange", "plan.dwg"], "use one of: .json"),
         (["arrange", "."], "suffix"),
-        (["check", "missing.json"], "missing.json"),
+        (["check", "missing.json"], "missing.json: there is no such file; check the path"),
+        (["check", "home.glb"], "home.glb: is no solution; give a solution .json"),
         (["explain", "missing.json"], "missing.json"),
         (["list", "wishes"], "use one of: solvers"),
         (["schema", "poem"], "use one of: brief, solution"),
@@ -163,6 +170,35 @@ def test_the_table_tells_rooms_reasons_and_verdict(capsys: Captured) -> None:
     assert "Bedroom" in out.splitlines()[4]
 
 
+def test_missing_things_are_told_in_plain_words(solution: Solution, capsys: Captured) -> None:
+    """Missing and merely welcome have other words; what is said thrice is one line."""
+    bed = LeftOut("bedroom", "sleeping", "no space", True)
+    plant = LeftOut("living", "plant", "no corner", False)
+    show.explained(Console(), replace(solution, left_out=(bed, bed, bed, plant), terms=(
+        TermValue("living", "seating", "overlap", 1e-9, 600, 6e-7),
+        TermValue("living", "seating", "route", 0.5, 100, 50),
+    )))  # fmt: skip
+    out = capsys.readouterr().out
+    assert "left out: Bedroom: 3 × sleeping: no space\n" in out
+    assert "welcome but not placed: Living room: plant: no corner\n" in out
+    assert "overlap" not in out
+    assert "\nroute: " in out
+
+
+def test_keep_without_furniture_is_noted(capsys: Captured) -> None:
+    source = save_brief()
+    for more, noted in (([], True), (["-q"], False)):
+        cli.run(["arrange", source, "--keep", "--steps", "500", *more])
+        assert ("--keep has no effect" in capsys.readouterr().err) is noted
+
+
+def test_nothing_asked_shows_the_help_only(capsys: Captured) -> None:
+    assert cli.run([]) == 2
+    told = capsys.readouterr()
+    assert "arrange" in told.out
+    assert told.err == ""
+
+
 def test_check_tells_every_violation(solution: Solution, capsys: Captured) -> None:
     solution_json.write(solution, "good.json")
     document = solution_json.to_document(solution)
@@ -176,7 +212,9 @@ def test_check_tells_every_violation(solution: Solution, capsys: Captured) -> No
     assert capsys.readouterr().out == ""
 
 
-@pytest.mark.parametrize("what", ["solvers", "terms", "presets", "formats", "assets", "samples"])
+@pytest.mark.parametrize(
+    "what", ["solvers", "terms", "presets", "formats", "groups", "assets", "samples"]
+)
 def test_lists(what: str, capsys: Captured) -> None:
     assert cli.run(["list", what, "--json"]) == 0
     rows = json.loads(capsys.readouterr().out)
@@ -249,7 +287,7 @@ def test_benchmarks_are_found_from_the_checkout(
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals")
-def test_interrupting_keeps_the_best_so_far() -> None:
+def test_interrupting_keeps_the_best_so_far(capsys: Captured) -> None:
     """Ctrl-C while solving for a minute ends soon and writes what was found."""
     before = signal.getsignal(signal.SIGINT)
     sent: list[float] = []
@@ -263,9 +301,12 @@ def test_interrupting_keeps_the_best_so_far() -> None:
 
     thread = threading.Thread(target=interrupt, daemon=True)
     thread.start()
-    code = cli.run(["arrange", save_brief(), "-o", "home.json", "--seconds", "60", "-q"])
+    code = cli.run(["arrange", save_brief(), "-o", "home.json", "--seconds", "60"])
     thread.join()
-    assert code in (0, 1)
+    assert code == 130
+    told = capsys.readouterr()
+    assert told.err == "scenewright: interrupted: best so far written\n"
+    assert "(interrupted: best so far)" in told.out
     assert time.monotonic() - sent[0] < 20
     assert signal.getsignal(signal.SIGINT) is before
     assert solution_json.read("home.json").pieces

@@ -1,13 +1,14 @@
 """The command line: thin words around the façade.
 
 Exit codes: 0 everything asked is placed and valid; 1 done, but something was left out or breaks a
-rule; 2 the input cannot be used.
+rule; 2 the input cannot be used; 130 interrupted.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from math import isfinite
 from pathlib import Path
@@ -47,7 +48,8 @@ def run(arguments: list[str] | None = None) -> int:
     except InputError as error:
         return _fault(str(error))
     except USAGE_FAULT as error:
-        return _fault(f"{_told(error)}; see scenewright --help")
+        told = _told(error)
+        return _fault(f"{told}; see scenewright --help") if told else 2
     except (KeyboardInterrupt, typer.Abort):
         return _fault("interrupted", 130)
     except BrokenPipeError:
@@ -61,7 +63,10 @@ def run(arguments: list[str] | None = None) -> int:
 
 
 def _told(usage_fault: Any) -> str:
-    return str(usage_fault.format_message()).rstrip(".")
+    """The fault in our words; empty if the help was shown instead."""
+    told = str(usage_fault.format_message()).rstrip(".")
+    told = re.sub(r"Input should be a valid integer.*", "give a whole number", told)
+    return re.sub(r"Input should be a valid number.*", "give a number", told)
 
 
 def _fault(told: str, code: int = 2) -> int:
@@ -93,10 +98,10 @@ def arrange(
     ] = None,
     preset: Annotated[str, typer.Option(help="Weights and parameters by name.")] = "default",
     solver: Annotated[str | None, typer.Option(help="Solver by name.")] = None,
-    seconds: Annotated[float | None, typer.Option(help="Time to solve for.")] = None,
+    seconds: Annotated[float | None, typer.Option(help="Time to solve for (solving only).")] = None,
     steps: Annotated[int | None, typer.Option(help="Steps to solve for, instead.")] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same result.")] = 0,
-    keep: Annotated[bool, typer.Option("--keep", help="Leave the file's furniture.")] = False,
+    keep: Annotated[bool, typer.Option("--keep", help="Leave the furniture of a .sh3d.")] = False,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
@@ -108,14 +113,14 @@ def arrange(
         source, tuple(outputs or ()), preset, solver, seconds, steps, seed, keep
     )
     console = Console(stderr=True, quiet=quiet)
-    solution, report = cli_arrange.arrange(request, console)
+    solution, report, interrupted = cli_arrange.arrange(request, console)
     complete = not any(entry.required for entry in solution.left_out)
-    code = 0 if report.valid and complete else 1
+    code = 130 if interrupted else 0 if report.valid and complete else 1
     if as_json:
         _print_json(show.arranged_document(request.source, request.outputs, solution, report, code))
     elif not quiet:
-        show.arranged(Console(), request.outputs, solution, report)
-    return code
+        show.arranged(Console(), request.outputs, solution, report, interrupted)
+    return _fault(show.interrupted(request.outputs), code) if interrupted else code
 
 
 @app.command()
@@ -174,17 +179,19 @@ def bench(
 
 @app.command("list")
 def list_(
-    what: Annotated[str, typer.Argument(help="solvers terms presets formats assets or samples.")],
+    what: Annotated[
+        str, typer.Argument(help="solvers terms presets formats groups assets or samples.")
+    ],
     as_json: JsonOption = False,
 ) -> int:
-    """List what there is: solvers, terms, presets, formats, assets or samples."""
+    """List what there is: solvers, terms, presets, formats, groups, assets or samples."""
     from scenewright import cli_lists
 
     rows = cli_lists.rows(what)
     if as_json:
         _print_json(rows)
     else:
-        show.table(Console(), rows, title=what)
+        show.table(Console(), cli_lists.shown(what, rows), title=what)
     return 0
 
 

@@ -12,10 +12,13 @@ from typing import NamedTuple
 
 from rich.console import Console
 
+from scenewright.brief import Brief
 from scenewright.check import Report, check
 from scenewright.cli_progress import Watch, tell_if_cold, watching
 from scenewright.errors import InputError
 from scenewright.solution import Solution
+
+SWEET_HOME = (".sh3d", ".xml")
 
 
 class Request(NamedTuple):
@@ -31,14 +34,26 @@ class Request(NamedTuple):
     keep: bool
 
 
-def arrange(request: Request, console: Console) -> tuple[Solution, Report]:
-    """Solve the request, write its outputs, and return the solution with the referee's report."""
+class Arranged(NamedTuple):
+    """What came of it; ``interrupted`` if Ctrl-C ended the search early."""
+
+    solution: Solution
+    report: Report
+    interrupted: bool
+
+
+def arrange(request: Request, console: Console) -> Arranged:
+    """Solve the request, write its outputs, and return the solution with the referee's report.
+
+    Interrupted before anything was found it raises ``KeyboardInterrupt`` and writes nothing.
+    """
     from scenewright import formats
 
-    for path in request.outputs:
-        formats.writer(path)
+    _check_outputs(request.outputs)
     brief = formats.read(request.source, keep=request.keep)
     _check_names(request)
+    if request.keep and not _keeps(request.source, brief):
+        console.print("--keep has no effect: the file holds no furniture to keep", style="dim")
     tell_if_cold(console)
     domain = import_module(f"scenewright.domains.{brief.domain}")
     with watching(console, console.quiet) as watch:
@@ -50,9 +65,29 @@ def arrange(request: Request, console: Console) -> tuple[Solution, Report]:
             )  # fmt: skip
         except InputError as error:
             raise error.located(file=str(request.source)) from None
+        interrupted = watch.cancelled()
+        if interrupted and not solution.evaluations:
+            raise KeyboardInterrupt
         report = check(solution)
         write_together(solution, request.outputs, watch)
-    return solution, report
+    return Arranged(solution, report, interrupted)
+
+
+def _check_outputs(outputs: Sequence[Path]) -> None:
+    """Every suffix can be written and no file is named twice."""
+    from scenewright import formats
+
+    seen = set()
+    for path in outputs:
+        formats.writer(path)
+        if path.resolve() in seen:
+            raise InputError("is given twice", "give each -o another name", file=str(path))
+        seen.add(path.resolve())
+
+
+def _keeps(source: str, brief: Brief) -> bool:
+    """Whether there is something that stays because of ``--keep``."""
+    return Path(source).suffix.lower() in SWEET_HOME and any(r.fixed for r in brief.rooms)
 
 
 def write_together(solution: Solution, outputs: Sequence[Path], watch: Watch) -> None:

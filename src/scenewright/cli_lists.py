@@ -16,6 +16,12 @@ def rows(what: str) -> list[Row]:
     return LISTS[what]()
 
 
+def shown(what: str, rows: list[Row]) -> list[Row]:
+    """The columns a person reads; machines get them all."""
+    columns = SHOWN.get(what)
+    return [{key: row[key] for key in columns} for row in rows] if columns else rows
+
+
 def schema(what: str) -> dict[str, Any]:
     """The JSON Schema of a brief or a solution."""
     named("schema", what, ["brief", "solution"])
@@ -70,6 +76,23 @@ def _assets() -> list[Row]:
     ]  # fmt: skip
 
 
+def _groups() -> list[Row]:
+    """What ``ask`` may name; sizes are width and depth of the cases of least and most floor."""
+    from scenewright.domains.home.groups import GROUPS
+    from scenewright.domains.home.library import cases
+
+    rows = []
+    for name, kind in GROUPS.items():
+        order = sorted(cases(name).groups, key=lambda case: case.width * case.depth)
+        small, large = order[0], order[-1]
+        rows.append({
+            "name": name, "holds": " or ".join(part.replace("_", " ") for part in kind.essential),
+            "smallest": [round(small.width, 2), round(small.depth, 2)],
+            "largest": [round(large.width, 2), round(large.depth, 2)],
+        })  # fmt: skip
+    return rows
+
+
 def _samples() -> list[Row]:
     from scenewright.formats import read, samples
 
@@ -85,7 +108,11 @@ LISTS: dict[str, Callable[[], list[Row]]] = {
     "terms": _terms,
     "presets": _presets,
     "formats": _formats,
+    "groups": _groups,
     "assets": _assets,
     "samples": _samples,
 }
 """What can be listed."""
+
+SHOWN: dict[str, tuple[str, ...]] = {"terms": ("name", "form", "kind", "weight", "doc")}
+"""Columns for people, where not all."""

@@ -80,4 +80,6 @@ def tell_if_cold(console: Console) -> None:
     from scenewright.geometry.compiled import is_cold
 
     if is_cold():
-        console.print("compiling, first run only (some seconds)", style="dim")
+        console.print(
+            "compiling, first run only (up to half a minute on a slow machine)", style="dim"
+        )

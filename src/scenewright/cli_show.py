@@ -17,26 +17,42 @@ if TYPE_CHECKING:
     from scenewright.solution import Solution
 
 MOST_FINDINGS = 20
+LEAST_COST = 0.005
+"""What is less rounds to nothing."""
 
 
-def arranged(console: Console, outputs: Sequence[Path], solution: Solution, report: Report) -> None:
+def arranged(
+    console: Console, outputs: Sequence[Path], solution: Solution, report: Report,
+    was_interrupted: bool = False,
+) -> None:  # fmt: skip
     """The table of rooms, what was left out, the referee's verdict and the files."""
-    table = _table("room", "energy", "placed", title=solution.brief.name)
+    title = solution.brief.name + " (interrupted: best so far)" * was_interrupted
+    table = _table("room", "energy", "placed", title=title)
     table.columns[1].justify = "right"
     for space, name in _rooms(solution).items():
         energy = solution.energies.get(space)
         told = f"{energy:.1f}" if energy is not None else ""
         table.add_row(Text(name), told, Text(_placed(solution, space)))
     console.print(table)
-    for entry in solution.left_out:
-        mark = "left out" if entry.required else "not placed"
-        style = "yellow" if entry.required else "dim"
-        console.print(Text(f"{mark}: {_where(solution, entry.space)}{entry.what}: {entry.reason}",
-                           style))  # fmt: skip
+    _left_out(console, solution)
     console.print(Text(_work(solution)))
     checked(console, report)
     for path in outputs:
         console.print(Text(f"wrote {path}", "dim"))
+
+
+def interrupted(outputs: Sequence[Path]) -> str:
+    """What Ctrl-C led to."""
+    return "interrupted: best so far " + ("written" if outputs else "told, no -o to write")
+
+
+def _left_out(console: Console, solution: Solution) -> None:
+    """What is missing (essential or asked for), and what was welcome but not placed."""
+    for entry, count in Counter(solution.left_out).items():
+        mark = "left out" if entry.required else "welcome but not placed"
+        what = f"{count} × {entry.what}" if count > 1 else entry.what
+        told = f"{mark}: {_where(solution, entry.space)}{what}: {entry.reason}"
+        console.print(Text(told, "yellow" if entry.required else "dim"))
 
 
 def checked(console: Console, report: Report) -> None:
@@ -59,20 +75,28 @@ def checked(console: Console, report: Report) -> None:
 
 
 def explained(console: Console, solution: Solution) -> None:
-    """Costs by room, item and term, dearest first; then what was left out."""
+    """Costs by room, item and term, dearest first; what the terms mean; what was left out."""
     table = _table("room", "item", "term", "value", "weight", "cost", title="why")
     for column in table.columns[3:]:
         column.justify = "right"
     rooms = _rooms(solution)
-    for term in sorted(solution.terms, key=lambda t: -t.cost):
-        if term.cost > 0:
-            table.add_row(Text(rooms.get(term.space, term.space)), Text(term.item), term.term,
-                          f"{term.value:.4g}", f"{term.weight:g}", f"{term.cost:.2f}")  # fmt: skip
+    felt = [term for term in solution.terms if term.cost >= LEAST_COST]
+    for term in sorted(felt, key=lambda t: -t.cost):
+        table.add_row(Text(rooms.get(term.space, term.space)), Text(term.item), Text(term.term),
+                      f"{term.value:.4g}", f"{term.weight:g}", f"{term.cost:.2f}")  # fmt: skip
     console.print(table)
-    for entry in solution.left_out:
-        console.print(
-            Text(f"left out: {_where(solution, entry.space)}{entry.what}: {entry.reason}")
-        )
+    for name, meaning in _meanings({term.term for term in felt}).items():
+        console.print(Text(f"{name}: {meaning}", "dim"))
+    _left_out(console, solution)
+
+
+def _meanings(names: set[str]) -> dict[str, str]:
+    """One line for each term; of two forms the repaired one."""
+    from scenewright.terms.table import TERMS
+
+    rows = [row for row in TERMS if row.name in names]
+    ordered = sorted(rows, key=lambda row: row.form != "printed")
+    return {row.name: {known.name: known.doc for known in ordered}[row.name] for row in rows}
 
 
 def explained_document(solution: Solution) -> dict[str, Any]:
@@ -165,8 +189,9 @@ def _placed(solution: Solution, space: str) -> str:
 
 
 def _work(solution: Solution) -> str:
+    pieces, rooms = len(solution.pieces), len(solution.brief.rooms)
     return (
-        f"{len(solution.pieces)} pieces in {len(solution.brief.rooms)} rooms, "
+        f"{pieces} piece{'s' * (pieces != 1)} in {rooms} room{'s' * (rooms != 1)}, "
         f"{solution.seconds:.2f} s, {solution.evaluations:,} layouts looked at "
         f"({solution.solver}, preset {solution.preset}, seed {solution.seed})"
     )
