@@ -34,7 +34,7 @@ Cancel = Callable[[], bool]
 
 PENALTY = (1000.0, 60.0, 8.0)  # for what is missing, by rank
 CORE = 3000.0  # for a missing core
-UNREACHED = 300.0  # for a group no route reaches
+UNREACHED = 600.0  # for a group no route reaches
 BARRED = 1500.0  # for a door that nothing joins to the others
 LOST = 4.0
 ENERGY = 0.05  # what a unit of energy counts beside the above

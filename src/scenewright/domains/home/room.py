@@ -19,6 +19,7 @@ from scenewright.solvers import SOLVERS
 
 FIRST, AGAIN, FILL = 0.5, 0.3, 0.2  # shares of a room's work: first, each later try, the rest
 INSTEAD = 200.0  # what it costs to take a fallback
+FILLS = 6  # layouts tried when filling up
 ROOMY = 4  # placed groups that make another try worth its time
 
 
@@ -91,7 +92,7 @@ def _filled(task: Task, answer: Furnished, budget: Budget) -> Furnished:
     problem = posed(task, wishes, ground)
     found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
     best = answer
-    for layout in found.layouts[:2]:
+    for layout in found.layouts[:FILLS]:
         more = dressed(task, wishes, problem, layout.boxes, answer.energy, answer.placed)
         others = tuple(m for m in answer.missing if m.wish not in wanted)
         more = more._replace(
@@ -133,5 +134,5 @@ def _share(budget: Budget, share: float) -> Budget:
     )
 
 
-FEWER = (_held, _afresh, _afresh, _core)
+FEWER = (_held, _afresh, _afresh, _afresh, _afresh, _core)
 ALL_SHARES = FIRST + len(FEWER) * AGAIN + FILL
