@@ -177,7 +177,7 @@ def _wishes(room: Room, task: Task, rooms: tuple[Space, ...]) -> tuple[Wish, ...
     already stands there."""
     if room.ask is not None:
         return tuple(
-            Wish(ask.group, 0, required=ask.required, most=ask.size)
+            Wish(ask.group, 0 if ask.required else 1, required=ask.required, most=ask.size)
             for ask in room.ask
             for _ in range(ask.count)
         )
