@@ -7,6 +7,7 @@ from pathlib import Path
 
 import hypothesis
 import pytest
+from hypothesis import settings
 
 from flat import flat_solution
 from scenewright.solution import Solution
@@ -36,3 +37,9 @@ def real_data() -> Path:
 def solution() -> Solution:
     """The furnished flat of two rooms."""
     return flat_solution()
+
+
+# On a build server a property test tries the same examples every time; at a desk it goes on looking.
+settings.register_profile("steady", derandomize=True, deadline=None)
+if os.environ.get("CI"):
+    settings.load_profile("steady")

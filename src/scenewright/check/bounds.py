@@ -38,7 +38,7 @@ def _beyond(bodies: Bodies, rooms: Rooms, i: int) -> Finding:
     piece, room = bodies.pieces[i], rooms.shapes[bodies.room[i]]
     rest = shapely.difference(bodies.footprints[i], room)
     edge = shapely.points(shapely.get_coordinates(shapely.segmentize(rest, 0.02)))
-    depth = float(shapely.distance(edge, room).max())
+    depth = float(shapely.distance(edge, room).max(initial=0.0))
     area = float(rest.area)
     told = f"{piece.id} is {depth:.2f} m ({area:.2f} m²) outside {piece.space}"
     return _finding("out_of_bounds", bodies, rooms, i, told, depth, area)
