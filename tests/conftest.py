@@ -7,12 +7,14 @@ from pathlib import Path
 
 import hypothesis
 import pytest
-from hypothesis import settings
 
 from flat import flat_solution
 from scenewright.solution import Solution
 
-hypothesis.settings.register_profile("scenewright", deadline=None, max_examples=60)
+# On a build server property tests try the same examples every time; at a desk they go on looking.
+hypothesis.settings.register_profile(
+    "scenewright", deadline=None, max_examples=60, derandomize=bool(os.environ.get("CI"))
+)
 hypothesis.settings.load_profile("scenewright")
 
 ROOT = Path(__file__).parent.parent
@@ -37,9 +39,3 @@ def real_data() -> Path:
 def solution() -> Solution:
     """The furnished flat of two rooms."""
     return flat_solution()
-
-
-# On a build server a property test tries the same examples every time; at a desk it goes on looking.
-settings.register_profile("steady", derandomize=True, deadline=None)
-if os.environ.get("CI"):
-    settings.load_profile("steady")
