@@ -80,7 +80,7 @@ def framed(points: Floats) -> tuple[Camera, float]:
     ahead = np.array(TOWARDS) / np.linalg.norm(TOWARDS)
     target = (points.min(0) + points.max(0)) / 2
     away, shape = 10.0, 0.7
-    for _ in range(6):
+    for _ in range(16):
         view = view_of(Camera(tuple(target - ahead), tuple(target), ANGLE), 1, 1)
         local = (points - target) @ view.axes.T.astype(float)
         deep = local[:, 2] + away
