@@ -184,10 +184,15 @@ def test_a_closet_may_be_filled_to_half_its_depth():
     assert judge(piece("box", 2, 0.43, 1.5, 0.3), spaces=(closet,)).of("blocked_door")
 
 
-def test_a_wide_passage_needs_one_free_stretch():
-    wide = room(openings=(door(2.0, -0.05, width=2.0, kind="passage"),))
-    assert not judge(piece("box", 1.55, 0.5, 1.1), spaces=(wide,)).of("blocked_door")
-    assert judge(piece("box", 1.7, 0.5, 1.1), spaces=(wide,)).of("blocked_door")
+@pytest.mark.parametrize(
+    ("kind", "width", "kept"), [("passage", 2.4, 0.9), ("door", 2.4, 1.2), ("door", 1.4, 0.8)]
+)
+def test_a_wide_opening_needs_one_free_stretch(kind, width, kept):
+    wide = room(openings=(door(2.0, -0.05, width=width, kind=kind),))
+    left = 2.0 - width / 2 + kept
+    just_free, just_not = (piece("box", left + 0.5 + by, 0.5) for by in (0.02, -0.02))
+    assert not judge(just_free, spaces=(wide,)).of("blocked_door")
+    assert judge(just_not, spaces=(wide,)).of("blocked_door")
 
 
 @pytest.mark.parametrize(
@@ -316,6 +321,30 @@ def test_navigable_share_is_the_largest_part():
     report = judge(piece("box", 2.3, 1.5, 1.6, 3.0, id="wall"), spaces=(room(openings=()),))
     assert report.figures["navigable_share"]["0"] == pytest.approx(1.1 / 1.6, abs=1e-3)
     assert report.figures["rooms"]["a"] == {"pieces": 1, "area": 12.0, "density": 0.4}
+
+
+def test_what_bars_the_way_in_leaves_nothing_reachable():
+    """All the free floor hangs together, yet a row of boxes before the door lets nobody in."""
+    row = piece("box", 2, 0.26, 4, 0.5, fixed=True)
+    shut, aside = judge(row).figures, judge(piece("box", 0.6, 0.26, 1.2, 0.5)).figures
+    assert shut["navigable_share"]["0"] > 0.9
+    assert shut["reachable_share"]["0"] == 0.0
+    assert aside["reachable_share"]["0"] == judge().figures["reachable_share"]["0"] == 1.0
+    cut = judge(piece("box", 2, 1.5, 4.0, 0.6)).figures["reachable_share"]["0"]
+    assert cut == pytest.approx(0.5, abs=0.02)
+
+
+def test_a_room_without_a_door_is_noted():
+    sealed = room(openings=(door(2.0, -0.05, kind="window"),), functions=("study",))
+    report = judge(spaces=(sealed,))
+    assert report.notes[0].missing == "a door"
+    assert report.figures["reachable_share"]["0"] == 0.0
+    small = replace(sealed, outline=rectangle(0, 0, 1.0, 1.0))
+    for harmless in (room(functions=("study",)), replace(sealed, functions=("other",)), small):
+        assert "a door" not in {note.missing for note in judge(spaces=(harmless,)).notes}
+    stairs = judge(piece("staircase", 1, 2), spaces=(sealed,))
+    assert "a door" not in {note.missing for note in stairs.notes}
+    assert stairs.figures["reachable_share"]["0"] == 1.0
 
 
 def test_things_hang_where_they_can():

@@ -16,6 +16,7 @@ from scenewright.check.complete import (
     ESSENTIALS,
     USABLE,
     expected,
+    find_doorless,
     find_incomplete,
     inscribed_width,
     room_figures,
@@ -23,7 +24,7 @@ from scenewright.check.complete import (
 from scenewright.check.openings import find_blocked
 from scenewright.check.reach import find_unreachable
 from scenewright.check.report import KINDS, Finding, Note, Report, count_by_kind
-from scenewright.check.routes import grounds_of, navigable_share
+from scenewright.check.routes import grounds_of, navigable_share, reachable_share
 from scenewright.solution import Solution
 from scenewright.space import Space
 
@@ -60,9 +61,11 @@ def check(
         "pieces": len(solution.pieces),
         "counts": count_by_kind(findings),
         "navigable_share": navigable_share(bodies, rooms, grounds),
+        "reachable_share": reachable_share(bodies, rooms, grounds),
         "rooms": room_figures(bodies, rooms),
     }
-    return Report(findings, tuple(find_incomplete(bodies, rooms)), figures)
+    notes = (*find_doorless(bodies, rooms), *find_incomplete(bodies, rooms))
+    return Report(findings, notes, figures)
 
 
 def _spaces(solution: Solution) -> tuple[Space, ...]:

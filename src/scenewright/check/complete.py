@@ -140,6 +140,32 @@ def find_incomplete(bodies: Bodies, rooms: Rooms) -> list[Note]:
     return notes
 
 
+def find_doorless(bodies: Bodies, rooms: Rooms) -> list[Note]:
+    """A note for each room of usable size that no door or passage joins to anything.
+
+    Rooms of function ``other`` (shafts, voids) and balconies, often stepped onto through a
+    window, are left out, and those reached by a staircase in them.
+    """
+    stairs = {p.space for p in bodies.pieces if p.category == "staircase"}
+    notes = []
+    for space, shape in zip(rooms.spaces, rooms.shapes, strict=True):
+        joined = any(opening.kind != "window" for opening in space.openings)
+        if joined or space.id in stairs or not _lived_in(space.functions, shape):
+            continue
+        functions = ", ".join(space.functions)
+        told = f"{space.id} ({functions}, {shape.area:.1f} m²) has no door: nobody can enter it"
+        notes.append(Note(space.id, space.functions[0], "a door", told))
+    return notes
+
+
+def _lived_in(functions: tuple[str, ...], shape: Shape) -> bool:
+    """Whether a room is there for people and large enough for the first of its functions."""
+    if not functions or set(functions) & {"other", "balcony"}:
+        return False
+    least = USABLE.get(functions[0], USABLE["storage"])
+    return bool(shape.area >= least.area) and inscribed_width(shape) >= least.width
+
+
 def room_figures(bodies: Bodies, rooms: Rooms) -> dict[str, dict[str, Any]]:
     """Pieces, floor area in square metres and density of each space.
 

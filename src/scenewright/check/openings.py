@@ -9,8 +9,10 @@ metre need a finer rule, so here the *door zone* is
 * the sector the leaf sweeps, a quarter disc of the opening's width about its hinge, on the side
   it swings to,
 
-cut to the room. Openings wider than :data:`WIDE` without a swinging leaf (sliding doors, open
-passages) are blocked only when less than :data:`PASSAGE` of their width is left in one stretch.
+cut to the room. Openings wider than :data:`WIDE` without a swinging leaf are blocked only when
+too little of their width is left in one stretch: an open passage needs :data:`PASSAGE`, and of a
+sliding door, whose panels pass behind each other, the half that opens and at least
+:data:`SLIDING`.
 A window is blocked by what rises more than :data:`SILL_ALLOWANCE` above its sill within
 :data:`WINDOW_DEPTH` of the glass. Rugs and curtains, and what hangs above head height, never block.
 """
@@ -33,8 +35,12 @@ DOOR_DEPTH = 0.5
 WIDE = 1.2
 """Openings without a leaf wider than this may be partly furnished, in metres."""
 
-PASSAGE = 0.8
-"""The stretch of a wide opening that has to stay free, in metres."""
+PASSAGE = 0.9
+"""The stretch of a wide passage that has to stay free, in metres."""
+
+SLIDING = 0.8
+"""The least stretch of a wide sliding door that has to stay free, in metres; half its width if
+that is more."""
 
 WINDOW_DEPTH = 0.25
 """Depth of the zone before a window, in metres."""
@@ -142,14 +148,22 @@ def _sector(opening: Opening) -> Shape:
 def _blocked(bodies: Bodies, rooms: Rooms, zone: Zone, inside: NDArray[np.intp]) -> list[Finding]:
     opening = zone.opening
     entered = shapely.intersection(bodies.footprints[inside], zone.shape)
-    if opening.kind != "window" and opening.swing == 0 and opening.width > WIDE:
-        free = _widest_stretch(opening, entered)
-        if free >= min(PASSAGE, opening.width):
-            return []
+    wide = opening.kind != "window" and opening.swing == 0 and opening.width > WIDE
+    if wide and _widest_stretch(opening, entered) >= stretch_kept_free(opening):
+        return []
     return [
         _finding(bodies, rooms, zone, int(i), shape)
         for i, shape in zip(inside, entered, strict=True)
     ]
+
+
+def stretch_kept_free(opening: Opening) -> float:
+    """The stretch in metres that has to stay free before a wide opening without a swinging leaf.
+
+    >>> stretch_kept_free(Opening("d", "door", "0", 0, 0, 1, 0, 2.4, 0.1, 0, 2))
+    1.2
+    """
+    return PASSAGE if opening.kind == "passage" else max(SLIDING, opening.width / 2)
 
 
 def _widest_stretch(opening: Opening, entered: Shapes) -> float:

@@ -56,8 +56,9 @@ class Note:
 class Report:
     """The verdict on a solution.
 
-    ``figures`` holds ``pieces`` and ``counts`` (findings by kind), ``navigable_share`` by level
-    and ``rooms`` (pieces, floor area in square metres and density of each space).
+    ``figures`` holds ``pieces`` and ``counts`` (findings by kind), ``navigable_share`` and
+    ``reachable_share`` by level and ``rooms`` (pieces, floor area in square metres and density of
+    each space).
     """
 
     findings: tuple[Finding, ...]

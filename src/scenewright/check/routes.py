@@ -66,6 +66,26 @@ def navigable_share(bodies: Bodies, rooms: Rooms, grounds: list[Ground]) -> dict
     return {level: round(most / all_, 4) if all_ else 1.0 for level, (most, all_) in parts.items()}
 
 
+def reachable_share(bodies: Bodies, rooms: Rooms, grounds: list[Ground]) -> dict[str, float]:
+    """Floor a disc of 0.2 m reaches that comes in by the entrances, by level.
+
+    The share is of the region open to the disc, as in :func:`navigable_share`, but counted within
+    the rooms and with the seats that go under tables pushed aside. Where no entrance is known
+    (an upper storey) the disc starts in the largest part; rooms no door joins to anything are
+    not reached unless a staircase stands in them. 1 for a level with no room for the disc.
+    """
+    parts = {level: [0.0, 0.0] for level in rooms.levels}
+    stairs = {piece.space for piece in bodies.pieces if piece.category == "staircase"}
+    for ground in grounds:
+        walk = walk_in(bodies, ground, ROBOT_RADIUS)
+        inside = shapely.union_all(rooms.shapes[ground.rooms])
+        total = parts[rooms.levels[rooms.level[ground.rooms[0]]]]
+        if ground.doorways or any(rooms.spaces[i].id in stairs for i in ground.rooms):
+            total[0] += float(shapely.area(shapely.intersection(walk.reached, inside)))
+        total[1] += float(shapely.area(shapely.intersection(walk.free, inside)))
+    return {level: round(part / all_, 4) if all_ else 1.0 for level, (part, all_) in parts.items()}
+
+
 def grounds_of(rooms: Rooms, route_width: float) -> list[Ground]:
     """Groups of rooms joined by doors and passages, each with its floor."""
     number = {space.id: i for i, space in enumerate(rooms.spaces)}
