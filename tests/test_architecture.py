@@ -20,7 +20,19 @@ NAMES = [str(file.relative_to(PACKAGE)) for file in FILES]
 
 LAYERS = (
     {"errors", "geometry", "_version"},
-    {"space", "scene", "catalog", "layout", "brief", "solution", "problem"},
+    {
+        "space",
+        "scene",
+        "scene_graph",
+        "catalog",
+        "layout",
+        "brief",
+        "brief_fields",
+        "brief_hall",
+        "solution",
+        "problem",
+        "hall_problem",
+    },
     {
         "plan",
         "outlines",

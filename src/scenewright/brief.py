@@ -2,25 +2,29 @@
 
 A brief is a small JSON document (``scenewright schema brief`` prints its JSON Schema). Lengths
 are metres, angles radians counter-clockwise from +x, plans seen from above with y to the north.
+What only halls know (zones, links, demands) is in :mod:`scenewright.brief_hall`.
 """
 
 from __future__ import annotations
 
-from math import tau
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field, model_validator
 
-Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
-Whole = Annotated[int, Field(strict=True)]
-Switch = Annotated[bool, Field(strict=True)]
-Coordinate = Annotated[Number, Field(ge=-1e4, le=1e4)]
-Length = Annotated[Number, Field(gt=0, le=1e3)]
-Side = Annotated[Number, Field(gt=0, le=30)]
-Height = Annotated[Number, Field(ge=0, le=100)]
-Heading = Annotated[Number, Field(ge=-tau, le=tau)]
-Point = tuple[Coordinate, Coordinate]
-Outline = Annotated[list[Point], Field(min_length=3, max_length=5000)]
+from scenewright.brief_fields import (
+    Coordinate,
+    Heading,
+    Height,
+    Length,
+    Model,
+    Number,
+    Outline,
+    Point,
+    Side,
+    Switch,
+    Whole,
+)
+from scenewright.brief_hall import Demand, Link, ZoneBrief
 
 Function = Literal[
     "living", "dining", "kitchen", "bedroom", "double_bedroom", "single_bedroom",
@@ -28,11 +32,8 @@ Function = Literal[
     "other",
 ]  # fmt: skip
 
-
-class Model(BaseModel):
-    """Immutable, and strict about names: an unknown key is a mistake worth telling."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid")
+ROUTE_WIDTHS = {"home": 0.6, "hall": 0.9}
+"""Width of the route to every piece where a brief does not state it, by domain, in metres."""
 
 
 class LevelBrief(Model):
@@ -50,7 +51,8 @@ class Door(Model):
     ``at`` is its middle, on (or within a wall's thickness of) the room's outline. ``hinge`` is
     the side of the hinges seen from inside this room facing the door; ``swing`` whether the leaf
     turns into this room, out of it, slides, or is missing (an open passage).
-    ``to`` is the id of the room beyond; left out, it is found from the plan.
+    ``to`` is the id of the room beyond; left out, it is found from the plan. In halls ``use``
+    tells where visitors come in and leave; every door is a way out in an emergency.
     """
 
     at: Point
@@ -59,6 +61,7 @@ class Door(Model):
     hinge: Literal["left", "right"] = "left"
     swing: Literal["in", "out", "slide", "none"] = "in"
     to: str | None = None
+    use: Literal["both", "entrance", "exit"] = "both"
     id: str = ""
 
 
@@ -108,6 +111,8 @@ class Room(Model):
     ``function`` may be several for an open plan; left out, it is read from ``name``.
     ``main_wall`` is the index of an outline edge as listed (0 joins the first two points).
     ``ask`` replaces what the function and size would bring.
+    Halls have ``zones``, ``links`` between them and ``demands`` instead of functions and asks,
+    and ``people``, the most that may be inside at once.
     """
 
     id: str = ""
@@ -122,6 +127,10 @@ class Room(Model):
     main_wall: Annotated[Whole, Field(ge=0)] | None = None
     fixed: Annotated[list[FixedItem], Field(max_length=2000)] = []
     ask: Annotated[list[Ask], Field(max_length=200)] | None = None
+    zones: Annotated[list[ZoneBrief], Field(max_length=200)] = []
+    links: Annotated[list[Link], Field(max_length=1000)] = []
+    demands: Annotated[list[Demand], Field(max_length=1000)] = []
+    people: Annotated[Whole, Field(ge=1, le=100_000)] | None = None
 
 
 class WallBrief(Model):
@@ -136,16 +145,17 @@ class WallBrief(Model):
 
 
 class Brief(Model):
-    """A home (later also a hall, a site, a village): levels, rooms and how it is to be judged.
+    """A home or hall (later also a site, a village): levels, rooms and how it is to be judged.
 
     ``outlines`` tells whether room outlines are the inner faces of walls or their centre lines
     (then rooms shrink by half of ``wall_thickness``). ``route_width`` is the width of the
-    walking route every piece must be reached by.
+    walking route every piece must be reached by (0.6 m in homes, 0.9 m in halls, as a wheelchair
+    needs); ``passage_width`` the least clear width between linked zones of a hall.
     """
 
     format: Literal["scenewright/brief"] = "scenewright/brief"
     version: Literal[1] = 1
-    domain: Literal["home"] = "home"
+    domain: Literal["home", "hall"] = "home"
     name: str = "home"
     levels: Annotated[list[LevelBrief], Field(max_length=200)] = []
     rooms: Annotated[list[Room], Field(min_length=1, max_length=10_000)]
@@ -154,3 +164,12 @@ class Brief(Model):
     wall_thickness: Annotated[Number, Field(ge=0.02, le=2)] = 0.12
     outer_wall_thickness: Annotated[Number, Field(ge=0.02, le=2)] = 0.25
     route_width: Annotated[Number, Field(ge=0.3, le=3)] = 0.6
+    passage_width: Annotated[Number, Field(ge=0.3, le=20)] = 1.2
+
+    @model_validator(mode="before")
+    @classmethod
+    def _by_domain(cls, document: Any) -> Any:
+        """What a brief does not state follows its domain."""
+        if not isinstance(document, dict) or document.get("domain") != "hall":
+            return document
+        return {"route_width": ROUTE_WIDTHS["hall"], "name": "hall"} | document

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from scenewright.brief import Brief
 from scenewright.scene import Piece
+from scenewright.scene_graph import SceneGraph, Tour
 
 
 class Patch(NamedTuple):
@@ -46,7 +47,8 @@ class Solution:
     """Everything about one answer; saved as JSON it reads back and can be solved again.
 
     ``energies`` is the final energy of each space, ``evaluations`` the number of layouts looked
-    at, ``seconds`` the time solving took.
+    at, ``seconds`` the time solving took. Halls have their scene ``graph`` and the visitors'
+    ``tours``, one a space.
     """
 
     brief: Brief
@@ -62,3 +64,5 @@ class Solution:
     brief_hash: str
     seconds: float
     evaluations: int
+    graph: SceneGraph | None = None
+    tours: tuple[Tour, ...] = ()

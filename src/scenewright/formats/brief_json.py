@@ -48,7 +48,9 @@ def loads(text: str | bytes) -> Brief:
 
 def dumps(brief: Brief) -> str:
     """The JSON text of a brief, without what is left at its default."""
-    return brief.model_dump_json(indent=1, exclude_defaults=True) + "\n"
+    document = brief.model_dump(mode="json", exclude_defaults=True)
+    stated = {"route_width": brief.route_width, "name": brief.name}  # their default has two values
+    return json.dumps(stated | document, indent=1, ensure_ascii=False) + "\n"
 
 
 def schema() -> dict[str, Any]:

@@ -15,6 +15,7 @@ from typing import Any
 
 from scenewright.brief import Brief, FixedItem, Room
 from scenewright.errors import InputError
+from scenewright.formats.graph_record import graph_document, graph_of, tour_document, tour_of
 from scenewright.formats.solution_record import FORMAT, PieceRecord, checked
 from scenewright.plan import room_ids
 from scenewright.scene import Piece, Pose, Size
@@ -80,8 +81,17 @@ def to_document(solution: Solution) -> dict[str, Any]:
         "patches": [patch._asdict() for patch in solution.patches],
         "left_out": [entry._asdict() for entry in solution.left_out],
         "terms": [value._asdict() for value in solution.terms],
+        **_hall_document(solution),
         "brief": solution.brief.model_dump(mode="json"),
     }
+
+
+def _hall_document(solution: Solution) -> dict[str, Any]:
+    """What only halls have."""
+    if solution.graph is None:
+        return {}
+    tours = [tour_document(tour) for tour in solution.tours]
+    return {"graph": graph_document(solution.graph), "tours": tours}
 
 
 def of_document(document: object) -> Solution:
@@ -101,6 +111,8 @@ def of_document(document: object) -> Solution:
         brief_hash=record.brief_hash,
         seconds=record.seconds,
         evaluations=record.evaluations,
+        graph=None if record.graph is None else graph_of(record.graph),
+        tours=tuple(tour_of(tour) for tour in record.tours),
     )
 
 

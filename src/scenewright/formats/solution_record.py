@@ -8,8 +8,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field, ValidationError
 
-from scenewright.brief import Brief, Coordinate, Heading, Length, Model, Number, Side, Switch, Whole
+from scenewright.brief import Brief
+from scenewright.brief_fields import Coordinate, Heading, Length, Model, Number, Side, Switch, Whole
 from scenewright.errors import InputError
+from scenewright.formats.graph_record import GraphRecord, TourRecord
 from scenewright.formats.model_faults import told
 from scenewright.plan import room_ids
 
@@ -79,6 +81,8 @@ class SolutionRecord(Model):
     patches: Annotated[list[PatchRecord], Field(max_length=100_000)]
     left_out: Annotated[list[LeftOutRecord], Field(max_length=100_000)]
     terms: Annotated[list[TermRecord], Field(max_length=1_000_000)]
+    graph: GraphRecord | None = None
+    tours: Annotated[list[TourRecord], Field(max_length=10_000)] = []
     brief: Brief
 
 
