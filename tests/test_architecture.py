@@ -35,6 +35,10 @@ LAYERS = (
     },
     {
         "plan",
+        "zones",
+        "zoning",
+        "borders",
+        "demands",
         "outlines",
         "openings",
         "room_names",
