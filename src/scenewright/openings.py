@@ -109,6 +109,7 @@ def _opening(
         width=round(width, 9), thickness=round(float(thickness), 9),
         sill=sill, head=min(sill + wish.height, space.height), hinge=hinge, swing=swing,
         spaces=(space.id,) if beyond is None else (space.id, ids[beyond]),
+        use=wish.use if isinstance(wish, Door) else "both",
     )  # fmt: skip
 
 

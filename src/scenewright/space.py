@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 Points = NDArray[np.float64]
 OpeningKind = Literal["door", "window", "passage"]
+OpeningUse = Literal["both", "entrance", "exit"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +26,8 @@ class Opening:
     ``hinge`` is where the leaf hangs along the direction: ``-1`` at the start, ``+1`` at the end,
     ``0`` no leaf (sliding door, passage, window). ``swing`` tells the side the leaf opens to:
     ``+1`` left, ``-1`` right, ``0`` not at all.
-    ``spaces`` are the ids of the spaces it touches, one (outside beyond) or two.
+    ``spaces`` are the ids of the spaces it touches, one (outside beyond) or two. ``use`` tells
+    which way visitors go through it, seen from the first of the spaces.
     """
 
     id: str
@@ -42,6 +44,7 @@ class Opening:
     hinge: int = 0
     swing: int = 0
     spaces: tuple[str, ...] = ()
+    use: OpeningUse = "both"
 
 
 @dataclass(frozen=True, slots=True)

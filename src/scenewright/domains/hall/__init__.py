@@ -1,0 +1,1 @@
+"""Halls: exhibitions, shops, reading rooms, auditoria."""
