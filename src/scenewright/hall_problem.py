@@ -24,8 +24,9 @@ class HallGround(NamedTuple):
     doors, ``doors`` (d, 5) boxes of the ways in through the wall.
     ``zone_edges`` (f, 4) the directed edges of all zones, zone z owning rows ``zone_spans[z]``
     (start, end); ``zone_areas`` (z,) in square metres, ``zone_bounds`` (z, 4).
-    ``stretches`` (s, 5): wall a row may stand along: x0, y0, x1, y1 with the zone on the left, and
-    the zone's number; no doors in it.
+    ``zone_least`` (z,) the share of each zone that should be in use, δ_min.
+    ``stretches`` (s, 6): wall a row may stand along: x0, y0, x1, y1 with the zone on the left, the
+    zone's number, and 1 if it starts in a corner of walls; no doors in it.
     ``borders`` (b, 5): x0, y0, x1, y1 of the straight pieces of border between two linked zones,
     and the number of the link; ``links`` (l, 3): zones i, j and the least clear width.
     ``hosts`` (p, 6): borders on which a partition may be built: x0, y0, x1, y1 and the zones to
@@ -40,11 +41,13 @@ class HallGround(NamedTuple):
     zone_spans: Ints
     zone_areas: Floats
     zone_bounds: Floats
+    zone_least: Floats
     stretches: Floats
     borders: Floats
     links: Floats
     hosts: Floats
     bounds: Floats
+    thickness: float = 0.15
 
 
 class Units(NamedTuple):
@@ -53,7 +56,7 @@ class Units(NamedTuple):
     ``sizes`` (n, 2) width and depth; ``clear`` (n, 4) free depth wished for beyond each side;
     ``access`` (n, 4) 1 for sides of which one must be reached. Unit u owns objects ``spans[u]``
     (start, end) and stands in zone ``zones[u]``. ``walls`` (g,) 1 for a row along walls.
-    ``choices`` (g, 7) 1 for each pattern (row of the pattern table) the unit may take.
+    ``choices`` (g, 8) 1 for each pattern (row of the pattern table) the unit may take.
     ``demands`` (g,) the number of the demand each unit serves.
     """
 
@@ -67,11 +70,12 @@ class Units(NamedTuple):
 
 
 class HallProblem(NamedTuple):
-    """One hall to solve. ``weights`` by name of the term, ``names`` of the units, ``route``
-    the width of the route every object must be reached by, in metres."""
+    """One hall to solve. ``names`` of the units and ``zone_names``, ``weights`` by name of the
+    term, ``route`` the width of the route every object must be reached by, in metres."""
 
     ground: HallGround
     units: Units
     names: tuple[str, ...]
+    zone_names: tuple[str, ...]
     weights: dict[str, float]
     route: float

@@ -19,14 +19,14 @@ Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 OPTIONS: dict[str, Any] = {
     "nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True,
 }  # fmt: skip
-SOURCES = ("problem.py", "energy.py", "geometry", "terms", "encodings", "solvers")
+SOURCES = ("problem.py", "hall_problem.py", "energy.py", "hall_energy.py", "geometry", "terms", "encodings", "solvers")
 
 
 def fingerprint(package: Path) -> str:
     """Short name for the present state of the kernel sources below ``package``."""
     digest = blake2b(numba.__version__.encode(), digest_size=6)
     for source in SOURCES:
-        for file in sorted(package.glob(f"{source}/*.py" if "." not in source else source)):
+        for file in sorted(package.glob(source if "." in source else f"{source}/**/*.py")):
             told = file.stat()
             digest.update(f"{file.name} {told.st_size} {told.st_mtime_ns};".encode())
     return digest.hexdigest()

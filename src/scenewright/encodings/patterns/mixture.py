@@ -1,0 +1,38 @@
+"""Mixture: T = {T_1 … T_M}, any patterns side by side (Cao, Cheng, Zhang 2024).
+
+The parts stand left to right, ``gap`` metres apart, their middles on one line. Seeded as the
+paper draws it: a radiation between two chains.
+"""
+
+from __future__ import annotations
+
+from scenewright.encodings.patterns import ALONG, CHAIN, CODE, NUMBER, PART
+from scenewright.encodings.patterns.chain import seed_chain
+from scenewright.encodings.patterns.radiation import seed_radiation
+from scenewright.geometry.boxes import Floats
+from scenewright.geometry.compiled import inlined
+
+
+@inlined
+def seed_mixture(
+    layers: Floats, first: int, number: int, rows: int, wide: float, deep: float, along: float,
+    across: float,
+) -> int:  # fmt: skip
+    """Write two chains of a third of the objects each and a radiation between them."""
+    side = max(number // 3, 1)
+    k = seed_chain(layers, first, side, rows, along, across, 0)
+    middle = number - 2 * side
+    if middle > 0:
+        k = seed_radiation(layers, k, middle, 1, wide, deep, along, across, 1)
+    if k < layers.shape[0]:
+        return seed_chain(layers, k, side, rows, along, across, 2)
+    layers[k - 1, NUMBER] += side
+    return k
+
+
+@inlined
+def seed_single(layers: Floats, first: int, number: int) -> int:
+    """Write one layer for an object by itself."""
+    layers[first, NUMBER], layers[first, ALONG] = number, 0.0
+    layers[first, CODE], layers[first, PART] = CHAIN, 0
+    return first + 1

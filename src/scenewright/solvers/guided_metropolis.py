@@ -1,0 +1,232 @@
+"""Graph-driven Metropolis-Hastings (GD-MH) of halls, compiled.
+
+f = exp(-λ E); a move is accepted with min(1, f' / f) and refused outright if an object leaves its
+zone or overlaps (Cao, Cheng, Zhang 2024, 3.3). What moves, and how, is led by which energy is
+high. ``free`` of 0 is the paper; above, that share of the moves is drawn blindly and includes
+ours. The walking route is only looked at when everything else would accept a move.
+"""
+
+from __future__ import annotations
+
+import math
+
+from scenewright.geometry.boxes import Floats, read_frame
+from scenewright.geometry.compiled import compiled, inlined
+from scenewright.geometry.paths import CLEAR, Bits, Grid, sweep_box
+from scenewright.encodings.patterns import SINGLE, WALL
+from scenewright.solvers.draws import Stream, below, uniform
+from scenewright.solvers.hall_moves import (
+    change_pattern,
+    scatter,
+    slide,
+    snap,
+    spread,
+    turn,
+)
+from scenewright.terms.circulation import route
+from scenewright.terms.hall_place import build
+from scenewright.terms.hall_state import Prepared, Scratch, State
+from scenewright.terms.hall_terms import ACCESS, FILL, PROPORTION, REACH, SPACE, space_cost
+from scenewright.terms.hall_trial import begin, judge, measure_all, settle, undo
+
+WALLS = 0.03
+"""Share of the moves that extend or shorten a partition, where there are any."""
+
+
+@compiled
+def missed(
+    p: Prepared, s: State, grid: Grid, base: Bits, free: Bits, reached: Bits, inset: Floats
+) -> float:
+    """Objects and doors the route does not reach; ``base`` takes the floor less partitions."""
+    for row in range(base.shape[0]):
+        for word in range(base.shape[1]):
+            base[row, word] = grid.free[row, word]
+    for h in range(s.walls.shape[0]):
+        if s.walls[h, 4] > 0.0:
+            sweep_box(base, grid, read_frame(s.walls, h), grid.radius, CLEAR)
+    bare = Grid(grid.x0, grid.y0, grid.cell, grid.radius, base, grid.doors)
+    return route(s.frames, p.access, inset, bare, free, reached)
+
+
+@inlined
+def drawn_unit(p: Prepared, s: State, term: int, stream: Stream) -> int:
+    """A unit drawn by its cost of a term above what it costs at best."""
+    least = space_cost(0.0, 1.0) if term == SPACE else 0.0
+    total, g = 0.0, p.spans.shape[0]
+    for u in range(g):
+        total += max(s.costs[term, u] - least, 0.0) + 0.01
+    rest = uniform(stream) * total
+    for u in range(g):
+        rest -= max(s.costs[term, u] - least, 0.0) + 0.01
+        if rest <= 0.0:
+            return u
+    return g - 1
+
+
+@inlined
+def drawn_term(p: Prepared, s: State, stream: Stream) -> int:
+    """Space, fill or proportion, drawn by how much each costs above its best."""
+    space, fill, proportion = 0.02, 0.02, 0.02
+    best = space_cost(0.0, 1.0)
+    for u in range(p.spans.shape[0]):
+        space += max(s.costs[SPACE, u] - best, 0.0)
+        number = p.spans[u, 1] - p.spans[u, 0] - 1
+        proportion += max(s.costs[PROPORTION, u] - 0.5 * number, 0.0)
+    for z in range(p.zone_areas.shape[0]):
+        fill += s.costs[FILL, z]
+    rest = uniform(stream) * (space + fill + proportion)
+    if rest < space:
+        return SPACE
+    return FILL if rest < space + fill else PROPORTION
+
+
+@inlined
+def guided(p: Prepared, s: State, stream: Stream, size: float) -> tuple[int, int, float]:
+    """The paper's choice: unit, kind of move (0 spread, 1 slide, 2 turn, 3 pattern) and step."""
+    term = drawn_term(p, s, stream)
+    unit = drawn_unit(p, s, SPACE if term == FILL else term, stream)
+    step = uniform(stream) * size
+    if uniform(stream) < 0.05:
+        return unit, 3, step
+    if term == PROPORTION:
+        return unit, 0, -step
+    if term == FILL:
+        return below(stream, p.spans.shape[0]), 0, step
+    if s.covered[unit, 1] + s.covered[unit, 2] > s.covered[unit, 0]:
+        return unit, 1 if uniform(stream) < 0.75 else 2, step
+    return unit, 0 if uniform(stream) < 0.5 else 1, step
+
+
+@inlined
+def propose(
+    p: Prepared, s: State, work: Scratch, stream: Stream, size: float, free: float
+) -> int:
+    """Write a move of one unit; the unit."""
+    blind = uniform(stream) < free
+    unit, kind, step = guided(p, s, stream, size)
+    if blind:
+        unit, kind = below(stream, p.spans.shape[0]), below(stream, 6)
+        step = (uniform(stream) - 0.5) * 2.0 * size
+    begin(p, s, work, unit)
+    if kind == 0 and s.code[unit] == SINGLE:
+        kind = 1
+    if kind == 0:
+        spread(p, s, unit, step, stream)
+    elif kind == 1:
+        slide(s, unit, max(abs(step), 0.02) * (4.0 if uniform(stream) < 0.2 else 1.0), stream)
+    elif kind == 2 and s.code[unit] != WALL:
+        turn(p, s, unit, stream)
+    elif kind == 3:
+        change_pattern(p, s, unit, stream)
+    elif kind == 4 and s.code[unit] != WALL:
+        snap(p, s, unit, stream)
+    else:
+        scatter(p, s, unit, stream)
+    return unit
+
+
+@inlined
+def move_wall(p: Prepared, s: State, work: Scratch, size: float, stream: Stream) -> int:
+    """Extend or shorten one end of a partition; the host, or -1 if it has none."""
+    host = below(stream, p.hosts.shape[0])
+    low, high = s.partitions[host, 0], s.partitions[host, 1]
+    work.pose[0], work.pose[1] = low, high
+    if high <= low:
+        return -1
+    step = (uniform(stream) - 0.5) * 4.0 * size
+    x0, y0, x1, y1 = p.hosts[host, 0], p.hosts[host, 1], p.hosts[host, 2], p.hosts[host, 3]
+    length = math.hypot(x1 - x0, y1 - y0)
+    if uniform(stream) < 0.5:
+        s.partitions[host, 0] = min(max(low + step, 0.0), high - 0.5)
+    else:
+        s.partitions[host, 1] = max(min(high + step, length), low + 0.5)
+    build(p, s, host)
+    return host
+
+
+@inlined
+def undo_wall(p: Prepared, s: State, work: Scratch, host: int) -> None:
+    """Take the move of a partition back."""
+    s.partitions[host, 0], s.partitions[host, 1] = work.pose[0], work.pose[1]
+    build(p, s, host)
+    measure_all(p, s, work)
+
+
+@compiled
+def run(
+    p: Prepared, s: State, work: Scratch, grid: Grid, bits: Bits, inset: Floats,
+    stream: Stream, tally: Floats, schedule: Floats, first: int, steps: int,
+    best_pose: Floats, best_layers: Floats, best_rows: Floats, best_walls: Floats,
+) -> None:  # fmt: skip
+    """Make ``steps`` iterations, starting from iteration ``first``.
+
+    ``schedule`` (4,): λ at the start and the end, all iterations I, and the share of free moves;
+    λ rises geometrically. ``tally`` (5,): energy now, of the route in it, of the best, accepted,
+    accepted moves that changed nothing counted as steps. The best layout is kept in the arrays
+    ``best_…`` (pose, layers, code and used, partitions). ``bits`` (3, h, k) is scratch.
+    """
+    count, begun = schedule[2], schedule[0]
+    weighed = p.weights[REACH] != 0.0
+    for step in range(first, first + steps):
+        share = step / count
+        rate = begun * (schedule[1] / begun) ** share
+        size = max(1.0 - share, 0.5) if schedule[3] == 0.0 else max(1.0 - share, 0.05)
+        limit = tally[0] - math.log(1.0 - uniform(stream)) / rate
+        bare = tally[0] - tally[1]
+        unit, host = -1, -1
+        if p.hosts.shape[0] > 0 and uniform(stream) < WALLS:
+            host = move_wall(p, s, work, size, stream)
+        if host >= 0:
+            after = measure_all(p, s, work)
+        else:
+            unit = propose(p, s, work, stream, size, schedule[3])
+            after = bare + judge(p, s, work, unit)
+        ways = tally[1]
+        if after <= limit and weighed:
+            ways = p.weights[REACH] * missed(p, s, grid, bits[0], bits[1], bits[2], inset)
+        if after + ways <= limit:
+            if unit >= 0:
+                settle(p, s, work, unit)
+            tally[0], tally[1], tally[3] = after + ways, ways, tally[3] + 1.0
+            if tally[0] < tally[2]:
+                tally[2] = tally[0]
+                keep(s, best_pose, best_layers, best_rows, best_walls)
+        elif unit >= 0:
+            undo(p, s, work, unit)
+        else:
+            undo_wall(p, s, work, host)
+
+
+@inlined
+def keep(
+    s: State, pose: Floats, layers: Floats, rows: Floats, walls: Floats
+) -> None:
+    """Copy what makes a layout."""
+    for u in range(s.pose.shape[0]):
+        rows[u, 0], rows[u, 1] = s.code[u], s.used[u]
+        for k in range(4):
+            pose[u, k] = s.pose[u, k]
+    for k in range(s.layers.shape[0]):
+        for c in range(5):
+            layers[k, c] = s.layers[k, c]
+    for h in range(s.partitions.shape[0]):
+        walls[h, 0], walls[h, 1] = s.partitions[h, 0], s.partitions[h, 1]
+
+
+@compiled
+def restore(
+    p: Prepared, s: State, work: Scratch, pose: Floats, layers: Floats, rows: Floats,
+    walls: Floats,
+) -> float:  # fmt: skip
+    """Make a state the kept layout again; its energy without the route."""
+    for u in range(s.pose.shape[0]):
+        s.code[u], s.used[u] = int(rows[u, 0]), int(rows[u, 1])
+        for k in range(4):
+            s.pose[u, k] = pose[u, k]
+    for k in range(s.layers.shape[0]):
+        for c in range(5):
+            s.layers[k, c] = layers[k, c]
+    for h in range(s.partitions.shape[0]):
+        s.partitions[h, 0], s.partitions[h, 1] = walls[h, 0], walls[h, 1]
+        build(p, s, h)
+    return measure_all(p, s, work)

@@ -1,0 +1,222 @@
+"""Solvers of halls by chains: the paper's GD-MH, and ours: several annealed chains, best kept.
+
+A run starts from a layout in which every unit found a place (:func:`begin_chain`); units that
+find none are told, for the domain to split or leave out.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.geometry.paths import Grid
+from scenewright.hall_energy import (
+    Sheet,
+    make_state,
+    prepare,
+    route_grid,
+    sheet_of,
+)
+from scenewright.hall_problem import Floats, HallProblem
+from scenewright.solve import Budget, Cancel, Progress, Watch
+from scenewright.solvers.draws import Stream, streams
+from scenewright.solvers.guided_metropolis import missed, restore, run
+from scenewright.solvers.hall_start import copy_frames, place_units
+from scenewright.terms.hall_place import build
+from scenewright.terms.hall_state import Prepared, Scratch, State, make_scratch
+from scenewright.terms.hall_terms import REACH
+from scenewright.terms.hall_trial import measure_all
+
+PAPER_STEPS = 1000
+PAPER_RATE = 0.1
+SECONDS = 0.4
+SLICE = 256
+CHAINS = 4
+COLD = (0.05, 20.0)
+"""λ at the start and end of our schedule."""
+FREE = 0.6
+"""Share of our moves that energies do not lead."""
+TRIES = 600
+
+
+class HallLayout(NamedTuple):
+    """A layout: what makes it, its boxes (n, 5), its energy, and what the route misses."""
+
+    sheet: Sheet
+    boxes: Floats
+    energy: float
+    missed: float
+
+
+class HallFound(NamedTuple):
+    """Layouts, best first, and how many were looked at."""
+
+    layouts: tuple[HallLayout, ...]
+    evaluations: int
+
+
+HallRun = Callable[
+    [HallProblem, Sheet, Budget, int, Progress | None, Cancel | None], HallFound
+]
+
+
+class Chain(NamedTuple):
+    """One chain with all it needs; ``tally`` (5,) energy now, of the route in it, of the best,
+    moves accepted; ``best`` the best layout."""
+
+    p: Prepared
+    s: State
+    work: Scratch
+    grid: Grid
+    bits: Floats
+    inset: Floats
+    stream: Stream
+    tally: Floats
+    best: Sheet
+
+
+def first_layout(
+    problem: HallProblem, walls: Floats, seed: int, tries: int = TRIES
+) -> tuple[Sheet, tuple[int, ...]]:
+    """A layout without overlap and the units that found no place in it, largest first.
+
+    ``walls`` (p, 2) are the partitions to start with.
+    """
+    p = prepare(problem)
+    s, work = make_state(p), make_scratch(p)
+    s.partitions[:] = walls
+    for host in range(len(walls)):
+        build(p, s, host)
+    need = np.array([p.sizes[a:b].prod(1).sum() + p.beta[u] for u, (a, b) in enumerate(p.spans)])
+    order = np.argsort(-need, kind="stable").astype(np.int64)
+    placed = np.zeros(len(need))
+    place_units(p, s, work, order, tries, streams(seed, 1)[0], placed)
+    return sheet_of(s), tuple(int(u) for u in order if not placed[u])
+
+
+def begin_chain(problem: HallProblem, start: Sheet, stream: Stream) -> Chain:
+    """A chain that stands at a layout."""
+    p = prepare(problem)
+    s, work, grid = make_state(p), make_scratch(p), route_grid(problem, p)
+    bits, inset = np.zeros((3, *grid.free.shape), np.uint64), np.zeros((len(p.sizes), 4))
+    best = Sheet(*(array.copy() for array in start))
+    energy = restore(p, s, work, *start)
+    ways = p.weights[REACH] * missed(p, s, grid, bits[0], bits[1], bits[2], inset)
+    tally = np.array([energy + ways, ways, energy + ways, 0.0, 0.0])
+    return Chain(p, s, work, grid, bits, inset, stream, tally, best)
+
+
+def advance(chain: Chain, schedule: Floats, first: int, steps: int) -> None:
+    """Run a chain on; energies are measured afresh before, so that no rounding adds up."""
+    bare = measure_all(chain.p, chain.s, chain.work)
+    chain.tally[0] = bare + chain.tally[1]
+    run(
+        chain.p, chain.s, chain.work, chain.grid, chain.bits, chain.inset, chain.stream,
+        chain.tally, schedule, first, steps, *chain.best,
+    )  # fmt: skip
+
+
+def layout_of(chain: Chain) -> HallLayout:
+    """The best layout of a chain, measured afresh."""
+    energy = restore(chain.p, chain.s, chain.work, *chain.best)
+    count = missed(
+        chain.p, chain.s, chain.grid, chain.bits[0], chain.bits[1], chain.bits[2], chain.inset
+    )
+    boxes = np.zeros((len(chain.p.sizes), 5))
+    copy_frames(chain.s, boxes)
+    total = energy + chain.p.weights[REACH] * count
+    return HallLayout(sheet_of(chain.s), boxes, total, count)
+
+
+def gd_mh(
+    problem: HallProblem, start: Sheet, budget: Budget, seed: int,
+    progress: Progress | None = None, cancel: Cancel | None = None,
+) -> HallFound:  # fmt: skip
+    """GD-MH as printed: one chain, λ = 0.1, 1000 iterations, every move led by the energies.
+
+    The paper keeps the last state; this keeps the best on the way, which is never worse.
+    """
+    watch = Watch(budget, progress, cancel)
+    steps = budget.steps or PAPER_STEPS
+    chain = begin_chain(problem, start, streams(seed, 1)[0])
+    schedule = np.array([PAPER_RATE, PAPER_RATE, float(steps), 0.0])
+    made = 0
+    while made < steps and not watch.over(made, float(chain.tally[2])):
+        length = min(SLICE, steps - made)
+        advance(chain, schedule, made, length)
+        made += length
+    return HallFound((layout_of(chain),), made)
+
+
+def anneal_hall(
+    problem: HallProblem, start: Sheet, budget: Budget, seed: int,
+    progress: Progress | None = None, cancel: Cancel | None = None,
+) -> HallFound:  # fmt: skip
+    """Several chains, λ rising geometrically; then the better half goes on, cold.
+
+    Chains run on all threads; without ``seconds`` the result depends on the seed alone.
+    """
+    if budget.seconds is None and budget.steps is None:
+        budget = budget._replace(seconds=SECONDS)
+    watch = Watch(budget, progress, cancel)
+    threads = min(budget.threads or os.cpu_count() or 1, CHAINS)
+    chains = [begin_chain(problem, start, stream) for stream in streams(seed, CHAINS)]
+    made = 0
+    with ThreadPoolExecutor(threads) as pool:
+        for first, share, kept in ((0.0, 0.6, CHAINS), (0.45, 1.0, CHAINS // 2)):
+            chains = sorted(chains, key=lambda c: float(c.tally[2]))[:kept]
+            if first:
+                chains = [_cooled(problem, chain) for chain in chains]
+            made += _stage(chains, pool, watch, first, share, made)
+    found = sorted((layout_of(chain) for chain in chains), key=lambda layout: layout.energy)
+    return HallFound(tuple(found), made)
+
+
+def _cooled(problem: HallProblem, chain: Chain) -> Chain:
+    """A chain that goes on from its best layout."""
+    return begin_chain(problem, chain.best, chain.stream)
+
+
+def _stage(
+    chains: list[Chain], pool: ThreadPoolExecutor, watch: Watch, first: float, until: float,
+    before: int,
+) -> int:  # fmt: skip
+    """Anneal chains side by side until a share of the budget is spent; the steps made.
+
+    The schedule is a hundredth at a time, each as many steps as the clock (or the number of
+    steps) leaves.
+    """
+    made, share = 0, watch.share(before)
+    begun, opened = time.perf_counter(), share
+    parts = 1_000_000
+    schedule = np.array([*COLD, float(parts), FREE])
+    steps = SLICE if watch.budget.steps is None else max(watch.budget.steps // 400, 16)
+    while share < until:
+        done = (share - opened) / max(until - opened, 1e-9)
+        at = int(parts * (first + (1.0 - first) * min(done, 0.999)))
+        list(pool.map(lambda chain: advance(chain, schedule, at, steps), chains))
+        made += steps * len(chains)
+        best = min(float(chain.tally[2]) for chain in chains)
+        if watch.over(before + made, best):
+            break
+        share = watch.share(before + made)
+        if watch.budget.steps is None:
+            rate = steps / max(time.perf_counter() - begun, 1e-6)
+            begun = time.perf_counter()
+            left = max((watch.budget.seconds or 0.0) / 60.0, 1e-3)
+            steps = int(np.clip(rate * left, 16, 100_000))
+    return made
+
+
+def restored(problem: HallProblem, sheet: Sheet) -> tuple[Prepared, State, float, float]:
+    """A measured state at a layout, its energy without the route, and what the route misses."""
+    chain = begin_chain(problem, sheet, streams(0, 1)[0])
+    weight = float(chain.p.weights[REACH])
+    ways = float(chain.tally[1]) / weight if weight else math.nan
+    return chain.p, chain.s, float(chain.tally[0] - chain.tally[1]), ways

@@ -1,0 +1,56 @@
+"""The first layout of a hall: units placed one by one, the largest first, without overlap.
+
+Cao, Cheng, Zhang 2024, 3.1: patterns stand at random in their zones, wall objects along walls.
+"""
+
+from __future__ import annotations
+
+from scenewright.geometry.boxes import Floats, read_frame
+from scenewright.geometry.buckets import remove
+from scenewright.geometry.compiled import compiled
+from scenewright.solvers.draws import Stream, uniform
+from scenewright.solvers.hall_moves import drawn_code, reseed, scatter
+from scenewright.terms.hall_place import unfold
+from scenewright.terms.hall_state import Ints, Prepared, Scratch, State
+from scenewright.terms.hall_trial import forget, place_all
+
+
+@compiled
+def place_one(
+    p: Prepared, s: State, work: Scratch, unit: int, tries: int, stream: Stream
+) -> bool:
+    """Find a place for a unit among those that are filed: gaps shrink with every try.
+
+    True if found; the unit is filed then.
+    """
+    first, last = p.spans[unit, 0], p.spans[unit, 1]
+    for count in range(tries):
+        tight = 1.0 - 0.97 * max(2.0 * count / tries - 1.0, 0.0)
+        reseed(p, s, unit, drawn_code(p, unit, stream), uniform(stream), tight)
+        scatter(p, s, unit, stream)
+        forget(work)
+        if unfold(p, s, work, unit) and place_all(p, s, work, unit)[0] >= 0.0:
+            return True
+        for i in range(first, last):
+            remove(s.buckets, i)
+    return False
+
+
+@compiled
+def place_units(
+    p: Prepared, s: State, work: Scratch, order: Ints, tries: int, stream: Stream, placed: Floats
+) -> None:
+    """Place units in a given order; ``placed`` (g,) tells which found room."""
+    for i in range(s.frames.shape[0]):
+        remove(s.buckets, i)
+    for k in range(order.shape[0]):
+        placed[order[k]] = 1.0 if place_one(p, s, work, order[k], tries, stream) else 0.0
+
+
+@compiled
+def copy_frames(s: State, out: Floats) -> None:
+    """Boxes (n, 5) of the footprints."""
+    for i in range(s.frames.shape[0]):
+        frame = read_frame(s.frames, i)
+        out[i, 0], out[i, 1], out[i, 2] = frame[0], frame[1], frame[7]
+        out[i, 3], out[i, 4] = 2.0 * frame[4], 2.0 * frame[5]
