@@ -17,7 +17,6 @@ from scenewright.geometry.boxes import (
     Frame,
     distance_to_box,
     frames_of,
-    part_of,
     read_frame,
 )
 from scenewright.geometry.compiled import compiled, inlined

@@ -79,37 +79,31 @@ def take_first(search: Search, size: int) -> int:
 
 
 @compiled
-def spread(search: Search, slow: Floats, clear: Raster, starts: Ints, goal: int) -> None:
+def spread(search: Search, slow: Floats, cell: float, starts: Ints, goal: int) -> None:
     """Travel times from the nearest of the cells ``starts`` to every cell, or until ``goal`` (a
-    cell, -1: none) is reached.
-
-    A step is taken only if the discs clear around its two ends cover it, so that no wall
-    however thin is crossed.
-    """
+    cell, -1: none) is reached; ``slow`` (rows, columns), ``cell`` in metres."""
     columns, size = slow.shape[1], starts.shape[0]
     gx, gy = goal % columns, goal // columns
-    hope = FASTEST * clear.cell if goal >= 0 else 0.0
-    for cell in range(search.times.shape[0]):
-        search.times[cell] = math.inf
+    hope = FASTEST * cell if goal >= 0 else 0.0
+    for k in range(search.times.shape[0]):
+        search.times[k] = math.inf
     for k in range(starts.shape[0]):
         search.times[starts[k]], search.before[starts[k]] = 0.0, -1
         search.source[starts[k]] = k
         x, y = starts[k] % columns, starts[k] // columns
         settle_in(search, hope * math.hypot(x - gx, y - gy), starts[k], k)
     while size > 0:
-        cell = take_first(search, size)
+        here = take_first(search, size)
         size -= 1
-        if cell == goal:
+        if here == goal:
             return
-        row, column = cell // columns, cell % columns
+        row, column = here // columns, here % columns
         for near in range(9):
             r, c = row + near // 3 - 1, column + near % 3 - 1
             if near == 4 or r < 0 or c < 0 or r >= slow.shape[0] or c >= columns:
                 continue
-            length = clear.cell * (1.0 if near % 2 == 1 else math.sqrt(2.0))
-            if clear.values[row, column] + clear.values[r, c] <= length:
-                continue
-            time = search.times[cell] + 0.5 * length * (slow[row, column] + slow[r, c])
+            length = cell * (1.0 if near % 2 == 1 else math.sqrt(2.0))
+            time = search.times[here] + 0.5 * length * (slow[row, column] + slow[r, c])
             other = r * columns + c
             if time < search.times[other]:
                 fresh = search.times[other] == math.inf
@@ -117,8 +111,8 @@ def spread(search: Search, slow: Floats, clear: Raster, starts: Ints, goal: int)
                 if hole < 0:
                     continue  # settled; less only by rounding
                 size += 1 if fresh else 0
-                search.times[other], search.before[other] = time, cell
-                search.source[other] = search.source[cell]
+                search.times[other], search.before[other] = time, here
+                search.source[other] = search.source[here]
                 settle_in(search, time + hope * math.hypot(c - gx, r - gy), other, hole)
 
 
@@ -134,6 +128,15 @@ def straight_time(slow: Floats, cell: float, a: int, b: int) -> float:
         r, c = int(ay + share * (by - ay) + 0.5), int(ax + share * (bx - ax) + 0.5)
         total += slow[r, c]
     return total / steps * cell * math.hypot(bx - ax, by - ay)
+
+
+@compiled
+def shorten(times: Floats, slow: Floats, cell: float, cells: Ints) -> None:
+    """Lower travel times (n, n) between cells to those along straight lines."""
+    for i in range(cells.shape[0]):
+        for j in range(i):
+            time = min(times[i, j], straight_time(slow, cell, cells[i], cells[j]))
+            times[i, j], times[j, i] = time, time
 
 
 @compiled

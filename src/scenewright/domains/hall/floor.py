@@ -21,8 +21,10 @@ AT_EASE = 1.2
 """Clearance to both sides from which on more makes nobody walk faster, in metres."""
 PRESSED = 0.5
 """Speed at the least width asked for, as a share of the full speed of 1 m/s."""
-NARROW = 1e4
-"""How much slower it goes where it is narrower than asked for."""
+BRUSHING = 6.0
+"""Seconds a metre through a cell that is less than half a cell too narrow."""
+NARROW = 1e6
+"""Seconds a metre where it is narrower than asked for: any other way is quicker."""
 LEAST = 0.15
 """Nobody passes with less clearance to both sides, in metres."""
 
@@ -59,13 +61,17 @@ def find_floor(space: Space, pieces: tuple[Piece, ...], catalog: Catalog, width:
 
 
 def _slowness(clear: Raster, half: float) -> Floats:
-    """Seconds a metre; half a cell is let pass, since a way seldom runs along cell centres."""
+    """Seconds a metre; half a cell is let pass, since a way seldom runs along cell centres.
+
+    Nobody passes where cells are too coarse to tell whether a wall is between them.
+    """
     free = clear.values
     ease = np.clip((free - half) / max(AT_EASE - half, 0.1), 0.0, 1.0)
     slow = 1.0 / (PRESSED + (1.0 - PRESSED) * ease)
+    slow[free < half] = BRUSHING
     tight = free < half - clear.cell / 2
     slow[tight] = NARROW * half / np.maximum(free[tight], LEAST)
-    slow[free < LEAST] = np.inf
+    slow[free < max(LEAST, 0.75 * clear.cell)] = np.inf
     return slow
 
 

@@ -12,9 +12,9 @@ from scenewright.catalog import Catalog
 from scenewright.geometry.clearway import Raster
 from scenewright.layout import corners
 from scenewright.scene import Piece
-from scenewright.scene_graph import PlacedGroup
 
 Floats = NDArray[np.float64]
+Cells = NDArray[np.int64]
 
 SIDES = ("front", "left", "back", "right")
 AWAY = (0.7, 1.0, 1.4)
@@ -27,10 +27,12 @@ after about 6 m of a row."""
 MOST, MOST_OF_SEATS = 6, 2
 SHARE = 1 / 8
 """Least share of a group's objects a further place must add."""
-NARROW = 500.0
-"""A way slower by so many seconds leads through a place narrower than asked for."""
+WIDE = 1e4
+"""A way of more seconds leads through a place narrower than asked for."""
 AT_EASE = 1.2
 """More clearance than this, in metres, makes a place no better."""
+TOUCHING = 0.05
+"""Nothing is seen through what is nearer than this to the line of sight, in metres."""
 SEATS = ("chair", "seat", "stool")
 
 
@@ -39,71 +41,92 @@ class Views(NamedTuple):
     the ``objects`` (k,) seen from each, and the clearance ``room`` (k,)."""
 
     points: Floats
-    cells: NDArray[np.int64]
-    objects: NDArray[np.int64]
+    cells: Cells
+    objects: Cells
     room: Floats
 
 
 def stops_of(
-    group: PlacedGroup,
-    members: tuple[Piece, ...],
-    catalog: Catalog,
-    clear: Raster,
-    times: Floats,
-) -> NDArray[np.int64]:
-    """Cells of the raster to stop at so as to see a group, none if there is no way to it.
+    members: tuple[Piece, ...], catalog: Catalog, clear: Raster, times: Floats, half: float
+) -> list[Cells]:
+    """Stops to see a group: for each the cells of the raster that will do, the best one first;
+    none if there is no way to it.
 
-    A place lies before a side its objects are used from, as far away as gives most room. Places
-    are taken greedily by how many more objects they show; those in the open come first. Rows of
-    seats are looked at from their rim. ``times`` are those from the entrance.
+    A place lies before a side its objects are used from, with nothing between. Places are taken
+    greedily by how many more objects they show; those in the open come first. Rows of seats are
+    looked at from their rim. ``times`` are those from the entrance, ``half`` the clearance a
+    visitor would like to have.
     """
     boxes = np.array([[*p.pose[:2], p.pose.heading, *p.size[:2]] for p in members])
-    views = _usable(_views(boxes, members, catalog, clear), times)
+    views = _usable(_views(boxes, members, catalog, clear), times, half)
     seats = bool(members) and any(word in members[0].category for word in SEATS)
     if seats:
         views = _at_the_rim(views, boxes)
     if not len(views.cells):
-        return np.zeros(0, np.int64)
-    return _cover(_thinned(views, clear), views, MOST_OF_SEATS if seats else MOST)
+        return []
+    return _cover(_thinned(views), views, MOST_OF_SEATS if seats else MOST)
 
 
 def _views(boxes: Floats, members: tuple[Piece, ...], catalog: Catalog, clear: Raster) -> Views:
-    """A grid of places before every side in use."""
-    rows = [np.zeros((0, 3))]
+    """Places before every side in use."""
+    lines = [np.zeros((0, len(AWAY) + 1, 2))]
+    owners = []
     for k, (box, piece) in enumerate(zip(boxes, members, strict=True)):
         kind = catalog.kinds.get(piece.category)
-        rows += [_before(box, SIDES.index(s), k) for s in (kind and kind.access) or SIDES]
-    found = np.vstack(rows)
-    points, owners = found[:, :2], found[:, 2].astype(np.int64)
-    shape = np.array(clear.values.shape)
-    corner = np.array([clear.x0, clear.y0])
-    at = np.floor((points - corner) / clear.cell).astype(np.int64)[:, ::-1]
-    inside = ((at >= 0) & (at < shape)).all(axis=1)
-    cells = np.ravel_multi_index(tuple(at[inside].T), tuple(shape))
-    return Views(points[inside], cells, owners[inside], clear.values.ravel()[cells])
+        for side in (kind and kind.access) or SIDES:
+            lines.append(_before(box, SIDES.index(side)))
+            owners += [k] * len(lines[-1])
+    starts, points = np.split(np.concatenate(lines), [1], axis=1)
+    owner = np.repeat(np.array(owners, np.int64), len(AWAY))
+    starts, points = np.broadcast_to(starts, points.shape).reshape(-1, 2), points.reshape(-1, 2)
+    room, cells = _look_up(clear, points)
+    views = Views(points, cells, owner, room)
+    return _some(views, (room > 0) & _in_sight(clear, starts, points))
 
 
-def _before(box: Floats, side: int, owner: int) -> Floats:
-    """Places (k, 3) before one side of a box, with the object they show."""
+def _before(box: Floats, side: int) -> Floats:
+    """Points (k, 4, 2) on one side of a box, 0.2 m before it and at the distances to stand at."""
     heading = box[2] + side * np.pi / 2
     wide, deep = (box[3], box[4]) if side % 2 == 0 else (box[4], box[3])
     count = max(int(np.ceil(wide / ALONG)), 1)
     across = ((np.arange(count) + 0.5) / count - 0.5) * wide
-    u, v = (axis.ravel() for axis in np.meshgrid(across, deep / 2 + np.array(AWAY)))
+    u, v = np.meshgrid(across, deep / 2 + np.array([0.2, *AWAY]), indexing="ij")
     x = box[0] + u * np.sin(heading) + v * np.cos(heading)
     y = box[1] - u * np.cos(heading) + v * np.sin(heading)
-    return np.column_stack([x, y, np.full(len(x), owner)])
+    return np.stack([x, y], axis=-1)
 
 
-def _usable(views: Views, times: Floats) -> Views:
-    """The places one can walk to; by a way that is nowhere too narrow, if there are such."""
+def _look_up(clear: Raster, points: Floats) -> tuple[Floats, Cells]:
+    """The clearance (k,) at points (k, 2) and the cells they are in; 0 off the raster."""
+    shape = np.array(clear.values.shape)
+    at = np.floor((points - (clear.x0, clear.y0)) / clear.cell).astype(np.int64)[:, ::-1]
+    inside = ((at >= 0) & (at < shape)).all(axis=1)
+    row, column = np.clip(at, 0, shape - 1).T
+    return np.where(inside, clear.values[row, column], 0.0), row * shape[1] + column
+
+
+def _in_sight(clear: Raster, starts: Floats, points: Floats) -> NDArray[np.bool_]:
+    """Whether nothing lies between two points, looked at every 10 cm."""
+    seen = np.ones(len(points), bool)
+    for share in np.linspace(0.0, 1.0, 12, endpoint=False):
+        seen &= _look_up(clear, starts + share * (points - starts))[0] > TOUCHING
+    return seen
+
+
+def _usable(views: Views, times: Floats, half: float) -> Views:
+    """The places one can walk to: those in the open, by a way that is nowhere too narrow, if
+    there are such."""
     took = times[views.cells]
-    least = took.min(initial=np.inf)
-    return _some(views, np.isfinite(took) & (took < least + NARROW))
+    for wanted in ((took < WIDE) & (views.room >= half), took < WIDE):
+        if wanted.any():
+            return _some(views, wanted)
+    return _some(views, np.isfinite(took))
 
 
 def _some(views: Views, wanted: NDArray[np.bool_]) -> Views:
-    return Views(*(column[wanted] for column in views))
+    return Views(
+        views.points[wanted], views.cells[wanted], views.objects[wanted], views.room[wanted]
+    )
 
 
 def _at_the_rim(views: Views, boxes: Floats) -> Views:
@@ -113,7 +136,7 @@ def _at_the_rim(views: Views, boxes: Floats) -> Views:
     return _some(views, outside) if outside.any() else views
 
 
-def _thinned(views: Views, clear: Raster) -> Views:
+def _thinned(views: Views) -> Views:
     """The place with most room of every square, smaller ones for smaller groups."""
     low, high = views.points.min(axis=0), views.points.max(axis=0)
     square = max(0.5, float((high - low).max()) / 25)
@@ -123,21 +146,30 @@ def _thinned(views: Views, clear: Raster) -> Views:
     return _some(views, np.isin(np.arange(len(at)), best[first]))
 
 
-def _cover(places: Views, views: Views, most: int) -> NDArray[np.int64]:
-    """Cells of places that together show as many objects as possible, best first."""
-    total = len(np.unique(views.objects))
-    apart = np.hypot(*(places.points[:, None] - views.points[None]).transpose(2, 0, 1))
+def _cover(places: Views, views: Views, most: int) -> list[Cells]:
+    """Cells of places that together show as many objects as possible, each with the others that
+    show what it adds."""
+    shown = _shown(places, views)
+    left = shown.copy()
+    ease = 0.5 + 0.5 * np.minimum(places.room, AT_EASE) / AT_EASE
+    found: list[Cells] = []
+    while len(found) < most:
+        gain = left.sum(axis=1)
+        best = int(np.argmax(gain * ease))
+        if gain[best] == 0 or (found and gain[best] < SHARE * shown.shape[1]):
+            break
+        added = left[best].copy()
+        others = np.flatnonzero(shown[:, added].all(axis=1) & (ease > 0.9 * ease[best]))
+        found.append(places.cells[[best, *others[others != best]]])
+        left[:, added] = False
+    return found
+
+
+def _shown(places: Views, views: Views) -> NDArray[np.bool_]:
+    """Which objects (n,) each of the places (k,) shows: those with a view nearby."""
     number = np.unique(views.objects, return_inverse=True)[1]
-    shown = np.zeros((len(places.cells), total), bool)
+    shown = np.zeros((len(places.cells), int(number.max()) + 1), bool)
+    apart = np.hypot(*(places.points[:, None] - views.points[None]).transpose(2, 0, 1))
     place, view = np.nonzero(apart <= IN_VIEW)
     shown[place, number[view]] = True
-    ease = 0.5 + 0.5 * np.minimum(places.room, AT_EASE) / AT_EASE
-    found: list[int] = []
-    while len(found) < most:
-        gain = shown.sum(axis=1)
-        best = int(np.argmax(gain * ease))
-        if gain[best] == 0 or (found and gain[best] < SHARE * total):
-            break
-        found.append(int(places.cells[best]))
-        shown[:, shown[best]] = False
-    return np.array(found, np.int64)
+    return shown

@@ -8,38 +8,27 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog
 from scenewright.domains.hall.floor import Floor, find_floor
-from scenewright.domains.hall.stops import stops_of
+from scenewright.domains.hall.visits import find_order, find_places, search_from, slide
 from scenewright.geometry.clearway import Raster, distances
-from scenewright.geometry.rounds import shortest_round
-from scenewright.geometry.travel import Search, make_search, pull, round_off, spread
+from scenewright.geometry.travel import Search, make_search, pull, round_off
 from scenewright.scene import Piece
-from scenewright.scene_graph import PlacedGroup, SceneGraph, Stop, Tour
+from scenewright.scene_graph import SceneGraph, Stop, Tour
 from scenewright.space import Opening, Points, Space
 
 Floats = NDArray[np.float64]
 Cells = NDArray[np.int64]
 
-LEAVE_ZONE, LEAVE_GROUP = 15.0, 4.0
-"""Seconds a tour may lose so as to see a zone, or a group, in one go."""
 STEP, FINE = 0.5, 0.25
 """Distance of the points of a tour, and of those that are rounded off, at most, in metres."""
+BEHIND, TURN = 1.2, 4.0
+"""Turning round costs so many seconds a metre about so many metres behind."""
 SWERVE, ROUNDS = 0.4, 24
-
-
-class Places(NamedTuple):
-    """Where the tour has to pass: ``cells`` (n,) of the raster, entrance first, and the number
-    of the ``groups`` (n,) and ``zones`` (n,) they belong to (-1 for doors)."""
-
-    cells: Cells
-    groups: Cells
-    zones: Cells
 
 
 def tour(
@@ -62,12 +51,13 @@ def tour(
         return None
     search = make_search(floor.slow.size)
     start = _cell(floor, entrances[0])
-    _spread(search, floor, [start])
+    search_from(search, floor, [start])
     doors = _last_doors(floor, search.times, entrances[0], exits)
     groups = [group for group in graph.groups if group.space == space.id]
-    places = _places(floor, search.times, groups, pieces, catalog, start)
-    order, way_out = _order(search, floor, places, [_cell(floor, door) for door in doors])
-    cells = [*places.cells[order].tolist(), _cell(floor, doors[way_out])]
+    places = find_places(floor, search.times, groups, pieces, catalog, width, start)
+    order, way_out = find_order(search, floor, places, [_cell(floor, door) for door in doors])
+    end = _cell(floor, doors[way_out])
+    cells = slide(floor, [*(places.others[k] for k in order), np.array([end])])
     line, at = _line(search, floor, cells)
     line[0], line[-1] = _middle(entrances[0]), _middle(doors[way_out])
     if len(line) < 2 or (len(cells) == 2 and cells[0] == cells[1]):
@@ -118,91 +108,42 @@ def _last_doors(
     ]
 
 
-def _places(
-    floor: Floor,
-    times: Floats,
-    groups: list[PlacedGroup],
-    pieces: tuple[Piece, ...],
-    catalog: Catalog,
-    start: int,
-) -> Places:
-    """The entrance and the places to stop at."""
-    known = {piece.id: piece for piece in pieces}
-    zones = {zone: k for k, zone in enumerate(dict.fromkeys(group.zone for group in groups))}
-    rows = [(start, -1, -1)]
-    for number, group in enumerate(groups):
-        members = tuple(known[name] for name in group.objects if name in known)
-        stops = stops_of(group, members, catalog, floor.clear, times)
-        rows += [(int(cell), number, zones[group.zone]) for cell in stops]
-    return Places(*np.array(rows, np.int64).T)
-
-
-def _order(search: Search, floor: Floor, places: Places, doors: list[int]) -> tuple[Cells, int]:
-    """The order of the places, and the number of the door to leave by."""
-    n = len(places.cells)
-    times = _travel_times(search, floor, np.array([*places.cells, *doors]))
-    costs = np.zeros((n + 1, n + 1))
-    costs[:n, :n] = times[:n, :n]
-    costs[1:n, 1:n] += LEAVE_ZONE * (places.zones[1:, None] != places.zones[1:])
-    costs[1:n, 1:n] += LEAVE_GROUP * (places.groups[1:, None] != places.groups[1:])
-    costs[n, :n] = costs[:n, n] = times[:n, n:].min(axis=1)
-    order = shortest_round(costs)[:-1]
-    return order, int(np.argmin(times[order[-1], n:]))
-
-
-def _travel_times(search: Search, floor: Floor, cells: Cells) -> Floats:
-    """Travel times (n, n) between cells of the raster.
-
-    All of them start at once; where the areas nearest to two of them touch, there is a way
-    between the two. Ways over several are sums (Floyd 1962, Warshall 1962), so a time may be
-    somewhat too long, never too short.
-    """
-    own, number = np.unique(cells, return_inverse=True)
-    _spread(search, floor, own.tolist())
-    shape, cell, n = floor.slow.shape, floor.clear.cell, len(own)
-    source, took = search.source.reshape(shape), search.times.reshape(shape)
-    times = np.where(np.eye(n, dtype=bool), 0.0, np.inf)
-    for here, there, length in _neighbours(cell):
-        a, b = source[here], source[there]
-        met = (a != b) & np.isfinite(took[here]) & np.isfinite(took[there])
-        met &= floor.clear.values[here] + floor.clear.values[there] > length
-        over = 0.5 * length * (floor.slow[here][met] + floor.slow[there][met])
-        way = took[here][met] + took[there][met] + over
-        np.minimum.at(times, (a[met], b[met]), way)
-    times = np.minimum(times, times.T)
-    for k in range(n):
-        np.minimum(times, times[:, k : k + 1] + times[k], out=times)
-    return times[np.ix_(number, number)]
-
-
-def _neighbours(
-    cell: float,
-) -> list[tuple[tuple[slice, slice], tuple[slice, slice], float]]:
-    """Views of a raster shifted against each other by one cell, and the distance."""
-    every, first, last = slice(None), slice(None, -1), slice(1, None)
-    return [
-        ((every, first), (every, last), cell),
-        ((first, every), (last, every), cell),
-        ((first, first), (last, last), cell * math.sqrt(2)),
-        ((first, last), (last, first), cell * math.sqrt(2)),
-    ]
-
-
 def _line(search: Search, floor: Floor, cells: list[int]) -> tuple[Points, Cells]:
     """The way over the cells as a line (k, 2) and where along it each of them is."""
-    path, at = [cells[0]], [0]
+    line, at = _centres(floor, cells[:1]), [0]
     for start, goal in pairwise(cells):
-        path += _leg(search, floor, start, goal)
-        at.append(len(path) - 1)
-    row, column = np.divmod(np.array(path), floor.slow.shape[1])
+        leg = _leg(search, _onward(floor, line), start, goal)
+        line = np.vstack([line, _centres(floor, leg)])
+        at.append(len(line) - 1)
+    return line, np.array(at)
+
+
+def _onward(floor: Floor, line: Points) -> Floor:
+    """The floor for one who came along a line and would rather not turn round: slow behind."""
+    along = _lengths(line)
+    if along[-1] < BEHIND:
+        return floor
+    x, y = (np.interp(along[-1] - BEHIND, along, line[:, axis]) for axis in (0, 1))
     clear = floor.clear
-    x, y = clear.x0 + (column + 0.5) * clear.cell, clear.y0 + (row + 0.5) * clear.cell
-    return np.column_stack([x, y]), np.array(at)
+    column, row = int((x - clear.x0) / clear.cell), int((y - clear.y0) / clear.cell)
+    reach = math.ceil(BEHIND / clear.cell)
+    rows = np.arange(max(row - reach, 0), min(row + reach + 1, len(floor.slow)))
+    columns = np.arange(max(column - reach, 0), min(column + reach + 1, floor.slow.shape[1]))
+    near = np.hypot(rows[:, None] - row, columns - column) * clear.cell < 0.9 * BEHIND
+    slow = floor.slow.copy()
+    slow[np.ix_(rows, columns)] += TURN * near
+    return floor._replace(slow=slow)
+
+
+def _centres(floor: Floor, cells: list[int]) -> Points:
+    row, column = np.divmod(np.array(cells), floor.slow.shape[1])
+    clear = floor.clear
+    return clear.cell * (np.column_stack([column, row]) + 0.5) + (clear.x0, clear.y0)
 
 
 def _leg(search: Search, floor: Floor, start: int, goal: int) -> list[int]:
     """The corners of the quickest way between two cells, without the first."""
-    _spread(search, floor, [start], goal)
+    search_from(search, floor, [start], goal)
     back = [goal]
     while back[-1] != start:
         back.append(int(search.before[back[-1]]))
@@ -217,7 +158,7 @@ def _smooth(line: Points, at: Cells, clear: Raster, least: float) -> tuple[Point
     along = _lengths(line)
     home = _resampled(line, along, FINE)
     points = home.copy()
-    round_off(points, home, clear, least, SWERVE, ROUNDS)
+    round_off(points, home, clear, least + clear.cell / 2, SWERVE, ROUNDS)
     share = np.searchsorted(np.linspace(0, along[-1], len(home)), along[at] - 1e-9)
     grown = _lengths(points)
     done = _resampled(points, grown, STEP)
@@ -245,7 +186,3 @@ def _cell(floor: Floor, door: Opening) -> int:
     column = int((door.x - floor.clear.x0) / floor.clear.cell)
     row = int((door.y - floor.clear.y0) / floor.clear.cell)
     return row * floor.slow.shape[1] + column
-
-
-def _spread(search: Search, floor: Floor, starts: list[int], goal: int = -1) -> None:
-    spread(search, floor.slow, floor.clear, np.array(starts, np.int32), goal)

@@ -1,0 +1,131 @@
+"""In which order a visitor sees the groups, and where exactly to stop for each."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.catalog import Catalog
+from scenewright.domains.hall.floor import Floor
+from scenewright.domains.hall.stops import stops_of
+from scenewright.geometry.rounds import shortest_round
+from scenewright.geometry.travel import Search, shorten, spread
+from scenewright.scene import Piece
+from scenewright.scene_graph import PlacedGroup
+
+Floats = NDArray[np.float64]
+Cells = NDArray[np.int64]
+
+LEAVE_ZONE, LEAVE_GROUP = 15.0, 4.0
+"""Seconds a tour may lose so as to see a zone, or a group, in one go."""
+CROWDED = 10.0
+"""A stop in a narrow place is worth a way longer by so many metres, at most."""
+
+
+class Places(NamedTuple):
+    """Where the tour has to pass: ``cells`` (n,) of the raster, entrance first, and the number
+    of the ``groups`` (n,) and ``zones`` (n,) they belong to (-1 for doors); ``others``
+    has for each place all cells that would do, the best one first."""
+
+    cells: Cells
+    groups: Cells
+    zones: Cells
+    others: list[Cells]
+
+
+def find_places(
+    floor: Floor,
+    times: Floats,
+    groups: list[PlacedGroup],
+    pieces: tuple[Piece, ...],
+    catalog: Catalog,
+    width: float,
+    start: int,
+) -> Places:
+    """The entrance and the places to stop at."""
+    known = {piece.id: piece for piece in pieces}
+    zones = {zone: k for k, zone in enumerate(dict.fromkeys(group.zone for group in groups))}
+    rows, others = [(start, -1, -1)], [np.array([start])]
+    for number, group in enumerate(groups):
+        members = tuple(known[name] for name in group.objects if name in known)
+        stops = stops_of(members, catalog, floor.clear, times, width / 2)
+        rows += [(int(spots[0]), number, zones[group.zone]) for spots in stops]
+        others += stops
+    cells, owners, within = np.array(rows, np.int64).T
+    return Places(cells, owners, within, others)
+
+
+def find_order(search: Search, floor: Floor, places: Places, doors: list[int]) -> tuple[Cells, int]:
+    """The order of the places, and the number of the door to leave by."""
+    n = len(places.cells)
+    times = _travel_times(search, floor, np.array([*places.cells, *doors]))
+    costs = np.zeros((n + 1, n + 1))
+    costs[:n, :n] = times[:n, :n]
+    costs[1:n, 1:n] += LEAVE_ZONE * (places.zones[1:, None] != places.zones[1:])
+    costs[1:n, 1:n] += LEAVE_GROUP * (places.groups[1:, None] != places.groups[1:])
+    costs[n, :n] = costs[:n, n] = times[:n, n:].min(axis=1)
+    order = shortest_round(costs)[:-1]
+    return order, int(np.argmin(times[order[-1], n:]))
+
+
+def slide(floor: Floor, choices: list[Cells]) -> list[int]:
+    """One cell of each of the choices in turn, so that the way over them is short and in the
+    open: by dynamic programming over straight distances (Bellman 1957)."""
+    columns, clear = floor.slow.shape[1], floor.clear
+    spots = [np.column_stack(np.divmod(cells, columns)) * clear.cell for cells in choices]
+    cost, before = np.zeros(len(choices[0])), []
+    for last, here, cells in zip(spots, spots[1:], choices[1:], strict=False):
+        apart = np.hypot(*(here[:, None] - last[None]).transpose(2, 0, 1))
+        slow = floor.slow.ravel()[cells]
+        before.append(np.argmin(cost + apart, axis=1))
+        cost = (cost + apart).min(axis=1) + np.minimum(slow, CROWDED)
+    best = [int(np.argmin(cost))]
+    for row in before[::-1]:
+        best.append(int(row[best[-1]]))
+    return [int(cells[k]) for cells, k in zip(choices, best[::-1], strict=True)]
+
+
+def _travel_times(search: Search, floor: Floor, cells: Cells) -> Floats:
+    """Travel times (n, n) between cells of the raster.
+
+    All of them start at once; where the areas nearest to two of them touch, there is a way
+    between the two, and so there is where a straight line is free. Ways over several are sums
+    (Floyd 1962, Warshall 1962). So a time may be somewhat too long.
+    """
+    own, number = np.unique(cells, return_inverse=True)
+    search_from(search, floor, own.tolist())
+    shape, cell, n = floor.slow.shape, floor.clear.cell, len(own)
+    source, took = search.source.reshape(shape), search.times.reshape(shape)
+    times = np.where(np.eye(n, dtype=bool), 0.0, np.inf)
+    for here, there, length in _neighbours(cell):
+        a, b = source[here], source[there]
+        met = (a != b) & np.isfinite(took[here]) & np.isfinite(took[there])
+        over = 0.5 * length * (floor.slow[here][met] + floor.slow[there][met])
+        way = took[here][met] + took[there][met] + over
+        np.minimum.at(times, (a[met], b[met]), way)
+    times = np.minimum(times, times.T)
+    shorten(times, floor.slow, cell, own.astype(np.int32))
+    for k in range(n):
+        np.minimum(times, times[:, k : k + 1] + times[k], out=times)
+    return times[np.ix_(number, number)]
+
+
+def _neighbours(
+    cell: float,
+) -> list[tuple[tuple[slice, slice], tuple[slice, slice], float]]:
+    """Views of a raster shifted against each other by one cell, and the distance."""
+    every, first, last = slice(None), slice(None, -1), slice(1, None)
+    return [
+        ((every, first), (every, last), cell),
+        ((first, every), (last, every), cell),
+        ((first, first), (last, last), cell * math.sqrt(2)),
+        ((first, last), (last, first), cell * math.sqrt(2)),
+    ]
+
+
+def search_from(search: Search, floor: Floor, starts: list[int], goal: int = -1) -> None:
+    """Travel times on a floor from some cells, to a goal or (-1) everywhere."""
+    spread(search, floor.slow, floor.clear.cell, np.array(starts, np.int32), goal)
