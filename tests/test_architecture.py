@@ -35,8 +35,13 @@ LAYERS = (
     },
     {
         "plan",
+        "gates",
         "zones",
+        "zone_wishes",
         "zoning",
+        "zoning_cuts",
+        "zoning_search",
+        "zoning_trees",
         "borders",
         "demands",
         "outlines",

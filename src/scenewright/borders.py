@@ -105,6 +105,17 @@ def wall_stretches(zone: Zone, space: Space) -> tuple[WallStretch, ...]:
     return tuple(found for line in lines for found in _straightened(line, windows))
 
 
+def floor_of(space: Space) -> shapely.Polygon:
+    """The floor of a space: its outline without its holes."""
+    return shapely.Polygon(space.outline, space.holes)
+
+
+def zone_of(outline: shapely.Polygon, name: tuple[str, str], space: Space) -> Zone:
+    """A zone with a clean outline; ``name`` is its id and its name."""
+    ring, holes = outlines.rings(outline)
+    return Zone(name[0], name[1] or name[0], space.id, ring, holes)
+
+
 def zone_edges(zone: Zone) -> Points:
     """Directed edges ``(e, 4)`` of a zone's outline and holes, the zone on their left."""
     return np.vstack([outlines.edges(ring) for ring in (zone.outline, *zone.holes)])

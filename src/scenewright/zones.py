@@ -6,25 +6,33 @@ between which zones people must be able to walk.
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Iterable
 from typing import NamedTuple
 
 import shapely
 
 from scenewright import outlines
-from scenewright.borders import Border, WallStretch, border_lengths, shared_borders, wall_stretches
-from scenewright.brief import Brief, Room
+from scenewright.borders import (
+    Border,
+    WallStretch,
+    border_lengths,
+    floor_of,
+    shared_borders,
+    wall_stretches,
+    zone_of,
+)
+from scenewright.brief import Brief
+from scenewright.demands import check_demands
 from scenewright.errors import InputError
 from scenewright.plan import place
 from scenewright.scene_graph import Zone, ZoneLink
 from scenewright.space import Space
+from scenewright.zone_wishes import check_names, wishes_of
+from scenewright.zoning import LEAST_ZONE, ZoneWish, proposals
 
 __all__ = ["Border", "HallPlan", "WallStretch", "borders_of", "wall_stretches", "zones_of"]
 
 OUTSIDE = 0.02
 OVERLAP = 0.02
-LEAST_ZONE = 1.0
 NEGLIGIBLE = 0.05
 
 
@@ -35,20 +43,46 @@ class HallPlan(NamedTuple):
     links: tuple[ZoneLink, ...]
 
 
-def zones_of(brief: Brief, number: int, space: Space) -> HallPlan:
+def zones_of(brief: Brief, number: int, space: Space, seed: int = 0, variant: int = 0) -> HallPlan:
     """The zones and links of room ``number`` of a brief, whose space is ``space``.
 
+    Zones without an outline are proposed (:mod:`scenewright.zoning`, by ``seed``); ``variant``
+    counts through proposals that differ, best first. A hall without zones is one, ``hall``.
     Raises InputError, with the place in the brief, for zones that cannot be built and links that
     cannot be walked.
     """
-    room = brief.rooms[number]
     check_names(brief, number, space)
-    zones = given_zones(brief, number, space)
-    if not room.zones:
-        zones = (zone_of(floor_of(space), ("hall", room.name), space),)
+    given = given_zones(brief, number, space)
+    wishes = wishes_of(brief, number, space, given)
+    zones = tuple(given.values())
+    if len(zones) < len(wishes):
+        try:
+            zones = _proposed(brief, number, space, wishes, seed, variant)
+        except InputError as error:
+            raise error.located(place=place(brief, number)) from None
     borders = shared_borders(zones)
     links = _given_links(brief, number, space, zones, borders)
     return HallPlan(zones, links or default_links(zones, borders, brief.passage_width))
+
+
+def check_halls(brief: Brief, spaces: tuple[Space, ...]) -> None:
+    """InputError where the zones, links and demands of a brief's halls cannot be meant."""
+    for number, (room, space) in enumerate(zip(brief.rooms, spaces, strict=True)):
+        if brief.domain != "hall":
+            _check_plain(brief, number)
+            continue
+        if room.ask:
+            raise InputError(
+                "asks for groups of furniture, but is a hall",
+                "say what it is to hold in demands",
+                place=place(brief, number),
+            )
+        check_demands(brief, number, space)
+        if room.links or all(zone.outline for zone in room.zones):
+            zones_of(brief, number, space)
+        else:
+            check_names(brief, number, space)
+            wishes_of(brief, number, space, given_zones(brief, number, space))
 
 
 def borders_of(plan: HallPlan, space: Space) -> tuple[Border, ...]:
@@ -58,23 +92,12 @@ def borders_of(plan: HallPlan, space: Space) -> tuple[Border, ...]:
     return shared_borders(plan.zones)
 
 
-def floor_of(space: Space) -> shapely.Polygon:
-    """The floor of a space: its outline without its holes."""
-    return shapely.Polygon(space.outline, space.holes)
-
-
-def zone_of(outline: shapely.Polygon, name: tuple[str, str], space: Space) -> Zone:
-    """A zone with a clean outline; ``name`` is its id and its name."""
-    ring, holes = outlines.rings(outline)
-    return Zone(name[0], name[1] or name[0], space.id, ring, holes)
-
-
-def given_zones(brief: Brief, number: int, space: Space) -> tuple[Zone, ...]:
-    """The zones whose outline the brief states, cut to the floor."""
+def given_zones(brief: Brief, number: int, space: Space) -> dict[str, Zone]:
+    """The zones whose outline the brief states, by id, cut to the floor."""
     floor, shell = floor_of(space), shapely.Polygon(space.outline)
     reach = OUTSIDE + (brief.wall_thickness if brief.outlines == "centre" else 0.0)
-    found: list[tuple[str, shapely.Polygon]] = []
-    zones: list[Zone] = []
+    found: dict[str, shapely.Polygon] = {}
+    zones: dict[str, Zone] = {}
     for index, wish in enumerate(brief.rooms[number].zones):
         if wish.outline is None:
             continue
@@ -84,12 +107,12 @@ def given_zones(brief: Brief, number: int, space: Space) -> tuple[Zone, ...]:
             _check_inside(shape, shell, reach)
             part = _one_piece(shape.intersection(floor))
             _check_apart(part, found)
-            part = _one_piece(part.difference(shapely.union_all([s for _, s in found])))
+            part = _one_piece(part.difference(shapely.union_all(list(found.values()))))
         except InputError as error:
             raise error.located(place=told) from None
-        found.append((wish.id, part))
-        zones.append(zone_of(part, (wish.id, wish.name), space))
-    return tuple(zones)
+        found[wish.id] = part
+        zones[wish.id] = zone_of(part, (wish.id, wish.name), space)
+    return zones
 
 
 def default_links(
@@ -109,52 +132,36 @@ def default_links(
     )
 
 
-def zone_names(room: Room) -> tuple[str, ...]:
-    """The ids of a hall's zones: those listed, else those its demands name."""
-    listed = [zone.id for zone in room.zones]
-    asked = (name for demand in room.demands for name in _names(demand.zone))
-    return tuple(dict.fromkeys(listed or asked))
-
-
-def check_names(brief: Brief, number: int, space: Space) -> None:
-    """InputError where a zone is listed twice or a name in zones, links or demands means
-    nothing."""
+def _check_plain(brief: Brief, number: int) -> None:
     room = brief.rooms[number]
-    names = zone_names(room)
-    doors = [opening.id for opening in space.openings if opening.kind != "window"]
-    for index, zone in enumerate(room.zones):
-        told = place(brief, number, f"zones[{index}] '{zone.id}'")
-        if zone.id in [earlier.id for earlier in room.zones[:index]]:
-            raise InputError("the id is used twice", "give every zone its own id", place=told)
-        for name in zone.beside:
-            _check_known(name, names, f"{told} beside", "zone")
-            if name == zone.id:
-                raise InputError("is to lie beside itself", "name another zone", place=told)
-        if zone.door is not None:
-            _check_known(zone.door, doors, f"{told} door", "door of the hall")
-    for index, link in enumerate(room.links):
-        told = place(brief, number, f"links[{index}]")
-        for name in link.between:
-            _check_known(name, names, told, "zone")
-        if link.between[0] == link.between[1]:
-            raise InputError(f"links '{link.between[0]}' with itself", "name two zones", place=told)
-    for index, demand in enumerate(room.demands):
-        told = place(brief, number, f"demands[{index}] '{demand.id or demand.category}' zone")
-        for name in _names(demand.zone):
-            _check_known(name, names, told, "zone")
+    for key in ("zones", "links", "demands"):
+        if getattr(room, key):
+            raise InputError(
+                f"has {key}, which only halls have",
+                f'set "domain": "hall" in the brief, or leave out {key}',
+                place=place(brief, number),
+            )
 
 
-def _names(zone: str | list[str] | None) -> list[str]:
-    return [zone] if isinstance(zone, str) else list(zone or ())
+def _proposed(
+    brief: Brief,
+    number: int,
+    space: Space,
+    wishes: tuple[ZoneWish, ...],
+    seed: int,
+    variant: int,
+) -> tuple[Zone, ...]:
+    links = _unbuilt_links(brief, number, space)
+    width = brief.passage_width
+    found = proposals(space, wishes, variant + 1, seed, links, width)
+    return found[variant % len(found)]
 
 
-def _check_known(name: str, known: Iterable[str], told: str, what: str) -> None:
-    listed = list(known)
-    if name in listed:
-        return
-    near = difflib.get_close_matches(name, listed, 3) or listed[:12]
-    remedy = f"use one of: {', '.join(near)}" if near else f"there is no {what}: leave it out"
-    raise InputError(f"'{name}' is no {what}", remedy, place=told)
+def _unbuilt_links(brief: Brief, number: int, space: Space) -> tuple[ZoneLink, ...]:
+    return tuple(
+        ZoneLink(space.id, *link.between, brief.passage_width if link.width is None else link.width)
+        for link in brief.rooms[number].links
+    )
 
 
 def _check_inside(shape: shapely.Polygon, shell: shapely.Polygon, reach: float) -> None:
@@ -187,8 +194,8 @@ def _one_piece(shape: shapely.Geometry) -> shapely.Polygon:
     return largest
 
 
-def _check_apart(shape: shapely.Polygon, found: list[tuple[str, shapely.Polygon]]) -> None:
-    for name, other in found:
+def _check_apart(shape: shapely.Polygon, found: dict[str, shapely.Polygon]) -> None:
+    for name, other in found.items():
         shared = shape.intersection(other)
         if shared.area > OVERLAP:
             middle = shared.representative_point()

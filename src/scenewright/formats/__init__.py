@@ -63,10 +63,11 @@ def read(source: str | os.PathLike[str], keep: bool = False) -> Brief:
 
     from scenewright.formats.model_faults import told
     from scenewright.plan import spaces
+    from scenewright.zones import check_halls
 
     try:
         brief = _read(source, keep)
-        spaces(brief)
+        check_halls(brief, spaces(brief))
     except InputError as error:
         raise error.located(file=str(source)) from None
     except ValidationError as error:

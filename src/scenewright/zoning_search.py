@@ -1,0 +1,203 @@
+"""The search for a good division of a floor: annealing over trees of cuts.
+
+What counts: links and neighbours that share a border long enough to pass, zones at their doors,
+no cut through a door, compact zones without narrow ends.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.space import Points
+from scenewright.zoning_trees import (
+    Cuts,
+    Forest,
+    Piece,
+    changed,
+    divide,
+    every_tree,
+    placed_tree,
+)
+
+STARTS = 6
+STEPS = 40
+EXHAUSTIVE = 3
+HEAT = (0.5, 0.02)
+PAIR, DOOR, CUT_DOOR, FLAW, AREA = 2.0, 3.0, 2.0, 1.0, 4.0
+
+
+class Ground(NamedTuple):
+    """What is divided, in the hall's frame: the free ``parts`` of the floor among the zones
+    ``free``, beside those ``fixed``. ``areas`` of all zones; ``pairs`` (zone, zone, least border,
+    weight) that wish to meet; ``doors`` (d, 2, 2) their ends; ``at_door`` which zone wishes to
+    lie at which door."""
+
+    parts: tuple[shapely.Polygon, ...]
+    free: tuple[int, ...]
+    fixed: Mapping[int, shapely.Polygon]
+    areas: tuple[float, ...]
+    pairs: tuple[tuple[int, int, float, float], ...]
+    doors: Points
+    at_door: Mapping[int, int]
+
+
+Found = dict[Forest, tuple[float, dict[int, Piece]]]
+
+
+class Memory(NamedTuple):
+    """What one search has found out: cuts made, flaws of pieces by number, divisions tried."""
+
+    cuts: Cuts
+    flaws: dict[int, float]
+    found: Found
+
+
+def ranked(ground: Ground, seed: int, count: int) -> list[tuple[float, dict[int, shapely.Polygon]]]:
+    """The best ``count`` divisions found: their cost and the polygon of every free zone."""
+    found = _searched(ground, np.random.default_rng(seed))
+    best = sorted(found.values(), key=lambda row: row[0])
+    rows: list[tuple[float, dict[int, shapely.Polygon]]] = []
+    seen: set[tuple[int, ...]] = set()
+    for cost, pieces in best:
+        key = tuple(piece.number for _, piece in sorted(pieces.items()))
+        if key not in seen and len(rows) < count:
+            seen.add(key)
+            shapes = {zone: piece.shape for zone, piece in pieces.items()}
+            rows.append((cost, shapes))
+    return rows
+
+
+def _searched(ground: Ground, rng: np.random.Generator) -> Found:
+    """Every division tried, by its forest."""
+    memory = Memory({}, {}, {})
+    parts = [Piece(number, part) for number, part in enumerate(ground.parts)]
+    if len(parts) == 1 and len(ground.free) <= EXHAUSTIVE:
+        for tree in every_tree(ground.free):
+            _tried((tree,), ground, parts, memory)
+        return {forest: row for forest, row in memory.found.items() if np.isfinite(row[0])}
+    for _ in range(STARTS):
+        forest = _start(ground, rng)
+        cost = _tried(forest, ground, parts, memory)
+        for heat in np.geomspace(*HEAT, STEPS):
+            which = int(rng.integers(len(forest)))
+            trial = (*forest[:which], changed(forest[which], rng), *forest[which + 1 :])
+            new = _tried(trial, ground, parts, memory)
+            if new <= cost or rng.random() < np.exp((cost - new) / heat):
+                forest, cost = trial, new
+    return {forest: row for forest, row in memory.found.items() if np.isfinite(row[0])}
+
+
+def _start(ground: Ground, rng: np.random.Generator) -> Forest:
+    """Zones dealt out over the parts of the floor, each part cut by where zones wish to be."""
+    left = np.array([part.area for part in ground.parts])
+    scale = left.sum() / sum(ground.areas[zone] for zone in ground.free)
+    dealt: list[list[int]] = [[] for _ in ground.parts]
+    keys = {zone: ground.areas[zone] * rng.uniform(0.7, 1.4) for zone in ground.free}
+    for zone in sorted(ground.free, key=lambda zone: -keys[zone]):
+        part = int(np.argmax(left))
+        dealt[part].append(zone)
+        left[part] -= scale * ground.areas[zone]
+    at = _wished_places(ground, rng)
+    return tuple(
+        placed_tree(zones, at, ground.areas, part.bounds, rng)
+        for zones, part in zip(dealt, ground.parts, strict=True)
+        if zones
+    )
+
+
+def _wished_places(ground: Ground, rng: np.random.Generator) -> Points:
+    """Where zones would like to be (n, 2): at their door, at random, then drawn to those they
+    wish to meet (barycentric placement, Tutte 1963)."""
+    bounds = np.array([part.bounds for part in ground.parts])
+    low, high = bounds[:, :2].min(0), bounds[:, 2:].max(0)
+    at = rng.uniform(low, high, (len(ground.areas), 2))
+    held = {zone: ground.doors[door].mean(0) for zone, door in ground.at_door.items()}
+    held |= {zone: np.array(shape.centroid.coords[0]) for zone, shape in ground.fixed.items()}
+    for zone, point in held.items():
+        at[zone] = point
+    for _ in range(3):
+        for i, j, _, _ in ground.pairs:
+            middle = (at[i] + at[j]) / 2
+            for zone in (i, j):
+                if zone not in held:
+                    at[zone] += 0.3 * (middle - at[zone])
+    return at
+
+
+def _tried(forest: Forest, ground: Ground, parts: list[Piece], memory: Memory) -> float:
+    """The cost of a division, looked up or found and kept."""
+    if forest not in memory.found:
+        pieces: dict[int, Piece] | None = {}
+        for tree, part in zip(forest, parts, strict=False):
+            made = divide(part, tree, ground.areas, memory.cuts)
+            pieces = None if made is None or pieces is None else pieces | made
+        cost = np.inf if pieces is None else round(_cost(pieces, ground, memory.flaws), 6)
+        memory.found[forest] = (cost, pieces or {})
+    return memory.found[forest][0]
+
+
+def flaw(shape: shapely.Polygon) -> float:
+    """How far a zone is from a good shape, 0 for a square: ``(2 - 32 A / P²)³`` where it is
+    longer than a square (area A, outer perimeter P), the share by which its convex hull is
+    larger, and twice the square metres in ends too narrow for a box of a quarter of its mean
+    side (1 m at most)."""
+    area = shape.area
+    long = max(2.0 - 32.0 * area / shapely.length(shape.exterior) ** 2, 0.0)
+    hollow = shapely.convex_hull(shape).area / area - 1.0
+    if hollow < 0.01:
+        return min(long**3, 3.0) + hollow
+    outer, radius = shapely.Polygon(shape.exterior), min(0.25 * np.sqrt(area), 1.0) / 2
+    core = outer.buffer(-radius, join_style="mitre")
+    narrow = outer.area - core.buffer(radius, join_style="mitre").area
+    return float(min(long**3, 3.0) + hollow + 2.0 * min(narrow, 1.0))
+
+
+def _cost(pieces: dict[int, Piece], ground: Ground, flaws: dict[int, float]) -> float:
+    shapes = {zone: piece.shape for zone, piece in pieces.items()} | dict(ground.fixed)
+    cost = 0.0
+    for piece in pieces.values():
+        if piece.number not in flaws:
+            flaws[piece.number] = FLAW * flaw(piece.shape)
+        cost += flaws[piece.number]
+    cost += sum(
+        PAIR * weight * _apart(shapes[i], shapes[j], width)
+        for i, j, width, weight in ground.pairs
+        if i in pieces or j in pieces
+    )
+    cost += sum(
+        DOOR * _away(shapes[zone], ground.doors[door]) for zone, door in ground.at_door.items()
+    )
+    if len(ground.parts) > 1:
+        whole = sum(part.area for part in ground.parts)
+        all_areas = sum(ground.areas[zone] for zone in ground.free)
+        wished = {zone: ground.areas[zone] * whole / all_areas for zone in pieces}
+        cost += AREA * sum(abs(pieces[z].shape.area / wished[z] - 1.0) for z in pieces)
+    return cost + CUT_DOOR * _cut_doors(list(shapes.values()), ground.doors)
+
+
+def _apart(one: shapely.Polygon, two: shapely.Polygon, width: float) -> float:
+    """0 for two zones that share a border of ``width``, 1 where they just touch, more beyond."""
+    gap = shapely.distance(one, two)
+    if gap > 0.01:
+        return 1.0 + min(gap / 10.0, 1.0)
+    near = shapely.intersection(one.buffer(0.011, quad_segs=1) if gap > 0 else one, two)
+    border = shapely.length(near) / (2.0 if near.geom_type.endswith("Polygon") else 1.0)
+    return max(1.0 - float(border) / (width + 0.02), 0.0)
+
+
+def _away(shape: shapely.Polygon, door: Points) -> float:
+    gap = float(shapely.distance(shape, shapely.Point(door.mean(0))))
+    return 0.0 if gap < 0.15 else 1.0 + min(gap / 10.0, 1.0)
+
+
+def _cut_doors(shapes: list[shapely.Polygon], doors: Points) -> int:
+    """How many doors have their two ends in different zones."""
+    if len(doors) == 0:
+        return 0
+    within = shapely.intersects_xy(np.array(shapes)[:, None, None], doors[..., 0], doors[..., 1])
+    holder = np.where(within.any(0), within.argmax(0), -1)
+    return int((holder[:, 0] != holder[:, 1]).sum())
