@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 import pytest
-from benchmarks.hall_instances import PAPER, ring
-from benchmarks.shapely_hall import Laid, barrier, energies, grown, neighbours, polygon
+from benchmarks.hall_instances import PAPER, example_hall, ring
+from benchmarks.shapely_hall import Laid, ShapelyHall, barrier, energies, grown, neighbours, polygon
+from benchmarks.shapely_hall_steps import draw_hall, judge, metropolis
 
 from scenewright.hall_problem import HallGround, HallProblem, Units
 
@@ -140,3 +141,14 @@ def test_the_total_weighs_the_sums() -> None:
     found = energies(problem, boxes((1, 1, 0), (3, 3, 0)), [Laid("chain", 0, (2,))], NONE)
     assert found["total"] == pytest.approx(2.0 * found["space"] + 0.5 * found["fill"])
     assert found["space"] == pytest.approx(found["space/0"])
+
+
+def test_plain_metropolis_keeps_the_rules_and_improves() -> None:
+    problem = example_hall()
+    reference = ShapelyHall(problem)
+    before = judge(reference, problem, draw_hall(problem, reference, 1))
+    best, energy, _ = metropolis(problem, 1, 60)
+    after = judge(reference, problem, best)
+    assert after["total"] == pytest.approx(energy)
+    assert energy < before["total"]
+    assert max(after[rule] for rule in ("outside", "overlap", "blocked")) < 1e-4
