@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from scenewright.solution import Solution
 
 MOST_FINDINGS = 20
+MOST_BOTTLENECKS = 3
 LEAST_COST = 0.005
 """What is less rounds to nothing."""
 
@@ -72,6 +73,36 @@ def checked(console: Console, report: Report) -> None:
             f"{share:.0%}{level}" for level, share in zip(levels, shares.values(), strict=True)
         )
         console.print(Text(f"floor one can walk on: {told}", "dim"))
+    _halls(console, report.figures.get("halls", {}))
+
+
+def _halls(console: Console, halls: Mapping[str, Mapping[str, Any]]) -> None:
+    """The figures of halls as a table, then where their tours are narrow."""
+    if not halls:
+        return
+    rows = [{"hall": name, **_hall(figures)} for name, figures in halls.items()]
+    table(console, rows, "halls")
+    for name, figures in halls.items():
+        for place in figures["tour"].get("bottlenecks", [])[:MOST_BOTTLENECKS]:
+            console.print(Text(f"  the tour of {name} is {place['message']}", "dim"))
+
+
+def _hall(figures: Mapping[str, Any]) -> dict[str, Any]:
+    """One row of the table of halls."""
+    tour, distance = figures["tour"], figures["escape"]["distance"]
+    least = min((passage["clear"] for passage in figures["passages"]), default=None)
+    return {
+        "objects": figures["objects"],
+        "aesthetic": figures["aesthetic"],
+        "uniformity": figures["uniformity"],
+        "circulation": figures["circulation"],
+        "floor used": f"{figures['floor_used']:.0%}",
+        "walkable": f"{figures['walkable_share']:.0%}",
+        "least passage": None if least is None else f"{least:.2f} m",
+        "tour": f"{tour['length']:.0f} m, {tour['least_width']:.2f} m wide" if tour else None,
+        "seen": f"{tour['seen']:.0%}" if tour else None,
+        "way out": None if distance is None else f"{distance:.0f} m",
+    }
 
 
 def explained(console: Console, solution: Solution) -> None:

@@ -8,8 +8,9 @@ ours differ the module of the test says how.
 
 from __future__ import annotations
 
+from scenewright.brief import Room
 from scenewright.catalog import Catalog
-from scenewright.check.bodies import bodies_of, rooms_of
+from scenewright.check.bodies import Bodies, Rooms, bodies_of, rooms_of
 from scenewright.check.bounds import find_out_of_bounds, find_unsupported
 from scenewright.check.collisions import find_collisions
 from scenewright.check.complete import (
@@ -21,10 +22,20 @@ from scenewright.check.complete import (
     inscribed_width,
     room_figures,
 )
+from scenewright.check.hall_figures import Verdict, judge_halls
+from scenewright.check.halls import Hall, halls_of
 from scenewright.check.openings import find_blocked
 from scenewright.check.reach import find_unreachable
 from scenewright.check.report import KINDS, Finding, Note, Report, count_by_kind
-from scenewright.check.routes import grounds_of, navigable_share, reachable_share
+from scenewright.check.routes import (
+    ROBOT_RADIUS,
+    Ground,
+    Walk,
+    grounds_of,
+    navigable_share,
+    reachable_share,
+    walk_in,
+)
 from scenewright.solution import Solution
 from scenewright.space import Space
 
@@ -49,23 +60,60 @@ def check(
     rooms = rooms_of(_spaces(solution) if spaces is None else spaces)
     bodies, malformed = bodies_of(solution.pieces, rooms, catalog or _shipped())
     grounds = grounds_of(rooms, solution.brief.route_width)
+    walks = [walk_in(bodies, ground, solution.brief.route_width / 2) for ground in grounds]
+    narrow = [walk_in(bodies, ground, ROBOT_RADIUS) for ground in grounds]
+    halls, told = _halls(solution, bodies, rooms)
+    verdict = _judged(solution, halls, bodies, grounds, walks, narrow)
+    groups = [group for hall in halls for group in hall.groups]
     findings = (
         *malformed,
+        *told,
         *find_collisions(bodies, rooms.levels),
         *find_out_of_bounds(bodies, rooms),
         *find_blocked(bodies, rooms),
-        *find_unreachable(bodies, rooms, grounds, solution.brief.route_width),
+        *find_unreachable(bodies, rooms, grounds, walks, groups),
+        *verdict.findings,
         *find_unsupported(bodies, rooms),
     )
     figures = {
         "pieces": len(solution.pieces),
         "counts": count_by_kind(findings),
         "navigable_share": navigable_share(bodies, rooms, grounds),
-        "reachable_share": reachable_share(bodies, rooms, grounds),
+        "reachable_share": reachable_share(bodies, rooms, grounds, narrow),
         "rooms": room_figures(bodies, rooms),
     }
-    notes = (*find_doorless(bodies, rooms), *find_incomplete(bodies, rooms))
+    if halls:
+        figures["halls"] = verdict.figures
+    lived_in = solution.brief.domain == "home"
+    missing = find_incomplete(bodies, rooms) if lived_in else []
+    notes = (*find_doorless(bodies, rooms), *missing, *verdict.notes)
     return Report(findings, notes, figures)
+
+
+def _halls(solution: Solution, bodies: Bodies, rooms: Rooms) -> tuple[list[Hall], list[Finding]]:
+    """The spaces of an answer with a scene graph as halls; none for a home."""
+    if solution.graph is None:
+        return [], []
+    passage = solution.brief.passage_width
+    wishes = _wishes(solution)
+    return halls_of(solution.graph, solution.tours, wishes, passage, bodies, rooms)
+
+
+def _judged(
+    solution: Solution, halls: list[Hall], bodies: Bodies, grounds: list[Ground],
+    walks: list[Walk], narrow: list[Walk],
+) -> Verdict:  # fmt: skip
+    if not halls:
+        return Verdict([], [], {})
+    wishes = _wishes(solution)
+    return judge_halls(solution.brief, wishes, halls, bodies, grounds, walks, narrow)
+
+
+def _wishes(solution: Solution) -> dict[str, Room]:
+    """The rooms of the brief by the id of their space."""
+    from scenewright.plan import room_ids
+
+    return dict(zip(room_ids(solution.brief), solution.brief.rooms, strict=True))
 
 
 def _spaces(solution: Solution) -> tuple[Space, ...]:

@@ -22,6 +22,12 @@ Shape = Any  # one shapely geometry
 TOLERANCE = 0.01
 """What may overlap or stick out unseen, in metres."""
 
+WALL_GAP = 0.05
+"""Greatest gap between the back of a piece at a wall and the wall, in metres."""
+
+PARTITION = "partition"
+"""The category of walls that were laid out with the pieces."""
+
 HEAD_HEIGHT = 2.0
 """What begins above this height is in nobody's way, in metres."""
 

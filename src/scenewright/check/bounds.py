@@ -11,14 +11,20 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from scenewright.check.bodies import TOLERANCE, Bodies, Flags, Floats, Rooms, Shapes
+from scenewright.check.bodies import (
+    PARTITION,
+    TOLERANCE,
+    WALL_GAP,
+    Bodies,
+    Flags,
+    Floats,
+    Rooms,
+    Shapes,
+)
 from scenewright.check.report import Finding
 
 SUPPORT_GAP = 0.02
 """Greatest gap between a piece and what holds it, in metres."""
-
-WALL_GAP = 0.05
-"""Greatest gap between the back of a hung piece and its wall, in metres."""
 
 
 def find_out_of_bounds(bodies: Bodies, rooms: Rooms) -> list[Finding]:
@@ -96,10 +102,16 @@ def _stacked(bodies: Bodies) -> Flags:
 
 
 def _wall_gap(bodies: Bodies, shapes: Shapes) -> Floats:
-    """Distance from the middle of each back edge to the nearest wall of its room."""
+    """Distance from the middle of each back edge to the nearest wall or partition of its room."""
     backs = shapely.points((bodies.corners[:, 0] + bodies.corners[:, 3]) / 2)
     walls: Shapes = shapely.boundary(shapes)
-    return np.asarray(shapely.distance(backs, walls[bodies.room]), np.float64)
+    gap = np.asarray(shapely.distance(backs, walls[bodies.room]), np.float64)
+    built = np.flatnonzero([piece.category == PARTITION for piece in bodies.pieces])
+    for room in np.unique(bodies.room[built]):
+        partitions = shapely.union_all(bodies.footprints[built[bodies.room[built] == room]])
+        here = bodies.room == room
+        gap[here] = np.minimum(gap[here], shapely.distance(backs[here], partitions))
+    return gap
 
 
 def _sunk(bodies: Bodies, rooms: Rooms, i: int) -> Finding:

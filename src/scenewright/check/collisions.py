@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from scenewright.check.bodies import TOLERANCE, Bodies, Flags, Floats, Indices
+from scenewright.check.bodies import PARTITION, TOLERANCE, Bodies, Flags, Floats, Indices
 from scenewright.check.report import Finding
 
 _BACKREST = 0.05
@@ -41,7 +41,8 @@ def find_collisions(bodies: Bodies, names: tuple[str, ...]) -> list[Finding]:
     """Every colliding pair once, deepest overlap told; ``names`` are those of the levels.
 
     Allowed: flat things (rugs), curtains, a piece and the one it stands on, and a piece under
-    or in another as its kind says (a chair under its table, its back staying outside).
+    or in another as its kind says (a chair under its table, its back staying outside), and
+    partitions that join.
     """
     if len(bodies.pieces) < 2:
         return []
@@ -70,6 +71,8 @@ def _belong(bodies: Bodies, i: Indices, j: Indices) -> Flags:
 def _rests(bodies: Bodies, small: int, large: int) -> bool:
     """Whether ``small`` stands on ``large``, or may be under or in it."""
     if bodies.pieces[small].on == bodies.pieces[large].id:
+        return True
+    if bodies.pieces[small].category == bodies.pieces[large].category == PARTITION:
         return True
     if bodies.pieces[large].category not in bodies.kinds[small].under:
         return False

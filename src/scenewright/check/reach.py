@@ -1,4 +1,4 @@
-"""Reach: which rooms and pieces no route leads to, and what blocks them.
+"""Reach: which rooms, groups and pieces no route leads to, and what blocks them.
 
 SceneEval (Tam et al. 2025) scores accessibility as the share of an area before each functional
 side that no object covers. A free patch nobody can walk to is of no use, so here a side counts
@@ -7,58 +7,65 @@ when a person walking in by the door can come to stand before it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scenewright.catalog import Side
 from scenewright.check.bodies import Bodies, Floats, Rooms, Shape, Shapes
 from scenewright.check.complete import inscribed_width
+from scenewright.check.halls import Members
 from scenewright.check.report import Finding
-from scenewright.check.routes import Ground, Walk, squeeze_in, walk_in, walk_without
+from scenewright.check.routes import Ground, Walk, squeeze_in, walk_without
 
 REACH = 0.2
 """How far an arm reaches beyond the person's own radius, in metres."""
 
 _SIDES = {"front": (1, 2), "left": (2, 3), "back": (3, 0), "right": (0, 1)}
+_ROUND: tuple[Side, ...] = ("front", "left", "back", "right")
 _NEAREST = 12
 _TIGHT = 2.0
 _STEP = 0.1  # a route has entered a room when its centre is this far inside, metres
 
 
 class Target(NamedTuple):
-    """What has to be reached: a room, or a piece (its row, else -1), and the shape the centre of
-    the route has to come into."""
+    """What has to be reached: a room, or a piece (its row, else -1) or group (its id), and the
+    shape the centre of the route has to come into."""
 
     room: int
     piece: int
     shape: Shape
+    group: str = ""
 
 
 def find_unreachable(
-    bodies: Bodies, rooms: Rooms, grounds: list[Ground], route_width: float
-) -> list[Finding]:
-    """Rooms and pieces no route of ``route_width`` metres leads to, each with what blocks it.
+    bodies: Bodies, rooms: Rooms, grounds: list[Ground], walks: list[Walk],
+    groups: Sequence[Members] = (),
+) -> list[Finding]:  # fmt: skip
+    """Rooms, groups and pieces no route leads to, each with what blocks it.
 
+    ``walks`` are the routes, one for each of ``grounds``.
     A room is reached if the centre of the route can come into it; a room no route could enter
     even empty is not judged. A piece with using sides (its kind's ``access``) is reached if the
     centre comes within half the route width and :data:`REACH` of one of them, straight before
-    it. Pieces of a room that is not reached are not told one by one. Seats that go under tables
-    are pushed aside.
+    it. Pieces of a room that is not reached are not told one by one, nor those of a group none of
+    whose pieces is reached (objects of a group whose kind names no side are reached from any).
+    Seats that go under tables are pushed aside.
 
     No closet or toilet could be used if one had to walk about in it. So a *tight* room, nowhere
     as wide as two routes or closed to the route by a narrow doorway even while empty, is reached
     if its doorway is, and within it a person goes on sideways.
     """
     found: list[Finding] = []
-    for ground in grounds:
-        walk = walk_in(bodies, ground, route_width / 2)
+    for ground, walk in zip(grounds, walks, strict=True):
         shapely.prepare(walk.reached)
         wanted = _room_targets(rooms, ground, walk)
         missed = [t for t in wanted if not shapely.intersects(walk.reached, t.shape)]
         open_rooms = {t.room for t in wanted} - {t.room for t in missed}
-        missed += _missed_pieces(bodies, rooms, ground, walk, open_rooms)
+        missed += _missed_pieces(bodies, rooms, ground, walk, open_rooms, groups)
         blockers = _blockers(walk, missed)
         found += [
             _finding(bodies, rooms, walk, target, rows, word)
@@ -92,12 +99,15 @@ def _tight(rooms: Rooms, room: int, walk: Walk) -> bool:
 
 
 def _missed_pieces(
-    bodies: Bodies, rooms: Rooms, ground: Ground, walk: Walk, open_rooms: set[int]
-) -> list[Target]:
-    """Pieces with using sides, none of which the route comes to."""
+    bodies: Bodies, rooms: Rooms, ground: Ground, walk: Walk, open_rooms: set[int],
+    groups: Sequence[Members],
+) -> list[Target]:  # fmt: skip
+    """Pieces with using sides, none of which the route comes to, and groups of such pieces."""
     missed = []
+    grouped = {int(row) for group in groups for row in group.rows}
     for room in sorted(open_rooms):
-        rows = [int(i) for i in np.flatnonzero(bodies.room == room) if bodies.kinds[i].access]
+        here = np.flatnonzero(bodies.room == room).tolist()
+        rows = [i for i in here if bodies.kinds[i].access or i in grouped]
         if not rows:
             continue
         within = _with_doorways(rooms, ground, room)
@@ -106,14 +116,26 @@ def _missed_pieces(
         far = ~shapely.intersects(walk.reached, clipped)
         if far.any() and _tight(rooms, room, walk):
             far &= ~shapely.intersects(squeeze_in(bodies, ground, walk, within), clipped)
-        missed += [Target(room, rows[k], clipped[k]) for k in np.flatnonzero(far)]
+        shape = {rows[k]: clipped[k] for k in np.flatnonzero(far)}
+        lost = [g for g in groups if len(g.rows) and all(int(row) in shape for row in g.rows)]
+        missed += [Target(room, -1, _all_of(g, shape), g.id) for g in lost]
+        told = {int(row) for group in lost for row in group.rows}
+        missed += [
+            Target(room, row, area)
+            for row, area in shape.items()
+            if row not in told and bodies.kinds[row].access
+        ]
     return missed
+
+
+def _all_of(group: Members, shapes: dict[int, Shape]) -> Shape:
+    return shapely.union_all([shapes[int(row)] for row in group.rows])
 
 
 def _before(bodies: Bodies, i: int, depth: float) -> Shape:
     """The boxes before the using sides of a piece, ``depth`` metres deep."""
-    corners = bodies.corners[i]
-    return shapely.multipolygons([_beyond(corners, s, depth) for s in bodies.kinds[i].access])
+    corners, sides = bodies.corners[i], bodies.kinds[i].access or _ROUND
+    return shapely.multipolygons([_beyond(corners, side, depth) for side in sides])
 
 
 def _beyond(corners: Floats, side: str, depth: float) -> Shape:
@@ -134,22 +156,45 @@ def _blockers(walk: Walk, missed: list[Target]) -> list[tuple[list[int], str]]:
         for t in np.flatnonzero(shapely.intersects(reached, shapes)):
             if walk.blocking[k] != missed[t].piece:
                 singles[t].append(int(walk.blocking[k]))
-    return [
-        (rows, "or") if rows else (_together(walk, target, suspects), "and")
-        for rows, target in zip(singles, missed, strict=True)
-    ]
+    alone = [t for t in range(len(missed)) if not singles[t]]
+    together = _together(walk, [missed[t] for t in alone], suspects)
+    sets = dict(zip(alone, together, strict=True))
+    return [(rows, "or") if rows else (sets[t], "and") for t, rows in enumerate(singles)]
 
 
-def _together(walk: Walk, target: Target, suspects: NDArray[np.int64]) -> list[int]:
-    """Rows of a least set of suspects that opens the way to a target; empty if none does."""
-    away = suspects[walk.blocking[suspects] != target.piece]
-    if not len(away) or not shapely.intersects(walk_without(walk, away), target.shape):
-        return []
+def _together(walk: Walk, targets: list[Target], suspects: NDArray[np.int64]) -> list[list[int]]:
+    """For each target rows of a least set of suspects that opens the way to it; empty if none
+    does. A set found for one target is told for all others it opens the way to."""
+    found: list[list[int]] = [[] for _ in targets]
+    shapes: Shapes = np.array([target.shape for target in targets], object)
+    own = np.array([target.piece for target in targets], np.int64)
+    waiting = np.ones(len(targets), bool)
+    while waiting.any():
+        first = int(np.argmax(waiting))
+        waiting[first] = False
+        away = suspects[walk.blocking[suspects] != own[first]]
+        if not len(away):
+            continue
+        reached = walk_without(walk, away)
+        if not shapely.intersects(reached, shapes[first]):
+            waiting &= shapely.intersects(reached, shapes) | np.isin(own, walk.blocking[suspects])
+            continue
+        away = _fewest(walk, away, shapes[first])
+        opened = waiting & shapely.intersects(walk_without(walk, away), shapes)
+        opened &= ~np.isin(own, walk.blocking[away])
+        for t in (first, *np.flatnonzero(opened)):
+            found[t] = [int(row) for row in walk.blocking[away]]
+        waiting &= ~opened
+    return found
+
+
+def _fewest(walk: Walk, away: NDArray[np.int64], shape: Shape) -> NDArray[np.int64]:
+    """The pieces of a set without which the way to a shape would stay shut."""
     for k in away[::-1]:
         fewer = away[away != k]
-        if len(fewer) and shapely.intersects(walk_without(walk, fewer), target.shape):
+        if len(fewer) and shapely.intersects(walk_without(walk, fewer), shape):
             away = fewer
-    return [int(row) for row in walk.blocking[away]]
+    return away
 
 
 def _suspects(walk: Walk, shapes: Shapes) -> NDArray[np.int64]:
@@ -168,7 +213,8 @@ def _suspects(walk: Walk, shapes: Shapes) -> NDArray[np.int64]:
 
 def _why(walk: Walk, target: Target) -> str:
     """What to say when no piece can be blamed."""
-    if target.piece >= 0 and not shapely.intersects(walk.bare, target.shape):
+    stood_at = target.piece >= 0 or target.group
+    if stood_at and not shapely.intersects(walk.bare, target.shape):
         return ": there is no room to stand before it"
     return ", whatever is taken away nearby"
 
@@ -180,13 +226,20 @@ def _finding(
     piece = bodies.pieces[target.piece] if target.piece >= 0 else None
     names = [bodies.pieces[row].id for row in rows]
     short = shapely.distance(walk.reached, target.shape)
-    what = f"{piece.id} of {space.id}" if piece else f"room {space.id}"
+    kind, what = _what(space.id, piece.id if piece else "", target.group)
     told = f"no route {2 * walk.radius:.2f} m wide leads to {what}"
     verb = "are" if word == "and" and len(names) > 1 else "is"
     told += f": {f' {word} '.join(names)} {verb} in the way" if names else _why(walk, target)
     given = all(bodies.pieces[row].fixed for row in rows) and (piece is None or piece.fixed)
     return Finding(
-        "unreachable_piece" if piece else "unreachable_room", space.level, space.id,
-        piece.id if piece else "", ",".join(names), told,
+        kind, space.level, space.id, piece.id if piece else target.group, ",".join(names), told,
         round(float(np.nan_to_num(short)), 4), given=given and bool(rows or piece),
     )  # fmt: skip
+
+
+def _what(space: str, piece: str, group: str) -> tuple[str, str]:
+    """The kind of a finding and what is not reached."""
+    if group:
+        return "unreachable_group", f"any object of group {group} of {space}"
+    return ("unreachable_piece", f"{piece} of {space}") if piece else (
+        "unreachable_room", f"room {space}")  # fmt: skip

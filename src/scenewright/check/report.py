@@ -13,7 +13,10 @@ KINDS = (
     "blocked_door",
     "blocked_window",
     "unreachable_piece",
+    "unreachable_group",
     "unreachable_room",
+    "narrow_passage",
+    "outside_zone",
     "floating",
     "sunk",
 )
@@ -24,11 +27,11 @@ class Finding:
     """One violation.
 
     ``kind`` is one of :data:`KINDS`; ``piece`` and ``other`` are ids (empty where there is none;
-    for a blocked opening ``other`` is the opening, for something unreachable what blocks it,
-    several ids joined by commas). ``amount`` is the size of the fault in metres (depth of an
-    overlap, distance outside, gap beneath) and ``area`` in square metres. ``given`` findings
-    concern only pieces that came fixed with the brief: they are told, but the answer is not to
-    blame for them.
+    for a blocked opening ``other`` is the opening, for something unreachable or narrow what blocks
+    it, several ids joined by commas; outside a zone, the zone). ``amount`` is the size of the
+    fault in metres (depth of an overlap, distance outside, gap beneath, width missing) and
+    ``area`` in square metres. ``given`` findings concern only pieces that came fixed with the
+    brief: they are told, but the answer is not to blame for them.
     """
 
     kind: str
@@ -44,7 +47,8 @@ class Finding:
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """Something usual that a room of its function and size lacks; not a violation."""
+    """Something usual that a room of its function and size lacks, or a hall of its size and number
+    of people; not a violation."""
 
     space: str
     function: str
@@ -57,8 +61,9 @@ class Report:
     """The verdict on a solution.
 
     ``figures`` holds ``pieces`` and ``counts`` (findings by kind), ``navigable_share`` and
-    ``reachable_share`` by level and ``rooms`` (pieces, floor area in square metres and density of
-    each space).
+    ``reachable_share`` by level, ``rooms`` (pieces, floor area in square metres and density of
+    each space) and, for answers with a scene graph, ``halls`` (measures, passages, tour, ways out
+    of each space).
     """
 
     findings: tuple[Finding, ...]

@@ -26,12 +26,14 @@ _SLACK = 0.01
 
 class Ground(NamedTuple):
     """One group of rooms joined by doors: their numbers, the joined floor with its doorways, the
-    doorways of each room, and the points where one comes in from outside (empty: not known)."""
+    doorways of each room, the points where one comes in from outside (empty: not known; doors
+    that are only exits do not count unless all are), and the doors to the ``outer`` world."""
 
     rooms: NDArray[np.int64]
     floor: Shape
     doorways: dict[int, list[Shape]]
     ways_in: Shapes
+    outer: tuple[Opening, ...]
 
 
 class Walk(NamedTuple):
@@ -66,8 +68,11 @@ def navigable_share(bodies: Bodies, rooms: Rooms, grounds: list[Ground]) -> dict
     return {level: round(most / all_, 4) if all_ else 1.0 for level, (most, all_) in parts.items()}
 
 
-def reachable_share(bodies: Bodies, rooms: Rooms, grounds: list[Ground]) -> dict[str, float]:
-    """Floor a disc of 0.2 m reaches that comes in by the entrances, by level.
+def reachable_share(
+    bodies: Bodies, rooms: Rooms, grounds: list[Ground], walks: list[Walk]
+) -> dict[str, float]:
+    """Floor a disc of 0.2 m reaches that comes in by the entrances, by level; ``walks`` are where
+    it goes in each of ``grounds``.
 
     The share is of the region open to the disc, as in :func:`navigable_share`, but counted within
     the rooms and with the seats that go under tables pushed aside. Where no entrance is known
@@ -76,8 +81,7 @@ def reachable_share(bodies: Bodies, rooms: Rooms, grounds: list[Ground]) -> dict
     """
     parts = {level: [0.0, 0.0] for level in rooms.levels}
     stairs = {piece.space for piece in bodies.pieces if piece.category == "staircase"}
-    for ground in grounds:
-        walk = walk_in(bodies, ground, ROBOT_RADIUS)
+    for ground, walk in zip(grounds, walks, strict=True):
         inside = shapely.union_all(rooms.shapes[ground.rooms])
         total = parts[rooms.levels[rooms.level[ground.rooms[0]]]]
         if ground.doorways or any(rooms.spaces[i].id in stairs for i in ground.rooms):
@@ -103,8 +107,10 @@ def grounds_of(rooms: Rooms, route_width: float) -> list[Ground]:
             for room in joined:
                 doorways.setdefault(room, []).append(way)
         floor = shapely.union_all([*rooms.shapes[members], *(way for _, _, way in ways)])
-        outer = [shapely.points(o.x, o.y) for o, a in near if len(a) == 1]
-        grounds.append(Ground(members, floor, doorways, np.array(outer, object)))
+        outer = tuple(o for o, a in near if len(a) == 1)
+        entrances = [o for o in outer if o.use != "exit"] or outer
+        points = np.array([shapely.points(o.x, o.y) for o in entrances], object)
+        grounds.append(Ground(members, floor, doorways, points, outer))
     return grounds
 
 
@@ -157,6 +163,12 @@ def walk_in(bodies: Bodies, ground: Ground, radius: float) -> Walk:
         start = _somewhere_in_largest(free if not free.is_empty else bare)
     bare_reached, reached = _joined(bare, start), _joined(free, start)
     return Walk(radius, bare, bare_reached, blocking, grown, start, free, reached)
+
+
+def room_for(bodies: Bodies, ground: Ground, radius: float) -> Shape:
+    """Where the centre of a disc of ``radius`` metres may be in a ground, reached or not."""
+    blocking = blocking_in(bodies, ground.rooms)
+    return _less(_eroded(ground.floor, radius), _grown(bodies, blocking, radius))
 
 
 def blocking_in(bodies: Bodies, within: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -1,0 +1,109 @@
+"""What the referee tells of each hall: measures, passages, tour, ways out, wheelchairs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.brief import Brief, Room
+from scenewright.check.bodies import Bodies
+from scenewright.check.escape import Field, escape_figures, escape_notes, field_of
+from scenewright.check.halls import Hall
+from scenewright.check.measures import measures_of
+from scenewright.check.passages import Passage, find_narrow, named, passages_of
+from scenewright.check.report import Finding, Note
+from scenewright.check.routes import Ground, Walk, room_for, walk_in
+from scenewright.check.sight import seen_from
+from scenewright.check.tours import tour_figures
+from scenewright.check.zones import TURNING, WHEELCHAIR, find_outside_zone, reached_by, turning
+
+
+class Verdict(NamedTuple):
+    """What is said of all halls of an answer."""
+
+    findings: list[Finding]
+    notes: list[Note]
+    figures: dict[str, dict[str, Any]]
+
+
+class _Around(NamedTuple):
+    """What all halls of one ground share: routes for visitors and wheelchairs, room to turn, and
+    the ways out."""
+
+    ground: Ground
+    walk: Walk
+    wheelchair: Walk
+    open_floor: Any
+    field: Field | None
+
+
+def judge_halls(
+    brief: Brief, wishes: Mapping[str, Room], halls: list[Hall], bodies: Bodies,
+    grounds: list[Ground], walks: list[Walk], narrow: list[Walk],
+) -> Verdict:  # fmt: skip
+    """Zone fidelity, passages and figures of all halls.
+
+    ``walks`` are the visitors' routes in each of ``grounds``, ``narrow`` those of a person 0.4 m
+    wide, ``wishes`` the rooms of the brief by space.
+    """
+    verdict = Verdict([], [], {})
+    for ground, walk, slim in zip(grounds, walks, narrow, strict=True):
+        wheelchair = walk if walk.radius == WHEELCHAIR / 2 else None
+        around = _Around(
+            ground, walk, wheelchair or walk_in(bodies, ground, WHEELCHAIR / 2),
+            room_for(bodies, ground, TURNING / 2), field_of(ground, slim.free),
+        )  # fmt: skip
+        for room in ground.rooms:
+            _judge(verdict, brief, wishes, halls[int(room)], bodies, around)
+    return verdict
+
+
+def _judge(
+    verdict: Verdict, brief: Brief, wishes: Mapping[str, Room], hall: Hall, bodies: Bodies,
+    around: _Around,
+) -> None:  # fmt: skip
+    passages = passages_of(bodies, hall)
+    verdict.findings.extend(find_outside_zone(bodies, hall))
+    verdict.findings.extend(find_narrow(bodies, hall, passages))
+    wish = wishes.get(hall.space.id)
+    escape = escape_figures(hall, around.field, wish.people if wish else None)
+    verdict.notes.extend(escape_notes(hall, escape))
+    seen = seen_from(bodies, hall, around.ground)
+    verdict.figures[hall.space.id] = {
+        "objects": len(hall.objects),
+        "groups": len(hall.groups),
+        **measures_of(bodies, hall),
+        **_floor(bodies, hall, around.walk),
+        "passages": [_passage(bodies, hall, passage) for passage in passages],
+        "turning": turning(hall, around.wheelchair, around.open_floor),
+        "wheelchair": reached_by(bodies, hall, around.wheelchair),
+        "escape": escape,
+        "tour": tour_figures(bodies, hall, around.ground, seen, brief.passage_width),
+    }
+
+
+def _floor(bodies: Bodies, hall: Hall, walk: Walk) -> dict[str, float]:
+    """Shares of the floor: covered by what stands on it, and swept by the visitors' route."""
+    area = max(float(hall.shape.area), 1e-9)
+    stands = shapely.union_all(bodies.footprints[hall.solids])
+    centres = shapely.intersection(walk.reached, shapely.buffer(hall.shape, walk.radius))
+    swept = shapely.buffer(centres, walk.radius, quad_segs=8)
+    return {
+        "floor_used": round(float(shapely.intersection(stands, hall.shape).area) / area, 4),
+        "walkable_share": round(float(shapely.intersection(swept, hall.shape).area) / area, 4),
+    }
+
+
+def _passage(bodies: Bodies, hall: Hall, passage: Passage) -> dict[str, Any]:
+    link = passage.link
+    return {
+        "first": hall.zones[link.first],
+        "second": hall.zones[link.second],
+        "needed": float(np.round(link.width, 3)),
+        "clear": round(passage.width, 3),
+        "at": list(passage.at) if passage.at else None,
+        "message": named(bodies, passage.between) if passage.at else "",
+    }
