@@ -73,12 +73,20 @@ def shift(order: Order, costs: Floats, i: int, m: int, k: int) -> bool:
 
 
 def shortest_round(costs: Floats) -> Order:
-    """The order (n,) of a short path from place 0 through all others to place n - 1.
+    """The order (n,) of a short path from place 0 through all others to place n - 1, ``costs``
+    (n, n) symmetric: the better one of those begun at either end.
 
     >>> x = np.array([0.0, 5.0, 1.0, 3.0, 2.0, 6.0])
     >>> shortest_round(np.abs(x[:, None] - x)).tolist()
     [0, 2, 4, 3, 1, 5]
     """
+    back = np.ascontiguousarray(costs[::-1, ::-1])
+    tours = [_from_nearest(np.ascontiguousarray(costs)), len(costs) - 1 - _from_nearest(back)[::-1]]
+    return min(tours, key=lambda order: float(costs[order[:-1], order[1:]].sum()))
+
+
+def _from_nearest(costs: Floats) -> Order:
+    """Always on to the nearest place left, the last one last; then improved."""
     n = len(costs)
     order, left = [0], list(range(1, n - 1))
     while left:
@@ -86,6 +94,5 @@ def shortest_round(costs: Floats) -> Order:
         order.append(nearest)
         left.remove(nearest)
     found = np.array([*order, n - 1], np.int64)
-    if n > 3:
-        improve(found, np.ascontiguousarray(costs))
+    improve(found, costs)
     return found

@@ -20,6 +20,7 @@ from scenewright.geometry.clearway import Raster
 from scenewright.geometry.compiled import compiled, inlined
 
 Ints = NDArray[np.int32]
+Flags = NDArray[np.bool_]
 FASTEST = 1.0  # least seconds a metre: what the search may hope for
 
 
@@ -137,6 +138,21 @@ def shorten(times: Floats, slow: Floats, cell: float, cells: Ints) -> None:
         for j in range(i):
             time = min(times[i, j], straight_time(slow, cell, cells[i], cells[j]))
             times[i, j], times[j, i] = time, time
+
+
+@compiled
+def mark_near(near: Flags, slow: Floats, cell: float, places: Ints, others: Ints,
+              reach: float) -> None:  # fmt: skip
+    """Mark which of the ``others`` (m,) can be walked to from each of the ``places`` (k,)
+    straight, over at most ``reach`` metres."""
+    columns, most = slow.shape[1], (reach / cell) ** 2
+    for i in range(places.shape[0]):
+        for j in range(others.shape[0]):
+            x = places[i] % columns - others[j] % columns
+            y = places[i] // columns - others[j] // columns
+            near[i, j] = (
+                x * x + y * y <= most and straight_time(slow, cell, places[i], others[j]) < math.inf
+            )
 
 
 @compiled

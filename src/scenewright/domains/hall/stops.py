@@ -9,7 +9,9 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog
+from scenewright.domains.hall.floor import AT_EASE, Floor
 from scenewright.geometry.clearway import Raster
+from scenewright.geometry.travel import mark_near
 from scenewright.layout import corners
 from scenewright.scene import Piece
 
@@ -17,7 +19,7 @@ Floats = NDArray[np.float64]
 Cells = NDArray[np.int64]
 
 SIDES = ("front", "left", "back", "right")
-AWAY = (0.7, 1.0, 1.4)
+AWAY = (0.5, 0.7, 1.0, 1.4)
 """How far before a side a visitor may stand, in metres."""
 ALONG = 2.0
 """A long object is looked at from places this far apart, in metres."""
@@ -29,8 +31,6 @@ SHARE = 1 / 8
 """Least share of a group's objects a further place must add."""
 WIDE = 1e4
 """A way of more seconds leads through a place narrower than asked for."""
-AT_EASE = 1.2
-"""More clearance than this, in metres, makes a place no better."""
 TOUCHING = 0.05
 """Nothing is seen through what is nearer than this to the line of sight, in metres."""
 SEATS = ("chair", "seat", "stool")
@@ -47,7 +47,7 @@ class Views(NamedTuple):
 
 
 def stops_of(
-    members: tuple[Piece, ...], catalog: Catalog, clear: Raster, times: Floats, half: float
+    members: tuple[Piece, ...], catalog: Catalog, floor: Floor, times: Floats, half: float
 ) -> list[Cells]:
     """Stops to see a group: for each the cells of the raster that will do, the best one first;
     none if there is no way to it.
@@ -58,13 +58,13 @@ def stops_of(
     visitor would like to have.
     """
     boxes = np.array([[*p.pose[:2], p.pose.heading, *p.size[:2]] for p in members])
-    views = _usable(_views(boxes, members, catalog, clear), times, half)
+    views = _usable(_views(boxes, members, catalog, floor.clear), times, half)
     seats = bool(members) and any(word in members[0].category for word in SEATS)
     if seats:
         views = _at_the_rim(views, boxes)
     if not len(views.cells):
         return []
-    return _cover(_thinned(views), views, MOST_OF_SEATS if seats else MOST)
+    return _cover(floor, _thinned(views), views, MOST_OF_SEATS if seats else MOST)
 
 
 def _views(boxes: Floats, members: tuple[Piece, ...], catalog: Catalog, clear: Raster) -> Views:
@@ -85,7 +85,7 @@ def _views(boxes: Floats, members: tuple[Piece, ...], catalog: Catalog, clear: R
 
 
 def _before(box: Floats, side: int) -> Floats:
-    """Points (k, 4, 2) on one side of a box, 0.2 m before it and at the distances to stand at."""
+    """Points (k, 5, 2) before one side of a box: 0.2 m away and at the distances to stand at."""
     heading = box[2] + side * np.pi / 2
     wide, deep = (box[3], box[4]) if side % 2 == 0 else (box[4], box[3])
     count = max(int(np.ceil(wide / ALONG)), 1)
@@ -146,10 +146,10 @@ def _thinned(views: Views) -> Views:
     return _some(views, np.isin(np.arange(len(at)), best[first]))
 
 
-def _cover(places: Views, views: Views, most: int) -> list[Cells]:
+def _cover(floor: Floor, places: Views, views: Views, most: int) -> list[Cells]:
     """Cells of places that together show as many objects as possible, each with the others that
     show what it adds."""
-    shown = _shown(places, views)
+    shown = _shown(floor, places, views)
     left = shown.copy()
     ease = 0.5 + 0.5 * np.minimum(places.room, AT_EASE) / AT_EASE
     found: list[Cells] = []
@@ -165,11 +165,14 @@ def _cover(places: Views, views: Views, most: int) -> list[Cells]:
     return found
 
 
-def _shown(places: Views, views: Views) -> NDArray[np.bool_]:
-    """Which objects (n,) each of the places (k,) shows: those with a view nearby."""
+def _shown(floor: Floor, places: Views, views: Views) -> NDArray[np.bool_]:
+    """Which objects (n,) each of the places (k,) shows: those with a view
+    that is near and not behind anything."""
     number = np.unique(views.objects, return_inverse=True)[1]
     shown = np.zeros((len(places.cells), int(number.max()) + 1), bool)
-    apart = np.hypot(*(places.points[:, None] - views.points[None]).transpose(2, 0, 1))
-    place, view = np.nonzero(apart <= IN_VIEW)
+    near = np.zeros((len(places.cells), len(views.cells)), bool)
+    cells = places.cells.astype(np.int32), views.cells.astype(np.int32)
+    mark_near(near, floor.slow, floor.clear.cell, *cells, IN_VIEW)
+    place, view = np.nonzero(near)
     shown[place, number[view]] = True
     return shown

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog
 from scenewright.domains.hall.floor import Floor, find_floor
-from scenewright.domains.hall.visits import find_order, find_places, search_from, slide
+from scenewright.domains.hall.visits import find_places, find_visits, search_from
 from scenewright.geometry.clearway import Raster, distances
 from scenewright.geometry.travel import Search, make_search, pull, round_off
 from scenewright.scene import Piece
@@ -28,7 +28,7 @@ STEP, FINE = 0.5, 0.25
 """Distance of the points of a tour, and of those that are rounded off, at most, in metres."""
 BEHIND, TURN = 1.2, 4.0
 """Turning round costs so many seconds a metre about so many metres behind."""
-SWERVE, ROUNDS = 0.4, 24
+SWERVE, ROUNDS = 0.6, 40
 
 
 def tour(
@@ -55,9 +55,8 @@ def tour(
     doors = _last_doors(floor, search.times, entrances[0], exits)
     groups = [group for group in graph.groups if group.space == space.id]
     places = find_places(floor, search.times, groups, pieces, catalog, width, start)
-    order, way_out = find_order(search, floor, places, [_cell(floor, door) for door in doors])
-    end = _cell(floor, doors[way_out])
-    cells = slide(floor, [*(places.others[k] for k in order), np.array([end])])
+    order, cells = find_visits(search, floor, places, [_cell(floor, door) for door in doors])
+    way_out = [_cell(floor, door) for door in doors].index(cells[-1])
     line, at = _line(search, floor, cells)
     line[0], line[-1] = _middle(entrances[0]), _middle(doors[way_out])
     if len(line) < 2 or (len(cells) == 2 and cells[0] == cells[1]):

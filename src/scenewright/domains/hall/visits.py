@@ -51,14 +51,33 @@ def find_places(
     rows, others = [(start, -1, -1)], [np.array([start])]
     for number, group in enumerate(groups):
         members = tuple(known[name] for name in group.objects if name in known)
-        stops = stops_of(members, catalog, floor.clear, times, width / 2)
+        stops = stops_of(members, catalog, floor, times, width / 2)
         rows += [(int(spots[0]), number, zones[group.zone]) for spots in stops]
         others += stops
     cells, owners, within = np.array(rows, np.int64).T
     return Places(cells, owners, within, others)
 
 
-def find_order(search: Search, floor: Floor, places: Places, doors: list[int]) -> tuple[Cells, int]:
+def find_visits(
+    search: Search, floor: Floor, places: Places, doors: list[int]
+) -> tuple[Cells, list[int]]:
+    """The order (n,) of the places and the cells to pass, the one of the door to leave by last.
+
+    What is the best place to stop depends on the order, and the order on the places: twice each.
+    """
+    for _round in range(2):
+        order, way_out = _find_order(search, floor, places, doors)
+        choices = [*(places.others[k] for k in order), np.array(doors[way_out : way_out + 1])]
+        cells = _slide(floor, choices)
+        moved = places.cells.copy()
+        moved[order] = cells[:-1]
+        places = places._replace(cells=moved)
+    return order, cells
+
+
+def _find_order(
+    search: Search, floor: Floor, places: Places, doors: list[int]
+) -> tuple[Cells, int]:
     """The order of the places, and the number of the door to leave by."""
     n = len(places.cells)
     times = _travel_times(search, floor, np.array([*places.cells, *doors]))
@@ -71,7 +90,7 @@ def find_order(search: Search, floor: Floor, places: Places, doors: list[int]) -
     return order, int(np.argmin(times[order[-1], n:]))
 
 
-def slide(floor: Floor, choices: list[Cells]) -> list[int]:
+def _slide(floor: Floor, choices: list[Cells]) -> list[int]:
     """One cell of each of the choices in turn, so that the way over them is short and in the
     open: by dynamic programming over straight distances (Bellman 1957)."""
     columns, clear = floor.slow.shape[1], floor.clear
