@@ -18,6 +18,7 @@ from scenewright.formats.indoor_floors import WALL, Floor
 from scenewright.space import Points
 
 REACH = 0.3
+NEIGHBOUR = 0.5
 LEAST_WIDTH = 0.6
 END = 0.02
 SLIDE = 0.6
@@ -84,19 +85,24 @@ def marked(
     return placed, lost
 
 
-def front(walls: list[Wall], number: int, placed: list[Placed]) -> Placed | None:
+def front(
+    walls: list[Wall], tree: shapely.STRtree, number: int, placed: list[Placed]
+) -> Placed | None:
     """An opening assumed for a unit without a door: on the longest straight edge it shares with
-    a way, else with any room, else (on the ground floor) the longest edge to the outside."""
+    a way, else (on the ground floor) the longest edge to the outside, else with any room.
+
+    ``tree`` holds the polygons of ``walls``.
+    """
     wall = walls[number]
-    tree = shapely.STRtree([w.floor.polygon for w in walls])
-    near = tree.query(wall.floor.polygon, predicate="dwithin", distance=0.5).tolist()
-    ways = [walls[i].floor.polygon for i in near if walls[i].floor.role == "way"]
-    rooms = [walls[i].floor.polygon for i in near if i != number]
-    sides = [_facing(wall, ways), _facing(wall, [r for r in rooms if r not in ways])]
+    near = tree.query(wall.floor.polygon, predicate="dwithin", distance=NEIGHBOUR).tolist()
+    beside = [walls[i].floor for i in near if i != number]
+    ways = [floor.polygon for floor in beside if floor.role == "way"]
+    rooms = [floor.polygon for floor in beside if floor.role != "way"]
+    sides = [_facing(wall, ways), _facing(wall, rooms)]
     if wall.floor.level == 0:
-        sides.insert(1, _facing(wall, rooms, away=True))
+        sides.insert(1, _facing(wall, ways + rooms, away=True))
     for side in sides:
-        for start, end in sorted(side, key=lambda edge: -_length(edge))[:8]:
+        for start, end in sorted(side, key=_length, reverse=True)[:8]:
             width = min(FRONT_SHARE * _length((start, end)), WIDEST_FRONT)
             name = f"assumed-{wall.floor.feature}-{wall.floor.level:g}-{number}"
             if width < LEAST_FRONT:
@@ -198,7 +204,7 @@ def _clashes(entry: Placed, placed: list[Placed]) -> bool:
 
 
 def _facing(
-    wall: Wall, others: list[shapely.Polygon], reach: float = 0.5, *, away: bool = False
+    wall: Wall, others: list[shapely.Polygon], reach: float = NEIGHBOUR, *, away: bool = False
 ) -> list[tuple[Points, Points]]:
     """Straight pieces of a wall that face one of the ``others`` (or, ``away``, none of them)."""
     edges = [shapely.LineString(run[i : i + 2]) for run in wall.runs for i in range(len(run) - 1)]

@@ -32,6 +32,8 @@ GRID = 1e-3
 MOST_FLOORS = 5_000
 MOST_HOLES = 200
 MOST_CORNERS = 5_000
+MOST_CORNERS_ALL = 300_000
+TOO_FINE = f"has more than {MOST_HOLES} holes or {MOST_CORNERS} corners"
 _WAYS = frozenset({"corridor", "area"})
 _WAY_ROOMS = frozenset({"entrance", "corridor", "hall", "lobby", "vestibule"})
 _NAMES = {
@@ -100,13 +102,18 @@ def floors_of(features: Iterable[Feature], map_: Projection) -> Floors:
     skipped: list[Skipped] = []
     changed: list[Skipped] = []
     found: list[Floor] = []
+    corners = 0
     for feature in features:
         try:
-            found += _floors(feature, map_, changed)
+            fresh = _floors(feature, map_, changed)
+            found += fresh
+            corners += sum(shapely.count_coordinates(floor.polygon) for floor in fresh)
         except InputError as error:
             skipped.append(Skipped(feature.id, error.fault))
         if len(found) > MOST_FLOORS:
             raise InputError(f"holds more than {MOST_FLOORS} rooms", "cut one building out of it")
+        if corners > MOST_CORNERS_ALL:
+            raise InputError("its rooms have too many corners", "cut one building out of it")
     kept: list[Floor] = []
     for level in sorted({floor.level for floor in found}):
         kept += _disjoint([f for f in found if f.level == level], skipped, changed)
@@ -151,6 +158,10 @@ def _floors(feature: Feature, map_: Projection, changed: list[Skipped]) -> list[
             raise InputError("its line is not closed")
         return []
     levels = levels_or_ground(feature.tags)
+    if len(levels) * len(feature.polygons) > MOST_FLOORS:
+        raise InputError(f"has {len(feature.polygons)} parts on {len(levels)} levels")
+    if not levels_of(feature.tags):
+        changed.append(Skipped(feature.id, "names no level: put on level 0"))
     kind = shop_kind(feature.tags) if what == "unit" else ""
     return [
         Floor(feature.id, feature.tags, what, kind, level, shape)
@@ -165,6 +176,8 @@ def _polygon(
     changed: list[Skipped],
 ) -> shapely.Polygon:  # fmt: skip
     """The polygon of one part, mended if only slivers of it are wrong."""
+    if len(rings) - 1 > MOST_HOLES or max(map(len, rings)) > MOST_CORNERS:
+        raise InputError(TOO_FINE)
     away = max(float(np.abs(ring).max()) for ring in rings)
     if away > FARTHEST:
         raise InputError(f"lies {away / 1000:.0f} km from the rest")
@@ -194,11 +207,13 @@ def _disjoint(
     tree = shapely.STRtree([floor.polygon for floor in order])
     kept: list[shapely.Geometry | None] = [None] * len(order)
     for number, floor in enumerate(order):
-        before = [i for i in tree.query(floor.polygon).tolist() if i < number and kept[i]]
-        over = [i for i in before if kept[i].intersection(floor.polygon).area > OVERLAP]  # type: ignore[union-attr]
+        near = [i for i in tree.query(floor.polygon).tolist() if i < number and kept[i]]
+        shared = shapely.area(shapely.intersection([kept[i] for i in near], floor.polygon))
+        over = [i for i, area in zip(near, shared.tolist(), strict=True) if area > OVERLAP]
         parts, fault = _cut(floor, [kept[i] for i in over])
-        if over and not fault and any(order[i].role != "solid" for i in over):
-            names = ", ".join(order[i].feature for i in over[:3]) + ", …" * (len(over) > 3)
+        drawn = [order[i].feature for i in over if order[i].role != "solid"]
+        if drawn and not fault:
+            names = ", ".join(drawn[:3]) + ", …" * (len(drawn) > 3)
             changed.append(Skipped(floor.feature, f"was cut where it overlaps {names}"))
         if fault:
             skipped.append(Skipped(floor.feature, fault))
@@ -227,7 +242,7 @@ def _fault(polygon: shapely.Polygon) -> str:
     """Why a brief would not take this room, if it would not."""
     outline, holes = rings(polygon)
     if len(holes) > MOST_HOLES or max(map(len, (outline, *holes))) > MOST_CORNERS:
-        return f"has more than {MOST_HOLES} holes or {MOST_CORNERS} corners"
+        return TOO_FINE
     try:
         outlines.shrink(outlines.polygon(outline, holes), WALL / 2)
     except InputError as error:

@@ -35,6 +35,7 @@ from scenewright.space import Points
 
 STOREY = 4.0
 CEILING = 3.2
+MOST_DOORS = 5_000
 
 
 class IndoorReport(NamedTuple):
@@ -151,14 +152,17 @@ def _openings(
     """Doors of all levels: marked ones first; then, where the plan shows none, assumed ones."""
     walls = walls_of([floor for _, floor in told])
     doors = [f for f in features if f.point is not None and {"door", "entrance"} & f.tags.keys()]
-    result = Openings([], [], [], [], [])
+    lost = [Skipped(f.id, "a door on a level that is no number") for f in doors if not _levels(f)]
+    result = Openings([], [], [], [], lost)
+    if len(doors) > MOST_DOORS:
+        raise InputError(f"holds {len(doors)} doors", f"at most {MOST_DOORS} are read")
     levels = sorted({floor.level for _, floor in told})
     for level in levels:
         numbers = [i for i, (_, floor) in enumerate(told) if floor.level == level]
         here = [_point(f, level, map_) for f in doors if level in _levels(f)]
-        placed, lost = marked([walls[i] for i in numbers], here)
+        placed, off = marked([walls[i] for i in numbers], here)
         result.found.extend(p._replace(number=numbers[p.number]) for p in placed)
-        result.lost.extend(Skipped(*row) for row in lost)
+        result.lost.extend(Skipped(*row) for row in off)
     joined = _joined(told, result.found, name)
     for level in levels:
         numbers = [i for i, (_, floor) in enumerate(told) if floor.level == level]
@@ -185,10 +189,11 @@ def _assume(
     own = {number: i for i, number in enumerate(numbers)}
     placed = [p._replace(number=own[p.number]) for p in result.found if p.number in own]
     pairs = {(own[a], own[b]) for a, b in joined if a in own and b in own}
+    tree = shapely.STRtree([wall.floor.polygon for wall in here])
     for i, wall in enumerate(here):
         if wall.floor.role != "unit" or any(i in pair for pair in pairs):
             continue
-        entry = front(here, i, placed)
+        entry = front(here, tree, i, placed)
         if entry is None:
             result.doorless.append(told[numbers[i]][0])
             continue

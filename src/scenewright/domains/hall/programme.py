@@ -18,6 +18,8 @@ UTILISATION = 0.52
 WALL_SHARE = 0.45
 """Share of the walls that things may stand at; the rest is doors, windows and corners."""
 SMALLEST_SHOP = 30.0
+LARGEST_SHOP = 20_000.0
+"""Square metres of floor beyond which amounts no longer grow: some 6000 objects."""
 
 Sides = tuple[float, float, float, float]
 _FRONT: Sides = (0.6, 0.0, 0.0, 0.0)
@@ -164,15 +166,16 @@ def shop_kind(tags: Mapping[str, str]) -> str:
 def shop_programme(kind: str, area: float, perimeter: float) -> list[Demand]:
     """What a unit of ``kind`` with ``area`` m² of floor and ``perimeter`` m of walls is to hold.
 
-    Footprints and clearances together take 45 to 52 per cent of the floor (less where walls are
-    short and nothing may stand free). Nothing for unknown kinds and under 30 m².
+    Footprints and clearances together take 45 to 52 per cent of the floor, down to 40 below
+    60 m², where single things count. Nothing for unknown kinds and under 30 m².
 
     >>> [(d.category, d.count) for d in shop_programme("grocery", 100.0, 40.0)]
-    [('checkout', 1), ('fridge_shelf', 3), ('wall_shelving', 7), ('gondola', 9)]
+    [('checkout', 1), ('fridge_shelf', 3), ('wall_shelving', 7), ('gondola', 11)]
     """
     rows = PROGRAMMES.get(kind, ())
     if area < SMALLEST_SHOP or not rows:
         return []
+    area = min(area, LARGEST_SHOP)
     counts = _counts(rows, UTILISATION * area, area, WALL_SHARE * perimeter)
     return [
         _demand(row, count, f"{row.category}-{i}" if row.name else row.category)
@@ -206,6 +209,6 @@ def _counts(rows: tuple[Fixture, ...], left: float, area: float, wall: float) ->
 def _demand(row: Fixture, count: int, demand_id: str) -> Demand:
     return Demand(
         id=demand_id, name=row.name or row.category.replace("_", " ").capitalize(),
-        category=row.category, count=min(count, 20_000), size=row.size, clearance=row.clear,
+        category=row.category, count=count, size=row.size, clearance=row.clear,
         place=row.place, patterns=list(row.patterns), required=row.required,
     )  # fmt: skip
