@@ -30,6 +30,11 @@ REQUIRED = (
     "ceiling_lamp rug plant potted_tree picture curtain wall_clock books vase bowl "
     "outdoor_table outdoor_chair deck_chair planter drying_rack radiator column staircase "
     "fireplace piano exercise_bike ironing_board box obstacle "
+    "showcase plinth exhibit_panel wall_exhibit interactive_table info_desk ticket_gate "
+    "rope_barrier exhibit_island gondola wall_shelving ring_shelf clothes_rail round_rack "
+    "mannequin display_table checkout fitting_room fridge_shelf basket_stack book_stack "
+    "reading_table reading_chair carrel lounge_seat catalogue_terminal auditorium_seat lectern "
+    "stage screen counter partition litter_bin sign_totem lockers vending_machine "
 )
 
 ASSETS = list(shipped().assets.values())

@@ -15,6 +15,7 @@ from scenewright.catalog import Asset, Catalog
 _THEMES = (
     "seating", "tables", "beds", "storage", "shelves", "kitchen", "cooking", "sanitary",
     "appliances", "lighting", "textiles", "decor", "greenery", "outdoor", "building", "leisure",
+    "exhibition", "islands", "gondolas", "shop", "reading", "auditorium", "reception",
 )  # fmt: skip
 
 

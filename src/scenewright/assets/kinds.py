@@ -13,6 +13,7 @@ _ANY: tuple[Side, ...] = ("front", "back", "left", "right")
 _SEAT: tuple[Side, ...] = ("back", "left", "right")
 _FLANKS: tuple[Side, ...] = ("left", "right")
 _THREE: tuple[Side, ...] = ("front", "left", "right")
+_BOTH: tuple[Side, ...] = ("front", "back")
 _TABLES = ("dining_table", "round_table", "outdoor_table")
 _DESKS = ("desk", "kids_desk", "vanity")
 
@@ -67,6 +68,27 @@ _ROWS = (
     _kinds("piano", _FRONT, 0.75),
     _kinds("exercise_bike", _FLANKS),
     _kinds("ironing_board", _FLANKS),
+    _kinds("showcase plinth interactive_table", _ANY, 0.6),
+    _kinds("exhibit_panel", _BOTH, 0.6),
+    _kinds("wall_exhibit", _FRONT, 0.6),
+    _kinds("exhibit_island", _ANY, 0.75),
+    _kinds("rope_barrier partition screen mannequin sign_totem"),
+    _kinds("info_desk counter checkout", _FRONT, 0.9),
+    _kinds("ticket_gate", _BOTH, 0.9),
+    _kinds("gondola book_stack clothes_rail", _BOTH, 0.6),
+    _kinds("wall_shelving ring_shelf", _FRONT, 0.6),
+    _kinds("round_rack display_table", _ANY, 0.6),
+    _kinds("basket_stack litter_bin", _ANY, 0.45),
+    _kinds("fitting_room", _FRONT, 0.9),
+    _kinds("fridge_shelf lockers vending_machine", _FRONT, 0.75),
+    _kinds("reading_table", _BOTH, 0.6),
+    _kinds("reading_chair", _SEAT, under=("reading_table", "carrel", *_TABLES, *_DESKS)),
+    _kinds("carrel", _FRONT, 0.75),
+    _kinds("lounge_seat", _FRONT),
+    _kinds("catalogue_terminal", _FRONT, 0.6),
+    _kinds("auditorium_seat", _BOTH, 0.45),
+    _kinds("lectern", ("back",), 0.6),
+    _kinds("stage", _THREE, 0.9),
 )
 
 KINDS: dict[str, Kind] = {kind.category: kind for row in _ROWS for kind in row}

@@ -1,0 +1,111 @@
+"""Furniture of public halls: how it is placed by default, and that it stays light."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from typing import get_args
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from scenewright.assets import shipped
+from scenewright.assets.hall_use import ELSE_CLEARANCE, ELSE_PATTERNS, USE, hall_use
+from scenewright.assets.kinds import KINDS
+from scenewright.assets.objects import Stuff
+from scenewright.assets.wares import goods, levels_of, volumes
+from scenewright.brief_hall import PatternName
+from scenewright.scene import Size
+
+SIDES = ("front", "left", "back", "right")
+
+
+@pytest.mark.parametrize("category", USE)
+def test_every_row_names_a_kind_and_known_patterns(category: str) -> None:
+    use = USE[category]
+    assert category == use.category
+    assert category in KINDS
+    assert KINDS[category].support == "floor"
+    assert use.patterns
+    assert set(use.patterns) <= set(get_args(PatternName))
+    assert len(set(use.patterns)) == len(use.patterns)
+    assert all(0 <= depth <= 2 for depth in use.clearance)
+    assert (use.place == "wall") == (use.patterns == ("wall",))
+    if use.place == "wall":
+        assert use.clearance[2] == 0
+
+
+@pytest.mark.parametrize("category", USE)
+def test_what_must_be_reached_has_the_room_for_it(category: str) -> None:
+    """Some side people use is kept as clear as they need, alone or with the aisle it shares."""
+    kind, clearance = KINDS[category], dict(zip(SIDES, USE[category].clearance, strict=True))
+    if kind.access:
+        assert 2 * max(clearance[side] for side in kind.access) >= kind.reach
+
+
+@pytest.mark.parametrize("category", ["gondola", "book_stack", "wall_shelving", "ring_shelf"])
+def test_two_facing_shelves_make_an_aisle(category: str) -> None:
+    use = hall_use(category)
+    assert 1.2 <= 2 * use.clearance[0] <= 1.5
+    assert use.clearance[1] == use.clearance[3] == 0
+
+
+def test_what_has_no_row_stands_free() -> None:
+    use = hall_use("obstacle")
+    assert use == ("obstacle", "free", ELSE_CLEARANCE, ELSE_PATTERNS)
+    assert "partition" not in USE
+
+
+def _triangles(category: str, size: Size | None = None) -> int:
+    asset = shipped().choose(category, size or shipped().of(category)[0].usual)
+    assert asset is not None
+    return sum(len(part.faces) for part in asset.mesh(size or asset.usual))
+
+
+def test_what_halls_hold_many_of_is_light() -> None:
+    for category in ("auditorium_seat", "reading_chair", "lounge_seat"):
+        assert _triangles(category) <= 250, category
+    for width in np.arange(0.5, 2.6, 0.25):
+        for height in (1.2, 1.6, 2.0, 2.4):
+            for category in ("gondola", "wall_shelving", "ring_shelf"):
+                assert _triangles(category, Size(width, 0.8, height)) <= 600, category
+    assert _triangles("book_stack") <= 600
+    assert _triangles("showcase") <= 600
+    assert _triangles("partition", Size(30, 0.15, 4)) <= 30
+
+
+@pytest.mark.parametrize("category", ["showcase", "plinth", "exhibit_island"])
+def test_variants_are_chosen_by_size(category: str) -> None:
+    rows = shipped().of(category)
+    assert len(rows) > 1
+    assert [shipped().choose(category, row.usual) for row in rows] == list(rows)
+
+
+@given(
+    st.integers(1, 30), st.integers(1, 8), st.integers(0, 1000), st.sampled_from([goods, volumes])
+)
+def test_goods_stand_on_their_shelf_and_fit_below_the_next(
+    count: int, tiers: int, start: int, fill: Callable[..., Stuff]
+) -> None:
+    levels = levels_of(0.1, 2.1, tiers)
+    blocks = [
+        mesh.vertices
+        for meshes in fill((-1, 2), (0, 0.4), levels, count, start).values()
+        for mesh in meshes
+    ]
+    assert 0 < len(blocks) <= count * tiers
+    for block in blocks:
+        low, high = block.min(0), block.max(0)
+        tier = next(t for t in levels if t[0] == pytest.approx(low[2]))
+        assert high[2] <= tier[0] + 0.9 * (tier[1] - tier[0])
+        assert -1 <= low[0] < high[0] <= 2
+
+
+def test_a_long_partition_is_hatched_all_along() -> None:
+    lines = shipped().of("partition")[0].symbol(Size(30.0, 0.2, 3.0))
+    starts = sorted(line[0, 0] for line in lines[1:])
+    assert starts[0] < -14.6
+    assert starts[-1] > 14.4
+    assert max(b - a for a, b in pairwise(starts)) < 0.3
