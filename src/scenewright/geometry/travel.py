@@ -209,5 +209,7 @@ def round_off(points: Floats, home: Floats, clear: Raster, least: float, reach: 
                 nx += 0.25 * (between_cells(clear, x + h, y) - between_cells(clear, x - h, y))
                 ny += 0.25 * (between_cells(clear, x, y + h) - between_cells(clear, x, y - h))
             far = math.hypot(nx - home[i, 0], ny - home[i, 1])
-            if far <= reach and between_cells(clear, nx, ny) >= min(least, now):
+            back = min(reach / far, 1.0) if far > 0.0 else 1.0
+            nx, ny = home[i, 0] + back * (nx - home[i, 0]), home[i, 1] + back * (ny - home[i, 1])
+            if between_cells(clear, nx, ny) >= min(least, now):
                 points[i, 0], points[i, 1] = nx, ny
