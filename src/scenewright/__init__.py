@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from scenewright.brief import Brief
     from scenewright.catalog import Asset, Catalog, Kind
     from scenewright.check import Report, check
-    from scenewright.domains.home import solve
+    from scenewright.domains import solve
     from scenewright.errors import InputError
     from scenewright.formats import read, samples, write
     from scenewright.formats.solution_json import read as read_solution
@@ -44,7 +44,7 @@ _HOMES = {
     "read_solution": "formats.solution_json:read",
     "samples": "formats:samples",
     "write": "formats:write",
-    "solve": "domains.home:solve",
+    "solve": "domains:solve",
     "check": "check:check",
     "Report": "check:Report",
     "scene_of": "shell:scene_of",

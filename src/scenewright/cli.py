@@ -23,7 +23,7 @@ from scenewright.errors import InputError
 
 app = typer.Typer(
     name="scenewright",
-    help="Automatic 3D scene layout: from a floor plan to a furnished home.",
+    help="Automatic 3D scene layout: furnished homes, laid-out halls.",
     add_completion=False,
     pretty_exceptions_enable=False,
     no_args_is_help=True,
@@ -105,7 +105,7 @@ def arrange(
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
-    """Furnish a floor plan: read INPUT, solve it, write every OUT by its suffix."""
+    """Furnish a home or lay out a hall: read INPUT, solve it, write every OUT by its suffix."""
     from scenewright import cli_arrange
 
     _check_budget(seconds, steps)
@@ -180,11 +180,11 @@ def bench(
 @app.command("list")
 def list_(
     what: Annotated[
-        str, typer.Argument(help="solvers terms presets formats groups assets or samples.")
+        str, typer.Argument(help="solvers terms patterns presets formats groups assets samples.")
     ],
     as_json: JsonOption = False,
 ) -> int:
-    """List what there is: solvers, terms, presets, formats, groups, assets or samples."""
+    """List what there is: solvers, terms, patterns, presets, formats, groups, assets, samples."""
     from scenewright import cli_lists
 
     rows = cli_lists.rows(what)

@@ -6,7 +6,6 @@ import os
 from collections.abc import Collection, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
-from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
 
@@ -47,18 +46,19 @@ def arrange(request: Request, console: Console) -> Arranged:
 
     Interrupted before anything was found it raises ``KeyboardInterrupt`` and writes nothing.
     """
-    from scenewright import formats
+    from scenewright import domains, formats
 
     _check_outputs(request.outputs)
     brief = formats.read(request.source, keep=request.keep)
-    _check_names(request)
+    named("preset", request.preset, domains.presets(brief.domain))
+    if request.solver is not None:
+        named("solver", request.solver, domains.solvers(brief.domain))
     if request.keep and not _keeps(request.source, brief):
         console.print("--keep has no effect: the file holds no furniture to keep", style="dim")
     tell_if_cold(console)
-    domain = import_module(f"scenewright.domains.{brief.domain}")
     with watching(console, console.quiet) as watch:
         try:
-            solution: Solution = domain.solve(
+            solution = domains.solve(
                 brief, preset=request.preset, solver=request.solver, seconds=request.seconds,
                 steps=request.steps, seed=request.seed, progress=watch.progress,
                 cancel=watch.cancelled,
@@ -134,17 +134,6 @@ def _rename(part: Path, path: Path) -> None:
         raise InputError(
             f"cannot be written: {error.strerror}", "choose another place", file=str(path)
         ) from None
-
-
-def _check_names(request: Request) -> None:
-    """Unknown names are told before anything is compiled."""
-    from scenewright.domains.home.presets import PRESETS
-
-    named("preset", request.preset, PRESETS)
-    if request.solver is not None:
-        from scenewright.solvers import SOLVERS
-
-        named("solver", request.solver, SOLVERS)
 
 
 def named(what: str, name: str, known: Collection[str]) -> None:

@@ -35,24 +35,39 @@ def schema(what: str) -> dict[str, Any]:
 
 
 def _solvers() -> list[Row]:
-    from scenewright.solvers import SOLVERS
+    from scenewright.domains import DOMAINS, solvers
 
-    return [{"name": name, "about": row.doc} for name, row in SOLVERS.items()]
+    return [
+        {"name": name, "domain": domain, "about": row.doc, "source": row.source}
+        for domain in DOMAINS
+        for name, row in solvers(domain).items()
+    ]
 
 
 def _terms() -> list[Row]:
+    from scenewright.terms.hall_terms import HALL_TERMS
     from scenewright.terms.table import TERMS
 
-    return [row._asdict() for row in TERMS]
+    home = [{"domain": "home"} | row._asdict() for row in TERMS]
+    hall = [{"domain": "hall"} | row._asdict() for row in HALL_TERMS]
+    return [*home, *({"form": "repaired", "kind": row["of"]} | row for row in hall)]
+
+
+def _patterns() -> list[Row]:
+    from scenewright.encodings.patterns import PATTERNS
+
+    return [row._asdict() for row in PATTERNS.values()]
 
 
 def _presets() -> list[Row]:
-    from scenewright.domains.home.presets import PRESETS
+    from scenewright.domains import DOMAINS, presets
 
     return [
-        {"name": name, "about": preset.doc, "solver": preset.solver, "weights": preset.weights}
-        for name, preset in PRESETS.items()
-    ]
+        {"name": name, "domain": domain, "about": preset.doc, "solver": preset.solver,
+         "weights": preset.weights}
+        for domain in DOMAINS
+        for name, preset in presets(domain).items()
+    ]  # fmt: skip
 
 
 def _formats() -> list[Row]:
@@ -106,6 +121,7 @@ def _samples() -> list[Row]:
 LISTS: dict[str, Callable[[], list[Row]]] = {
     "solvers": _solvers,
     "terms": _terms,
+    "patterns": _patterns,
     "presets": _presets,
     "formats": _formats,
     "groups": _groups,
@@ -114,5 +130,8 @@ LISTS: dict[str, Callable[[], list[Row]]] = {
 }
 """What can be listed."""
 
-SHOWN: dict[str, tuple[str, ...]] = {"terms": ("name", "form", "kind", "weight", "doc")}
+SHOWN: dict[str, tuple[str, ...]] = {
+    "solvers": ("domain", "name", "about"),
+    "terms": ("domain", "name", "form", "kind", "weight", "doc"),
+}
 """Columns for people, where not all."""

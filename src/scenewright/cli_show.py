@@ -123,11 +123,12 @@ def explained(console: Console, solution: Solution) -> None:
 
 def _meanings(names: set[str]) -> dict[str, str]:
     """One line for each term; of two forms the repaired one."""
+    from scenewright.terms.hall_terms import HALL_TERMS
     from scenewright.terms.table import TERMS
 
-    rows = [row for row in TERMS if row.name in names]
-    ordered = sorted(rows, key=lambda row: row.form != "printed")
-    return {row.name: {known.name: known.doc for known in ordered}[row.name] for row in rows}
+    ordered = sorted(TERMS, key=lambda row: row.form != "printed")
+    meanings = {row.name: row.doc for row in (*HALL_TERMS, *ordered)}
+    return {name: meanings[name] for name in meanings if name in names}
 
 
 def explained_document(solution: Solution) -> dict[str, Any]:

@@ -106,12 +106,19 @@ def _middles(problem: HallProblem) -> Floats:
     return np.array(found, np.float64).reshape(-1, 2)
 
 
+def capacity(counts: Ints) -> Ints:
+    """How many layers units of so many objects may have."""
+    rows = 6 + 3 * np.ceil(np.sqrt(counts)).astype(np.int64)
+    found: Ints = np.maximum(np.minimum(counts, rows), 1)
+    return found
+
+
 def _unit_arrays(units: Units) -> dict[str, Floats | Ints]:
     sizes, clear = _fresh(units.sizes, 2), _fresh(units.clear, 4)
     spans = np.array(units.spans, np.int64).reshape(-1, 2)
     counts = spans[:, 1] - spans[:, 0]
-    capacity = np.minimum(counts, 6 + 3 * np.ceil(np.sqrt(counts)).astype(np.int64))
-    ends = np.cumsum(np.maximum(capacity, 1))
+    rows = capacity(counts)
+    ends = np.cumsum(rows)
     demanded = (sizes[:, 0] + clear[:, 1] + clear[:, 3]) * (sizes[:, 1] + clear[:, 0] + clear[:, 2])
     beta, largest, gaps = np.zeros(len(spans)), np.zeros((len(spans), 2)), np.zeros((len(spans), 2))
     for u, (first, last) in enumerate(spans):
@@ -126,7 +133,7 @@ def _unit_arrays(units: Units) -> dict[str, Floats | Ints]:
         "choices": np.array(units.choices, np.int64).reshape(len(spans), -1),
         "beta": np.maximum(beta, 1e-9), "iota": clear.max(1, initial=0.0), "largest": largest,
         "gaps": gaps, "near": np.full(len(spans), STAGE),
-        "layer_spans": np.stack([ends - np.maximum(capacity, 1), ends], 1).astype(np.int64),
+        "layer_spans": np.stack([ends - rows, ends], 1).astype(np.int64),
     }  # fmt: skip
 
 

@@ -1,0 +1,73 @@
+"""Domains: what kinds of scenes can be laid out. One package each, found by the brief's name.
+
+A domain's package has ``solve(brief, *, preset, solver, seconds, steps, seed, threads, progress,
+cancel)``, which returns a solution, and ``PRESETS``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from importlib import import_module
+from typing import Any, NamedTuple
+
+from scenewright.brief import Brief
+from scenewright.solution import Solution
+
+
+class DomainRow(NamedTuple):
+    """One domain: its name, what it is, and where its table of solvers is."""
+
+    name: str
+    about: str
+    solvers: str
+
+
+_ROWS = (
+    DomainRow("home", "dwellings: rooms furnished by what they are for", "solvers:SOLVERS"),
+    DomainRow("hall", "exhibitions, shops, reading rooms, auditoria: groups in zones",
+              "solvers.halls:HALL_SOLVERS"),
+)  # fmt: skip
+DOMAINS: dict[str, DomainRow] = {row.name: row for row in _ROWS}
+
+
+def solve(
+    brief: Brief,
+    *,
+    preset: str = "default",
+    solver: str | None = None,
+    seconds: float | None = None,
+    steps: int | None = None,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Callable[[float, str], None] | None = None,
+    cancel: Callable[[], bool] | None = None,
+) -> Solution:
+    """Solve a brief by its domain: a home is furnished, a hall laid out.
+
+    ``preset`` and ``solver`` are names (``scenewright list presets``). The work is ``steps`` or
+    ``seconds``, else what the preset says; the same seed and steps give the same answer.
+    ``progress`` hears the share done and what is being done; when ``cancel`` answers true, what
+    was found so far is returned.
+    """
+    found: Solution = _module(brief.domain).solve(
+        brief, preset=preset, solver=solver, seconds=seconds, steps=steps, seed=seed,
+        threads=threads, progress=progress, cancel=cancel,
+    )  # fmt: skip
+    return found
+
+
+def presets(domain: str) -> Mapping[str, Any]:
+    """The presets of a domain, by name."""
+    found: Mapping[str, Any] = import_module(f"scenewright.domains.{domain}.presets").PRESETS
+    return found
+
+
+def solvers(domain: str) -> Mapping[str, Any]:
+    """The solvers of a domain, by name."""
+    module, _, name = DOMAINS[domain].solvers.partition(":")
+    found: Mapping[str, Any] = getattr(import_module(f"scenewright.{module}"), name)
+    return found
+
+
+def _module(domain: str) -> Any:
+    return import_module(f"scenewright.domains.{domain}")

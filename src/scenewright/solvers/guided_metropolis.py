@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import math
 
+from scenewright.encodings.patterns import SINGLE, WALL
 from scenewright.geometry.boxes import Floats, read_frame
 from scenewright.geometry.compiled import compiled, inlined
 from scenewright.geometry.paths import CLEAR, Bits, Grid, sweep_box
-from scenewright.encodings.patterns import SINGLE, WALL
 from scenewright.solvers.draws import Stream, below, uniform
 from scenewright.solvers.hall_moves import (
     change_pattern,
@@ -26,7 +26,7 @@ from scenewright.solvers.hall_moves import (
 from scenewright.terms.circulation import route
 from scenewright.terms.hall_place import build
 from scenewright.terms.hall_state import Prepared, Scratch, State
-from scenewright.terms.hall_terms import ACCESS, FILL, PROPORTION, REACH, SPACE, space_cost
+from scenewright.terms.hall_terms import FILL, PROPORTION, REACH, SPACE, space_cost
 from scenewright.terms.hall_trial import begin, judge, measure_all, settle, undo
 
 WALLS = 0.03

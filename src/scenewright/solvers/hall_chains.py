@@ -11,6 +11,7 @@ import os
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -200,7 +201,7 @@ def _stage(
     while share < until:
         done = (share - opened) / max(until - opened, 1e-9)
         at = int(parts * (first + (1.0 - first) * min(done, 0.999)))
-        list(pool.map(lambda chain: advance(chain, schedule, at, steps), chains))
+        list(pool.map(partial(advance, schedule=schedule, first=at, steps=steps), chains))
         made += steps * len(chains)
         best = min(float(chain.tally[2]) for chain in chains)
         if watch.over(before + made, best):

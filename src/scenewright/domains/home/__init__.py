@@ -28,9 +28,10 @@ from scenewright.domains.home.presets import PRESETS, Preset
 from scenewright.domains.home.programme import Wish, programme, resolved
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.room import furnish
+from scenewright.domains.standing import fixed_pieces
 from scenewright.errors import InputError
 from scenewright.plan import place, spaces
-from scenewright.scene import Piece, Pose, Size
+from scenewright.scene import Piece
 from scenewright.solution import Solution
 from scenewright.solve import Budget
 from scenewright.space import Space
@@ -131,7 +132,7 @@ def _task(
     brief: Brief, room: Room, space: Space, catalog: Catalog, preset: Preset, solver: str,
     seed: int, cancel: Cancel | None,
 ) -> Task:  # fmt: skip
-    fixed = tuple(_fixed(room, space, catalog))
+    fixed = tuple(fixed_pieces(room, space, catalog))
     shape = shapely.Polygon(space.outline, list(space.holes))
     taken = sum(p.size.width * p.size.depth for p in fixed if p.size.height > 0.05)
     area = max(float(shape.area) - taken, 0.1)
@@ -149,27 +150,6 @@ def _use_width(shape: shapely.Polygon, width: float) -> float:
     """The width of the way to pieces: a room nowhere as wide as two routes is used sideways."""
     across = 2 * float(shapely.maximum_inscribed_circle(shape, tolerance=0.02).length)
     return width if across >= 2 * width else min(width, SIDEWAYS)
-
-
-def _fixed(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
-    """What already stands in a room, as pieces; a locked group stays one."""
-    found = []
-    known = {item.id for item in room.fixed if item.id}
-    for number, item in enumerate(room.fixed, 1):
-        category = item.category if item.category in catalog.kinds else "obstacle"
-        size = Size(*item.size)
-        asset = item.asset if item.asset in catalog.assets else None
-        chosen = catalog.choose(category, size)
-        found.append(
-            Piece(
-                id=item.id or f"{space.id}/fixed/{category}_{number}", category=category,
-                asset=asset or (chosen.id if chosen else ""), space=space.id,
-                pose=Pose(*item.at, item.z, item.heading), size=size,
-                group=item.group or f"{space.id}/fixed", function=item.function or "fixed",
-                on=item.on if item.on in known else None, fixed=True,
-            )
-        )  # fmt: skip
-    return found
 
 
 def _wishes(room: Room, task: Task, rooms: tuple[Space, ...]) -> tuple[Wish, ...]:

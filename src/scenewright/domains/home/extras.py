@@ -7,7 +7,7 @@ import shapely
 
 from scenewright.catalog import Catalog
 from scenewright.domains.home.dress import joined, standing_of
-from scenewright.domains.home.ground import Gate, gates
+from scenewright.gates import Gate, gates
 from scenewright.geometry.fit import faults
 from scenewright.problem import Ground
 from scenewright.scene import Piece, Pose, Size

@@ -18,16 +18,15 @@ def seed_mixture(
     layers: Floats, first: int, number: int, rows: int, wide: float, deep: float, along: float,
     across: float,
 ) -> int:  # fmt: skip
-    """Write two chains of a third of the objects each and a radiation between them."""
-    side = max(number // 3, 1)
+    """Write two chains of a third of the objects each and a radiation between them; of fewer
+    than six objects a chain."""
+    if number < 6 or layers.shape[0] - first < 6:
+        return seed_chain(layers, first, number, rows, along, across, 0)
+    side = number // 3
+    rows = min(rows, (layers.shape[0] - first - 2) // 2)
     k = seed_chain(layers, first, side, rows, along, across, 0)
-    middle = number - 2 * side
-    if middle > 0:
-        k = seed_radiation(layers, k, middle, 1, wide, deep, along, across, 1)
-    if k < layers.shape[0]:
-        return seed_chain(layers, k, side, rows, along, across, 2)
-    layers[k - 1, NUMBER] += side
-    return k
+    k = seed_radiation(layers, k, number - 2 * side, 1, wide, deep, along, across, 1)
+    return seed_chain(layers, k, side, rows, along, across, 2)
 
 
 @inlined

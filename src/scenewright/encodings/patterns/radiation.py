@@ -43,7 +43,7 @@ def seed_radiation(
         layers[k, NUMBER], layers[k, ALONG], layers[k, ACROSS] = 1, 0.0, 0.0
         layers[k, CODE], layers[k, PART] = RADIATION, part
         k, left, radius = k + 1, left - 1, 0.5 * deep
-    rings = max(min(rings, left // 4, layers.shape[0] - k), 1)
+    rings = max(min(rings, left // 6, layers.shape[0] - k), 1)
     for ring in range(rings):
         shares = 0.5 * (rings * (rings + 1) - ring * (ring + 1))
         count = int(left * (ring + 1) / shares + 0.5)

@@ -1,0 +1,115 @@
+"""Generated walls: where a zone has less wall than its wall objects need.
+
+The demand is 100 (M + 1) + Σ l centimetres for M objects of length l (Cao, Cheng, Zhang 2024,
+after George 2015, The Curator's Handbook); ours takes the objects' own side clearances where
+they are less than the metre. Walls go on borders of zones that do not follow each other in the
+visiting order first; where the border is a passage, gaps stay at both ends of the wall.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.borders import Border
+from scenewright.domains.hall.assign import Unit
+from scenewright.domains.hall.wanted import Wanted
+from scenewright.hall_problem import Floats
+from scenewright.scene_graph import ZoneLink
+
+BETWEEN = 1.0
+SHORTEST = 1.2
+SPARE = 0.3
+"""What a gap is wider than its passage, and a wall longer than its objects need, in metres."""
+
+
+class Host(NamedTuple):
+    """A border that carries a wall: row of x0, y0, x1, y1, zone left, zone right, and the wall's
+    start and end along it, in metres."""
+
+    row: tuple[float, float, float, float, float, float]
+    span: tuple[float, float]
+
+
+def wall_needed(wish: Wanted, count: int, printed: bool) -> float:
+    """Metres of wall for some objects of a demand."""
+    side = wish.clearance[1] + wish.clearance[3]
+    between = BETWEEN if printed else min(BETWEEN, side)
+    return sum(size.width for size in wish.sizes[:count]) + between * (count + 1)
+
+
+def lacking(
+    units: list[Unit], wishes: list[Wanted], walls: Floats, printed: bool
+) -> Floats:
+    """Metres of wall (z,) that the zones have less than they need; 0 or less: none."""
+    need = -np.array(walls, np.float64)
+    for unit in units:
+        if wishes[unit.demand].at_wall:
+            need[unit.zone] += wall_needed(wishes[unit.demand], unit.last - unit.first, printed)
+    return need
+
+
+def visiting_order(links: tuple[ZoneLink, ...], names: tuple[str, ...], first: int) -> list[int]:
+    """Zones as a visitor meets them from the zone of the entrance on: breadth first."""
+    order, waiting = [], deque([first])
+    while waiting or len(order) < len(names):
+        zone = waiting.popleft() if waiting else min(set(range(len(names))) - set(order))
+        if zone in order:
+            continue
+        order.append(zone)
+        for link in links:
+            pair = (names.index(link.first), names.index(link.second))
+            if zone in pair:
+                waiting.append(pair[1] if pair[0] == zone else pair[0])
+    return order
+
+
+def hosts(
+    borders: tuple[Border, ...], links: tuple[ZoneLink, ...], names: tuple[str, ...],
+    order: list[int], lack: Floats,
+) -> tuple[Host, ...]:  # fmt: skip
+    """Walls on borders until no zone lacks any, or borders run out."""
+    widths = {frozenset((link.first, link.second)): link.width for link in links}
+    left = np.array(lack, np.float64)
+    found: list[Host] = []
+    for border in sorted(borders, key=lambda b: _rank(b, widths, names, order)):
+        want = max(left[border.first], left[border.second])
+        if want <= 0.0:
+            continue
+        gap = widths.get(frozenset((names[border.first], names[border.second])), 0.0)
+        span = _span(border, gap, want)
+        if span is None:
+            continue
+        row = (*border.start, *border.end, float(border.first), float(border.second))
+        found.append(Host(row, span))
+        left[[border.first, border.second]] -= span[1] - span[0]
+    return tuple(found)
+
+
+def _length(border: Border) -> float:
+    return float(np.hypot(border.end[0] - border.start[0], border.end[1] - border.start[1]))
+
+
+def _rank(
+    border: Border, widths: dict[frozenset[str], float], names: tuple[str, ...], order: list[int]
+) -> tuple[bool, bool, float]:
+    linked = frozenset((names[border.first], names[border.second])) in widths
+    apart = abs(order.index(border.first) - order.index(border.second))
+    return linked, apart == 1, -_length(border)
+
+
+def _span(border: Border, gap: float, want: float) -> tuple[float, float] | None:
+    """Where a wall may stand on a border: all of it, or its middle between two gaps, or beside
+    one gap; as long as it needs to be."""
+    length = _length(border)
+    need = want + SPARE
+    if gap == 0.0:
+        return (0.0, min(need, length)) if length >= SHORTEST else None
+    room = length - 2 * (gap + SPARE)
+    if room >= max(SHORTEST, min(need, 0.6 * length)):
+        half = 0.5 * min(need, room)
+        return (0.5 * length - half, 0.5 * length + half)
+    room = length - gap - SPARE
+    return (0.0, min(need, room)) if room >= SHORTEST else None

@@ -1,0 +1,33 @@
+"""Presets of halls: named sets of weights and solver parameters."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from scenewright.terms.hall_terms import HALL_TERMS, PRINTED
+
+
+class HallPreset(NamedTuple):
+    """What it is, weights by name of the term, the solver, how many layouts are looked at (more
+    in halls of more than :data:`USUAL` groups), and whether groups stay whole."""
+
+    doc: str
+    weights: dict[str, float]
+    solver: str
+    steps: int
+    whole: bool = False
+
+
+USUAL = 20
+"""Groups of a hall for which the steps of a preset are meant."""
+
+OURS = {row.name: row.weight for row in HALL_TERMS}
+PAPER = {row.name: row.weight for row in HALL_TERMS if row.name in PRINTED}
+
+PRESETS: dict[str, HallPreset] = {
+    "default": HallPreset("our six terms, four chains annealed", OURS, "anneal", 12_000),
+    "quick": HallPreset("the default with a quarter of the work", OURS, "anneal", 3_000),
+    "fine": HallPreset("the default with eight times the work", OURS, "anneal", 96_000),
+    "paper": HallPreset("Cao, Cheng, Zhang 2024: four energies, 1000 iterations, groups whole",
+                        PAPER, "gd-mh", 1000, True),
+}  # fmt: skip
