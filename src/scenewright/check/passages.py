@@ -135,17 +135,26 @@ def _passes(pair: _Pair, width: float) -> bool:
 
 
 def _narrowest(pair: _Pair, width: float) -> tuple[float, float]:
-    """Where a disc a little wider gets stuck: midway between what it reaches from both sides; the
-    middle of the border if it does not even fit in one of the zones."""
+    """Where a disc a little wider gets stuck: midway between what it reaches from both sides, or
+    where the disc just fits into the zone that no wider one fits into."""
     parts, first, second = _shrunk(pair, width + 2 * TOLERANCE)
     if first.any() and second.any():
         line = shapely.shortest_line(
             shapely.multipolygons(parts[first]), shapely.multipolygons(parts[second])
         )
+        place = shapely.line_interpolate_point(line, 0.5, normalized=True)
     else:
-        line = shapely.shortest_line(pair.first, pair.second)
-    middle = shapely.line_interpolate_point(line, 0.5, normalized=True)
-    return round(float(middle.x), 3), round(float(middle.y), 3)
+        place = shapely.point_on_surface(_tight_spot(pair, width, not first.any()))
+    return round(float(place.x), 3), round(float(place.y), 3)
+
+
+def _tight_spot(pair: _Pair, width: float, in_first: bool) -> Shape:
+    """Where in a zone the centre of the disc that gets through may be; the zone if none does."""
+    zone = pair.first if in_first else pair.second
+    parts, first, second = _shrunk(pair, max(width - TOLERANCE, 0.0))
+    through = shapely.multipolygons(parts[first & second])
+    spot = shapely.intersection(through, shapely.buffer(zone, -width / 2, quad_segs=8))
+    return zone if spot.is_empty else spot
 
 
 def _beside(bodies: Bodies, hall: Hall, at: tuple[float, float], width: float) -> tuple[int, ...]:

@@ -47,19 +47,27 @@ def seen_from(bodies: Bodies, hall: Hall, ground: Ground) -> Floats:
     nearest = np.full(len(hall.objects), np.inf)
     if hall.tour is None or not len(hall.objects):
         return nearest
-    sides, stops = sides_of(bodies, hall.objects), resampled(hall.tour, STEP)[:_MOST_STOPS]
+    stops = resampled(hall.tour, STEP)[:_MOST_STOPS]
     hiding = shapely.STRtree(_hiding(bodies, hall, ground.floor))
+    sides = sides_of(bodies, hall.objects)
+    for reach in (NEAR + 1, FAR):  # most are seen from near by, so few have to be sought far off
+        left = np.isinf(nearest[sides.owner])
+        sides = Sides(sides.points[left], sides.normals[left], sides.owner[left])
+        if len(sides.owner):
+            np.minimum.at(nearest, sides.owner, _seen_within(sides, stops, reach, hiding))
+    return nearest
+
+
+def _seen_within(sides: Sides, stops: Floats, reach: float, hiding: shapely.STRtree) -> Floats:
+    """Distance of the nearest stop within ``reach`` metres from which each side is seen."""
     side, stop = shapely.STRtree(shapely.points(stops)).query(
-        shapely.points(sides.points), predicate="dwithin", distance=FAR
+        shapely.points(sides.points), predicate="dwithin", distance=reach
     )
     towards = stops[stop] - sides.points[side]
     turned = (towards * sides.normals[side]).sum(1) > 0
     side, stop, apart = side[turned], stop[turned], np.hypot(*towards[turned].T)
     order = np.lexsort((apart, side))
-    side, stop, apart = side[order], stop[order], apart[order]
-    found = _first_seen(sides.points, stops, side, stop, apart, hiding)
-    np.minimum.at(nearest, sides.owner, found)
-    return nearest
+    return _first_seen(sides.points, stops, side[order], stop[order], apart[order], hiding)
 
 
 def _first_seen(
