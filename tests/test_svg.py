@@ -107,9 +107,9 @@ def test_the_front_is_drawn_at_the_front() -> None:
     piece = Piece("a", "sofa", "", "r", Pose(5, 5, 0, 0.0), Size(2, 1, 1))
     outline, front = symbol(piece, Catalog())
     assert outline[0].tolist() == outline[-1].tolist()
-    drawn = pieces_mark(View(1, 0, 0), [piece], Catalog())
+    drawn = pieces_mark(View(20, 0, 0), [piece], Catalog())
     # heading 0 looks to +x, so the front line is right of the middle on paper
-    assert f"M{number(5 + 0.85 / 2)},-6 {number(5 + 0.85 / 2)},-4" in drawn
+    assert f"M{number(108.5)},-120 {number(108.5)},-80" in drawn
     assert front[:, 1].tolist() == [0.425, 0.425]
 
 

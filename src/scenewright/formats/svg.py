@@ -8,6 +8,7 @@ holds no script, no style sheet, no image and no font; names are escaped.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -17,6 +18,7 @@ from shapely import Geometry, Polygon, union_all
 from scenewright.catalog import Catalog
 from scenewright.formats import svg_dimensions as dimensions
 from scenewright.formats import svg_sheet as sheets
+from scenewright.formats.svg_doors import doors_mark
 from scenewright.formats.svg_labels import area_words, labels_mark, polygon_of
 from scenewright.formats.svg_marks import INK, clean, group, tag, text, title
 from scenewright.formats.svg_pieces import footprint, hangs, pieces_mark
@@ -112,6 +114,7 @@ def _storey_mark(
         pieces_mark(view, part.pieces, catalog),
         walls_mark(view, part.walls),
         openings_mark(view, part.openings),
+        doors_mark(view, part.openings, notes=False),
         labels_mark(view, part.spaces, _busy(part, catalog)),
         dimensions.chains_mark(view, storey.bounds, storey.chains),
         _caption(storey, (left + (storey.bounds[2] - storey.bounds[0]) * view.scale / 2,
@@ -142,10 +145,21 @@ def _flat(category: str, catalog: Catalog) -> bool:
 
 
 def _caption(storey: Storey, at: tuple[float, float]) -> str:
-    name = clean(storey.level.name or storey.level.id, 30)
     floor = area_words(sum(polygon_of(space).area for space in storey.scene.spaces))
-    height = f"{storey.level.elevation:+.2f}" if storey.level.elevation else "±0.00"
-    return text(f"{name} · {height} · {floor}", at, 2.3, fill=INK)
+    level = storey.level
+    height = f"{level.elevation:+.2f}" if level.elevation else "±0.00"
+    return text(" · ".join([*level_name(level), height, floor]), at, 2.3, fill=INK)
+
+
+def level_name(level: Level) -> list[str]:
+    """The name of a storey; none if it only has a number.
+
+    >>> level_name(Level("0", "0", 0.0, 2.6)), level_name(Level("0", "Ground floor", 0.0, 2.6))
+    ([], ['Ground floor'])
+    """
+    name = clean(level.name, 30)
+    told = name if name != level.id or re.search(r"[^\W\d_]{2}", name) else ""
+    return [told] if told else []
 
 
 def _summary(scene: Scene) -> str:

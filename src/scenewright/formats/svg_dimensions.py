@@ -27,8 +27,8 @@ from scenewright.space import Opening, Space
 Side = Literal["south", "west", "north", "east"]
 Bounds = tuple[float, float, float, float]
 
-FIRST, STEP, TICK, DIGITS = 6.0, 5.0, 0.8, 1.8
-"""Millimetres: building to first chain, chain to chain, half a tick, text height."""
+FIRST, STEP, TICK, DIGITS, SMALL = 6.0, 5.0, 0.8, 1.8, 1.6
+"""Millimetres: building to first chain, chain to chain, half a tick, text heights."""
 
 THICKEST = 0.8
 """Gaps between rooms up to this many metres are walls, dimensioned to their middle."""
@@ -68,13 +68,38 @@ def margins(found: dict[Side, list[Chain]]) -> dict[Side, float]:
 
 
 def chains_mark(view: View, bounds: Bounds, found: dict[Side, list[Chain]]) -> str:
-    """All chains of a plan."""
-    marks = [
-        _chain_mark(view, bounds, chain, FIRST + STEP * row)
-        for rows in found.values()
-        for row, chain in enumerate(rows)
-    ]
+    """All chains of a plan, with the stations whose figures can be read at its scale."""
+    marks = []
+    for rows in found.values():
+        kept = [chain._replace(stations=readable(chain.stations, view.scale)) for chain in rows]
+        distinct = [chain for k, chain in enumerate(kept) if chain not in kept[:k]]
+        marks += [
+            _chain_mark(view, bounds, chain, FIRST + STEP * row)
+            for row, chain in enumerate(distinct)
+        ]
     return group(marks, stroke=GREY, stroke_width=FINE, fill="none")
+
+
+def readable(stations: Sequence[float], scale: float) -> tuple[float, ...]:
+    """Stations far enough apart for the figure between them at ``scale`` millimetres a metre.
+
+    Two too close together (a narrow window) are dimensioned to their middle; what is too close
+    still is left out. The ends stay.
+
+    >>> readable((0.0, 2.0, 2.1, 5.0, 5.05), 20.0)
+    (0.0, 2.05, 5.05)
+    """
+    least = (text_width("0.00", SMALL) + 0.4) / scale
+    inner, paired = list(stations[1:-1]), list[float]()
+    while inner:
+        here = inner.pop(0)
+        close = inner and inner[0] - here < least
+        paired.append((here + inner.pop(0)) / 2 if close else here)
+    kept, last = [stations[0]], stations[-1]
+    for station in paired:
+        if station - kept[-1] >= least and last - station >= least:
+            kept.append(station)
+    return (*kept, last)
 
 
 def _chain_mark(view: View, bounds: Bounds, chain: Chain, offset: float) -> str:
@@ -96,13 +121,14 @@ def _chain_mark(view: View, bounds: Bounds, chain: Chain, offset: float) -> str:
 
 
 def _measure(metres: float, middle: NDArray[np.float64], side: Side, room: float) -> str:
-    """The figure over its segment; lifted where the segment is too short for it."""
+    """The figure over its segment, smaller where that is short, none where there is no room."""
     words = f"{metres:.2f}"
-    size = DIGITS if text_width(words, DIGITS) < room - 0.6 else 0.8 * DIGITS
-    lift = 1.5 if text_width(words, size) < room - 0.4 else 2.9
+    size = DIGITS if text_width(words, DIGITS) < room - 0.6 else SMALL
+    if text_width(words, size) > room:
+        return ""
     turned = side in ("west", "east")
     up = np.array([-1.0, 0.0]) if turned else np.array([0.0, -1.0])
-    return text(words, middle + lift * up, size, 90 if turned else 0, stroke="none", fill=GREY)
+    return text(words, middle + 1.5 * up, size, 90 if turned else 0, stroke="none", fill=GREY)
 
 
 def _opening_stations(

@@ -83,6 +83,8 @@ def wordings(space: Space, square_metres: float) -> list[Label]:
         (split, (floor,), 1.0, 0.2),
         ((name,), (floor,), 0.72, 0.45),
         (split, (floor,), 0.72, 0.5),
+        ((name,), (), 0.72, 0.7),
+        ((name,), (), 0.6, 0.9),
     )
     turns = ((0.0, 0.0), (90.0, 0.3))
     return [
@@ -144,7 +146,7 @@ def _best_position(
     high = np.rint((at + half - raster.corner) / raster.cell).astype(int)
     off = 1 - np.minimum(_cells(raster.floor, low, high) / whole, 1)
     over = _cells(raster.busy, low, high) / whole
-    cost = 12 * off + 4 * over + 0.15 * away + label.cost
+    cost = 12 * off + 7 * over + 0.15 * away + label.cost
     best = int(np.argmin(cost))
     return float(cost[best]), best
 

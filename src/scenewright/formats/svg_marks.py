@@ -17,7 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 CUT, OUTLINE, LINE, FINE = 0.5, 0.35, 0.18, 0.1
 """Pens in millimetres: cut walls, frames, edges of things, details."""
 
-INK, GREY, PALE = "#1f2226", "#6d7278", "#c9c7c1"
+INK, GREY, PALE, POCHE = "#1f2226", "#6d7278", "#c9c7c1", "#34383e"
+ROUTE, WARNING, EXIT = "#0064a8", "#c24a00", "#007a4d"
+"""Colours that stay apart in grey and for colour-blind readers (after Okabe and Ito, 2008)."""
 
 _UNPRINTABLE = re.compile(
     "[\x00-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufdd0-\ufdef\ufffe\uffff]"
@@ -88,6 +90,27 @@ def text(
     return tag("text", escape(clean(words, 120)), **(place | style | attributes))
 
 
+def plate(words: str, at: ArrayLike, size: float, **attributes: str | float) -> str:
+    """Text over a white halo, to stand on lines and tints."""
+    halo: dict[str, str | float] = {
+        "stroke": "#ffffff",
+        "stroke_width": 0.45 * size,
+        "stroke_linejoin": "round",
+    }
+    turn = float(attributes.pop("turn", 0.0))
+    plain: dict[str, str | float] = attributes | {"stroke": "none"}
+    return text(words, at, size, turn, **(attributes | halo)) + text(words, at, size, turn, **plain)
+
+
+def arrow_head(tip: ArrayLike, way: ArrayLike, size: float) -> NDArray[np.float64]:
+    """Corners of a slender triangle ``size`` long whose tip points along ``way``, on paper."""
+    point, ahead = np.asarray(tip, dtype=float), np.asarray(way, dtype=float)
+    ahead = ahead / max(float(np.hypot(*ahead)), 1e-12)
+    side = 0.36 * size * np.array([-ahead[1], ahead[0]])
+    foot = point - size * ahead
+    return np.array([point, foot + side, foot - side])
+
+
 def title(words: str) -> str:
     """The words a viewer shows when the pointer rests on the group this stands in."""
     return tag("title", escape(clean(words)))
@@ -106,6 +129,27 @@ def clean(words: str, longest: int = 48) -> str:
 def text_width(words: str, size: float) -> float:
     """A fair guess of the width of printed words: wide scripts take a full em a character."""
     return size * sum(1.0 if ord(letter) > 0x2E7F else 0.58 for letter in words)
+
+
+def fitted(
+    words: str, size: float, room: float, smallest: float = 0.65, wide: float = 1.0
+) -> tuple[str, float]:
+    """The words and the text height at which they fit into ``room`` millimetres: as large as
+    possible, from ``smallest`` times the size on cut short. ``wide`` is for bold letters.
+
+    >>> fitted("Kitchen", 2.0, 100.0)
+    ('Kitchen', 2.0)
+    >>> fitted("Kitchen and dining room", 2.0, 15.0)
+    ('Kitchen and dining…', 1.3)
+    """
+    need = wide * text_width(words, size)
+    if need <= room:
+        return words, size
+    size *= max(smallest, room / need)
+    count = len(words)
+    while count > 1 and wide * text_width(clean(words, count), size) > room + 1e-6:
+        count -= 1
+    return clean(words, count), size
 
 
 def number(value: float) -> str:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,25 +19,71 @@ from scenewright.formats.svg_marks import (
     View,
     group,
     line,
+    number,
     shape,
+    tag,
     title,
     to_paper,
 )  # fmt: skip
 from scenewright.formats.svg_shell import CUT_HEIGHT
-from scenewright.scene import Piece
+from scenewright.scene import Piece, Pose
 from scenewright.space import Points
 
 SEAT_HEIGHT = 0.45
 PAPER, RUG = "#ffffff", "#e9e4d9"
+COARSE, SMALL, THIN = 7.5, 2.0, 0.13
+"""Below so many millimetres a metre symbols are simplified; things smaller than so many
+millimetres are drawn with the thin pen."""
+
+Key = tuple[str, str, tuple[float, ...], bool]
+"""What two pieces must share to be drawn alike."""
 
 
-def pieces_mark(view: View, pieces: Sequence[Piece], catalog: Catalog) -> str:
+class Symbols(NamedTuple):
+    """Symbols drawn more than once: the id of each, and their definitions."""
+
+    ids: dict[Key, str]
+    definitions: tuple[str, ...]
+
+
+NONE = Symbols({}, ())
+
+
+def repeated(scale: float, pieces: Sequence[Piece], catalog: Catalog) -> Symbols:
+    """What is drawn more than once at ``scale`` millimetres a metre, to be defined once.
+
+    Definitions look to the top of the paper, their middle in the origin.
+    """
+    seen = [piece for piece in pieces if drawn(piece, catalog.kinds)]
+    counts = Counter(_key(piece) for piece in seen)
+    firsts = {_key(piece): piece for piece in reversed(seen)}
+    keys = [key for key, count in counts.items() if count > 1]
+    ids = {key: f"s{number}" for number, key in enumerate(keys)}
+    upright = Pose(0.0, 0.0, 0.0, np.pi / 2)
+    found = []
+    for key, name in ids.items():
+        high = firsts[key].pose.z
+        model = replace(firsts[key], pose=upright._replace(z=high))
+        content = "\n".join(_strokes(View(scale, 0.0, 0.0), model, catalog))
+        found.append(tag("g", content, id=name))
+    return Symbols(ids, tuple(found))
+
+
+def drawn(piece: Piece, kinds: dict[str, Kind]) -> bool:
+    """Whether the plan shows a piece by a symbol: what hangs from the ceiling is left to the
+    ceiling plan, partitions are drawn with the walls."""
+    return _support(piece, kinds) != "ceiling" and piece.category != "partition"
+
+
+def pieces_mark(
+    view: View, pieces: Sequence[Piece], catalog: Catalog, symbols: Symbols = NONE
+) -> str:
     """Every piece by its symbol, drawn from the floor up; what hangs on a wall above the cut is
-    dashed, what hangs from the ceiling is left to the ceiling plan."""
-    seen = [p for p in pieces if _support(p, catalog.kinds) != "ceiling"]
+    dashed."""
+    seen = [piece for piece in pieces if drawn(piece, catalog.kinds)]
     ordered = sorted(seen, key=lambda piece: drawing_height(piece, catalog.kinds))
     return group(
-        [_piece(view, piece, catalog) for piece in ordered],
+        [_piece(view, piece, catalog, symbols) for piece in ordered],
         stroke=INK, stroke_linejoin="round", stroke_linecap="round",
     )  # fmt: skip
 
@@ -71,17 +120,48 @@ def footprint(piece: Piece) -> NDArray[np.float64]:
     return placed(piece, half * [(-1, -1), (1, -1), (1, 1), (-1, 1)])
 
 
-def _piece(view: View, piece: Piece, catalog: Catalog) -> str:
-    drawn = [to_paper(view, placed(piece, points)) for points in symbol(piece, catalog)]
+def _key(piece: Piece) -> Key:
+    return piece.asset, piece.category, tuple(np.round(piece.size, 4).tolist()), hangs(piece)
+
+
+def _piece(view: View, piece: Piece, catalog: Catalog, symbols: Symbols) -> str:
     name = title(_name(piece, catalog))
+    known = symbols.ids.get(_key(piece))
+    if known is None:
+        return group([name, *_strokes(view, piece, catalog)])
+    x, y = to_paper(view, piece.pose[:2])
+    turn = 90.0 - np.degrees(piece.pose.heading)
+    turned = f" rotate({number(turn)})" if abs(np.remainder(turn + 1e-6, 360.0)) > 1e-5 else ""
+    where = f"translate({number(x)} {number(y)}){turned}"
+    return tag("use", name, **{"xlink:href": f"#{known}", "transform": where})
+
+
+def _strokes(view: View, piece: Piece, catalog: Catalog) -> list[str]:
+    lines = symbol(piece, catalog)
+    if view.scale < COARSE:
+        lines = plain(piece, lines, view.scale)
+    points = [to_paper(view, placed(piece, row)) for row in lines]
     if hangs(piece):
-        dashed = [line(points, stroke=GREY, stroke_width=FINE, fill="none") for points in drawn[:1]]
-        return group([name, *dashed], stroke_dasharray="0.8 0.6")
+        dashed = {"stroke_dasharray": "0.8 0.6", "stroke": GREY, "fill": "none"}
+        return [line(row, stroke_width=FINE, **dashed) for row in points[:1]]
     kind = catalog.kinds.get(piece.category)
     fill = RUG if kind and kind.flat else PAPER
-    pens = [LINE] + [FINE] * (len(drawn) - 1)
-    strokes = [_stroke(points, pen, fill) for points, pen in zip(drawn, pens, strict=True)]
-    return group([name, *strokes])
+    edge = LINE if min(piece.size[:2]) * view.scale > SMALL else THIN
+    pens = [edge] + [FINE] * (len(points) - 1)
+    return [_stroke(row, pen, fill) for row, pen in zip(points, pens, strict=True)]
+
+
+def plain(piece: Piece, lines: tuple[Points, ...], scale: float) -> tuple[Points, ...]:
+    """The symbol for small scales: its outline, and where there is room a line at its front."""
+    sizes = [np.ptp(row, axis=0) if len(row) > 3 else np.zeros(2) for row in lines]
+    whole = max(range(len(lines)), key=lambda k: float(sizes[k].min()))
+    w, d = piece.size.width / 2, piece.size.depth / 2
+    covers = bool((sizes[whole] > 0.9 * np.array([2 * w, 2 * d])).all())
+    edge = lines[whole] if covers else _box_symbol(piece)[0]
+    if min(2 * w, 2 * d) * scale < SMALL or len(edge) > 9:
+        return (edge,)
+    front = d - min(0.7 / scale, 0.4 * d)
+    return edge, np.array([(-w, front), (w, front)])
 
 
 def symbol(piece: Piece, catalog: Catalog) -> tuple[Points, ...]:

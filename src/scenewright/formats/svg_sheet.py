@@ -13,16 +13,20 @@ from scenewright.formats.svg_marks import (
     OUTLINE,
     View,
     clean,
+    fitted,
     group,
     line,
     shape,
     tag,
     text,
+    text_width,
 )  # fmt: skip
 
 SCALES = (50, 100, 200, 500, 1000, 2000, 5000, 10_000)
 PAPERS = ((297.0, 210.0), (210.0, 297.0), (420.0, 297.0), (297.0, 420.0))
 """A4 and A3, lying and standing, in millimetres."""
+LARGE = ((594.0, 420.0), (420.0, 594.0), (841.0, 594.0), (594.0, 841.0))
+"""A2 and A1: only for what is too large for A3 at 1:100."""
 
 EDGE, STRIP = 7.0, 15.0
 """Millimetres from the paper's edge to the frame, and height of the title strip."""
@@ -46,7 +50,7 @@ def choose(width: float, height: float, extra_width: float, extra_height: float)
     """
     for scale in SCALES:
         need = width * 1000 / scale + extra_width, height * 1000 / scale + extra_height
-        for paper in PAPERS:
+        for paper in papers(scale):
             if need[0] <= paper[0] - 2 * EDGE and need[1] <= paper[1] - 2 * EDGE - STRIP:
                 return Sheet(*paper, scale)
     last = SCALES[-1]
@@ -57,20 +61,30 @@ def choose(width: float, height: float, extra_width: float, extra_height: float)
     )
 
 
+def papers(scale: int) -> tuple[tuple[float, float], ...]:
+    """The papers to try at a scale, the smallest first."""
+    return PAPERS if scale <= 100 else PAPERS + LARGE
+
+
 def sheet_mark(sheet: Sheet, name: str, summary: str) -> str:
-    """Frame and title strip."""
+    """Frame and title strip: name and summary take the room that the scale bar leaves."""
     right, bottom = sheet.width - EDGE, sheet.height - EDGE
     top = bottom - STRIP
     middle = (top + bottom) / 2
     corners = [(EDGE, EDGE), (right, EDGE), (right, bottom), (EDGE, bottom)]
+    room = right - 64 - EDGE - 5
+    unit, divisions = _divisions(sheet.scale, 0.45 * room)
+    room -= divisions * unit * 1000 / sheet.scale + 10
+    words, size = fitted(clean(name, 80), 4.4, room, wide=1.12)
+    told, small = fitted(summary, 2.3, room)
     marks = [
         shape([corners], stroke_width=OUTLINE),
         line([(EDGE, top), (right, top)], stroke_width=LINE),
         line([(right - 44, top), (right - 44, bottom)], stroke_width=LINE),
         line([(right - 58, top), (right - 58, bottom)], stroke_width=LINE),
-        _words(clean(name, 40), (EDGE + 5, middle - 2.2), 4.4, weight="bold"),
-        _words(summary, (EDGE + 5, middle + 3.6), 2.3, fill=GREY),
-        scale_bar(right - 64, middle + 1.5, sheet.scale),
+        _words(words, (EDGE + 5, middle - 2.2), size, weight="bold"),
+        _words(told, (EDGE + 5, middle + 3.6), small, fill=GREY),
+        scale_bar(right - 64, middle + 1.5, sheet.scale, 0.45 * (right - 69 - EDGE)),
         north_arrow(right - 51, middle + 1.2),
         _words(f"1:{sheet.scale}", (right - 40, middle - 2.2), 4.4, weight="bold"),
         _words(f"Scenewright {__version__}", (right - 40, middle + 3.6), 2.3, fill=GREY),
@@ -78,20 +92,28 @@ def sheet_mark(sheet: Sheet, name: str, summary: str) -> str:
     return group(marks, fill="none", stroke=INK)
 
 
-def scale_bar(right: float, y: float, scale: int) -> str:
-    """A bar of five divisions, black and white, ending at ``right``; labelled in metres."""
+def _divisions(scale: int, most: float) -> tuple[int, int]:
+    """Metres of a division of the scale bar, and how many: four, or two in a narrow strip."""
     unit = next(u for u in (1, 2, 5, 10, 20, 50, 100, 200) if u * 1000 / scale >= 9)
+    return unit, 4 if 4 * unit * 1000 / scale + 4 <= most else 2
+
+
+def scale_bar(right: float, y: float, scale: int, most: float = 100.0) -> str:
+    """A bar of divisions, black and white, ending at ``right``, at most ``most`` millimetres
+    long; labelled in metres."""
+    unit, count = _divisions(scale, most)
     step = unit * 1000 / scale
-    left = right - 4 * step - 4
+    left = right - count * step - 4
     marks = []
-    for index in range(4):
+    for index in range(count):
         x = left + index * step
         box = [(x, y), (x + step, y), (x + step, y + 1.5), (x, y + 1.5)]
         fill = INK if index % 2 == 0 else "#ffffff"
         marks.append(shape([box], fill=fill, stroke_width=FINE))
-    for index in (0, 1, 2, 4):
-        words = f"{index * unit}" + (" m" if index == 4 else "")
-        at = (left + index * step + (1.2 if index == 4 else 0.0), y - 1.8)
+    for index in dict.fromkeys((0, 1, 2, count)):
+        words = f"{index * unit}" + (" m" if index == count else "")
+        shift = text_width(" m", 1.8) / 2 if index == count else 0.0
+        at = (left + index * step + shift, y - 1.8)
         marks.append(text(words, at, 1.8, stroke="none", fill=GREY))
     return group(marks)
 

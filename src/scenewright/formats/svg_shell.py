@@ -14,6 +14,7 @@ from scenewright.formats.svg_marks import (
     GREY,
     INK,
     LINE,
+    POCHE,
     View,
     group,
     line,
@@ -69,7 +70,7 @@ def low_walls(walls: Sequence[Wall]) -> Geometry:
 def walls_mark(view: View, walls: Sequence[Wall]) -> str:
     """Low walls as outlines, cut walls solid."""
     low = _filled(view, low_walls(walls), fill="#ffffff", stroke=INK, stroke_width=LINE)
-    cut = _filled(view, cut_walls(walls), fill="#34383e", stroke=INK, stroke_width=CUT)
+    cut = _filled(view, cut_walls(walls), fill=POCHE, stroke=INK, stroke_width=CUT)
     return group([*low, *cut], fill_rule="evenodd", stroke_linejoin="miter")
 
 
