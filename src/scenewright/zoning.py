@@ -25,7 +25,7 @@ LEAST_ZONE = 1.0
 MARGIN = 1e-3
 PASSAGE = 1.2
 DIFFERENT = 0.15
-TRIED = 6
+TRIED = 8
 
 
 class ZoneWish(NamedTuple):
@@ -77,14 +77,19 @@ def proposals(
     if not ground.parts:
         whole = tuple(wish.zone for wish in wishes if wish.zone is not None)
         return (whole,)
-    found: list[tuple[tuple[int, float, int], tuple[Zone, ...]]] = []
     chosen: list[tuple[Zone, ...]] = []
-    for rank, (score, pieces) in enumerate(ranked(ground, seed, TRIED * count)):
+    faulty: list[tuple[int, int, tuple[Zone, ...]]] = []
+    for rank, pieces in enumerate(ranked(ground, seed)[: TRIED * count]):
         zones = _zones(space, frame, wishes, pieces)
         faults = _faults(zones, links, passage)
-        found.append(((faults, score, rank), zones))
-    for _, zones in sorted(found, key=lambda row: row[0]):
-        if all(_differ(zones, other) for other in chosen) and len(chosen) < count:
+        if faults:
+            faulty.append((faults, rank, zones))
+        elif all(_differ(zones, other) for other in chosen):
+            chosen.append(zones)
+        if len(chosen) == count:
+            break
+    for _, _, zones in sorted(faulty, key=lambda row: row[:2]):
+        if len(chosen) < count and all(_differ(zones, other) for other in chosen):
             chosen.append(zones)
     if not chosen:
         raise InputError(
@@ -122,7 +127,7 @@ def _ground(
         )
     must = {tuple(sorted((order[k.first], order[k.second]))): k.width for k in links}
     may = {tuple(sorted((order[w.id], order[name]))): passage for w in wishes for name in w.beside}
-    pairs = [(i, j, width, 2.0) for (i, j), width in must.items()]
+    pairs = [(i, j, width, 4.0) for (i, j), width in must.items()]
     pairs += [(i, j, width, 1.0) for (i, j), width in may.items() if (i, j) not in must]
     doors, names = _doors(space, frame)
     return Ground(

@@ -35,11 +35,12 @@ class Frame(NamedTuple):
 
 def frame_of(space: Space) -> Frame:
     """The frame of a hall: x along the direction in which, or across which, most of its walls
-    run (to 3 degrees, weighed by squared lengths), and turned so that the longest such wall has
-    the hall on its left.
+    run (to 3 degrees, weighed by squared lengths; a door as a wall of twice its width), and
+    turned so that the longest such wall has the hall on its left.
     """
     start, end = np.hsplit(outlines.edges(space.outline), 2)
-    step = (end - start) @ np.array([1.0, 1j])
+    doors = [2.0 * o.width * complex(o.ux, o.uy) for o in space.openings if o.kind != "window"]
+    step = np.concatenate([(end - start) @ np.array([1.0, 1j]), np.array(doors, complex)])
     weight = np.abs(step) ** 2
     fourth = (step / np.abs(step)) ** 4  # the same for directions a quarter turn apart
     trial = np.argsort(-np.round(weight, 6), kind="stable")[:MOST_WALLS]
@@ -79,13 +80,15 @@ def cut(
     >>> low.bounds, high.bounds
     ((0.0, 0.0, 1.0, 3.0), (1.0, 0.0, 4.0, 3.0))
     """
-    if piece.area > (1.0 - 1e-9) * shapely.envelope(piece).area:
-        return _halves(piece, axis, area / piece.area)
+    x0, y0, x1, y1 = piece.bounds
+    whole = piece.area
+    if whole > (1.0 - 1e-9) * (x1 - x0) * (y1 - y0):
+        return _halves((x0, y0, x1, y1), axis, area / whole)
     at = _line_for(piece, axis, area)
     low, high = _sides(piece, axis, at)
     if len(low) == 1 and len(high) == 1:
         return low[0], high[0]
-    for side, share, sign in ((low, area, 1), (high, piece.area - area, -1)):
+    for side, share, sign in ((low, area, 1), (high, whole - area, -1)):
         if len(side) > 1:
             for part in side:
                 pocket = _pocket(piece, axis, share, part, sign)
@@ -117,10 +120,10 @@ def area_below(edges: Edges, at: float) -> float:
 
 
 def _halves(
-    box: shapely.Polygon, axis: int, share: float
+    box: tuple[float, float, float, float], axis: int, share: float
 ) -> tuple[shapely.Polygon, shapely.Polygon]:
     """A rectangle cut in two, the lower part of the given share."""
-    x0, y0, x1, y1 = box.bounds
+    x0, y0, x1, y1 = box
     if axis == 0:
         at = x0 + share * (x1 - x0)
         return shapely.box(x0, y0, at, y1), shapely.box(at, y0, x1, y1)
@@ -147,10 +150,10 @@ def _edges(piece: shapely.Polygon, axis: int) -> Edges:
     with them, so that areas stay positive."""
     edges: Edges = []
     for number, ring in enumerate((piece.exterior, *piece.interiors)):
-        points = ring.coords[:]
+        points = shapely.get_coordinates(ring).tolist()
         if axis == 1:
             points = [(y, x) for x, y in points]
-        mine = [(*start, *end) for start, end in pairwise(points)]
+        mine = [(x0, y0, x1, y1) for (x0, y0), (x1, y1) in pairwise(points)]
         if (area_below(mine, math.inf) > 0) != (number == 0):
             mine = [(x1, y1, x0, y0) for x0, y0, x1, y1 in mine]
         edges += mine
@@ -169,7 +172,7 @@ def _sides(
 
 
 def _parts(shape: shapely.Geometry) -> list[shapely.Polygon]:
-    parts = shapely.get_parts(shape).tolist()
+    parts = getattr(shape, "geoms", [shape])
     return [p for p in parts if p.geom_type == "Polygon" and p.area > CRUMB]
 
 

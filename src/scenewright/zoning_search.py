@@ -6,6 +6,7 @@ no cut through a door, compact zones without narrow ends.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
@@ -23,11 +24,16 @@ from scenewright.zoning_trees import (
     placed_tree,
 )
 
-STARTS = 6
+ROUNDS = 3
+STARTS = 40
+KEPT = 2
 STEPS = 40
+GOOD = 0.25
+LARGE = 12.0
 EXHAUSTIVE = 3
-HEAT = (0.5, 0.02)
-PAIR, DOOR, CUT_DOOR, FLAW, AREA = 2.0, 3.0, 2.0, 1.0, 4.0
+BESIDE = 0.02
+HEAT = (0.3, 0.02)
+PAIR, DOOR, CUT_DOOR, NARROW, AREA = 2.0, 10.0, 2.0, 4.0, 4.0
 
 
 class Ground(NamedTuple):
@@ -56,39 +62,50 @@ class Memory(NamedTuple):
     found: Found
 
 
-def ranked(ground: Ground, seed: int, count: int) -> list[tuple[float, dict[int, shapely.Polygon]]]:
-    """The best ``count`` divisions found: their cost and the polygon of every free zone."""
+def ranked(ground: Ground, seed: int) -> list[dict[int, shapely.Polygon]]:
+    """The divisions found, best first: the polygon of every free zone."""
     found = _searched(ground, np.random.default_rng(seed))
-    best = sorted(found.values(), key=lambda row: row[0])
-    rows: list[tuple[float, dict[int, shapely.Polygon]]] = []
-    seen: set[tuple[int, ...]] = set()
-    for cost, pieces in best:
+    rows: dict[tuple[int, ...], dict[int, shapely.Polygon]] = {}
+    for _, pieces in sorted(found.values(), key=lambda row: row[0]):
         key = tuple(piece.number for _, piece in sorted(pieces.items()))
-        if key not in seen and len(rows) < count:
-            seen.add(key)
-            shapes = {zone: piece.shape for zone, piece in pieces.items()}
-            rows.append((cost, shapes))
-    return rows
+        rows.setdefault(key, {zone: piece.shape for zone, piece in pieces.items()})
+    return list(rows.values())
 
 
 def _searched(ground: Ground, rng: np.random.Generator) -> Found:
-    """Every division tried, by its forest."""
+    """Every division tried, by its forest: rounds of many starts, the best of which are
+    improved, until one is good enough."""
     memory = Memory({}, {}, {})
-    parts = [Piece(number, part) for number, part in enumerate(ground.parts)]
-    if len(parts) == 1 and len(ground.free) <= EXHAUSTIVE:
+    if len(ground.parts) == 1 and len(ground.free) <= EXHAUSTIVE:
         for tree in every_tree(ground.free):
-            _tried((tree,), ground, parts, memory)
-        return {forest: row for forest, row in memory.found.items() if np.isfinite(row[0])}
-    for _ in range(STARTS):
-        forest = _start(ground, rng)
-        cost = _tried(forest, ground, parts, memory)
-        for heat in np.geomspace(*HEAT, STEPS):
-            which = int(rng.integers(len(forest)))
-            trial = (*forest[:which], changed(forest[which], rng), *forest[which + 1 :])
-            new = _tried(trial, ground, parts, memory)
-            if new <= cost or rng.random() < np.exp((cost - new) / heat):
-                forest, cost = trial, new
+            _tried((tree,), ground, memory)
+    else:
+        corners = sum(len(part.exterior.coords) for part in ground.parts)
+        effort = min(1.0, LARGE / (len(ground.free) * max(corners, 100) / 100))
+        for _ in range(ROUNDS if effort == 1.0 else 1):
+            starts = [_start(ground, rng) for _ in range(math.ceil(effort * STARTS))]
+            costs = [(_tried(forest, ground, memory), k) for k, forest in enumerate(starts)]
+            best = min(
+                _improved(starts[k], ground, memory, rng, math.ceil(effort * STEPS))
+                for _, k in sorted(costs)[:KEPT]
+            )
+            if best < GOOD * len(ground.free):
+                break
     return {forest: row for forest, row in memory.found.items() if np.isfinite(row[0])}
+
+
+def _improved(
+    forest: Forest, ground: Ground, memory: Memory, rng: np.random.Generator, steps: int
+) -> float:
+    """The cost of a division after annealing it."""
+    cost = _tried(forest, ground, memory)
+    for heat in np.geomspace(*HEAT, steps):
+        which = int(rng.integers(len(forest)))
+        trial = (*forest[:which], changed(forest[which], rng), *forest[which + 1 :])
+        new = _tried(trial, ground, memory)
+        if new <= cost or rng.random() < math.exp((cost - new) / heat):
+            forest, cost = trial, new
+    return cost
 
 
 def _start(ground: Ground, rng: np.random.Generator) -> Forest:
@@ -128,14 +145,14 @@ def _wished_places(ground: Ground, rng: np.random.Generator) -> Points:
     return at
 
 
-def _tried(forest: Forest, ground: Ground, parts: list[Piece], memory: Memory) -> float:
+def _tried(forest: Forest, ground: Ground, memory: Memory) -> float:
     """The cost of a division, looked up or found and kept."""
     if forest not in memory.found:
         pieces: dict[int, Piece] | None = {}
-        for tree, part in zip(forest, parts, strict=False):
-            made = divide(part, tree, ground.areas, memory.cuts)
+        for number, (tree, part) in enumerate(zip(forest, ground.parts, strict=False)):
+            made = divide(Piece(number, part), tree, ground.areas, memory.cuts)
             pieces = None if made is None or pieces is None else pieces | made
-        cost = np.inf if pieces is None else round(_cost(pieces, ground, memory.flaws), 6)
+        cost = math.inf if pieces is None else round(_cost(pieces, ground, memory.flaws), 6)
         memory.found[forest] = (cost, pieces or {})
     return memory.found[forest][0]
 
@@ -143,17 +160,17 @@ def _tried(forest: Forest, ground: Ground, parts: list[Piece], memory: Memory) -
 def flaw(shape: shapely.Polygon) -> float:
     """How far a zone is from a good shape, 0 for a square: ``(2 - 32 A / P²)³`` where it is
     longer than a square (area A, outer perimeter P), the share by which its convex hull is
-    larger, and twice the square metres in ends too narrow for a box of a quarter of its mean
-    side (1 m at most)."""
+    larger, and four times the square metres in ends too narrow for a box of 0.3 of its mean side
+    (2 m at most)."""
     area = shape.area
     long = max(2.0 - 32.0 * area / shapely.length(shape.exterior) ** 2, 0.0)
     hollow = shapely.convex_hull(shape).area / area - 1.0
     if hollow < 0.01:
         return min(long**3, 3.0) + hollow
-    outer, radius = shapely.Polygon(shape.exterior), min(0.25 * np.sqrt(area), 1.0) / 2
+    outer, radius = shapely.Polygon(shape.exterior), min(0.3 * math.sqrt(area), 2.0) / 2
     core = outer.buffer(-radius, join_style="mitre")
     narrow = outer.area - core.buffer(radius, join_style="mitre").area
-    return float(min(long**3, 3.0) + hollow + 2.0 * min(narrow, 1.0))
+    return float(min(long**3, 3.0) + hollow + NARROW * min(narrow, 1.0))
 
 
 def _cost(pieces: dict[int, Piece], ground: Ground, flaws: dict[int, float]) -> float:
@@ -161,7 +178,7 @@ def _cost(pieces: dict[int, Piece], ground: Ground, flaws: dict[int, float]) -> 
     cost = 0.0
     for piece in pieces.values():
         if piece.number not in flaws:
-            flaws[piece.number] = FLAW * flaw(piece.shape)
+            flaws[piece.number] = flaw(piece.shape)
         cost += flaws[piece.number]
     cost += sum(
         PAIR * weight * _apart(shapes[i], shapes[j], width)
@@ -181,16 +198,20 @@ def _cost(pieces: dict[int, Piece], ground: Ground, flaws: dict[int, float]) -> 
 
 def _apart(one: shapely.Polygon, two: shapely.Polygon, width: float) -> float:
     """0 for two zones that share a border of ``width``, 1 where they just touch, more beyond."""
-    gap = shapely.distance(one, two)
-    if gap > 0.01:
+    x0, y0, x1, y1 = one.bounds
+    u0, v0, u1, v1 = two.bounds
+    gap = math.hypot(max(u0 - x1, x0 - u1, 0.0), max(v0 - y1, y0 - v1, 0.0))
+    if gap > BESIDE:
         return 1.0 + min(gap / 10.0, 1.0)
-    near = shapely.intersection(one.buffer(0.011, quad_segs=1) if gap > 0 else one, two)
-    border = shapely.length(near) / (2.0 if near.geom_type.endswith("Polygon") else 1.0)
-    return max(1.0 - float(border) / (width + 0.02), 0.0)
+    border = one.intersection(two).length
+    if border == 0.0:  # beside a zone with an outline, which is kept a millimetre away
+        border = one.buffer(BESIDE, quad_segs=1).intersection(two).length / 2
+    return max(1.0 - border / (width + BESIDE), 0.0)
 
 
 def _away(shape: shapely.Polygon, door: Points) -> float:
-    gap = float(shapely.distance(shape, shapely.Point(door.mean(0))))
+    (ax, ay), (bx, by) = door.tolist()
+    gap = shape.distance(shapely.Point((ax + bx) / 2, (ay + by) / 2))
     return 0.0 if gap < 0.15 else 1.0 + min(gap / 10.0, 1.0)
 
 
