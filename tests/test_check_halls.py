@@ -12,7 +12,7 @@ import pytest
 import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.halls import (
+from tests.judged_halls import (
     EAST,
     NORTH,
     SOUTH,

@@ -124,6 +124,7 @@ def escape_figures(hall: Hall, field: Field | None, people: int | None) -> dict[
         "exit_width_needed": round(EXIT_PER_PERSON * people, 3) if people else None,
     }  # fmt: skip
     if field is not None:
+        shapely.prepare(hall.shape)
         here = shapely.contains_xy(hall.shape, field.points[:, 0], field.points[:, 1])
         rows = np.flatnonzero(here & np.isfinite(field.distance))
         if len(rows):

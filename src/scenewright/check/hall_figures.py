@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from scenewright.brief import Brief, Room
-from scenewright.check.bodies import Bodies
+from scenewright.check.bodies import Bodies, Shape
 from scenewright.check.escape import Field, escape_figures, escape_notes, field_of
 from scenewright.check.halls import Hall
 from scenewright.check.measures import measures_of
@@ -36,7 +36,7 @@ class _Around(NamedTuple):
     ground: Ground
     walk: Walk
     wheelchair: Walk
-    open_floor: Any
+    open_floor: Shape
     field: Field | None
 
 
@@ -51,11 +51,13 @@ def judge_halls(
     """
     verdict = Verdict([], [], {})
     for ground, walk, slim in zip(grounds, walks, narrow, strict=True):
-        wheelchair = walk if walk.radius == WHEELCHAIR / 2 else None
-        around = _Around(
-            ground, walk, wheelchair or walk_in(bodies, ground, WHEELCHAIR / 2),
-            room_for(bodies, ground, TURNING / 2), field_of(ground, slim.free),
-        )  # fmt: skip
+        same = walk.radius == WHEELCHAIR / 2
+        wheelchair = walk if same else walk_in(bodies, ground, WHEELCHAIR / 2)
+        circle = room_for(bodies, ground, TURNING / 2)
+        open_floor = shapely.intersection(wheelchair.reached, circle)
+        shapely.prepare(open_floor)
+        field = field_of(ground, slim.free)
+        around = _Around(ground, walk, wheelchair, open_floor, field)
         for room in ground.rooms:
             _judge(verdict, brief, wishes, halls[int(room)], bodies, around)
     return verdict
@@ -78,7 +80,7 @@ def _judge(
         **measures_of(bodies, hall),
         **_floor(bodies, hall, around.walk),
         "passages": [_passage(bodies, hall, passage) for passage in passages],
-        "turning": turning(hall, around.wheelchair, around.open_floor),
+        "turning": turning(hall, around.open_floor),
         "wheelchair": reached_by(bodies, hall, around.wheelchair),
         "escape": escape,
         "tour": tour_figures(bodies, hall, around.ground, seen, brief.passage_width),
@@ -89,7 +91,8 @@ def _floor(bodies: Bodies, hall: Hall, walk: Walk) -> dict[str, float]:
     """Shares of the floor: covered by what stands on it, and swept by the visitors' route."""
     area = max(float(hall.shape.area), 1e-9)
     stands = shapely.union_all(bodies.footprints[hall.solids])
-    centres = shapely.intersection(walk.reached, shapely.buffer(hall.shape, walk.radius))
+    near = shapely.buffer(hall.shape, walk.radius)
+    centres = shapely.intersection(shapely.clip_by_rect(walk.reached, *near.bounds), near)
     swept = shapely.buffer(centres, walk.radius, quad_segs=8)
     return {
         "floor_used": round(float(shapely.intersection(stands, hall.shape).area) / area, 4),

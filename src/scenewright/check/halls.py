@@ -166,15 +166,14 @@ def _hall(
     asked = links[space.id] | _asked(wish, passage, links[space.id], number)
     areas = np.empty(len(names), object)
     areas[:] = [zones[space.id][name] for name in names]
-    here = bodies.room == room
     members = tuple(Members(g, number.get(z, -1), rows) for g, z, rows in groups[space.id])
     held = np.unique(np.concatenate([np.empty(0, np.int64), *(m.rows for m in members)]))
-    partitions = np.array([p.category == PARTITION for p in bodies.pieces], bool)
+    here = np.flatnonzero(bodies.room == room)
+    built = np.array([bodies.pieces[row].category == PARTITION for row in here], bool)
     return Hall(
         space, room, rooms.shapes[room], names, areas, tuple(name in outlined for name in names),
         tuple(Link(number[a], number[b], width) for (a, b), width in asked.items()),
-        members, held, np.flatnonzero(here & bodies.underfoot),
-        np.flatnonzero(here & partitions), _tour(tours, space.id),
+        members, held, here[bodies.underfoot[here]], here[built], _tour(tours, space.id),
     )  # fmt: skip
 
 

@@ -60,12 +60,13 @@ def find_unreachable(
     if its doorway is, and within it a person goes on sideways.
     """
     found: list[Finding] = []
+    placed = _by_room(bodies, groups)
     for ground, walk in zip(grounds, walks, strict=True):
         shapely.prepare(walk.reached)
         wanted = _room_targets(rooms, ground, walk)
         missed = [t for t in wanted if not shapely.intersects(walk.reached, t.shape)]
         open_rooms = {t.room for t in wanted} - {t.room for t in missed}
-        missed += _missed_pieces(bodies, rooms, ground, walk, open_rooms, groups)
+        missed += _missed_pieces(bodies, rooms, ground, walk, open_rooms, placed)
         blockers = _blockers(walk, missed)
         found += [
             _finding(bodies, rooms, walk, target, rows, word)
@@ -100,12 +101,13 @@ def _tight(rooms: Rooms, room: int, walk: Walk) -> bool:
 
 def _missed_pieces(
     bodies: Bodies, rooms: Rooms, ground: Ground, walk: Walk, open_rooms: set[int],
-    groups: Sequence[Members],
+    placed: dict[int, list[Members]],
 ) -> list[Target]:  # fmt: skip
     """Pieces with using sides, none of which the route comes to, and groups of such pieces."""
     missed = []
-    grouped = {int(row) for group in groups for row in group.rows}
     for room in sorted(open_rooms):
+        groups = placed.get(room, [])
+        grouped = {int(row) for group in groups for row in group.rows}
         here = np.flatnonzero(bodies.room == room).tolist()
         rows = [i for i in here if bodies.kinds[i].access or i in grouped]
         if not rows:
@@ -117,7 +119,7 @@ def _missed_pieces(
         if far.any() and _tight(rooms, room, walk):
             far &= ~shapely.intersects(squeeze_in(bodies, ground, walk, within), clipped)
         shape = {rows[k]: clipped[k] for k in np.flatnonzero(far)}
-        lost = [g for g in groups if len(g.rows) and all(int(row) in shape for row in g.rows)]
+        lost = [g for g in groups if all(int(row) in shape for row in g.rows)]
         missed += [Target(room, -1, _all_of(g, shape), g.id) for g in lost]
         told = {int(row) for group in lost for row in group.rows}
         missed += [
@@ -126,6 +128,15 @@ def _missed_pieces(
             if row not in told and bodies.kinds[row].access
         ]
     return missed
+
+
+def _by_room(bodies: Bodies, groups: Sequence[Members]) -> dict[int, list[Members]]:
+    """Groups that hold anything by the room their first object stands in."""
+    placed: dict[int, list[Members]] = {}
+    for group in groups:
+        if len(group.rows):
+            placed.setdefault(int(bodies.room[group.rows[0]]), []).append(group)
+    return placed
 
 
 def _all_of(group: Members, shapes: dict[int, Shape]) -> Shape:

@@ -88,7 +88,9 @@ def line_of(bodies: Bodies, hall: Hall, ground: Ground) -> Line:
     length = float(shapely.length(shapely.linestrings(hall.tour)))
     points = resampled(hall.tour, max(_STEP, length / _MOST_POINTS))[: 2 * _MOST_POINTS]
     shapes = shapely.points(points)
-    wall = np.asarray(shapely.distance(shapes, shapely.boundary(ground.floor)))
+    edge = shapely.boundary(ground.floor)
+    shapely.prepare(edge)
+    wall = np.asarray(shapely.distance(edge, shapes))
     shapely.prepare(ground.floor)
     wall[~shapely.intersects(ground.floor, shapes)] = 0.0
     nearest = np.full(len(points), -1, np.int64)

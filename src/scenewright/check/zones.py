@@ -49,15 +49,12 @@ def _finding(bodies: Bodies, hall: Hall, zone: int, row: int) -> Finding:
     )  # fmt: skip
 
 
-def turning(hall: Hall, walk: Walk, open_floor: Shape) -> dict[str, bool]:
+def turning(hall: Hall, open_floor: Shape) -> dict[str, bool]:
     """Whether a wheelchair can come into each zone and turn there.
 
-    ``walk`` is the route as far as it comes from the entrances, ``open_floor`` where the centre of
-    a free circle of 1.5 m may be; a circle counts that can be rolled into.
+    ``open_floor`` is where the centre of a free circle of 1.5 m may be that can be rolled into.
     """
-    both = shapely.intersection(walk.reached, open_floor)
-    shapely.prepare(both)
-    fits = shapely.intersects(both, hall.areas)
+    fits = shapely.intersects(open_floor, hall.areas)
     return {name: bool(fit) for name, fit in zip(hall.zones, np.atleast_1d(fits), strict=True)}
 
 
