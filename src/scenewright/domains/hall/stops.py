@@ -47,10 +47,15 @@ class Views(NamedTuple):
 
 
 def stops_of(
-    members: tuple[Piece, ...], catalog: Catalog, floor: Floor, times: Floats, half: float
+    members: tuple[Piece, ...],
+    catalog: Catalog,
+    floor: Floor,
+    times: Floats,
+    half: float,
+    most: int = MOST,
 ) -> list[Cells]:
-    """Stops to see a group: for each the cells of the raster that will do, the best one first;
-    none if there is no way to it.
+    """Stops to see a group, at most so many: for each the cells of the raster that will do, the
+    best one first; none if there is no way to it.
 
     A place lies before a side its objects are used from, with nothing between. Places are taken
     greedily by how many more objects they show; those in the open come first. Rows of seats are
@@ -64,7 +69,7 @@ def stops_of(
         views = _at_the_rim(views, boxes)
     if not len(views.cells):
         return []
-    return _cover(floor, _thinned(views), views, MOST_OF_SEATS if seats else MOST)
+    return _cover(floor, _thinned(views), views, min(most, MOST_OF_SEATS) if seats else most)
 
 
 def _views(boxes: Floats, members: tuple[Piece, ...], catalog: Catalog, clear: Raster) -> Views:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog
 from scenewright.domains.hall.floor import Floor
-from scenewright.domains.hall.stops import stops_of
+from scenewright.domains.hall.stops import MOST, stops_of
 from scenewright.geometry.rounds import shortest_round
 from scenewright.geometry.travel import Search, shorten, spread
 from scenewright.scene import Piece
@@ -21,6 +21,8 @@ Cells = NDArray[np.int64]
 
 LEAVE_ZONE, LEAVE_GROUP = 15.0, 4.0
 """Seconds a tour may lose so as to see a zone, or a group, in one go."""
+MANY = 600
+"""Where there are many groups, each has fewer stops, so that there are not many more in all."""
 CROWDED = 10.0
 """A stop in a narrow place is worth a way longer by so many metres, at most."""
 
@@ -49,9 +51,10 @@ def find_places(
     known = {piece.id: piece for piece in pieces}
     zones = {zone: k for k, zone in enumerate(dict.fromkeys(group.zone for group in groups))}
     rows, others = [(start, -1, -1)], [np.array([start])]
+    most = min(max(MANY // max(len(groups), 1), 1), MOST)
     for number, group in enumerate(groups):
         members = tuple(known[name] for name in group.objects if name in known)
-        stops = stops_of(members, catalog, floor, times, width / 2)
+        stops = stops_of(members, catalog, floor, times, width / 2, most)
         rows += [(int(spots[0]), number, zones[group.zone]) for spots in stops]
         others += stops
     cells, owners, within = np.array(rows, np.int64).T
