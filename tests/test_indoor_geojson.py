@@ -241,7 +241,11 @@ def test_ways_that_touch_are_open_to_each_other_unless_a_door_joins_them() -> No
     (passage,) = room(found.brief, "x").doors
     assert passage.swing == "none"
     assert passage.width == pytest.approx(3.9 - 0.3, abs=0.02)
-    closed = read(STREET, other, node("d", 24, 10, door="hinged", level="0"))
+    long = [
+        area(n, box(0, y, 40, y + 4), indoor="area", level="0") for n, y in (("a", 0), ("b", 4))
+    ]
+    assert read(*long).open_borders == 1
+    closed = read(*long, node("d", 1, 4, door="hinged", level="0"))
     assert (closed.doors, closed.open_borders) == (1, 0)
 
 
