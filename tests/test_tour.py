@@ -335,6 +335,16 @@ def test_nobody_crawls_through_rows_of_seats():
     assert not shapely.contains_xy(rows, *found.points.T).any()
 
 
+def test_a_coarse_raster_still_sees_what_stands_in_a_huge_hall():
+    doors = [{"at": (5, 0), "width": 3}, {"at": (270, 0), "width": 3}]
+    space = hall([(0, 0), (280, 0), (280, 250), (0, 250)], doors)
+    spots = [(100 + 1.3 * k, 100, math.pi / 2) for k in range(9)]
+    found, pieces = walk(space, [group("row", spots, (1.2, 0.5, 2), "display_cabinet")])
+    check_tour(found, space, pieces)
+    assert names(found) == ["row"]
+    assert 100.2 < found.points[found.stops[0].at][1] < 103
+
+
 def test_zones_are_seen_in_one_go():
     space = hall([(0, 0), (20, 0), (20, 10), (0, 10)], [{"at": (0, 5)}, {"at": (20, 5)}])
     spots = [(4 + 4 * k, y) for k in range(4) for y in (2, 8)]

@@ -31,8 +31,9 @@ SHARE = 1 / 8
 """Least share of a group's objects a further place must add."""
 WIDE = 1e4
 """A way of more seconds leads through a place narrower than asked for."""
-TOUCHING = 0.05
-"""Nothing is seen through what is nearer than this to the line of sight, in metres."""
+CLOSE, TOUCHING = 0.2, 0.05
+"""Sight begins so close to an object; nothing is seen through what is nearer than the latter to
+the line of sight, in metres."""
 SEATS = ("chair", "seat", "stool")
 
 
@@ -79,7 +80,7 @@ def _views(boxes: Floats, members: tuple[Piece, ...], catalog: Catalog, clear: R
     for k, (box, piece) in enumerate(zip(boxes, members, strict=True)):
         kind = catalog.kinds.get(piece.category)
         for side in (kind and kind.access) or SIDES:
-            lines.append(_before(box, SIDES.index(side)))
+            lines.append(_before(box, SIDES.index(side), max(CLOSE, clear.cell)))
             owners += [k] * len(lines[-1])
     starts, points = np.split(np.concatenate(lines), [1], axis=1)
     owner = np.repeat(np.array(owners, np.int64), len(AWAY))
@@ -89,13 +90,13 @@ def _views(boxes: Floats, members: tuple[Piece, ...], catalog: Catalog, clear: R
     return _some(views, (room > 0) & _in_sight(clear, starts, points))
 
 
-def _before(box: Floats, side: int) -> Floats:
-    """Points (k, 5, 2) before one side of a box: 0.2 m away and at the distances to stand at."""
+def _before(box: Floats, side: int, close: float) -> Floats:
+    """Points (k, 5, 2) before one side of a box: ``close`` and at the distances to stand at."""
     heading = box[2] + side * np.pi / 2
     wide, deep = (box[3], box[4]) if side % 2 == 0 else (box[4], box[3])
     count = max(int(np.ceil(wide / ALONG)), 1)
     across = ((np.arange(count) + 0.5) / count - 0.5) * wide
-    u, v = np.meshgrid(across, deep / 2 + np.array([0.2, *AWAY]), indexing="ij")
+    u, v = np.meshgrid(across, deep / 2 + np.array([close, *AWAY]), indexing="ij")
     x = box[0] + u * np.sin(heading) + v * np.cos(heading)
     y = box[1] - u * np.cos(heading) + v * np.sin(heading)
     return np.stack([x, y], axis=-1)
