@@ -13,7 +13,7 @@ from scenewright.assets.materials import (
     CERAMIC,
     CHARCOAL,
     CLAY,
-    GLASS,
+    CLEAR,
     GLOW,
     GREIGE,
     LINEN,
@@ -51,6 +51,13 @@ def _corner_posts(w: float, d: float, z: Interval, half: float) -> list[Mesh]:
     ]  # fmt: skip
 
 
+def _rails(w: float, d: float, z: Interval, wide: float) -> list[Mesh]:
+    """Bars along the four edges of a rectangle."""
+    across = [block((-w, w), y, z) for y in ((-d, -d + wide), (d - wide, d))]
+    along = [block(x, (-d + wide, d - wide), z) for x in ((-w, -w + wide), (w - wide, w))]
+    return across + along
+
+
 def _showcase(size: Size) -> Parts:
     """A case to look down into: a cabinet with a glass hood."""
     w, d, h = size.width / 2, size.depth / 2, size.height
@@ -58,9 +65,9 @@ def _showcase(size: Size) -> Parts:
     found: Stuff = {
         WHITE: [block((-w, w), (-d, d), (0.08, deck))],
         BLACK: [block((-w + 0.04, w - 0.04), (-d + 0.04, d - 0.04), (0, 0.08)),
-                *_corner_posts(w, d, (deck, h), 0.006)],
+                *_corner_posts(w, d, (deck, h), 0.006), *_rails(w, d, (h - 0.012, h), 0.012)],
         LINEN: [block((-w + 0.03, w - 0.03), (-d + 0.03, d - 0.03), (deck, deck + 0.02))],
-        GLASS: [block((-w + 0.003, w - 0.003), (-d + 0.003, d - 0.003), (deck + 0.001, h - 0.002))],
+        CLEAR: [block((-w + 0.003, w - 0.003), (-d + 0.003, d - 0.003), (deck + 0.001, h - 0.002))],
     }  # fmt: skip
     inside = exhibits((-w + 0.06, w - 0.06), (-d + 0.06, d - 0.06), (deck + 0.02, h - 0.02),
                       round(10 * size.width))  # fmt: skip
@@ -79,7 +86,7 @@ def _tall_showcase(size: Size) -> Parts:
                 *_corner_posts(w, d, (deck, top), 0.01)],
         LINEN: [block(*ledge, (deck, deck + 0.02))],
         GLOW: [block(*ledge, (top - 0.012, top))],
-        GLASS: [block((-w + 0.005, w - 0.005), (-d + 0.005, d - 0.005), (deck, top)),
+        CLEAR: [block((-w + 0.005, w - 0.005), (-d + 0.005, d - 0.005), (deck, top)),
                 block(*ledge, (middle - 0.01, middle))],
     }  # fmt: skip
     x, y = (-w + 0.08, w - 0.08), (-d + 0.08, d - 0.08)
@@ -130,7 +137,7 @@ def _plinth_bust(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     top = 0.68 * h
     tall = h - top
-    wide = min(0.9 * w, 0.62 * tall)
+    wide = min(0.9 * w, 0.54 * tall)
     deep = min(0.5, 0.9 * d / wide)
     shape = [(0.42, 0), (0.42, 0.06), (0.24, 0.1), (0.3, 0.18), (0.92, 0.26), (1.0, 0.36),
              (0.8, 0.48), (0.32, 0.54), (0.27, 0.66)]  # fmt: skip
@@ -192,7 +199,7 @@ def _wall_exhibit(size: Size) -> Parts:
         BLACK: [block(x, (-d + 0.02, face - 0.03), (0, 0.06))],
         LINEN: [block(x, (-d, -d + 0.03), (low, high)), block(x, y, (low, z[0]))],
         GLOW: [block(x, (face - 0.05, face - 0.02), (high - 0.02, high))],
-        GLASS: [block(x, (face, face + 0.005), (low + 0.03, h - 0.03)),
+        CLEAR: [block(x, (face, face + 0.005), (low + 0.03, h - 0.03)),
                 block(x, y, (middle - 0.01, middle))],
     }  # fmt: skip
     inner = (x[0] + 0.05, x[1] - 0.05)

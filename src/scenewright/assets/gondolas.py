@@ -6,7 +6,7 @@ from scenewright.assets.joinery import spread
 from scenewright.assets.materials import (
     BLACK,
     CHARCOAL,
-    GLASS,
+    CLEAR,
     GLOW,
     OAK,
     PLASTIC,
@@ -109,7 +109,8 @@ def _fridge_shelf(size: Size) -> Parts:
     doors = spread(-w + 0.03, w - 0.03, min(5, max(1, round(size.width / 0.65))))
     x = (-w + 0.03, w - 0.03)
     found: Stuff = {
-        WHITE: [block((-w, x[0]), (-d, face), (0.08, h)), block((x[1], w), (-d, face), (0.08, h)),
+        WHITE: [block((-w, x[0]), (-d, face), (0.08, high)),
+                block((x[1], w), (-d, face), (0.08, high)),
                 block(x, (-d, -d + 0.05), (low, high)), block(x, (-d, face), (0.08, low)),
                 *_shelves(x, (-d + 0.05, face - 0.06), tiers[1:], 0.02)],
         BLACK: [block((-w, w), (-d, d), (high, h)), block((-w, w), (face, d), (0.12, low - 0.03)),
@@ -117,7 +118,7 @@ def _fridge_shelf(size: Size) -> Parts:
                 *(block((a - 0.02, a + 0.02), (face, d - 0.005), (low - 0.03, high))
                   for a in (*(a for a, _ in doors[1:]), x[0], x[1]))],
         GLOW: [block(x, (face - 0.05, face - 0.02), (high - 0.03, high))],
-        GLASS: [block((a + 0.02, b - 0.02), (face + 0.01, face + 0.02), (low - 0.03, high))
+        CLEAR: [block((a + 0.02, b - 0.02), (face + 0.01, face + 0.02), (low - 0.03, high))
                 for a, b in doors],
         STEEL: [block((b - 0.05, b - 0.035), (face + 0.02, d), (low + 0.3, high - 0.3))
                 for _, b in doors],
@@ -135,7 +136,9 @@ def _book_stack(size: Size) -> Parts:
     bays = max(1, round(size.width / 0.95))
     tiers = _tiers(0.12, h - 0.06, 0.32)
     ends = [a for a, _ in spread(-w + 0.012, w - 0.012, bays)] + [w - 0.012]
-    count = max(3, min(round(size.width / bays / 0.15), 60 // (bays * len(tiers))))
+    count = max(
+        3, min(round(size.width / bays / 0.13), 44 // len(tiers), 200 // (bays * len(tiers)))
+    )
     found: Stuff = {
         OAK: [*(block((a - 0.012, a + 0.012), (-d, d), (0, h - 0.02)) for a in ends),
               block((-w, w), (-d, d), (h - 0.03, h))],
@@ -156,6 +159,16 @@ def _double_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     bays = spread(-w, w, max(1, round(size.width / 1.0)))
     return rectangle(size), path((-w, 0), (w, 0)), *(path((a, -d), (a, d)) for a, _ in bays[1:])
+
+
+def _gondola_symbol(size: Size) -> Lines:
+    """As the double shelving, with the edges of the upper shelves."""
+    w, d = size.width / 2, size.depth / 2
+    return (
+        *_double_symbol(size),
+        path((-w, 0.84 * d), (w, 0.84 * d)),
+        path((-w, -0.84 * d), (w, -0.84 * d)),
+    )
 
 
 def _single_symbol(size: Size) -> Lines:
@@ -182,7 +195,7 @@ def _cooler_symbol(size: Size) -> Lines:
 
 
 ASSETS = (
-    asset("gondola", _gondola, _double_symbol),
+    asset("gondola", _gondola, _gondola_symbol),
     asset("wall_shelving", _wall_shelving, _single_symbol),
     asset("ring_shelf", _ring_shelf, _single_symbol),
     asset("fridge_shelf", _fridge_shelf, _cooler_symbol, name="Cooler with glass doors"),

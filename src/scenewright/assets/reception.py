@@ -10,6 +10,7 @@ from scenewright.assets.materials import (
     BLACK,
     BRASS,
     CHARCOAL,
+    CLEAR,
     GLASS,
     GREIGE,
     LEAF,
@@ -84,12 +85,11 @@ def _ticket_gate(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     body = min(0.2, 0.25 * w + 0.05)
     sides = [(-w, -w + body), (w - body, w)]
-    leaf = 0.5 * (w - body) + 0.12
     return parts(size, {
         STEEL: [slab(x, (-d, d), (0, h - 0.03), 0.05, 2) for x in sides],
         BLACK: [slab(x, (-d, d), (h - 0.03, h), 0.05, 2) for x in sides],
-        GLASS: [block((-w + body, -w + body + leaf - 0.15), (-0.01, 0.01), (0.25, h - 0.08)),
-                block((w - body - leaf + 0.15, w - body), (-0.01, 0.01), (0.25, h - 0.08))],
+        GLASS: [block((-w + body, -0.02), (-0.01, 0.01), (0.25, h - 0.08)),
+                block((0.02, w - body), (-0.01, 0.01), (0.25, h - 0.08))],
         LEAF: [block((x[0] + 0.05, x[1] - 0.05), (y - 0.05, y + 0.05), (h - 0.001, h + 0.004))
                for x, y in ((sides[0], -d + 0.16), (sides[1], d - 0.16))],
     })  # fmt: skip
@@ -122,10 +122,10 @@ def _litter_bin(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     return parts(size, {
         CHARCOAL: [slab((-w + 0.01, w - 0.01), (-d + 0.01, d - 0.01), (0.03, 0.72 * h), 0.04),
-                   block((-w + 0.04, w - 0.04), (-d + 0.04, d - 0.04), (0.72 * h, 0.9 * h))],
+                   block((-w + 0.06, w - 0.06), (-d + 0.06, d - 0.06), (0.72 * h, 0.9 * h))],
         STEEL: [slab((-w, w), (-d, d), (0.9 * h, h), 0.04),
-                *(block((s * (w - 0.03) - 0.02, s * (w - 0.03) + 0.02), (-d + 0.03, d - 0.03),
-                        (0.7 * h, 0.92 * h)) for s in (-1, 1))],
+                *(block((s * (w - 0.05) - 0.02, s * (w - 0.05) + 0.02), (-d + 0.03, d - 0.03),
+                        (0.72 * h, 0.9 * h)) for s in (-1, 1))],
         RUBBER: [block((-w + 0.03, w - 0.03), (-d + 0.03, d - 0.03), (0, 0.03))],
     })  # fmt: skip
 
@@ -192,7 +192,7 @@ def _vending_machine(size: Size) -> Parts:
                 block((pane[0] + 0.05, pane[1] - 0.05), (d, d + 0.004), (0.12 * h, 0.22 * h))],
         SCREEN: [block((0.5 * w, 0.88 * w), (d, d + 0.004), (0.6 * h, 0.75 * h))],
         STEEL: [block(pane, (face - 0.25, face - 0.03), (a - 0.012, a)) for a, _ in tiers],
-        GLASS: [block(pane, (face - 0.01, face), (low, high))],
+        CLEAR: [block(pane, (face - 0.01, face), (low, high))],
     }  # fmt: skip
     packs = goods((pane[0] + 0.02, pane[1] - 0.02), (face - 0.2, face - 0.05), tiers, 5, 3)
     return parts(size, gathered(found, packs))

@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 
-from scenewright.assets.joinery import four_legs
+from scenewright.assets.joinery import four_legs, spread
 from scenewright.assets.materials import (
     BLACK,
     CHARCOAL,
@@ -155,10 +155,9 @@ def _fitting_room(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     t = 0.03
     folds = 8
-    wave = np.linspace(-w + t, 0.1 * w, folds + 1)
-    front = np.column_stack([wave, d - 0.06 + 0.03 * (-1.0) ** np.arange(folds + 1)])
-    curtain = [block((a - 0.004, b + 0.004), (min(p, q), max(p, q) - 0.03), (0.08, h - 0.1))
-               for (a, p), (b, q) in pairwise(front.tolist())]  # fmt: skip
+    wave = spread(-w + t, 0.1 * w, folds)
+    curtain = [block((a, b), (d - 0.1 + 0.03 * (k % 2), d - 0.05 + 0.03 * (k % 2)), (0.08, h - 0.1))
+               for k, (a, b) in enumerate(wave)]  # fmt: skip
     return parts(size, {
         WHITE: [block((-w, -w + t), (-d, d), (0, h)), block((w - t, w), (-d, d), (0, h)),
                 block((-w + t, w - t), (-d, -d + t), (0, h))],
@@ -173,9 +172,9 @@ def _fitting_room(size: Size) -> Parts:
 def _basket_stack(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     deep = min(0.2, 0.4 * h)
-    count = min(10, max(1, round((h - deep - 0.06) / 0.06)))
-    rims = [slab((-w, w), (-d, d), (z, z + 0.025), 0.04, 1)
-            for z in np.linspace(0.1, h - deep - 0.03, count)]  # fmt: skip
+    count = min(10, max(1, round((h - deep - 0.06) / 0.09)))
+    rims = [slab((-w, w), (-d, d), (z, z + 0.04), 0.04, 1)
+            for z in np.linspace(0.08, h - deep - 0.06, count)]  # fmt: skip
     top = trough((-w, w), (-d, d), (h - deep, h - 0.02), 0.02, h - deep + 0.02, 0.04, 0.02, 1)
     core = block((-w + 0.03, w - 0.03), (-d + 0.03, d - 0.03), (0.05, h - deep))
     handle = tube(
@@ -214,7 +213,7 @@ def _round_rack_symbol(size: Size) -> Lines:
 
 def _mannequin_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
-    return oval(0, 0, w, d), oval(0, -0.05 * d, 0.7 * w, 0.35 * d), oval(0, 0, 0.25 * w, 0.3 * d)
+    return oval(0, 0, w, d), box(-0.65 * w, 0.65 * w, -0.3 * d, 0.2 * d, 0.05), oval(0, 0, 0.22 * w)
 
 
 def _stacks_symbol(size: Size) -> Lines:

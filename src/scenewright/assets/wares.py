@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from scenewright.assets.joinery import spread
 from scenewright.assets.materials import (
+    ACCENT,
     BRONZE,
     CARDBOARD,
     CERAMIC,
@@ -25,7 +26,7 @@ from scenewright.catalog import Material
 from scenewright.geometry.mesh import Mesh, turned
 from scenewright.geometry.solids import Interval, ball, block, disc, lathe, profile
 
-PACKS = (WHITE, TERRACOTTA, MUSTARD, SAGE_FABRIC, NAVY, CARDBOARD, LINEN)
+PACKS = (TERRACOTTA, LINEN, MUSTARD, SAGE_FABRIC, ACCENT, CARDBOARD, NAVY, WHITE)
 CLOTHS = (NAVY, LINEN, TERRACOTTA, SAGE_FABRIC, MUSTARD)
 SKEW = 0.3
 
@@ -44,11 +45,13 @@ def levels_of(low: float, high: float, count: int) -> list[Interval]:
     return list(pairwise(low + (high - low) * k / count for k in range(count + 1)))
 
 
-def goods(x: Interval, y: Interval, levels: Sequence[Interval], count: int, start: int = 0,
-          colours: Sequence[Material] = PACKS, least: float = 0.45) -> Stuff:  # fmt: skip
+def goods(
+    x: Interval, y: Interval, levels: Sequence[Interval], count: int, start: int = 0,
+    colours: Sequence[Material] = PACKS, least: float = 0.45, like: int = 2,
+) -> Stuff:  # fmt: skip
     """``count`` facings of packed goods on each level, one block each, with gaps here and there.
 
-    A block stands for a row of like packs; two neighbours often share their colour.
+    A block stands for a row of like packs; ``like`` neighbours share a colour.
     """
     found: Stuff = {}
     for row, (low, high) in enumerate(levels):
@@ -58,7 +61,7 @@ def goods(x: Interval, y: Interval, levels: Sequence[Interval], count: int, star
                 continue
             tall = (high - low) * (least + (0.88 - least) * wobble(seed))
             slack = 0.04 * (b - a) * (1 + wobble(seed + 0.6))
-            material = colours[int(wobble(start + 11 * row + i // 2 + 0.8) * len(colours))]
+            material = colours[int(wobble(start + 29 * row + i // like + 0.8) * len(colours))]
             body = block((a + slack, b - slack), y, (low, low + tall))
             found.setdefault(material, []).append(body)
     return found
@@ -68,7 +71,7 @@ def volumes(
     x: Interval, y: Interval, levels: Sequence[Interval], count: int, start: int = 0
 ) -> Stuff:
     """Books on each level as ``count`` blocks of a few spines, nearly level at the top."""
-    return goods(x, y, levels, count, start, SPINES, 0.68)
+    return goods(x, y, levels, count, start, SPINES, 0.68, 1)
 
 
 def garment(x: float, half: float, rail: float, long: float, thick: float = 0.03) -> Mesh:
