@@ -7,6 +7,7 @@ import difflib
 import numpy as np
 
 from scenewright.assets import shipped
+from scenewright.assets.hall_use import hall_use
 from scenewright.assets.sizes import SIZES
 from scenewright.brief import Brief
 from scenewright.brief_hall import Demand, Sizes
@@ -15,7 +16,6 @@ from scenewright.plan import place
 from scenewright.space import Space
 
 MOST_OBJECTS = 20_000
-USUAL_CLEARANCE = 0.6
 
 
 def sizes_of(demand: Demand) -> tuple[Sizes, ...]:
@@ -63,8 +63,9 @@ def ids_of(demands: list[Demand]) -> tuple[str, ...]:
 
 def floor_needed(demand: Demand) -> float:
     """Square metres a demand needs: of every object (width + left + right) (depth + front +
-    back), the clearance 0.6 m where the demand does not state it."""
-    clear = USUAL_CLEARANCE if demand.clearance is None else demand.clearance
+    back), with the clearance of its category where the demand does not state one."""
+    usual = hall_use(demand.category).clearance
+    clear = usual if demand.clearance is None else demand.clearance
     front, left, back, right = clear if isinstance(clear, tuple) else (clear,) * 4
     sizes = np.array(sizes_of(demand), float).reshape(-1, 3)
     return float(((sizes[:, 0] + left + right) * (sizes[:, 1] + front + back)).sum())

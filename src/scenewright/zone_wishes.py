@@ -39,6 +39,12 @@ def check_names(brief: Brief, number: int, space: Space) -> None:
             _check_known(name, names, f"{told} beside", "zone")
             if name == zone.id:
                 raise InputError("is to lie beside itself", "name another zone", place=told)
+        if zone.area is not None and zone.area < LEAST_ZONE:
+            raise InputError(
+                f"is to have only {zone.area:g} m²",
+                f"a zone needs at least {LEAST_ZONE:g} m²",
+                place=told,
+            )
         if zone.door is not None:
             _check_known(zone.door, doors, f"{told} door", "door of the hall")
     for index, link in enumerate(room.links):
@@ -70,11 +76,16 @@ def wishes_of(
     )
     open_ = [name for name in names if name not in given and name not in areas]
     left = free - sum(areas.values())
-    if areas and left < (LEAST_ZONE * len(open_) if open_ else -0.02 * free):
+    if areas and left < -0.02 * free:
         raise InputError(
-            f"the zones ask for {sum(areas.values()):.1f} m², but only {free:.1f} m² of floor "
-            f"are free" + " for them and those without an area" * bool(open_),
+            f"the zones ask for {sum(areas.values()):.1f} m², but only {free:.1f} m² of floor are free",
             "give smaller areas",
+            place=place(brief, number, "zones"),
+        )
+    if open_ and left < LEAST_ZONE * len(open_):
+        raise InputError(
+            f"only {max(left, 0.0):.1f} m² of floor are left for " + _listed(open_),
+            "make the other zones smaller, or leave out some",
             place=place(brief, number, "zones"),
         )
     needs = _needs(room, open_)
@@ -86,6 +97,11 @@ def wishes_of(
         )
         for name, zone in listed.items()
     )  # fmt: skip
+
+
+def _listed(names: list[str]) -> str:
+    told = ", ".join(f"'{name}'" for name in names[:5])
+    return told + f" and {len(names) - 5} more" * (len(names) > 5)
 
 
 def _needs(room: Room, names: list[str]) -> dict[str, float]:

@@ -78,11 +78,10 @@ def check_halls(brief: Brief, spaces: tuple[Space, ...]) -> None:
                 place=place(brief, number),
             )
         check_demands(brief, number, space)
-        if room.links or all(zone.outline for zone in room.zones):
+        check_names(brief, number, space)
+        wishes = wishes_of(brief, number, space, given_zones(brief, number, space))
+        if room.links or all(wish.zone for wish in wishes):
             zones_of(brief, number, space)
-        else:
-            check_names(brief, number, space)
-            wishes_of(brief, number, space, given_zones(brief, number, space))
 
 
 def borders_of(plan: HallPlan, space: Space) -> tuple[Border, ...]:
@@ -226,7 +225,7 @@ def _given_links(
     )
 
 
-_WIDEN = "draw the zones so that they share a longer border, or leave out the link"
+_WIDEN = "give the zones outlines that share a longer border, or leave out the link"
 
 
 def _no_passage(between: tuple[str, str], length: float, width: float) -> str:

@@ -26,6 +26,7 @@ MARGIN = 1e-3
 PASSAGE = 1.2
 DIFFERENT = 0.15
 TRIED = 8
+ATTEMPTS = 3
 
 
 class ZoneWish(NamedTuple):
@@ -70,33 +71,37 @@ def proposals(
     15 % of the floor into different zones. The areas wished for are shares of the floor.
 
     ``links`` are borders that must be there, ``passage`` their least length for zones that only
-    wish to lie beside each other. Always at least one, or an InputError.
+    wish to lie beside each other. One that misses a link, or has zones nobody can walk to, is
+    only returned where none was found that does not. Always at least one, or an InputError.
     """
+    if len(wishes) == 1 and wishes[0].zone is None:
+        return ((zone_of(floor_of(space), wishes[0][:2], space),),)
     frame = frame_of(space)
     ground = _ground(space, frame, wishes, links, passage)
     if not ground.parts:
         whole = tuple(wish.zone for wish in wishes if wish.zone is not None)
         return (whole,)
-    chosen: list[tuple[Zone, ...]] = []
-    faulty: list[tuple[int, int, tuple[Zone, ...]]] = []
-    for rank, pieces in enumerate(ranked(ground, seed)[: TRIED * count]):
-        zones = _zones(space, frame, wishes, pieces)
-        faults = _faults(zones, links, passage)
-        if faults:
-            faulty.append((faults, rank, zones))
-        elif all(_differ(zones, other) for other in chosen):
-            chosen.append(zones)
-        if len(chosen) == count:
-            break
-    for _, _, zones in sorted(faulty, key=lambda row: row[:2]):
-        if len(chosen) < count and all(_differ(zones, other) for other in chosen):
-            chosen.append(zones)
-    if not chosen:
-        raise InputError(
-            "no way was found to divide the floor into its zones by straight cuts",
-            "give the outline of some zones",
-        )
-    return tuple(chosen)
+    best: tuple[Zone, ...] = ()
+    fewest = len(links) + len(wishes) + 1
+    for attempt in range(ATTEMPTS):
+        chosen: list[tuple[Zone, ...]] = []
+        for pieces in ranked(ground, np.random.default_rng([seed, attempt]))[: TRIED * count]:
+            zones = _zones(space, frame, wishes, pieces)
+            faults = _faults(zones, links, passage)
+            if faults == 0 and all(_differ(zones, other) for other in chosen):
+                chosen.append(zones)
+            if faults < fewest:
+                best, fewest = zones, faults
+            if len(chosen) == count:
+                break
+        if chosen:
+            return tuple(chosen)
+    if best:
+        return (best,)
+    raise InputError(
+        "no way was found to divide the floor into its zones by straight cuts",
+        "give the outline of some zones",
+    )
 
 
 def _ground(

@@ -62,9 +62,9 @@ class Memory(NamedTuple):
     found: Found
 
 
-def ranked(ground: Ground, seed: int) -> list[dict[int, shapely.Polygon]]:
+def ranked(ground: Ground, rng: np.random.Generator) -> list[dict[int, shapely.Polygon]]:
     """The divisions found, best first: the polygon of every free zone."""
-    found = _searched(ground, np.random.default_rng(seed))
+    found = _searched(ground, rng)
     rows: dict[tuple[int, ...], dict[int, shapely.Polygon]] = {}
     for _, pieces in sorted(found.values(), key=lambda row: row[0]):
         key = tuple(piece.number for _, piece in sorted(pieces.items()))
