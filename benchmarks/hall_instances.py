@@ -83,7 +83,7 @@ def units(counts: Sequence[int]) -> Units:
     return Units(
         np.array(sizes), np.array(clear), np.tile(np.array([1, 0, 0, 0]), (len(sizes), 1)),
         np.column_stack([ends - counts, ends]), np.array([row[5] for row in GROUPS]), choices,
-        np.arange(len(counts)),
+        np.arange(len(counts)), np.full(len(counts), -1),
     )  # fmt: skip
 
 

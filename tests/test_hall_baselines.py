@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import math
+import sys
 
 import numpy as np
 import pytest
+import shapely
+import shapely.affinity
 from benchmarks.hall_instances import example_hall
-from benchmarks.shapely_hall import ShapelyHall
+from benchmarks.shapely_hall import ShapelyHall, grown
 from benchmarks.shapely_home import rectangle
 
+from scenewright.errors import InputError
 from scenewright.hall_energy import make_state, prepare
 from scenewright.hall_problem import HallProblem
 from scenewright.solve import Budget
 from scenewright.solvers.draws import streams
+from scenewright.solvers.hall_blocks import UNIT, main_direction, sheet_of
 from scenewright.solvers.hall_merrell import merrell, sweep
+from scenewright.solvers.hall_miqp import miqp
 from scenewright.solvers.hall_objects import TRIES, boxes_of, cover_obstacles, drop, lay, make_ways
 from scenewright.terms.guidelines import BALANCE, CIRCULATION, off_balance, regions, whole_cost
 
@@ -90,3 +96,51 @@ def test_annealing_starts_from_the_boxes_it_is_given() -> None:
     first = merrell(problem, Budget(steps=38), 0)
     kept = merrell(problem, Budget(steps=1), 1, start=first.boxes)
     assert kept.energy <= first.energy + 1e-9
+
+
+def test_blocks_and_cells_keep_every_rule_and_their_clearances() -> None:
+    pytest.importorskip("ortools")
+    problem = example_hall()
+    found = miqp(problem, Budget(), 0)
+    assert found.evaluations == 2000
+    assert broken(problem, found.boxes) < 2e-4
+    assert np.allclose(found.boxes[:, 3:], problem.units.sizes)
+    clears = [rectangle(grown(b, c))
+              for b, c in zip(found.boxes, problem.units.clear, strict=True)]  # fmt: skip
+    shared = sum(a.intersection(b).area for k, a in enumerate(clears) for b in clears[:k])
+    assert shared < 0.5  # of more than 100 m²
+    assert np.array_equal(found.boxes, miqp(problem, Budget(), 0).boxes)
+
+
+def test_blocks_follow_a_turned_hall() -> None:
+    pytest.importorskip("ortools")
+    problem, angle = example_hall(), 0.4
+    turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
+    edges = problem.ground.zone_edges.copy()
+    for columns in (slice(0, 2), slice(2, 4)):
+        edges[:, columns] = edges[:, columns] @ turn
+    assert main_direction(edges) == pytest.approx(angle, abs=0.05)
+    floor = shapely.Polygon([(0, 0), (6, 0), (9, 4), (0, 4)])
+    sheet = sheet_of(shapely.affinity.rotate(floor, angle, (0, 0), use_radians=True), angle)
+    taken = [shapely.box(*row) for row in sheet.taken]
+    free = shapely.box(0, 0, sheet.width, sheet.height).difference(shapely.union_all(taken))
+    free = shapely.affinity.scale(free, UNIT, UNIT, origin=(0, 0))
+    moved = shapely.affinity.translate(floor, -sheet.x, -sheet.y)
+    assert free.difference(moved.buffer(1e-6)).area < 1e-4  # on the safe side
+    assert free.area > 0.9 * floor.area
+
+
+def test_a_zone_without_room_keeps_its_first_layout() -> None:
+    pytest.importorskip("ortools")
+    problem = example_hall()
+    units = problem.units._replace(sizes=problem.units.sizes * 4.0)
+    start = np.column_stack([np.full((38, 2), 3.0), np.zeros(38), units.sizes])
+    kept = miqp(problem._replace(units=units), Budget(), 0, start=start)
+    assert np.array_equal(kept.boxes[9 + 8 :], start[9 + 8 :])
+
+
+def test_without_ortools_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("ortools", "ortools.sat", "ortools.sat.python"):
+        monkeypatch.setitem(sys.modules, name, None)
+    with pytest.raises(InputError, match=r"ortools.*scenewright\[solve\]"):
+        miqp(example_hall(), Budget(), 0)

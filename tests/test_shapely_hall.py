@@ -31,7 +31,7 @@ def hall(spans: list[tuple[int, int]], zones: list[int], clear: tuple[float, ...
     )._replace(**changed)  # fmt: skip
     units = Units(np.ones((n, 2)), np.tile(clear, (n, 1)), np.ones((n, 4), np.int64),
                   np.array(spans), np.array(zones), np.ones((len(spans), 8), np.int64),
-                  np.arange(len(spans)))  # fmt: skip
+                  np.arange(len(spans)), np.full(len(spans), -1))  # fmt: skip
     return HallProblem(ground, units, ("a", "b")[: len(spans)], ("w", "e"), dict(PAPER), 0.9)
 
 
