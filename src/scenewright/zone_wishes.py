@@ -78,7 +78,8 @@ def wishes_of(
     left = free - sum(areas.values())
     if areas and left < -0.02 * free:
         raise InputError(
-            f"the zones ask for {sum(areas.values()):.1f} m², but only {free:.1f} m² of floor are free",
+            f"the zones ask for {sum(areas.values()):.1f} m², but only {free:.1f} m² of floor "
+            "are free",
             "give smaller areas",
             place=place(brief, number, "zones"),
         )

@@ -131,9 +131,10 @@ def _ground(
             "make them smaller or leave it out",
         )
     must = {tuple(sorted((order[k.first], order[k.second]))): k.width for k in links}
-    may = {tuple(sorted((order[w.id], order[name]))): passage for w in wishes for name in w.beside}
+    beside = [(w.id, name) for w in wishes for name in w.beside if name in order]
+    may = {tuple(sorted((order[one], order[two]))) for one, two in beside}
     pairs = [(i, j, width, 4.0) for (i, j), width in must.items()]
-    pairs += [(i, j, width, 1.0) for (i, j), width in may.items() if (i, j) not in must]
+    pairs += [(i, j, passage, 1.0) for i, j in may if (i, j) not in must]
     doors, names = _doors(space, frame)
     return Ground(
         parts=tuple(sorted(parts, key=lambda part: -part.area)),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
+from collections.abc import Callable
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -15,7 +16,7 @@ import numpy as np
 import shapely
 
 from scenewright import outlines
-from scenewright.space import Points, Space
+from scenewright.space import Opening, Points, Space
 
 MOST_WALLS = 64
 ROUNDS = 40
@@ -35,25 +36,45 @@ class Frame(NamedTuple):
 
 def frame_of(space: Space) -> Frame:
     """The frame of a hall: x along the direction in which, or across which, most of its walls
-    run (to 3 degrees, weighed by squared lengths; a door as a wall of twice its width), and
-    turned so that the longest such wall has the hall on its left.
+    run (to 3 degrees, weighed by squared lengths; a door as a wall of twice its width).
+
+    It is turned so that the longest such wall has the hall on its left; of several as long, the
+    one that leaves most floor, then the doors, ahead and to the left.
     """
     start, end = np.hsplit(outlines.edges(space.outline), 2)
-    doors = [2.0 * o.width * complex(o.ux, o.uy) for o in space.openings if o.kind != "window"]
-    step = np.concatenate([(end - start) @ np.array([1.0, 1j]), np.array(doors, complex)])
+    doors = [opening for opening in space.openings if opening.kind != "window"]
+    along = [2.0 * door.width * complex(door.ux, door.uy) for door in doors]
+    walls = (end - start) @ np.array([1.0, 1j])
+    step = np.concatenate([walls, np.array(along, complex)])
     weight = np.abs(step) ** 2
     fourth = (step / np.abs(step)) ** 4  # the same for directions a quarter turn apart
     trial = np.argsort(-np.round(weight, 6), kind="stable")[:MOST_WALLS]
     alike = (fourth * fourth[trial, None].conj()).real > np.cos(4 * np.deg2rad(3.0))
     best = int(np.argmax(np.round((alike * weight).sum(1), 6)))
-    mean = (alike[best] * weight * fourth).sum()
-    turned = step * np.exp(-0.25j * np.angle(mean))
-    along = turned[np.argmax(np.round(alike[best] * np.abs(turned), 6))]
-    quarter = 1j ** int(np.round(np.angle(along) / (np.pi / 2)))
-    axis = np.exp(0.25j * np.angle(mean)) * quarter
+    axis = np.exp(0.25j * np.angle((alike[best] * weight * fourth).sum()))
+    mine = alike[best, : len(walls)] * np.abs(walls)
+    longest = walls[mine > mine.max() - 1e-6] / axis
+    quarters = {int(np.round(np.angle(wall) / (np.pi / 2))) % 4 for wall in longest}
+    return max((_frame(space, axis * 1j**k) for k in sorted(quarters)), key=_weights(space, doors))
+
+
+def _frame(space: Space, axis: complex) -> Frame:
+    """The frame with x along a direction and its origin at the least x and y of the outline."""
     cos, sin = _exact(axis.real), _exact(axis.imag)
     x, y = (space.outline @ np.array([[cos, -sin], [sin, cos]])).min(0)
     return Frame(float(cos * x - sin * y), float(sin * x + cos * y), cos, sin)
+
+
+def _weights(space: Space, doors: list[Opening]) -> Callable[[Frame], tuple[float, ...]]:
+    """Where the floor and the doors of a hall lie in a frame, to tenths of a millimetre."""
+    floor = shapely.Polygon(space.outline, space.holes)
+    points = np.array([floor.centroid.coords[0], *((door.x, door.y) for door in doors)])
+
+    def told(frame: Frame) -> tuple[float, ...]:
+        moved = into(frame, points)
+        return tuple(np.round(np.concatenate([moved[0], moved[1:].sum(0)]), 4).tolist())
+
+    return told
 
 
 def into(frame: Frame, points: Points) -> Points:
