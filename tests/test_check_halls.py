@@ -116,10 +116,26 @@ def test_a_link_of_the_brief_counts_even_if_the_graph_lacks_it():
     silent = replace(closed, graph=closed.graph._replace(links=()))
     assert not kinds(judge(closed))
     assert kinds(judge(silent)) == {"narrow_passage"}
-    (given_,) = judge(
-        replace(silent, pieces=tuple(replace(p, fixed=True) for p in silent.pieces))
-    ).of("narrow_passage")
-    assert given_.given
+    fixed = tuple(replace(p, fixed=True) for p in silent.pieces)
+    assert [f.given for f in judge(replace(silent, pieces=fixed)).findings] == [True]
+    drawn_by_us = two_zones(*fixed, width=1.5)
+    assert [f.given for f in judge(drawn_by_us).findings] == [False]
+
+
+def test_links_of_brief_and_graph_are_judged_together():
+    """The brief links a to b, the graph b to c; both borders are closed."""
+    zones = [zone(n, box(4 * k, 0, 4 * k + 4, 6)) for k, n in enumerate("abc")]
+    listed = [{"id": z.id, "outline": z.outline.tolist()} for z in zones]
+    asked = {"zones": listed, "links": [{"between": ["a", "b"]}]}
+    brief = hall_brief(box(0, 0, 12, 6), (SOUTH_DOOR, EAST_DOOR), **asked)
+    walls = wall(4, 1.6, 4, 6), wall(8, 0, 8, 5)
+    report = judge(answer(brief, walls, zones, (("b", "c", 1.1),)))
+    rows = figures(report)["passages"]
+    assert [(r["first"], r["second"], r["needed"]) for r in rows] == [
+        ("b", "c", 1.1),
+        ("a", "b", 1.2),
+    ]
+    assert len(report.of("narrow_passage")) == 1
 
 
 @given(st.lists(st.tuples(st.floats(0, 8), st.floats(0, 3), st.floats(0.2, 1.5)), max_size=8))
@@ -318,7 +334,7 @@ def test_a_tour_through_a_piece_is_not_free():
 
 
 def test_what_is_passed_and_seen():
-    """One case beside the tour, one behind a partition, one low wall away, one far in front."""
+    """One case beside the tour, one behind partitions, one shelf that shows its back."""
     beside, behind = piece("case", 5, 4.5, 0.5, 0.5), piece("case", 10, 4.6, 0.5, 0.5)
     turned_away = piece("shelf", 15, 4.5, 1, 0.5, heading=NORTH)
     screens = wall(9, 4.1, 11, 4.1), wall(9, 4.1, 9, 5), wall(11, 4.1, 11, 5)
@@ -328,6 +344,8 @@ def test_what_is_passed_and_seen():
     assert told["traversal"] == told["seen"] == pytest.approx(1 / 3, abs=1e-4)
     assert told["groups_missed"] == ["h/1", "h/2"]
     assert told["unseen"] == [behind.id, turned_away.id]
+    low = tuple(replace(s, size=s.size._replace(height=1.2)) for s in screens)
+    assert figures(judge(long_hall(*cases, *low, groups=groups)))["tour"]["seen"] < 0.4
     low = tuple(replace(s, category="plinth", size=s.size._replace(height=1.2)) for s in screens)
     assert figures(judge(long_hall(*cases, *low, groups=groups)))["tour"]["seen"] > 0.6
     far = ((0, 2.5), (1.6, 2.5))
@@ -345,6 +363,16 @@ def test_the_way_out_is_walked_not_flown():
     around = figures(judge(long_hall(wall(10, 0, 10, 4), doors=only)))["escape"]
     bent = math.hypot(10 - 0.1, 4.2 - 1) + 0.2 + math.hypot(9.7, 4)
     assert around["distance"] == pytest.approx(bent, rel=0.04)
+
+
+def test_nobody_walks_through_a_wall_one_cell_thick():
+    free = np.ones((6, 9), bool)
+    free[:, 4] = False
+    start = np.where((np.arange(9) == 0)[None] & free, 0.0, np.inf)
+    assert np.isinf(walking_distance(free, start, 1.0)[:, 5:]).all()
+    corner = np.eye(2, dtype=bool)
+    from_one = np.array([[0.0, np.inf], [np.inf, np.inf]])
+    assert np.isinf(walking_distance(corner, from_one, 1.0)[1, 1])
 
 
 def test_ways_out_are_notes():

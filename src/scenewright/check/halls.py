@@ -19,6 +19,7 @@ from scenewright.scene_graph import SceneGraph, Tour, Zone
 from scenewright.space import Points, Space
 
 _FAR = 1e5
+_NO_FLOOR = 1e-4
 
 
 class Members(NamedTuple):
@@ -110,8 +111,9 @@ def _shape(zone: Zone) -> Shape:
     sound = [ring for ring in rings if ring.ndim == 2 and len(ring) > 2 and _finite(ring)]
     if not sound or sound[0] is not rings[0]:
         return shapely.Polygon()
-    shape = shapely.Polygon(sound[0], sound[1:])
-    return shape if shape.is_valid else shape.buffer(0)
+    shape = shapely.Polygon(np.round(sound[0], 6), [np.round(ring, 6) for ring in sound[1:]])
+    shape = shape if shape.is_valid else shape.buffer(0)
+    return shape if shape.area > _NO_FLOOR else shapely.Polygon()
 
 
 def _finite(points: Points) -> bool:
@@ -191,11 +193,13 @@ def _asked(
 
 
 def _tour(tours: tuple[Tour, ...], space: str) -> Points | None:
-    """The points of the first tour of a space; none if fewer than two of them are sound."""
+    """The points of the first tour of a space; none if fewer than two are sound and differ."""
     for tour in tours:
         if tour.space == space:
             points = np.asarray(tour.points, float)
             points = points.reshape(-1, 2) if points.size % 2 == 0 else np.empty((0, 2))
-            sound = points[np.isfinite(points).all(1) & (np.abs(points) < _FAR).all(1)]
-            return sound if len(sound) > 1 else None
+            sound = points[np.isfinite(points).all(1) & (np.abs(points) < _FAR).all(1)].round(6)
+            moved = np.ones(len(sound), bool)
+            moved[1:] = (np.diff(sound, axis=0) != 0).any(1)
+            return sound[moved] if moved.sum() > 1 else None
     return None

@@ -111,10 +111,6 @@ def _pair(bodies: Bodies, hall: Hall, link: Link, solids: Indices) -> _Pair:
     floor = shapely.intersection(
         shapely.union(own, nobody), shapely.intersection(hall.shape, about)
     )
-    others = np.delete(hall.areas, [link.first, link.second])
-    if len(others):
-        kept = shapely.buffer(shapely.union_all(others), -2 * _SEAM, join_style="mitre")
-        floor = shapely.difference(floor, kept)
     near = solids[shapely.intersects(bodies.footprints[solids], floor)]
     free = shapely.difference(floor, shapely.union_all(bodies.footprints[near]))
     return _Pair(first, second, free)
