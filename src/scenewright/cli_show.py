@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from scenewright.solution import Solution
 
 MOST_FINDINGS = 20
-MOST_BOTTLENECKS = 3
+MOST_BOTTLENECKS = 5
 LEAST_COST = 0.005
 """What is less rounds to nothing."""
 
@@ -77,29 +77,38 @@ def checked(console: Console, report: Report) -> None:
 
 
 def _halls(console: Console, halls: Mapping[str, Mapping[str, Any]]) -> None:
-    """The figures of halls as a table, then where their tours are narrow."""
+    """The figures of halls as two tables, then where their tours are narrow."""
     if not halls:
         return
-    rows = [{"hall": name, **_hall(figures)} for name, figures in halls.items()]
-    table(console, rows, "halls")
-    for name, figures in halls.items():
-        for place in figures["tour"].get("bottlenecks", [])[:MOST_BOTTLENECKS]:
-            console.print(Text(f"  the tour of {name} is {place['message']}", "dim"))
+    first = dict(list(halls.items())[:MOST_FINDINGS])
+    table(console, [_measured(name, figures) for name, figures in first.items()], "halls")
+    table(console, [_used(name, figures) for name, figures in first.items()], "on foot")
+    if len(halls) > len(first):
+        console.print(Text(f"  and {len(halls) - len(first)} more halls", "dim"))
+    places = [
+        (place["width"], f"  the tour of {name} is {place['message']}")
+        for name, figures in first.items()
+        for place in figures["tour"].get("bottlenecks", [])
+    ]
+    for _, told in sorted(places)[:MOST_BOTTLENECKS]:
+        console.print(Text(told, "dim"))
 
 
-def _hall(figures: Mapping[str, Any]) -> dict[str, Any]:
-    """One row of the table of halls."""
+def _measured(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
+    keys = ("objects", "aesthetic", "uniformity", "circulation")
+    return {"hall": name} | {key: figures[key] for key in keys}
+
+
+def _used(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
     tour, distance = figures["tour"], figures["escape"]["distance"]
     least = min((passage["clear"] for passage in figures["passages"]), default=None)
     return {
-        "objects": figures["objects"],
-        "aesthetic": figures["aesthetic"],
-        "uniformity": figures["uniformity"],
-        "circulation": figures["circulation"],
+        "hall": name,
         "floor used": f"{figures['floor_used']:.0%}",
         "walkable": f"{figures['walkable_share']:.0%}",
-        "least passage": None if least is None else f"{least:.2f} m",
-        "tour": f"{tour['length']:.0f} m, {tour['least_width']:.2f} m wide" if tour else None,
+        "passages": None if least is None else f"{least:.2f} m",
+        "tour": f"{tour['length']:.0f} m" if tour else None,
+        "its width": f"{tour['least_width']:.2f} m" if tour else None,
         "seen": f"{tour['seen']:.0%}" if tour else None,
         "way out": None if distance is None else f"{distance:.0f} m",
     }
