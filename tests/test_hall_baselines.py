@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+import time
 
 import numpy as np
 import pytest
@@ -19,10 +20,14 @@ from scenewright.hall_problem import HallProblem
 from scenewright.solve import Budget
 from scenewright.solvers.draws import streams
 from scenewright.solvers.hall_blocks import UNIT, main_direction, sheet_of
+from scenewright.solvers.hall_chains import HallRun, begin_chain, first_layout
+from scenewright.solvers.hall_genetic import decode, genetic_hall, judged, violation
 from scenewright.solvers.hall_merrell import merrell, sweep
 from scenewright.solvers.hall_miqp import miqp
 from scenewright.solvers.hall_objects import TRIES, boxes_of, cover_obstacles, drop, lay, make_ways
+from scenewright.solvers.hall_random import random_hall
 from scenewright.terms.guidelines import BALANCE, CIRCULATION, off_balance, regions, whole_cost
+from scenewright.terms.hall_state import Kept
 
 MIDDLE = np.array([12.0, 7.0])
 
@@ -144,3 +149,51 @@ def test_without_ortools_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch
         monkeypatch.setitem(sys.modules, name, None)
     with pytest.raises(InputError, match=r"ortools.*scenewright\[solve\]"):
         miqp(example_hall(), Budget(), 0)
+
+
+def started(seed: int) -> tuple[HallProblem, Kept, float]:
+    """The example with the route weighed, a first layout and its energy."""
+    problem = example_hall()
+    problem = problem._replace(weights=problem.weights | {"reach": 30.0})
+    start, left = first_layout(problem, np.zeros((1, 2)), seed)
+    assert not left
+    return problem, start, float(begin_chain(problem, start, streams(0, 1)[0]).tally[0])
+
+
+@pytest.mark.parametrize("solve", [random_hall, genetic_hall])
+@pytest.mark.parametrize("seed", [0, 1])
+def test_random_and_genetic_layouts_stand_and_are_no_worse_than_the_first(
+    solve: HallRun, seed: int
+) -> None:
+    problem, start, first = started(seed)
+    found = solve(problem, start, Budget(steps=2000), seed, None, None)
+    assert found.evaluations == 2000
+    assert broken(problem, found.layouts[0].boxes) < 2e-4
+    assert found.layouts[0].energy < first
+    again = solve(problem, start, Budget(steps=2000), seed, None, None)
+    assert np.array_equal(found.layouts[0].boxes, again.layouts[0].boxes)
+
+
+def test_broken_layouts_cost_by_the_area_that_breaks_rules() -> None:
+    problem, start, _ = started(0)
+    chain, hall = begin_chain(problem, start, streams(0, 1)[0]), ShapelyHall(problem)
+    genes = np.random.default_rng(0).random((8, 5 * 6))
+    for row, cost in zip(genes, judged(chain, genes), strict=True):
+        decode(chain.p, chain.s, row.reshape(5, 6))
+        area = violation(chain.p, chain.s, chain.work)
+        shapes = [rectangle(box) for box in boxes_of(chain.s)]
+        zones = [hall.zones[problem.units.zones[unit]] for unit in hall.owner]
+        exact = sum(s.difference(z).area for s, z in zip(shapes, zones, strict=True))
+        exact += sum(a.intersection(b).area for k, a in enumerate(shapes) for b in shapes[:k])
+        exact += sum(a.intersection(b).area for a in shapes for b in hall.obstacles)
+        exact += sum(a.intersection(b).area for a in shapes for b in hall.keep_free)
+        assert area == pytest.approx(exact, abs=1e-6)
+        assert cost == pytest.approx(1e5 * (1.0 + area))
+
+
+def test_budgets_in_seconds_are_kept() -> None:
+    problem, start, _ = started(0)
+    for solve in (random_hall, genetic_hall):
+        begun = time.perf_counter()
+        solve(problem, start, Budget(seconds=0.1), 0)
+        assert time.perf_counter() - begun < 1.0
