@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import time
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -15,9 +16,15 @@ from numpy.typing import NDArray
 
 from benchmarks.hall_instances import example_hall
 from benchmarks.shapely_hall import Laid, ShapelyHall
-from benchmarks.shapely_home import rectangle
-from scenewright.encodings.patterns import PATTERNS
+from benchmarks.shapely_home import BASELINE, Record, rate, record, rectangle
+from scenewright.encodings.patterns import NUMBER, PATTERNS
+from scenewright.hall_energy import prepare
 from scenewright.hall_problem import HallProblem
+from scenewright.solve import Budget
+from scenewright.solvers.draws import streams
+from scenewright.solvers.hall_chains import begin_chain, first_layout, gd_mh, layout_of
+from scenewright.terms.hall_state import Kept
+from scenewright.terms.hall_trial import measure_all
 
 Floats = NDArray[np.float64]
 RATE, ITERATIONS = 0.1, 1000
@@ -222,8 +229,49 @@ def metropolis(
     return best, least, iterations / (time.perf_counter() - begun)
 
 
+def bench_steps(scale: float, runs: int = 3) -> Record:
+    """GD-MH steps a second, one chain on one thread, against the same moves on shapely."""
+    problem = example_hall(scale)
+    start, _ = first_layout(problem, np.zeros((len(problem.ground.hosts), 2)), 0)
+    steps = 20_000
+    gd_mh(problem, start, Budget(steps=100), 0)
+    ours = [rate(lambda: gd_mh(problem, start, Budget(steps=steps), 0), steps, 1)
+            for _ in range(runs)]  # fmt: skip
+    theirs = [metropolis(problem, 1, 100)[2] for _ in range(runs)]
+    case = f"hall of {len(problem.units.sizes)} objects"
+    return record(case, "GD-MH steps, one thread", "1/s", ours, theirs, BASELINE)
+
+
+def bench_evaluations(scale: float, runs: int = 3) -> Record:
+    """Whole energies a second, hard rules included, against shapely."""
+    problem = example_hall(scale)
+    start, _ = first_layout(problem, np.zeros((len(problem.ground.hosts), 2)), 0)
+    chain, slow = begin_chain(problem, start, streams(0, 1)[0]), ShapelyHall(problem)
+    boxes, laid = layout_of(chain).boxes, laid_of(problem, start)
+    slow_parts = slow.energies(boxes, laid, np.zeros((0, 5)))
+    assert np.isclose(slow_parts["total"], chain.tally[0])
+    measure = partial(measure_all, chain.p, chain.s, chain.work)
+    ours = [rate(measure, 1, 2000) for _ in range(runs)]
+    theirs = [rate(partial(slow.energies, boxes, laid, np.zeros((0, 5))), 1, 3)
+              for _ in range(runs)]  # fmt: skip
+    case = f"hall of {len(problem.units.sizes)} objects"
+    return record(case, "whole energies, one thread", "1/s", ours, theirs, BASELINE)
+
+
+def laid_of(problem: HallProblem, kept: Kept) -> list[Laid]:
+    """How the units of a layout are laid out, for the slow reference."""
+    spans, laid = prepare(problem).layer_spans, []
+    for u, (row, _) in enumerate(spans):
+        code, used = (int(v) for v in kept.rows[u])
+        numbers = kept.layers[row : row + used, NUMBER]
+        laid.append(Laid(NAMES[code], float(kept.pose[u, 2]), tuple(int(v) for v in numbers)))
+    return laid
+
+
 if __name__ == "__main__":
     for scale in (1.0, 4.0):
-        problem = example_hall(scale)
-        _, energy, rate = metropolis(problem, 1, 200)
-        print(f"{len(problem.units.sizes)} objects: {rate:.1f} steps/s, energy {energy:.1f}")
+        for row in (bench_evaluations(scale), bench_steps(scale)):
+            print(
+                f"{row['case']:20} {row['metric']:28} {row['ours']:12.5g} {row['unit']}"
+                f" against {row['baseline']:8.4g} ({row['baseline_name']}): {row['ratio']:.0f}x"
+            )
