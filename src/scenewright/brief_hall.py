@@ -49,7 +49,8 @@ class Demand(Model):
     ``sizes``, one for each of unequal objects; left out, the usual size of the category.
     ``clearance`` is the free depth wished for at all sides, or front, left, back, right.
     ``place`` tells whether they stand at a wall; ``patterns`` which patterns may lay them out;
-    ``zone`` in which zone, or which of several, they belong (left out: anywhere). What is not
+    ``zone`` in which zone, or which of several, they belong (left out: anywhere); ``facing`` the
+    demand they look at (seats a stage; left out, seats look at a stage or screen). What is not
     given follows the category. A demand that is not ``required`` may be left out quietly.
     """
 
@@ -64,4 +65,5 @@ class Demand(Model):
     place: Literal["wall", "free"] | None = None
     patterns: Annotated[list[PatternName], Field(max_length=8)] = []
     zone: str | Annotated[list[str], Field(max_length=200)] | None = None
+    facing: str | None = None
     required: Switch = True

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from scenewright.terms.hall_state import (
     STEP,
     Floats,
     Ints,
+    Kept,
     Prepared,
     State,
     make_scratch,
@@ -25,16 +25,6 @@ from scenewright.terms.hall_terms import HALL_TERMS, REACH, read_hall_weights
 
 STAGE = 2.5
 """Least distance from the apex of a fan to its first row, in metres."""
-
-
-class Sheet(NamedTuple):
-    """What makes a layout: patterns of the units, nothing derived. ``rows`` (g, 2) code and
-    number of layers, ``pose`` (g, 4), ``layers`` (L, 5), ``walls`` (p, 2)."""
-
-    pose: Floats
-    layers: Floats
-    rows: Floats
-    walls: Floats
 
 
 def _fresh(array: Floats, width: int) -> Floats:
@@ -133,6 +123,7 @@ def _unit_arrays(units: Units) -> dict[str, Floats | Ints]:
         "choices": np.array(units.choices, np.int64).reshape(len(spans), -1),
         "beta": np.maximum(beta, 1e-9), "iota": clear.max(1, initial=0.0), "largest": largest,
         "gaps": gaps, "near": np.full(len(spans), STAGE),
+        "targets": np.array(units.targets, np.int64),
         "layer_spans": np.stack([ends - rows, ends], 1).astype(np.int64),
     }  # fmt: skip
 
@@ -166,7 +157,7 @@ def make_state(p: Prepared) -> State:
         np.zeros(g, np.int64), np.zeros((g, 4)), np.zeros((rows, 5)), np.ones(g, np.int64),
         np.zeros((n, 8)), np.zeros((n, 8)), np.zeros((len(p.hosts), 2)),
         np.zeros((len(p.hosts), 8)), p.stretches.copy(), np.zeros((g, 3)), np.zeros((g, 3)),
-        np.zeros((len(HALL_TERMS), many)), np.zeros(len(HALL_TERMS)),
+        np.zeros((len(HALL_TERMS), many)),
         make_buckets(np.concatenate([low, high]), radii),
     )  # fmt: skip
 
@@ -185,10 +176,10 @@ def route_grid(problem: HallProblem, p: Prepared) -> Grid:
     )  # fmt: skip
 
 
-def sheet_of(s: State) -> Sheet:
+def kept_of(s: State) -> Kept:
     """A copy of what makes a state's layout."""
     rows = np.stack([s.code, s.used], 1).astype(np.float64)
-    return Sheet(s.pose.copy(), s.layers.copy(), rows, s.partitions.copy())
+    return Kept(s.pose.copy(), s.layers.copy(), rows, s.partitions.copy())
 
 
 def parts_of(problem: HallProblem, p: Prepared, s: State, missed: float) -> tuple[Part, ...]:
@@ -220,4 +211,3 @@ def _names_of(problem: HallProblem, of: str) -> tuple[str, ...]:
         f"{problem.zone_names[int(i)]} & {problem.zone_names[int(j)]}"
         for i, j in np.asarray(problem.ground.links).reshape(-1, 3)[:, :2]
     )
-

@@ -57,7 +57,8 @@ class Units(NamedTuple):
     ``access`` (n, 4) 1 for sides of which one must be reached. Unit u owns objects ``spans[u]``
     (start, end) and stands in zone ``zones[u]``. ``walls`` (g,) 1 for a row along walls.
     ``choices`` (g, 8) 1 for each pattern (row of the pattern table) the unit may take.
-    ``demands`` (g,) the number of the demand each unit serves.
+    ``demands`` (g,) the number of the demand each unit serves, ``targets`` (g,) the unit each
+    one looks at, -1: none.
     """
 
     sizes: Floats
@@ -67,6 +68,7 @@ class Units(NamedTuple):
     zones: Ints
     choices: Ints
     demands: Ints
+    targets: Ints
 
 
 class HallProblem(NamedTuple):

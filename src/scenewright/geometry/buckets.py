@@ -62,10 +62,8 @@ def row_of(b: Buckets, y: float) -> int:
 @compiled
 def insert(b: Buckets, i: int, x: float, y: float, radius: float) -> None:
     """File box ``i`` whose circle has its middle at x, y."""
-    if radius > b.reach:
-        place = b.columns * b.rows
-    else:
-        place = row_of(b, y) * b.columns + column_of(b, x)
+    inner = row_of(b, y) * b.columns + column_of(b, x)
+    place = b.columns * b.rows if radius > b.reach else inner
     first = b.heads[place]
     b.after[i], b.before[i], b.place[i] = first, -1, place
     if first >= 0:

@@ -19,7 +19,10 @@ Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 OPTIONS: dict[str, Any] = {
     "nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True,
 }  # fmt: skip
-SOURCES = ("problem.py", "hall_problem.py", "energy.py", "hall_energy.py", "geometry", "terms", "encodings", "solvers")
+SOURCES = (
+    "problem.py", "hall_problem.py", "energy.py", "hall_energy.py", "geometry", "terms",
+    "encodings", "solvers",
+)  # fmt: skip
 
 
 def fingerprint(package: Path) -> str:

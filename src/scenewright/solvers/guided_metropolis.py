@@ -3,7 +3,7 @@
 f = exp(-λ E); a move is accepted with min(1, f' / f) and refused outright if an object leaves its
 zone or overlaps (Cao, Cheng, Zhang 2024, 3.3). What moves, and how, is led by which energy is
 high. ``free`` of 0 is the paper; above, that share of the moves is drawn blindly and includes
-ours. The walking route is only looked at when everything else would accept a move.
+ours.
 """
 
 from __future__ import annotations
@@ -25,12 +25,14 @@ from scenewright.solvers.hall_moves import (
 )
 from scenewright.terms.circulation import route
 from scenewright.terms.hall_place import build
-from scenewright.terms.hall_state import Prepared, Scratch, State
+from scenewright.terms.hall_state import Kept, Prepared, Scratch, State
 from scenewright.terms.hall_terms import FILL, PROPORTION, REACH, SPACE, space_cost
 from scenewright.terms.hall_trial import begin, judge, measure_all, settle, undo
 
 WALLS = 0.03
 """Share of the moves that extend or shorten a partition, where there are any."""
+BLOCK = 16
+"""Accepted moves between two looks at the route."""
 
 
 @compiled
@@ -98,9 +100,7 @@ def guided(p: Prepared, s: State, stream: Stream, size: float) -> tuple[int, int
 
 
 @inlined
-def propose(
-    p: Prepared, s: State, work: Scratch, stream: Stream, size: float, free: float
-) -> int:
+def propose(p: Prepared, s: State, work: Scratch, stream: Stream, size: float, free: float) -> int:
     """Write a move of one unit; the unit."""
     blind = uniform(stream) < free
     unit, kind, step = guided(p, s, stream, size)
@@ -152,81 +152,109 @@ def undo_wall(p: Prepared, s: State, work: Scratch, host: int) -> None:
     measure_all(p, s, work)
 
 
+@inlined
+def step_once(
+    p: Prepared, s: State, work: Scratch, stream: Stream, bare: float, rate: float, size: float,
+    free: float,
+) -> float:  # fmt: skip
+    """One iteration; the energy without the route after it, infinity if the move was refused."""
+    limit = bare - math.log(1.0 - uniform(stream)) / rate
+    host = -1
+    if p.hosts.shape[0] > 0 and uniform(stream) < WALLS:
+        host = move_wall(p, s, work, size, stream)
+    if host >= 0:
+        after = measure_all(p, s, work)
+        if after <= limit:
+            return after
+        undo_wall(p, s, work, host)
+        return math.inf
+    unit = propose(p, s, work, stream, size, free)
+    after = bare + judge(p, s, work, unit)
+    if after <= limit:
+        settle(p, s, work, unit)
+        return after
+    undo(p, s, work, unit)
+    return math.inf
+
+
 @compiled
 def run(
     p: Prepared, s: State, work: Scratch, grid: Grid, bits: Bits, inset: Floats,
-    stream: Stream, tally: Floats, schedule: Floats, first: int, steps: int,
-    best_pose: Floats, best_layers: Floats, best_rows: Floats, best_walls: Floats,
+    stream: Stream, tally: Floats, schedule: Floats, first: int, steps: int, last: Kept, best: Kept,
 ) -> None:  # fmt: skip
     """Make ``steps`` iterations, starting from iteration ``first``.
 
     ``schedule`` (4,): λ at the start and the end, all iterations I, and the share of free moves;
-    λ rises geometrically. ``tally`` (5,): energy now, of the route in it, of the best, accepted,
-    accepted moves that changed nothing counted as steps. The best layout is kept in the arrays
-    ``best_…`` (pose, layers, code and used, partitions). ``bits`` (3, h, k) is scratch.
+    λ rises geometrically. ``tally`` (5,): energy now, of the route in it, of the best, moves
+    accepted, energy of ``last``. The route costs ten times a move, so it is looked at after every
+    :data:`BLOCK` accepted moves, and Metropolis' rule decides on the block as a whole: if it is
+    refused, the layout ``last`` kept comes back. Only layouts so looked at become ``best``.
+    ``bits`` (3, h, k) is scratch.
     """
-    count, begun = schedule[2], schedule[0]
+    count, waiting = schedule[2], 0
     weighed = p.weights[REACH] != 0.0
+    keep(s, last)
+    tally[4] = tally[0]
     for step in range(first, first + steps):
         share = step / count
-        rate = begun * (schedule[1] / begun) ** share
-        size = max(1.0 - share, 0.5) if schedule[3] == 0.0 else max(1.0 - share, 0.05)
-        limit = tally[0] - math.log(1.0 - uniform(stream)) / rate
+        rate = schedule[0] * (schedule[1] / schedule[0]) ** share
+        size = max(1.0 - share, 0.5 if schedule[3] == 0.0 else 0.05)
         bare = tally[0] - tally[1]
-        unit, host = -1, -1
-        if p.hosts.shape[0] > 0 and uniform(stream) < WALLS:
-            host = move_wall(p, s, work, size, stream)
-        if host >= 0:
-            after = measure_all(p, s, work)
-        else:
-            unit = propose(p, s, work, stream, size, schedule[3])
-            after = bare + judge(p, s, work, unit)
-        ways = tally[1]
-        if after <= limit and weighed:
-            ways = p.weights[REACH] * missed(p, s, grid, bits[0], bits[1], bits[2], inset)
-        if after + ways <= limit:
-            if unit >= 0:
-                settle(p, s, work, unit)
-            tally[0], tally[1], tally[3] = after + ways, ways, tally[3] + 1.0
-            if tally[0] < tally[2]:
-                tally[2] = tally[0]
-                keep(s, best_pose, best_layers, best_rows, best_walls)
-        elif unit >= 0:
-            undo(p, s, work, unit)
-        else:
-            undo_wall(p, s, work, host)
+        after = step_once(p, s, work, stream, bare, rate, size, schedule[3])
+        if after < math.inf:
+            tally[0], tally[3], waiting = after + tally[1], tally[3] + 1.0, waiting + 1
+        if waiting == (BLOCK if weighed else 1) or (waiting > 0 and step + 1 == first + steps):
+            waiting = 0
+            look_at_route(p, s, work, grid, bits, inset, stream, tally, rate, last, best)
 
 
 @inlined
-def keep(
-    s: State, pose: Floats, layers: Floats, rows: Floats, walls: Floats
-) -> None:
+def look_at_route(
+    p: Prepared, s: State, work: Scratch, grid: Grid, bits: Bits, inset: Floats, stream: Stream,
+    tally: Floats, rate: float, last: Kept, best: Kept,
+) -> None:  # fmt: skip
+    """Decide on the moves since the last look; keep the layout or bring the last one back."""
+    ways = tally[1]
+    if p.weights[REACH] != 0.0:
+        ways = p.weights[REACH] * missed(p, s, grid, bits[0], bits[1], bits[2], inset)
+    total = tally[0] - tally[1] + ways
+    if ways > tally[1] and total > tally[4] - math.log(1.0 - uniform(stream)) / rate:
+        tally[0] = bring_back(p, s, work, last) + tally[1]
+        return
+    tally[0], tally[1] = total, ways
+    if p.weights[REACH] != 0.0:
+        keep(s, last)
+        tally[4] = total
+    if total < tally[2]:
+        tally[2] = total
+        keep(s, best)
+
+
+@inlined
+def keep(s: State, kept: Kept) -> None:
     """Copy what makes a layout."""
     for u in range(s.pose.shape[0]):
-        rows[u, 0], rows[u, 1] = s.code[u], s.used[u]
+        kept.rows[u, 0], kept.rows[u, 1] = s.code[u], s.used[u]
         for k in range(4):
-            pose[u, k] = s.pose[u, k]
+            kept.pose[u, k] = s.pose[u, k]
     for k in range(s.layers.shape[0]):
         for c in range(5):
-            layers[k, c] = s.layers[k, c]
+            kept.layers[k, c] = s.layers[k, c]
     for h in range(s.partitions.shape[0]):
-        walls[h, 0], walls[h, 1] = s.partitions[h, 0], s.partitions[h, 1]
+        kept.walls[h, 0], kept.walls[h, 1] = s.partitions[h, 0], s.partitions[h, 1]
 
 
 @compiled
-def restore(
-    p: Prepared, s: State, work: Scratch, pose: Floats, layers: Floats, rows: Floats,
-    walls: Floats,
-) -> float:  # fmt: skip
+def bring_back(p: Prepared, s: State, work: Scratch, kept: Kept) -> float:
     """Make a state the kept layout again; its energy without the route."""
     for u in range(s.pose.shape[0]):
-        s.code[u], s.used[u] = int(rows[u, 0]), int(rows[u, 1])
+        s.code[u], s.used[u] = int(kept.rows[u, 0]), int(kept.rows[u, 1])
         for k in range(4):
-            s.pose[u, k] = pose[u, k]
+            s.pose[u, k] = kept.pose[u, k]
     for k in range(s.layers.shape[0]):
         for c in range(5):
-            s.layers[k, c] = layers[k, c]
+            s.layers[k, c] = kept.layers[k, c]
     for h in range(s.partitions.shape[0]):
-        s.partitions[h, 0], s.partitions[h, 1] = walls[h, 0], walls[h, 1]
+        s.partitions[h, 0], s.partitions[h, 1] = kept.walls[h, 0], kept.walls[h, 1]
         build(p, s, h)
     return measure_all(p, s, work)

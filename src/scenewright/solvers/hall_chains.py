@@ -18,19 +18,18 @@ import numpy as np
 
 from scenewright.geometry.paths import Grid
 from scenewright.hall_energy import (
-    Sheet,
+    kept_of,
     make_state,
     prepare,
     route_grid,
-    sheet_of,
 )
 from scenewright.hall_problem import Floats, HallProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
 from scenewright.solvers.draws import Stream, streams
-from scenewright.solvers.guided_metropolis import missed, restore, run
+from scenewright.solvers.guided_metropolis import bring_back, missed, run
 from scenewright.solvers.hall_start import copy_frames, place_units
 from scenewright.terms.hall_place import build
-from scenewright.terms.hall_state import Prepared, Scratch, State, make_scratch
+from scenewright.terms.hall_state import Kept, Prepared, Scratch, State, make_scratch
 from scenewright.terms.hall_terms import REACH
 from scenewright.terms.hall_trial import measure_all
 
@@ -49,7 +48,7 @@ TRIES = 600
 class HallLayout(NamedTuple):
     """A layout: what makes it, its boxes (n, 5), its energy, and what the route misses."""
 
-    sheet: Sheet
+    sheet: Kept
     boxes: Floats
     energy: float
     missed: float
@@ -62,14 +61,12 @@ class HallFound(NamedTuple):
     evaluations: int
 
 
-HallRun = Callable[
-    [HallProblem, Sheet, Budget, int, Progress | None, Cancel | None], HallFound
-]
+HallRun = Callable[[HallProblem, Kept, Budget, int, Progress | None, Cancel | None], HallFound]
 
 
 class Chain(NamedTuple):
     """One chain with all it needs; ``tally`` (5,) energy now, of the route in it, of the best,
-    moves accepted; ``best`` the best layout."""
+    moves accepted, energy of ``last``, the layout last looked at whole; ``best`` the best."""
 
     p: Prepared
     s: State
@@ -79,12 +76,13 @@ class Chain(NamedTuple):
     inset: Floats
     stream: Stream
     tally: Floats
-    best: Sheet
+    last: Kept
+    best: Kept
 
 
 def first_layout(
     problem: HallProblem, walls: Floats, seed: int, tries: int = TRIES
-) -> tuple[Sheet, tuple[int, ...]]:
+) -> tuple[Kept, tuple[int, ...]]:
     """A layout without overlap and the units that found no place in it, largest first.
 
     ``walls`` (p, 2) are the partitions to start with.
@@ -98,19 +96,19 @@ def first_layout(
     order = np.argsort(-need, kind="stable").astype(np.int64)
     placed = np.zeros(len(need))
     place_units(p, s, work, order, tries, streams(seed, 1)[0], placed)
-    return sheet_of(s), tuple(int(u) for u in order if not placed[u])
+    return kept_of(s), tuple(int(u) for u in order if not placed[u])
 
 
-def begin_chain(problem: HallProblem, start: Sheet, stream: Stream) -> Chain:
+def begin_chain(problem: HallProblem, start: Kept, stream: Stream) -> Chain:
     """A chain that stands at a layout."""
     p = prepare(problem)
     s, work, grid = make_state(p), make_scratch(p), route_grid(problem, p)
     bits, inset = np.zeros((3, *grid.free.shape), np.uint64), np.zeros((len(p.sizes), 4))
-    best = Sheet(*(array.copy() for array in start))
-    energy = restore(p, s, work, *start)
+    last, best = (Kept(*(array.copy() for array in start)) for _ in range(2))
+    energy = bring_back(p, s, work, start)
     ways = p.weights[REACH] * missed(p, s, grid, bits[0], bits[1], bits[2], inset)
     tally = np.array([energy + ways, ways, energy + ways, 0.0, 0.0])
-    return Chain(p, s, work, grid, bits, inset, stream, tally, best)
+    return Chain(p, s, work, grid, bits, inset, stream, tally, last, best)
 
 
 def advance(chain: Chain, schedule: Floats, first: int, steps: int) -> None:
@@ -119,24 +117,24 @@ def advance(chain: Chain, schedule: Floats, first: int, steps: int) -> None:
     chain.tally[0] = bare + chain.tally[1]
     run(
         chain.p, chain.s, chain.work, chain.grid, chain.bits, chain.inset, chain.stream,
-        chain.tally, schedule, first, steps, *chain.best,
+        chain.tally, schedule, first, steps, chain.last, chain.best,
     )  # fmt: skip
 
 
 def layout_of(chain: Chain) -> HallLayout:
     """The best layout of a chain, measured afresh."""
-    energy = restore(chain.p, chain.s, chain.work, *chain.best)
+    energy = bring_back(chain.p, chain.s, chain.work, chain.best)
     count = missed(
         chain.p, chain.s, chain.grid, chain.bits[0], chain.bits[1], chain.bits[2], chain.inset
     )
     boxes = np.zeros((len(chain.p.sizes), 5))
     copy_frames(chain.s, boxes)
     total = energy + chain.p.weights[REACH] * count
-    return HallLayout(sheet_of(chain.s), boxes, total, count)
+    return HallLayout(kept_of(chain.s), boxes, total, count)
 
 
 def gd_mh(
-    problem: HallProblem, start: Sheet, budget: Budget, seed: int,
+    problem: HallProblem, start: Kept, budget: Budget, seed: int,
     progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> HallFound:  # fmt: skip
     """GD-MH as printed: one chain, λ = 0.1, 1000 iterations, every move led by the energies.
@@ -156,7 +154,7 @@ def gd_mh(
 
 
 def anneal_hall(
-    problem: HallProblem, start: Sheet, budget: Budget, seed: int,
+    problem: HallProblem, start: Kept, budget: Budget, seed: int,
     progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> HallFound:  # fmt: skip
     """Several chains, λ rising geometrically; then the better half goes on, cold.
@@ -215,7 +213,7 @@ def _stage(
     return made
 
 
-def restored(problem: HallProblem, sheet: Sheet) -> tuple[Prepared, State, float, float]:
+def restored(problem: HallProblem, sheet: Kept) -> tuple[Prepared, State, float, float]:
     """A measured state at a layout, its energy without the route, and what the route misses."""
     chain = begin_chain(problem, sheet, streams(0, 1)[0])
     weight = float(chain.p.weights[REACH])

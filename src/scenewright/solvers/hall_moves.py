@@ -133,7 +133,14 @@ def slide(s: State, unit: int, reach: float, stream: Stream) -> None:
 
 @inlined
 def turn(p: Prepared, s: State, unit: int, stream: Stream) -> None:
-    """Turn a unit so that a side of its box is parallel to the nearest edge of its zone."""
+    """Turn a unit so that a side of its box is parallel to the nearest edge of its zone, or
+    towards what it looks at."""
+    target = p.targets[unit]
+    if target >= 0 and uniform(stream) < 0.5:
+        first = p.spans[target, 0]
+        dx, dy = s.frames[first, 0] - s.pose[unit, 0], s.frames[first, 1] - s.pose[unit, 1]
+        s.pose[unit, 2] = math.atan2(dy, dx)
+        return
     angle = wall_angle(p, p.zones[unit], s.pose[unit, 0], s.pose[unit, 1])
     s.pose[unit, 2] = angle + QUARTER * below(stream, 4)
 

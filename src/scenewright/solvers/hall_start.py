@@ -16,9 +16,7 @@ from scenewright.terms.hall_trial import forget, place_all
 
 
 @compiled
-def place_one(
-    p: Prepared, s: State, work: Scratch, unit: int, tries: int, stream: Stream
-) -> bool:
+def place_one(p: Prepared, s: State, work: Scratch, unit: int, tries: int, stream: Stream) -> bool:
     """Find a place for a unit among those that are filed: gaps shrink with every try.
 
     True if found; the unit is filed then.

@@ -9,10 +9,10 @@ from __future__ import annotations
 from importlib import import_module
 from typing import NamedTuple
 
-from scenewright.hall_energy import Sheet
 from scenewright.hall_problem import HallProblem
 from scenewright.solve import Budget, Cancel, Progress
 from scenewright.solvers.hall_chains import HallFound, HallRun
+from scenewright.terms.hall_state import Kept
 
 
 class HallSolverRow(NamedTuple):
@@ -25,7 +25,7 @@ class HallSolverRow(NamedTuple):
     function: str
 
     def run(
-        self, problem: HallProblem, start: Sheet, budget: Budget, seed: int = 0,
+        self, problem: HallProblem, start: Kept, budget: Budget, seed: int = 0,
         progress: Progress | None = None, cancel: Cancel | None = None,
     ) -> HallFound:  # fmt: skip
         """Solve; see the module."""

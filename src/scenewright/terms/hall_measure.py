@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from scenewright.encodings.patterns import NUMBER, SINGLE, WALL
 from scenewright.geometry.boxes import (
     Frame,
     apart,
@@ -14,7 +15,6 @@ from scenewright.geometry.boxes import (
 )
 from scenewright.geometry.buckets import Buckets, column_of, row_of
 from scenewright.geometry.compiled import compiled, inlined
-from scenewright.encodings.patterns import NUMBER, SINGLE, WALL
 from scenewright.terms.hall_state import STEP, Floats, Prepared, Scratch, State
 from scenewright.terms.hall_terms import access_cost, proportion_cost
 
@@ -98,14 +98,14 @@ def crowd(
                 if mine:
                     own += area
                 elif area > 0.0:
-                    note(p, work, p.unit_of[j], sign * area)
-                    note(p, work, unit, sign * area)
+                    note(work, p.unit_of[j], sign * area)
+                    note(work, unit, sign * area)
             j = b.after[j]
     return own
 
 
 @inlined
-def note(p: Prepared, work: Scratch, unit: int, change: float) -> None:
+def note(work: Scratch, unit: int, change: float) -> None:
     """Remember that α_M of a unit changes."""
     g = work.marks.shape[0]
     if work.marks[unit] == 0:
@@ -210,8 +210,8 @@ def span_in_strip(frame: Frame, border: Floats, half: float) -> tuple[float, flo
 def block(work: Scratch, cells: int, low: float, high: float) -> None:
     """Mark the cells of a border between two distances from its start."""
     if low <= high:
-        for k in range(max(int(math.floor(low / STEP + 1e-6)), 0),
-                       min(int(math.ceil(high / STEP - 1e-6)), cells)):  # fmt: skip
+        first, last = math.floor(low / STEP + 1e-6), math.ceil(high / STEP - 1e-6)
+        for k in range(max(first, 0), min(last, cells)):
             work.cells[k] = 1
 
 

@@ -28,7 +28,8 @@ class Prepared(NamedTuple):
     ``loops`` lists the stretches of zone z at rows ``loop_spans[z]``. ``unit_of`` (n,);
     ``beta`` (g,) clearance demanded, ``iota`` (n,) greatest clear depth, ``largest`` (g, 2)
     width and depth of the largest object, ``gaps`` (g, 2) along and across that keep
-    clearances apart, ``near`` (g,) least radius of a fan; ``layer_spans`` (g, 2).
+    clearances apart, ``near`` (g,) least radius of a fan, ``targets`` (g,) units looked at;
+    ``layer_spans`` (g, 2).
     """
 
     edges: Floats
@@ -60,6 +61,7 @@ class Prepared(NamedTuple):
     largest: Floats
     gaps: Floats
     near: Floats
+    targets: Ints
     layer_spans: Ints
     thickness: float
     weights: Floats
@@ -69,11 +71,12 @@ class State(NamedTuple):
     """One layout and every part of its energy, changed in place.
 
     ``code`` (g,) pattern of each unit, ``pose`` (g, 4) x, y, heading and extra measure (wall
-    rows: where along the walls of the zone they start, alignment, -, gap); ``layers`` (L, 5), ``used`` (g,).
+    rows: where along the walls of the zone they start, alignment, -, gap); ``layers`` (L, 5),
+    ``used`` (g,).
     ``frames``, ``clears`` (n, 8) footprints and clearances, ``partitions`` (p, 2) start and end
     of the wall on each host (none if equal), ``walls`` (p, 8) its frame, ``stretches`` as in
     Prepared with those of partitions filled in. ``covered`` (g, 3) α_S, α_M, α_W; ``extent``
-    (g, 3) used area and middle; ``costs`` (6, max(g, z, l)) by term; ``totals`` (6,).
+    (g, 3) used area and middle; ``costs`` (7, max(g, z, l)) by term.
     """
 
     code: Ints
@@ -88,14 +91,23 @@ class State(NamedTuple):
     covered: Floats
     extent: Floats
     costs: Floats
-    totals: Floats
     buckets: Buckets
+
+
+class Kept(NamedTuple):
+    """What makes a layout: patterns of the units, nothing derived. ``pose`` (g, 4), ``layers``
+    (L, 5), ``rows`` (g, 2) code and number of layers, ``walls`` (p, 2)."""
+
+    pose: Floats
+    layers: Floats
+    rows: Floats
+    walls: Floats
 
 
 class Scratch(NamedTuple):
     """Room to try a move: local places (n, 3), old frames and clears (n, 8), old layers (L, 5)
     and pose (4,), ``delta`` (g,) change of α_M, ``touched`` (g + 1,) with its count last, marks
-    (g,), ``cells`` of the longest border, ``fresh`` (2, z or l) costs as they would be,
+    (g,), ``cells`` of the longest border, ``fresh`` (3, g or l) costs as they would be,
     ``old`` (8,) other old values."""
 
     local: Floats
@@ -120,5 +132,5 @@ def make_scratch(p: Prepared) -> Scratch:
     return Scratch(
         np.zeros((n, 3)), np.zeros((n, 8)), np.zeros((n, 8)), np.zeros((rows, 5)), np.zeros(4),
         np.zeros(g), np.zeros(g + 1, np.int64), np.zeros(g, np.int64),
-        np.zeros(longest + 2, np.uint8), np.zeros((2, many)), np.zeros(8),
+        np.zeros(longest + 2, np.uint8), np.zeros((3, many)), np.zeros(8),
     )  # fmt: skip

@@ -22,7 +22,7 @@ EPSILON = 1.5
 NEAR = 1.0
 """Z of the proportion: what neighbours may stand apart beyond their clearances, in metres."""
 
-SPACE, FILL, ACCESS, PROPORTION, REACH, BALANCE = range(6)
+SPACE, FILL, ACCESS, PROPORTION, REACH, BALANCE, FACING = range(7)
 
 
 class HallTerm(NamedTuple):
@@ -42,13 +42,14 @@ HALL_TERMS: tuple[HallTerm, ...] = (
     HallTerm("space", SPACE, "group", 1, "clearance covered by others, by walls or by doors",
              _PAPER + "1 with its lost divisor"),
     HallTerm("fill", FILL, "zone", 1, "zone less used than it should be", _PAPER + "3"),
-    HallTerm("access", ACCESS, "link", 1, "passage between linked zones too narrow",
+    HallTerm("access", ACCESS, "link", 40, "passage between linked zones too narrow",
              _PAPER + "4"),
     HallTerm("proportion", PROPORTION, "group", 1, "neighbours further apart than they need",
              _PAPER + "5"),
     HallTerm("reach", REACH, "hall", 30, "objects and doors that the route does not reach",
              "ours"),
     HallTerm("balance", BALANCE, "zone", 4, "groups crowded at one side of their zone", "ours"),
+    HallTerm("facing", FACING, "group", 10, "groups turned away from what they look at", "ours"),
 )  # fmt: skip
 PRINTED = ("space", "fill", "access", "proportion")
 
@@ -57,7 +58,7 @@ def read_hall_weights(weights: Mapping[str, float]) -> NDArray[np.float64]:
     """Weights by name to the vector ``(terms,)``; a name left out weighs nothing.
 
     >>> read_hall_weights({"fill": 2.0}).tolist()
-    [0.0, 2.0, 0.0, 0.0, 0.0, 0.0]
+    [0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     """
     places = {row.name: row.number for row in HALL_TERMS}
     vector = np.zeros(len(HALL_TERMS))
@@ -125,3 +126,17 @@ def proportion_cost(gap: float, most: float) -> float:
     20.0
     """
     return barrier(1.0 - max(gap - most, 0.0) / most)
+
+
+@compiled
+def facing_cost(x: float, y: float, heading: float, to_x: float, to_y: float) -> float:
+    """1 - cos of the angle between a group's front and the way to what it looks at, 0 to 2, and
+    a tenth of the metres it stands off the axis of what it looks at.
+
+    >>> facing_cost(0.0, 0.0, 0.0, 5.0, 0.0)
+    0.0
+    """
+    dx, dy = to_x - x, to_y - y
+    far = max(math.sqrt(dx * dx + dy * dy), 1e-9)
+    c, s = math.cos(heading), math.sin(heading)
+    return 1.0 - (dx * c + dy * s) / far + 0.1 * abs(dy * c - dx * s)

@@ -28,9 +28,11 @@ from scenewright.terms.hall_state import Prepared, Scratch, State
 from scenewright.terms.hall_terms import (
     ACCESS,
     BALANCE,
+    FACING,
     FILL,
     PROPORTION,
     SPACE,
+    facing_cost,
     fill_cost,
     space_cost,
 )
@@ -118,12 +120,29 @@ def judge(p: Prepared, s: State, work: Scratch, unit: int) -> float:
     for i in range(first, last):
         before = read_frame(work.frames, i)
         crowd(p, s, work, i, before, read_frame(work.clears, i), -1.0)
-    note(p, work, unit, 0.0)
+    note(work, unit, 0.0)
     work.old[2], work.old[3] = inside, at_walls
     change = space_change(p, s, work, unit)
     work.old[4] = proportion_of(p, s, unit) if p.weights[PROPORTION] != 0.0 else 0.0
     change += p.weights[PROPORTION] * (work.old[4] - s.costs[PROPORTION, unit])
-    return change + zone_change(p, s, work, unit, zone)
+    change += zone_change(p, s, work, unit, zone)
+    if p.weights[FACING] != 0.0:
+        for other in range(p.targets.shape[0]):
+            if p.targets[other] >= 0 and (other == unit or p.targets[other] == unit):
+                work.fresh[2, other] = facing_of(p, s, other)
+                change += p.weights[FACING] * (work.fresh[2, other] - s.costs[FACING, other])
+    return change
+
+
+@inlined
+def facing_of(p: Prepared, s: State, unit: int) -> float:
+    """How far a unit is turned away from what it looks at; 0 if it looks at nothing."""
+    target = p.targets[unit]
+    if target < 0:
+        return 0.0
+    x, y = middle_of(s, p.spans[unit, 0], p.spans[unit, 1])
+    to_x, to_y = middle_of(s, p.spans[target, 0], p.spans[target, 1])
+    return facing_cost(x, y, s.pose[unit, 2], to_x, to_y)
 
 
 @inlined
@@ -194,6 +213,10 @@ def settle(p: Prepared, s: State, work: Scratch, unit: int) -> None:
         for link in range(p.links.shape[0]):
             if int(p.links[link, 0]) == zone or int(p.links[link, 1]) == zone:
                 s.costs[ACCESS, link] = work.fresh[1, link]
+    if p.weights[FACING] != 0.0:
+        for other in range(p.targets.shape[0]):
+            if p.targets[other] >= 0 and (other == unit or p.targets[other] == unit):
+                s.costs[FACING, other] = work.fresh[2, other]
 
 
 @compiled
@@ -239,6 +262,8 @@ def sum_up(p: Prepared, s: State, work: Scratch) -> float:
         s.extent[unit, 0] = used_area(p, s, unit)
         x, y = middle_of(s, p.spans[unit, 0], p.spans[unit, 1])
         s.extent[unit, 1], s.extent[unit, 2] = x, y
+        s.costs[FACING, unit] = facing_of(p, s, unit)
+        total += p.weights[FACING] * s.costs[FACING, unit]
         total += p.weights[SPACE] * s.costs[SPACE, unit]
         total += p.weights[PROPORTION] * s.costs[PROPORTION, unit]
     for zone in range(p.zone_areas.shape[0]):

@@ -11,10 +11,11 @@ from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.pose import Hall
 from scenewright.domains.hall.wanted import Wanted
 from scenewright.encodings.patterns import ACROSS, ALONG, CODE, NUMBER, PART, PATTERNS
-from scenewright.hall_energy import Sheet, capacity
+from scenewright.hall_energy import capacity
 from scenewright.hall_problem import Floats, HallProblem
 from scenewright.scene import Piece, Pose, Size
 from scenewright.scene_graph import Layer, Part, PlacedGroup
+from scenewright.terms.hall_state import Kept
 
 NAMES = tuple(PATTERNS)
 CEILING = 0.3
@@ -47,7 +48,7 @@ def dressed(
     return tuple(pieces)
 
 
-def partitions(hall: Hall, problem: HallProblem, sheet: Sheet, catalog: Catalog) -> list[Piece]:
+def partitions(hall: Hall, problem: HallProblem, sheet: Kept, catalog: Catalog) -> list[Piece]:
     """The generated walls as pieces."""
     height = min(max(hall.space.height - CEILING, 2.0), TALLEST, hall.space.height)
     found = []
@@ -71,7 +72,7 @@ def partitions(hall: Hall, problem: HallProblem, sheet: Sheet, catalog: Catalog)
 
 
 def placed_groups(
-    hall: Hall, wishes: list[Wanted], units: list[Unit], problem: HallProblem, sheet: Sheet,
+    hall: Hall, wishes: list[Wanted], units: list[Unit], problem: HallProblem, sheet: Kept,
     pieces: tuple[Piece, ...],
 ) -> tuple[PlacedGroup, ...]:  # fmt: skip
     """The groups of the scene graph."""

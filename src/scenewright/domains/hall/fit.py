@@ -15,10 +15,10 @@ from scenewright.domains.hall.assign import Unit, area_of, assign
 from scenewright.domains.hall.partitions import Host, hosts, lacking, visiting_order
 from scenewright.domains.hall.pose import Hall, pose, wall_lengths, zone_areas
 from scenewright.domains.hall.wanted import Wanted
-from scenewright.hall_energy import Sheet
 from scenewright.hall_problem import HallProblem
 from scenewright.solution import LeftOut
 from scenewright.solvers.hall_chains import first_layout
+from scenewright.terms.hall_state import Kept
 
 ROUNDS = 12
 TRIES = 300
@@ -32,7 +32,7 @@ class Fitted(NamedTuple):
     units: list[Unit]
     hosts: tuple[Host, ...]
     problem: HallProblem
-    start: Sheet
+    start: Kept
     missing: dict[int, int]
 
 

@@ -40,9 +40,7 @@ def wall_needed(wish: Wanted, count: int, printed: bool) -> float:
     return sum(size.width for size in wish.sizes[:count]) + between * (count + 1)
 
 
-def lacking(
-    units: list[Unit], wishes: list[Wanted], walls: Floats, printed: bool
-) -> Floats:
+def lacking(units: list[Unit], wishes: list[Wanted], walls: Floats, printed: bool) -> Floats:
     """Metres of wall (z,) that the zones have less than they need; 0 or less: none."""
     need = -np.array(walls, np.float64)
     for unit in units:

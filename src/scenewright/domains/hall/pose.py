@@ -14,7 +14,7 @@ from scenewright.domains.hall.partitions import Host
 from scenewright.domains.hall.wanted import Wanted
 from scenewright.encodings.patterns import PATTERNS
 from scenewright.gates import Gate, before, door_zone, edges_of, gates, throat
-from scenewright.hall_problem import Floats, HallGround, HallProblem, Units
+from scenewright.hall_problem import Floats, HallGround, HallProblem, Ints, Units
 from scenewright.scene import Piece
 from scenewright.space import Space
 from scenewright.zones import HallPlan
@@ -24,6 +24,8 @@ LANDING = 1.5
 WINDOW = 0.3
 SHARE, MOST = 0.75, 0.8
 """δ_min: this share of what its objects demand of a zone, and at most."""
+MARGIN = 0.1
+"""Passages are planned this much wider than asked for, in metres."""
 HEAD_HEIGHT = 2.0
 SIDES = ("front", "left", "back", "right")
 
@@ -75,8 +77,9 @@ def pose(
     sizes = [s for u in units for s in wishes[u.demand].sizes[u.first : u.last]]
     counts = np.array([unit.last - unit.first for unit in units], np.int64)
     ends = np.cumsum(counts)
-    clear = np.repeat([wishes[u.demand].clearance for u in units] or [[0.0] * 4], counts
-                      if units else 0, axis=0)  # fmt: skip
+    clear = np.repeat(
+        np.array([wishes[u.demand].clearance for u in units]).reshape(-1, 4), counts, axis=0
+    )
     flat = np.array([(size.width, size.depth) for size in sizes], np.float64).reshape(-1, 2)
     return HallProblem(
         ground=_ground(hall, wishes, units, hosts),
@@ -88,6 +91,7 @@ def pose(
             zones=np.array([unit.zone for unit in units], np.int64),
             choices=_choices(wishes, units),
             demands=np.array([unit.demand for unit in units], np.int64),
+            targets=_targets(wishes, units),
         ),
         names=unit_names(hall, wishes, units),
         zone_names=hall.names,
@@ -131,7 +135,9 @@ def _ground(
         zone_least=_least(wishes, units, areas),
         stretches=_rows(_stretches(hall), 6),
         borders=_rows(_linked(hall.borders, pairs), 5),
-        links=_rows([[*p, k.width] for p, k in zip(pairs, hall.plan.links, strict=True)], 3),
+        links=_rows(
+            [[*p, k.width + MARGIN] for p, k in zip(pairs, hall.plan.links, strict=True)], 3
+        ),
         hosts=_rows([list(host.row) for host in hosts], 6),
         bounds=np.concatenate([low, high]),
     )
@@ -216,7 +222,7 @@ def _access(wishes: list[Wanted], units: list[Unit], catalog: Catalog) -> Floats
     return _rows(rows, 4)
 
 
-def _choices(wishes: list[Wanted], units: list[Unit]) -> Floats:
+def _choices(wishes: list[Wanted], units: list[Unit]) -> Ints:
     rows = np.zeros((len(units), len(PATTERNS)), np.int64)
     codes = {name: code for code, name in enumerate(PATTERNS)}
     for row, unit in zip(rows, units, strict=True):
@@ -224,6 +230,12 @@ def _choices(wishes: list[Wanted], units: list[Unit]) -> Floats:
         for name in wishes[unit.demand].patterns:
             row[codes["single" if alone and name != "wall" else name]] = 1
     return rows
+
+
+def _targets(wishes: list[Wanted], units: list[Unit]) -> Ints:
+    """The first unit of the demand each unit looks at."""
+    first = {wishes[unit.demand].id: k for k, unit in reversed(list(enumerate(units)))}
+    return np.array([first.get(wishes[u.demand].facing, -1) for u in units], np.int64)
 
 
 def _solid(piece: Piece) -> bool:

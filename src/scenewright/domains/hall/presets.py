@@ -22,7 +22,7 @@ USUAL = 20
 """Groups of a hall for which the steps of a preset are meant."""
 
 OURS = {row.name: row.weight for row in HALL_TERMS}
-PAPER = {row.name: row.weight for row in HALL_TERMS if row.name in PRINTED}
+PAPER = dict.fromkeys(PRINTED, 1.0)
 
 PRESETS: dict[str, HallPreset] = {
     "default": HallPreset("our six terms, four chains annealed", OURS, "anneal", 12_000),

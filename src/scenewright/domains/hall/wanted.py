@@ -12,12 +12,14 @@ from scenewright.catalog import Catalog
 from scenewright.scene import Piece, Size
 
 MIXTURE_FROM = 6
+SPECTATORS, SHOWS = ("auditorium_seat",), ("stage", "screen", "lectern")
+"""What looks, unless told otherwise, at what."""
 
 
 class Wanted(NamedTuple):
     """One demand: its id, what to call it, the sizes of its objects, the free depth at front,
-    left, back and right of each, the patterns it may take, the zones it may go to (empty: any)
-    and whether leaving it out is a failure."""
+    left, back and right of each, the patterns it may take, the zones it may go to (empty: any),
+    the id of the demand it looks at (empty: none) and whether leaving it out is a failure."""
 
     id: str
     name: str
@@ -26,6 +28,7 @@ class Wanted(NamedTuple):
     clearance: tuple[float, float, float, float]
     patterns: tuple[str, ...]
     zones: tuple[str, ...]
+    facing: str
     required: bool
 
     @property
@@ -44,7 +47,13 @@ def wanted(brief: Brief, number: int, locked: tuple[Piece, ...], catalog: Catalo
         filled = _filled(demand, name, catalog)
         if len(filled.sizes) > there:
             found.append(filled._replace(sizes=filled.sizes[there:]))
-    return found
+    shows = [wish.id for wish in found if wish.category in SHOWS]
+    return [
+        wish._replace(facing=wish.facing or shows[0])
+        if shows and wish.category in SPECTATORS
+        else wish
+        for wish in found
+    ]
 
 
 def demand_ids(room: Room) -> tuple[str, ...]:
@@ -72,6 +81,7 @@ def _filled(demand: Demand, name: str, catalog: Catalog) -> Wanted:
         clearance=_clearance(demand, use.clearance),
         patterns=_patterns(demand, use.place, use.patterns, len(sizes)),
         zones=zones,
+        facing=demand.facing or "",
         required=demand.required,
     )
 
@@ -103,9 +113,7 @@ def _clearance(
     return (demand.clearance, demand.clearance, back, demand.clearance)
 
 
-def _patterns(
-    demand: Demand, place: str, usual: tuple[str, ...], count: int
-) -> tuple[str, ...]:
+def _patterns(demand: Demand, place: str, usual: tuple[str, ...], count: int) -> tuple[str, ...]:
     where = demand.place or ("wall" if demand.patterns == ["wall"] else None)
     if where == "wall" or (where is None and not demand.patterns and place == "wall"):
         return ("wall",)

@@ -46,7 +46,8 @@ def seed_circulation(
     left, radius = number, 0.0
     for k in range(rings):
         ahead = rings - k
-        count = left if ahead == 1 else max(int(left * (k + 1) / (ahead * (k + 1 + 0.5 * ahead))), 3)
+        share = (k + 1) / (ahead * (k + 1 + 0.5 * ahead))
+        count = left if ahead == 1 else max(int(left * share), 3)
         step = math.pi / max(count, 3)
         needed = 0.5 * (wide + along + opening / max(count, 1)) / math.tan(step) + 0.5 * deep
         radius = max(radius + deep + 2.0 * across if k > 0 else 0.0, needed + 0.01)

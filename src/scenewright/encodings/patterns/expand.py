@@ -64,9 +64,7 @@ def shift_to(
 
 
 @compiled
-def expand(
-    code: int, layers: Floats, extra: float, sizes: Floats, start: int, out: Floats
-) -> int:
+def expand(code: int, layers: Floats, extra: float, sizes: Floats, start: int, out: Floats) -> int:
     """Write x (right), y (ahead) and turn of a unit's objects in its own frame to ``out``.
 
     ``layers`` are the used ones; ``extra`` is the angle of a fan or the gap of a mixture. The
@@ -86,6 +84,16 @@ def expand(
     return i
 
 
+@inlined
+def even_rows(rows: int, number: int) -> int:
+    """The nearest number of rows, at most two away, that all get equally many objects."""
+    for off in range(3):
+        for found in (rows - off, rows + off):
+            if 0 < found <= number and number % found == 0:
+                return found
+    return rows
+
+
 @compiled
 def seed(
     code: int, number: int, shape: float, wide: float, deep: float, along: float, across: float,
@@ -98,7 +106,7 @@ def seed(
     of a fan.
     """
     most = max(int(math.sqrt(2.5 * number * (wide + along) / (deep + across))), 2)
-    rows = 1 + int(shape * min(number, most))
+    rows = even_rows(1 + int(shape * min(number, most)), number)
     if code in (SINGLE, WALL):
         return seed_single(layers, 0, number), 0.0
     if code == GRID:

@@ -39,7 +39,7 @@ def seed_radiation(
 ) -> int:  # fmt: skip
     """Write a centre (if the number is odd) and ``rings`` rings, the outer ones fuller."""
     k, left, radius = first, number, 0.0
-    if number % 2 == 1 or number < 3:
+    if number < 3 or (number % 2 == 1 and number > 4):
         layers[k, NUMBER], layers[k, ALONG], layers[k, ACROSS] = 1, 0.0, 0.0
         layers[k, CODE], layers[k, PART] = RADIATION, part
         k, left, radius = k + 1, left - 1, 0.5 * deep
