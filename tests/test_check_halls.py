@@ -13,6 +13,7 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.judged_halls import (
+    CATALOG,
     EAST,
     NORTH,
     SOUTH,
@@ -30,6 +31,8 @@ from tests.judged_halls import (
     zone,
 )
 
+from scenewright.catalog import Catalog, Kind
+from scenewright.check import check
 from scenewright.check.escape import walking_distance
 from scenewright.check.measures import aesthetic, circulation, principal_direction
 from scenewright.check.passages import clear_width
@@ -202,6 +205,25 @@ def test_a_group_reached_in_part_is_told_piece_by_piece():
     assert not told.of("unreachable_group")
     told = judge(two_zones(*cases, *ring(), groups=grouped[:1], width=0.9))
     assert not told.of("unreachable_piece")
+
+
+@pytest.mark.parametrize(("pitch", "reached"), [(0.95, True), (0.88, False)])
+def test_seats_are_reached_sideways_along_their_row(pitch, reached):
+    """Rows of seats 0.5 m deep from wall to wall but for an aisle: 0.45 or 0.38 m between them."""
+    rows = [
+        piece("theatre_seat", x, 1.5 + pitch * k, 0.55, 0.5, 0.9) for k in range(4)
+        for x in np.arange(6.4, 11.8, 0.55)
+    ]  # fmt: skip
+    brief = hall_brief(box(0, 0, 12, 6), (SOUTH_DOOR,))
+    seats = group("h/seats", "all", *rows)
+    solution = answer(brief, rows, (zone("all", box(0, 0, 12, 6)),), (), (seats,))
+    kind = Kind("theatre_seat", access=("front",))
+    catalog = Catalog(CATALOG.kinds | {"theatre_seat": kind})
+    report = check(solution, catalog=catalog)
+    assert report.valid == reached
+    cases = Catalog(CATALOG.kinds | {"case": kind})
+    shelves = [replace(p, category="case") for p in rows]
+    assert not check(replace(solution, pieces=tuple(shelves)), catalog=cases).valid
 
 
 def test_many_closed_off_pieces_are_told_together():

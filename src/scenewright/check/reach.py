@@ -26,6 +26,7 @@ REACH = 0.2
 
 _SIDES = {"front": (1, 2), "left": (2, 3), "back": (3, 0), "right": (0, 1)}
 _ROUND: tuple[Side, ...] = ("front", "left", "back", "right")
+_SEATS = ("seat", "chair", "stool", "bench")
 _NEAREST = 12
 _TIGHT = 2.0
 _STEP = 0.1  # a route has entered a room when its centre is this far inside, metres
@@ -57,7 +58,8 @@ def find_unreachable(
 
     No closet or toilet could be used if one had to walk about in it. So a *tight* room, nowhere
     as wide as two routes or closed to the route by a narrow doorway even while empty, is reached
-    if its doorway is, and within it a person goes on sideways.
+    if its doorway is, and within it a person goes on sideways; and so one does to a seat of a
+    group, along its row.
     """
     found: list[Finding] = []
     placed = _by_room(bodies, groups)
@@ -116,8 +118,11 @@ def _missed_pieces(
         shapes = [_before(bodies, i, walk.radius + REACH) for i in rows]
         clipped: Shapes = shapely.intersection(np.array(shapes, object), within)
         far = ~shapely.intersects(walk.reached, clipped)
-        if far.any() and _tight(rooms, room, walk):
-            far &= ~shapely.intersects(squeeze_in(bodies, ground, walk, within), clipped)
+        sideways = np.array([i in grouped and _for_sitting(bodies, i) for i in rows], bool)
+        sideways |= bool(far.any()) and _tight(rooms, room, walk)
+        if (far & sideways).any():
+            near = squeeze_in(bodies, ground, walk, within)
+            far[sideways] &= ~shapely.intersects(near, clipped[sideways])
         shape = {rows[k]: clipped[k] for k in np.flatnonzero(far)}
         lost = [g for g in groups if all(int(row) in shape for row in g.rows)]
         missed += [Target(room, -1, _all_of(g, shape), g.id) for g in lost]
@@ -128,6 +133,10 @@ def _missed_pieces(
             if row not in told and bodies.kinds[row].access
         ]
     return missed
+
+
+def _for_sitting(bodies: Bodies, row: int) -> bool:
+    return any(word in bodies.pieces[row].category for word in _SEATS)
 
 
 def _by_room(bodies: Bodies, groups: Sequence[Members]) -> dict[int, list[Members]]:
