@@ -19,7 +19,8 @@ from scenewright.hall_energy import make_state, prepare
 from scenewright.hall_problem import HallProblem
 from scenewright.solve import Budget
 from scenewright.solvers.draws import streams
-from scenewright.solvers.hall_blocks import UNIT, main_direction, sheet_of
+from scenewright.solvers.hall_blocks import UNIT, Block, main_direction, sheet_of
+from scenewright.solvers.hall_cells import Members, boxes_in, divide, misfit, options_for, rooms_of
 from scenewright.solvers.hall_chains import HallRun, begin_chain, first_layout
 from scenewright.solvers.hall_genetic import decode, genetic_hall, judged, violation
 from scenewright.solvers.hall_merrell import merrell, sweep
@@ -115,6 +116,39 @@ def test_blocks_and_cells_keep_every_rule_and_their_clearances() -> None:
     shared = sum(a.intersection(b).area for k, a in enumerate(clears) for b in clears[:k])
     assert shared < 0.5  # of more than 100 m²
     assert np.array_equal(found.boxes, miqp(problem, Budget(), 0).boxes)
+    row = found.boxes[slice(*problem.units.spans[1])]
+    backs = row[:, :2] - 0.5 * row[:, 4:] * np.stack([np.cos(row[:, 2]), np.sin(row[:, 2])], 1)
+    walls = shapely.LinearRing([(0, 0), (24, 0), (24, 10), (20, 14), (0, 14)])
+    assert shapely.distance(shapely.points(backs), walls).max() < 0.005
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_objects_stand_in_the_middle_of_their_cells_with_their_clearances(turned: bool) -> None:
+    members = Members(np.array([[1.0, 0.5]] * 3), np.array([[0.8, 0.4, 0.2, 0.0]] * 3))
+    options = [o for o in options_for(members, 1.0) if o.turned == turned and o.columns == 2]
+    block = Block(5, 7, options[0].width, options[0].height, options[0])
+    cells = divide(block, members, np.random.default_rng(0))
+    even = tuple(np.linspace(cut[0], cut[-1], len(cut)) for cut in cells.cuts)
+    cells = cells._replace(levels=np.linspace(0.0, cells.levels[-1], 3), cuts=even)
+    for quarter in (0, 2) if turned else (1, 3):
+        boxes = boxes_in(cells, block, members, quarter * math.pi / 2)
+        for box, clear, (x, y, w, h) in zip(
+            boxes[cells.order], members.clear, rooms_of(cells), strict=True
+        ):
+            whole = rectangle(grown(box, clear))
+            cell = shapely.box(x, y, x + w, y + h)
+            cell = shapely.affinity.translate(cell, UNIT * block.x, UNIT * block.y)
+            assert whole.difference(cell).area < 0.02
+            assert whole.centroid.distance(cell.centroid) < 1e-6
+
+
+def test_cells_an_object_does_not_fit_are_refused() -> None:
+    members = Members(np.ones((2, 2)), np.zeros((2, 4)))
+    block = Block(0, 0, 30, 12, options_for(members, 0.0)[-1]._replace(columns=2, rows=1))
+    cells = divide(block, members, np.random.default_rng(1))
+    assert math.isfinite(misfit(cells, block, members))
+    narrow = cells._replace(cuts=(np.array([0.0, 0.9, 3.0]),))
+    assert misfit(narrow, block, members) == math.inf
 
 
 def test_blocks_follow_a_turned_hall() -> None:
