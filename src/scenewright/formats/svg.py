@@ -19,13 +19,26 @@ from scenewright.catalog import Catalog
 from scenewright.formats import svg_dimensions as dimensions
 from scenewright.formats import svg_sheet as sheets
 from scenewright.formats.svg_doors import doors_mark
+from scenewright.formats.svg_hall_rows import legend_rows
+from scenewright.formats.svg_halls import (
+    Halls,
+    floor_mark,
+    halls_of,
+    labelled,
+    part_of,
+    route_of,
+    solid_of,
+    ways_mark,
+)  # fmt: skip
 from scenewright.formats.svg_labels import area_words, labels_mark, polygon_of
-from scenewright.formats.svg_marks import INK, clean, group, tag, text, title
-from scenewright.formats.svg_pieces import footprint, hangs, pieces_mark
+from scenewright.formats.svg_legend import arrange, legend_mark
+from scenewright.formats.svg_marks import INK, View, clean, group, tag, text, title
+from scenewright.formats.svg_pieces import Symbols, footprint, hangs, pieces_mark, repeated
 from scenewright.formats.svg_shell import (
     cut_walls,
     floors,
     openings_mark,
+    partition_walls,
     swing_square,
     tile_pattern,
     walls_mark,
@@ -46,6 +59,16 @@ class Storey(NamedTuple):
     walls: Geometry
     bounds: dimensions.Bounds
     chains: dict[dimensions.Side, list[dimensions.Chain]]
+    halls: Halls | None
+    solid: Geometry
+
+
+class Paper(NamedTuple):
+    """What all storeys are drawn with."""
+
+    catalog: Catalog
+    sheet: sheets.Sheet
+    symbols: Symbols
 
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
@@ -55,21 +78,28 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
 
     final = Path(path)
     partial = final.with_name(f".{final.name}.partial")
-    partial.write_text(plan(scene_of(solution), shipped()), encoding="utf-8")
+    text_ = plan(scene_of(solution), shipped(), halls_of(solution))
+    partial.write_text(text_, encoding="utf-8")
     os.replace(partial, final)
 
 
-def plan(scene: Scene, catalog: Catalog) -> str:
-    """The SVG text of a scene's plan."""
-    storeys = [storey for level in scene.levels if (storey := _storey(scene, level))]
+def plan(scene: Scene, catalog: Catalog, halls: Halls | None = None) -> str:
+    """The SVG text of a scene's plan, with the zones, groups and tours of its halls."""
+    found = [_storey(scene, level, catalog, halls) for level in scene.levels]
+    storeys = [storey for storey in found if storey is not None]
     margins = [dimensions.margins(storey.chains) for storey in storeys]
     wide = sum(s.bounds[2] - s.bounds[0] for s in storeys)
     high = max((s.bounds[3] - s.bounds[1] for s in storeys), default=1.0)
     extra_wide = sum(m["west"] + m["east"] for m in margins)
     extra_high = max((m["south"] + m["north"] for m in margins), default=0.0) + CAPTION
-    sheet = sheets.choose(wide, high, extra_wide, extra_high)
-    marks = [sheets.sheet_mark(sheet, scene.name, _summary(scene))]
-    room_wide, room_high = sheets.drawing_area(sheet)
+    solids = {space.id: storey.solid for storey in storeys for space in storey.scene.spaces}
+    rows = legend_rows(halls, scene, solids) if halls else ()
+    arranged = arrange((wide, high), (extra_wide, extra_high), rows)
+    sheet, (room_wide, room_high) = arranged.sheet, arranged.room
+    symbols = repeated(1000 / sheet.scale, scene.pieces, catalog)
+    paper = Paper(catalog, sheet, symbols)
+    summary = _summary(scene, halls)
+    marks = [paper_defs(paper), sheets.sheet_mark(sheet, scene.name, summary)]
     spare = (room_wide - wide * 1000 / sheet.scale - extra_wide) / (len(storeys) + 1)
     below = max((m["south"] for m in margins), default=0.0)
     bottom = sheets.EDGE + room_high - CAPTION - below
@@ -77,12 +107,12 @@ def plan(scene: Scene, catalog: Catalog) -> str:
     left = sheets.EDGE
     for storey, margin in zip(storeys, margins, strict=True):
         left += spare + margin["west"]
-        marks.append(_storey_mark(storey, catalog, sheet, left, bottom, below))
+        marks.append(_storey_mark(storey, paper, left, bottom, below))
         left += (storey.bounds[2] - storey.bounds[0]) * 1000 / sheet.scale + margin["east"]
-    return _document(sheet, scene.name, marks)
+    return _document(sheet, scene.name, [*marks, legend_mark(arranged)])
 
 
-def _storey(scene: Scene, level: Level) -> Storey | None:
+def _storey(scene: Scene, level: Level, catalog: Catalog, halls: Halls | None) -> Storey | None:
     """What belongs to a level; ``None`` if nothing does."""
     spaces = tuple(space for space in scene.spaces if space.level == level.id)
     walls = tuple(wall for wall in scene.walls if wall.level == level.id)
@@ -100,38 +130,55 @@ def _storey(scene: Scene, level: Level) -> Storey | None:
     bounds = (west, south, east, north)
     cut = cut_walls(walls)
     solid = union_all([cut, *(polygon_of(space) for space in spaces)])
-    return Storey(level, part, cut, bounds, dimensions.chains(bounds, solid, spaces, part.openings))
+    chains = dimensions.chains(bounds, solid, spaces, part.openings)
+    mine = part_of(halls, ids) if halls else None
+    body = solid_of(cut, part.pieces, catalog) if halls else Polygon()
+    return Storey(level, part, cut, bounds, chains, mine, body)
+
+
+def paper_defs(paper: Paper) -> str:
+    """What is defined once: floor tiles and the symbols that occur more than once."""
+    view = View(1000 / paper.sheet.scale, 0.0, 0.0)
+    return tag("defs", "\n".join([tile_pattern(view), *paper.symbols.definitions]))
 
 
 def _storey_mark(
-    storey: Storey, catalog: Catalog, sheet: sheets.Sheet, left: float, bottom: float, below: float
-) -> str:
-    view = sheets.view_at(sheet, storey.bounds[0], storey.bounds[1], left, bottom)
-    part = storey.scene
+    storey: Storey, paper: Paper, left: float, bottom: float, below: float
+) -> str:  # fmt: skip
+    view = sheets.view_at(paper.sheet, storey.bounds[0], storey.bounds[1], left, bottom)
+    part, halls = storey.scene, storey.halls
+    west, south, east, north = storey.bounds
+    middle = (west + east) / 2, (south + north) / 2
     marks = [
-        tag("defs", tile_pattern(view)),
         floors(view, part.spaces),
-        pieces_mark(view, part.pieces, catalog),
-        walls_mark(view, part.walls),
+        floor_mark(view, halls, storey.walls, part.pieces) if halls else "",
+        pieces_mark(view, part.pieces, paper.catalog, paper.symbols),
+        walls_mark(view, (*part.walls, *partition_walls(part.pieces))),
         openings_mark(view, part.openings),
-        doors_mark(view, part.openings, notes=False),
-        labels_mark(view, part.spaces, _busy(part, catalog)),
+        doors_mark(view, part.openings, middle if halls else None),
+        ways_mark(view, halls, storey.solid) if halls else "",
+        _labels(view, storey, paper.catalog),
         dimensions.chains_mark(view, storey.bounds, storey.chains),
-        _caption(storey, (left + (storey.bounds[2] - storey.bounds[0]) * view.scale / 2,
-                          bottom + below + CAPTION / 2)),
-    ]  # fmt: skip
+        _caption(storey, (left + (east - west) * view.scale / 2, bottom + below + CAPTION / 2)),
+    ]
     return group(marks)
 
 
-def _busy(part: Scene, catalog: Catalog) -> list[Geometry]:
-    """What the label of each space should not cover: standing pieces, edges of rugs, swings."""
-    swings = [s for opening in part.openings if (s := swing_square(opening)) is not None]
-    covered = [_covered(part.pieces, space.id, catalog) for space in part.spaces]
-    return [union_all([*shapes, *swings]) for shapes in covered]
+def _labels(view: View, storey: Storey, catalog: Catalog) -> str:
+    """Names of rooms and zones off the furniture, doors' swings and routes."""
+    part, halls = storey.scene, storey.halls
+    named = labelled(halls, part.spaces) if halls else [(s, "#ffffff") for s in part.spaces]
+    over = [s for opening in part.openings if (s := swing_square(opening)) is not None]
+    if halls:
+        over.append(route_of(halls).buffer(2.0 / view.scale))
+    covered = union_all([*_covered(part.pieces, catalog), *over])
+    spaces, halos = zip(*named, strict=True) if named else ((), ())
+    return labels_mark(view, spaces, [covered] * len(named), halos)
 
 
-def _covered(pieces: Sequence[Piece], space: str, catalog: Catalog) -> list[Geometry]:
-    here = [piece for piece in pieces if piece.space == space and not hangs(piece)]
+def _covered(pieces: Sequence[Piece], catalog: Catalog) -> list[Geometry]:
+    """What stands on the floor, and the edges of rugs."""
+    here = [piece for piece in pieces if not hangs(piece)]
     shapes = [(piece, Polygon(footprint(piece))) for piece in here]
     return [
         shape.boundary.buffer(0.04) if _flat(piece.category, catalog) else shape
@@ -162,10 +209,15 @@ def level_name(level: Level) -> list[str]:
     return [told] if told else []
 
 
-def _summary(scene: Scene) -> str:
+def _summary(scene: Scene, halls: Halls | None) -> str:
     total = area_words(sum(polygon_of(space).area for space in scene.spaces))
-    rooms, pieces = _counted(len(scene.spaces), "room"), _counted(len(scene.pieces), "piece")
-    return f"Furnished plan · {rooms} · {total} floor area · {pieces}"
+    if halls is None:
+        rooms, pieces = _counted(len(scene.spaces), "room"), _counted(len(scene.pieces), "piece")
+        return f"Furnished plan · {rooms} · {total} floor area · {pieces}"
+    objects = sum(piece.category != "partition" for piece in scene.pieces)
+    counts = (len(halls.graph.zones), "zone"), (len(halls.graph.groups), "group")
+    told = [_counted(*count) for count in (*counts, (objects, "object"))]
+    return " · ".join(["Hall plan", total, *told])
 
 
 def _counted(count: int, word: str) -> str:
@@ -178,6 +230,7 @@ def _document(sheet: sheets.Sheet, name: str, marks: Sequence[str]) -> str:
     body = tag(
         "svg", f"\n{content}\n",
         xmlns="http://www.w3.org/2000/svg", version="1.1",
+        **{"xmlns:xlink": "http://www.w3.org/1999/xlink"},
         width=f"{sheet.width:g}mm", height=f"{sheet.height:g}mm",
         viewBox=f"0 0 {sheet.width:g} {sheet.height:g}",
         font_family="Helvetica, Arial, 'DejaVu Sans', sans-serif",

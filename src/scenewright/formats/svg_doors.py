@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from scenewright.formats.svg_marks import (
     EXIT,
@@ -34,15 +34,18 @@ WORDS = {"entrance": "Entrance", "exit": "Exit", "both": "In and out"}
 Vector = NDArray[np.float64]
 
 
-def doors_mark(view: View, openings: Sequence[Opening], notes: bool) -> str:
-    """Widths in the doors between rooms, triangles at those that lead outside; with ``notes``
-    (in halls) what they are for and their width beside them."""
+def doors_mark(view: View, openings: Sequence[Opening], middle: ArrayLike | None = None) -> str:
+    """Widths in the doors between rooms and a triangle at those that lead outside. In halls
+    there are words and the width beside the triangle, towards the ``middle`` of the plan."""
     doors = [opening for opening in openings if opening.kind != "window"]
     marks = []
     for door in doors:
-        outer = len(door.spaces) == 1
-        marks.append(_ways(view, door, notes) if outer else "")
-        marks.append(_note(view, door) if outer and notes else _width(view, door))
+        if len(door.spaces) > 1:
+            marks.append(_width(view, door))
+        elif middle is None:
+            marks.append(_width(view, door) + _before(view, door))
+        else:
+            marks.append(_note(view, door, np.asarray(middle, dtype=float)))
     return group(marks)
 
 
@@ -51,30 +54,20 @@ def outwards(door: Opening) -> Vector:
     return -frame_of(door)[2]
 
 
-def _ways(view: View, door: Opening, paired: bool) -> str:
-    """A triangle into the building or out of it; where ``paired`` both, side by side, at wide
-    doors people use both ways."""
-    both = paired and door.use == "both" and door.width * view.scale > 2 * WIDE
-    uses = ("entrance", "exit") if both else (door.use,)
-    shifts = (np.arange(len(uses)) - (len(uses) - 1) / 2) * (WIDE + 0.6)
-    return "\n".join(
-        _triangle(view, door, use, shift) for use, shift in zip(uses, shifts, strict=True)
-    )
+def _before(view: View, door: Opening) -> str:
+    """A triangle before the door, or behind it where its leaf turns outwards."""
+    side = outwards(door) * (-1.0 if door.swing < 0 else 1.0)
+    face = frame_of(door)[0] + side * door.thickness / 2
+    at = to_paper(view, face) + (AWAY + LONG / 2) * _paper(side)
+    return triangle(at, _paper(-outwards(door)), INK)
 
 
-def _triangle(view: View, door: Opening, use: str, shift: float) -> str:
-    """Before the door, or behind it where its leaf turns outwards; green if it points out."""
-    middle, along, _ = frame_of(door)
-    out = outwards(door)
-    side = -out if door.swing < 0 else out
-    face = to_paper(view, middle + side * door.thickness / 2) + AWAY * _paper(side)
-    face = face + shift * _paper(along)
-    near, far = face, face + LONG * _paper(side)
-    inwards = use != "exit"
-    tip, foot = (near, far) if inwards == (door.swing >= 0) else (far, near)
-    half = WIDE / 2 * _paper(along)
-    fill = INK if inwards else EXIT
-    return shape([[tip, foot + half, foot - half]], fill=fill, stroke="#ffffff", stroke_width=FINE)
+def triangle(at: Vector, way: Vector, fill: str) -> str:
+    """A triangle on paper, its middle at ``at``, that points along ``way``."""
+    half = WIDE / 2 * np.array([-way[1], way[0]])
+    foot = at - LONG / 2 * way
+    corners = [at + LONG / 2 * way, foot + half, foot - half]
+    return shape([corners], fill=fill, stroke="#ffffff", stroke_width=FINE)
 
 
 def _width(view: View, door: Opening) -> str:
@@ -88,15 +81,24 @@ def _width(view: View, door: Opening) -> str:
     return text(words, to_paper(view, middle), size, _turn(along), fill=GREY, stroke="none")
 
 
-def _note(view: View, door: Opening) -> str:
-    """What the door is for and its width, outside, beside it along the wall."""
-    middle, along, _ = frame_of(door)
+def _note(view: View, door: Opening, middle: Vector) -> str:
+    """Triangles in and out, what the door is for and its width: outside, beside it."""
+    at, along, _ = frame_of(door)
+    out = _paper(outwards(door))
+    sign = 1.0 if (middle - at) @ along > 0 else -1.0
+    along = sign * _paper(along)
+    place = to_paper(view, at) + out * (door.thickness / 2 * view.scale + AWAY + LONG / 2)
+    place = place + along * (door.width / 2 * view.scale + 0.8 + WIDE / 2)
+    marks = []
+    for use, way, fill in (("entrance", -out, INK), ("exit", out, EXIT)):
+        if door.use in (use, "both"):
+            marks.append(triangle(place, way, fill))
+            place = place + (WIDE + 0.5) * along
     words = f"{WORDS[door.use]} {door.width:.2f} m"
-    reach = door.width / 2 * view.scale + 1.2 + text_width(words, NOTE) / 2
-    at = to_paper(view, middle + outwards(door) * door.thickness / 2)
-    at = at + (AWAY + LONG / 2) * _paper(outwards(door)) + reach * _paper(along)
+    place = place + along * (text_width(words, NOTE) * 1.1 / 2 - WIDE / 2)
     fill = EXIT if door.use == "exit" else INK
-    return plate(words, at, NOTE, turn=_turn(along), fill=fill, font_weight="bold")
+    turn = _turn(_paper(along))
+    return group([*marks, plate(words, place, NOTE, turn=turn, fill=fill, font_weight="bold")])
 
 
 def _paper(vector: Vector) -> Vector:

@@ -29,9 +29,13 @@ class Label(NamedTuple):
     cost: float
 
 
-def labels_mark(view: View, spaces: Sequence[Space], busy: Sequence[Geometry]) -> str:
-    """Names of all rooms; ``busy[i]`` is what label i should not cover, in plan metres."""
-    marks = [_label_mark(view, *place(view, s, b)) for s, b in zip(spaces, busy, strict=True)]
+def labels_mark(
+    view: View, spaces: Sequence[Space], busy: Sequence[Geometry], halos: Sequence[str]
+) -> str:
+    """Names of all rooms; ``busy[i]`` is what label i should not cover, in plan metres, and
+    ``halos[i]`` the colour around its letters."""
+    rows = zip(spaces, busy, halos, strict=True)
+    marks = [_label_mark(view, *place(view, space, taken), halo) for space, taken, halo in rows]
     return group(marks, stroke="none", fill=INK)
 
 
@@ -187,7 +191,7 @@ def _candidates(room: Polygon, count: int = 24) -> NDArray[np.float64]:
     return np.vstack([np.array(room.representative_point().coords), inside])
 
 
-def _label_mark(view: View, label: Label, at: NDArray[np.float64]) -> str:
+def _label_mark(view: View, label: Label, at: NDArray[np.float64], colour: str) -> str:
     """The lines, each over its own halo, stacked around the position."""
     centre = to_paper(view, at)
     heights = np.array([1.35 * size for _, size in label.lines])
@@ -199,7 +203,7 @@ def _label_mark(view: View, label: Label, at: NDArray[np.float64]) -> str:
         style: dict[str, str | float] = {"fill": INK if row <= label.names else GREY}
         style["font_weight"] = "bold" if row < label.names else "normal"
         halo: dict[str, str | float] = {
-            "stroke": "#ffffff",
+            "stroke": colour,
             "stroke_width": HALO,
             "stroke_linejoin": "round",
         }

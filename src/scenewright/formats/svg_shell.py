@@ -23,7 +23,8 @@ from scenewright.formats.svg_marks import (
     tag,
     to_paper,
 )  # fmt: skip
-from scenewright.scene import Prism, Wall
+from scenewright.layout import corners
+from scenewright.scene import Piece, Prism, Wall
 from scenewright.space import Opening, Space
 
 CUT_HEIGHT = 1.2
@@ -72,6 +73,18 @@ def walls_mark(view: View, walls: Sequence[Wall]) -> str:
     low = _filled(view, low_walls(walls), fill="#ffffff", stroke=INK, stroke_width=LINE)
     cut = _filled(view, cut_walls(walls), fill=POCHE, stroke=INK, stroke_width=CUT)
     return group([*low, *cut], fill_rule="evenodd", stroke_linejoin="miter")
+
+
+def partition_walls(pieces: Sequence[Piece]) -> tuple[Wall, ...]:
+    """Pieces that are partitions, as walls."""
+    found = []
+    for piece in pieces:
+        if piece.category == "partition":
+            x, y, base, heading = piece.pose
+            outline = corners(np.array([[x, y, heading, *piece.size[:2]]]))[0]
+            prism = Prism(outline, base, base + piece.size.height)
+            found.append(Wall(piece.id, "", (prism,)))
+    return tuple(found)
 
 
 def openings_mark(view: View, openings: Sequence[Opening]) -> str:
