@@ -34,6 +34,9 @@ __all__ = ["Border", "HallPlan", "WallStretch", "borders_of", "wall_stretches", 
 OUTSIDE = 0.02
 OVERLAP = 0.02
 NEGLIGIBLE = 0.05
+GRID = 1e-7
+"""Overlays of outlines that run along each other need a grid: without, GEOS 3.14 now and then
+returns all or nothing."""
 
 
 class HallPlan(NamedTuple):
@@ -104,13 +107,18 @@ def given_zones(brief: Brief, number: int, space: Space) -> dict[str, Zone]:
         try:
             shape = outlines.polygon(wish.outline)
             _check_inside(shape, shell, reach)
-            part = _one_piece(shape.intersection(floor))
+            part = _one_piece(shape.intersection(floor, grid_size=GRID))
             _check_apart(part, found)
-            part = _one_piece(part.difference(shapely.union_all(list(found.values()))))
+            taken = shapely.union_all(list(found.values()), grid_size=GRID)
+            part = _one_piece(part.difference(taken, grid_size=GRID))
+            made = zone_of(part, (wish.id, wish.name), space)
+            if not shapely.Polygon(made.outline, made.holes).is_valid:  # hairs along a wall
+                part = _one_piece(shapely.set_precision(part, 2 * outlines.SAME_POINT))
+                made = zone_of(part, (wish.id, wish.name), space)
         except InputError as error:
             raise error.located(place=told) from None
         found[wish.id] = part
-        zones[wish.id] = zone_of(part, (wish.id, wish.name), space)
+        zones[wish.id] = made
     return zones
 
 
@@ -164,7 +172,7 @@ def _unbuilt_links(brief: Brief, number: int, space: Space) -> tuple[ZoneLink, .
 
 
 def _check_inside(shape: shapely.Polygon, shell: shapely.Polygon, reach: float) -> None:
-    points = shapely.points(shapely.get_coordinates(shape.difference(shell)))
+    points = shapely.points(shapely.get_coordinates(shape.difference(shell, grid_size=GRID)))
     away = shapely.distance(points, shell)
     if len(away) and away.max() > reach:
         far = points[int(away.argmax())]
@@ -195,7 +203,7 @@ def _one_piece(shape: shapely.Geometry) -> shapely.Polygon:
 
 def _check_apart(shape: shapely.Polygon, found: dict[str, shapely.Polygon]) -> None:
     for name, other in found.items():
-        shared = shape.intersection(other)
+        shared = shape.intersection(other, grid_size=GRID)
         if shared.area > OVERLAP:
             middle = shared.representative_point()
             raise InputError(

@@ -18,7 +18,7 @@ from scenewright.borders import border_lengths, floor_of, shared_borders, zone_o
 from scenewright.errors import InputError
 from scenewright.scene_graph import Zone, ZoneLink
 from scenewright.space import Space
-from scenewright.zoning_cuts import Frame, frame_of, into, out_of
+from scenewright.zoning_cuts import GRID, Frame, frame_of, into, out_of
 from scenewright.zoning_search import Ground, ranked
 
 LEAST_ZONE = 1.0
@@ -27,6 +27,7 @@ PASSAGE = 1.2
 DIFFERENT = 0.15
 TRIED = 8
 ATTEMPTS = 3
+DECIMALS = 11
 
 
 class ZoneWish(NamedTuple):
@@ -87,6 +88,8 @@ def proposals(
         chosen: list[tuple[Zone, ...]] = []
         for pieces in ranked(ground, np.random.default_rng([seed, attempt]))[: TRIED * count]:
             zones = _zones(space, frame, wishes, pieces)
+            if not zones:
+                continue
             faults = _faults(zones, links, passage)
             if faults == 0 and all(_differ(zones, other) for other in chosen):
                 chosen.append(zones)
@@ -123,7 +126,7 @@ def _ground(
     taken = shapely.union_all(
         [shape.buffer(MARGIN, join_style="mitre") for shape in fixed.values()]
     )
-    rest = floor.difference(taken) if fixed else floor
+    rest = floor.difference(taken, grid_size=GRID) if fixed else floor
     parts = [p for p in shapely.get_parts(rest).tolist() if p.area >= LEAST_ZONE] if free else []
     if free and not parts:
         raise InputError(
@@ -148,8 +151,8 @@ def _ground(
 
 
 def _moved(frame: Frame, shape: shapely.Polygon) -> shapely.Polygon:
-    """A polygon in the hall's frame, to a millionth of a metre."""
-    turned = shapely.transform(shape, lambda points: np.round(into(frame, points), 6))
+    """A polygon in the hall's frame, without the last bits of noise."""
+    turned = shapely.transform(shape, lambda points: np.round(into(frame, points), DECIMALS))
     sound: shapely.Polygon = turned if turned.is_valid else turned.buffer(0)
     return sound
 
@@ -166,20 +169,27 @@ def _doors(space: Space, frame: Frame) -> tuple[np.ndarray, list[str]]:
         )
         rows.append([inner - along * door.width / 2, inner + along * door.width / 2])
     ends = np.array(rows).reshape(-1, 2)
-    return np.round(into(frame, ends), 6).reshape(-1, 2, 2), [door.id for door in doors]
+    return np.round(into(frame, ends), DECIMALS).reshape(-1, 2, 2), [door.id for door in doors]
 
 
 def _zones(
     space: Space, frame: Frame, wishes: Sequence[ZoneWish], pieces: dict[int, shapely.Polygon]
 ) -> tuple[Zone, ...]:
-    """The pieces of a division as zones in the plan, in the order of the wishes."""
+    """The pieces of a division as zones in the plan, in the order of the wishes; none where one
+    has hairs that a clean outline cannot follow."""
     zones = []
     for index, wish in enumerate(wishes):
         if wish.zone is not None:
             zones.append(wish.zone)
-        elif index in pieces:
-            back = shapely.transform(pieces[index], lambda points: out_of(frame, points))
-            zones.append(zone_of(back, (wish.id, wish.name), space))
+            continue
+        if index not in pieces:
+            return ()
+        back = shapely.transform(pieces[index], lambda points: out_of(frame, points))
+        zone = zone_of(back, (wish.id, wish.name), space)
+        drawn = shapely.Polygon(zone.outline, zone.holes)
+        if not drawn.is_valid or abs(drawn.area - back.area) > 1e-3 * back.area:
+            return ()
+        zones.append(zone)
     return tuple(zones)
 
 
@@ -204,5 +214,5 @@ def _differ(zones: tuple[Zone, ...], others: tuple[Zone, ...]) -> bool:
         np.array([shapely.Polygon(zone.outline, zone.holes) for zone in both])
         for both in (zones, others)
     )
-    same = shapely.area(shapely.intersection(one, two)).sum()
+    same = shapely.area(shapely.intersection(one, two, grid_size=GRID)).sum()
     return bool(same < (1.0 - DIFFERENT) * shapely.area(one).sum())

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_left
 from collections.abc import Callable
+from contextlib import suppress
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -21,6 +22,7 @@ from scenewright.space import Opening, Points, Space
 MOST_WALLS = 64
 ROUNDS = 40
 CRUMB = 1e-3
+GRID = 1e-9
 
 Edges = list[tuple[float, float, float, float]]
 
@@ -189,7 +191,21 @@ def _sides(
     far = (x0 - 1, y0 - 1, x1 + 1, y1 + 1)
     low, high = list(far), list(far)
     low[2 + axis] = high[axis] = at
-    return _parts(shapely.clip_by_rect(piece, *low)), _parts(shapely.clip_by_rect(piece, *high))
+    below, above = _clipped(piece, low), _clipped(piece, high)
+    if abs(below.area + above.area - piece.area) > 1e-6 * piece.area:
+        below, above = (piece.intersection(shapely.box(*side)) for side in (low, high))
+    return _parts(below), _parts(above)
+
+
+def _clipped(piece: shapely.Polygon, bounds: list[float]) -> shapely.Geometry:
+    """What lies within bounds: quickly, which may fail where the line falls apart or meets a
+    hole, else surely."""
+    if len(piece.interiors) == 0:
+        with suppress(shapely.GEOSException):
+            clipped = shapely.clip_by_rect(piece, *bounds)
+            if shapely.is_valid(clipped):
+                return clipped
+    return piece.intersection(shapely.box(*bounds))
 
 
 def _parts(shape: shapely.Geometry) -> list[shapely.Polygon]:
@@ -212,8 +228,9 @@ def _pocket(
         found = min(side, key=tip.distance, default=found)
         small = not side or found.distance(tip) > CRUMB or found.area < area
         low, high = (at, high) if small == (sign > 0) else (low, at)
-    rest = _parts(piece.difference(found))
-    if abs(found.area - area) > 1e-3 * area or len(rest) != 1:
+    rest = _parts(piece.difference(found, grid_size=GRID))
+    exact = abs(found.area - area) < 1e-3 * area
+    if len(rest) != 1 or not exact or rest[0].area > piece.area - 0.99 * found.area:
         return None
     return found, rest[0]
 
