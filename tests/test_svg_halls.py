@@ -13,17 +13,28 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely import LineString, box, union_all
 
-from halls import DEMANDS, exhibition, exhibition_rows, large_hall
+from halls import exhibition, exhibition_rows, large_hall
 from scenewright.assets import shipped
+from scenewright.catalog import Catalog
 from scenewright.formats import svg, svg_legend, svg_sheet
 from scenewright.formats.svg_dimensions import readable
 from scenewright.formats.svg_halls import halls_of
 from scenewright.formats.svg_legend import Row
-from scenewright.formats.svg_marks import POCHE, ROUTE, WARNING, View, fitted, text_width
+from scenewright.formats.svg_marks import (
+    POCHE,
+    ROUTE,
+    WARNING,
+    View,
+    fitted,
+    text_width,
+    to_paper,
+)  # fmt: skip
 from scenewright.formats.svg_narrow import across, narrow_places
+from scenewright.formats.svg_pieces import footprint, pieces_mark, repeated
 from scenewright.formats.svg_route import curve, route_mark
 from scenewright.formats.svg_sheet import scale_bar
 from scenewright.formats.svg_zones import TINTS, borders_mark, passage, tints
+from scenewright.scene import Piece, Pose, Size
 from scenewright.scene_graph import Stop, Tour, Zone
 from scenewright.shell import scene_of
 from scenewright.solution import Solution
@@ -71,20 +82,22 @@ def test_every_object_is_drawn_once(root: ET.Element) -> None:
     assert titles.count("box") == len(rows["stones"])
 
 
-def test_used_symbols_lie_where_the_pieces_are() -> None:
-    solution = exhibition()
-    root = drawn(solution)
-    scale = 10.0
-    places = []
-    for node in root.iter(f"{SVG}use"):
-        x, y = re.findall(r"translate\(([-\d.]+) ([-\d.]+)\)", node.get("transform", ""))[0]
-        places.append((float(x) / scale, -float(y) / scale))
-    pieces = [p for p in solution.pieces if p.group.split("/")[-1] in DEMANDS
-              and len(exhibition_rows()[p.function]) > 1]  # fmt: skip
-    told = np.array(sorted(places)) - np.min(places, axis=0)
-    true = np.array([(p.pose.x, p.pose.y) for p in pieces])
-    true = true[np.lexsort(true.T[::-1].round(3))] - true.min(axis=0)
-    assert np.abs(np.sort(told, axis=0) - np.sort(true, axis=0)).max() < 2e-3
+@given(st.floats(-7, 7), st.floats(-20, 20), st.floats(-20, 20), st.sampled_from([4.0, 20.0]))
+def test_used_symbols_lie_where_the_pieces_are(
+    heading: float, x: float, y: float, scale: float
+) -> None:
+    piece = Piece("a", "box", "", "r", Pose(x, y, 0.0, heading), Size(2.0, 1.0, 1.0))
+    symbols = repeated(scale, [piece, dataclasses.replace(piece, id="b")], Catalog())
+    (definition,) = symbols.definitions
+    ring = re.findall(r'd="M([^Z]+)Z"', definition)[0].split()
+    local = np.array([[float(v) for v in pair.split(",")] for pair in ring])
+    mark = pieces_mark(View(scale, 0.0, 0.0), [piece], Catalog(), symbols)
+    moved = re.findall(r"translate\(([-\d.]+) ([-\d.]+)\)", mark)[0]
+    turn = np.radians(float((re.findall(r"rotate\(([-\d.]+)\)", mark) or [0])[0]))
+    cos, sin = np.cos(turn), np.sin(turn)
+    placed = local @ np.array([[cos, sin], [-sin, cos]]) + np.array(moved, dtype=float)
+    true = to_paper(View(scale, 0.0, 0.0), footprint(piece))
+    assert np.abs(placed - true).max() < 0.03
 
 
 def test_partitions_are_solid_and_borders_dashed_only_where_none_stands() -> None:
@@ -209,9 +222,9 @@ def test_the_route_passes_its_points() -> None:
 
 
 def test_numbers_of_stops_do_not_meet() -> None:
-    points = np.column_stack([np.linspace(0, 30, 61), np.zeros(61)])
-    stops = tuple(Stop(f"g{k}", 30) for k in range(5))
-    mark = route_mark(View(10, 0, 0), Tour("hall", points, np.full(61, 2.0), stops),
+    points = np.column_stack([np.linspace(0, 30, 301), np.zeros(301)])
+    stops = tuple(Stop(f"g{k}", 150) for k in range(5))
+    mark = route_mark(View(10, 0, 0), Tour("hall", points, np.full(301, 2.0), stops),
                       {f"g{k}": k + 1 for k in range(5)}, [])  # fmt: skip
     discs = re.findall(rf'<circle cx="([-\d.]+)" cy="[-\d.]+" r="1.75" fill="{ROUTE}"', mark)
     assert len(discs) == 5
