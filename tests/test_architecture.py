@@ -55,7 +55,7 @@ LAYERS = (
         "samples",
     },
     {"terms", "encodings"},
-    {"energy", "solve", "solvers"},
+    {"energy", "hall_energy", "solve", "solvers"},
     {"check", "domains"},
     {"formats"},
     {"scenewright", "cli", "__main__"},
@@ -63,7 +63,7 @@ LAYERS = (
 """Top-level modules from the ground up; ``cli_arrange`` and the like belong to ``cli``."""
 
 BANNED = {"utils", "util", "helpers", "helper", "common", "manager", "base", "misc", "tools"}
-JUDGED = {"terms", "encodings", "energy", "solve", "solvers", "geometry", "domains"}
+JUDGED = {"terms", "encodings", "energy", "hall_energy", "solve", "solvers", "geometry", "domains"}
 HEAVY = ("numpy", "numba", "shapely", "trimesh", "embreex", "scipy", "pydantic")
 
 

@@ -136,7 +136,8 @@ def _meanings(names: set[str]) -> dict[str, str]:
     from scenewright.terms.table import TERMS
 
     ordered = sorted(TERMS, key=lambda row: row.form != "printed")
-    meanings = {row.name: row.doc for row in (*HALL_TERMS, *ordered)}
+    meanings = {row.name: row.doc for row in HALL_TERMS}
+    meanings |= {row.name: row.doc for row in ordered}
     return {name: meanings[name] for name in meanings if name in names}
 
 

@@ -97,6 +97,7 @@ def _opens_here(gate: Gate) -> bool:
 
 
 def before(gate: Gate, width: float, depth: float) -> list[float]:
+    """The box of some width before an opening, from the wall into the room."""
     x, y = gate.face + gate.inward * depth / 2
     return [x, y, float(np.arctan2(gate.inward[1], gate.inward[0])), width, depth]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -27,7 +28,7 @@ STAGE = 2.5
 """Least distance from the apex of a fan to its first row, in metres."""
 
 
-def _fresh(array: Floats, width: int) -> Floats:
+def _fresh(array: Floats | Ints, width: int) -> Floats:
     return np.array(array, np.float64, order="C").reshape(-1, width)
 
 
@@ -103,7 +104,7 @@ def capacity(counts: Ints) -> Ints:
     return found
 
 
-def _unit_arrays(units: Units) -> dict[str, Floats | Ints]:
+def _unit_arrays(units: Units) -> dict[str, Any]:
     sizes, clear = _fresh(units.sizes, 2), _fresh(units.clear, 4)
     spans = np.array(units.spans, np.int64).reshape(-1, 2)
     counts = spans[:, 1] - spans[:, 0]

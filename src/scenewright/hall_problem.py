@@ -63,7 +63,7 @@ class Units(NamedTuple):
 
     sizes: Floats
     clear: Floats
-    access: Ints
+    access: Floats
     spans: Ints
     zones: Ints
     choices: Ints

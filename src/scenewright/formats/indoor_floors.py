@@ -244,7 +244,7 @@ def _fault(polygon: shapely.Polygon) -> str:
     if len(holes) > MOST_HOLES or max(map(len, (outline, *holes))) > MOST_CORNERS:
         return TOO_FINE
     try:
-        outlines.shrink(outlines.polygon(outline, holes), WALL / 2)
+        outlines.shrink(outlines.polygon(np.array(outline), tuple(map(np.array, holes))), WALL / 2)
     except InputError as error:
         return error.fault
     return ""

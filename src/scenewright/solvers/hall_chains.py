@@ -6,20 +6,21 @@ find none are told, for the domain to split or leave out.
 
 from __future__ import annotations
 
-import math
 import os
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from scenewright.geometry.paths import Grid
+from scenewright.encodings.patterns import SINGLE
+from scenewright.geometry.paths import Bits, Grid
 from scenewright.hall_energy import (
     kept_of,
     make_state,
+    parts_of,
     prepare,
     route_grid,
 )
@@ -27,11 +28,11 @@ from scenewright.hall_problem import Floats, HallProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
 from scenewright.solvers.draws import Stream, streams
 from scenewright.solvers.guided_metropolis import bring_back, missed, run
-from scenewright.solvers.hall_start import copy_frames, place_units
+from scenewright.solvers.hall_start import copy_frames, place_units, write_boxes
 from scenewright.terms.hall_place import build
 from scenewright.terms.hall_state import Kept, Prepared, Scratch, State, make_scratch
 from scenewright.terms.hall_terms import REACH
-from scenewright.terms.hall_trial import measure_all
+from scenewright.terms.hall_trial import measure_all, measure_frames
 
 PAPER_STEPS = 1000
 PAPER_RATE = 0.1
@@ -48,7 +49,7 @@ TRIES = 600
 class HallLayout(NamedTuple):
     """A layout: what makes it, its boxes (n, 5), its energy, and what the route misses."""
 
-    sheet: Kept
+    kept: Kept
     boxes: Floats
     energy: float
     missed: float
@@ -64,6 +65,10 @@ class HallFound(NamedTuple):
 HallRun = Callable[[HallProblem, Kept, Budget, int, Progress | None, Cancel | None], HallFound]
 
 
+ObjectRun = Callable[[HallProblem, Budget, int, Progress | None, Cancel | None, Floats | None], Any]
+"""A solver of single objects; it answers with ``boxes`` (n, 5) and ``evaluations``."""
+
+
 class Chain(NamedTuple):
     """One chain with all it needs; ``tally`` (5,) energy now, of the route in it, of the best,
     moves accepted, energy of ``last``, the layout last looked at whole; ``best`` the best."""
@@ -72,7 +77,7 @@ class Chain(NamedTuple):
     s: State
     work: Scratch
     grid: Grid
-    bits: Floats
+    bits: Bits
     inset: Floats
     stream: Stream
     tally: Floats
@@ -213,9 +218,35 @@ def _stage(
     return made
 
 
-def restored(problem: HallProblem, sheet: Kept) -> tuple[Prepared, State, float, float]:
-    """A measured state at a layout, its energy without the route, and what the route misses."""
-    chain = begin_chain(problem, sheet, streams(0, 1)[0])
-    weight = float(chain.p.weights[REACH])
-    ways = float(chain.tally[1]) / weight if weight else math.nan
-    return chain.p, chain.s, float(chain.tally[0] - chain.tally[1]), ways
+def measured(problem: HallProblem, kept: Kept, boxes: Floats) -> tuple[Prepared, State, float]:
+    """A measured state of objects in given boxes (n, 5), and what the route misses there."""
+    p = prepare(problem)
+    s, work, grid = make_state(p), make_scratch(p), route_grid(problem, p)
+    s.code[:], s.used[:] = kept.rows[:, 0], kept.rows[:, 1]
+    s.pose[:], s.layers[:], s.partitions[:] = kept.pose, kept.layers, kept.walls
+    for host in range(len(kept.walls)):
+        build(p, s, host)
+    write_boxes(p, s, np.ascontiguousarray(boxes))
+    measure_frames(p, s, work, False)
+    bits = np.zeros((3, *grid.free.shape), np.uint64)
+    inset = np.zeros((len(p.sizes), 4))
+    return p, s, missed(p, s, grid, bits[0], bits[1], bits[2], inset)
+
+
+def by_objects(
+    solve: ObjectRun, problem: HallProblem, start: Kept, budget: Budget, seed: int,
+    progress: Progress | None, cancel: Cancel | None,
+) -> HallFound:  # fmt: skip
+    """A solver that places objects one by one, from the same first layout: its answer as a layout
+    of single objects."""
+    p = prepare(problem)
+    s, work = make_state(p), make_scratch(p)
+    bring_back(p, s, work, start)
+    boxes = np.zeros((len(p.sizes), 5))
+    copy_frames(s, boxes)
+    found = solve(problem, budget, seed, progress, cancel, boxes)
+    rows = np.stack([np.full(len(p.spans), SINGLE), start.rows[:, 1]], 1).astype(np.float64)
+    kept = start._replace(rows=rows)
+    p, s, lost = measured(problem, kept, found.boxes)
+    energy = sum(part.cost for part in parts_of(problem, p, s, lost))
+    return HallFound((HallLayout(kept, found.boxes, energy, lost),), found.evaluations)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from scenewright.encodings.patterns import CIRCULATION, SINGLE, WALL
+from scenewright.encodings.patterns import CIRCULATION, FAN, SINGLE, WALL
 from scenewright.encodings.patterns.expand import seed, stretch
 from scenewright.geometry.boxes import square_to_segment
 from scenewright.geometry.compiled import compiled, inlined
@@ -113,7 +113,7 @@ def spread(p: Prepared, s: State, unit: int, step: float, stream: Stream) -> Non
     layers = s.layers[row : row + s.used[unit]]
     along, across = step if way != 1 else 0.0, step if way != 0 else 0.0
     if close:
-        along, across = 0.0, step
+        along, across = (step, 0.0) if s.code[unit] == FAN and way == 0 else (0.0, step)
     if s.code[unit] == CIRCULATION and close:
         across = 0.0
     s.pose[unit, 3] = stretch(s.code[unit], layers, s.pose[unit, 3], along, across)

@@ -5,11 +5,12 @@ Cao, Cheng, Zhang 2024, 3.1: patterns stand at random in their zones, wall objec
 
 from __future__ import annotations
 
-from scenewright.geometry.boxes import Floats, read_frame
+from scenewright.geometry.boxes import Floats, make_frame, read_frame
 from scenewright.geometry.buckets import remove
 from scenewright.geometry.compiled import compiled
 from scenewright.solvers.draws import Stream, uniform
 from scenewright.solvers.hall_moves import drawn_code, reseed, scatter
+from scenewright.terms.hall_measure import clear_of, write_row
 from scenewright.terms.hall_place import unfold
 from scenewright.terms.hall_state import Ints, Prepared, Scratch, State
 from scenewright.terms.hall_trial import forget, place_all
@@ -27,7 +28,7 @@ def place_one(p: Prepared, s: State, work: Scratch, unit: int, tries: int, strea
         reseed(p, s, unit, drawn_code(p, unit, stream), uniform(stream), tight)
         scatter(p, s, unit, stream)
         forget(work)
-        if unfold(p, s, work, unit) and place_all(p, s, work, unit)[0] >= 0.0:
+        if unfold(p, s, work, unit) and place_all(p, s, work, unit, True)[0] >= 0.0:
             return True
         for i in range(first, last):
             remove(s.buckets, i)
@@ -43,6 +44,15 @@ def place_units(
         remove(s.buckets, i)
     for k in range(order.shape[0]):
         placed[order[k]] = 1.0 if place_one(p, s, work, order[k], tries, stream) else 0.0
+
+
+@compiled
+def write_boxes(p: Prepared, s: State, boxes: Floats) -> None:
+    """Make boxes (n, 5) the footprints, with the clearances that belong to them."""
+    for i in range(boxes.shape[0]):
+        frame = make_frame(boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3], boxes[i, 4])
+        write_row(s.frames, i, frame)
+        write_row(s.clears, i, clear_of(frame, p.clear, i))
 
 
 @compiled

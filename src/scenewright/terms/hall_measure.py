@@ -70,12 +70,13 @@ def wall_covered(clear: Frame, p: Prepared, walls: Floats) -> float:
 
 @inlined
 def crowd(
-    p: Prepared, s: State, work: Scratch, i: int, frame: Frame, clear: Frame, sign: float
+    p: Prepared, s: State, work: Scratch, i: int, frame: Frame, clear: Frame, sign: float,
+    strict: bool,
 ) -> float:  # fmt: skip
     """Shared clearance of object ``i`` with all others that are filed: what its own unit
     shares is returned, what other units share goes to ``delta`` with a sign.
 
-    Returns -1 if the footprint meets another one (only looked for when the sign is positive).
+    Returns -1 if the footprint meets another one, where ``strict``.
     """
     b: Buckets = s.buckets
     unit, own, large = p.unit_of[i], 0.0, b.columns * b.rows
@@ -92,7 +93,7 @@ def crowd(
             other = read_frame(s.clears, j)
             mine = p.unit_of[j] == unit
             if j != i and not (mine and sign < 0.0) and not apart(clear, other):
-                if sign > 0.0 and common_area(frame, read_frame(s.frames, j)) > SLACK:
+                if strict and common_area(frame, read_frame(s.frames, j)) > SLACK:
                     return -1.0
                 area = common_area(clear, other)
                 if mine:

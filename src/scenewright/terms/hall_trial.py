@@ -83,16 +83,20 @@ def forget(work: Scratch) -> None:
 
 
 @inlined
-def place_all(p: Prepared, s: State, work: Scratch, unit: int) -> tuple[float, float]:
-    """File the objects of a unit one by one; α_S and α_W, the first -1 if a hard rule breaks."""
+def place_all(
+    p: Prepared, s: State, work: Scratch, unit: int, strict: bool
+) -> tuple[float, float]:
+    """File the objects of a unit one by one; α_S and α_W, the first -1 if a hard rule breaks
+    (only where ``strict``)."""
     zone, inside, at_walls = p.zones[unit], 0.0, 0.0
     for i in range(p.spans[unit, 0], p.spans[unit, 1]):
         frame, clear = read_frame(s.frames, i), read_frame(s.clears, i)
-        if not within(frame, p, zone) or meets(frame, p.keep_free) or meets(frame, p.obstacles):
-            return -1.0, 0.0
-        if meets(frame, s.walls):
-            return -1.0, 0.0
-        shared = crowd(p, s, work, i, frame, clear, 1.0)
+        if strict:
+            if not within(frame, p, zone) or meets(frame, p.keep_free):
+                return -1.0, 0.0
+            if meets(frame, p.obstacles) or meets(frame, s.walls):
+                return -1.0, 0.0
+        shared = crowd(p, s, work, i, frame, clear, 1.0, strict)
         if shared < 0.0:
             return -1.0, 0.0
         inside += shared
@@ -114,12 +118,12 @@ def judge(p: Prepared, s: State, work: Scratch, unit: int) -> float:
         remove(s.buckets, i)
     if not unfold(p, s, work, unit):
         return REFUSED
-    inside, at_walls = place_all(p, s, work, unit)
+    inside, at_walls = place_all(p, s, work, unit, True)
     if inside < 0.0:
         return REFUSED
     for i in range(first, last):
         before = read_frame(work.frames, i)
-        crowd(p, s, work, i, before, read_frame(work.clears, i), -1.0)
+        crowd(p, s, work, i, before, read_frame(work.clears, i), -1.0, False)
     note(work, unit, 0.0)
     work.old[2], work.old[3] = inside, at_walls
     change = space_change(p, s, work, unit)
@@ -232,16 +236,24 @@ def measure_all(p: Prepared, s: State, work: Scratch) -> float:
     for host in range(s.walls.shape[0]):
         if s.walls[host, 4] > 0.0 and meets(read_frame(s.walls, host), p.keep_free):
             return REFUSED
+    for unit in range(p.spans.shape[0]):
+        if not unfold(p, s, work, unit):
+            return REFUSED
+    return measure_frames(p, s, work, True)
+
+
+@compiled
+def measure_frames(p: Prepared, s: State, work: Scratch, strict: bool) -> float:
+    """As :func:`measure_all` for footprints and clearances as they stand, whatever the patterns
+    say; hard rules only count where ``strict``."""
     for i in range(s.frames.shape[0]):
         remove(s.buckets, i)
     for unit in range(p.spans.shape[0]):
         for k in range(3):
             s.covered[unit, k] = 0.0
-        if not unfold(p, s, work, unit):
-            return REFUSED
     for unit in range(p.spans.shape[0]):
         forget(work)
-        inside, at_walls = place_all(p, s, work, unit)
+        inside, at_walls = place_all(p, s, work, unit, strict)
         if inside < 0.0:
             return REFUSED
         s.covered[unit, 0], s.covered[unit, 2] = inside, at_walls

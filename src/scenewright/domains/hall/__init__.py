@@ -35,7 +35,7 @@ from scenewright.scene import Piece
 from scenewright.scene_graph import PlacedGroup, SceneGraph, Tour
 from scenewright.solution import LeftOut, Solution, TermValue
 from scenewright.solve import Budget
-from scenewright.solvers.hall_chains import restored
+from scenewright.solvers.hall_chains import measured
 from scenewright.solvers.halls import HALL_SOLVERS
 from scenewright.space import Space
 from scenewright.zones import borders_of, zones_of
@@ -165,17 +165,17 @@ def _lay(
     if not fitted.units:
         return Laid((), (), (), (), missing, 0.0, 0, None)
     budget = task.budget
-    if budget.steps is None and budget.seconds is None:
+    if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
         scale = 1.0 if preset.whole else max(len(fitted.units) / USUAL, 1.0)
         budget = budget._replace(steps=int(preset.steps * scale))
     heard = None if progress is None else lambda share, best: progress(share, f"energy {best:.1f}")
     run = HALL_SOLVERS[task.solver].run
     found = run(fitted.problem, fitted.start, budget, task.seed, heard, cancel)
     best = found.layouts[0]
-    p, s, _, lost = restored(fitted.problem, best.sheet)
+    p, s, lost = measured(fitted.problem, best.kept, best.boxes)
     pieces = dressed(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)
-    walls = partitions(hall, fitted.problem, best.sheet, catalog)
-    groups = placed_groups(hall, wishes, fitted.units, fitted.problem, best.sheet, pieces)
+    walls = partitions(hall, fitted.problem, best.kept, catalog)
+    groups = placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, pieces)
     parts = parts_of(fitted.problem, p, s, lost)
     graph = SceneGraph(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
     every = (*hall.fixed, *walls, *pieces)

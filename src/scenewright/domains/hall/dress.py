@@ -28,7 +28,8 @@ def dressed(
     catalog: Catalog,
 ) -> tuple[Piece, ...]:  # fmt: skip
     """One piece an object, in the order of the problem."""
-    pieces, row = [], 0
+    pieces: list[Piece] = []
+    row = 0
     for unit, group in zip(units, problem.names, strict=True):
         wish = wishes[unit.demand]
         for number, size in enumerate(wish.sizes[unit.first : unit.last], 1):
@@ -48,11 +49,11 @@ def dressed(
     return tuple(pieces)
 
 
-def partitions(hall: Hall, problem: HallProblem, sheet: Kept, catalog: Catalog) -> list[Piece]:
+def partitions(hall: Hall, problem: HallProblem, kept: Kept, catalog: Catalog) -> list[Piece]:
     """The generated walls as pieces."""
     height = min(max(hall.space.height - CEILING, 2.0), TALLEST, hall.space.height)
-    found = []
-    for host, (low, high) in zip(problem.ground.hosts, sheet.walls, strict=True):
+    found: list[Piece] = []
+    for host, (low, high) in zip(problem.ground.hosts, kept.walls, strict=True):
         if high - low < 0.3:
             continue
         start, end = np.array(host[:2]), np.array(host[2:4])
@@ -72,23 +73,24 @@ def partitions(hall: Hall, problem: HallProblem, sheet: Kept, catalog: Catalog) 
 
 
 def placed_groups(
-    hall: Hall, wishes: list[Wanted], units: list[Unit], problem: HallProblem, sheet: Kept,
+    hall: Hall, wishes: list[Wanted], units: list[Unit], problem: HallProblem, kept: Kept,
     pieces: tuple[Piece, ...],
 ) -> tuple[PlacedGroup, ...]:  # fmt: skip
     """The groups of the scene graph."""
-    found, row, layer = [], 0, 0
+    found: list[PlacedGroup] = []
+    row, layer = 0, 0
     for number, (unit, name) in enumerate(zip(units, problem.names, strict=True)):
         count = unit.last - unit.first
         mine = pieces[row : row + count]
-        used = int(sheet.rows[number, 1])
-        layers = sheet.layers[layer : layer + used]
-        pattern = NAMES[int(sheet.rows[number, 0])]
-        parts = _parts(pattern, layers, float(sheet.pose[number, 3]), count)
+        used = int(kept.rows[number, 1])
+        layers = kept.layers[layer : layer + used]
+        pattern = NAMES[int(kept.rows[number, 0])]
+        parts = _parts(pattern, layers, float(kept.pose[number, 3]), count)
         found.append(
             PlacedGroup(
                 id=name, demand=wishes[unit.demand].id, space=hall.space.id,
                 zone=hall.names[unit.zone], pattern=pattern,
-                pose=_pose(pattern, sheet.pose[number], mine), parts=parts,
+                pose=_pose(pattern, kept.pose[number], mine), parts=parts,
                 objects=tuple(piece.id for piece in mine),
             )
         )  # fmt: skip
@@ -101,7 +103,7 @@ def _parts(pattern: str, layers: Floats, extra: float, count: int) -> tuple[Part
         return (Part("wall", (Layer(count, extra, 0.0),)),)
     if pattern == "single":
         return (Part("single", (Layer(count, 0.0, 0.0),)),)
-    parts = []
+    parts: list[Part] = []
     for number in np.unique(layers[:, PART]):
         rows = layers[layers[:, PART] == number]
         parts.append(
@@ -115,7 +117,7 @@ def _parts(pattern: str, layers: Floats, extra: float, count: int) -> tuple[Part
 
 
 def _pose(pattern: str, pose: Floats, pieces: tuple[Piece, ...]) -> tuple[float, float, float]:
-    if pattern != "wall":
+    if pattern not in ("wall", "single"):
         return (float(pose[0]), float(pose[1]), _wrapped(float(pose[2])))
     x, y = np.mean([piece.pose[:2] for piece in pieces], axis=0)
     return (float(x), float(y), pieces[0].pose.heading)

@@ -51,7 +51,8 @@ def lacking(units: list[Unit], wishes: list[Wanted], walls: Floats, printed: boo
 
 def visiting_order(links: tuple[ZoneLink, ...], names: tuple[str, ...], first: int) -> list[int]:
     """Zones as a visitor meets them from the zone of the entrance on: breadth first."""
-    order, waiting = [], deque([first])
+    order: list[int] = []
+    waiting = deque([first])
     while waiting or len(order) < len(names):
         zone = waiting.popleft() if waiting else min(set(range(len(names))) - set(order))
         if zone in order:

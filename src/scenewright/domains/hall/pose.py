@@ -26,6 +26,7 @@ SHARE, MOST = 0.75, 0.8
 """δ_min: this share of what its objects demand of a zone, and at most."""
 MARGIN = 0.1
 """Passages are planned this much wider than asked for, in metres."""
+SEATS = ("seat", "chair", "stool", "bench")
 HEAD_HEIGHT = 2.0
 SIDES = ("front", "left", "back", "right")
 
@@ -218,6 +219,8 @@ def _access(wishes: list[Wanted], units: list[Unit], catalog: Catalog) -> Floats
     for unit in units:
         category = wishes[unit.demand].category
         sides = catalog.kinds.get(category, Kind(category)).access
+        if any(word in category for word in SEATS):
+            sides = ()  # one goes along the row, sideways
         rows += [[float(side in sides) for side in SIDES]] * (unit.last - unit.first)
     return _rows(rows, 4)
 

@@ -25,9 +25,9 @@ OURS = {row.name: row.weight for row in HALL_TERMS}
 PAPER = dict.fromkeys(PRINTED, 1.0)
 
 PRESETS: dict[str, HallPreset] = {
-    "default": HallPreset("our six terms, four chains annealed", OURS, "anneal", 12_000),
-    "quick": HallPreset("the default with a quarter of the work", OURS, "anneal", 3_000),
-    "fine": HallPreset("the default with eight times the work", OURS, "anneal", 96_000),
+    "default": HallPreset("our seven terms, four chains annealed", OURS, "anneal", 24_000),
+    "quick": HallPreset("the default with a quarter of the work", OURS, "anneal", 6_000),
+    "fine": HallPreset("the default with eight times the work", OURS, "anneal", 192_000),
     "paper": HallPreset("Cao, Cheng, Zhang 2024: four energies, 1000 iterations, groups whole",
                         PAPER, "gd-mh", 1000, True),
 }  # fmt: skip

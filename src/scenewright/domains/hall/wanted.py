@@ -73,13 +73,14 @@ def _filled(demand: Demand, name: str, catalog: Catalog) -> Wanted:
     use = hall_use(demand.category)
     zones = (demand.zone,) if isinstance(demand.zone, str) else tuple(demand.zone or ())
     sizes = _sizes(demand, catalog)
+    patterns = _patterns(demand, use.place, use.patterns, len(sizes))
     return Wanted(
         id=name,
         name=demand.name or demand.id or demand.category.replace("_", " "),
         category=demand.category,
         sizes=sizes,
-        clearance=_clearance(demand, use.clearance),
-        patterns=_patterns(demand, use.place, use.patterns, len(sizes)),
+        clearance=_clearance(demand, use.clearance, patterns == ("wall",)),
+        patterns=patterns,
         zones=zones,
         facing=demand.facing or "",
         required=demand.required,
@@ -103,21 +104,19 @@ def usual_size(category: str, catalog: Catalog) -> Size:
 
 
 def _clearance(
-    demand: Demand, usual: tuple[float, float, float, float]
+    demand: Demand, usual: tuple[float, float, float, float], at_wall: bool
 ) -> tuple[float, float, float, float]:
-    if demand.clearance is None:
-        return usual
-    if isinstance(demand.clearance, tuple):
-        return demand.clearance
-    back = 0.0 if demand.place == "wall" else demand.clearance
-    return (demand.clearance, demand.clearance, back, demand.clearance)
+    stated = usual if demand.clearance is None else demand.clearance
+    front, left, back, right = stated if isinstance(stated, tuple) else (stated,) * 4
+    return (front, left, 0.0 if at_wall else back, right)
 
 
 def _patterns(demand: Demand, place: str, usual: tuple[str, ...], count: int) -> tuple[str, ...]:
     where = demand.place or ("wall" if demand.patterns == ["wall"] else None)
     if where == "wall" or (where is None and not demand.patterns and place == "wall"):
         return ("wall",)
-    chosen = tuple(demand.patterns) or tuple(p for p in usual if p != "wall") or ("chain", "grid")
+    free = tuple(name for name in usual if name != "wall") or ("chain", "grid")
+    chosen: tuple[str, ...] = tuple(demand.patterns) or free
     if count == 1:
         return ("single",)
     chosen = tuple(p for p in chosen if p != "mixture" or count >= MIXTURE_FROM)

@@ -18,7 +18,7 @@ from scenewright.encodings.patterns import (
 )
 from scenewright.encodings.patterns.chain import place_chain, seed_chain
 from scenewright.encodings.patterns.circulation import place_circulation, seed_circulation
-from scenewright.encodings.patterns.fan import place_fan, seed_fan
+from scenewright.encodings.patterns.fan import fan_angle, place_fan, seed_fan
 from scenewright.encodings.patterns.grid import place_grid, seed_grid
 from scenewright.encodings.patterns.mixture import seed_mixture, seed_single
 from scenewright.encodings.patterns.radiation import place_radiation, seed_radiation
@@ -119,7 +119,8 @@ def seed(
         return seed_circulation(layers, 0, number, rings, wide, deep, 0.02, across, 0), 0.0
     if code == FAN:
         sector = math.pi * (0.35 + 0.5 * shape)
-        return seed_fan(layers, 0, number, sector, near, wide, deep, along, across, 0), sector
+        used = seed_fan(layers, 0, number, sector, near, wide, deep, along, across, 0)
+        return used, min(fan_angle(layers, used, wide, deep, along) + 0.01, sector)
     if code == MIXTURE:
         rows = 1 + int(shape * 3.0)
         return seed_mixture(layers, 0, number, rows, wide, deep, along, across), 2.0 * across
@@ -142,4 +143,6 @@ def stretch(code: int, layers: Floats, extra: float, along: float, across: float
             layers[k, 2] = max(layers[k, 2] + across, 0.0)
         elif layers[k, 2] > 0.0:
             layers[k, 2] = max(layers[k, 2] + across * rank, 0.3)
+    if code == FAN:
+        return min(max(extra + 0.1 * along, 0.3), 0.95 * math.pi)
     return max(extra + along, 0.0) if code == MIXTURE else extra

@@ -70,3 +70,13 @@ def seed_fan(
             layers[k, CODE], layers[k, PART] = FAN, part
             k += 1
     return k
+
+
+@inlined
+def fan_angle(layers: Floats, used: int, wide: float, deep: float, along: float) -> float:
+    """The least sector in which the objects of every arc stand side by side."""
+    angle = 0.0
+    for k in range(used):
+        need = layers[k, NUMBER] * (wide + along) + layers[k, ALONG] * AISLE
+        angle = max(angle, need / (layers[k, ACROSS] - 0.5 * deep))
+    return angle
