@@ -206,6 +206,16 @@ def test_an_inner_window_is_in_no_outer_chain() -> None:
     assert [chain.stations for chain in found["south"]] == [(0, 4)]
 
 
+def test_a_room_behind_a_row_of_rooms_is_in_no_chain_of_their_side() -> None:
+    """The middle of its wall lies behind the wall between the second and the third."""
+    row = [box(3.2 * k, 0, 3.2 * k + 3, 4) for k in range(4)]
+    rooms = [Space(f"r{k}", "", (), "0", np.array(shape.exterior.coords[:-1]))
+             for k, shape in enumerate([*row, box(0, 4.2, 12.6, 7)])]  # fmt: skip
+    solid = union_all([polygon_of(room) for room in rooms])
+    found = chains((0, 0, 12.6, 7), solid, rooms, [])
+    assert found["south"][0].stations == pytest.approx((0, 3.1, 6.3, 9.5, 12.6))
+
+
 @given(st.integers(0, 2**32 - 1))
 def test_labels_stand_on_the_floor_and_off_the_furniture(seed: int) -> None:
     """In a big room of any L shape with a few boxes there is always a free place."""

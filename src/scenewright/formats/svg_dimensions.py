@@ -33,6 +33,10 @@ FIRST, STEP, TICK, DIGITS, SMALL = 6.0, 5.0, 0.8, 1.8, 1.6
 THICKEST = 0.8
 """Gaps between rooms up to this many metres are walls, dimensioned to their middle."""
 
+TOUCH, BEHIND = 0.05, 0.15
+"""Metres by which rooms seen side by side may overlap, and by which they grow so that nothing is
+seen through the wall between two of them."""
+
 
 class Chain(NamedTuple):
     """Stations along one side (x for south and north, y for west and east), in metres."""
@@ -159,7 +163,8 @@ def _room_stations(side: Side, bounds: Bounds, spaces: Sequence[Space]) -> list[
     stations: list[float] = []
     for (_, end), (begin, _) in pairwise(seen):
         gap = begin - end
-        stations += [(end + begin) / 2] if gap < THICKEST else [end, begin]
+        if gap > -TOUCH:
+            stations += [(end + begin) / 2] if gap < THICKEST else [end, begin]
     return stations
 
 
@@ -168,11 +173,12 @@ def _seen_intervals(
 ) -> Iterable[tuple[float, float]]:
     """Extent along the side of the edges of each room that no other room hides."""
     rooms = [polygon_of(space) for space in spaces]
+    closed = [room.buffer(BEHIND, join_style="mitre") for room in rooms]
     out = _outward(side) * (1, -1)
     axis = 0 if side in ("south", "north") else 1
     far = out * (bounds[2] - bounds[0] + bounds[3] - bounds[1])
     for index, space in enumerate(spaces):
-        others = union_all([room for i, room in enumerate(rooms) if i != index])
+        others = union_all([room for i, room in enumerate(closed) if i != index])
         ring = np.asarray(rooms[index].exterior.coords)
         ends: list[float] = []
         for a, b in pairwise(ring):

@@ -29,7 +29,9 @@ def legend_rows(halls: Halls, scene: Scene, solids: Mapping[str, Geometry]) -> t
     pieces = {piece.id: piece for piece in scene.pieces}
     groups = sorted(halls.graph.groups, key=lambda g: halls.numbers[g.id])
     rows += [Row("heading", "Groups")] if groups else []
-    rows += _capped((_group_row(g, halls, pieces) for g in groups), "groups")
+    rows += _capped(
+        (_group_row(g, halls, pieces, spaces if several else {}) for g in groups), "groups"
+    )
     places = [
         narrow_places(tour, halls.passage, solids.get(tour.space, Polygon()))
         for tour in halls.tours
@@ -59,13 +61,17 @@ def _circulation(halls: Halls, spaces: dict[str, Space]) -> list[Row]:
     return [Row("swatch", "Circulation", area_words(rest), "#f6f4ef")] if rest > 0.5 else []
 
 
-def _group_row(placed: PlacedGroup, halls: Halls, pieces: dict[str, Piece]) -> Row:
+def _group_row(
+    placed: PlacedGroup, halls: Halls, pieces: dict[str, Piece], spaces: dict[str, Space]
+) -> Row:
     first = next((pieces[name] for name in placed.objects if name in pieces), None)
     kind = (first.category if first is not None else placed.demand).replace("_", " ")
     count, name = len(placed.objects), halls.names.get(placed.id, "")
     what = f"{count} {plural(kind)}" if count > 1 else kind
     if name and name.casefold() not in (kind, plural(kind)):
         what = f"{name}: {what}" if count > 1 else name
+    if placed.space in spaces:
+        what = f"{spaces[placed.space].name} · {what}"
     stopped = any(stop.group == placed.id for tour in halls.tours for stop in tour.stops)
     return Row("stop" if stopped else "number", what[:1].upper() + what[1:], placed.pattern,
                str(halls.numbers[placed.id]))  # fmt: skip
@@ -90,10 +96,11 @@ def _route_rows(
     rows = [Row("heading", "Route")] if halls.tours else []
     for tour, narrow in list(zip(halls.tours, places, strict=True))[:MANY]:
         lead = f"{spaces[tour.space].name}: " if tour.space in spaces else ""
-        stops = f"{len(tour.stops)} stop{'s' * (len(tour.stops) != 1)}"
+        count = len(tour.stops)
+        stops = f", {count} stop{'s' * (count != 1)}" if count else ""
         wanted = f"{halls.passage:.2f} m"
         told = f"{narrow[0].width:.2f} m (wanted {wanted})" if narrow else f"{wanted} or more"
-        rows.append(Row("route", f"{lead}{length(tour):.0f} m, {stops}"))
+        rows.append(Row("route", f"{lead}{length(tour):.0f} m{stops}"))
         rows.append(Row("plain", "Least clear width", told))
     return rows
 
