@@ -17,6 +17,7 @@ from scenewright.borders import border_lengths
 from scenewright.brief import Brief
 from scenewright.demands import floor_needed, ids_of, sizes_of
 from scenewright.errors import InputError
+from scenewright.outlines import ring
 from scenewright.plan import spaces
 from scenewright.scene_graph import Zone
 from scenewright.space import Space
@@ -90,6 +91,13 @@ def test_links_that_are_not_given_span_the_hall() -> None:
     assert {k.width for k in plan.links} == {1.2}
 
 
+def test_zones_are_not_linked_through_a_gap_too_narrow_to_pass() -> None:
+    plan, _ = planned(hall(zones=THREE), passage_width=3.5)
+    assert [(k.first, k.second) for k in plan.links] == [("west", "north"), ("south", "north")]
+    plan, _ = planned(hall(zones=THREE), passage_width=5.5)
+    assert [(k.first, k.second) for k in plan.links] == [("south", "north")]
+
+
 def test_links_that_are_given_stay() -> None:
     links = [{"between": ["north", "west"]}, {"between": ["west", "north"], "width": 2.0}]
     plan, _ = planned(hall(zones=THREE, links=links))
@@ -119,7 +127,7 @@ def test_borders_are_found_when_corners_differ(
     right = [[12, 8], *[[6 + off[k + 8], y] for k, y in enumerate(sorted(second, reverse=True))],
              [6, 0], [12, 0]]  # fmt: skip
     right.insert(1, [6, 8])
-    zones = [Zone("a", "", "h", np.array(left, float)), Zone("b", "", "h", np.array(right, float))]
+    zones = [Zone("a", "", "h", ring(left)), Zone("b", "", "h", ring(right))]
     space = Space("h", "h", (), "0", np.array(box(0, 0, 12, 8), float))
     borders = borders_of(HallPlan(tuple(zones), ()), space)
     assert sum(np.hypot(*np.subtract(b.end, b.start)) for b in borders) == pytest.approx(8, abs=0.1)

@@ -21,6 +21,7 @@ from scenewright.scene_graph import Zone
 from scenewright.space import Opening, Points, Space
 
 TOUCH = 0.02
+JOG = 3 * TOUCH
 BEND = 0.03
 BORDER_BEND = 0.1
 LEAST_BORDER = 0.1
@@ -67,7 +68,7 @@ def shared_borders(zones: Iterable[Zone]) -> tuple[Border, ...]:
     found: list[Border] = []
     for first, second in np.unique(keys[keys[:, 0] < keys[:, 1]], axis=0).tolist():
         mine = pieces[(keys[:, 0] == first) & (keys[:, 1] == second)]
-        for line in _strung(mine):
+        for line in _strung(mine, JOG):
             points = shapely.get_coordinates(shapely.simplify(line, BORDER_BEND))
             found += _segments(points, first, second)
     return tuple(found)
@@ -96,7 +97,7 @@ def wall_stretches(zone: Zone, space: Space) -> tuple[WallStretch, ...]:
     holes = (hole for hole in space.holes if outlines.run_lengths(hole)[-1] >= LEAST_HOLE)
     walls = np.vstack([outlines.edges(ring) for ring in (space.outline, *holes)])
     _, _, pieces = _alongside(zone_edges(zone), walls, 1.0)
-    lines = _strung(pieces)
+    lines = _strung(pieces, TOUCH)
     gaps = [_gap(opening) for opening in space.openings if opening.kind != "window"]
     if gaps and lines:
         cut = shapely.difference(np.array(lines), shapely.union_all(gaps))
@@ -160,20 +161,20 @@ def _directed(edges: Points) -> tuple[Points, Points, Points]:
     return edges[:, :2], step / length[:, None], length
 
 
-def _strung(pieces: Points) -> list[shapely.LineString]:
-    """Directed pieces strung together where one starts (within 2 cm) where another ends."""
+def _strung(pieces: Points, gap: float) -> list[shapely.LineString]:
+    """Directed pieces strung together where one starts (within ``gap``) where another ends."""
     if len(pieces) == 0:
         return []
-    rows = np.unique(_snapped(pieces), axis=0)
+    rows = np.unique(_snapped(pieces, gap), axis=0)
     merged = shapely.line_merge(shapely.multilinestrings(_lines(rows)), directed=True)
     return [part for part in shapely.get_parts(merged).tolist() if part.length >= LEAST_BORDER]
 
 
-def _snapped(pieces: Points) -> Points:
-    """The pieces with ends that lie within 2 cm of each other moved onto one point."""
+def _snapped(pieces: Points, gap: float) -> Points:
+    """The pieces with ends that lie within ``gap`` of each other moved onto one point."""
     ends = pieces.reshape(-1, 2)
     tree = shapely.STRtree(shapely.points(ends))
-    one, two = tree.query(shapely.points(ends), predicate="dwithin", distance=TOUCH)
+    one, two = tree.query(shapely.points(ends), predicate="dwithin", distance=gap)
     lowest = np.arange(len(ends))
     np.minimum.at(lowest, one, two)
     moved = ends[lowest].reshape(-1, 4)
