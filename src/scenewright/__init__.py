@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from scenewright.brief import Brief
     from scenewright.catalog import Asset, Catalog, Kind
     from scenewright.check import Report, check
-    from scenewright.domains import solve
+    from scenewright.domains import alternatives, solve
     from scenewright.errors import InputError
     from scenewright.formats import read, samples, write
     from scenewright.formats.solution_json import read as read_solution
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Asset", "Brief", "Catalog", "InputError", "Kind", "Layout", "Level", "Opening", "Piece",
-    "Pose", "Problem", "Report", "Scene", "Size", "Solution", "Space", "__version__", "check",
+    "Pose", "Problem", "Report", "Scene", "Size", "Solution", "Space", "__version__", "alternatives", "check",
     "read", "read_solution", "samples", "scene_of", "shipped", "solve", "write",
 ]  # fmt: skip
 
@@ -44,6 +44,7 @@ _HOMES = {
     "read_solution": "formats.solution_json:read",
     "samples": "formats:samples",
     "write": "formats:write",
+    "alternatives": "domains:alternatives",
     "solve": "domains:solve",
     "check": "check:check",
     "Report": "check:Report",

@@ -102,6 +102,9 @@ def arrange(
     steps: Annotated[int | None, typer.Option(help="Steps to solve for, instead.")] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same result.")] = 0,
     keep: Annotated[bool, typer.Option("--keep", help="Leave the furniture of a .sh3d.")] = False,
+    alternatives: Annotated[
+        int, typer.Option(min=1, max=50, help="Plans that differ, ranked: OUT-1, OUT-2 …")
+    ] = 1,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
@@ -110,9 +113,11 @@ def arrange(
 
     _check_budget(seconds, steps)
     request = cli_arrange.Request(
-        source, tuple(outputs or ()), preset, solver, seconds, steps, seed, keep
+        source, tuple(outputs or ()), preset, solver, seconds, steps, seed, keep, alternatives
     )
     console = Console(stderr=True, quiet=quiet)
+    if alternatives > 1:
+        return _alternatives(request, console, as_json, quiet)
     solution, report, interrupted = cli_arrange.arrange(request, console)
     complete = not any(entry.required for entry in solution.left_out)
     code = 130 if interrupted else 0 if report.valid and complete else 1
@@ -121,6 +126,19 @@ def arrange(
     elif not quiet:
         show.arranged(Console(), request.outputs, solution, report, interrupted)
     return _fault(show.interrupted(request.outputs), code) if interrupted else code
+
+
+def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) -> int:
+    """Several plans, ranked, each with its numbers and its files."""
+    from scenewright import cli_alternatives
+
+    plans, interrupted = cli_alternatives.arrange_all(request, console)
+    code = 130 if interrupted else 0 if any(plan.complete for plan in plans) else 1
+    if as_json:
+        _print_json([cli_alternatives.document(request.source, plan) for plan in plans])
+    elif not quiet:
+        show.table(Console(), [cli_alternatives.row(plan) for plan in plans], title="plans")
+    return code
 
 
 @app.command()

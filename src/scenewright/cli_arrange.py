@@ -31,6 +31,7 @@ class Request(NamedTuple):
     steps: int | None
     seed: int
     keep: bool
+    alternatives: int = 1
 
 
 class Arranged(NamedTuple):
@@ -46,16 +47,9 @@ def arrange(request: Request, console: Console) -> Arranged:
 
     Interrupted before anything was found it raises ``KeyboardInterrupt`` and writes nothing.
     """
-    from scenewright import domains, formats
+    from scenewright import domains
 
-    _check_outputs(request.outputs)
-    brief = formats.read(request.source, keep=request.keep)
-    named("preset", request.preset, domains.presets(brief.domain))
-    if request.solver is not None:
-        named("solver", request.solver, domains.solvers(brief.domain))
-    if request.keep and not _keeps(request.source, brief):
-        console.print("--keep has no effect: the file holds no furniture to keep", style="dim")
-    tell_if_cold(console)
+    brief = prepared(request, console)
     with watching(console, console.quiet) as watch:
         try:
             solution = domains.solve(
@@ -71,6 +65,21 @@ def arrange(request: Request, console: Console) -> Arranged:
         report = check(solution)
         write_together(solution, request.outputs, watch)
     return Arranged(solution, report, interrupted)
+
+
+def prepared(request: Request, console: Console) -> Brief:
+    """The brief of a request whose outputs and names can be used."""
+    from scenewright import domains, formats
+
+    _check_outputs(request.outputs)
+    brief = formats.read(request.source, keep=request.keep)
+    named("preset", request.preset, domains.presets(brief.domain))
+    if request.solver is not None:
+        named("solver", request.solver, domains.solvers(brief.domain))
+    if request.keep and not _keeps(request.source, brief):
+        console.print("--keep has no effect: the file holds no furniture to keep", style="dim")
+    tell_if_cold(console)
+    return brief
 
 
 def _check_outputs(outputs: Sequence[Path]) -> None:

@@ -56,6 +56,33 @@ def solve(
     return found
 
 
+def alternatives(
+    brief: Brief,
+    count: int,
+    *,
+    seed: int = 0,
+    progress: Callable[[float, str], None] | None = None,
+    cancel: Callable[[], bool] | None = None,
+    **options: Any,
+) -> tuple[Solution, ...]:
+    """``count`` solutions that differ, best first. Halls differ by pattern, zoning and place;
+    homes by the seed. ``options`` are those of :func:`solve`."""
+    if brief.domain == "hall":
+        from scenewright.domains.hall import alternatives as halls
+
+        return halls.alternatives(
+            brief, count, seed=seed, progress=progress, cancel=cancel, **options
+        )
+    found = []
+    for k in range(count):
+        found.append(solve(brief, seed=seed + k, cancel=cancel, **options))
+        if progress:
+            progress((k + 1) / count, f"plan {k + 1} of {count}")
+        if cancel is not None and cancel():
+            break
+    return tuple(sorted(found, key=lambda s: (len(s.left_out), sum(s.energies.values()))))
+
+
 def presets(domain: str) -> Mapping[str, Any]:
     """The presets of a domain, by name."""
     found: Mapping[str, Any] = import_module(f"scenewright.domains.{domain}.presets").PRESETS

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -124,11 +125,12 @@ def brief_of(document: object) -> Brief:
     category, asset, pose and size are kept.
     """
     solution = of_document(document)
+    ids = room_ids(solution.brief)
     rooms = [
         _room_with_locked(room, [piece for piece in solution.pieces if piece.space == space])
-        for room, space in zip(solution.brief.rooms, room_ids(solution.brief), strict=True)
+        for room, space in zip(solution.brief.rooms, ids, strict=True)
     ]
-    return solution.brief.model_copy(update={"rooms": rooms})
+    return solution.brief.model_copy(update={"rooms": [*map(_zoned(solution), rooms, ids)]})
 
 
 def _room_with_locked(room: Room, here: list[Piece]) -> Room:
@@ -138,6 +140,23 @@ def _room_with_locked(room: Room, here: list[Piece]) -> Room:
     locked = [_fixed_item(piece, names.get(piece.id, "")) for piece in kept]
     unplaced = [item for item in room.fixed if not any(_same(item, piece) for piece in here)]
     return room.model_copy(update={"fixed": [*locked, *unplaced]})
+
+
+def _zoned(solution: Solution) -> Callable[[Room, str], Room]:
+    """Gives a room the zones of the solution where its brief leaves them open."""
+    zones = () if solution.graph is None else solution.graph.zones
+    outlines = {(zone.space, zone.id): zone.outline.tolist() for zone in zones}
+
+    def zoned(room: Room, space: str) -> Room:
+        drawn = [
+            zone
+            if zone.outline is not None or (space, zone.id) not in outlines
+            else zone.model_copy(update={"outline": [tuple(p) for p in outlines[space, zone.id]]})
+            for zone in room.zones
+        ]
+        return room.model_copy(update={"zones": drawn})
+
+    return zoned
 
 
 def _same(item: FixedItem, piece: Piece) -> bool:

@@ -20,12 +20,13 @@ from scenewright._version import __version__
 from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.catalog import Catalog
-from scenewright.domains.hall.dress import dressed, partitions, placed_groups
+from scenewright.domains.hall.chairs import with_chairs
+from scenewright.domains.hall.dress import dressed, kept_groups, partitions, placed_groups
 from scenewright.domains.hall.fit import fit, left_out
 from scenewright.domains.hall.pose import Hall, hall_of
 from scenewright.domains.hall.presets import PRESETS, USUAL, HallPreset
 from scenewright.domains.hall.tour import tour
-from scenewright.domains.hall.wanted import wanted
+from scenewright.domains.hall.wanted import leaning, wanted
 from scenewright.domains.standing import fixed_pieces
 from scenewright.energy import Part
 from scenewright.errors import InputError
@@ -55,6 +56,7 @@ class Task(NamedTuple):
     solver: str
     budget: Budget
     seed: int
+    lean: int
 
 
 class Laid(NamedTuple):
@@ -82,13 +84,15 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
     variant: int = 0,
+    lean: int = 0,
 ) -> Solution:
     """Lay out every hall of a brief.
 
     The work is ``steps`` looked-at layouts for each hall, or ``seconds`` for all, else what the
     preset says. The same seed and steps give the same answer on any number of ``threads``.
-    ``variant`` takes another proposal of zones where the brief leaves them open. ``progress``
-    hears the share done and what is done; when ``cancel`` answers true, what was found so far is
+    ``variant`` takes another proposal of zones where the brief leaves them open; ``lean`` above 0
+    narrows every demand to one of its patterns, another for another number. ``progress`` hears
+    the share done and what is done; when ``cancel`` answers true, what was found so far is
     returned.
     """
     started = time.perf_counter()
@@ -103,8 +107,8 @@ def solve(
     if seconds is not None:
         each = each._replace(seconds=seconds * share)
     tasks = {
-        k: Task(halls[k], k, chosen, named, each._replace(steps=steps), _stream(seed, rooms[k]))
-        for k in busy
+        k: Task(halls[k], k, chosen, named, each._replace(steps=steps), stream, lean)
+        for k, stream in ((k, _stream(seed, rooms[k])) for k in busy)
     }
     laid = _run(brief, tasks, catalog, threads, progress, cancel)
     return _solution(brief, halls, laid, preset, named, seed, time.perf_counter() - started)
@@ -159,11 +163,11 @@ def _lay(
 ) -> Laid:
     hall, preset = task.hall, task.preset
     locked = tuple(piece for piece in hall.fixed if piece.function not in ("", "fixed"))
-    wishes = wanted(brief, task.number, locked, catalog)
+    wishes = leaning(wanted(brief, task.number, locked, catalog), task.lean)
     fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.whole)
     missing = left_out(hall, wishes, fitted)
     if not fitted.units:
-        return Laid((), (), (), (), missing, 0.0, 0, None)
+        return Laid((), kept_groups(hall, locked), (), (), missing, 0.0, 0, None)
     budget = task.budget
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
         scale = 1.0 if preset.whole else max(len(fitted.units) / USUAL, 1.0)
@@ -173,14 +177,18 @@ def _lay(
     found = run(fitted.problem, fitted.start, budget, task.seed, heard, cancel)
     best = found.layouts[0]
     p, s, lost = measured(fitted.problem, best.kept, best.boxes)
-    pieces = dressed(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)
+    objects = dressed(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)
     walls = partitions(hall, fitted.problem, best.kept, catalog)
-    groups = placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, pieces)
+    chairs = with_chairs(objects, (*hall.fixed, *walls), catalog)
+    groups = (
+        *kept_groups(hall, locked),
+        *placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, objects),
+    )
     parts = parts_of(fitted.problem, p, s, lost)
     graph = SceneGraph(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
-    every = (*hall.fixed, *walls, *pieces)
+    every = (*hall.fixed, *walls, *objects)
     way = tour(hall.space, every, graph, catalog, hall.route)
-    return Laid((*walls, *pieces), groups, graph.partitions, parts, missing,
+    return Laid((*walls, *objects, *chairs), groups, graph.partitions, parts, missing,
                 sum(part.cost for part in parts), found.evaluations, way)  # fmt: skip
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import shapely
 
 from scenewright.catalog import Catalog
 from scenewright.domains.hall.assign import Unit
@@ -95,6 +96,26 @@ def placed_groups(
             )
         )  # fmt: skip
         row, layer = row + count, layer + int(capacity(np.array(count)))
+    return tuple(found)
+
+
+def kept_groups(hall: Hall, locked: tuple[Piece, ...]) -> tuple[PlacedGroup, ...]:
+    """Groups that stand already, as single objects; their zone is where their middle lies."""
+    found = []
+    for name in dict.fromkeys(piece.group for piece in locked if piece.function != "partition"):
+        mine = tuple(piece for piece in locked if piece.group == name)
+        x, y = np.mean([piece.pose[:2] for piece in mine], axis=0)
+        inside = [zone.id for zone in hall.plan.zones
+                  if shapely.Polygon(zone.outline).contains(shapely.Point(x, y))]  # fmt: skip
+        found.append(
+            PlacedGroup(
+                id=name, demand=mine[0].function, space=hall.space.id,
+                zone=inside[0] if inside else hall.names[0], pattern="single",
+                pose=(float(x), float(y), mine[0].pose.heading),
+                parts=(Part("single", (Layer(len(mine), 0.0, 0.0),)),),
+                objects=tuple(piece.id for piece in mine),
+            )
+        )  # fmt: skip
     return tuple(found)
 
 

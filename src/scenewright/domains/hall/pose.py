@@ -102,13 +102,17 @@ def pose(
 
 
 def unit_names(hall: Hall, wishes: list[Wanted], units: list[Unit]) -> tuple[str, ...]:
-    """Ids of the groups: the demand's, numbered where it is in several."""
-    seen: dict[int, int] = {}
-    names = []
+    """Ids of the groups: the demand's, numbered where it is in several or stands already."""
+    taken = {piece.group for piece in hall.fixed}
+    names: list[str] = []
     for unit in units:
-        seen[unit.demand] = seen.get(unit.demand, 0) + 1
-        tail = f"-{seen[unit.demand]}" if seen[unit.demand] > 1 else ""
-        names.append(f"{hall.space.id}/{wishes[unit.demand].id}{tail}")
+        stem, count = f"{hall.space.id}/{wishes[unit.demand].id}", 1
+        name = stem
+        while name in taken:
+            count += 1
+            name = f"{stem}-{count}"
+        taken.add(name)
+        names.append(name)
     return tuple(names)
 
 

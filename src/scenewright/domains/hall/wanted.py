@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from scenewright.assets.hall_use import hall_use
 from scenewright.brief import Brief, Room
 from scenewright.brief_hall import Demand
@@ -53,6 +55,17 @@ def wanted(brief: Brief, number: int, locked: tuple[Piece, ...], catalog: Catalo
         if shows and wish.category in SPECTATORS
         else wish
         for wish in found
+    ]
+
+
+def leaning(wishes: list[Wanted], lean: int) -> list[Wanted]:
+    """Demands narrowed to one of their patterns each, drawn by ``lean``; all of them for 0."""
+    if lean == 0:
+        return wishes
+    rng = np.random.default_rng(lean)
+    return [
+        wish._replace(patterns=(wish.patterns[int(rng.integers(len(wish.patterns)))],))
+        for wish in wishes
     ]
 
 

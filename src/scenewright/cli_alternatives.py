@@ -1,0 +1,92 @@
+"""``arrange --alternatives N``: several plans that differ, ranked, each with numbers and files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from rich.console import Console
+
+from scenewright import cli_show as show
+from scenewright.check import Report, check
+from scenewright.cli_arrange import Request, prepared, write_together
+from scenewright.cli_progress import watching
+from scenewright.errors import InputError
+from scenewright.solution import Solution
+
+
+class Plan(NamedTuple):
+    """One plan: its rank from 1, the files it was written to, and the referee's report."""
+
+    rank: int
+    outputs: tuple[Path, ...]
+    solution: Solution
+    report: Report
+
+    @property
+    def complete(self) -> bool:
+        """Whether all that was asked for stands and no rule is broken."""
+        return self.report.valid and not any(out.required for out in self.solution.left_out)
+
+
+def arrange_all(request: Request, console: Console) -> tuple[list[Plan], bool]:
+    """Solve, judge and write every plan; whether the search was interrupted.
+
+    ``plan.svg`` becomes ``plan-1.svg``, ``plan-2.svg`` …; all files appear together.
+    """
+    from scenewright import domains
+
+    brief = prepared(request, console)
+    with watching(console, console.quiet) as watch:
+        try:
+            found = domains.alternatives(
+                brief, request.alternatives, preset=request.preset, solver=request.solver,
+                seconds=request.seconds, steps=request.steps, seed=request.seed,
+                progress=watch.progress, cancel=watch.cancelled,
+            )  # fmt: skip
+        except InputError as error:
+            raise error.located(file=str(request.source)) from None
+        interrupted = watch.cancelled()
+        if interrupted and not any(solution.evaluations for solution in found):
+            raise KeyboardInterrupt
+        plans = [
+            Plan(rank, tuple(numbered(path, rank) for path in request.outputs), s, check(s))
+            for rank, s in enumerate(found, 1)
+        ]
+        for plan in plans:
+            write_together(plan.solution, plan.outputs, watch)
+    return plans, interrupted
+
+
+def numbered(path: Path, rank: int) -> Path:
+    """The name of one plan's file.
+
+    >>> numbered(Path("out/plan.svg"), 2).as_posix()
+    'out/plan-2.svg'
+    """
+    return path.with_name(f"{path.stem}-{rank}{path.suffix}")
+
+
+def row(plan: Plan) -> dict[str, Any]:
+    """One line of the table of plans."""
+    halls = list(plan.report.figures.get("halls", {}).values())
+    solution = plan.solution
+    told: dict[str, Any] = {
+        "plan": plan.rank,
+        "energy": float(sum(solution.energies.values())),
+        "verdict": str(plan.report),
+        "left out": len(solution.left_out),
+    }
+    if len(halls) == 1 and solution.graph is not None:
+        patterns = [f"{g.demand} {g.pattern}" for g in solution.graph.groups if len(g.objects) > 1]
+        told |= {key: halls[0][key] for key in ("aesthetic", "uniformity", "circulation")}
+        told["patterns"] = ", ".join(patterns)
+    return told
+
+
+def document(source: str, plan: Plan) -> dict[str, Any]:
+    """One plan as plain values."""
+    code = 0 if plan.complete else 1
+    return {"plan": plan.rank} | show.arranged_document(
+        source, plan.outputs, plan.solution, plan.report, code
+    )

@@ -1,0 +1,85 @@
+"""Chairs at tables: what goes with an object of a group without being asked for by itself."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from scenewright.catalog import Catalog
+from scenewright.geometry.boxes import Frame, common_area, make_frame
+from scenewright.scene import Piece, Pose, Size
+
+
+class Company(NamedTuple):
+    """Chairs of one category along the front and back of a table, ``pitch`` metres apart, pushed
+    in by ``tuck``."""
+
+    category: str
+    pitch: float
+    tuck: float
+
+
+COMPANY = {
+    "reading_table": Company("reading_chair", 0.75, 0.1),
+    "dining_table": Company("dining_chair", 0.65, 0.1),
+}
+TOUCH = 1e-4
+
+
+def with_chairs(pieces: tuple[Piece, ...], others: tuple[Piece, ...], catalog: Catalog
+                ) -> tuple[Piece, ...]:  # fmt: skip
+    """Chairs for all tables among ``pieces`` that have none nearby asked for by themselves; a
+    chair that would stand in something is left out."""
+    asked = {piece.category for piece in (*pieces, *others)}
+    tables = [
+        piece
+        for piece in pieces
+        if piece.category in COMPANY and COMPANY[piece.category].category not in asked
+    ]
+    chairs: list[Piece] = []
+    solid = [_frame(piece) for piece in (*pieces, *others)] if tables else []
+    for table in tables:
+        for chair in _chairs(table, catalog):
+            frame = _frame(chair)
+            mine = [_frame(table)]
+            if all(common_area(frame, f) <= TOUCH for f in solid if f not in mine):
+                chairs.append(chair)
+                solid.append(frame)
+    return tuple(chairs)
+
+
+def _chairs(table: Piece, catalog: Catalog) -> list[Piece]:
+    company = COMPANY[table.category]
+    asset = catalog.of(company.category)[0]
+    size = Size(*asset.usual)
+    count = max(int(table.size.width / company.pitch), 1)
+    found = []
+    for side in (0, 1):
+        for k in range(count):
+            along = (k + 0.5 - count / 2) * table.size.width / count
+            ahead = table.size.depth / 2 + size.depth / 2 - company.tuck
+            pose = _beside(table.pose, along, ahead, side)
+            found.append(
+                Piece(
+                    id=f"{table.id}/{company.category}_{side * count + k + 1}",
+                    category=company.category, asset=asset.id, space=table.space, pose=pose,
+                    size=size, group=table.group, function=f"{table.function}/chairs",
+                )
+            )  # fmt: skip
+    return found
+
+
+def _beside(pose: Pose, along: float, ahead: float, side: int) -> Pose:
+    """A place in front of (0) or behind (1) a table, looking at it."""
+    c, s = math.cos(pose.heading), math.sin(pose.heading)
+    way = 1.0 if side == 0 else -1.0
+    turned = pose.heading + (math.pi if side == 0 else 0.0)
+    heading = (turned + math.pi) % (2 * math.pi) - math.pi
+    return Pose(
+        pose.x + along * s + way * ahead * c, pose.y - along * c + way * ahead * s, 0.0, heading
+    )
+
+
+def _frame(piece: Piece) -> Frame:
+    pose, size = piece.pose, piece.size
+    return make_frame(pose.x, pose.y, pose.heading, size.width, size.depth)
