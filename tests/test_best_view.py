@@ -119,4 +119,4 @@ def test_best_view_holds_when_faces_are_cut(real_data: Path, name: str, measure:
     found = saliency(mesh)
     one, other = best_view(mesh, found, measure), best_view(finer, saliency(finer), measure)
     again = MEASURES[measure](subject(mesh, found), other.way[None])[0]
-    assert again > 0.95 * one.score
+    assert again > 0.97 * one.score

@@ -28,7 +28,7 @@ Ints = NDArray[np.int64]
 
 UNIT = 0.003
 """ε as a share of the mesh's size; the scales are 2ε, 3ε, 4ε, 5ε, 6ε."""
-PAIRS = 4.5e7
+PAIRS = 3.6e7
 """More pairs of points within reach than this, and points are put together."""
 FAINT = 2.0
 """Differences of curvature, times the size, below which nothing stands out: the curvature of a
