@@ -35,8 +35,9 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Asset", "Brief", "Catalog", "InputError", "Kind", "Layout", "Level", "Opening", "Piece",
-    "Pose", "Problem", "Report", "Scene", "Size", "Solution", "Space", "__version__", "alternatives", "check",
-    "read", "read_solution", "samples", "scene_of", "shipped", "solve", "write",
+    "Pose", "Problem", "Report", "Scene", "Size", "Solution", "Space", "__version__",
+    "alternatives", "check", "read", "read_solution", "samples", "scene_of", "shipped", "solve",
+    "write",
 ]  # fmt: skip
 
 _HOMES = {

@@ -137,7 +137,10 @@ def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) ->
     if as_json:
         _print_json([cli_alternatives.document(request.source, plan) for plan in plans])
     elif not quiet:
-        show.table(Console(), [cli_alternatives.row(plan) for plan in plans], title="plans")
+        console = Console()
+        show.table(console, [cli_alternatives.row(plan) for plan in plans], title="plans")
+        for told in filter(None, map(cli_alternatives.patterns, plans)):
+            console.print(told, style="dim", markup=False)
     return code
 
 

@@ -78,10 +78,15 @@ def row(plan: Plan) -> dict[str, Any]:
         "left out": len(solution.left_out),
     }
     if len(halls) == 1 and solution.graph is not None:
-        patterns = [f"{g.demand} {g.pattern}" for g in solution.graph.groups if len(g.objects) > 1]
         told |= {key: halls[0][key] for key in ("aesthetic", "uniformity", "circulation")}
-        told["patterns"] = ", ".join(patterns)
     return told
+
+
+def patterns(plan: Plan) -> str:
+    """How the groups of a plan are laid out, in one line."""
+    groups = () if plan.solution.graph is None else plan.solution.graph.groups
+    told = [f"{group.demand} {group.pattern}" for group in groups if len(group.objects) > 1]
+    return f"plan {plan.rank}: {', '.join(told)}" if told else ""
 
 
 def document(source: str, plan: Plan) -> dict[str, Any]:
