@@ -1,201 +1,111 @@
-"""Draw every pattern a group of a hall may take, with real objects: ``docs/patterns.svg``.
+"""Draw every pattern of halls on one sheet: ``python -m benchmarks.draw_patterns patterns.svg``.
 
-``python -m benchmarks.draw_patterns`` writes it anew. The free patterns are seeded and expanded as
-the solver does it; the wall row is the answer to a small brief. All are drawn to one scale.
+The blue arrow is the front of a pattern.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable
+import sys
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from shapely import Polygon, unary_union
 
-from scenewright.assets.hall_use import hall_use
-from scenewright.assets.sizes import SIZES
-from scenewright.brief import Brief, Room
-from scenewright.brief_hall import Demand
-from scenewright.domains import solve
-from scenewright.encodings.patterns import PATTERNS
+from scenewright.assets import shipped
+from scenewright.encodings.patterns import PATTERNS, WALL
 from scenewright.encodings.patterns.expand import expand, seed
 from scenewright.formats.svg_marks import (
     GREY,
     INK,
-    LINE,
-    OUTLINE,
     POCHE,
+    ROUTE,
     View,
     arrow_head,
+    fitted,
     group,
     line,
     shape,
     tag,
     text,
-    to_paper,
-)
-from scenewright.layout import corners
-
-Floats = NDArray[np.float64]
-
-TARGET = Path(__file__).parent.parent / "docs" / "patterns.svg"
-SCALE = 8.0
-CELL, HEAD = (86.0, 84.0), 19.0
-"""Millimetres a metre; millimetres of one cell and of its heading."""
-ROWS = (("chain", "grid", "radiation"), ("circulation", "fan", "wall"), ("mixture", "single"))
-WIDE = "mixture"
-"""The pattern that takes two cells."""
-ALLEY, FRONT, FAN = "#bfe0d6", "#0064a8", "fan"
-ROOM = ((0.0, 0.0), (8.4, 0.0), (8.4, 5.6), (0.0, 5.6))
-
-
-class Example(NamedTuple):
-    """What a pattern is drawn with: objects, their number, the ``shape`` it is seeded with."""
-
-    category: str
-    number: int
-    shape: float
-    told: str
-
+)  # fmt: skip
+from scenewright.formats.svg_pieces import footprint, pieces_mark
+from scenewright.scene import Piece, Pose, Size
 
 EXAMPLES = {
-    "single": Example("info_desk", 1, 0.0, "an information desk"),
-    "chain": Example("gondola", 15, 0.6, "15 gondolas"),
-    "grid": Example("display_table", 9, 0.6, "9 display tables"),
-    "radiation": Example("plinth", 9, 0.2, "9 plinths"),
-    "circulation": Example("ring_shelf", 12, 0.0, "12 ring shelves"),
-    "fan": Example("auditorium_seat", 46, 0.55, "46 seats, apex ahead"),
-    "mixture": Example("plinth", 14, 0.5, "14 plinths"),
-    "wall": Example("wall_exhibit", 10, 0.0, "10 wall exhibits"),
+    "single": ("info_desk", 1, 0.0, 1.0, 1.0),
+    "chain": ("gondola", 18, 0.6, 0.02, 1.6),
+    "grid": ("plinth", 12, 0.7, 1.2, 1.4),
+    "radiation": ("showcase", 14, 0.4, 1.0, 1.4),
+    "circulation": ("ring_shelf", 10, 0.0, 0.02, 1.4),
+    "fan": ("auditorium_seat", 48, 0.5, 0.06, 0.5),
+    "mixture": ("showcase", 20, 0.5, 1.0, 1.4),
+    "wall": ("wall_exhibit", 6, 0.0, 0.05, 0.0),
 }
+"""The example of each pattern: asset, number of objects, shape, gaps along rows and across."""
 
-
-def free_boxes(name: str, example: Example) -> Floats:
-    """Boxes (n, 5) of a pattern as it is seeded, its front up."""
-    code, count = list(PATTERNS).index(name), example.number
-    wide, deep, _ = SIZES[example.category][1]
-    front, left, back, right = hall_use(example.category).clearance
-    layers, out = np.zeros((count + 6, 5)), np.zeros((count, 3))
-    along, across = left + right, front + back
-    used, extra = seed(code, count, example.shape, wide, deep, along, across, 3.0, layers)
-    sizes = np.tile([wide, deep], (count, 1))
-    expand(code, layers[:used], extra, sizes, 0, out)
-    return np.column_stack([out[:, :2], out[:, 2] + math.pi / 2, sizes])
-
-
-def wall_boxes(example: Example) -> Floats:
-    """Boxes (n, 5) of a wall row in a small room, about its middle."""
-    demand = Demand(category=example.category, count=example.number)
-    room = Room(outline=list(ROOM), demands=[demand])
-    pieces = solve(Brief(domain="hall", rooms=[room]), steps=400, seed=1).pieces
-    rows = [[*p.pose[:2], p.pose.heading, p.size.width, p.size.depth] for p in pieces]
-    return np.array(rows) - [ROOM[2][0] / 2, ROOM[2][1] / 2, 0.0, 0.0, 0.0]
-
-
-def grown(boxes: Floats, category: str) -> Floats:
-    """Boxes (n, 5) with the clearance of a category around them."""
-    front, left, back, right = hall_use(category).clearance
-    c, s = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
-    ahead, aside = (front - back) / 2, (right - left) / 2
-    middles = boxes[:, :2] + np.column_stack([ahead * c + aside * s, ahead * s - aside * c])
-    return np.column_stack([middles, boxes[:, 2], boxes[:, 3] + left + right,
-                            boxes[:, 4] + front + back])  # fmt: skip
-
-
-def drawn(name: str, x: float, y: float, wide: float) -> str:
-    """One cell so wide with its upper left corner at paper point x, y."""
-    example = EXAMPLES[name]
-    boxes = wall_boxes(example) if name == "wall" else free_boxes(name, example)
-    clear = grown(boxes, example.category)
-    reach = corners(clear).reshape(-1, 2)
-    if name == FAN:
-        reach = np.vstack([reach, apex(boxes)])
-    middle = np.zeros(2) if name == "wall" else (reach.min(0) + reach.max(0)) / 2
-    centre = x + wide / 2, y + (HEAD + CELL[1]) / 2
-    view = View(SCALE, centre[0] - SCALE * middle[0], centre[1] + SCALE * middle[1])
-    marks = [
-        text(name, (centre[0], y + 7.0), 4.6, font_weight="bold"),
-        text(PATTERNS[name].about, (centre[0], y + 12.6), 2.7, fill=GREY),
-        text(example.told, (centre[0], y + 16.8), 2.7, fill=GREY),
-        group(shape([ring], fill=ALLEY, fill_opacity=0.55) for ring in rings(view, clear)),
-        group((shape([ring]) for ring in rings(view, boxes)), fill="#ffffff", stroke=INK,
-              stroke_width=LINE),
-        group(front_marks(view, boxes), fill=FRONT),
-        around(name, view, boxes),
-    ]  # fmt: skip
-    return group(marks)
-
-
-def rings(view: View, boxes: Floats) -> Iterable[Floats]:
-    """Corners of boxes (n, 5) on paper."""
-    return list(to_paper(view, corners(boxes)))
-
-
-def front_marks(view: View, boxes: Floats) -> list[str]:
-    """A small arrow head at the front of every object."""
-    marks = []
-    for x, y, heading, _, depth in boxes:
-        way = np.array([math.cos(heading), math.sin(heading)])
-        tip = to_paper(view, np.array([x, y]) + way * (depth / 2 - 0.04))
-        marks.append(shape([arrow_head(tip, way * (1.0, -1.0), min(2.0, 0.6 * SCALE * depth))]))
-    return marks
-
-
-def around(name: str, view: View, boxes: Floats) -> str:
-    """What a pattern refers to: the walls of a row, the apex of a fan, the centre of rings."""
-    if name == "wall":
-        ring = np.array(ROOM) - np.array(ROOM[2]) / 2
-        return shape([to_paper(view, ring)], fill="none", stroke=POCHE, stroke_width=1.2)
-    if name == FAN:
-        at = apex(boxes)
-        ends = [boxes[0, :2], at, boxes[int(np.flatnonzero(np.diff(boxes[:, 2]) < 0)[0]), :2]]
-        return line(to_paper(view, ends), fill="none", stroke=GREY, stroke_width=0.2,
-                    stroke_dasharray="1 1")  # fmt: skip
-    return ""
-
-
-def apex(boxes: Floats) -> Floats:
-    """Where the first two objects of an arc look both."""
-    ways = np.column_stack([np.cos(boxes[:2, 2]), np.sin(boxes[:2, 2])])
-    far = np.linalg.solve(np.column_stack([ways[0], -ways[1]]), boxes[1, :2] - boxes[0, :2])
-    found: Floats = boxes[0, :2] + far[0] * ways[0]
-    return found
-
-
-def key(y: float) -> str:
-    """What the colours mean, and the scale."""
-    bar = np.array([[10.0, y], [10.0 + 2 * SCALE, y]])
-    words = "wish for free floor (clearance); where two overlap, two objects share it"
-    return group([
-        line(bar, stroke=INK, stroke_width=OUTLINE, fill="none"),
-        text("2 m", (10.0 + SCALE, y - 2.5), 2.7),
-        tag("rect", x=42.0, y=y - 2.2, width=7.0, height=4.0, fill=ALLEY),
-        text(words, (52.0, y), 2.9, text_anchor="start"),
-        shape([arrow_head((178.0, y - 1.4), (0.0, -1.0), 2.6)], fill=FRONT),
-        text("front", (182.0, y), 2.9, text_anchor="start"),
-    ])  # fmt: skip
+WIDE, HIGH, COLUMNS, ROOM = 62.0, 64.0, 4, 46.0
+"""Millimetres of a cell, cells in a row, and the most a pattern takes."""
 
 
 def sheet() -> str:
-    """The whole picture as SVG text."""
-    cells, width = [], 3 * CELL[0]
-    for row, names in enumerate(ROWS):
-        x = 0.0
-        for name in names:
-            wide = CELL[0] * (2 if name == WIDE else 1)
-            cells.append(drawn(name, x, row * CELL[1], wide))
-            x += wide
-    height = len(ROWS) * CELL[1] + 12.0
+    """The SVG text: a cell for every pattern, with its name and what it is."""
+    marks = [_cell(number, name) for number, name in enumerate(PATTERNS)]
+    width, height = WIDE * COLUMNS, HIGH * -(-len(PATTERNS) // COLUMNS)
     paper = tag("rect", width=width, height=height, fill="#ffffff")
     return tag(
-        "svg", "\n".join([paper, *cells, key(height - 7.0)]), xmlns="http://www.w3.org/2000/svg",
-        viewBox=f"0 0 {width:g} {height:g}", width=f"{3 * width:g}", height=f"{3 * height:g}",
-        font_family="Helvetica, Arial, 'DejaVu Sans', sans-serif", fill=INK,
-    ) + "\n"  # fmt: skip
+        "svg", "\n".join([paper, *marks]), xmlns="http://www.w3.org/2000/svg", version="1.1",
+        width=f"{width:g}mm", height=f"{height:g}mm", viewBox=f"0 0 {width:g} {height:g}",
+        font_family="Helvetica, Arial, 'DejaVu Sans', sans-serif",
+    )  # fmt: skip
+
+
+def example(name: str) -> list[Piece]:
+    """The objects of one pattern, its middle in the origin, its front to +y."""
+    asset = shipped().assets[EXAMPLES[name][0]]
+    places = _places(name, asset.usual)
+    return [
+        Piece(str(k), asset.category, asset.id, "", Pose(x, y, 0.0, np.pi / 2 + turn), asset.usual)
+        for k, (x, y, turn) in enumerate(places.tolist())
+    ]
+
+
+def _places(name: str, size: Size) -> NDArray[np.float64]:
+    """Rows x, y and turn of the objects."""
+    _, count, form, along, across = EXAMPLES[name]
+    code = list(PATTERNS).index(name)
+    if code == WALL:
+        x = (np.arange(count) - (count - 1) / 2) * (size.width + along)
+        return np.column_stack([x, np.zeros(count), np.full(count, np.pi)])
+    layers, out = np.zeros((max(count, 8), 5)), np.zeros((count, 3))
+    used, extra = seed(code, count, form, size.width, size.depth, along, across, 1.5, layers)
+    expand(code, layers[:used], extra, np.tile(size[:2], (count, 1)), 0, out)
+    return out
+
+
+def _cell(number: int, name: str) -> str:
+    row, column = divmod(number, COLUMNS)
+    left, top = column * WIDE, row * HIGH
+    pieces = example(name)
+    west, south, east, north = unary_union([Polygon(footprint(p)) for p in pieces]).bounds
+    scale = min(ROOM / max(east - west, north - south), 14.0)
+    middle = np.array([left + WIDE / 2, top + 6.0 + ROOM / 2])
+    x, y = middle - scale * np.array([west + east, -south - north]) / 2
+    marks = [pieces_mark(View(scale, x, y), pieces, shipped())]
+    reach = scale * np.array([east - west, north - south]) / 2
+    if name == "wall":
+        low, high = middle - reach - (3.0, 2.0), middle - (-reach[0] - 3.0, reach[1])
+        wall = [low, (high[0], low[1]), high, (low[0], high[1])]
+        marks.append(shape([wall], fill=POCHE))
+    else:
+        tip = middle - (0.0, reach[1] + 4.5)
+        marks.append(line([tip - (0.0, -3.0), tip], stroke=ROUTE, stroke_width=0.3))
+        marks.append(shape([arrow_head(tip, (0, -1), 1.6)], fill=ROUTE))
+    about, size = fitted(PATTERNS[name].about, 2.1, WIDE - 4, 0.7)
+    marks.append(text(name, (middle[0], top + HIGH - 8.6), 3.0, font_weight="bold", fill=INK))
+    marks.append(text(about, (middle[0], top + HIGH - 4.6), size, fill=GREY))
+    return group(marks)
 
 
 if __name__ == "__main__":
-    TARGET.write_text(sheet(), encoding="utf-8")
-    print(f"wrote {TARGET}")
+    Path(sys.argv[1] if len(sys.argv) > 1 else "patterns.svg").write_text(sheet(), "utf-8")
