@@ -98,6 +98,18 @@ class ShapelyHall:
         self.borders, self.links = ground.borders, ground.links
         self.owner = np.repeat(np.arange(len(self.units.spans)), np.diff(self.units.spans).ravel())
 
+    def depths(self, laid: Sequence[Laid]) -> Floats:
+        """Clear depths (n, 4) with a way round the ends of rows that stand side by side."""
+        depths = np.array(self.units.clear, np.float64)
+        for (first, _), unit in zip(self.units.spans, laid, strict=True):
+            start = int(first)
+            for number in unit.layers if unit.pattern == "chain" else ():
+                for end, side in ((start, 1), (start + number - 1, 3)):
+                    if number > 1 and depths[end, side] == 0.0:
+                        depths[end, side] = self.units.clear[end].max()
+                start += number
+        return depths
+
     def space(self, clears: list[Any], boxes: Floats, solids: list[Any]) -> list[float]:
         """E_s of each unit."""
         covered = np.zeros(len(self.units.spans))
@@ -109,7 +121,10 @@ class ShapelyHall:
                 covered[self.owner[i]] += shared
                 if self.owner[j] != self.owner[i]:
                     covered[self.owner[j]] += shared
-        spare = [clear.area - box[3] * box[4] for clear, box in zip(clears, boxes, strict=True)]
+        spare = [
+            rectangle(grown(box, depth)).area - box[3] * box[4]
+            for box, depth in zip(boxes, self.units.clear, strict=True)
+        ]
         wished = np.maximum(np.bincount(self.owner, spare, len(covered)), 1e-9)
         with np.errstate(over="ignore"):
             shares = 1.0 / (1.0 + np.exp(-covered / wished))
@@ -195,7 +210,7 @@ class ShapelyHall:
         """Every part by name; see :func:`energies`. Without ``judged`` the hard rules are left
         out."""
         shapes = [rectangle(box) for box in boxes]
-        clears = [rectangle(grown(b, c)) for b, c in zip(boxes, self.units.clear, strict=True)]
+        clears = [rectangle(grown(b, c)) for b, c in zip(boxes, self.depths(laid), strict=True)]
         standing = self.obstacles + [rectangle(box) for box in partitions]
         solids = standing + self.keep_free
         rows = {

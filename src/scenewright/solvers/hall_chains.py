@@ -226,8 +226,11 @@ def measured(problem: HallProblem, kept: Kept, boxes: Floats) -> tuple[Prepared,
     s.pose[:], s.layers[:], s.partitions[:] = kept.pose, kept.layers, kept.walls
     for host in range(len(kept.walls)):
         build(p, s, host)
-    write_boxes(p, s, np.ascontiguousarray(boxes))
-    measure_frames(p, s, work, False)
+    if ((p.spans[:, 1] - p.spans[:, 0] > 1) & (s.code == SINGLE)).any():
+        write_boxes(p, s, np.ascontiguousarray(boxes))
+        measure_frames(p, s, work, False)
+    else:
+        measure_all(p, s, work)
     bits = np.zeros((3, *grid.free.shape), np.uint64)
     inset = np.zeros((len(p.sizes), 4))
     return p, s, missed(p, s, grid, bits[0], bits[1], bits[2], inset)

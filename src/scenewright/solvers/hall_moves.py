@@ -113,9 +113,8 @@ def spread(p: Prepared, s: State, unit: int, step: float, stream: Stream) -> Non
     layers = s.layers[row : row + s.used[unit]]
     along, across = step if way != 1 else 0.0, step if way != 0 else 0.0
     if close:
-        along, across = (step, 0.0) if s.code[unit] == FAN and way == 0 else (0.0, step)
-    if s.code[unit] == CIRCULATION and close:
-        across = 0.0
+        along = 0.0
+        across = 0.0 if s.code[unit] in (CIRCULATION, FAN) else step
     s.pose[unit, 3] = stretch(s.code[unit], layers, s.pose[unit, 3], along, across)
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from scenewright.encodings.patterns import WALL
+from scenewright.encodings.patterns import CHAIN, CODE, NUMBER, WALL
 from scenewright.encodings.patterns.expand import expand
-from scenewright.geometry.boxes import make_frame, read_frame
+from scenewright.geometry.boxes import make_frame, part_of, read_frame
 from scenewright.geometry.compiled import compiled, inlined
 from scenewright.terms.hall_measure import clear_of, write_row
 from scenewright.terms.hall_state import Prepared, Scratch, State
@@ -18,35 +18,63 @@ CORNER = 0.1
 
 
 @inlined
-def walk_walls(p: Prepared, s: State, unit: int) -> bool:
-    """Place a wall row: objects one after another along the walls of the zone, gap by gap.
+def run_from(p: Prepared, s: State, unit: int, i: int, k: int) -> tuple[int, float, float]:
+    """How many objects from ``i`` on fit on the stretch at place ``k`` of the loops, from where on
+    they may stand there, and the room in metres."""
+    row = p.loops[k]
+    start = s.stretches[row, 6] * (p.largest[unit, 1] + CORNER)
+    room, wide, j = s.stretches[row, 4] - start, -s.pose[unit, 3], i
+    while j < p.spans[unit, 1] and wide + s.pose[unit, 3] + p.sizes[j, 0] <= room + 1e-9:
+        wide += s.pose[unit, 3] + p.sizes[j, 0]
+        j += 1
+    return j - i, start, room
 
-    It starts at a stretch; an object that no longer fits on one goes to the next, behind a corner
-    after the depth of the row. The run on each stretch is then aligned: ``pose`` 1 of -1 to its
-    start, 0 to its middle, 1 to its end. False if the walls are too short.
+
+@inlined
+def walk_walls(p: Prepared, s: State, unit: int) -> bool:
+    """Place a wall row: objects side by side along the walls of the zone, gap by gap.
+
+    It starts at a stretch and goes on to as many as it needs, behind a corner after the depth of
+    the row; each gets its share of the objects. The run on each stretch is then aligned: ``pose``
+    1 of -1 to its start, 0 to its middle, 1 to its end. False if the walls are too short.
     """
-    zone, gap = p.zones[unit], s.pose[unit, 3]
+    zone, end = p.zones[unit], p.spans[unit, 1]
     first, last = p.loop_spans[zone, 0], p.loop_spans[zone, 1]
-    k = find_start(p, s, unit)
-    if k < 0:
+    begin = find_start(p, s, unit)
+    if begin < 0:
         return False
-    corner, i, end = p.largest[unit, 1] + CORNER, p.spans[unit, 0], p.spans[unit, 1]
-    for _turn in range(last - first):
-        row = p.loops[k]
-        start = s.stretches[row, 6] * corner
-        room, j, wide = s.stretches[row, 4] - start, i, -gap
-        while j < end and wide + gap + p.sizes[j, 0] <= room + 1e-9:
-            wide += gap + p.sizes[j, 0]
-            j += 1
-        t = start + (room - wide) * 0.5 * (1.0 + min(max(s.pose[unit, 1], -1.0), 1.0))
-        while i < j:
-            stand_at_wall(p, s, i, row, t + 0.5 * p.sizes[i, 0])
-            t += p.sizes[i, 0] + gap
-            i += 1
-        if i == end:
-            return True
+    i, k, used = p.spans[unit, 0], begin, 0
+    while i < end and used < last - first:
+        i, used = i + run_from(p, s, unit, i, k)[0], used + 1
         k = k + 1 if k + 1 < last else first
-    return False
+    return i == end and share_walls(p, s, unit, begin, used)
+
+
+@inlined
+def share_walls(p: Prepared, s: State, unit: int, begin: int, used: int) -> bool:
+    """Spread a wall row over some stretches from a place of the loops on, by their length."""
+    zone, gap, end = p.zones[unit], s.pose[unit, 3], p.spans[unit, 1]
+    first, last = p.loop_spans[zone, 0], p.loop_spans[zone, 1]
+    total, k = 0.0, begin
+    for _turn in range(used):
+        total += max(run_from(p, s, unit, p.spans[unit, 0], k)[2], 0.0)
+        k = k + 1 if k + 1 < last else first
+    i, k = p.spans[unit, 0], begin
+    for turn in range(used):
+        fits, start, room = run_from(p, s, unit, i, k)
+        share = math.ceil((end - i) * max(room, 0.0) / max(total, 1e-9) - 1e-6)
+        take = fits if turn + 1 == used else min(fits, share)
+        total -= max(room, 0.0)
+        wide = -gap
+        for j in range(i, i + take):
+            wide += gap + p.sizes[j, 0]
+        t = start + (room - wide) * 0.5 * (1.0 + min(max(s.pose[unit, 1], -1.0), 1.0))
+        for j in range(i, i + take):
+            stand_at_wall(p, s, j, p.loops[k], t + 0.5 * p.sizes[j, 0])
+            t += p.sizes[j, 0] + gap
+        i += take
+        k = k + 1 if k + 1 < last else first
+    return i == end
 
 
 @inlined
@@ -97,7 +125,25 @@ def unfold(p: Prepared, s: State, work: Scratch, unit: int) -> bool:
         )  # fmt: skip
         write_row(s.frames, i, frame)
         write_row(s.clears, i, clear_of(frame, p.clear, i))
+    clear_ends(p, s, unit)
     return True
+
+
+@inlined
+def clear_ends(p: Prepared, s: State, unit: int) -> None:
+    """Rows of a chain whose objects stand side by side need a way round their ends: there the
+    outer side asks for as much as the object's greatest clearance."""
+    i, row = p.spans[unit, 0], p.layer_spans[unit, 0]
+    for k in range(row, row + s.used[unit]):
+        number = int(s.layers[k, NUMBER])
+        if number > 1 and int(s.layers[k, CODE]) == CHAIN:
+            for j, side in ((i, 1), (i + number - 1, 3)):
+                if p.clear[j, side] == 0.0:
+                    clear, more = read_frame(s.clears, j), 0.5 * p.iota[j]
+                    off = -more if side == 1 else more
+                    wider = part_of(clear, off, 0.0, clear[4] + more, clear[5])
+                    write_row(s.clears, j, wider)
+        i += number
 
 
 @compiled

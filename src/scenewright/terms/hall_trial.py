@@ -83,9 +83,7 @@ def forget(work: Scratch) -> None:
 
 
 @inlined
-def place_all(
-    p: Prepared, s: State, work: Scratch, unit: int, strict: bool
-) -> tuple[float, float]:
+def place_all(p: Prepared, s: State, work: Scratch, unit: int, strict: bool) -> tuple[float, float]:
     """File the objects of a unit one by one; α_S and α_W, the first -1 if a hard rule breaks
     (only where ``strict``)."""
     zone, inside, at_walls = p.zones[unit], 0.0, 0.0
