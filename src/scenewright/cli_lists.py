@@ -63,7 +63,7 @@ def _presets() -> list[Row]:
     from scenewright.domains import DOMAINS, presets
 
     return [
-        {"name": name, "domain": domain, "about": preset.doc, "solver": preset.solver,
+        {"domain": domain, "name": name, "about": preset.doc, "solver": preset.solver,
          "weights": preset.weights}
         for domain in DOMAINS
         for name, preset in presets(domain).items()
@@ -81,12 +81,16 @@ def _formats() -> list[Row]:
 
 
 def _assets() -> list[Row]:
+    """What there is to place; of what halls know, where it stands and its usual clearance."""
     from scenewright.assets import shipped
+    from scenewright.assets.hall_use import USE
 
     return [
         {"id": asset.id, "category": asset.category, "name": asset.name,
          "smallest": list(asset.smallest), "usual": list(asset.usual),
-         "largest": list(asset.largest), "licence": asset.licence}
+         "largest": list(asset.largest), "licence": asset.licence,
+         "in halls": " ".join(USE[asset.category].patterns) if asset.category in USE else "",
+         "clearance": list(USE[asset.category].clearance) if asset.category in USE else []}
         for asset in shipped().assets.values()
     ]  # fmt: skip
 
@@ -112,10 +116,18 @@ def _samples() -> list[Row]:
     from scenewright.formats import read, samples
 
     briefs = {name: read(name) for name in samples()}
-    return [
-        {"name": name, "about": brief.name, "rooms": len(brief.rooms), "levels": len(brief.levels)}
-        for name, brief in briefs.items()
-    ]
+    rows: list[Row] = []
+    for name, brief in briefs.items():
+        counts = {
+            "rooms": len(brief.rooms), "levels": len(brief.levels) or 1,
+            "zones": sum(len(room.zones) for room in brief.rooms),
+            "demands": sum(len(room.demands) for room in brief.rooms),
+        }  # fmt: skip
+        told = ("zones", "demands") if brief.domain == "hall" else ("rooms", "levels")
+        holds = ", ".join(f"{counts[key]} {key if counts[key] > 1 else key[:-1]}" for key in told)
+        row = {"domain": brief.domain, "name": name, "about": brief.name, "holds": holds}
+        rows.append(row | counts)
+    return rows
 
 
 LISTS: dict[str, Callable[[], list[Row]]] = {
@@ -133,5 +145,9 @@ LISTS: dict[str, Callable[[], list[Row]]] = {
 SHOWN: dict[str, tuple[str, ...]] = {
     "solvers": ("domain", "name", "about"),
     "terms": ("domain", "name", "form", "kind", "weight", "doc"),
+    "patterns": ("name", "about", "used_for"),
+    "presets": ("domain", "name", "solver", "about"),
+    "assets": ("category", "usual", "in halls"),
+    "samples": ("name", "about", "holds"),
 }
 """Columns for people, where not all."""
