@@ -1,0 +1,155 @@
+"""Halls by every method on the same briefs: judged, measured, timed; and our time to quality.
+
+Each run is one row of plain values; :func:`summary` takes medians. Timings are of warm kernels.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import statistics
+from collections.abc import Callable
+from typing import Any
+
+from benchmarks.hall_measure import energies_of, own_energy
+from scenewright.brief import Brief
+from scenewright.check import check
+from scenewright.domains.hall import solve
+from scenewright.formats import read, samples
+from scenewright.solution import Solution
+
+Row = dict[str, Any]
+Progress = Callable[[float, str], None]
+METHODS: dict[str, dict[str, str]] = {
+    "default": {},
+    "paper": {"preset": "paper"},
+    "gd-mh with our weights": {"solver": "gd-mh"},
+    "miqp": {"solver": "miqp"},
+    "merrell": {"solver": "merrell"},
+    "random": {"solver": "random"},
+    "ga": {"solver": "ga"},
+}
+LIMIT = 0.5
+"""Seconds our default gets against the paper's 1000 iterations."""
+FIGURES = (
+    ("valid", "share"), ("overlaps", "1"), ("outside", "1"), ("narrow", "1"), ("other", "1"),
+    ("left_out", "1"), ("aesthetic", "1"), ("uniformity", "1"), ("circulation", "m"),
+    ("energy", "1"), ("own_energy", "1"), ("seconds", "s"),
+)  # fmt: skip
+SHARES = ("valid", "overlaps", "outside", "narrow", "other", "left_out")
+"""Figures that are means over the runs; all others are medians."""
+
+
+def halls() -> list[str]:
+    """Names of the shipped samples of halls."""
+    return [name for name in samples() if name.startswith("sample:hall-")]
+
+
+def judged(solution: Solution) -> Row:
+    """What the referee and the common measure say of a solution with one hall."""
+    report = check(solution)
+    found = [finding for finding in report.findings if not finding.given]
+    kinds = [finding.kind for finding in found]
+    outside = kinds.count("out_of_bounds") + kinds.count("outside_zone")
+    narrow, overlaps = kinds.count("narrow_passage"), kinds.count("collision")
+    figures = next(iter(report.figures["halls"].values()))
+    energies = energies_of(solution)
+    return {
+        "valid": float(report.valid), "overlaps": overlaps, "outside": outside, "narrow": narrow,
+        "other": len(kinds) - outside - narrow - overlaps,
+        "left_out": len(solution.left_out),
+        "aesthetic": figures["aesthetic"], "uniformity": figures["uniformity"],
+        "circulation": figures["circulation"],
+        "energy": energies.total, "least": energies.least, "space": energies.space,
+        "fill": energies.fill, "access": energies.access, "proportion": energies.proportion,
+        "own_energy": own_energy(solution), "pieces": len(solution.pieces),
+        "seconds": solution.seconds, "told": [finding.message for finding in found][:6],
+    }  # fmt: skip
+
+
+def run(name: str, method: str, seed: int, brief: Brief | None = None, **more: Any) -> Row:
+    """One hall by one method: a row."""
+    solution = solve(brief or read(name), seed=seed, **METHODS[method], **more)
+    return {"case": name, "method": method, "seed": seed} | judged(solution)
+
+
+def methods() -> list[str]:
+    """The methods that can run here: MIQP needs the extra ``solve``."""
+    found = importlib.util.find_spec("ortools") is not None
+    return [name for name in METHODS if found or name != "miqp"]
+
+
+def rows(seeds: int, cases: list[str] | None = None, progress: Progress | None = None) -> list[Row]:
+    """Every sample by every method with so many seeds."""
+    chosen, found = cases or halls(), []
+    for k, case in enumerate(chosen):
+        for j, method in enumerate(methods()):
+            run(case, method, 0)
+            found += [run(case, method, seed) for seed in range(seeds)]
+            if progress:
+                progress((k + (j + 1) / len(methods())) / len(chosen), f"{case}: {method}")
+    return found
+
+
+def figure(rows_: list[Row], name: str) -> float:
+    """The mean of a share or count, the median of anything else."""
+    values = [float(row[name]) for row in rows_]
+    return statistics.mean(values) if name in SHARES else statistics.median(values)
+
+
+def summary(found: list[Row]) -> list[Row]:
+    """Records: our default against each other method, by sample and figure."""
+    records: list[Row] = []
+    for case in dict.fromkeys(row["case"] for row in found):
+        mine = [row for row in found if row["case"] == case]
+        ours = [row for row in mine if row["method"] == "default"]
+        for method in dict.fromkeys(row["method"] for row in mine):
+            theirs = [row for row in mine if row["method"] == method]
+            if method != "default":
+                records += [_record(case, name, unit, ours, theirs, method)
+                            for name, unit in FIGURES]  # fmt: skip
+    return records
+
+
+def _record(case: str, name: str, unit: str, ours: list[Row], theirs: list[Row], by: str) -> Row:
+    a, b = figure(ours, name), figure(theirs, name)
+    return {
+        "case": case, "metric": name.replace("_", " "), "unit": unit, "ours": round(a, 4),
+        "baseline": round(b, 4), "baseline_name": by, "ratio": round(a / b, 4) if b else None,
+        "runs": len(ours),
+    }  # fmt: skip
+
+
+def quality(seeds: int, cases: list[str] | None = None) -> list[Row]:
+    """The paper's four energies: median after its 1000 iterations against ours after half a
+    second of work, and how many of the seeds are at least as good.
+
+    ``energy`` is by the common measure, ``own_energy`` as both solvers count it.
+    """
+    records: list[Row] = []
+    for case in cases or halls():
+        run(case, "paper", 0), run(case, "default", 0, seconds=LIMIT)
+        theirs = [run(case, "paper", seed) for seed in range(seeds)]
+        ours = [run(case, "default", seed, seconds=LIMIT) for seed in range(seeds)]
+        for name in ("energy", "own_energy"):
+            bar = figure(theirs, name)
+            wins = sum(row[name] <= bar for row in ours)
+            paired = sum(a[name] <= b[name] for a, b in zip(ours, theirs, strict=True))
+            told = name.replace("_", " ")
+            records += [
+                _record(case, name, "1", ours, theirs, "paper, 1000 iterations")
+                | {"metric": f"{told} in {LIMIT} s"},
+                _count(case, f"runs with {told} no worse than the paper's median", wins, seeds),
+                _count(case, f"seeds with {told} no worse than the paper's", paired, seeds),
+            ]
+        valid = sum(row["valid"] for row in ours)
+        records += [
+            _count(case, f"valid in {LIMIT} s", valid, seeds),
+            _record(case, "seconds", "s", ours, theirs, "paper, 1000 iterations")
+            | {"metric": f"seconds, asked for {LIMIT}"},
+        ]
+    return records
+
+
+def _count(case: str, metric: str, number: float, of: int) -> Row:
+    return {"case": case, "metric": metric, "unit": "1", "ours": float(number), "baseline": of,
+            "baseline_name": "all", "ratio": number / of, "runs": of}  # fmt: skip
