@@ -29,6 +29,7 @@ LAYERS = (
         "brief",
         "brief_fields",
         "brief_hall",
+        "brief_site",
         "solution",
         "problem",
         "hall_problem",

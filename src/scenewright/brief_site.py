@@ -1,0 +1,106 @@
+"""The part of the brief that only sites have: ground, roads, landmarks, buildings asked for.
+
+A site is ground between streets: its outline, roads and paths, a few fixed landmarks, and
+buildings to be placed on it (Zhang, Yang 2023). Buildings are models: shipped styles by name, or
+files of the library.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from scenewright.brief_fields import (
+    Clearance,
+    Coordinate,
+    Heading,
+    Length,
+    Model,
+    Number,
+    Outline,
+    Point,
+    Switch,
+    Whole,
+)
+
+Metres = Annotated[Number, Field(gt=0, le=500)]
+FormName = Literal["parallel", "staggered", "spliced", "peripheral", "point", "mixed"]
+
+
+class Road(Model):
+    """A road or path by its middle line. Roads divide the ground; paths are where people walk
+    and look. Nothing may stand on either."""
+
+    id: str = ""
+    name: str = ""
+    line: Annotated[list[Point], Field(min_length=2, max_length=5000)]
+    width: Annotated[Number, Field(ge=0.5, le=100)] = 6.0
+    kind: Literal["road", "path"] = "road"
+
+
+class Landmark(Model):
+    """A building that stands where it stands: a shipped style or a model file, or just a
+    footprint with a height. ``size`` is width, depth, height."""
+
+    id: str = ""
+    name: str = ""
+    model: str = ""
+    at: Point | None = None
+    heading: Heading = -pi / 2
+    size: tuple[Metres, Metres, Metres] | None = None
+    outline: Outline | None = None
+    height: Length | None = None
+
+
+class Building(Model):
+    """Buildings of one model to be placed: ``model`` names a shipped style
+    (``scenewright list assets``) or a file of the library; ``size`` width, depth and height in
+    metres (left out: the model's own); ``count`` how many; ``floors`` storeys, for the floor-area
+    ratio. ``forms`` are the planar forms they may take (left out: all)."""
+
+    id: str = ""
+    name: str = ""
+    model: Annotated[str, Field(min_length=1, max_length=500)]
+    count: Annotated[Whole, Field(ge=1, le=20_000)] = 1
+    size: tuple[Metres, Metres, Metres] | None = None
+    floors: Annotated[Whole, Field(ge=1, le=300)] | None = None
+    forms: Annotated[list[FormName], Field(max_length=6)] = []
+    required: Switch = True
+
+
+class Site(Model):
+    """One site. Lengths in metres, y to the north.
+
+    ``setback`` is kept from the outline, ``road_setback`` from roads and paths; ``spacing`` is
+    the least distance of buildings to each other, ``sun_spacing`` the least distance behind a
+    building to the south in heights of that building (0: by hours of sun alone).
+    ``facing`` is the preferred heading of fronts (south); ``fire_access`` the width of the way
+    that must reach each building. ``latitude`` (degrees) and ``day`` (of the year; 355 is the
+    winter solstice in the north, 20 January is 20) are for hours of sun, at least ``sun_hours``.
+    Without ``buildings`` the models of ``library`` (a folder) or shipped ones fill the site up
+    to ``floor_area_ratio`` and ``coverage``.
+    """
+
+    id: str = ""
+    name: str = ""
+    outline: Outline
+    holes: Annotated[list[Outline], Field(max_length=200)] = []
+    roads: Annotated[list[Road], Field(max_length=5000)] = []
+    landmarks: Annotated[list[Landmark], Field(max_length=2000)] = []
+    buildings: Annotated[list[Building], Field(max_length=1000)] = []
+    library: str = ""
+    floor_area_ratio: Annotated[Number, Field(gt=0, le=30)] | None = None
+    coverage: Annotated[Number, Field(gt=0, le=0.9)] | None = None
+    height_limit: Length | None = None
+    setback: Clearance = 3.0
+    road_setback: Clearance = 3.0
+    spacing: Clearance = 6.0
+    sun_spacing: Annotated[Number, Field(ge=0, le=5)] = 0.0
+    facing: Heading = -pi / 2
+    fire_access: Annotated[Number, Field(gt=0, le=20)] = 4.0
+    latitude: Annotated[Number, Field(ge=-89, le=89)] = 35.0
+    day: Annotated[Whole, Field(ge=1, le=366)] = 20
+    sun_hours: Annotated[Number, Field(ge=0, le=12)] = 2.0
+    origin: tuple[Coordinate, Coordinate] | None = None
