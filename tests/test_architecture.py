@@ -33,6 +33,7 @@ LAYERS = (
         "solution",
         "problem",
         "hall_problem",
+        "site_problem",
     },
     {
         "plan",

@@ -208,7 +208,7 @@ def test_files_that_are_not_there_or_not_files(tmp_path: Path) -> None:
     assert "is not a file" in refusal(tmp_path / "folder.json")
     assert "'.dwg' files cannot be read; use one of: .json, .sh3d, .xml" in refusal("flat.dwg")
     assert "no suffix" in refusal("flat")
-    assert "use one of: sample:home-" in refusal("sample:castle")
+    assert "use one of: sample:hall-" in refusal("sample:castle")
     assert "say sample:home-flat" in refusal("home-flat")
 
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationInfo, field_validator, model_validator
+from pydantic_core import PydanticKnownError
 
 from scenewright.brief_fields import (
     Coordinate,
@@ -25,6 +26,7 @@ from scenewright.brief_fields import (
     Whole,
 )
 from scenewright.brief_hall import Demand, Link, ZoneBrief
+from scenewright.brief_site import Site
 
 Function = Literal[
     "living", "dining", "kitchen", "bedroom", "double_bedroom", "single_bedroom",
@@ -145,7 +147,9 @@ class WallBrief(Model):
 
 
 class Brief(Model):
-    """A home or hall (later also a site, a village): levels, rooms and how it is to be judged.
+    """A home, hall or site (later also a village): what there is and how it is to be judged.
+
+    Homes and halls have ``rooms`` on ``levels``, sites have ``sites``.
 
     ``outlines`` tells whether room outlines are the inner faces of walls or their centre lines
     (then rooms shrink by half of ``wall_thickness``). ``route_width`` is the width of the
@@ -155,10 +159,11 @@ class Brief(Model):
 
     format: Literal["scenewright/brief"] = "scenewright/brief"
     version: Literal[1] = 1
-    domain: Literal["home", "hall"] = "home"
+    domain: Literal["home", "hall", "site"] = "home"
     name: str = "home"
     levels: Annotated[list[LevelBrief], Field(max_length=200)] = []
-    rooms: Annotated[list[Room], Field(min_length=1, max_length=10_000)]
+    rooms: Annotated[list[Room], Field(max_length=10_000)]
+    sites: Annotated[list[Site], Field(max_length=100)] = []
     walls: Annotated[list[WallBrief], Field(max_length=50_000)] = []
     outlines: Literal["inner", "centre"] = "inner"
     wall_thickness: Annotated[Number, Field(ge=0.02, le=2)] = 0.12
@@ -170,6 +175,19 @@ class Brief(Model):
     @classmethod
     def _by_domain(cls, document: Any) -> Any:
         """What a brief does not state follows its domain."""
-        if not isinstance(document, dict) or document.get("domain") != "hall":
-            return document
-        return {"route_width": ROUTE_WIDTHS["hall"], "name": "hall"} | document
+        domain = document.get("domain") if isinstance(document, dict) else None
+        if domain == "hall":
+            return {"route_width": ROUTE_WIDTHS["hall"], "name": "hall"} | document
+        if domain == "site":
+            return {"rooms": [], "name": "site", "sites": []} | document
+        return document
+
+    @field_validator("rooms", "sites")
+    @classmethod
+    def _some(cls, listed: list[Any], info: ValidationInfo) -> list[Any]:
+        """Homes and halls need rooms, sites need sites."""
+        wanted = "sites" if info.data.get("domain") == "site" else "rooms"
+        if info.field_name == wanted and not listed:
+            limits = {"field_type": "List", "min_length": 1, "actual_length": 0}
+            raise PydanticKnownError("too_short", limits)
+        return listed

@@ -1,0 +1,73 @@
+"""The problem of a site as plain arrays, ready for compiled code.
+
+A building is a box ``(x, y, heading, width, depth)`` with a height; its front looks along the
+heading. NamedTuples of C-contiguous float64 / int64 arrays.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+class SiteGround(NamedTuple):
+    """The ground.
+
+    ``edges`` (e, 4): directed edges of outline and holes, the inside on the left.
+    ``block_edges`` (f, 4): those of the buildable blocks (outline less setbacks, roads and
+    landmarks with their distances), block b owning rows ``block_spans[b]``; ``block_areas`` (b,).
+    ``roads`` (r, 5): boxes of the straight pieces of roads and paths, front along the piece.
+    ``landmarks`` (l, 5) boxes and ``landmark_heights`` (l,), ``landmark_quality`` (l,).
+    ``eyes`` (k, 2): points along roads and paths where people walk, about 5 m apart.
+    ``bounds`` (4,), ``area`` of the site in square metres.
+    """
+
+    edges: Floats
+    block_edges: Floats
+    block_spans: Ints
+    block_areas: Floats
+    roads: Floats
+    landmarks: Floats
+    landmark_heights: Floats
+    landmark_quality: Floats
+    eyes: Floats
+    bounds: Floats
+    area: float
+
+
+class Buildings(NamedTuple):
+    """What is to be placed: ``n`` buildings.
+
+    ``sizes`` (n, 3) width, depth, height; ``quality`` (n,) visual quality relative to the best of
+    the library, τ in (0, 1]; ``tone`` and ``symmetry`` (n,) of the facade in [0, 1]; ``models``
+    (n,) number of the wish each one is of; ``floors`` (n,).
+    """
+
+    sizes: Floats
+    quality: Floats
+    tone: Floats
+    symmetry: Floats
+    models: Ints
+    floors: Ints
+
+
+class SiteProblem(NamedTuple):
+    """One site to solve. ``spacing`` is the least distance of buildings to each other,
+    ``sun_spacing`` that behind one to the south in heights of it, ``facing`` the preferred
+    heading, ``fire_access`` the width of the way to each building, all in metres and radians."""
+
+    ground: SiteGround
+    buildings: Buildings
+    names: tuple[str, ...]
+    weights: dict[str, float]
+    spacing: float
+    sun_spacing: float
+    facing: float
+    fire_access: float
+    latitude: float
+    day: int
