@@ -9,8 +9,13 @@ from pathlib import Path
 import pytest
 
 from scenewright import cli
+from scenewright.brief_hall import Demand, ZoneBrief
 from scenewright.check import KINDS
+from scenewright.domains.hall.presets import PRESETS as HALL_PRESETS
 from scenewright.domains.home.presets import PRESETS
+from scenewright.encodings.patterns import PATTERNS
+from scenewright.solvers.halls import HALL_SOLVERS
+from scenewright.terms.hall_terms import HALL_TERMS
 from scenewright.terms.table import TERMS
 
 ROOT = Path(__file__).parent.parent
@@ -57,3 +62,15 @@ def test_the_tables_are_told_whole() -> None:
     assert [row.name for row in TERMS if f"`{row.name}`" not in home] == []
     assert [name for name in PRESETS if f"`{name}`" not in home and name not in home] == []
     assert [kind for kind in KINDS if f"`{kind}`" not in check] == []
+
+
+def test_the_tables_of_halls_are_told_whole() -> None:
+    hall = (ROOT / "docs" / "hall.md").read_text(encoding="utf-8")
+    names = [row.name for row in HALL_TERMS]
+    names += [*PATTERNS, *HALL_SOLVERS, *HALL_PRESETS]
+    assert [name for name in names if f"`{name}`" not in hall] == []
+    picture = (ROOT / "docs" / "patterns.svg").read_text(encoding="utf-8")
+    assert [name for name in PATTERNS if f">{name}</text>" not in picture] == []
+    brief = (ROOT / "docs" / "brief.md").read_text(encoding="utf-8")
+    fields = [*ZoneBrief.model_fields, *Demand.model_fields]
+    assert [name for name in fields if f"| `{name}` |" not in brief] == []
