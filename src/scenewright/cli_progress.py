@@ -81,5 +81,5 @@ def tell_if_cold(console: Console) -> None:
 
     if is_cold():
         console.print(
-            "compiling, first run only (up to half a minute on a slow machine)", style="dim"
+            "compiling, first run only (up to a minute on a slow machine)", style="dim"
         )
