@@ -1,0 +1,220 @@
+"""The default solver of sites: blocks filled row by row, forms chosen block by block.
+
+Every block gets its share of the buildings and tries forms (rows parallel or staggered, around
+its rim, both), headings and orders; gaps widen until the block is just filled. Placed buildings
+keep their distances by construction, so the search only chooses among valid layouts, and the work
+grows with the number of blocks and rows, not with pairs of buildings.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.site_problem import Flags, Floats, SiteProblem
+from scenewright.solve import Budget, Cancel, Progress, Watch
+from scenewright.solvers.site_rim import rim
+from scenewright.solvers.site_strips import Rule, back, rows, turned
+
+FORMS = ("parallel", "staggered", "peripheral", "mixed")
+TRIED = 6
+LOOSEST, HALVINGS = 3.0, 5
+VARIETY = 0.15
+"""How much chance has a say in choosing forms that are about as good."""
+ASKEW = 0.5
+"""What a radian off the preferred heading costs, in shares of a block's buildings."""
+
+
+class Placed(NamedTuple):
+    """Buildings of a block: their numbers and boxes (k, 5), and the form."""
+
+    numbers: tuple[int, ...]
+    boxes: Floats
+    form: str
+
+
+class SiteFilled(NamedTuple):
+    """Boxes (n, 5), which buildings found a place (n,), the form of the block each stands in,
+    and how many layouts of blocks were looked at."""
+
+    boxes: Floats
+    present: Flags
+    forms: tuple[str, ...]
+    evaluations: int
+
+
+def fill_site(
+    problem: SiteProblem, budget: Budget, seed: int, progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> SiteFilled:  # fmt: skip
+    """Fill all blocks of a site, largest first; what finds no place in its block goes on to the
+    next. Deterministic by seed unless the budget is in seconds."""
+    watch, rng = Watch(budget, progress, cancel), np.random.default_rng(seed)
+    n = len(problem.buildings.sizes)
+    boxes, present, forms = np.zeros((n, 5)), np.zeros(n, bool), [""] * n
+    order = _southern_first(problem)
+    left, done, tried = _low_first(problem), 0, max((budget.steps or TRIED), 1)
+    for count, b in enumerate(order):
+        if watch.over(done, 0.0) and count:
+            break
+        share = _share(problem, left, order[count:])
+        found = _best(problem, b, share, tried, rng)
+        done += tried
+        left = _settled(found, left, boxes, present, forms)
+    for b in order if left else []:
+        found = _densest(problem, b, left, boxes[present])
+        left = _settled(found, left, boxes, present, forms)
+    return SiteFilled(boxes, present, tuple(forms), done)
+
+
+def _settled(
+    found: Placed, left: list[int], boxes: Floats, present: Flags, forms: list[str]
+) -> list[int]:
+    """Write the buildings of a block down; those that are still left."""
+    for i, box in zip(found.numbers, found.boxes, strict=True):
+        boxes[i], present[i], forms[i] = box, True, found.form
+    return [i for i in left if not present[i]]
+
+
+def _southern_first(problem: SiteProblem) -> list[int]:
+    """Blocks from the side the fronts look to."""
+    front = np.array([math.cos(problem.facing), math.sin(problem.facing)])
+    middles = [_edges(problem, b)[:, :2].mean(0) @ front for b in range(len(_areas(problem)))]
+    return np.argsort(-np.array(middles), kind="stable").tolist()
+
+
+def _low_first(problem: SiteProblem) -> list[int]:
+    """Buildings by model, the lowest models first: like ones together, tall ones where their
+    shadow falls on few."""
+    sizes, models = problem.buildings.sizes, problem.buildings.models
+    tall = {m: float(sizes[models == m, 2].max()) for m in np.unique(models).tolist()}
+    return sorted(range(len(sizes)), key=lambda i: (tall[int(models[i])], int(models[i]), i))
+
+
+def _areas(problem: SiteProblem) -> Floats:
+    return np.asarray(problem.ground.block_areas, np.float64)
+
+
+def _share(problem: SiteProblem, left: list[int], blocks: list[int]) -> list[int]:
+    """The buildings the first of some blocks takes of those that are left: the next ones, up to
+    its share of the ground."""
+    areas, sizes = _areas(problem), problem.buildings.sizes
+    share = float(areas[blocks[0]] / areas[blocks].sum())
+    floor = np.array([_ground_of(problem, sizes[i]) for i in left])
+    if not len(floor):
+        return []
+    count = int(np.searchsorted(np.cumsum(floor) - 0.5 * floor, share * floor.sum()))
+    return left[:count]
+
+
+def _ground_of(problem: SiteProblem, size: Floats) -> float:
+    """Ground a building needs with its distances."""
+    behind = max(problem.spacing, problem.sun_spacing * float(size[2]))
+    return float((size[0] + problem.spacing) * (size[1] + behind))
+
+
+def _edges(problem: SiteProblem, b: int) -> Floats:
+    first, last = problem.ground.block_spans[b]
+    return problem.ground.block_edges[first:last]
+
+
+def _headings(problem: SiteProblem, edges: Floats) -> list[float]:
+    """The preferred heading, and those along the two longest edges nearest to it."""
+    way = edges[:, 2:] - edges[:, :2]
+    longest = np.argsort(-np.hypot(way[:, 0], way[:, 1]), kind="stable")[:2]
+    found = [problem.facing]
+    for k in longest.tolist():
+        along = math.atan2(way[k, 1], way[k, 0])
+        turns = [along + q * math.pi / 2 for q in range(4)]
+        found.append(min(turns, key=lambda a: abs(_wrapped(a - problem.facing))))
+    return found
+
+
+def _best(
+    problem: SiteProblem, b: int, share: list[int], tried: int, rng: np.random.Generator
+) -> Placed:
+    """The best of several layouts of one block: most floor placed, then least turned away."""
+    edges = _edges(problem, b)
+    headings = _headings(problem, edges)
+    best, least = Placed((), np.zeros((0, 5)), "parallel"), math.inf
+    for k in range(tried if share else 0):
+        heading = headings[0] if k < 4 else headings[int(rng.integers(len(headings)))]
+        form, queue = FORMS[k % len(FORMS)], list(share)
+        found = _loosened(problem, edges, queue, heading, form)
+        cost = _cost(problem, found, share) + VARIETY * float(rng.random())
+        if cost < least:
+            best, least = found, cost
+    return best
+
+
+def _cost(problem: SiteProblem, found: Placed, share: list[int]) -> float:
+    """Share of the floor not placed, and how far fronts are turned from the preferred heading."""
+    area = problem.buildings.sizes[:, :2].prod(1)
+    missing = 1.0 - area[list(found.numbers)].sum() / max(float(area[share].sum()), 1e-9)
+    turns = np.abs((found.boxes[:, 2] - problem.facing + math.pi) % (2 * math.pi) - math.pi)
+    return float(missing) * 10.0 + ASKEW * float(turns.mean() if len(turns) else 0.0) / math.pi
+
+
+def _loosened(
+    problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str
+) -> Placed:
+    """A layout of a block with gaps as wide as still hold all that the least gaps hold."""
+    tight = _laid(problem, edges, queue, heading, form, 1.0)
+    low, high, best = 1.0, LOOSEST, tight
+    for _ in range(HALVINGS):
+        loose = 0.5 * (low + high)
+        found = _laid(problem, edges, queue, heading, form, loose)
+        if len(found.numbers) >= len(tight.numbers):
+            low, best = loose, found
+        else:
+            high = loose
+    return best
+
+
+def _laid(
+    problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str, loose: float
+) -> Placed:
+    """One layout of a block."""
+    sizes, spacing = problem.buildings.sizes, problem.spacing
+    numbers: list[int] = []
+    boxes = np.zeros((0, 5))
+    waiting = queue
+    if form in ("peripheral", "mixed"):
+        numbers, boxes = rim(edges, sizes, queue, spacing * loose, 0.5 if form == "mixed" else 1.0)
+        waiting = [i for i in queue if i not in set(numbers)]
+    inner = edges if not len(boxes) else _around(edges, boxes, spacing)
+    rule = Rule(spacing, problem.sun_spacing, loose, form == "staggered", True)
+    block = turned(inner, heading)
+    placed = rows(block, sizes, waiting, rule)
+    found = np.zeros((len(placed), 5))
+    if placed:
+        at = np.array([(x, y) for _, x, y in placed])
+        found[:, 0], found[:, 1] = back(at[:, 0], at[:, 1], heading)
+        found[:, 2] = heading
+        found[:, 3:] = sizes[[i for i, _, _ in placed], :2]
+    return Placed((*numbers, *(i for i, _, _ in placed)), np.concatenate([boxes, found]), form)
+
+
+def _around(edges: Floats, boxes: Floats, spacing: float) -> Floats:
+    """Edges of a block with grown boxes as holes (clockwise), to be kept clear of by rows."""
+    from scenewright.layout import corners
+
+    grown = boxes + np.array([0.0, 0.0, 0.0, 2 * spacing, 2 * spacing])
+    rings = corners(grown)[:, ::-1]
+    holes = np.concatenate([rings, np.roll(rings, -1, axis=1)], axis=2).reshape(-1, 4)
+    return np.concatenate([edges, holes])
+
+
+def _densest(problem: SiteProblem, b: int, left: list[int], standing: Floats) -> Placed:
+    """What still fits between all that stands, with the least gaps."""
+    edges = _edges(problem, b)
+    low, high = edges.reshape(-1, 2).min(0), edges.reshape(-1, 2).max(0)
+    near = standing[((standing[:, :2] > low - 80) & (standing[:, :2] < high + 80)).all(1)]
+    inner = _around(edges, near, problem.spacing) if len(near) else edges
+    return _laid(problem, inner, left, problem.facing, "parallel", 1.0)
+
+
+def _wrapped(angle: float) -> float:
+    return (angle + math.pi) % (2 * math.pi) - math.pi

@@ -1,0 +1,162 @@
+"""Strips of free ground: where rows of buildings of some depth fit in a block of any shape.
+
+In a frame turned with the rows, x runs along a row and y towards its front. A strip y0 … y1 is
+free between two values of x if no edge of the block passes between them and the middle is inside:
+so a row placed there is inside by construction, holes and slanting borders included.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+STEP = 1.0
+"""How far a strip is moved on when nothing fits, in metres."""
+
+
+class Turned(NamedTuple):
+    """Edges (e, 4) of a block in the frame of its rows, and the heading of the fronts."""
+
+    edges: Floats
+    heading: float
+
+
+def turned(edges: Floats, heading: float) -> Turned:
+    """The block in a frame with x to the right of the fronts and y ahead.
+
+    >>> square = np.array([[0, 0, 4, 0], [4, 0, 4, 2], [4, 2, 0, 2], [0, 2, 0, 0]], float)
+    >>> turned(square, np.pi / 2).edges[0].round(6).tolist()
+    [0.0, 0.0, 4.0, 0.0]
+    """
+    c, s = math.cos(heading), math.sin(heading)
+    matrix = np.array([[s, c], [-c, s]])
+    return Turned(np.hstack([edges[:, :2] @ matrix, edges[:, 2:] @ matrix]), heading)
+
+
+def back(x: Floats, y: Floats, heading: float) -> tuple[Floats, Floats]:
+    """Points of the rows' frame in that of the site."""
+    c, s = math.cos(heading), math.sin(heading)
+    return x * s + y * c, -x * c + y * s
+
+
+def free_spans(block: Turned, y0: float, y1: float) -> Floats:
+    """Spans (k, 2) of x over which all of the strip between two heights is inside the block.
+
+    >>> square = np.array([[0, 0, 4, 0], [4, 0, 4, 2], [4, 2, 0, 2], [0, 2, 0, 0]], float)
+    >>> free_spans(turned(square + 1.0, np.pi / 2), 1.5, 2.5).round(6).tolist()
+    [[1.0, 5.0]]
+    """
+    ax, ay, bx, by = block.edges.T
+    low, high = np.minimum(ay, by), np.maximum(ay, by)
+    cross = (low < y1) & (high > y0)
+    if not cross.any():
+        return np.zeros((0, 2))
+    ax, ay, bx, by = ax[cross], ay[cross], bx[cross], by[cross]
+    run = np.where(by == ay, 1.0, by - ay)
+    t0, t1 = np.clip((y0 - ay) / run, 0, 1), np.clip((y1 - ay) / run, 0, 1)
+    level = by == ay
+    t0, t1 = np.where(level, 0.0, t0), np.where(level, 1.0, t1)
+    xs = np.sort([ax + t0 * (bx - ax), ax + t1 * (bx - ax)], axis=0)
+    order = np.argsort(xs[0])
+    starts, ends = xs[0][order], np.maximum.accumulate(xs[1][order])
+    gaps = starts[1:] > ends[:-1] + 1e-9
+    spans = np.stack([ends[:-1][gaps], starts[1:][gaps]], 1)
+    if not len(spans):
+        return spans
+    return spans[_inside(block.edges, spans.mean(1), 0.5 * (y0 + y1))]
+
+
+def _inside(edges: Floats, x: Floats, y: float) -> NDArray[np.bool_]:
+    """Which points (x, y) lie inside: an odd number of edges to their left."""
+    ax, ay, bx, by = edges.T
+    cross = (ay <= y) != (by <= y)
+    at = ax[cross] + (y - ay[cross]) / (by[cross] - ay[cross]) * (bx[cross] - ax[cross])
+    odd: NDArray[np.bool_] = (at[None, :] < x[:, None]).sum(1) % 2 == 1
+    return odd
+
+
+class Rule(NamedTuple):
+    """How rows are set: gaps between neighbours and between rows are ``loose`` times the least;
+    rows that fill less than a whole strip are spread over it (``spread``), every other one is
+    shifted by half a place (``staggered``)."""
+
+    spacing: float
+    sun: float
+    loose: float
+    staggered: bool
+    spread: bool
+
+
+def rows(
+    block: Turned, sizes: Floats, queue: list[int], rule: Rule
+) -> list[tuple[int, float, float]]:
+    """Set buildings of a queue (rows of ``sizes`` (n, 3)) in strips from front to back; their
+    numbers with x and y in the frame of the rows.
+
+    A strip is as deep as the first building waiting; others join it if they are no deeper. Behind
+    it stays the spacing, or the heights of the strip times ``sun`` if that is more.
+    """
+    placed: list[tuple[int, float, float]] = []
+    waiting = list(queue)
+    top = float(block.edges[:, [1, 3]].max())
+    bottom = float(block.edges[:, [1, 3]].min())
+    number = 0
+    while waiting and top - sizes[waiting[0], 1] >= bottom:
+        deep = float(sizes[waiting[0], 1])
+        found = _strip(block, sizes, waiting, top - deep, top, rule, number)
+        if not found:
+            top -= STEP
+            continue
+        placed += found
+        taken = {i for i, _, _ in found}
+        tall = max(float(sizes[i, 2]) for i in taken)
+        waiting = [i for i in waiting if i not in taken]
+        top -= deep + max(rule.spacing, rule.sun * tall) * rule.loose
+        number += 1
+    return placed
+
+
+def _strip(
+    block: Turned, sizes: Floats, waiting: list[int], y0: float, y1: float, rule: Rule, number: int
+) -> list[tuple[int, float, float]]:
+    """Buildings for one strip, left to right in every free span."""
+    placed: list[tuple[int, float, float]] = []
+    left = [i for i in waiting if sizes[i, 1] <= y1 - y0 + 1e-9]
+    gap = rule.spacing * rule.loose
+    for x0, x1 in free_spans(block, y0, y1):
+        row: list[int] = []
+        room = x1 - x0
+        for i in list(left):
+            need = float(sizes[i, 0]) + (gap if row else 0.0)
+            if need <= room + 1e-9:
+                row.append(i)
+                room -= need
+                left.remove(i)
+            elif room < gap:
+                break
+        if row:
+            placed += _spread(sizes, row, x0, room, y1, gap, rule, number)
+    return placed
+
+
+def _spread(
+    sizes: Floats, row: list[int], x0: float, room: float, y1: float, gap: float, rule: Rule,
+    number: int,
+) -> list[tuple[int, float, float]]:  # fmt: skip
+    """Places of a row that leaves ``room`` over: shared among the gaps, or half of it before."""
+    extra = room / (len(row) + 1) if rule.spread else 0.0
+    extra = min(extra, 1.5 * gap)
+    over = room - extra * (len(row) - 1)
+    x = x0 + 0.5 * over
+    if rule.staggered and len(row) > 0:
+        x += (0.5 if number % 2 else -0.5) * min(over, float(sizes[row[0], 0]) + gap)
+    found = []
+    for i in row:
+        found.append((i, x + 0.5 * float(sizes[i, 0]), y1 - 0.5 * float(sizes[i, 1])))
+        x += float(sizes[i, 0]) + gap + extra
+    return found
