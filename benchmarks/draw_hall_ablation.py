@@ -29,7 +29,7 @@ CLEAR, BOX, COVERED, BORDER = (188, 211, 232), (62, 98, 138), (214, 92, 74), (21
 TITLES = {
     "all": ("all four energies", ""),
     "space": ("without space", "clearances covered: {:.0%}"),
-    "fill": ("without fill", "gallery in use: {:.0%}"),
+    "fill": ("without fill", "emptiest zone: {:.0%} in use"),
     "access": ("without access", "passage {:.2f} of the width asked for"),
     "proportion": ("without proportion", "widest gap {:.1f} times the wished one"),
 }

@@ -36,9 +36,9 @@ HALL = {
             {"id": "lobby", "outline": [[0, 0], [10, 0], [10, 9], [0, 9]]},
             {"id": "gallery", "outline": [[10, 5], [24, 5], [24, 14], [10, 14]]},
         ],
-        "links": [{"between": ["lobby", "gallery"], "width": 2.0}],
+        "links": [{"between": ["lobby", "gallery"], "width": 2.4}],
         "demands": [
-            {"id": "tables", "category": "display_table", "count": 8, "zone": "lobby",
+            {"id": "tables", "category": "display_table", "count": 6, "zone": "lobby",
              "size": [1.4, 0.8, 0.9], "clearance": 0.6, "patterns": ["grid", "chain"]},
             {"id": "desk", "category": "info_desk", "zone": "lobby"},
             {"id": "cases", "category": "showcase", "count": 6, "zone": "gallery",

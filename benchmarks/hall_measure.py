@@ -67,7 +67,7 @@ class Posed(NamedTuple):
 def posed(brief: Brief, seed: int = 0, printed: bool = False) -> Posed:
     """The first hall of a brief ready to be solved, by the paper's preset if ``printed``."""
     hall = hall_in(brief, 0, None)
-    wishes = wanted(brief, 0, (), shipped())
+    wishes = wanted(brief, 0, ())
     weights = PAPER if printed else OURS
     return Posed(hall, wishes, fit(hall, wishes, weights, shipped(), seed, printed))
 
@@ -91,7 +91,7 @@ def hall_in(brief: Brief, number: int, solution: Solution | None) -> Hall:
 def energies_of(solution: Solution, number: int = 0) -> Energies:
     """The four energies of a hall of a solution, by the measure of this module."""
     hall = hall_in(solution.brief, number, solution)
-    wishes = wanted(solution.brief, number, (), shipped())
+    wishes = wanted(solution.brief, number, ())
     placed = _placed(solution, hall, wishes)
     held = [_with_sizes(wish, placed, k) for k, wish in enumerate(wishes)]
     problem = pose(hall, held, _units(placed), (), dict(PAPER), shipped())
@@ -99,8 +99,8 @@ def energies_of(solution: Solution, number: int = 0) -> Energies:
     p, s, _ = measured(problem, _single(problem), boxes)
     proportion, pairs = _proportion(problem, boxes)
     least = len(p.spans) * space_cost(0.0, 1.0) + 0.5 * pairs
-    sums = [float(s.costs[term].sum()) for term in (SPACE, FILL, ACCESS)]
-    return Energies(*sums, proportion, least)
+    space, fill, access = (float(s.costs[term].sum()) for term in (SPACE, FILL, ACCESS))
+    return Energies(space, fill, access, proportion, least)
 
 
 def own_energy(solution: Solution) -> float:
