@@ -49,13 +49,20 @@ def arrange_all(request: Request, console: Console) -> tuple[list[Plan], bool]:
         interrupted = watch.cancelled()
         if interrupted and not any(solution.evaluations for solution in found):
             raise KeyboardInterrupt
-        plans = [
-            Plan(rank, tuple(numbered(path, rank) for path in request.outputs), s, check(s))
-            for rank, s in enumerate(found, 1)
-        ]
+        plans = ranked(found, request.outputs)
         for plan in plans:
             write_together(plan.solution, plan.outputs, watch)
     return plans, interrupted
+
+
+def ranked(found: tuple[Solution, ...], outputs: tuple[Path, ...]) -> list[Plan]:
+    """Plans judged and numbered: those that break no rule and leave nothing out come first."""
+    judged = [(solution, check(solution)) for solution in found]
+    order = sorted(judged, key=lambda pair: (not pair[1].valid, len(pair[0].left_out)))
+    return [
+        Plan(rank, tuple(numbered(path, rank) for path in outputs), solution, report)
+        for rank, (solution, report) in enumerate(order, 1)
+    ]
 
 
 def numbered(path: Path, rank: int) -> Path:
