@@ -16,6 +16,8 @@ from scenewright.plan import place
 from scenewright.space import Space
 
 MOST_OBJECTS = 20_000
+LEAST_FOOTPRINT = 0.0025
+"""Square metres: what is smaller is a slip of the unit of length."""
 
 
 def sizes_of(demand: Demand) -> tuple[Sizes, ...]:
@@ -73,14 +75,19 @@ def floor_needed(demand: Demand) -> float:
 
 def check_demands(brief: Brief, number: int, space: Space) -> None:
     """InputError for a demand of room ``number`` that cannot be meant."""
+    demands = brief.rooms[number].demands
+    ids = ids_of(demands)
     total, seen = 0, set[str]()
-    for index, demand in enumerate(brief.rooms[number].demands):
+    for index, demand in enumerate(demands):
         told = place(brief, number, f"demands[{index}] '{demand.id or demand.category}'")
         if demand.id and demand.id in seen:
             raise InputError("the id is used twice", "give every demand its own id", place=told)
         seen.add(demand.id)
         _check_category(demand, told)
         _check_number(demand, told)
+        _check_sizes(demand, space, told)
+        _check_place(demand, told)
+        _check_facing(demand, ids[index], ids, told)
         _check_clearance(demand, space, told)
         total += len(sizes_of(demand))
         if total > MOST_OBJECTS:
@@ -138,6 +145,51 @@ def _check_number(demand: Demand, told: str) -> None:
             "lengths are metres: give a smaller length or a larger size",
             place=told,
         )
+
+
+def _check_sizes(demand: Demand, space: Space, told: str) -> None:
+    stated = np.array(demand.sizes or [demand.size or (1.0, 1.0, 0.0)], float)
+    width, depth, _ = stated[int((stated[:, 0] * stated[:, 1]).argmin())]
+    if width * depth < LEAST_FOOTPRINT:
+        raise InputError(
+            f"one is only {width:g} by {depth:g} m", "lengths are metres: give its size",
+            place=told,
+        )  # fmt: skip
+    tallest = stated[:, 2].max()
+    if tallest > space.height + 1e-6:
+        raise InputError(
+            f"one is {tallest:g} m tall, {tallest - space.height:.2f} m more than the hall",
+            "give a lower one, or the hall its height",
+            place=told,
+        )
+
+
+def _check_place(demand: Demand, told: str) -> None:
+    if demand.place is None or not demand.patterns:
+        return
+    if demand.place == "free" and demand.patterns == ["wall"]:
+        raise InputError(
+            "is to stand free, but in the pattern of walls", "leave out one of them", place=told
+        )
+    if demand.place == "wall" and "wall" not in demand.patterns:
+        raise InputError(
+            f"is to stand at a wall, but in the pattern {' or '.join(demand.patterns)}",
+            "leave out place or patterns",
+            place=told,
+        )
+
+
+def _check_facing(demand: Demand, own: str, ids: tuple[str, ...], told: str) -> None:
+    if demand.facing is None:
+        return
+    others = [name for name in ids if name != own]
+    if demand.facing == own:
+        raise InputError("is to face itself", "name another demand in facing", place=told)
+    if demand.facing not in others:
+        near = difflib.get_close_matches(demand.facing, others, 3) or others[:12]
+        remedy = f"use one of: {', '.join(near)}" if near else "leave it out"
+        raise InputError(f"'{demand.facing}' in facing is no demand of the hall", remedy,
+                         place=told)  # fmt: skip
 
 
 def _check_clearance(demand: Demand, space: Space, told: str) -> None:

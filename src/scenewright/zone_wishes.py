@@ -17,6 +17,8 @@ from scenewright.scene_graph import Zone
 from scenewright.space import Space
 from scenewright.zoning import LEAST_ZONE, ZoneWish
 
+MOST_ZONES = 200
+
 
 def zone_names(room: Room) -> tuple[str, ...]:
     """The ids of a hall's zones: those listed, else those its demands name."""
@@ -30,6 +32,12 @@ def check_names(brief: Brief, number: int, space: Space) -> None:
     nothing."""
     room = brief.rooms[number]
     names = zone_names(room)
+    if len(names) > MOST_ZONES:
+        raise InputError(
+            f"the demands name {len(names)} zones",
+            f"a hall has at most {MOST_ZONES}: divide the hall",
+            place=place(brief, number, "demands"),
+        )
     doors = [opening.id for opening in space.openings if opening.kind != "window"]
     for index, zone in enumerate(room.zones):
         told = place(brief, number, f"zones[{index}] '{zone.id}'")

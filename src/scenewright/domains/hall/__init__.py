@@ -22,9 +22,10 @@ from scenewright.brief import Brief
 from scenewright.catalog import Catalog
 from scenewright.domains.hall.chairs import with_chairs
 from scenewright.domains.hall.dress import dressed, kept_groups, partitions, placed_groups
-from scenewright.domains.hall.fit import fit, left_out
+from scenewright.domains.hall.fit import fit
 from scenewright.domains.hall.pose import Hall, hall_of
 from scenewright.domains.hall.presets import PRESETS, USUAL, HallPreset
+from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.wanted import leaning, wanted
 from scenewright.domains.standing import fixed_pieces
@@ -163,9 +164,9 @@ def _lay(
 ) -> Laid:
     hall, preset = task.hall, task.preset
     locked = tuple(piece for piece in hall.fixed if piece.function not in ("", "fixed"))
-    wishes = leaning(wanted(brief, task.number, locked, catalog), task.lean)
+    wishes = leaning(wanted(brief, task.number, locked), task.lean)
     fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.whole)
-    missing = left_out(hall, wishes, fitted)
+    missing = left_out(hall, wishes, fitted.units)
     if not fitted.units:
         return Laid((), kept_groups(hall, locked), (), (), missing, 0.0, 0, None)
     budget = task.budget

@@ -11,53 +11,92 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.catalog import Catalog
-from scenewright.domains.hall.assign import Unit, area_of, assign
+from scenewright.domains.hall.assign import Unit, assign
 from scenewright.domains.hall.partitions import Host, hosts, lacking, visiting_order
 from scenewright.domains.hall.pose import Hall, pose, wall_lengths, zone_areas
+from scenewright.domains.hall.shortfall import spared
 from scenewright.domains.hall.wanted import Wanted
+from scenewright.hall_energy import capacity
 from scenewright.hall_problem import HallProblem
-from scenewright.solution import LeftOut
-from scenewright.solvers.hall_chains import first_layout
+from scenewright.solve import Budget
+from scenewright.solvers.hall_chains import anneal_hall, first_layout
 from scenewright.terms.hall_state import Kept
 
 ROUNDS = 12
+MOST_ROUNDS = 10 * ROUNDS
 TRIES = 300
 SMALL = 3
+SHARES, LOOK = (0.5, 0.75, 1.0), 1200
+"""Shares of their clearances that objects get floor for, and layouts looked at for each share,
+where not everything fits."""
+NOTHING = Kept(np.zeros((0, 4)), np.zeros((0, 5)), np.zeros((0, 2)), np.zeros((0, 2)))
 
 
 class Fitted(NamedTuple):
-    """Units that all have a place, the problem they make, a first layout, and what is left out:
-    objects by demand."""
+    """Units that all have a place, the problem they make and a first layout."""
 
     units: list[Unit]
     hosts: tuple[Host, ...]
     problem: HallProblem
     start: Kept
-    missing: dict[int, int]
 
 
 def fit(
     hall: Hall, wishes: list[Wanted], weights: dict[str, float], catalog: Catalog, seed: int,
     whole: bool,
 ) -> Fitted:  # fmt: skip
-    """Assign, pose and place; see the module."""
-    areas, walls = zone_areas(hall), wall_lengths(hall)
-    units = assign(wishes, hall.names, areas, walls, whole)
+    """Assign, pose and place; see the module.
+
+    Where not everything fits, more is left out until the route reaches what stays.
+    """
+    asked = sum(len(wish.sizes) for wish in wishes)
+    for share in SHARES:
+        fitted = _fit(hall, wishes, weights, catalog, seed, whole, share)
+        placed = sum(unit.last - unit.first for unit in fitted.units)
+        if placed in (0, asked) or _all_reached(fitted.problem, fitted.start, seed):
+            break
+    return fitted
+
+
+def _fit(
+    hall: Hall, wishes: list[Wanted], weights: dict[str, float], catalog: Catalog, seed: int,
+    whole: bool, share: float,
+) -> Fitted:  # fmt: skip
+    walls = wall_lengths(hall)
+    units = assign(wishes, hall.names, zone_areas(hall), walls, whole)
+    units = spared(hall, wishes, units, share)
     lack = lacking(units, wishes, walls, whole)
     order = visiting_order(hall.plan.links, hall.names, _first_zone(hall))
     built = hosts(hall.borders, hall.plan.links, hall.names, order, lack)
-    missing: dict[int, int] = {}
-    for attempt in range(10 * ROUNDS):
+    spans = np.array([host.span for host in built]).reshape(-1, 2)
+    for attempt in range(MOST_ROUNDS):
         problem = pose(hall, wishes, units, built, weights, catalog)
-        spans = np.array([host.span for host in built]).reshape(-1, 2)
+        if not units:
+            return Fitted([], built, problem, NOTHING)
         start, lost = first_layout(problem, spans, seed + attempt, TRIES)
         if not lost:
-            return Fitted(units, built, problem, start, missing)
-        units = _mended(units, lost, missing, whole, attempt)
-    units = [unit for k, unit in enumerate(units) if k not in lost]
-    problem = pose(hall, wishes, units, built, weights, catalog)
-    start, lost = first_layout(problem, spans, seed, TRIES)
-    return Fitted(units, built, problem, start, missing)
+            return Fitted(units, built, problem, start)
+        if attempt + 1 < MOST_ROUNDS:
+            units = _mended(units, lost, whole, attempt)
+    stay = [k for k in range(len(units)) if k not in lost]
+    start = without(start, problem, stay)
+    units = [units[k] for k in stay]
+    return Fitted(units, built, pose(hall, wishes, units, built, weights, catalog), start)
+
+
+def _all_reached(problem: HallProblem, start: Kept, seed: int) -> bool:
+    """Whether a short search finds a layout in which the route misses nothing."""
+    found = anneal_hall(problem, start, Budget(steps=LOOK, threads=1), seed)
+    return min(layout.missed for layout in found.layouts) == 0.0
+
+
+def without(start: Kept, problem: HallProblem, stay: list[int]) -> Kept:
+    """A layout of only the units that ``stay``."""
+    ends = np.cumsum(capacity(np.diff(problem.units.spans, axis=1)[:, 0]))
+    starts = np.concatenate([[0], ends[:-1]])
+    rows = [start.layers[starts[k] : ends[k]] for k in stay]
+    layers = np.concatenate([np.empty((0, 5)), *rows])
+    return Kept(start.pose[stay], layers, start.rows[stay], start.walls)
 
 
 def _first_zone(hall: Hall) -> int:
@@ -70,9 +109,7 @@ def _first_zone(hall: Hall) -> int:
     return int(np.argmin(far))
 
 
-def _mended(
-    units: list[Unit], lost: tuple[int, ...], missing: dict[int, int], whole: bool, attempt: int
-) -> list[Unit]:
+def _mended(units: list[Unit], lost: tuple[int, ...], whole: bool, attempt: int) -> list[Unit]:
     """Units after those without a place were split, or gave objects up."""
     found: list[Unit] = []
     for k, unit in enumerate(units):
@@ -84,41 +121,6 @@ def _mended(
             found += [unit._replace(last=half), unit._replace(first=half)]
         elif count > SMALL or attempt % 2 == 0:
             found.append(unit)
-        else:
-            found += _smaller(unit, missing)
+        elif count > 1:
+            found.append(unit._replace(last=unit.last - 1))
     return found
-
-
-def _smaller(unit: Unit, missing: dict[int, int]) -> list[Unit]:
-    missing[unit.demand] = missing.get(unit.demand, 0) + 1
-    return [unit._replace(last=unit.last - 1)] if unit.last - unit.first > 1 else []
-
-
-def left_out(hall: Hall, wishes: list[Wanted], fitted: Fitted) -> tuple[LeftOut, ...]:
-    """What was not placed, and by how much it does not fit."""
-    areas = zone_areas(hall)
-    used = np.zeros(len(areas))
-    for unit in fitted.units:
-        used[unit.zone] += (unit.last - unit.first) * area_of(wishes[unit.demand])
-    found = []
-    for number, count in sorted(fitted.missing.items()):
-        wish = wishes[number]
-        zones = [hall.names.index(z) for z in wish.zones] or list(range(len(areas)))
-        told = f"{count} of {len(wish.sizes)} {wish.name}" if len(wish.sizes) > 1 else wish.name
-        found.append(LeftOut(hall.space.id, told, _reason(hall, wish, count, zones, areas, used),
-                             wish.required))  # fmt: skip
-    return tuple(found)
-
-
-def _reason(
-    hall: Hall, wish: Wanted, count: int, zones: list[int], areas: np.ndarray, used: np.ndarray
-) -> str:
-    where = ", ".join(hall.names[z] for z in zones) if wish.zones else "the hall"
-    need = count * area_of(wish)
-    if wish.at_wall:
-        length = sum(size.width for size in wish.sizes[-count:])
-        return f"no wall left in {where}: {length:.1f} m more wall needed"
-    return (
-        f"no room left in {where}: {float(areas[zones].sum()):.1f} m², of which what is placed "
-        f"takes {float(used[zones].sum()):.1f} m² with its clearances; {need:.1f} m² more needed"
-    )

@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.assets.hall_use import hall_use
-from scenewright.brief import Brief, Room
+from scenewright.brief import Brief
 from scenewright.brief_hall import Demand
-from scenewright.catalog import Catalog
+from scenewright.demands import ids_of, sizes_of
 from scenewright.scene import Piece, Size
 
 MIXTURE_FROM = 6
@@ -39,16 +39,16 @@ class Wanted(NamedTuple):
         return self.patterns == ("wall",)
 
 
-def wanted(brief: Brief, number: int, locked: tuple[Piece, ...], catalog: Catalog) -> list[Wanted]:
+def wanted(brief: Brief, number: int, locked: tuple[Piece, ...]) -> list[Wanted]:
     """The demands of room ``number`` less what stands there ``locked`` already."""
     room = brief.rooms[number]
-    ids = demand_ids(room)
+    ids = ids_of(room.demands)
     found = []
     for demand, name in zip(room.demands, ids, strict=True):
-        there = sum(piece.function == name for piece in locked)
-        filled = _filled(demand, name, catalog)
-        if len(filled.sizes) > there:
-            found.append(filled._replace(sizes=filled.sizes[there:]))
+        filled = _filled(demand, name)
+        sizes = _less(filled.sizes, [piece.size for piece in locked if piece.function == name])
+        if sizes:
+            found.append(filled._replace(sizes=sizes))
     shows = [wish.id for wish in found if wish.category in SHOWS]
     return [
         wish._replace(facing=wish.facing or shows[0])
@@ -56,6 +56,15 @@ def wanted(brief: Brief, number: int, locked: tuple[Piece, ...], catalog: Catalo
         else wish
         for wish in found
     ]
+
+
+def _less(sizes: tuple[Size, ...], there: list[Size]) -> tuple[Size, ...]:
+    """Sizes without one for each that is there already: the most alike."""
+    left = list(sizes)
+    for size in there[: len(sizes)]:
+        left.remove(min(left, key=lambda one: abs(one.width - size.width)
+                        + abs(one.depth - size.depth)))  # fmt: skip
+    return tuple(left)
 
 
 def leaning(wishes: list[Wanted], lean: int) -> list[Wanted]:
@@ -69,23 +78,10 @@ def leaning(wishes: list[Wanted], lean: int) -> list[Wanted]:
     ]
 
 
-def demand_ids(room: Room) -> tuple[str, ...]:
-    """The id of every demand: the one given, else its category, numbered where it is taken."""
-    ids: list[str] = []
-    given = {demand.id for demand in room.demands if demand.id}
-    for demand in room.demands:
-        name, count = demand.id or demand.category, 1
-        while not demand.id and (name in ids or name in given):
-            count += 1
-            name = f"{demand.category}-{count}"
-        ids.append(name)
-    return tuple(ids)
-
-
-def _filled(demand: Demand, name: str, catalog: Catalog) -> Wanted:
+def _filled(demand: Demand, name: str) -> Wanted:
     use = hall_use(demand.category)
     zones = (demand.zone,) if isinstance(demand.zone, str) else tuple(demand.zone or ())
-    sizes = _sizes(demand, catalog)
+    sizes = tuple(Size(*size) for size in sizes_of(demand))
     patterns = _patterns(demand, use.place, use.patterns, len(sizes))
     return Wanted(
         id=name,
@@ -98,22 +94,6 @@ def _filled(demand: Demand, name: str, catalog: Catalog) -> Wanted:
         facing=demand.facing or "",
         required=demand.required,
     )
-
-
-def _sizes(demand: Demand, catalog: Catalog) -> tuple[Size, ...]:
-    if demand.sizes:
-        return tuple(Size(*size) for size in demand.sizes)
-    size = Size(*demand.size) if demand.size else usual_size(demand.category, catalog)
-    count = demand.count or 1
-    if demand.length is not None:
-        count = max(math.ceil(demand.length / size.width - 1e-6), 1)
-    return (size,) * count
-
-
-def usual_size(category: str, catalog: Catalog) -> Size:
-    """The usual size of a category's first asset."""
-    assets = catalog.of(category)
-    return assets[0].usual if assets else Size(1.0, 0.6, 1.0)
 
 
 def _clearance(
@@ -130,7 +110,7 @@ def _patterns(demand: Demand, place: str, usual: tuple[str, ...], count: int) ->
         return ("wall",)
     free = tuple(name for name in usual if name != "wall") or ("chain", "grid")
     chosen: tuple[str, ...] = tuple(demand.patterns) or free
-    if count == 1:
+    if count == 1 or set(chosen) == {"single"}:
         return ("single",)
-    chosen = tuple(p for p in chosen if p != "mixture" or count >= MIXTURE_FROM)
-    return chosen or ("chain",)
+    least = {"single": math.inf, "mixture": MIXTURE_FROM}
+    return tuple(name for name in chosen if count >= least.get(name, 0)) or ("chain",)
