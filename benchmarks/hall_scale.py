@@ -90,6 +90,7 @@ def rows(sizes: tuple[int, ...] = SIZES, runs: int = 3, steps: int = 2000) -> li
     """A row a size and run: seconds of the first layout, of a step with and without the route
     and by the paper's weights, of the whole plan and of judging it."""
     found = []
+    step_seconds(*posed(scaled_brief(SIZES[0])).fitted[2:4], steps)
     for objects in sizes:
         brief = scaled_brief(objects)
         for seed in range(runs):

@@ -1,0 +1,98 @@
+"""The hall benchmark: what it measures is what it says, on the smallest of runs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from benchmarks import hall_ablation, hall_malls, hall_methods, hall_scale
+from benchmarks.hall_measure import energies_of, gaps_of, least_tree, own_energy
+
+from scenewright.brief import Brief
+from scenewright.domains.hall import solve
+from scenewright.formats import read
+from scenewright.solution import Solution
+
+CASE = "sample:hall-irregular"
+KEYS = ["case", "metric", "unit", "ours", "baseline", "baseline_name", "ratio", "runs"]
+
+
+@pytest.fixture(scope="module")
+def solved() -> Solution:
+    return solve(read(CASE), seed=0, steps=2000)
+
+
+def test_the_common_measure_sees_what_gets_worse(solved: Solution) -> None:
+    found = energies_of(solved)
+    assert found.least - 1e-6 <= found.space + found.proportion
+    first, *others = [piece for piece in solved.pieces if piece.function == "seats"]
+    onto = [replace(piece, pose=first.pose) for piece in others]
+    moved = {piece.id: piece for piece in onto}
+    worse = replace(solved, pieces=tuple(moved.get(p.id, p) for p in solved.pieces))
+    assert energies_of(worse).space > found.space + 1.0
+    assert energies_of(worse).fill == pytest.approx(found.fill, rel=0.2)
+
+
+def test_least_tree_and_gaps() -> None:
+    boxes = np.array([[0, 0, 0, 1, 1], [3, 0, 0, 1, 1], [3, 5, 0, 1, 1.0]])
+    gaps = gaps_of(boxes)
+    assert gaps[0, 1] == pytest.approx(2.0)
+    assert gaps[1, 2] == pytest.approx(4.0)
+    assert np.allclose(gaps, gaps.T)
+    assert sorted(tuple(sorted(pair)) for pair in least_tree(gaps)) == [(0, 1), (1, 2)]
+
+
+def test_methods_and_quality_tell_records() -> None:
+    rows = [hall_methods.run(CASE, name, 0) for name in ("default", "paper", "random")]
+    records = hall_methods.summary(rows)
+    assert {record["baseline_name"] for record in records} == {"paper", "random"}
+    assert all(list(record) == KEYS for record in records)
+    assert rows[0]["overlaps"] == rows[0]["outside"] == 0
+    quality = hall_methods.quality(1, [CASE])
+    assert all(list(record) == KEYS for record in quality)
+
+
+def test_own_energy_is_the_sum_of_the_printed_terms(solved: Solution) -> None:
+    printed = [
+        term for term in solved.terms if term.term in ("space", "fill", "access", "proportion")
+    ]
+    assert own_energy(solved) == pytest.approx(sum(term.value for term in printed))
+
+
+def test_ablation_shows_the_failures_of_space_and_proportion() -> None:
+    brief = Brief.model_validate(hall_ablation.HALL)
+    full, bare, wide = (
+        [hall_ablation.ablated(brief, name, seed, "anneal").figures for seed in range(3)]
+        for name in ("all", "space", "proportion")
+    )
+    middle = {name: sorted(f[name] for f in full)[1] for name in ("covered", "gap")}
+    assert sorted(f["covered"] for f in bare)[1] > middle["covered"] + 0.05
+    assert sorted(f["gap"] for f in wide)[1] > middle["gap"] * 1.3
+    rows = hall_ablation.rows(1)
+    assert all(list(record) == KEYS for record in hall_ablation.summary(rows))
+
+
+def test_scaled_halls_hold_what_they_say() -> None:
+    for objects in hall_scale.SIZES:
+        room = hall_scale.scaled_brief(objects).rooms[0]
+        assert sum(demand.count or 0 for demand in room.demands) == objects
+        outline = np.array(room.outline)
+        assert np.ptp(outline, axis=0).prod() / objects == pytest.approx(6.5)
+    records = hall_scale.summary(hall_scale.rows((20,), runs=1, steps=50))
+    assert all(list(record) == KEYS for record in records)
+    assert records[-1]["ours"] == 1.0
+
+
+def test_growth_exponent() -> None:
+    sizes = [20.0, 100.0, 500.0]
+    assert hall_scale.growth(sizes, [3 * size**1.5 for size in sizes]) == pytest.approx(1.5)
+
+
+@pytest.mark.realdata
+@pytest.mark.slow
+def test_a_real_station_is_filled_unit_by_unit() -> None:
+    records = hall_malls.records(maps=["apb"])
+    assert all(list(record) == KEYS for record in records)
+    assert records[0]["metric"] == "valid units"
+    assert records[0]["runs"] == 1
