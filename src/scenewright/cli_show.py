@@ -207,11 +207,10 @@ def _cell(value: object) -> str:
 
 
 def _rooms(solution: Solution) -> dict[str, str]:
-    """Names of the rooms by id."""
-    from scenewright.plan import room_ids
+    """Names of the rooms or sites by id."""
+    from scenewright.plan import space_names
 
-    ids = room_ids(solution.brief)
-    return {i: room.name or i for i, room in zip(ids, solution.brief.rooms, strict=True)}
+    return space_names(solution.brief)
 
 
 def _where(solution: Solution, space: str) -> str:
@@ -231,9 +230,10 @@ def _placed(solution: Solution, space: str) -> str:
 
 
 def _work(solution: Solution) -> str:
-    pieces, rooms = len(solution.pieces), len(solution.brief.rooms)
+    pieces, rooms = len(solution.pieces), len(solution.brief.rooms or solution.brief.sites)
+    space = "site" if solution.brief.domain == "site" else "room"
     return (
-        f"{pieces} piece{'s' * (pieces != 1)} in {rooms} room{'s' * (rooms != 1)}, "
+        f"{pieces} piece{'s' * (pieces != 1)} in {rooms} {space}{'s' * (rooms != 1)}, "
         f"{solution.seconds:.2f} s, {solution.evaluations:,} layouts looked at "
         f"({solution.solver}, preset {solution.preset}, seed {solution.seed})"
     )

@@ -19,10 +19,13 @@ from scenewright.errors import InputError
 from scenewright.layout import corners
 from scenewright.openings import find_openings
 from scenewright.room_names import functions_from_name, sort_functions
+from scenewright.site_plan import site_plans
 from scenewright.space import Level, Points, Space
 
 DEFAULT_LEVEL = Level("0", "", 0.0, 2.6)
 OVERLAP = 0.02
+SKY = 600.0
+"""What may be built up to on a site that states no limit, in metres."""
 
 
 def levels(brief: Brief) -> tuple[Level, ...]:
@@ -52,6 +55,8 @@ def spaces(brief: Brief) -> tuple[Space, ...]:
     >>> space.id, space.functions, space.outline.tolist()[:2]
     ('bedroom-1', ('bedroom',), [[0.0, 0.0], [4.0, 0.0]])
     """
+    if brief.domain == "site":
+        return _grounds(brief)
     storeys = {level.id: level for level in levels(brief)}
     ids = room_ids(brief)
     floors = [_floor(room, number, brief) for number, room in enumerate(brief.rooms)]
@@ -66,6 +71,15 @@ def spaces(brief: Brief) -> tuple[Space, ...]:
     return tuple(
         replace(space, openings=tuple(o for o in openings if space.id in o.spaces))
         for space in found
+    )
+
+
+def _grounds(brief: Brief) -> tuple[Space, ...]:
+    """The sites of a brief: open ground without walls."""
+    level = levels(brief)[0].id
+    return tuple(
+        Space(plan.id, plan.name, ("site",), level, plan.outline, plan.holes, SKY)
+        for plan in site_plans(brief.sites)
     )
 
 
@@ -89,6 +103,13 @@ def room_ids(brief: Brief) -> tuple[str, ...]:
         ids.append(room.id or _fresh(_slug(room.name) or f"room-{number + 1}", taken))
         taken.add(ids[-1])
     return tuple(ids)
+
+
+def space_names(brief: Brief) -> dict[str, str]:
+    """The name of every room or site by its id."""
+    if brief.domain == "site":
+        return {plan.id: plan.name for plan in site_plans(brief.sites)}
+    return {i: room.name or i for i, room in zip(room_ids(brief), brief.rooms, strict=True)}
 
 
 def place(brief: Brief, number: int, rest: str = "") -> str:

@@ -49,6 +49,8 @@ def shell(brief: Brief, spaces: Sequence[Space]) -> tuple[tuple[Wall, ...], tupl
     >>> [(p.base, p.top) for p in walls[0].prisms]
     [(0.0, 2.6), (0.0, 2.6), (0.0, 0.9), (2.3, 2.6)]
     """
+    if brief.domain == "site":
+        return (), ()
     openings = tuple(
         {(o.level, o.id): o for space in spaces for o in space.openings}.values()
     )  # fmt: skip

@@ -70,6 +70,8 @@ def zones_of(brief: Brief, number: int, space: Space, seed: int = 0, variant: in
 
 def check_halls(brief: Brief, spaces: tuple[Space, ...]) -> None:
     """InputError where the zones, links and demands of a brief's halls cannot be meant."""
+    if brief.domain == "site":
+        return
     for number, (room, space) in enumerate(zip(brief.rooms, spaces, strict=True)):
         if brief.domain != "hall":
             _check_plain(brief, number)

@@ -26,6 +26,8 @@ _ROWS = (
     DomainRow("home", "dwellings: rooms furnished by what they are for", "solvers:SOLVERS"),
     DomainRow("hall", "exhibitions, shops, reading rooms, auditoria: groups in zones",
               "solvers.halls:HALL_SOLVERS"),
+    DomainRow("site", "groups of buildings on a site, around landmarks",
+              "solvers.sites:SITE_SOLVERS"),
 )  # fmt: skip
 DOMAINS: dict[str, DomainRow] = {row.name: row for row in _ROWS}
 

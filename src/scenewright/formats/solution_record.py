@@ -13,7 +13,7 @@ from scenewright.brief_fields import Coordinate, Heading, Length, Model, Number,
 from scenewright.errors import InputError
 from scenewright.formats.graph_record import GraphRecord, TourRecord
 from scenewright.formats.model_faults import told
-from scenewright.plan import room_ids
+from scenewright.plan import space_names
 
 FORMAT = "scenewright/solution"
 
@@ -108,7 +108,7 @@ def checked(document: object) -> SolutionRecord:
 def _check_names(record: SolutionRecord) -> None:
     """Ids are unique and everything named exists."""
     known = Counter(piece.id for piece in record.pieces)
-    rooms = set(room_ids(record.brief))
+    rooms = set(space_names(record.brief))
     if twice := [name for name, count in known.items() if count > 1]:
         raise InputError(f"several pieces have the id {twice[0]!r}", "give each its own")
     for index, piece in enumerate(record.pieces):

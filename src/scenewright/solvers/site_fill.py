@@ -15,6 +15,7 @@ import numpy as np
 
 from scenewright.site_problem import Flags, Floats, SiteProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
+from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.site_rim import rim
 from scenewright.solvers.site_strips import Rule, back, rows, turned
 
@@ -35,20 +36,10 @@ class Placed(NamedTuple):
     form: str
 
 
-class SiteFilled(NamedTuple):
-    """Boxes (n, 5), which buildings found a place (n,), the form of the block each stands in,
-    and how many layouts of blocks were looked at."""
-
-    boxes: Floats
-    present: Flags
-    forms: tuple[str, ...]
-    evaluations: int
-
-
 def fill_site(
     problem: SiteProblem, budget: Budget, seed: int, progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> SiteFilled:  # fmt: skip
+) -> SiteFound:  # fmt: skip
     """Fill all blocks of a site, largest first; what finds no place in its block goes on to the
     next. Deterministic by seed unless the budget is in seconds."""
     watch, rng = Watch(budget, progress, cancel), np.random.default_rng(seed)
@@ -66,7 +57,7 @@ def fill_site(
     for b in order if left else []:
         found = _densest(problem, b, left, boxes[present])
         left = _settled(found, left, boxes, present, forms)
-    return SiteFilled(boxes, present, tuple(forms), done)
+    return SiteFound(boxes, present, {}, done, 1, tuple(forms))
 
 
 def _settled(

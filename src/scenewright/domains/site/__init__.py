@@ -1,0 +1,129 @@
+"""Sites: groups of buildings on ground between streets, around landmarks that stand.
+
+After Zhang, Yang 2023: buildings of a library fill the ground in planar forms; ours fills block
+by block with rows and courts that keep their distances by construction.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections import Counter
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright._version import __version__
+from scenewright.assets import shipped
+from scenewright.brief import Brief
+from scenewright.brief_site import Site
+from scenewright.catalog import Catalog
+from scenewright.domains.site.dress import buildings, landmarks, trees
+from scenewright.domains.site.pose import pose
+from scenewright.domains.site.presets import PRESETS, SitePreset
+from scenewright.domains.site.wanted import Wanted, wanted
+from scenewright.errors import InputError
+from scenewright.scene import Piece
+from scenewright.site_plan import SitePlan, site_plans
+from scenewright.site_problem import Flags
+from scenewright.solution import LeftOut, Solution
+from scenewright.solve import Budget
+from scenewright.solvers.sites import SITE_SOLVERS
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+
+__all__ = ["PRESETS", "solve"]
+
+
+class Built(NamedTuple):
+    """One site built on."""
+
+    pieces: tuple[Piece, ...]
+    left_out: tuple[LeftOut, ...]
+    evaluations: int
+
+
+def solve(
+    brief: Brief,
+    *,
+    preset: str = "default",
+    solver: str | None = None,
+    seconds: float | None = None,
+    steps: int | None = None,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Solution:
+    """Place the buildings of every site of a brief.
+
+    ``steps`` are layouts looked at (of each block, by the default solver); the same seed and
+    steps give the same answer. ``progress`` hears the share done; when ``cancel`` answers true,
+    what was found so far is returned.
+    """
+    started = time.perf_counter()
+    if preset not in PRESETS:
+        raise InputError(f"there is no preset '{preset}'", "one of " + ", ".join(PRESETS))
+    chosen, catalog = PRESETS[preset], shipped()
+    named = solver or chosen.solver
+    budget = Budget(seconds, steps, threads=threads)
+    found = []
+    for number, (site, plan) in enumerate(zip(brief.sites, site_plans(brief.sites), strict=True)):
+        place = f"sites[{number}]"
+        heard = None if progress is None else _part(progress, number, len(brief.sites), plan.name)
+        rng_seed = seed + 7919 * number
+        found.append(_build(site, plan, place, catalog, chosen, named, budget, rng_seed, heard,
+                            cancel))  # fmt: skip
+    return Solution(
+        brief=brief,
+        pieces=tuple(piece for one in found for piece in one.pieces),
+        patches=(),
+        terms=(),
+        left_out=tuple(out for one in found for out in one.left_out),
+        energies={},
+        preset=preset,
+        solver=named,
+        seed=seed,
+        version=__version__,
+        brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
+        seconds=time.perf_counter() - started,
+        evaluations=sum(one.evaluations for one in found),
+    )
+
+
+def _part(progress: Progress, number: int, count: int, name: str) -> Callable[[float, float], None]:
+    return lambda share, _best: progress((number + share) / count, name)
+
+
+def _build(
+    site: Site, plan: SitePlan, place: str, catalog: Catalog, preset: SitePreset, solver: str,
+    budget: Budget, seed: int, progress: Callable[[float, float], None] | None,
+    cancel: Cancel | None,
+) -> Built:  # fmt: skip
+    rows = wanted(site, place, plan.buildable, catalog)
+    problem = pose(site, plan, rows, preset.weights)
+    if budget.steps is None and budget.seconds is None and solver == preset.solver:
+        budget = budget._replace(steps=preset.steps)
+    found = SITE_SOLVERS[solver].run(problem, budget, seed, progress, cancel)
+    standing = landmarks(plan, catalog)
+    placed = buildings(plan, rows, found.boxes, found.present)
+    green = trees(plan, (*standing, *placed), catalog, np.random.default_rng(seed))
+    return Built(
+        (*standing, *placed, *green), _left_out(plan, rows, found.present), found.evaluations
+    )
+
+
+def _left_out(plan: SitePlan, rows: list[Wanted], present: Flags) -> tuple[LeftOut, ...]:
+    """Buildings without a place, by model, and how much ground they lack."""
+    missing = Counter(row for row, there in zip(rows, present, strict=True) if not there)
+    asked = Counter(rows)
+    return tuple(
+        LeftOut(
+            plan.id, f"{count} of {asked[row]} {row.name}" if asked[row] > 1 else row.name,
+            f"no place left for {row.size.width:g} x {row.size.depth:g} m on "
+            f"{plan.buildable:.0f} m² that can be built on", row.required,
+        )
+        for row, count in missing.items()
+    )  # fmt: skip

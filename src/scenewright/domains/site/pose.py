@@ -1,0 +1,82 @@
+"""From the plan of a site and its buildings to the problem that is solved."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scenewright.brief_site import Site
+from scenewright.domains.site.wanted import Wanted
+from scenewright.outlines import edges
+from scenewright.site_plan import SitePlan
+from scenewright.site_problem import Buildings, Floats, SiteGround, SiteProblem
+from scenewright.space import Points
+
+PACE = 5.0
+"""Distance of the points from which people look, along ways, in metres."""
+
+
+def pose(
+    site: Site, plan: SitePlan, buildings: list[Wanted], weights: dict[str, float]
+) -> SiteProblem:
+    """The problem of placing some buildings on a site."""
+    sizes = np.array([tuple(b.size) for b in buildings], np.float64).reshape(-1, 3)
+    ones = np.ones(len(buildings))
+    return SiteProblem(
+        ground=_ground(plan),
+        buildings=Buildings(
+            sizes=sizes, quality=ones, tone=ones, symmetry=ones,
+            models=np.array([b.wish for b in buildings], np.int64),
+            floors=np.array([b.floors for b in buildings], np.int64),
+        ),
+        names=tuple(f"{plan.id}/{b.asset.id}_{k}" for k, b in enumerate(buildings, 1)),
+        weights=weights, spacing=site.spacing, sun_spacing=site.sun_spacing, facing=site.facing,
+        fire_access=site.fire_access, latitude=site.latitude, day=site.day,
+    )  # fmt: skip
+
+
+def _ground(plan: SitePlan) -> SiteGround:
+    rings = [_rings(block.outline, block.holes) for block in plan.blocks]
+    ends = np.cumsum([len(ring) for ring in rings])
+    ways = [line for way in plan.roads for line in way.inside]
+    outline = _rings(plan.outline, plan.holes)
+    low, high = plan.outline.min(0), plan.outline.max(0)
+    return SiteGround(
+        edges=outline,
+        block_edges=np.concatenate([np.zeros((0, 4)), *rings]),
+        block_spans=np.stack([ends - [len(ring) for ring in rings], ends], 1).astype(np.int64)
+        if rings else np.zeros((0, 2), np.int64),
+        block_areas=np.array([block.area for block in plan.blocks]),
+        roads=np.concatenate(
+            [np.zeros((0, 5)), *(_pieces(line, way.width) for way in plan.roads
+                                 for line in way.inside)]
+        ),
+        landmarks=np.array([row.box for row in plan.landmarks]).reshape(-1, 5),
+        landmark_heights=np.array([row.height for row in plan.landmarks]),
+        landmark_quality=np.ones(len(plan.landmarks)),
+        eyes=np.concatenate([np.zeros((0, 2)), *(_paced(line) for line in ways)]),
+        bounds=np.concatenate([low, high]),
+        area=plan.area,
+    )  # fmt: skip
+
+
+def _rings(outline: Points, holes: tuple[Points, ...]) -> Floats:
+    return np.concatenate([edges(ring) for ring in (outline, *holes)])
+
+
+def _pieces(line: Points, width: float) -> Floats:
+    """Boxes of the straight pieces of a way, fronts along it."""
+    step = np.diff(line, axis=0)
+    length = np.hypot(step[:, 0], step[:, 1])
+    middle = 0.5 * (line[1:] + line[:-1])
+    return np.column_stack(
+        [middle, np.arctan2(step[:, 1], step[:, 0]), np.full(len(step), width), length]
+    )
+
+
+def _paced(line: Points) -> Floats:
+    """Points along a line, about :data:`PACE` metres apart."""
+    step = np.hypot(*np.diff(line, axis=0).T)
+    along = np.concatenate([[0.0], np.cumsum(step)])
+    count = max(int(along[-1] / PACE), 1) + 1
+    at = np.linspace(0.0, along[-1], count)
+    return np.stack([np.interp(at, along, line[:, k]) for k in (0, 1)], 1)

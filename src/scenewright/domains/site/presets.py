@@ -1,0 +1,22 @@
+"""Presets of sites: named sets of solver parameters."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class SitePreset(NamedTuple):
+    """What it is, the solver, how many layouts of each block are looked at, and weights by name
+    of the term."""
+
+    doc: str
+    solver: str
+    steps: int
+    weights: dict[str, float]
+
+
+PRESETS: dict[str, SitePreset] = {
+    "default": SitePreset("blocks filled row by row, six layouts of each", "fill", 6, {}),
+    "quick": SitePreset("two layouts of each block", "fill", 2, {}),
+    "fine": SitePreset("forty layouts of each block", "fill", 40, {}),
+}  # fmt: skip

@@ -1,0 +1,40 @@
+"""The table of solvers of sites. A new one is one file and one row; the rows drive the tests."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import NamedTuple
+
+from scenewright.site_problem import SiteProblem
+from scenewright.solve import Budget, Cancel, Progress
+from scenewright.solvers.site_found import SiteFound
+
+SiteRun = Callable[[SiteProblem, Budget, int, Progress | None, Cancel | None], SiteFound]
+
+
+class SiteSolverRow(NamedTuple):
+    """One solver: its name, what it is, and where its function is (imported when first run)."""
+
+    name: str
+    doc: str
+    source: str
+    module: str
+    function: str
+
+    def run(
+        self, problem: SiteProblem, budget: Budget, seed: int = 0,
+        progress: Progress | None = None, cancel: Cancel | None = None,
+    ) -> SiteFound:  # fmt: skip
+        """Solve; see the module."""
+        solve: SiteRun = getattr(
+            import_module(f"scenewright.solvers.{self.module}"), self.function
+        )
+        return solve(problem, budget, seed, progress, cancel)
+
+
+ROWS = (
+    SiteSolverRow("fill", "blocks filled row by row, the form of each chosen (default)", "ours",
+                  "site_fill", "fill_site"),
+)  # fmt: skip
+SITE_SOLVERS: dict[str, SiteSolverRow] = {row.name: row for row in ROWS}
