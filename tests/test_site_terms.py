@@ -132,7 +132,8 @@ def test_a_building_alone_in_its_block_costs_nothing_but_what_it_lacks() -> None
         assert evaluate(problem, boxes)[0, FACING] == pytest.approx(cost)
     boxes[0, 0, 0] = 150.0 - 5.5  # half of the setback of 3 m, and of the fire access of 2 m
     terms = evaluate(problem, boxes)[0]
-    assert terms[INSERT] > 0 and terms[ROAD] > 0
+    assert terms[INSERT] > 0
+    assert terms[ROAD] > 0
 
 
 def test_each_half_of_the_way_between_two_buildings_is_its_own() -> None:
@@ -150,7 +151,9 @@ def test_the_printed_ratio_explodes_where_little_is_worth_seeing() -> None:
     terms = np.zeros((3, 6))
     terms[:, FACING], terms[:, QUALITY] = 1.0, [1.0, 1e-6, 0.0]
     ratio = printed_ratio(terms, weights)
-    assert ratio[0] == 1.0 and ratio[1] > 1e5 and ratio[2] == math.inf
+    assert ratio[0] == 1.0
+    assert ratio[1] > 1e5
+    assert ratio[2] == math.inf
     assert fitness_of_cost(ratio, 5.0).tolist() == [4.0, 0.0, 0.0]
     assert repaired_sum(terms, weights, 1)[1:].max() <= 2.0
 
