@@ -1,0 +1,75 @@
+"""A model as an asset: drawn at any size, with its outline as plan symbol."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.catalog import Asset, Part
+from scenewright.formats.models.model import Model
+from scenewright.geometry.mesh import mapped
+from scenewright.scene import Size
+
+Floats = NDArray[np.float64]
+
+MOST_DRAWN = 20_000
+"""Faces up to which the plan symbol is the exact outline; beyond, its convex hull."""
+GRID = 1e-4
+"""To what share of the model's size an outline is drawn."""
+
+
+def asset_of(model: Model, category: str = "building") -> Asset:
+    """The asset ``model:<id>``; ``mesh(size)`` stretches the model to exactly that size.
+
+    Its smallest, usual and largest size are the model's own, so that a catalog prefers the model
+    that needs no stretching.
+    """
+
+    def mesh(size: Size) -> tuple[Part, ...]:
+        source = _box(model.size)
+        return tuple(
+            Part(part.material, mapped(part.vertices, source, *_box(size)), part.faces)
+            for part in model.parts
+        )
+
+    @cache
+    def lines() -> tuple[Floats, ...]:
+        return outline(model)
+
+    def symbol(size: Size) -> tuple[Floats, ...]:
+        scale = np.array([size.width / model.size.width, size.depth / model.size.depth])
+        return tuple(line * scale for line in lines())
+
+    return Asset(
+        f"model:{model.id}", category, model.name, model.size, model.size, model.size, mesh,
+        symbol, model.licence, model.author,
+    )  # fmt: skip
+
+
+def outline(model: Model) -> tuple[Floats, ...]:
+    """Closed lines ``(k, 2)`` round what the model covers in plan, the largest first."""
+    corners = np.concatenate([part.vertices[part.faces][..., :2] for part in model.parts])
+    grid = GRID * max(model.size.width, model.size.depth)
+    if len(corners) <= MOST_DRAWN:
+        a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        wide = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) > grid * grid
+        shape = shapely.union_all(shapely.polygons(corners[wide]), grid_size=grid)
+    else:
+        shape = shapely.convex_hull(shapely.multipoints(corners.reshape(-1, 2)))
+    shapes = [s for s in shapely.get_parts(shape) if s.geom_type == "Polygon" and not s.is_empty]
+    shapes.sort(key=lambda s: -s.area)
+    found = tuple(np.asarray(s.exterior.simplify(2 * grid).coords) for s in shapes)
+    return found or (_rectangle(model.size),)
+
+
+def _box(size: Size) -> tuple[Floats, Floats]:
+    half = np.array([size.width / 2, size.depth / 2])
+    return np.array([*-half, 0.0]), np.array([*half, size.height])
+
+
+def _rectangle(size: Size) -> Floats:
+    w, d = size.width / 2, size.depth / 2
+    return np.array([[-w, -d], [w, -d], [w, d], [-w, d], [-w, -d]])

@@ -1,0 +1,106 @@
+"""Files beside a model, read without trusting the names the model gives them.
+
+A name must lead to a plain file in the model's own folder or below; names that lead elsewhere
+(``..``, absolute ones, other schemes, symbolic links out of the folder) are refused.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from scenewright.errors import InputError
+
+MEBIBYTE = 2**20
+MOST_VALUES = 6_000_000
+"""Lists, objects and entries of a JSON document."""
+
+Beside = Callable[[str, int], bytes | None]
+"""The bytes of a file named relative to the model's folder, at most so many; None if missing."""
+
+
+def within(name: str) -> str:
+    """The name in normal form if it stays in the folder it starts from; InputError otherwise.
+
+    >>> within("textures\\\\./wall.png")
+    'textures/wall.png'
+    >>> within("../wall.png")
+    Traceback (most recent call last):
+    scenewright.errors.InputError: refers to '../wall.png', outside its folder; keep the files of a model in one folder and name them from there
+    """  # noqa: E501
+    plain = name.strip().replace("\\", "/")
+    steps = [step for step in plain.split("/") if step not in ("", ".")]
+    leads_out = plain.startswith("/") or ".." in steps or re.match(r"[A-Za-z][\w+.-]*:", plain)
+    if leads_out or not steps or not plain.isprintable() or len(plain) > 400:
+        shown = name[:60].encode("ascii", "backslashreplace").decode()
+        raise InputError(
+            f"refers to '{shown}', outside its folder",
+            "keep the files of a model in one folder and name them from there",
+        )
+    return str(PurePosixPath(*steps))
+
+
+def beside(folder: Path) -> Beside:
+    """Reads files of a folder and those below it."""
+    top = folder.resolve()
+
+    def read(name: str, limit: int) -> bytes | None:
+        path = top / within(name)
+        try:
+            if not path.resolve().is_relative_to(top):
+                raise InputError(
+                    f"refers to '{name[:60]}', a link out of its folder", "put the file there"
+                )
+            return whole(path, limit) if path.is_file() else None
+        except InputError as error:
+            raise InputError(error.fault, error.remedy, place=error.place or name[:60]) from None
+        except (OSError, ValueError):
+            return None
+
+    return read
+
+
+def whole(path: Path, limit: int) -> bytes:
+    """The bytes of a plain file of at most ``limit`` bytes."""
+    if not path.is_file():
+        raise InputError("is not a plain file", "give the file itself")
+    with path.open("rb") as stream:
+        content = stream.read(limit + 1)
+    return sized(content, limit)
+
+
+def sized(content: bytes, limit: int) -> bytes:
+    """The bytes, if they are neither too many nor none."""
+    if len(content) > limit:
+        raise InputError(f"is larger than {limit / MEBIBYTE:g} MiB", "simplify or split it")
+    if not content:
+        raise InputError("is empty", "save it again")
+    return content
+
+
+def json_of(content: bytes, what: str) -> dict[str, Any]:
+    """The object a JSON document holds; its values are counted before it is parsed.
+
+    >>> json_of(b'{"asset": [NaN]}', "glTF")
+    Traceback (most recent call last):
+    scenewright.errors.InputError: is not glTF: NaN is no number of JSON; save it again
+    """
+    if sum(content.count(sign) for sign in (b"[", b"{", b",")) > MOST_VALUES:
+        raise InputError(f"holds more than {MOST_VALUES:,} values", "split it into several files")
+    try:
+        found = json.loads(content.decode("utf-8-sig"), parse_constant=_no_number)
+    except RecursionError:
+        raise InputError("is nested too deeply", "save it again") from None
+    except ValueError as error:
+        told = " ".join(str(error).split())[:100]
+        raise InputError(f"is not {what}: {told}", "save it again") from None
+    if not isinstance(found, dict):
+        raise InputError(f"is not {what}: it holds no object", "save it again")
+    return found
+
+
+def _no_number(word: str) -> Any:
+    raise ValueError(f"{word} is no number of JSON")
