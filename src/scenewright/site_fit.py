@@ -8,22 +8,43 @@ ends of the edge. What is left is exactly the centres at which no edge is touche
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 import shapely
 
 from scenewright.space import Points
 
-if TYPE_CHECKING:
-    from scenewright.site_plan import Block, SitePlan
-
 STEP = np.deg2rad(7.5)
 SLACK = 1e-3
 MOST_EDGES = 12
 
 
-def fits(plan: SitePlan, width: float, depth: float) -> bool:
+class Ground(Protocol):
+    """A piece of ground: outline and holes, and the radius of the largest circle in it."""
+
+    @property
+    def outline(self) -> Points:
+        """Corners (n, 2), counter-clockwise."""
+
+    @property
+    def holes(self) -> tuple[Points, ...]:
+        """Rings, clockwise."""
+
+    @property
+    def radius(self) -> float:
+        """Metres."""
+
+
+class Grounds(Protocol):
+    """What has blocks, as the plan of a site."""
+
+    @property
+    def blocks(self) -> Sequence[Ground]:
+        """Pieces of ground that can be built on."""
+
+
+def fits(plan: Grounds, width: float, depth: float) -> bool:
     """Whether a box fits in some block of a plan, at the directions of its longest edges or a
     multiple of 7.5 degrees to its principal direction (exact for each of these).
 
@@ -67,7 +88,7 @@ def corners_of(box: Sequence[float]) -> Points:
     )
 
 
-def _fits(block: Block, width: float, depth: float) -> bool:
+def _fits(block: Ground, width: float, depth: float) -> bool:
     floor = shapely.Polygon(block.outline, block.holes)
     edges = [
         np.stack([ring, np.roll(ring, -1, axis=0)], 1) for ring in (block.outline, *block.holes)
