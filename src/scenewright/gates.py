@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from scenewright.space import Opening, Space
@@ -100,6 +101,27 @@ def before(gate: Gate, width: float, depth: float) -> list[float]:
     """The box of some width before an opening, from the wall into the room."""
     x, y = gate.face + gate.inward * depth / 2
     return [x, y, float(np.arctan2(gate.inward[1], gate.inward[0])), width, depth]
+
+
+def free_width(space: Space, gate: Gate) -> float:
+    """Metres of an opening, side by side, before which no hole (column) stands."""
+    half, way = gate.opening.width / 2, np.array([gate.opening.ux, gate.opening.uy])
+    sides = [gate.face - half * way, gate.face + half * way]
+    strip = shapely.Polygon([*sides, *(side + THRESHOLD * gate.inward for side in sides[::-1])])
+    found, reached = 0.0, -half
+    taken = [_span(shapely.Polygon(hole).intersection(strip), gate.face, way)
+             for hole in space.holes]  # fmt: skip
+    for low, high in [*sorted(span for span in taken if span), (half, half)]:
+        found, reached = max(found, low - reached), max(reached, high)
+    return found
+
+
+def _span(shape: shapely.Geometry, face: Floats, way: Floats) -> tuple[float, float] | None:
+    """From where to where a shape reaches along a direction."""
+    if shape.area < 1e-9:
+        return None
+    along = (shapely.get_coordinates(shape) - face) @ way
+    return float(along.min()), float(along.max())
 
 
 def throat(gate: Gate) -> list[float]:

@@ -23,6 +23,7 @@ from scenewright.borders import (
 from scenewright.brief import Brief
 from scenewright.demands import check_demands
 from scenewright.errors import InputError
+from scenewright.gates import free_width, gates
 from scenewright.plan import place
 from scenewright.scene_graph import Zone, ZoneLink
 from scenewright.space import Space
@@ -34,6 +35,8 @@ __all__ = ["Border", "HallPlan", "WallStretch", "borders_of", "wall_stretches", 
 OUTSIDE = 0.02
 OVERLAP = 0.02
 NEGLIGIBLE = 0.05
+LEAST_WAY = 0.5
+"""Metres of a door that holes must leave free."""
 GRID = 1e-7
 """Overlays of outlines that run along each other need a grid: without, GEOS 3.14 now and then
 returns all or nothing."""
@@ -82,6 +85,7 @@ def check_halls(brief: Brief, spaces: tuple[Space, ...]) -> None:
                 "say what it is to hold in demands",
                 place=place(brief, number),
             )
+        _check_doors(brief, number, space)
         check_demands(brief, number, space)
         check_names(brief, number, space)
         wishes = wishes_of(brief, number, space, given_zones(brief, number, space))
@@ -149,6 +153,18 @@ def _check_plain(brief: Brief, number: int) -> None:
                 f"has {key}, which only halls have",
                 f'set "domain": "hall" in the brief, or leave out {key}',
                 place=place(brief, number),
+            )
+
+
+def _check_doors(brief: Brief, number: int, space: Space) -> None:
+    for gate in gates(space) if space.holes else ():
+        opening = gate.opening
+        free = opening.width if opening.kind == "window" else free_width(space, gate)
+        if free < min(LEAST_WAY, opening.width - 0.01):
+            raise InputError(
+                f"a hole leaves {free:.2f} m of it free",
+                "move the hole or the door",
+                place=place(brief, number, f"door '{opening.id}'"),
             )
 
 

@@ -26,7 +26,7 @@ ROUNDS = 12
 MOST_ROUNDS = 10 * ROUNDS
 TRIES = 300
 SMALL = 3
-SHARES, LOOK = (0.5, 0.75, 1.0), 1200
+SHARES, LOOK = (0.1, 0.4, 0.7, 1.0), 1200
 """Shares of their clearances that objects get floor for, and layouts looked at for each share,
 where not everything fits."""
 NOTHING = Kept(np.zeros((0, 4)), np.zeros((0, 5)), np.zeros((0, 2)), np.zeros((0, 2)))
