@@ -21,7 +21,7 @@ MOST_EDGES = 12
 
 
 class Ground(Protocol):
-    """A piece of ground: outline and holes, and the radius of the largest circle in it."""
+    """A piece of ground: outline and holes, area, main direction, radius of its largest circle."""
 
     @property
     def outline(self) -> Points:
@@ -30,6 +30,14 @@ class Ground(Protocol):
     @property
     def holes(self) -> tuple[Points, ...]:
         """Rings, clockwise."""
+
+    @property
+    def area(self) -> float:
+        """Square metres."""
+
+    @property
+    def direction(self) -> float:
+        """Radians."""
 
     @property
     def radius(self) -> float:
