@@ -36,6 +36,7 @@ from scenewright.check.routes import (
     reachable_share,
     walk_in,
 )
+from scenewright.check.site_figures import judge_sites
 from scenewright.solution import Solution
 from scenewright.space import Space
 
@@ -57,6 +58,8 @@ def check(
     each category is used, the shipped one unless given. Nothing the pieces hold, however broken,
     raises an error: it becomes a finding.
     """
+    if solution.brief.sites:
+        return _of_sites(solution)
     rooms = rooms_of(_spaces(solution) if spaces is None else spaces)
     bodies, malformed = bodies_of(solution.pieces, rooms, catalog or _shipped())
     grounds = grounds_of(rooms, solution.brief.route_width)
@@ -88,6 +91,14 @@ def check(
     missing = find_incomplete(bodies, rooms) if lived_in else []
     notes = (*find_doorless(bodies, rooms), *missing, *verdict.notes)
     return Report(findings, notes, figures)
+
+
+def _of_sites(solution: Solution) -> Report:
+    """The report on an answer to a brief of sites."""
+    findings, by_site = judge_sites(solution.brief.sites, solution.pieces)
+    counts = count_by_kind(tuple(findings))
+    figures = {"pieces": len(solution.pieces), "counts": counts, "sites": by_site}
+    return Report(tuple(findings), (), figures)
 
 
 def _halls(solution: Solution, bodies: Bodies, rooms: Rooms) -> tuple[list[Hall], list[Finding]]:

@@ -19,6 +19,12 @@ KINDS = (
     "outside_zone",
     "floating",
     "sunk",
+    "blocked_path",
+    "setback",
+    "spacing",
+    "unreachable_building",
+    "changed_landmark",
+    "too_high",
 )
 
 
