@@ -20,7 +20,11 @@ MOST = 8_000_000
 """Triangles of a street; embree takes about 100 bytes each. What is more is drawn as boxes."""
 PICTURE_RAYS = 256
 VIEW = float(np.deg2rad(60.0))
-STANDOFF = 15.0
+STANDOFF = 40.0
+STEEPEST = float(np.deg2rad(26.0))
+RISE = float(np.deg2rad(6.0))
+"""A street picture: how wide it is, how far away buildings should be in metres, how high up it
+reaches and how much one looks up."""
 BINS = 72
 
 
@@ -160,26 +164,37 @@ def side_densities(model: Model, count: int = 2000) -> Floats:
 def best_spot(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> Spot:
     """Where a picture from the path shows most: the eye and the direction.
 
-    Of each eye the values v are added up within ``view`` radians about every direction, those
-    nearer than ``standoff`` metres in proportion, or the best picture would be of a wall; the
-    greatest sum wins (``score``, as a share of all rays). One looks at the middle of what is
-    seen, at most 12 degrees up.
+    A view ``view`` radians wide is judged by (Σ √v)², v being what one building adds to it: as
+    much as all add if one building fills it, k times as much if k share it. Rays steeper than
+    :data:`STEEPEST` are outside the picture, and those that meet something nearer than
+    ``standoff`` metres count by the square of the distance (equal areas of wall alike), or the
+    best picture would be of a wall. One looks at
+    the middle of the view, slightly up. ``score`` is (Σ √v)².
     """
     if not made.found.size:
         raise ValueError("no eyes")
     ways = ways_of(made)
-    worth = made.values * np.minimum(made.distances / standoff, 1.0)
+    nearness = np.minimum(made.distances / standoff, 1.0)
+    worth = made.values * nearness**2 / made.values.shape[1]
+    worth[:, made.ways[:, 2] > np.sin(STEEPEST)] = 0.0
     turn = np.arctan2(ways[..., 1], ways[..., 0])
     bins = ((turn / (2.0 * np.pi)) % 1.0 * BINS).astype(np.int64) % BINS
-    row = np.arange(len(bins))[:, None] * BINS
-    sums = np.bincount((row + bins).ravel(), worth.ravel(), len(bins) * BINS).reshape(-1, BINS)
     wide = min(max(round(view / (2.0 * np.pi) * BINS), 1), BINS)
-    within = sum((np.roll(sums, -k, 1) for k in range(wide)), np.zeros_like(sums))
-    e, first = divmod(int(np.argmax(within)), BINS)
-    held = np.where((bins[e] - first) % BINS < wide, worth[e], 0.0)
+    scores = np.array([
+        _views(made.found[e], bins[e], worth[e], wide) for e in range(len(bins))
+    ])  # fmt: skip
+    e, first = divmod(int(np.argmax(scores)), BINS)
     middle = (first + wide / 2) / BINS * 2.0 * np.pi
-    total = held.sum()
-    tilt = float(held @ np.arcsin(ways[e, :, 2]) / total) if total > 0.0 else 0.0
-    rise = np.clip(tilt, 0.0, np.deg2rad(12.0))
-    way = np.array([np.cos(rise) * np.cos(middle), np.cos(rise) * np.sin(middle), np.sin(rise)])
-    return Spot(made.eyes[e], way, float(total / made.values.shape[1]))
+    way = np.array([np.cos(RISE) * np.cos(middle), np.cos(RISE) * np.sin(middle), np.sin(RISE)])
+    return Spot(made.eyes[e], way, float(scores[e, first]))
+
+
+def _views(found: Ints, bins: Ints, worth: Floats, wide: int) -> Floats:
+    """(Σ √v)² of the views (BINS,) that begin at each bin and are ``wide`` bins wide."""
+    shown = np.flatnonzero(worth > 0.0)
+    names, row = np.unique(found[shown], return_inverse=True)
+    sums = np.bincount(row * BINS + bins[shown], worth[shown], len(names) * BINS)
+    gone = np.cumsum(np.tile(sums.reshape(-1, BINS), 2), 1)
+    gone = np.concatenate([np.zeros((len(names), 1)), gone], 1)
+    held = np.maximum(gone[:, wide : wide + BINS] - gone[:, :BINS], 0.0)
+    return np.asarray(np.sqrt(held).sum(0) ** 2)
