@@ -136,6 +136,13 @@ def test_landmarks_stay_as_they_are():
     assert not near.given
 
 
+def test_landmarks_may_be_named_with_their_site_and_trees_are_let_be():
+    ground = site(landmarks=[{"id": "m", "at": (60, 40), "size": (10, 8, 9)}])
+    tree = replace(building("t", 60, 40), category="tree")
+    assert kinds(ground, building("s/m", 60, 40, fixed=True), tree) == []
+    assert only(ground, building("s/m", 61, 40, fixed=True), tree).piece == "m"
+
+
 def test_locked_buildings_are_told_but_not_blamed():
     locked = [building("a", 30, 40, fixed=True), building("b", 39, 40, fixed=True)]
     assert only(site(), *locked).given

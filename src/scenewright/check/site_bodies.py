@@ -88,24 +88,33 @@ def fault_of(piece: Piece, known: set[str]) -> str:
 
 
 def bodies_of(grounds: Grounds, pieces: Sequence[Piece]) -> tuple[Bodies, list[Finding]]:
-    """The buildings among sound pieces of a site and its landmarks; what is wrong with these."""
-    marks = {row.id: row for row in grounds.plan.landmarks}
-    told = {piece.id: piece for piece in reversed(pieces) if piece.id in marks}
-    findings = _changed(grounds.plan, told)
-    own = tuple(piece for piece in pieces if told.get(piece.id) is not piece)
+    """The buildings among sound pieces of a site and its landmarks, and what is wrong with these.
+    Pieces of other categories (trees) are not judged."""
+    marks = grounds.plan.landmarks
+    told = _told(grounds.plan, pieces)
+    mine = {id(piece) for piece in told.values()}
+    own = tuple(p for p in pieces if p.category == "building" and id(p) not in mine)
     rows = [(*p.pose[:2], p.pose.heading, *p.size[:2], p.pose.z, p.pose.z + p.size.height)
             for p in own]  # fmt: skip
-    rows += [(*row.box, 0.0, row.height) for row in marks.values()]
+    rows += [(*row.box, 0.0, row.height) for row in marks]
     values = np.array(rows, float).reshape(-1, 7)
     corners = _corners(values)
     shapes = shapely.polygons(corners) if len(rows) else np.empty(0, object)
-    for number, row in enumerate(marks.values()):
+    for number, row in enumerate(marks):
         shapes[len(own) + number] = shapely.Polygon(row.footprint)
     landmark = np.arange(len(rows)) >= len(own)
     given = landmark | np.array([p.fixed for p in own] + [True] * len(marks), bool)
-    ids = (*(p.id for p in own), *marks)
-    return Bodies(own, ids, shapes, corners, values[:, 5], values[:, 6], values[:, 2], given,
-                  landmark), findings  # fmt: skip
+    ids = (*(p.id for p in own), *(told[m.id].id if m.id in told else m.id for m in marks))
+    bodies = Bodies(
+        own, ids, shapes, corners, values[:, 5], values[:, 6], values[:, 2], given, landmark
+    )
+    return bodies, _changed(grounds.plan, told)
+
+
+def _told(plan: SitePlan, pieces: Sequence[Piece]) -> dict[str, Piece]:
+    """The piece of each landmark: named like it, or like it in its site (``site/landmark``)."""
+    names = {name: row.id for row in plan.landmarks for name in (row.id, f"{plan.id}/{row.id}")}
+    return {names[piece.id]: piece for piece in reversed(pieces) if piece.id in names}
 
 
 def _changed(plan: SitePlan, told: dict[str, Piece]) -> list[Finding]:

@@ -36,8 +36,8 @@ class SiteVerdict(NamedTuple):
 
 
 def judge_sites(sites: Sequence[Site], pieces: Sequence[Piece]) -> SiteVerdict:
-    """Every violation on some sites, and their figures. Pieces that are landmarks have the id of
-    the landmark; all others are buildings. Broken pieces become findings."""
+    """Every violation on some sites, and their figures. Landmarks are known by their ids; what
+    else is a building was placed. Broken pieces become findings."""
     grounds = grounds_of(sites, pieces)
     known = {ground.plan.id for ground in grounds}
     faults = [(piece, fault_of(piece, known)) for piece in pieces]
