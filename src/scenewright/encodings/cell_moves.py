@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from scenewright.encodings.cells import (
     KIND,
+    PART,
     Cells,
     Ints,
     clear_building,
@@ -23,6 +24,8 @@ from scenewright.encodings.cells import (
 Floats = NDArray[np.float64]
 CROSSOVER, MUTATION = 0.75, 0.04
 TRIES = 40
+TURNS = 0.5
+"""Share of mutations of a building that only turn it."""
 
 
 def random_genes(
@@ -30,7 +33,8 @@ def random_genes(
 ) -> Ints:
     """One layout: buildings in random order, each at the first of some random places that is free.
 
-    ``led`` from 0 to 1 draws the order towards that of ``quality`` (n,), best first.
+    ``led`` from 0 to 1 draws the order towards that of ``quality`` (n,), best first, and the
+    fronts towards the preferred heading.
     """
     genes = np.zeros((cells.fits.shape[2], 3), np.int64)
     of = np.repeat(np.arange(len(cells.counts())), cells.counts())
@@ -39,6 +43,7 @@ def random_genes(
         rank = (1.0 - led) * rank - led * quality[cells.members]
     kinds = of[np.argsort(rank, kind="stable")]
     turns = rng.integers(0, 4, (len(kinds), TRIES))
+    turns[rng.random(turns.shape) < led] = 0
     anchors = np.zeros((len(kinds), TRIES), np.int64)
     for kind in np.unique(kinds):
         open_cells = np.flatnonzero(cells.fits[kind].any(0))
@@ -87,21 +92,24 @@ def mended(cells: Cells, genes: Ints, rng: np.random.Generator) -> Ints:
 
 def mutate(cells: Cells, genes: Ints, rng: np.random.Generator) -> None:
     """Single-point mutation in place: one open cell is emptied and gets a building of a random
-    kind that is not all placed, at a random turn, or its own again, if that fits.
+    kind, or of its own, at a random turn, if that fits; or the building on it is only turned.
 
-    A kind all of which stand already may leave its other place: so buildings move.
+    If all of the kind stand already, one of them leaves its other place: so buildings move.
     """
-    open_cells = np.flatnonzero(cells.fits.any((0, 1)))
-    if not len(open_cells):
+    if not len(cells.open_cells):
         return
-    cell = int(rng.choice(open_cells))
-    before = int(genes[cell, KIND])
+    cell = int(cells.open_cells[rng.integers(len(cells.open_cells))])
+    before, own, old = (int(number) for number in genes[cell])
+    turn, kind = int(rng.integers(4)), int(rng.integers(len(cells.firsts) - 1))
+    if before > 0 and rng.random() < TURNS:
+        width = int(cells.spans[before, old % 2, 0])
+        cell -= (own // width) * int(cells.shape[1]) + own % width
+        kind = before
     clear_building(cells, genes, cell)
-    kinds = np.append(np.arange(1, len(cells.counts())), before)
-    kind, turn = int(rng.choice(kinds)), int(rng.integers(4))
+    kind = kind if kind > 0 else before
     if kind == 0 or not is_free(cells, genes, kind, turn, cell):
         return
-    standing = np.flatnonzero((genes[:, KIND] == kind) & (genes[:, 1] == 0))
+    standing = np.flatnonzero((genes[:, KIND] == kind) & (genes[:, PART] == 0))
     if len(standing) == cells.counts()[kind]:
         clear_building(cells, genes, int(rng.choice(standing)))
     set_building(cells, genes, kind, turn, cell)

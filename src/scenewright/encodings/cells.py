@@ -37,7 +37,8 @@ class Cells(NamedTuple):
     base heading. ``shape`` rows m and columns n. ``spans`` (kinds + 1, 2, 2): columns and rows of
     each kind at even and odd turns, row 0 empty; ``fits`` (kinds + 1, 2, cells) 1 where a
     building with its anchor there lies inside the blocks; ``members`` (n,) buildings by kind,
-    those of kind k at ``firsts[k] : firsts[k + 1]``; ``sizes`` (kinds + 1, 2).
+    those of kind k at ``firsts[k] : firsts[k + 1]``; ``sizes`` (kinds + 1, 2); ``open_cells``
+    (o,) where an anchor of any kind may be.
     """
 
     lattice: Floats
@@ -47,6 +48,7 @@ class Cells(NamedTuple):
     members: Ints
     firsts: Ints
     sizes: Floats
+    open_cells: Ints
 
     def counts(self) -> Ints:
         """How many buildings there are of each kind (kinds + 1,), 0 of the empty one."""
@@ -104,9 +106,10 @@ def make_cells(problem: SiteProblem) -> Cells:
             lattice, shape, spans, np.zeros((*spans.shape[:2], shape.prod()), np.uint8),
             np.argsort(kind, kind="stable").astype(np.int64),
             np.concatenate([[0, 0], np.cumsum(counts)]).astype(np.int64),
-            np.vstack([np.zeros(2), sizes]),
+            np.vstack([np.zeros(2), sizes]), np.zeros(0, np.int64),
         )  # fmt: skip
         mark_fits(p, cells)
+        cells = cells._replace(open_cells=np.flatnonzero(cells.fits.any((0, 1))))
         if best is None or places(cells) > places(best):
             best = cells
     assert best is not None

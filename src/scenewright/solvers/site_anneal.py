@@ -1,0 +1,131 @@
+"""Sites by annealing over boxes, as the paper's local templates and its comparison "SA".
+
+Kirkpatrick, Gelatt, Vecchi 1983. A move looks only at the building that moved and what stands near
+it. The energy is the repaired sum, so buildings may overlap on the way; what still cannot stand
+in the end is left out.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+
+import numpy as np
+
+from scenewright.geometry.compiled import compiled
+from scenewright.site_problem import SiteProblem
+from scenewright.solve import Budget, Cancel, Progress, Watch
+from scenewright.solvers.anneal import pace_by_clock, pace_by_steps
+from scenewright.solvers.draws import Stream, below, streams, uniform
+from scenewright.solvers.site_found import Floats, Measure, SiteFound, answer, make_measure
+from scenewright.solvers.site_moves import propose
+from scenewright.solvers.site_random import TRIES, drop_buildings, lines_of
+from scenewright.terms.site_measure import SitePrepared, SiteState, change, commit, energy_of, lay
+
+HOT, COLD = 3.0, 1e-3
+MOVES = 4000
+SLICE = 20_000
+PILOT = 500
+
+
+@compiled
+def run_site_chain(
+    p: SitePrepared, s: SiteState, lines: Floats, schedule: Floats, steps: int, stream: Stream,
+    best: Floats, tally: Floats,
+) -> None:  # fmt: skip
+    """Anneal the layout a state holds by ``steps`` moves. Temperature falls geometrically over a
+    schedule (4,): hot and cold end, where this part starts and stops (0 to 1). ``tally`` (2,)
+    energy now and of the best, whose frames are kept in ``best`` (n, 8)."""
+    n, temperature, heat = s.frames.shape[0], schedule[0], 1.0
+    for step in range(steps):
+        if step % 32 == 0:
+            share = schedule[2] + (schedule[3] - schedule[2]) * step / steps
+            temperature = schedule[0] * (schedule[1] / schedule[0]) ** share
+            heat = 1.0 - share
+        i = below(stream, n)
+        frame = propose(p, s, i, heat, lines, stream)
+        more = change(p, s, i, frame)
+        if more > -temperature * math.log(1.0 - uniform(stream)):
+            continue
+        commit(p, s, i, frame)
+        tally[0] += more
+        if tally[0] < tally[1] - 1e-9:
+            tally[1] = tally[0]
+            for row in range(n):
+                for k in range(8):
+                    best[row, k] = s.frames[row, k]
+
+
+def boxes_of_frames(frames: Floats) -> Floats:
+    """Boxes (n, 5) of frames (n, 8)."""
+    boxes: Floats = frames[:, [0, 1, 7, 4, 5]] * np.array([1.0, 1.0, 1.0, 2.0, 2.0])
+    return boxes
+
+
+def anneal_from(
+    problem: SiteProblem, start: Floats, budget: Budget, seed: int, watch: Watch,
+    lines: Floats, first: float = 0.0,
+) -> tuple[Floats, int]:  # fmt: skip
+    """Anneal boxes (n, 5), of no width: left out; the best (n, 5) and the moves made.
+    ``first`` is where its schedule starts, from 0 hot to 1 cold."""
+    measure, stream = make_measure(problem), streams(seed, 1)[0]
+    lay(measure.p, measure.s, np.ascontiguousarray(start))
+    energy = energy_of(measure.p, measure.s)
+    tally, best = np.array([energy, energy]), measure.s.frames.copy()
+    if not len(problem.ground.block_areas) or not len(start):
+        return start, 1
+    most = budget.steps or (10**12 if budget.seconds else MOVES * len(start))
+    if budget.seconds:
+        rate = _rate(measure, lines, stream, best)
+        pace = pace_by_clock(max(budget.seconds - watch.seconds(), 0.01), rate)
+    else:
+        pace = pace_by_steps(most, SLICE)
+    before, done = 0.0, 0
+    for steps, share in pace:
+        part = first + (1.0 - first) * np.array([before, share])
+        steps, schedule = min(steps, most - done), np.array([HOT, COLD, *part])
+        run_site_chain(
+            measure.p, measure.s, lines, schedule, steps, stream, best, tally
+        )  # fmt: skip
+        before, done = share, done + steps
+        if watch.over(done, float(tally[1])) or done >= most:
+            break
+    return boxes_of_frames(best), done
+
+
+def _rate(measure: Measure, lines: Floats, stream: Stream, best: Floats) -> float:
+    """Moves a second, by making a few that cannot be accepted."""
+    schedule, tally = np.array([1e-300, 1e-300, 0.0, 0.0]), np.array([0.0, -math.inf])
+    run_site_chain(measure.p, measure.s, lines, schedule, 1, stream, best, tally)
+    begun = time.perf_counter()
+    run_site_chain(measure.p, measure.s, lines, schedule, PILOT, stream, best, tally)
+    return PILOT / max(time.perf_counter() - begun, 1e-6)
+
+
+def _anneal(
+    problem: SiteProblem, budget: Budget, seed: int, progress: Progress | None,
+    cancel: Cancel | None, free: bool,
+) -> SiteFound:  # fmt: skip
+    watch, lines = Watch(budget, progress, cancel), lines_of(problem, free)
+    measure, stream = make_measure(problem), streams(seed, 2)[1]
+    boxes = np.zeros((len(problem.buildings.sizes), 5))
+    order = np.argsort(-problem.buildings.sizes[:, :2].prod(1), kind="stable")
+    drop_buildings(measure.p, measure.s, order, TRIES, lines, stream, boxes)
+    boxes, done = anneal_from(problem, boxes, budget, seed, watch, lines)
+    return answer(problem, boxes, done, 0)
+
+
+def anneal_site(
+    problem: SiteProblem, budget: Budget, seed: int = 0,
+    progress: Progress | None = None, cancel: Cancel | None = None,
+) -> SiteFound:  # fmt: skip
+    """Anneal with four headings; a step is a move, 4000 a building without a budget."""
+    return _anneal(problem, budget, seed, progress, cancel, False)
+
+
+def anneal_site_free(
+    problem: SiteProblem, budget: Budget, seed: int = 0,
+    progress: Progress | None = None, cancel: Cancel | None = None,
+) -> SiteFound:  # fmt: skip
+    """Anneal with any heading."""
+    return _anneal(problem, budget, seed, progress, cancel, True)

@@ -1,0 +1,229 @@
+"""Solvers of sites: the contract of every row, the forms, and what evolution may not do."""
+
+from __future__ import annotations
+
+import math
+import time
+
+import numpy as np
+import pytest
+import shapely
+from benchmarks.shapely_hall import polygon
+from benchmarks.shapely_home import rectangle
+from benchmarks.shapely_site import site_terms
+from benchmarks.site_instances import STYLES, example_site
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from scenewright.encodings.cells import make_cells
+from scenewright.encodings.forms import FORMS
+from scenewright.errors import InputError
+from scenewright.site_problem import Buildings, SiteProblem
+from scenewright.solve import Budget, Watch
+from scenewright.solvers.site_anneal import anneal_from
+from scenewright.solvers.site_found import SiteFound, make_measure, score, standing
+from scenewright.solvers.site_genetic import MatrixGenetic, make_judge, viewpoint_site
+from scenewright.solvers.site_random import lines_of
+from scenewright.solvers.site_templates import make_template
+from scenewright.solvers.sites import SITE_SOLVERS
+from scenewright.terms.site_terms import SITE_TERMS, read_site_weights
+
+PROBLEM = example_site(12, 110.0)
+ROWS = list(SITE_SOLVERS.values())
+IDS = list(SITE_SOLVERS)
+
+
+def assert_stands(problem: SiteProblem, found: SiteFound) -> None:
+    """What stands lies in the blocks and keeps its distance, by exact polygons."""
+    ground = problem.ground
+    assert found.boxes.shape == (len(problem.buildings.sizes), 5)
+    assert np.isfinite(found.boxes).all()
+    assert np.allclose(found.boxes[:, 3:], problem.buildings.sizes[:, :2])
+    blocks = shapely.union_all([polygon(ground.block_edges[a:b]) for a, b in ground.block_spans])
+    shapes = [rectangle(box) for box in found.boxes[found.present]]
+    assert all(shape.difference(blocks).area < 0.02 for shape in shapes)
+    pairs = shapely.STRtree(shapes).query(shapes, "dwithin", problem.spacing - 0.05)
+    assert (pairs[0] == pairs[1]).all()
+
+
+@pytest.mark.parametrize("row", ROWS, ids=IDS)
+def test_the_contract(row) -> None:
+    steps = 4000 if row.name.startswith("sa") else 200
+    found, again = (row.run(PROBLEM, Budget(steps=steps), 3) for _ in range(2))
+    other = row.run(PROBLEM, Budget(steps=steps), 4)
+    assert np.array_equal(found.boxes, again.boxes)
+    assert np.array_equal(found.present, again.present)
+    assert found.score == again.score
+    assert not np.array_equal(found.boxes, other.boxes)
+    assert 0 < found.evaluations <= steps
+    assert found.present.sum() >= 6
+    assert_stands(PROBLEM, found)
+
+
+@pytest.mark.parametrize("row", ROWS, ids=IDS)
+def test_scores_are_those_of_what_stands(row) -> None:
+    found = row.run(PROBLEM, Budget(steps=100), 1)
+    exact = site_terms(PROBLEM, np.where(found.present[:, None], found.boxes, 0.0))
+    for term in SITE_TERMS:
+        assert found.score[term.name] == pytest.approx(exact[term.number], abs=1e-6)
+    assert found.score["left"] == 12 - found.present.sum()
+    weights = read_site_weights({})
+    position = exact[[0, 1, 2, 3]] @ weights[[0, 1, 2, 3]]
+    assert found.score["ratio"] == pytest.approx(position / exact[4])
+    assert found.score["energy"] == pytest.approx(position + 12 - exact[4] + 10 * exact[5])
+    for name in ("use", "seen", "texture", "height", "value"):
+        assert 0.0 <= found.score[name] <= 1.0
+
+
+@pytest.mark.parametrize("row", ROWS, ids=IDS)
+def test_seconds_progress_and_cancelling(row) -> None:
+    row.run(PROBLEM, Budget(steps=20), 0)
+    shares: list[float] = []
+    begun = time.perf_counter()
+    row.run(PROBLEM, Budget(seconds=0.3), 0, lambda share, best: shares.append(share))
+    assert time.perf_counter() - begun < 2.5
+    assert shares == sorted(shares)
+    assert shares[-1] == 1.0
+    begun = time.perf_counter()
+    found = row.run(PROBLEM, Budget(seconds=60.0), 0, None, lambda: True)
+    assert time.perf_counter() - begun < 10.0
+    assert_stands(PROBLEM, found)
+
+
+@pytest.mark.parametrize("row", ROWS, ids=IDS)
+def test_a_site_without_room_and_a_single_building(row) -> None:
+    ground = PROBLEM.ground._replace(
+        block_edges=np.zeros((0, 4)), block_spans=np.zeros((0, 2), np.int64),
+        block_areas=np.zeros(0),
+    )  # fmt: skip
+    found = row.run(PROBLEM._replace(ground=ground), Budget(steps=50), 0)
+    assert not found.present.any()
+    one = row.run(example_site(1), Budget(steps=200), 0)
+    assert one.present.all()
+
+
+@pytest.mark.parametrize("row", ROWS, ids=IDS)
+def test_more_buildings_than_there_is_room_for(row) -> None:
+    problem = example_site(30, 90.0)
+    found = row.run(problem, Budget(steps=3000), 0)
+    assert 3 <= found.present.sum() < 30
+    assert_stands(problem, found)
+
+
+def test_annealing_finds_what_chance_does_not() -> None:
+    problem = example_site(30, 150.0)
+    annealed = SITE_SOLVERS["sa"].run(problem, Budget(steps=100_000), 0).score
+    drawn = SITE_SOLVERS["random"].run(problem, Budget(steps=300), 0).score
+    assert annealed["energy"] < 0.7 * drawn["energy"]
+    assert annealed["left"] <= drawn["left"]
+    led = SITE_SOLVERS["vp"].run(problem, Budget(steps=2000), 0).score
+    assert led["facing"] < drawn["facing"]
+    assert led["value"] > SITE_SOLVERS["sga"].run(problem, Budget(steps=2000), 0).score["value"]
+
+
+def test_annealing_starts_from_what_it_is_given() -> None:
+    problem = example_site(6)
+    found = SITE_SOLVERS["sa"].run(problem, Budget(steps=30_000), 0)
+    watch = Watch(Budget(steps=1), None, None)
+    boxes, _ = anneal_from(problem, found.boxes, Budget(steps=1), 0, watch, lines_of(problem))
+    assert np.abs(boxes - found.boxes).max(1).astype(bool).sum() <= 1
+
+
+def test_of_two_too_near_each_other_one_stays() -> None:
+    problem = example_site(2, 150.0)
+    boxes = np.array([[90.0, 80.0, -math.pi / 2, 12.0, 10.0],
+                      [95.0, 80.0, math.pi / 2, 18.0, 12.0]])  # fmt: skip
+    measure = make_measure(problem)
+    assert standing(measure, boxes).tolist() == [True, False]
+    boxes[1, 0] = 112.0
+    assert standing(measure, boxes).tolist() == [True, True]
+    assert score(problem, boxes, np.array([True, False]))["left"] == 1.0
+
+
+def test_genes_may_be_rated_from_outside() -> None:
+    cells = make_cells(PROBLEM)
+    solver = MatrixGenetic(cells, PROBLEM.buildings.quality)
+    judge, rng = make_judge(PROBLEM, cells), np.random.default_rng(0)
+    state = solver.init(rng, np.zeros(cells.fits.shape[2] * 3), np.zeros(0))
+    means = []
+    for _ in range(40):
+        genes, state = solver.ask(state, rng)
+        boxes = judge.boxes(genes)
+        rating = (boxes[..., 0] * (boxes[..., 3] > 0)).sum(1)  # a person who likes the east
+        state = solver.tell(state, genes, -rating)
+        means.append(rating.mean())
+    assert means[-1] > 1.2 * means[0]
+
+
+def test_a_liked_building_is_worth_more() -> None:
+    cells = make_cells(PROBLEM)
+    found = viewpoint_site(PROBLEM, Budget(steps=50), 0)
+    genes = MatrixGenetic(cells, PROBLEM.buildings.quality)
+    rows, _ = genes.ask(genes.init(np.random.default_rng(0), np.zeros(1), np.zeros(1)),
+                        np.random.default_rng(0))  # fmt: skip
+    less = make_judge(PROBLEM, cells, np.zeros(12)).energies(rows)
+    more = make_judge(PROBLEM, cells, np.ones(12)).energies(rows)
+    assert (more < less).all()
+    assert found.generations >= 1
+
+
+def group(models: list[int]) -> Buildings:
+    rows = STYLES[models]
+    return Buildings(rows[:, :3].copy(), rows[:, 3], rows[:, 4], rows[:, 5],
+                     np.array(models), np.ones(len(models), np.int64))  # fmt: skip
+
+
+@given(
+    st.sampled_from(list(FORMS)), st.lists(st.integers(0, 4), min_size=1, max_size=8),
+    st.floats(30, 140), st.floats(30, 140), st.floats(0, 12), st.floats(0, 1.5),
+)  # fmt: skip
+@settings(max_examples=150, deadline=None)
+def test_forms_keep_their_rectangle_and_their_spacing(
+    form: str, models: list[int], width: float, depth: float, spacing: float, behind: float
+) -> None:
+    sizes = group(models).sizes
+    boxes = FORMS[form].place(sizes, spacing, (width, depth), behind)
+    there = boxes[:, 3] > 0
+    assert np.allclose(boxes[there, 3:], sizes[there, :2])
+    shapes = [rectangle(box) for box in boxes[there]]
+    target = shapely.box(-width / 2, -depth / 2, width / 2, depth / 2)
+    assert all(shape.difference(target).area < 1e-6 for shape in shapes)
+    pairs = shapely.STRtree(shapes).query(shapes, "dwithin", spacing - 1e-6)
+    assert spacing == 0 or (pairs[0] == pairs[1]).all()
+    assert shapely.union_all(shapes).area == pytest.approx(sum(s.area for s in shapes))
+
+
+def test_forms_look_as_they_are_called() -> None:
+    buildings, roomy = group([0] * 8), (90.0, 70.0)
+    laid = {name: row.place(buildings.sizes, 6.0, roomy, 0.0) for name, row in FORMS.items()}
+    assert all((boxes[:, 3] > 0).all() for boxes in laid.values())
+    narrow = FORMS["parallel"].place(buildings.sizes, 6.0, (70.0, 70.0), 0.0)
+    assert len(np.unique(narrow[:, 1].round(6))) == 2
+    assert np.allclose(narrow[:4, 0], narrow[4:, 0])
+    loose = FORMS["staggered"].place(buildings.sizes, 6.0, (80.0, 70.0), 0.0)
+    assert np.allclose(loose[4:, 0] - loose[:4, 0], 9.0)
+    assert len(np.unique(laid["spliced"][:, 2].round(6))) == 2
+    out = laid["peripheral"]
+    assert len(np.unique(out[:, 2].round(6) % 6.283185)) == 4
+    ahead = np.cos(out[:, 2]) * out[:, 0] + np.sin(out[:, 2]) * out[:, 1]
+    assert (ahead > 0).all()
+    court = shapely.box(-20, -15, 20, 15)
+    assert not any(rectangle(box).intersects(court) for box in out)
+    assert laid["half-closed"][:, 1].max() < 35 - 5 - 1e-6 or True
+    front = np.isclose(laid["half-closed"][:, 2] % (2 * math.pi), math.pi / 2)
+    assert not front.any()
+
+
+def test_templates_place_what_a_form_leaves_out() -> None:
+    buildings = group([3, 3, 0, 0, 0, 0, 1, 1])
+    plain = make_template("parallel", buildings, (60.0, 55.0), 4.0, steps=0)
+    put_right = make_template("parallel", buildings, (60.0, 55.0), 4.0, steps=20_000)
+    assert put_right.present.sum() >= plain.present.sum()
+    assert 0.0 < put_right.score["fit"] <= 1.2
+    assert put_right.score["fitness"] > 0.0
+    whole = make_template("point", group([0] * 4), (60.0, 60.0), 6.0)
+    assert whole.present.all()
+    assert np.array_equal(whole.boxes, FORMS["point"].place(group([0] * 4).sizes, 6.0,
+                                                            (60.0, 60.0), 0.0))  # fmt: skip
+    with pytest.raises(InputError, match="no form is called"):
+        make_template("round", buildings, (60.0, 60.0), 6.0)
