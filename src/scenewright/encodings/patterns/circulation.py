@@ -32,6 +32,19 @@ def place_circulation(layers: Floats, first: int, last: int, out: Floats, at: in
 
 
 @inlined
+def ring_radius(number: int, wide: float, deep: float, opening: float) -> float:
+    """The least radius, to 0.02 m, of a ring with an opening whose inner corners do not meet."""
+    half = math.pi / number
+    radius = 0.5 * wide / math.tan(half) + 0.5 * deep
+    while opening > 0.0:
+        half = (math.pi - min(0.5 * opening / radius, 0.5 * math.pi)) / number
+        if (radius - 0.5 * deep) * math.tan(half) >= 0.5 * wide:
+            break
+        radius += 0.02
+    return radius
+
+
+@inlined
 def seed_circulation(
     layers: Floats, first: int, number: int, rings: int, wide: float, deep: float, along: float,
     across: float, part: int,
@@ -48,8 +61,7 @@ def seed_circulation(
         ahead = rings - k
         share = (k + 1) / (ahead * (k + 1 + 0.5 * ahead))
         count = left if ahead == 1 else max(int(left * share), 3)
-        step = math.pi / max(count, 3)
-        needed = 0.5 * (wide + along + opening / max(count, 1)) / math.tan(step) + 0.5 * deep
+        needed = ring_radius(max(count, 3), wide + along, deep, opening)
         radius = max(radius + deep + 2.0 * across if k > 0 else 0.0, needed + 0.01)
         layers[first + k, NUMBER], layers[first + k, ALONG] = count, opening
         layers[first + k, ACROSS] = radius

@@ -47,7 +47,8 @@ def seed_radiation(
     for ring in range(rings):
         shares = 0.5 * (rings * (rings + 1) - ring * (ring + 1))
         count = int(left * (ring + 1) / shares + 0.5)
-        needed = 0.5 * (wide + along) / math.sin(math.pi / max(count, 2))
+        step = math.pi / max(count, 2)
+        needed = max(0.5 * (wide + along) / math.sin(step), 0.5 * (wide / math.tan(step) + deep))
         radius = max(radius + 0.5 * deep + across, needed)
         if count > 0:
             layers[k, NUMBER], layers[k, ALONG], layers[k, ACROSS] = count, along, radius
