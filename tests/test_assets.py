@@ -35,6 +35,7 @@ REQUIRED = (
     "mannequin display_table checkout fitting_room fridge_shelf basket_stack book_stack "
     "reading_table reading_chair carrel lounge_seat catalogue_terminal auditorium_seat lectern "
     "stage screen counter partition litter_bin sign_totem lockers vending_machine "
+    "building tree lamp_post site_bench "
 )
 
 ASSETS = list(shipped().assets.values())

@@ -16,6 +16,7 @@ _THEMES = (
     "seating", "tables", "beds", "storage", "shelves", "kitchen", "cooking", "sanitary",
     "appliances", "lighting", "textiles", "decor", "greenery", "outdoor", "building", "leisure",
     "exhibition", "islands", "gondolas", "shop", "reading", "auditorium", "reception",
+    "eastern", "sacred", "civic", "houses", "towers", "works", "site_green",
 )  # fmt: skip
 
 

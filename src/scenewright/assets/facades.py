@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from math import cos, pi, sin
 
 from scenewright.assets.joinery import spread
-from scenewright.geometry.mesh import Mesh, turned
+from scenewright.geometry.mesh import Mesh, moved, turned
 from scenewright.geometry.solids import Interval, Spot, block, disc, sheet
 
 OUT = 0.08
@@ -43,7 +43,7 @@ def on(side: str, x: Interval, y: Interval, meshes: Sequence[Mesh]) -> list[Mesh
     at = ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2)
     reach = {"f": (at[0], y[1]), "b": (at[0], y[0]), "l": (x[0], at[1]), "r": (x[1], at[1])}[side]
     found = [turned(mesh, "z", _TURNS[side]) for mesh in meshes]
-    return [Mesh(mesh.vertices + (reach[0], reach[1], 0.0), mesh.faces) for mesh in found]
+    return [moved(mesh, *reach) for mesh in found]
 
 
 def width_of(side: str, x: Interval, y: Interval) -> float:
@@ -78,7 +78,8 @@ def bands(x: Interval, y: Interval, levels: Sequence[Interval], tall: float = 0.
     found: list[Mesh] = []
     for side in sides:
         half = width_of(side, x, y) / 2 - inset
-        strips = [block((-half, half), (-OUT, OUT), (a + sill * (b - a), a + (sill + tall) * (b - a)))
+        strips = [block((-half, half), (-OUT, OUT),
+                        (a + sill * (b - a), a + (sill + tall) * (b - a)))
                   for a, b in levels]  # fmt: skip
         found += on(side, x, y, strips)
     return found
@@ -91,14 +92,15 @@ def piers(x: Interval, y: Interval, z: Interval, bay: float, wide: float = 0.4, 
     for side in sides:
         half = width_of(side, x, y) / 2
         lines = [a for a, _ in bays((-half, half), bay)] + [half]
-        ribs = [block((max(a - wide / 2, -half - out), min(a + wide / 2, half + out)), (-OUT, out), z)
+        ribs = [block((max(a - wide / 2, -half - out), min(a + wide / 2, half + out)),
+                      (-OUT, out), z)
                 for a in lines]  # fmt: skip
         found += on(side, x, y, ribs)
     return found
 
 
 def arch(x: float, z: Interval, wide: float, y: Interval, pointed: bool = False,
-         steps: int = 6) -> Mesh:  # fmt: skip
+         steps: int = 4) -> Mesh:  # fmt: skip
     """An arched plate in y: an opening or a portal, round or pointed (of two arcs)."""
     half = wide / 2
     rise = min(half * (1.6 if pointed else 1.0), 0.9 * (z[1] - z[0]))
@@ -114,9 +116,9 @@ def arch(x: float, z: Interval, wide: float, y: Interval, pointed: bool = False,
 
 
 def arches(xs: Sequence[float], z: Interval, wide: float, y: Interval,
-           pointed: bool = False) -> list[Mesh]:  # fmt: skip
+           pointed: bool = False, steps: int = 4) -> list[Mesh]:  # fmt: skip
     """A row of equal arches."""
-    return [arch(x, z, wide, y, pointed) for x in xs]
+    return [arch(x, z, wide, y, pointed, steps) for x in xs]
 
 
 def columns(spots: Sequence[Spot], z: Interval, radius: float, sides: int = 8) -> list[Mesh]:

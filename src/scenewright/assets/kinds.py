@@ -89,6 +89,9 @@ _ROWS = (
     _kinds("auditorium_seat", _BOTH, 0.45),
     _kinds("lectern", ("back",), 0.6),
     _kinds("stage", _THREE, 0.9),
+    _kinds("building", _FRONT, 1.5),
+    _kinds("tree lamp_post"),
+    _kinds("site_bench", _FRONT),
 )
 
 KINDS: dict[str, Kind] = {kind.category: kind for row in _ROWS for kind in row}

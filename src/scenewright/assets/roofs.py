@@ -70,13 +70,15 @@ def tiered(x: Interval, y: Interval, levels: Sequence[Spot]) -> Mesh:
     return loft([rectangle_ring(drawn_in(x, s), drawn_in(y, s), z) for s, z in levels])
 
 
-def spire(x: float, y: float, z: Interval, radius: float, sides: int = 8, turn: float = 0.0) -> Mesh:
-    """A pyramid over a regular polygon."""
+def spire(x: float, y: float, z: Interval, radius: float, sides: int = 8, turn: float = 0.0,
+          tip: float = 0.09) -> Mesh:  # fmt: skip
+    """A pyramid over a regular polygon, blunt by the share ``tip``: a needle would draw all
+    attention (see :mod:`scenewright.geometry.saliency`)."""
     angle = turn + np.arange(sides) * tau / sides
-    base = np.column_stack(
-        [x + radius * np.cos(angle), y + radius * np.sin(angle), np.full(sides, z[0])]
-    )
-    return loft([base, np.tile([x, y, z[1]], (sides, 1))])
+    return loft([
+        np.column_stack([x + r * np.cos(angle), y + r * np.sin(angle), np.full(sides, high)])
+        for r, high in zip((radius, tip * radius), z, strict=True)
+    ])  # fmt: skip
 
 
 def pyramid(x: Interval, y: Interval, z: Interval) -> Mesh:
@@ -87,7 +89,7 @@ def pyramid(x: Interval, y: Interval, z: Interval) -> Mesh:
 def dome(radius: float, z: Interval, at: Spot = (0.0, 0.0), sides: int = 16, rows: int = 5,
          bulge: float = 0.0) -> Mesh:  # fmt: skip
     """A round dome; ``bulge`` > 0 swells it beyond its base and draws it to a point (an onion)."""
-    found = []
+    found: list[tuple[float, float]] = []
     for k in range(rows + 1):
         share = k / rows
         round_ = cos(share * pi / 2)
@@ -101,7 +103,7 @@ def dome(radius: float, z: Interval, at: Spot = (0.0, 0.0), sides: int = 16, row
 def bell(radius: float, z: Interval, at: Spot = (0.0, 0.0), sides: int = 8) -> Mesh:
     """A curved cap with a lantern's neck and a point, as on baroque towers."""
     shape = [(1.0, 0.0), (0.96, 0.1), (0.7, 0.26), (0.42, 0.36), (0.3, 0.46), (0.3, 0.62),
-             (0.36, 0.66), (0.2, 0.78), (0.04, 0.86), (0.0, 1.0)]  # fmt: skip
+             (0.36, 0.66), (0.22, 0.78), (0.12, 0.86), (0.09, 1.0)]  # fmt: skip
     return lathe([(r * radius, z[0] + s * (z[1] - z[0])) for r, s in shape], at, sides)
 
 
@@ -123,6 +125,7 @@ def swept(x: Interval, y: Interval, z: Interval, top: tuple[Interval, Interval],
         ]
         level = z[0] + (z[1] - z[0]) * high
         rings.append(_eaves(now[0], now[1], level, lift * (1 - share) ** 2))
+    rings.append([(middle(top[0]), middle(top[1]), z[1] + 0.1)] * 12)
     return loft(rings)
 
 
@@ -140,18 +143,33 @@ def swept_round(radius: float, z: Interval, at: Spot = (0.0, 0.0), sides: int = 
                 top: float = 0.0, lift: float = 0.4) -> Mesh:  # fmt: skip
     """The same over a regular polygon, its corners turned up: pavilions and pagodas."""
     rings = []
-    levels = [(0.93, -0.3 * lift, 1.0), (1.0, 0.0, 1.0), (0.62, 0.3, 0.35), (0.3, 0.62, 0.0)]
-    for share, high, raised in (*levels, (0.0, 1.0, 0.0)):
+    levels = ((0.93, -0.3 * lift, 1.0), (1.0, 0.0, 1.0), (0.4, 0.45, 0.2), (0.0, 1.0, 0.0))
+    for share, high, raised in levels:
         reach = top + (radius - top) * share
         level = z[0] + (high if high < 0 else high * (z[1] - z[0]))
         rings.append(_cornered(reach, level, lift * raised, at, sides))
     return loft(rings)
 
 
-def _cornered(radius: float, z: float, lift: float, at: Spot, sides: int) -> list[tuple[float, ...]]:
-    found = []
+def regular(radius: float, z: Interval, at: Spot = (0.0, 0.0), sides: int = 8,
+            top: float | None = None) -> Mesh:  # fmt: skip
+    """An upright prism over a regular polygon with a side, not a corner, to the front; ``top`` is
+    its radius above, if another."""
+    angle = pi / 2 - pi / sides + np.arange(sides) * tau / sides
+    reach = (radius, radius if top is None else top)
+    return loft([
+        np.column_stack([at[0] + r * np.cos(angle), at[1] + r * np.sin(angle),
+                         np.full(sides, high)])
+        for r, high in zip(reach, z, strict=True)
+    ])  # fmt: skip
+
+
+def _cornered(
+    radius: float, z: float, lift: float, at: Spot, sides: int
+) -> list[tuple[float, ...]]:
+    found: list[tuple[float, ...]] = []
     for k in range(2 * sides):
-        angle = (k - 1) * pi / sides
+        angle = pi / 2 + (k - 1) * pi / sides
         reach = radius * (1.0 if k % 2 == 0 else cos(pi / sides) * 0.97)
         found.append((at[0] + reach * cos(angle), at[1] + reach * sin(angle),
                       z + lift * (k % 2 == 0)))  # fmt: skip

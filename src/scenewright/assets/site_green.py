@@ -1,0 +1,109 @@
+"""What stands between buildings: trees, lamp posts, benches. Light, for there are many."""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+
+from scenewright.assets.greenery import rosette_symbol
+from scenewright.assets.materials import BARK, BLACK, GLOW, LEAF, LEAF_LIGHT, STEEL, TEAK
+from scenewright.assets.model import Parts, asset, parts
+from scenewright.assets.objects import wobble
+from scenewright.assets.roofs import spire
+from scenewright.assets.symbols import Lines, oval, path, rectangle
+from scenewright.geometry.mesh import Mesh, loft
+from scenewright.geometry.solids import block, disc, leg, oval_ring
+from scenewright.scene import Size
+
+
+def _clump(rx: float, ry: float, z: tuple[float, float], at: tuple[float, float],
+           start: int, sides: int = 6) -> Mesh:  # fmt: skip
+    """An uneven round mass of leaves, 4 ``sides`` triangles: a point, two rings, a point."""
+    middle, low, high = (z[0] + z[1]) / 2, z[0], z[1]
+    rings = [[(at[0], at[1], low)] * sides]
+    for k, (level, wide) in enumerate(
+        ((0.5 * (low + middle), 0.86), (0.45 * middle + 0.55 * high, 0.9))
+    ):
+        ring = oval_ring(rx * wide, ry * wide, level, sides, at).tolist()
+        turn = (k + start) * pi / sides
+        rings.append([
+            (at[0] + (x - at[0]) * cos(turn) - (y - at[1]) * sin(turn) * rx / ry,
+             at[1] + (x - at[0]) * sin(turn) * ry / rx + (y - at[1]) * cos(turn),
+             level + 0.1 * (high - low) * (wobble(start + 7 * k + i) - 0.5))
+            for i, (x, y, level) in enumerate(ring)
+        ])  # fmt: skip
+    rings.append([(at[0], at[1], high)] * sides)
+    return loft(rings)
+
+
+def _tree(size: Size) -> Parts:
+    """A broad crown of two masses on a trunk."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    trunk = leg(0.0, 0.0, (0.0, 0.5 * h), 0.035 * (w + d), 0.05 * (w + d), 5)
+    return parts(size, {
+        BARK: [trunk],
+        LEAF: [_clump(w, d, (0.24 * h, 0.86 * h), (0.0, 0.0), 0, 7)],
+        LEAF_LIGHT: [_clump(0.66 * w, 0.66 * d, (0.5 * h, h), (0.1 * w, 0.08 * d), 3, 6)],
+    })  # fmt: skip
+
+
+def _conifer(size: Size) -> Parts:
+    """Three cones, one in the other."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    cones = [
+        spire(0.0, 0.0, (low * h, high * h), wide, 8, k * pi / 8, 0.02)
+        for k, (low, high, wide) in enumerate(
+            ((0.12, 0.6, 1.0), (0.36, 0.8, 0.74), (0.58, 1.0, 0.5))
+        )
+    ]
+    shaped = [Mesh(cone.vertices * (w, d, 1.0), cone.faces) for cone in cones]
+    trunk = leg(0.0, 0.0, (0.0, 0.3 * h), 0.06 * w, 0.07 * w, 5)
+    return parts(size, {BARK: [trunk], LEAF: shaped})
+
+
+def _lamp_post(size: Size) -> Parts:
+    """A tapered mast with an arm to the front and a flat head."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    back, thick = -0.8 * d, min(0.08, 0.5 * w)
+    mast = leg(0.0, back, (0.0, 0.97 * h), 0.5 * thick, thick, 6)
+    foot = disc(min(0.16, w), (0.0, 0.12), (0.0, back), 6)
+    arm = block((-0.03, 0.03), (back, 0.7 * d), (0.965 * h, 0.985 * h))
+    head = block((-w, w), (0.3 * d, d), (0.97 * h, h))
+    light = block((-0.8 * w, 0.8 * w), (0.4 * d, 0.92 * d), (0.96 * h, 0.972 * h))
+    return parts(size, {BLACK: [mast, foot, arm, head], GLOW: [light]})
+
+
+def _site_bench(size: Size) -> Parts:
+    """Slats for seat and back on two frames."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    seat = min(0.45, 0.55 * h)
+    slats = [
+        block((-w, w), (a * d, (a + 0.42) * d), (seat - 0.04, seat)) for a in (-0.5, 0.04, 0.58)
+    ]
+    back = [block((-w, w), (-d, -d + 0.05), (z * h, (z + 0.16) * h)) for z in (0.66, 0.84)]
+    frames = []
+    for s in (-1, 1):
+        x = (s * 0.8 * w - 0.03, s * 0.8 * w + 0.03)
+        frames += [block(x, (-d + 0.04, -d + 0.1), (0, 0.98 * h)),
+                   block(x, (0.8 * d - 0.06, 0.8 * d), (0, seat - 0.03)),
+                   block(x, (-d + 0.08, 0.8 * d), (seat - 0.09, seat - 0.035))]  # fmt: skip
+    return parts(size, {TEAK: [*slats, *back], STEEL: frames})
+
+
+def _lamp_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    return rectangle(size), oval(0, -0.8 * d, 0.2 * min(w, d)), path((0, -0.8 * d), (0, d))
+
+
+def _bench_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    return rectangle(size), path((-w, -0.7 * d), (w, -0.7 * d)), path((-w, 0.2 * d), (w, 0.2 * d))
+
+
+_TALL = (Size(1.5, 1.5, 4.0), Size(5.0, 5.0, 14.0), Size(9.0, 9.0, 30.0))
+
+ASSETS = (
+    asset("tree", _tree, rosette_symbol),
+    asset("tree", _conifer, rosette_symbol, variant="conifer", name="Conifer", sizes=_TALL),
+    asset("lamp_post", _lamp_post, _lamp_symbol),
+    asset("site_bench", _site_bench, _bench_symbol, name="Park bench"),
+)
