@@ -21,7 +21,8 @@ from scenewright.errors import InputError
 from scenewright.site_problem import Buildings, SiteProblem
 from scenewright.solve import Budget, Watch
 from scenewright.solvers.site_anneal import anneal_from
-from scenewright.solvers.site_found import SiteFound, make_measure, score, standing
+from scenewright.solvers.site_answer import make_measure, score, standing
+from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.site_genetic import MatrixGenetic, make_judge, viewpoint_site
 from scenewright.solvers.site_random import lines_of
 from scenewright.solvers.site_templates import make_template

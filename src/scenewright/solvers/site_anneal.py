@@ -13,11 +13,12 @@ import time
 import numpy as np
 
 from scenewright.geometry.compiled import compiled
-from scenewright.site_problem import SiteProblem
+from scenewright.site_problem import Floats, SiteProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
 from scenewright.solvers.anneal import pace_by_clock, pace_by_steps
 from scenewright.solvers.draws import Stream, below, streams, uniform
-from scenewright.solvers.site_found import Floats, Measure, SiteFound, answer, make_measure
+from scenewright.solvers.site_answer import Measure, answer, make_measure
+from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.site_moves import propose
 from scenewright.solvers.site_random import TRIES, drop_buildings, lines_of
 from scenewright.terms.site_measure import SitePrepared, SiteState, change, commit, energy_of, lay

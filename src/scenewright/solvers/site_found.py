@@ -1,130 +1,20 @@
-"""What solvers of sites answer with, and how any layout is made to stand and scored."""
+"""What a solver of sites answers with."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from scenewright.geometry.boxes import make_frame
-from scenewright.geometry.buckets import remove
-from scenewright.geometry.compiled import compiled
-from scenewright.site_problem import SiteProblem
-from scenewright.solve import Budget, Cancel, Progress
-from scenewright.terms.site_measure import (
-    SitePrepared,
-    SiteState,
-    energy_of,
-    lay,
-    lay_all,
-    look,
-    make_site_state,
-    prepare_site,
-    put,
-    stands,
-)
-from scenewright.terms.site_terms import QUALITY, SITE_TERMS, printed_ratio
-from scenewright.terms.site_value import OMEGA, make_worth, value_parts
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Flags = NDArray[np.bool_]
-LOOSE = 0.01
-"""What a building may lie outside or too near, in square metres."""
+from scenewright.site_problem import Flags, Floats
 
 
 class SiteFound(NamedTuple):
-    """``boxes`` (n, 5) and which of them stand, ``present`` (n,); ``score`` by name: every term,
-    ``energy``, ``ratio`` of (5), ``use``, ``seen``, ``texture``, ``height`` and ``value`` of
-    (22); layouts or moves looked at, and the generations until the search had settled."""
+    """Boxes (n, 5), which buildings found a place (n,), scores by name, how many layouts were
+    looked at and in how many generations (1 where there are none), and the planar form each
+    building stands in (empty: not known)."""
 
     boxes: Floats
     present: Flags
     score: dict[str, float]
     evaluations: int
-    generations: int
-
-
-SiteRun = Callable[[SiteProblem, Budget, int, Progress | None, Cancel | None], SiteFound]
-
-
-class Measure(NamedTuple):
-    """A problem made ready once, to judge many layouts."""
-
-    p: SitePrepared
-    s: SiteState
-
-    def energies(self, population: Floats) -> Floats:
-        """Energies (P,) of layouts (P, n, 5) by the repaired sum."""
-        terms = np.empty((len(population), len(SITE_TERMS)))
-        lay_all(self.p, self.s, population, terms)
-        lost = self.p.weights[QUALITY] * len(self.p.buildings)
-        energies: Floats = terms @ self.p.weights - lost
-        return energies
-
-
-def make_measure(problem: SiteProblem) -> Measure:
-    """Ready to judge layouts of a problem."""
-    return Measure(prepare_site(problem), make_site_state(problem))
-
-
-@compiled
-def stand_up(
-    p: SitePrepared, s: SiteState, boxes: Floats, order: Ints, loose: float, present: Flags
-) -> None:
-    """Mark which of ``boxes`` (n, 5), taken in ``order``, stand clear of those before them."""
-    for i in range(boxes.shape[0]):
-        remove(s.buckets, i)
-        present[i] = False
-    for k in range(order.shape[0]):
-        i = order[k]
-        frame = make_frame(boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3], boxes[i, 4])
-        if stands(p, s, i, frame, loose):
-            put(p, s, i, frame)
-            present[i] = True
-
-
-@compiled
-def own_costs(p: SitePrepared, s: SiteState, boxes: Floats, costs: Floats) -> None:
-    """Write what each building costs where it stands, its pairs included; (n,)."""
-    lay(p, s, boxes)
-    for i in range(boxes.shape[0]):
-        frame = make_frame(boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3], boxes[i, 4])
-        look(p, s, i, frame, s.new)
-        costs[i] = 0.0
-        for k in range(s.new.shape[0]):
-            costs[i] += p.weights[k] * s.new[k]
-
-
-def standing(measure: Measure, boxes: Floats) -> Flags:
-    """Which of boxes (n, 5) may stay: those in the blocks, at their spacing from each other; of
-    two too near each other the one that costs less."""
-    costs, present = np.empty(len(boxes)), np.zeros(len(boxes), np.bool_)
-    own_costs(measure.p, measure.s, boxes, costs)
-    order = np.argsort(costs, kind="stable")
-    stand_up(measure.p, measure.s, boxes, order, LOOSE, present)
-    return present
-
-
-def score(problem: SiteProblem, boxes: Floats, present: Flags) -> dict[str, float]:
-    """Every term of a layout by name, its energy, and the paper's ratio and value."""
-    measure, parts = make_measure(problem), np.empty(len(OMEGA))
-    placed = np.where(present[:, None], boxes, 0.0)
-    lay(measure.p, measure.s, placed)
-    value_parts(measure.s, make_worth(problem), parts)
-    found = {row.name: float(measure.s.sums[row.number]) for row in SITE_TERMS}
-    found["energy"] = energy_of(measure.p, measure.s)
-    found["ratio"] = float(printed_ratio(measure.s.sums, np.abs(measure.p.weights)))
-    found.update(zip(("use", "seen", "texture", "height"), parts.tolist(), strict=True))
-    found["value"] = float(parts @ np.array(OMEGA))
-    return found
-
-
-def answer(problem: SiteProblem, boxes: Floats, evaluations: int, generations: int) -> SiteFound:
-    """The answer for a layout (n, 5) of a search: what cannot stand is left out."""
-    present = standing(make_measure(problem), np.ascontiguousarray(boxes))
-    placed = np.column_stack([boxes[:, :3], problem.buildings.sizes[:, :2]])
-    placed[:, 2] %= 2.0 * np.pi
-    return SiteFound(placed, present, score(problem, placed, present), evaluations, generations)
+    generations: int = 1
+    forms: tuple[str, ...] = ()

@@ -23,9 +23,10 @@ from scenewright.encodings.cell_moves import (
     tournament,
 )
 from scenewright.encodings.cells import Cells, Ints, decode_genes, make_cells
-from scenewright.site_problem import SiteProblem
+from scenewright.site_problem import Floats, SiteProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
-from scenewright.solvers.site_found import Floats, Measure, SiteFound, answer, make_measure
+from scenewright.solvers.site_answer import Measure, answer, make_measure
+from scenewright.solvers.site_found import SiteFound
 from scenewright.terms.site_measure import lay
 from scenewright.terms.site_terms import LEFT, QUALITY
 from scenewright.terms.site_value import OMEGA, Worth, make_worth, value_parts

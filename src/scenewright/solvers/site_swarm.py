@@ -11,10 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.site_problem import SiteProblem
+from scenewright.site_problem import Floats, SiteProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch, run_population
 from scenewright.solvers.draws import streams
-from scenewright.solvers.site_found import Floats, SiteFound, answer, make_measure
+from scenewright.solvers.site_answer import answer, make_measure
+from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.site_random import TRIES, drop_buildings, lines_of
 
 PARTICLES, ROUNDS = 40, 250

@@ -17,8 +17,8 @@ from scenewright.geometry.boxes import Floats
 from scenewright.site_problem import Buildings, SiteGround, SiteProblem
 from scenewright.solve import Budget, Watch
 from scenewright.solvers.site_anneal import anneal_from
-from scenewright.solvers.site_found import Flags, score, standing
-from scenewright.solvers.site_found import make_measure as ready
+from scenewright.solvers.site_answer import make_measure as ready
+from scenewright.solvers.site_answer import score, standing
 from scenewright.terms.site_terms import fitness_of_cost, utilisation
 
 STEPS = 20_000

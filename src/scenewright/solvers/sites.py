@@ -1,21 +1,20 @@
-"""The table of solvers of sites. A new one is one file and one row here; the rows drive the tests.
-
-A solver takes a problem, a budget, a seed, and who hears of progress and cancels; it returns
-where each building stands and which are left out.
-"""
+"""The table of solvers of sites. A new one is one file and one row; the rows drive the tests."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib import import_module
 from typing import NamedTuple
 
 from scenewright.site_problem import SiteProblem
 from scenewright.solve import Budget, Cancel, Progress
-from scenewright.solvers.site_found import SiteFound, SiteRun
+from scenewright.solvers.site_found import SiteFound
+
+SiteRun = Callable[[SiteProblem, Budget, int, Progress | None, Cancel | None], SiteFound]
 
 
 class SiteSolverRow(NamedTuple):
-    """One solver: its name, what it is, where its function is (imported when first run)."""
+    """One solver: its name, what it is, and where its function is (imported when first run)."""
 
     name: str
     doc: str
@@ -28,12 +27,15 @@ class SiteSolverRow(NamedTuple):
         progress: Progress | None = None, cancel: Cancel | None = None,
     ) -> SiteFound:  # fmt: skip
         """Solve; see the module."""
-        module = import_module(f"scenewright.solvers.{self.module}")
-        solve: SiteRun = getattr(module, self.function)
+        solve: SiteRun = getattr(
+            import_module(f"scenewright.solvers.{self.module}"), self.function
+        )
         return solve(problem, budget, seed, progress, cancel)
 
 
 ROWS = (
+    SiteSolverRow("fill", "blocks filled row by row, the form of each chosen (default)", "ours",
+                  "site_fill", "fill_site"),
     SiteSolverRow("vp", "the paper's genetic algorithm over a matrix of cells, led by visual "
                   "quality, 10 layouts, at most 200 generations", "Zhang, Yang 2023",
                   "site_genetic", "viewpoint_site"),
