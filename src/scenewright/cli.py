@@ -198,6 +198,33 @@ def bench(
     return 0
 
 
+@app.command()
+def view(
+    models: Annotated[
+        list[str], typer.Argument(metavar="MODEL...", help="Files, folders or ids of assets.")
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="OUT.png")],
+    measure: Annotated[str, typer.Option(help="picture, saliency or entropy.")] = "picture",
+    up: Annotated[str, typer.Option(help="Up in the files' axes, such as +z.")] = "",
+    front: Annotated[str, typer.Option(help="Where the fronts look in the files' axes.")] = "",
+    as_json: JsonOption = False,
+    quiet: QuietOption = False,
+) -> int:
+    """Draw models from their best views, plain and coloured by saliency, on one sheet."""
+    from scenewright import cli_view
+    from scenewright.formats.models.model import Options
+
+    request = cli_view.Request(tuple(models), output, measure, Options(up, front))
+    viewed = cli_view.view(request, Console(stderr=True, quiet=quiet))
+    if as_json:
+        _print_json(cli_view.document(request, viewed))
+    elif not quiet:
+        show.table(Console(), cli_view.shown(viewed), title="models")
+        for told in [*cli_view.told(viewed), f"wrote {output}"]:
+            Console().print(told, style="dim", markup=False)
+    return 1 if viewed.skipped else 0
+
+
 @app.command("list")
 def list_(
     what: Annotated[

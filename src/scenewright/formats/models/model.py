@@ -32,7 +32,7 @@ FLATTEST = 1e-5
 LONGEST = 80
 """Characters of a name that are kept."""
 
-PLAIN = Material("plain", (0.78, 0.77, 0.75))
+PLAIN = Material("plain", (0.68, 0.67, 0.65))
 """What has no colour of its own."""
 
 DIRECTIONS = {

@@ -1,0 +1,160 @@
+"""The verb ``view``: models from their best views, plain and by saliency, on one sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from rich.console import Console
+
+from scenewright.catalog import Part
+from scenewright.cli_arrange import named
+from scenewright.cli_progress import Watch, tell_if_cold, watching
+from scenewright.errors import InputError
+from scenewright.formats.models import report
+from scenewright.formats.models.model import Options, Skipped
+from scenewright.formats.portrait import Portrait, portrait
+from scenewright.formats.portrait_sheet import MOST, sheet, side_of, write
+
+
+class Request(NamedTuple):
+    """What the command line asks for."""
+
+    sources: tuple[str, ...]
+    output: Path
+    measure: str
+    options: Options
+
+
+class Sitter(NamedTuple):
+    """A model to be drawn: its name, where it comes from, its parts."""
+
+    name: str
+    source: str
+    parts: tuple[Part, ...]
+
+
+class Viewed(NamedTuple):
+    """What was drawn, of how many, and what was left out."""
+
+    sitters: tuple[Sitter, ...]
+    portraits: tuple[Portrait, ...]
+    of: int
+    skipped: tuple[Skipped, ...]
+
+
+def view(request: Request, console: Console) -> Viewed:
+    """Draw the models and write the sheet; InputError if not one can be drawn."""
+    from scenewright.geometry.best_view import MEASURES
+
+    named("measure", request.measure, list(MEASURES))
+    if request.output.suffix.lower() != ".png":
+        raise InputError("sheets are .png files", "choose such a name", file=str(request.output))
+    tell_if_cold(console)
+    with watching(console, console.quiet) as watch:
+        sitters, skipped = gathered(request, watch)
+        drawn = _drawn(sitters[:MOST], request.measure, watch, skipped)
+        watch.progress(1.0, f"writing {request.output.name}")
+        portraits = tuple(shown for _, shown in drawn)
+        write(sheet(portraits, request.measure, len(sitters)), request.output)
+    return Viewed(tuple(s for s, _ in drawn), portraits, len(sitters), tuple(skipped))
+
+
+def gathered(request: Request, watch: Watch) -> tuple[list[Sitter], list[Skipped]]:
+    """The models of every source: files, folders and ids of shipped assets."""
+    sitters: list[Sitter] = []
+    skipped: list[Skipped] = []
+    for source in request.sources:
+        watch.progress(0.0, f"reading {Path(source).name}")
+        if Path(source).exists():
+            found = report(source, request.options)
+            sitters += [Sitter(m.name, m.source, m.parts) for m in found.models]
+            skipped += found.skipped
+        else:
+            sitters.append(_shipped(source))
+    if not sitters:
+        raise _nothing(request.sources, skipped)
+    return sitters, skipped
+
+
+def _shipped(name: str) -> Sitter:
+    from scenewright.assets import shipped
+
+    asset = shipped().assets.get(name)
+    if asset is None:
+        raise InputError(
+            f"there is no file, folder or asset '{name[:80]}'",
+            "check the path, or see scenewright list assets",
+        )
+    return Sitter(asset.name, name, asset.mesh(asset.usual))
+
+
+def _drawn(sitters: Sequence[Sitter], measure: str, watch: Watch,
+           skipped: list[Skipped]) -> list[tuple[Sitter, Portrait]]:  # fmt: skip
+    """The portraits; models that cannot be drawn join the skipped ones."""
+    side, found = side_of(len(sitters)), []
+    for k, sitter in enumerate(sitters):
+        if watch.cancelled():
+            raise KeyboardInterrupt
+        watch.progress(k / len(sitters), f"drawing {sitter.name}")
+        try:
+            found.append((sitter, portrait(sitter.name, sitter.parts, side, measure)))
+        except InputError as error:
+            skipped.append(Skipped(sitter.source, f"{error.fault}; {error.remedy}"))
+    if not found:
+        raise _nothing([sitter.source for sitter in sitters], skipped)
+    return found
+
+
+def _nothing(sources: Sequence[str], skipped: Sequence[Skipped]) -> InputError:
+    if not skipped:
+        return InputError("holds no model files", "see scenewright view --help", file=sources[0])
+    first, more = skipped[0], len(skipped) - 1
+    return InputError(first.reason + f" (and {more} more)" * bool(more), file=first.name)
+
+
+def told(viewed: Viewed) -> list[str]:
+    """What was left out, in lines."""
+    lines = [f"skipped {one.name}: {one.reason}" for one in viewed.skipped]
+    if viewed.of > MOST:
+        lines.append(f"drew the first {MOST} of {viewed.of} models: give fewer for the others")
+    return lines
+
+
+def document(request: Request, viewed: Viewed) -> dict[str, Any]:
+    """What a machine reads: each model's quality and best view, and what was skipped."""
+    return {
+        "file": str(request.output),
+        "measure": request.measure,
+        "models": rows(viewed),
+        "of": viewed.of,
+        "skipped": [one._asdict() for one in viewed.skipped],
+    }
+
+
+def shown(viewed: Viewed) -> list[dict[str, Any]]:
+    """The rows a person reads; where a model comes from is in the document."""
+    return [{key: row[key] for key in row if key != "source"} for row in rows(viewed)]
+
+
+def rows(viewed: Viewed) -> list[dict[str, Any]]:
+    """One row a model: triangles, visual quality and its share of the greatest, and where the
+    eye is for the best view, in degrees: its turn from the front and its rise."""
+    import numpy as np
+
+    from scenewright.geometry.saliency import relative_quality
+
+    shares = relative_quality([one.quality for one in viewed.portraits])
+    return [
+        {
+            "name": one.name,
+            "source": sitter.source,
+            "triangles": one.faces,
+            "quality": round(one.quality, 4),
+            "share": round(float(share), 3),
+            "turn": round(float(np.degrees(np.arctan2(-one.way[0], one.way[1])))),
+            "rise": round(float(np.degrees(np.arcsin(np.clip(one.way[2], -1, 1))))),
+        }
+        for sitter, one, share in zip(viewed.sitters, viewed.portraits, shares, strict=True)
+    ]
