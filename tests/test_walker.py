@@ -181,6 +181,8 @@ def test_rays_fill_the_band_evenly() -> None:
     ways = ways_of(sights(np.zeros((50, 2))))
     assert np.linalg.norm(ways, axis=-1) == pytest.approx(1.0)
     assert np.abs(ways[..., :2].mean((0, 1))).max() < 0.02
+    turned = np.arctan2(ways[..., 1], ways[..., 0]).round(6)
+    assert len(np.unique(turned)) == 50 * 64, "no two eyes look the same ways"
     z = np.sort(ways[0, :, 2])
     assert np.diff(z) == pytest.approx(np.full(63, z[1] - z[0]))
     assert (z[0] > np.sin(BAND[0])) & (z[-1] < np.sin(BAND[1]))
