@@ -204,6 +204,7 @@ def test_rings_of_a_circulation_close_up_but_for_the_way_in() -> None:
         for row, layer in zip(found.rows, found.layers, strict=True):
             steps = np.diff(np.append(row[:, 2], row[0, 2] + 2 * math.pi))
             assert np.ptp(steps[:-1]) < 1e-9
+            assert row[:, 2].mean() == pytest.approx(math.pi)  # one goes in from ahead
             opening = (steps[-1] - steps[0]) * layer[ACROSS]
             assert opening == pytest.approx(layer[ALONG], abs=1e-6)
             if len(found.rows) == 1 and len(row) > 3:
@@ -247,6 +248,7 @@ def test_parts_of_a_mixture_stand_side_by_side() -> None:
         shapes = bodies(found)
         bounds = [shapely.total_bounds(shapes[numbers == part]) for part in np.unique(numbers)]
         assert len(bounds) == 3
+        assert [(numbers == part).sum() for part in (0, 2)] == [len(found.sizes) // 3] * 2
         for left, right in pairwise(bounds):
             assert right[0] - left[2] == pytest.approx(found.extra)
         middles = [(low + high) / 2 for _, low, _, high in bounds]
