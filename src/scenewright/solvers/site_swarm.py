@@ -14,11 +14,13 @@ import numpy as np
 from scenewright.site_problem import Floats, SiteProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch, run_population
 from scenewright.solvers.draws import streams
-from scenewright.solvers.site_answer import answer, make_measure
+from scenewright.solvers.site_answer import answer, make_measure, standing
 from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.site_random import TRIES, drop_buildings, lines_of
 
 PARTICLES, ROUNDS = 40, 250
+LOOKED = 40
+"""How many of the best are looked at for what can stand."""
 INERTIA, PULL = 0.7298, 1.49618
 
 
@@ -87,7 +89,11 @@ def swarm_site(
         Swarm(_first(problem, count, seed, low, high)),
         lambda rows: measure.energies(poses(rows)), low, high, rng, watch, rounds,
     )  # fmt: skip
-    return answer(problem, poses(genes[:1])[0], done, done // count)
+    ended = poses(genes[:LOOKED])
+    for boxes in ended:
+        boxes[~standing(measure, boxes), 3:] = 0.0
+    best = int(measure.energies(ended).argmin())
+    return answer(problem, ended[best], done, done // count)
 
 
 def _first(problem: SiteProblem, count: int, seed: int, low: Floats, high: Floats) -> Floats:

@@ -14,11 +14,10 @@ import numpy as np
 from scenewright.encodings.forms import FORMS, FRONT, Target
 from scenewright.errors import InputError
 from scenewright.geometry.boxes import Floats
-from scenewright.site_problem import Buildings, SiteGround, SiteProblem
+from scenewright.site_problem import Buildings, Flags, SiteGround, SiteProblem
 from scenewright.solve import Budget, Watch
 from scenewright.solvers.site_anneal import anneal_from
-from scenewright.solvers.site_answer import make_measure as ready
-from scenewright.solvers.site_answer import score, standing
+from scenewright.solvers.site_answer import make_measure, score, standing
 from scenewright.terms.site_terms import fitness_of_cost, utilisation
 
 STEPS = 20_000
@@ -66,13 +65,13 @@ def make_template(
         raise InputError(f"no form is called {form!r}", f"the forms are {', '.join(FORMS)}")
     problem = rectangle_problem(buildings, target, spacing, fire_access)
     boxes = FORMS[form].place(buildings.sizes, spacing, target, behind)
-    present = standing(ready(problem), boxes)
+    present = standing(make_measure(problem), boxes)
     if not present.all() and steps > 0:
         budget = Budget(steps=steps)
         watch, lines = Watch(budget, None, None), np.array([FRONT, 0.0])
         start = np.where(present[:, None], boxes, 0.0)
         tried, _ = anneal_from(problem, start, budget, seed, watch, lines, COOL)
-        stands = standing(ready(problem), tried)
+        stands = standing(make_measure(problem), tried)
         if stands.sum() > present.sum():
             boxes, present = tried, stands
     found = score(problem, boxes, present)
