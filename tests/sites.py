@@ -6,8 +6,10 @@ import math
 
 import numpy as np
 
+from scenewright.brief import Brief
 from scenewright.brief_site import Site
 from scenewright.scene import Piece, Pose, Size
+from scenewright.solution import Solution
 
 SOUTH = -math.pi / 2
 
@@ -70,3 +72,10 @@ def field(count: int, gap: float = 14.0, w: float = 12.0, d: float = 10.0, h: fl
         for k in range(count)
     ]  # fmt: skip
     return ground, rows
+
+
+def answer(ground: Site, pieces: list[Piece], **more) -> Solution:
+    """A solution of one site."""
+    document = ground.model_dump() | more
+    brief = Brief.model_validate({"domain": "site", "name": ground.name, "sites": [document]})
+    return Solution(brief, tuple(pieces), (), (), (), {}, "", "", 0, "", "", 0.0, 0)

@@ -11,13 +11,11 @@ import pytest
 import shapely
 from benchmarks.site_reco import compounds
 
-from scenewright.brief import Brief
 from scenewright.check import KINDS, check
 from scenewright.check.site_figures import judge_sites
 from scenewright.check.site_sun import sun, sunny_sides
 from scenewright.scene import Piece, Pose
-from scenewright.solution import Solution
-from sites import SOUTH, building, field, quarter, site
+from sites import SOUTH, answer, building, field, quarter, site
 
 
 def kinds(ground, *pieces):
@@ -249,9 +247,7 @@ def test_the_quarter_has_just_its_faults():
 
 def test_check_judges_briefs_of_sites():
     ground, pieces = quarter()
-    brief = Brief.model_validate({"domain": "site", "sites": [ground.model_dump()]})
-    answer = Solution(brief, tuple(pieces), (), (), (), {}, "", "", 0, "", "", 0.0, 0)
-    report = check(answer)
+    report = check(answer(ground, pieces))
     assert not report.valid
     assert report.figures["counts"]["blocked_path"] == 1
     assert report.figures["sites"]["s"]["buildings"] == 8

@@ -43,7 +43,7 @@ FORMATS = (
     ),
     Format(".sh3d", "Sweet Home 3D home", "scenewright.formats.sh3d"),
     Format(".xml", "Home.xml of a Sweet Home 3D home", "scenewright.formats.sh3d"),
-    Format(".geojson", "indoor map (OpenStreetMap)", "scenewright.formats.indoor_geojson"),
+    Format(".geojson", "indoor map or site (OpenStreetMap)", "scenewright.formats.geojson"),
     Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
     Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
     Format(".png", "picture from above", writer="scenewright.formats.png"),

@@ -32,13 +32,15 @@ Polygons = tuple[tuple[Points, ...], ...]
 
 class Feature(NamedTuple):
     """One feature: its id (plain letters), tags, a point ``(2,)`` or none, and polygons, each its
-    outline and holes ``(n, 2)``. ``open_line`` marks a line that is not closed."""
+    outline and holes ``(n, 2)``. ``open_line`` marks a line that is not closed; ``lines`` are all
+    its lines ``(n, 2)``, closed or not."""
 
     id: str
     tags: dict[str, str]
     point: Points | None
     polygons: Polygons
     open_line: bool
+    lines: tuple[Points, ...] = ()
 
 
 class Skipped(NamedTuple):
@@ -89,7 +91,7 @@ def collection(document: Any) -> Collection:
             bad.append(Skipped(name, error.fault))
             continue
         good.append(feature)
-        corners += sum(len(ring) for rings in feature.polygons for ring in rings)
+        corners += sum(len(ring) for rings in (*feature.polygons, feature.lines) for ring in rings)
         if corners > MOST_CORNERS:
             raise InputError(f"holds more than {MOST_CORNERS} corners", "cut one building out")
     if not rows:
@@ -140,7 +142,9 @@ def _feature(row: Any, name: str) -> Feature:
     if kind == "LineString":
         line = _positions(coordinates)
         closed = len(line) >= 4 and bool((line[0] == line[-1]).all())
-        return Feature(name, tags, None, ((line,),) if closed else (), not closed)
+        return Feature(name, tags, None, ((line,),) if closed else (), not closed, (line,))
+    if kind == "MultiLineString":
+        return Feature(name, tags, None, (), False, tuple(map(_positions, _listed(coordinates))))
     return Feature(name, tags, None, (), False)
 
 

@@ -70,6 +70,19 @@ def metres(map_: Projection, coordinates: Points) -> Points:
     return (coordinates - np.array(map_.origin)) * np.array(map_.scale)
 
 
+def coordinates_of(map_: Projection, points: Points) -> Points:
+    """Points ``(n, 2)`` in metres about the origin as coordinates of the file.
+
+    >>> paris = projection(np.array([[2.358, 48.877]]))
+    >>> coordinates_of(paris, np.array([[73.35, 111.21]])).round(6).tolist()
+    [[2.359, 48.878]]
+    """
+    found: Points = points / np.array(map_.scale) + np.array(map_.origin)
+    if map_.turns:
+        found[:, 0] = (found[:, 0] + 180.0) % 360.0 - 180.0
+    return found
+
+
 def _metres_per_degree(latitude: float) -> tuple[float, float]:
     squared = FLATTENING * (2 - FLATTENING)
     phi = np.deg2rad(latitude)

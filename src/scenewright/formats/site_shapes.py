@@ -1,0 +1,87 @@
+"""What stands on the sites of a solution, as footprints with heights: for maps and plans."""
+
+from __future__ import annotations
+
+from pathlib import PurePath
+from typing import NamedTuple
+
+from scenewright.brief_site import Site
+from scenewright.scene import Piece
+from scenewright.site_fit import corners_of
+from scenewright.site_plan import SitePlan, site_plans
+from scenewright.solution import Solution
+from scenewright.space import Points
+
+STOREY = 3.0
+
+
+class Standing(NamedTuple):
+    """A building or landmark: its footprint ``(n, 2)`` counter-clockwise, underside and top in
+    metres, heading of its front, storeys, name, the model that draws it, and its site."""
+
+    id: str
+    name: str
+    model: str
+    site: str
+    footprint: Points
+    low: float
+    high: float
+    heading: float
+    floors: int
+    landmark: bool
+
+
+def plans_of(solution: Solution) -> tuple[SitePlan, ...]:
+    """The plans of a solution's sites; fixed pieces tell the size of models that are files."""
+    from scenewright.assets import shipped
+
+    known = shipped().assets
+
+    def size(model: str) -> tuple[float, float, float] | None:
+        names = {model, f"model:{PurePath(model).stem}"}
+        pieces = (p for p in solution.pieces if p.fixed and p.asset in names)
+        asset = known.get(model)
+        return (*asset.usual,) if asset else next(((*p.size,) for p in pieces), None)
+
+    return site_plans(solution.brief.sites, size)
+
+
+def standing(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[Standing, ...]:
+    """Buildings as placed, and landmarks as in the brief, in the order of the pieces; landmarks
+    that have no piece come last."""
+    marks = {
+        name: row
+        for plan in plans for row in plan.landmarks for name in (row.id, f"{plan.id}/{row.id}")
+    }  # fmt: skip
+    sites = dict(zip((plan.id for plan in plans), solution.brief.sites, strict=True))
+    found, told = [], set()
+    for piece in solution.pieces:
+        if piece.category != "building" or piece.space not in sites:
+            continue
+        row = marks.get(piece.id)
+        box = (piece.pose.x, piece.pose.y, piece.pose.heading, *piece.size[:2])
+        if row is not None:
+            told.add(id(row))
+        floors = storeys(sites[piece.space], piece)
+        found.append(Standing(
+            piece.id, row.name if row else piece.function or piece.asset, piece.asset, piece.space,
+            row.footprint if row else corners_of(box), piece.pose.z,
+            piece.pose.z + piece.size.height, piece.pose.heading, floors, row is not None,
+        ))  # fmt: skip
+    for plan in plans:
+        for mark in plan.landmarks:
+            if id(mark) not in told:
+                floors = max(1, round(mark.height / STOREY))
+                found.append(Standing(mark.id, mark.name, mark.model, plan.id, mark.footprint, 0.0,
+                                      mark.height, mark.box[2], floors, True))  # fmt: skip
+    return tuple(found)
+
+
+def storeys(site: Site, piece: Piece) -> int:
+    """Storeys of a building: as the wish of its model says, else one for every 3 m."""
+    wishes = [wish for wish in site.buildings if wish.floors
+              and piece.asset in (wish.model, f"model:{PurePath(wish.model).stem}")]  # fmt: skip
+    if not wishes:
+        return max(1, round(piece.size.height / STOREY))
+    heights = [abs((wish.size or piece.size)[2] - piece.size.height) for wish in wishes]
+    return wishes[heights.index(min(heights))].floors or 1
