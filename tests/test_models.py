@@ -143,7 +143,9 @@ def test_an_asset_fills_any_size_and_prefers_its_own(tmp_path: Path) -> None:
     assert asset.usual == (4, 8, 6)
     for size in (Size(4, 8, 6), Size(1.3, 2.7, 0.9)):
         w, d, h = size
-        assert bounds(asset.mesh(size)) == ([-w / 2, -d / 2, 0], [w / 2, d / 2, h])
+        assert np.allclose(
+            bounds(asset.mesh(size)), ([-w / 2, -d / 2, 0], [w / 2, d / 2, h]), 0, 1e-12
+        )
         lines = asset.symbol(size)
         assert len(lines) == 1
         assert np.array_equal(lines[0][0], lines[0][-1]), "outlines are closed"

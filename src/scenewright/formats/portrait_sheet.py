@@ -24,7 +24,7 @@ SHAPE = 1.5
 """Width by height a sheet should have."""
 GAP, EDGE, HEAD, FOOT = 18, 28, 74, 50
 INK, FAINT = (52, 50, 46), (128, 124, 116)
-PAPER = tuple(developed(linear_of(np.array(PAGE.color))).tolist())
+PAPER = tuple(developed(linear_of(np.array(PAGE.color)).astype(np.float32)).tolist())
 """The page as it comes out in pictures."""
 TITLES = {
     "picture": "saliency in the picture", "saliency": "visible saliency",

@@ -6,6 +6,8 @@ those packed too tightly are refused before they are unpacked.
 
 from __future__ import annotations
 
+import lzma
+import struct
 import zipfile
 import zlib
 from collections.abc import Iterator
@@ -14,11 +16,15 @@ from typing import IO, NamedTuple
 
 from scenewright.errors import InputError
 from scenewright.formats.models.files import MEBIBYTE, Beside, sized, within
+from scenewright.formats.models.model import clean
 
 GREATEST_RATIO = 200
 TIGHT = MEBIBYTE
 """Entries smaller than this may be packed more tightly than :data:`GREATEST_RATIO`."""
 MOST_ENTRIES = 50_000
+FAULTS = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, EOFError, ValueError,
+          LookupError, OverflowError, NotImplementedError, OSError)  # fmt: skip
+"""What a damaged archive leads to."""
 MOST_IN_ALL = 2**30
 """Bytes unpacked from one archive."""
 
@@ -35,13 +41,15 @@ class Archive(NamedTuple):
 def opened(stream: IO[bytes]) -> Iterator[Archive]:
     """The archive in a stream; whatever is wrong with it becomes one InputError."""
     try:
-        with zipfile.ZipFile(stream) as file:
-            listed = file.infolist()
-            if len(listed) > MOST_ENTRIES:
-                raise InputError(f"holds {len(listed):,} entries", f"at most {MOST_ENTRIES:,}")
-            yield Archive(file, {one.filename: one for one in listed}, [])
-    except (zipfile.BadZipFile, EOFError, NotImplementedError) as error:
-        raise InputError(f"is not a whole zip archive ({error})", "save it again") from None
+        file = zipfile.ZipFile(stream)
+    except FAULTS as error:
+        told = clean(str(error), "cut off")
+        raise InputError(f"is not a whole zip archive ({told})", "save it again") from None
+    with file:
+        listed = file.infolist()
+        if len(listed) > MOST_ENTRIES:
+            raise InputError(f"holds {len(listed):,} entries", f"at most {MOST_ENTRIES:,}")
+        yield Archive(file, {one.filename: one for one in listed}, [])
 
 
 def entry(archive: Archive, name: str, limit: int) -> bytes | None:
@@ -66,8 +74,10 @@ def _unpacked(archive: Archive, found: zipfile.ZipInfo, limit: int) -> bytes:
     try:
         with archive.file.open(found) as stream:
             return sized(stream.read(limit + 1), limit)
-    except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, OSError) as error:
-        told = " ".join(str(error).split())[:80] or "cut off"
+    except InputError:
+        raise
+    except FAULTS as error:
+        told = clean(str(error), "cut off")
         raise InputError(f"cannot be unpacked ({told})", "save the library again") from None
     except RuntimeError:
         raise InputError("is encrypted", "save it without a password") from None

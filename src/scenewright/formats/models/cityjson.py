@@ -90,7 +90,10 @@ def _corners(document: Json) -> Floats:
     transform = document.get("transform")
     if isinstance(transform, dict):
         scale = _table([transform.get("scale")], "transform")
-        raw = raw * scale  # where the whole lies on earth does not matter
+        if scale.shape != (1, 3) or not np.all(np.abs(scale) <= FARTHEST):
+            raise InputError("its scale is not three numbers", "save it again", place="transform")
+        with np.errstate(over="ignore", invalid="ignore"):
+            raw = raw * scale  # where on earth the whole lies does not matter
     if not np.all(np.abs(raw) <= FARTHEST):
         raise InputError("a corner is not at a finite place", "save it again", place="vertices")
     return raw - np.median(raw, 0) if len(raw) else raw
@@ -144,7 +147,7 @@ def _best(geometries: object) -> Json | None:
     usable = [
         one
         for one in (geometries if isinstance(geometries, list) else [])
-        if isinstance(one, dict) and one.get("type") in DEPTHS
+        if isinstance(one, dict) and str(one.get("type")) in DEPTHS
     ]
     return max(usable, key=_detail, default=None)
 

@@ -7,6 +7,7 @@ A name must lead to a plain file in the model's own folder or below; names that 
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections.abc import Callable
 from pathlib import Path, PurePosixPath
@@ -35,7 +36,7 @@ def within(name: str) -> str:
     steps = [step for step in plain.split("/") if step not in ("", ".")]
     leads_out = plain.startswith("/") or ".." in steps or re.match(r"[A-Za-z][\w+.-]*:", plain)
     if leads_out or not steps or not plain.isprintable() or len(plain) > 400:
-        shown = name[:60].encode("ascii", "backslashreplace").decode()
+        shown = "".join(sign if " " <= sign <= "~" else "?" for sign in name[:60])
         raise InputError(
             f"refers to '{shown}', outside its folder",
             "keep the files of a model in one folder and name them from there",
@@ -51,9 +52,7 @@ def beside(folder: Path) -> Beside:
         path = top / within(name)
         try:
             if not path.resolve().is_relative_to(top):
-                raise InputError(
-                    f"refers to '{name[:60]}', a link out of its folder", "put the file there"
-                )
+                raise InputError("is a link out of the model's folder", "put the file there")
             return whole(path, limit) if path.is_file() else None
         except InputError as error:
             raise InputError(error.fault, error.remedy, place=error.place or name[:60]) from None
@@ -68,7 +67,7 @@ def whole(path: Path, limit: int) -> bytes:
     if not path.is_file():
         raise InputError("is not a plain file", "give the file itself")
     with path.open("rb") as stream:
-        content = stream.read(limit + 1)
+        content = stream.read(min(os.fstat(stream.fileno()).st_size, limit) + 1)
     return sized(content, limit)
 
 

@@ -106,7 +106,7 @@ def _parts(held: Store) -> Iterator[Part]:
             for part in _of_primitive(held, primitive, place, coats):
                 faces, vertices = faces + len(part.faces), vertices + len(part.vertices)
                 check_count(faces, MOST_FACES, "triangles")
-                check_count(vertices, 4 * MOST_VERTICES, "vertices")
+                check_count(vertices, MOST_VERTICES, "vertices")
                 yield part
 
 
@@ -121,7 +121,8 @@ def _bodies(document: Document) -> Iterator[tuple[int, Floats]]:
             raise InputError("is reached twice: the nodes are no tree", "export the model again",
                              place=f"nodes[{number}]")  # fmt: skip
         seen.add(number)
-        place = above @ matrix(node)
+        with np.errstate(over="ignore", invalid="ignore"):
+            place = above @ matrix(node)
         if node.mesh is not None:
             yield node.mesh, place
         check_count(len(waiting) + len(node.children), gltf_record.MOST_NODES, "nodes")
