@@ -32,7 +32,7 @@ from scenewright.formats.svg_halls import (
 )  # fmt: skip
 from scenewright.formats.svg_labels import area_words, labels_mark, polygon_of
 from scenewright.formats.svg_legend import arrange, legend_mark
-from scenewright.formats.svg_marks import INK, View, clean, group, tag, text, title
+from scenewright.formats.svg_marks import INK, View, clean, group, tag, text
 from scenewright.formats.svg_pieces import Symbols, footprint, hangs, pieces_mark, repeated
 from scenewright.formats.svg_shell import (
     cut_walls,
@@ -109,7 +109,7 @@ def plan(scene: Scene, catalog: Catalog, halls: Halls | None = None) -> str:
         left += spare + margin["west"]
         marks.append(_storey_mark(storey, paper, left, bottom, below))
         left += (storey.bounds[2] - storey.bounds[0]) * 1000 / sheet.scale + margin["east"]
-    return _document(sheet, scene.name, [*marks, legend_mark(arranged)])
+    return sheets.document(sheet, scene.name, [*marks, legend_mark(arranged)])
 
 
 def _storey(scene: Scene, level: Level, catalog: Catalog, halls: Halls | None) -> Storey | None:
@@ -222,17 +222,3 @@ def _summary(scene: Scene, halls: Halls | None) -> str:
 
 def _counted(count: int, word: str) -> str:
     return f"{count} {word}" if count == 1 else f"{count} {word}s"
-
-
-def _document(sheet: sheets.Sheet, name: str, marks: Sequence[str]) -> str:
-    paper = tag("rect", width=sheet.width, height=sheet.height, fill="#ffffff")
-    content = "\n".join([title(name), paper, *marks])
-    body = tag(
-        "svg", f"\n{content}\n",
-        xmlns="http://www.w3.org/2000/svg", version="1.1",
-        **{"xmlns:xlink": "http://www.w3.org/1999/xlink"},
-        width=f"{sheet.width:g}mm", height=f"{sheet.height:g}mm",
-        viewBox=f"0 0 {sheet.width:g} {sheet.height:g}",
-        font_family="Helvetica, Arial, 'DejaVu Sans', sans-serif",
-    )  # fmt: skip
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{body}\n'

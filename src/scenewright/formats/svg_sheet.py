@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from scenewright._version import __version__
@@ -20,6 +21,7 @@ from scenewright.formats.svg_marks import (
     tag,
     text,
     text_width,
+    title,
 )  # fmt: skip
 
 SCALES = (50, 100, 200, 500, 1000, 2000, 5000, 10_000)
@@ -140,6 +142,21 @@ def view_at(sheet: Sheet, west: float, south: float, left: float, bottom: float)
     """The view that puts the plan point (west, south) at the paper point (left, bottom)."""
     scale = 1000 / sheet.scale
     return View(scale, left - west * scale, bottom + south * scale)
+
+
+def document(sheet: Sheet, name: str, marks: Sequence[str]) -> str:
+    """The SVG file of a sheet with its marks."""
+    paper = tag("rect", width=sheet.width, height=sheet.height, fill="#ffffff")
+    content = "\n".join([title(name), paper, *marks])
+    body = tag(
+        "svg", f"\n{content}\n",
+        xmlns="http://www.w3.org/2000/svg", version="1.1",
+        **{"xmlns:xlink": "http://www.w3.org/1999/xlink"},
+        width=f"{sheet.width:g}mm", height=f"{sheet.height:g}mm",
+        viewBox=f"0 0 {sheet.width:g} {sheet.height:g}",
+        font_family="Helvetica, Arial, 'DejaVu Sans', sans-serif",
+    )  # fmt: skip
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{body}\n'
 
 
 def _words(
