@@ -13,6 +13,7 @@ from scenewright.assets.building_styles import (
     floors_of,
     lightness,
 )
+from scenewright.assets.roofs import gable
 from scenewright.assets.sizes import SIZES
 from scenewright.catalog import Material, Part
 from scenewright.geometry.mesh import Mesh, merge
@@ -56,7 +57,7 @@ def test_tone_is_the_share_of_black_and_white_that_is_seen() -> None:
     wall = _part(WHITE, block((0, 8), (0, 4), (0, 4)))
     front = _part(BLACK, block((0, 8), (4, 4.5), (0, 1)))
     behind = _part(BLACK, block((0, 8), (-9, 0), (0, 4)))
-    roof = _part(BLACK, block((0, 8), (0, 4), (4, 4.0001)))
+    roof = _part(BLACK, gable((0, 8), (0, 4), (4, 5)))
     assert facade([wall]).tone == pytest.approx(1.0)
     assert facade([wall, front]).tone == pytest.approx(0.75, abs=0.02)
     assert facade([wall, behind, roof]).tone == pytest.approx(1.0, abs=0.02)

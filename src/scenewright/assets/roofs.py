@@ -73,7 +73,7 @@ def tiered(x: Interval, y: Interval, levels: Sequence[Spot]) -> Mesh:
 def spire(x: float, y: float, z: Interval, radius: float, sides: int = 8, turn: float = 0.0,
           tip: float = 0.09) -> Mesh:  # fmt: skip
     """A pyramid over a regular polygon, blunt by the share ``tip``: a needle would draw all
-    attention (see :mod:`scenewright.geometry.saliency`)."""
+    attention to itself (:mod:`scenewright.geometry.saliency`)."""
     angle = turn + np.arange(sides) * tau / sides
     return loft([
         np.column_stack([x + r * np.cos(angle), y + r * np.sin(angle), np.full(sides, high)])
