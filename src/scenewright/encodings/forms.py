@@ -192,16 +192,28 @@ def half_closed(sizes: Floats, spacing: float, target: Target, behind: float = 0
 
 
 def point(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) -> Floats:
-    """Free-standing towers, each in the middle of its share of the target."""
+    """Free-standing towers, each in the middle of its share of the target; in as many columns as
+    let most of them fit, as near to square as may be."""
     count = len(sizes)
-    boxes = np.zeros((count, 5))
-    if not count:
-        return boxes
-    columns = max(round(math.sqrt(count * target[0] / target[1])), 1)
-    rows = -(-count // columns)
+    square = math.sqrt(count * target[0] / target[1])
+    tried = sorted(range(1, count + 1), key=lambda columns: abs(columns - square))
+    best = np.zeros((count, 5))
+    for columns in tried:
+        boxes = _towers(sizes, spacing, target, behind, columns)
+        if (boxes[:, 3] > 0.0).sum() > (best[:, 3] > 0.0).sum():
+            best = boxes
+    return best
+
+
+def _towers(
+    sizes: Floats, spacing: float, target: Target, behind: float, columns: int
+) -> Floats:  # fmt: skip
+    """Towers in so many columns, the last row in the middle."""
+    count = len(sizes)
+    boxes, rows = np.zeros((count, 5)), -(-count // columns)
     cell = np.array([target[0] / columns, target[1] / rows])
     gaps = np.column_stack([np.full(count, spacing), np.maximum(spacing, behind * sizes[:, 2])])
-    fits = (sizes[:, :2] + (gaps if count > 1 else 0.0) <= cell + 1e-9).all(1)
+    fits = (sizes[:, :2] + gaps * [columns > 1, rows > 1] <= cell + 1e-9).all(1)
     for i in np.flatnonzero(fits):
         row, column = divmod(int(i), columns)
         last = count - columns * (rows - 1) if row == rows - 1 else columns

@@ -24,7 +24,7 @@ from scenewright.solvers.site_moves import propose
 from scenewright.solvers.site_random import TRIES, drop_buildings, lines_of
 from scenewright.terms.site_measure import SitePrepared, SiteState, change, commit, energy_of, lay
 
-HOT, COLD = 3.0, 1e-3
+HOT, COLD = 10.0, 1e-3
 MOVES = 4000
 SLICE = 20_000
 PILOT = 500

@@ -22,11 +22,12 @@ from scenewright.encodings.cell_moves import (
     spread,
     tournament,
 )
-from scenewright.encodings.cells import Cells, Ints, decode_genes, make_cells
+from scenewright.encodings.cells import Cells, Ints, decode_genes
 from scenewright.site_problem import Floats, SiteProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
 from scenewright.solvers.site_answer import Measure, answer, make_measure
 from scenewright.solvers.site_found import SiteFound
+from scenewright.solvers.site_lattice import make_cells
 from scenewright.terms.site_measure import lay
 from scenewright.terms.site_terms import LEFT, QUALITY
 from scenewright.terms.site_value import OMEGA, Worth, make_worth, value_parts

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from scenewright.encodings.cells import main_direction
 from scenewright.geometry.buckets import remove
 from scenewright.geometry.compiled import compiled
 from scenewright.site_problem import Floats, Ints, SiteProblem
@@ -14,6 +13,7 @@ from scenewright.solve import Budget, Cancel, Progress, Watch
 from scenewright.solvers.draws import Stream, streams
 from scenewright.solvers.site_answer import LOOSE, answer, make_measure
 from scenewright.solvers.site_found import SiteFound
+from scenewright.solvers.site_lattice import main_direction
 from scenewright.solvers.site_moves import in_block
 from scenewright.terms.site_measure import SitePrepared, SiteState, put, stands
 

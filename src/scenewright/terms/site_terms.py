@@ -37,9 +37,9 @@ class SiteTerm(NamedTuple):
 
 _PAPER = "Zhang, Yang 2023, eq. "
 SITE_TERMS: tuple[SiteTerm, ...] = (
-    SiteTerm("insert", INSERT, "building", 20, "share of a building outside the blocks",
+    SiteTerm("insert", INSERT, "building", 60, "share of a building outside the blocks",
              _PAPER + "4, E_Insert"),
-    SiteTerm("overlap", OVERLAP, "pair", 20, "buildings nearer to each other than the spacing",
+    SiteTerm("overlap", OVERLAP, "pair", 60, "buildings nearer to each other than the spacing",
              _PAPER + "4, E_Overlap, by 3 with 'or' over the axes"),
     SiteTerm("road", ROAD, "building", 4, "way round a building narrower than it must be",
              _PAPER + "5, E_Road"),
@@ -56,7 +56,7 @@ def read_site_weights(weights: Mapping[str, float]) -> Floats:
     """Weights by name to the vector ``(terms,)``; a name left out keeps its default.
 
     >>> read_site_weights({"road": 0.0}).tolist()
-    [20.0, 20.0, 0.0, 1.0, 1.0, 10.0]
+    [60.0, 60.0, 0.0, 1.0, 1.0, 10.0]
     """
     places = {row.name: row.number for row in SITE_TERMS}
     vector = np.array([float(row.weight) for row in SITE_TERMS])
