@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from scenewright.layout import corners
 from scenewright.site_problem import Flags, Floats, SiteProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
 from scenewright.solvers.site_found import SiteFound
@@ -21,7 +22,7 @@ from scenewright.solvers.site_strips import Rule, back, rows, turned
 
 FORMS = ("parallel", "staggered", "peripheral", "mixed")
 TRIED = 6
-LOOSEST, HALVINGS = 3.0, 5
+LOOSEST, HALVINGS = (3.0, 1.5, 1.0, 1.0, 1.0), 5
 VARIETY = 0.15
 """How much chance has a say in choosing forms that are about as good."""
 ASKEW = 0.5
@@ -40,22 +41,45 @@ def fill_site(
     problem: SiteProblem, budget: Budget, seed: int, progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> SiteFound:  # fmt: skip
-    """Fill all blocks of a site, largest first; what finds no place in its block goes on to the
-    next. Deterministic by seed unless the budget is in seconds."""
-    watch, rng = Watch(budget, progress, cancel), np.random.default_rng(seed)
+    """Fill all blocks of a site from the sunny side on; what finds no place in its block goes on
+    to the next. If anything is left over, gaps may widen less, in the end not at all. Deterministic
+    by seed unless the budget is in seconds."""
+    watch = Watch(budget, progress, cancel)
+    tried = max((budget.steps or TRIED), 1)
+    best: SiteFound | None = None
+    done, rng = 0, np.random.default_rng(seed)
+    for loosest in LOOSEST:
+        found = _filled(problem, loosest, tried, rng, watch, done)
+        done += found.evaluations
+        if best is None or found.present.sum() > best.present.sum():
+            best = found
+        if best.present.all() or watch.over(done, 0.0):
+            break
+    assert best is not None
+    return best._replace(evaluations=done)
+
+
+def _filled(
+    problem: SiteProblem, loosest: float, tried: int, rng: np.random.Generator, watch: Watch,
+    before: int,
+) -> SiteFound:  # fmt: skip
+    """One filling of all blocks, gaps at most ``loosest`` times the least; at 1 each block takes
+    all it can, not its share."""
     n = len(problem.buildings.sizes)
     boxes, present, forms = np.zeros((n, 5)), np.zeros(n, bool), [""] * n
     order = _southern_first(problem)
-    left, done, tried = _low_first(problem), 0, max((budget.steps or TRIED), 1)
+    left, done = _low_first(problem), 0
     for count, b in enumerate(order):
-        if watch.over(done, 0.0) and count:
+        if watch.over(before + done, 0.0) and count:
             break
-        share = _share(problem, left, order[count:])
-        found = _best(problem, b, share, tried, rng)
+        share = left if loosest == 1.0 else _share(problem, left, order[count:])
+        ground = _ground(problem, b, boxes, present, share)
+        found = _best(problem, ground, share, (tried if loosest > 1.0 else 4 * tried, loosest), rng)
         done += tried
         left = _settled(found, left, boxes, present, forms)
     for b in order if left else []:
-        found = _densest(problem, b, left, boxes[present])
+        ground = _ground(problem, b, boxes, present, left)
+        found = _laid(problem, ground, left, problem.facing, "parallel", 1.0)
         left = _settled(found, left, boxes, present, forms)
     return SiteFound(boxes, present, {}, done, 1, tuple(forms))
 
@@ -111,6 +135,65 @@ def _edges(problem: SiteProblem, b: int) -> Floats:
     return problem.ground.block_edges[first:last]
 
 
+def _ground(
+    problem: SiteProblem, b: int, boxes: Floats, present: Flags, waiting: list[int]
+) -> Floats:
+    """Edges of a block less what stands near with its distances."""
+    edges, sizes = _edges(problem, b), problem.buildings.sizes
+    low, high = edges.reshape(-1, 2).min(0), edges.reshape(-1, 2).max(0)
+    standing = np.concatenate([boxes[present], problem.ground.landmarks])
+    heights = np.concatenate([sizes[present, 2], problem.ground.landmark_heights])
+    ahead = float(sizes[waiting, 2].max()) if waiting else 0.0
+    far = problem.spacing + problem.sun_spacing * np.maximum(heights, ahead) + standing[:, 3:].max(
+        1, initial=0.0
+    )
+    near = ((standing[:, :2] + far[:, None] > low) & (standing[:, :2] - far[:, None] < high)).all(1)
+    if not near.any():
+        return edges
+    return np.concatenate([edges, _kept(problem, standing[near], heights[near], ahead)])
+
+
+def _kept(problem: SiteProblem, boxes: Floats, heights: Floats, ahead: float) -> Floats:
+    """Edges (clockwise) of the ground that buildings keep from others: the spacing all around;
+    behind, away from the sun, as many of their heights as asked for, and ahead as many of the
+    heights of those to come."""
+    heading = noon(problem)
+    c, s = math.cos(heading), math.sin(heading)
+    rings = corners(boxes)
+    x = rings[..., 0] * s - rings[..., 1] * c
+    y = rings[..., 0] * c + rings[..., 1] * s
+    gap, sun = problem.spacing, problem.sun_spacing
+    x0, x1 = x.min(1) - gap, x.max(1) + gap
+    y0, y1 = y.min(1) - np.maximum(gap, sun * heights), y.max(1) + max(gap, sun * ahead)
+    px, py = np.stack([x0, x0, x1, x1], 1), np.stack([y0, y1, y1, y0], 1)
+    ring = np.stack(back(px, py, heading), -1)
+    edges: Floats = np.concatenate([ring, np.roll(ring, -1, axis=1)], axis=2).reshape(-1, 4)
+    return edges
+
+
+def noon(problem: SiteProblem) -> float:
+    """The heading towards the sun at noon: south in the northern half of the world."""
+    return -math.pi / 2 if problem.latitude >= 0.0 else math.pi / 2
+
+
+def _in_sun(problem: SiteProblem, found: Placed) -> Placed:
+    """A layout without the buildings that stand too near behind another one of it."""
+    if problem.sun_spacing <= 0.0 or len(found.numbers) < 2:
+        return found
+    heading = noon(problem)
+    c, s = math.cos(heading), math.sin(heading)
+    rings = corners(found.boxes)
+    x = rings[..., 0] * s - rings[..., 1] * c
+    y = rings[..., 0] * c + rings[..., 1] * s
+    reach = problem.sun_spacing * problem.buildings.sizes[list(found.numbers), 2]
+    beside = (x.min(1)[:, None] < x.max(1)[None, :]) & (x.max(1)[:, None] > x.min(1)[None, :])
+    gap = y.min(1)[:, None] - y.max(1)[None, :]
+    behind = y.mean(1)[:, None] > y.mean(1)[None, :]
+    dark = (beside & behind & (gap < reach[:, None] - 1e-6)).any(0)
+    kept = np.flatnonzero(~dark)
+    return Placed(tuple(found.numbers[k] for k in kept), found.boxes[kept], found.form)
+
+
 def _headings(problem: SiteProblem, edges: Floats) -> list[float]:
     """The preferred heading, and those along the two longest edges nearest to it."""
     way = edges[:, 2:] - edges[:, :2]
@@ -124,20 +207,29 @@ def _headings(problem: SiteProblem, edges: Floats) -> list[float]:
 
 
 def _best(
-    problem: SiteProblem, b: int, share: list[int], tried: int, rng: np.random.Generator
-) -> Placed:
+    problem: SiteProblem, edges: Floats, share: list[int], effort: tuple[int, float],
+    rng: np.random.Generator,
+) -> Placed:  # fmt: skip
     """The best of several layouts of one block: most floor placed, then least turned away."""
-    edges = _edges(problem, b)
     headings = _headings(problem, edges)
     best, least = Placed((), np.zeros((0, 5)), "parallel"), math.inf
-    for k in range(tried if share else 0):
+    for k in range(effort[0] if share else 0):
         heading = headings[0] if k < 4 else headings[int(rng.integers(len(headings)))]
         form, queue = FORMS[k % len(FORMS)], list(share)
-        found = _loosened(problem, edges, queue, heading, form)
+        if k and effort[1] == 1.0:
+            queue = _shuffled(problem, share, rng)
+        found = _loosened(problem, edges, queue, heading, form, effort[1])
         cost = _cost(problem, found, share) + VARIETY * float(rng.random())
         if cost < least:
             best, least = found, cost
     return best
+
+
+def _shuffled(problem: SiteProblem, share: list[int], rng: np.random.Generator) -> list[int]:
+    """The buildings model by model, the models in any order."""
+    models = problem.buildings.models
+    drawn = rng.permutation(np.unique(models[share])).tolist()
+    return sorted(share, key=lambda i: (drawn.index(int(models[i])), i))
 
 
 def _cost(problem: SiteProblem, found: Placed, share: list[int]) -> float:
@@ -149,12 +241,13 @@ def _cost(problem: SiteProblem, found: Placed, share: list[int]) -> float:
 
 
 def _loosened(
-    problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str
-) -> Placed:
+    problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str,
+    loosest: float,
+) -> Placed:  # fmt: skip
     """A layout of a block with gaps as wide as still hold all that the least gaps hold."""
     tight = _laid(problem, edges, queue, heading, form, 1.0)
-    low, high, best = 1.0, LOOSEST, tight
-    for _ in range(HALVINGS):
+    low, high, best = 1.0, loosest, tight
+    for _ in range(HALVINGS if loosest > 1.0 else 0):
         loose = 0.5 * (low + high)
         found = _laid(problem, edges, queue, heading, form, loose)
         if len(found.numbers) >= len(tight.numbers):
@@ -175,7 +268,11 @@ def _laid(
     if form in ("peripheral", "mixed"):
         numbers, boxes = rim(edges, sizes, queue, spacing * loose, 0.5 if form == "mixed" else 1.0)
         waiting = [i for i in queue if i not in set(numbers)]
-    inner = edges if not len(boxes) else _around(edges, boxes, spacing)
+    inner = edges
+    if len(boxes):
+        ahead = float(sizes[waiting, 2].max()) if waiting else 0.0
+        kept = _kept(problem, boxes, sizes[numbers, 2], ahead)
+        inner = np.concatenate([edges, kept])
     rule = Rule(spacing, problem.sun_spacing, loose, form == "staggered", True)
     block = turned(inner, heading)
     placed = rows(block, sizes, waiting, rule)
@@ -185,26 +282,8 @@ def _laid(
         found[:, 0], found[:, 1] = back(at[:, 0], at[:, 1], heading)
         found[:, 2] = heading
         found[:, 3:] = sizes[[i for i, _, _ in placed], :2]
-    return Placed((*numbers, *(i for i, _, _ in placed)), np.concatenate([boxes, found]), form)
-
-
-def _around(edges: Floats, boxes: Floats, spacing: float) -> Floats:
-    """Edges of a block with grown boxes as holes (clockwise), to be kept clear of by rows."""
-    from scenewright.layout import corners
-
-    grown = boxes + np.array([0.0, 0.0, 0.0, 2 * spacing, 2 * spacing])
-    rings = corners(grown)[:, ::-1]
-    holes = np.concatenate([rings, np.roll(rings, -1, axis=1)], axis=2).reshape(-1, 4)
-    return np.concatenate([edges, holes])
-
-
-def _densest(problem: SiteProblem, b: int, left: list[int], standing: Floats) -> Placed:
-    """What still fits between all that stands, with the least gaps."""
-    edges = _edges(problem, b)
-    low, high = edges.reshape(-1, 2).min(0), edges.reshape(-1, 2).max(0)
-    near = standing[((standing[:, :2] > low - 80) & (standing[:, :2] < high + 80)).all(1)]
-    inner = _around(edges, near, problem.spacing) if len(near) else edges
-    return _laid(problem, inner, left, problem.facing, "parallel", 1.0)
+    numbers += [i for i, _, _ in placed]
+    return _in_sun(problem, Placed(tuple(numbers), np.concatenate([boxes, found]), form))
 
 
 def _wrapped(angle: float) -> float:

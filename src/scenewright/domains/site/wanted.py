@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from difflib import get_close_matches
 from typing import NamedTuple
 
 from scenewright.brief_site import Building, Site
@@ -10,7 +11,7 @@ from scenewright.errors import InputError
 from scenewright.scene import Size
 
 STOREY = 3.0
-HOUSING = ("apartment_slab", "point_tower", "villa", "row_houses")
+HOUSING = ("modern_residential", "point_tower", "row_houses", "villa")
 """What fills a site that asks for nothing but an amount of floor."""
 MOST = 20_000
 
@@ -52,8 +53,6 @@ def asset_of(model: str, catalog: Catalog, place: str) -> Asset:
     if model in catalog.assets and catalog.assets[model].category == "building":
         return catalog.assets[model]
     known = sorted(a.id for a in catalog.of("building"))
-    from difflib import get_close_matches
-
     near = get_close_matches(model, known, 3) or known[:8]
     raise InputError(f"'{model}' is no building", f"use one of: {', '.join(near)}", place=place)
 
