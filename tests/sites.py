@@ -50,9 +50,9 @@ def quarter() -> tuple[Site, list[Piece]]:
     })  # fmt: skip
     rows = [building(f"b{k}", 30, y, 30, 11, 18) for k, y in enumerate((14, 34, 54))]
     rows += [building(f"b{k + 3}", 92, y, 28, 11, 18) for k, y in enumerate((12, 28))]
-    rows += [building("tower-1", 138, 66, 18, 16, 54, heading=SOUTH + 0.4),
-             building("tower-2", 118, 82, 18, 16, 48, heading=SOUTH + 0.4),
-             building("kiosk", 110, 45, 5, 5, 4)]  # fmt: skip
+    rows += [building("tower-1", 138, 66, 18, 16, 54, heading=SOUTH + 0.4, asset="tower"),
+             building("tower-2", 118, 82, 18, 16, 48, heading=SOUTH + 0.4, asset="tower"),
+             building("kiosk", 110, 45, 5, 5, 4, asset="kiosk")]  # fmt: skip
     rows += [Piece("mill", "building", "", "s", Pose(28, 82, 0, SOUTH), Size(20, 10, 14),
                    fixed=True)]  # fmt: skip
     return ground, rows

@@ -1,0 +1,187 @@
+"""The plan of a site to print: SVG 1.1 to scale, north up, sites of a brief side by side.
+
+Outline, setback, roads and paths, landmarks hatched, buildings tinted by storeys with a mark at
+their front, trees, entrances; what the referee finds is drawn in red. Beside it the legend with
+the figures of the referee.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from scenewright.brief_site import Site
+from scenewright.check.report import Finding
+from scenewright.check.site_figures import judge_sites
+from scenewright.formats import svg_sheet as sheets
+from scenewright.formats import svg_site_marks as marks
+from scenewright.formats.site_shapes import Standing, plans_of, standing
+from scenewright.formats.svg_legend import Row, arrange, legend_mark
+from scenewright.formats.svg_marks import View, clean, group, tag, text
+from scenewright.scene import Piece
+from scenewright.site_plan import SitePlan
+from scenewright.solution import Solution
+from scenewright.space import Points
+
+MARGIN, CAPTION = 6.0, 7.0
+"""Millimetres around a site, and below it for its name."""
+
+Views = Mapping[str, tuple[Points, Points]]
+"""By site: points (n, 2) along its ways, and what is seen from each, relative, in [0, 1]."""
+
+
+class Drawing(NamedTuple):
+    """One site with what stands on it, what was found, and its bounds in metres."""
+
+    site: Site
+    plan: SitePlan
+    rows: tuple[Standing, ...]
+    trees: tuple[Piece, ...]
+    findings: tuple[Finding, ...]
+    figures: dict[str, Any]
+    bounds: tuple[float, float, float, float]
+
+
+def write(solution: Solution, path: str | os.PathLike[str]) -> None:
+    """Write the plan of a solution's sites to ``path``; it appears whole or not at all."""
+    final = Path(path)
+    partial = final.with_name(f".{final.name}.partial")
+    partial.write_text(plan(solution), encoding="utf-8")
+    os.replace(partial, final)
+
+
+def plan(solution: Solution, views: Views | None = None) -> str:
+    """The SVG text of a plan of all sites; ``views`` adds what walkers see along the ways."""
+    drawings = drawings_of(solution)
+    wide = sum(d.bounds[2] - d.bounds[0] for d in drawings)
+    high = max(d.bounds[3] - d.bounds[1] for d in drawings)
+    extra = (len(drawings) + 1) * MARGIN, 2 * MARGIN + CAPTION
+    arranged = arrange((wide, high), extra, legend(drawings, bool(views)))
+    sheet, (room_wide, room_high) = arranged.sheet, arranged.room
+    scale = 1000 / sheet.scale
+    spare = (room_wide - wide * scale) / (len(drawings) + 1)
+    left, body = sheets.EDGE, []
+    for drawing in drawings:
+        west, south, east, north = drawing.bounds
+        left += spare
+        bottom = sheets.EDGE + (room_high - CAPTION + (north - south) * scale) / 2
+        view = sheets.view_at(sheet, west, south, left, bottom)
+        body.append(_site_mark(view, drawing, (views or {}).get(drawing.plan.id)))
+        if len(drawings) > 1:
+            middle = left + (east - west) * scale / 2
+            body.append(text(drawing.plan.name, (middle, bottom + MARGIN), 2.6))
+        left += (east - west) * scale
+    head = [tag("defs", marks.hatch()),
+            sheets.sheet_mark(sheet, solution.brief.name, _summary(drawings))]  # fmt: skip
+    return sheets.document(sheet, solution.brief.name, [*head, *body, legend_mark(arranged)])
+
+
+def drawings_of(solution: Solution) -> tuple[Drawing, ...]:
+    """What there is to draw of each site of a solution."""
+    plans = plans_of(solution)
+    rows = standing(solution, plans)
+    verdict = judge_sites(solution.brief.sites, solution.pieces)
+    return tuple(
+        _drawing(
+            site, plan, tuple(row for row in rows if row.site == plan.id),
+            tuple(p for p in solution.pieces if p.space == plan.id and p.category != "building"),
+            tuple(f for f in verdict.findings if f.space == plan.id), verdict.figures[plan.id],
+        )
+        for site, plan in zip(solution.brief.sites, plans, strict=True)
+    )  # fmt: skip
+
+
+def _drawing(
+    site: Site, plan: SitePlan, rows: tuple[Standing, ...], trees: tuple[Piece, ...],
+    findings: tuple[Finding, ...], figures: dict[str, Any],
+) -> Drawing:  # fmt: skip
+    """Bounds take in the site and what stands no farther outside than it is long."""
+    low, high = plan.outline.min(0), plan.outline.max(0)
+    reach = float((high - low).max()) / 2
+    inside = [
+        row.footprint
+        for row in rows
+        if np.isfinite(row.footprint).all()
+        and (row.footprint > low - reach).all()
+        and (row.footprint < high + reach).all()
+    ]
+    corners = np.vstack([plan.outline, *inside])
+    (west, south), (east, north) = corners.min(0).tolist(), corners.max(0).tolist()
+    drawn = tuple(row for row in rows if any(row.footprint is kept for kept in inside))
+    return Drawing(site, plan, drawn, trees, findings, figures,
+                   (west, south, east, north))  # fmt: skip
+
+
+def _site_mark(view: View, drawing: Drawing, seen: tuple[Points, Points] | None) -> str:
+    plan, rows = drawing.plan, drawing.rows
+    return group([
+        marks.ground_mark(view, plan),
+        marks.ways_mark(view, plan.roads),
+        marks.setback_mark(view, plan, drawing.site.setback),
+        marks.trees_mark(view, drawing.trees),
+        marks.views_mark(view, *seen) if seen else "",
+        marks.buildings_mark(view, rows),
+        marks.labels_mark(view, rows),
+        marks.entrances_mark(view, plan),
+        marks.faults_mark(view, rows, drawing.findings),
+    ])  # fmt: skip
+
+
+def legend(drawings: Sequence[Drawing], views: bool = False) -> tuple[Row, ...]:
+    """Signs that occur, then the figures of each site."""
+    rows = [Row("heading", "Legend")]
+    used = {marks.tint(r.floors) for d in drawings for r in d.rows if not r.landmark}
+    least = 1
+    for most, colour in marks.STOREYS:
+        told = f"{least}–{most} storeys" if most < 1000 else f"{least} storeys and more"
+        rows += [Row("swatch", told, value=colour)] if colour in used else []
+        least = most + 1
+    ways = {way.kind for d in drawings for way in d.plan.roads}
+    signs = (
+        (any(r.landmark for d in drawings for r in d.rows), "swatch", "Landmark", marks.HATCH),
+        ("road" in ways, "swatch", "Road", marks.ASPHALT),
+        ("path" in ways, "swatch", "Path", marks.PAVING),
+        (any(d.trees for d in drawings), "swatch", "Tree", marks.LEAF),
+        (any(d.site.setback for d in drawings), "border", "Setback", ""),
+        (views, "swatch", "Much to see from here", "#0054a0"),
+        (any(d.findings for d in drawings), "swatch", "Fault, distance in metres", marks.FAULT),
+    )
+    rows += [Row(sign, words, value=value) for used_, sign, words, value in signs if used_]
+    for drawing in drawings:
+        rows += _figures(drawing, drawing.plan.name if len(drawings) > 1 else "Figures")
+    return tuple(rows)
+
+
+def _figures(drawing: Drawing, heading: str) -> list[Row]:
+    found, site = drawing.figures, drawing.site
+    least, sun = found["least_spacing"], found["sun_mean"]
+    told = [
+        ("Ground", f"{found['area']:,.0f} m²"),
+        ("Buildings", f"{found['buildings']}"),
+        ("Coverage", _against(f"{found['coverage']:.1%}", site.coverage, ".0%")),
+        ("Floor area ratio", _against(f"{found['floor_area_ratio']:.2f}",
+                                      site.floor_area_ratio, ".2f")),
+        ("Least distance", "–" if least is None else f"{least:.1f} m of {site.spacing:g} m"),
+        ("Fronts to the preferred side", f"{found['south_share']:.0%}"),
+        (f"At least {site.sun_hours:g} h of winter sun" if sun is not None else "",
+         f"{found['sun_share']:.0%}"),
+        ("Reached by the fire brigade", f"{found['reached_share']:.0%}"),
+        ("Faults", f"{sum(not f.given for f in drawing.findings)}"),
+    ]  # fmt: skip
+    return [Row("heading", clean(heading, 40)), *(Row("", w, right) for w, right in told if w)]
+
+
+def _against(value: str, wanted: float | None, form: str) -> str:
+    return value if wanted is None else f"{value} of {wanted:{form}}"
+
+
+def _summary(drawings: Sequence[Drawing]) -> str:
+    buildings = sum(d.figures["buildings"] for d in drawings)
+    area = sum(d.plan.area for d in drawings)
+    faults = sum(not f.given for d in drawings for f in d.findings)
+    told = [f"{area / 1e4:.2f} ha", f"{buildings} buildings"]
+    return " · ".join(["Site plan", *told, *([f"{faults} faults"] if faults else [])])

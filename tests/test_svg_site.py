@@ -1,0 +1,96 @@
+"""The plan of a site: everything is where it is, to scale, and nothing in it is alive."""
+
+from __future__ import annotations
+
+import re
+import time
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from scenewright.formats import svg_site
+from scenewright.formats.svg_site_marks import FAULT, HATCH, tint
+from sites import answer, building, field, quarter, site
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def drawn(ground, pieces, views=None):
+    return ElementTree.fromstring(svg_site.plan(answer(ground, pieces), views))
+
+
+def words(root):
+    return [element.text or "" for element in root.iter(f"{SVG}text")]
+
+
+def points(path):
+    return np.array(re.findall(r"-?\d+\.?\d*", path.get("d", "")), float).reshape(-1, 2)
+
+
+def shapes_named(root, start):
+    for mark in root.iter(f"{SVG}g"):
+        told = mark.find(f"{SVG}title")
+        if told is not None and (told.text or "").startswith(start):
+            yield mark.find(f"{SVG}path")
+
+
+def test_buildings_stand_to_scale_north_up():
+    first, second = building("a", 20, 20, 30, 10, asset="low"), building("b", 60, 50, asset="high")
+    root = drawn(site(), [first, second])
+    scale = float(next(w for w in words(root) if w.startswith("1:"))[2:])
+    a, b = (points(next(shapes_named(root, name))) for name in ("low", "high"))
+    assert np.ptp(a, axis=0) * scale / 1000 == pytest.approx([30, 10], abs=0.02)
+    assert (b.mean(0) - a.mean(0)) * scale / 1000 == pytest.approx([40, -30], abs=0.02)
+
+
+def test_landmarks_are_hatched_and_faults_red():
+    ground, pieces = quarter()
+    root = drawn(ground, pieces)
+    fills = [path.get("fill") for path in shapes_named(root, "Rotunda")]
+    assert fills == [HATCH]
+    told = [mark.find(f"{SVG}title").text for group in root.iter(f"{SVG}g")
+            if group.get("stroke") == FAULT for mark in group.findall(f"{SVG}g")]  # fmt: skip
+    assert any("stands on walk" in line for line in told)
+    assert any("m apart, 7 m are asked for" in line for line in told)
+    assert {"Mill Lane", "Rotunda", "18 m", "6 st"} <= set(words(root))
+    clean = drawn(ground.model_copy(update={"spacing": 0.0}), pieces[:3])
+    assert not any("apart" in (e.text or "") for e in clean.iter(f"{SVG}title"))
+
+
+def test_the_legend_tells_figures_and_only_signs_in_use():
+    ground, pieces = quarter()
+    seen = words(drawn(ground, pieces))
+    assert {"Road", "Path", "Landmark", "4–6 storeys", "Coverage", "Faults"} <= set(seen)
+    plain = words(drawn(site(), [building("a", 20, 20)]))
+    assert not {"Road", "Path", "Landmark", "Tree", "Setback", "Fault, distance in metres"} & {
+        *plain
+    }
+    assert tint(3) != tint(4)
+
+
+def test_what_walkers_see_is_drawn_where_it_is_told():
+    views = {"s": (np.array([(10.0, 10.0), (20.0, 10.0)]), np.array([0.0, 1.0]))}
+    circles = [c for c in drawn(site(), [], views).iter(f"{SVG}circle") if c.get("fill")]
+    assert [c.get("fill") for c in circles] == ["#e2ecf4", "#0054a0"]
+
+
+def test_hostile_names_and_places_are_harmless():
+    ground, _ = quarter()
+    odd = '<script>"&\u202e' * 9
+    pieces = [building(odd, 20, 20, asset=odd), building("far", 1e9, 0), building("nan", np.nan, 0),
+              building("flat", 20, 50, h=0.0)]  # fmt: skip
+    text = svg_site.plan(answer(ground, pieces, name=odd))
+    assert "<script" not in text
+    root = ElementTree.fromstring(text)
+    assert float(root.get("width", "0mm")[:-2]) <= 841
+    assert not [e for e in root.iter() if e.tag.endswith(("script", "style", "image"))]
+
+
+def test_large_sites_are_drawn_in_seconds(tmp_path):
+    ground, pieces = field(1500)
+    start = time.perf_counter()
+    svg_site.write(answer(ground, pieces), tmp_path / "plan.svg")
+    assert time.perf_counter() - start < 10
+    assert (tmp_path / "plan.svg").stat().st_size < 3e6
+    assert [p.name for p in tmp_path.iterdir()] == ["plan.svg"]
