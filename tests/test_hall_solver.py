@@ -82,7 +82,8 @@ def two_zones(*demands: dict[str, Any], **room: Any) -> Brief:
 
 def fresh(chain: Chain) -> float:
     """The energy of where a chain stands, measured from nothing."""
-    lost = missed(chain.p, chain.s, chain.grid, *chain.bits, chain.inset)
+    base, free, reached = chain.bits
+    lost = missed(chain.p, chain.s, chain.grid, base, free, reached, chain.inset)
     return float(measure_all(chain.p, chain.s, chain.work) + chain.p.weights[REACH] * lost)
 
 
@@ -157,7 +158,8 @@ def test_gd_mh_makes_a_thousand_iterations() -> None:
 
 
 def answer(brief: Brief, **more: Any) -> Solution:
-    return scenewright.solve(brief, **{"preset": "quick", "steps": 1200, "seed": 4} | more)
+    asked: dict[str, Any] = {"preset": "quick", "steps": 1200, "seed": 4}
+    return scenewright.solve(brief, **asked | more)
 
 
 @pytest.mark.parametrize("solver", ["anneal", "gd-mh"])
