@@ -83,8 +83,9 @@ def test_scores_are_those_of_what_stands(row) -> None:
     position = exact[[0, 1, 2, 3]] @ weights[[0, 1, 2, 3]]
     assert found.score["ratio"] == pytest.approx(position / exact[4])
     assert found.score["energy"] == pytest.approx(position + 12 - exact[4] + 10 * exact[5])
-    for name in ("use", "seen", "texture", "height", "value"):
+    for name in ("use", "shown", "texture", "height", "value", "seen"):
         assert 0.0 <= found.score[name] <= 1.0
+    assert 0.0 <= found.score["sun"] <= 8.0
 
 
 @pytest.mark.parametrize("row", ROWS, ids=IDS)
@@ -177,6 +178,29 @@ def test_a_liked_building_is_worth_more() -> None:
     more = make_judge(PROBLEM, cells, np.ones(12)).energies(rows)
     assert (more < less).all()
     assert found.generations >= 1
+
+
+def test_the_value_by_hand() -> None:
+    problem = example_site(2, 150.0)  # 12 x 10 x 9 and 18 x 12 x 24
+    boxes = np.array([[90.0, 80.0, -math.pi / 2, 12.0, 10.0],
+                      [112.0, 80.0, -math.pi / 2, 18.0, 12.0]])  # fmt: skip
+    both = score(problem, boxes, np.array([True, True]))
+    facades, volume = np.array([2 * 22 * 9, 2 * 30 * 24]), np.array([12 * 10 * 9, 18 * 12 * 24])
+    area = problem.ground.block_areas.sum()
+    assert both["use"] == pytest.approx((18 * 16 + 24 * 18) / area)
+    assert both["shown"] == pytest.approx((facades * [0.35, 0.55]).sum() / facades.sum())
+    assert both["texture"] == pytest.approx(((0.9 + 0.8) / 2 + 0.8) / 2)  # tones differ by 0.2
+    assert both["height"] == pytest.approx(1.0)
+    one = score(problem, boxes, np.array([True, False]))
+    assert one["texture"] == pytest.approx((0.9 + 1.0) / 2 / 2)
+    assert one["height"] == pytest.approx(volume[0] / volume.sum())
+    assert one["shown"] == pytest.approx(facades[0] * 0.35 / facades.sum())
+    parts = [both[name] for name in ("use", "shown", "texture", "height")]
+    assert both["value"] == pytest.approx(np.dot(parts, [0.2, 0.5, 0.1, 0.2]))
+    boxes[1, 0] = 90.0  # in front of the first, to the south
+    boxes[1, 1] = 60.0
+    assert score(problem, boxes, np.array([True, True]))["sun"] < both["sun"]
+    assert both["seen"] > score(problem, boxes, np.array([False, False]))["seen"] > 0.0
 
 
 def group(models: list[int]) -> Buildings:

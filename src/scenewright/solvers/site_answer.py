@@ -1,7 +1,8 @@
 """How any layout of a site is made to stand, scored, and answered with.
 
-Scores by name: every term, ``energy``, ``ratio`` of (5), and ``use``, ``seen``, ``texture``,
-``height`` and ``value`` of (22) in Zhang, Yang 2023.
+Scores by name: every term, ``energy``, ``ratio`` of (5), and ``use``, ``shown``, ``texture``,
+``height`` and ``value`` of (22) in Zhang, Yang 2023; ours are ``sun``, hours on fronts, and
+``seen``, the quality that walkers see.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ import numpy as np
 from scenewright.geometry.boxes import make_frame
 from scenewright.geometry.buckets import remove
 from scenewright.geometry.compiled import compiled
+from scenewright.geometry.sun import sun_hours, sun_path
+from scenewright.geometry.walker import seen
 from scenewright.site_problem import Flags, Floats, Ints, SiteProblem
 from scenewright.solvers.site_found import SiteFound
 from scenewright.terms.site_measure import (
@@ -93,7 +96,7 @@ def standing(measure: Measure, boxes: Floats) -> Flags:
 
 
 def score(problem: SiteProblem, boxes: Floats, present: Flags) -> dict[str, float]:
-    """Every term of a layout by name, its energy, and the paper's ratio and value."""
+    """Every term of a layout by name, its energy, the paper's ratio and value, and ours."""
     measure, parts = make_measure(problem), np.empty(len(OMEGA))
     placed = np.where(present[:, None], boxes, 0.0)
     lay(measure.p, measure.s, placed)
@@ -101,9 +104,32 @@ def score(problem: SiteProblem, boxes: Floats, present: Flags) -> dict[str, floa
     found = {row.name: float(measure.s.sums[row.number]) for row in SITE_TERMS}
     found["energy"] = energy_of(measure.p, measure.s)
     found["ratio"] = float(printed_ratio(measure.s.sums, np.abs(measure.p.weights)))
-    found.update(zip(("use", "seen", "texture", "height"), parts.tolist(), strict=True))
+    found.update(zip(("use", "shown", "texture", "height"), parts.tolist(), strict=True))
     found["value"] = float(parts @ np.array(OMEGA))
+    found["sun"] = sun_of(problem, boxes[present], problem.buildings.sizes[present, 2])
+    found["seen"] = seen_of(problem, boxes[present], present)
     return found
+
+
+def sun_of(problem: SiteProblem, boxes: Floats, heights: Floats) -> float:
+    """Mean hours of sun on the fronts of buildings (k, 5) on the day of the problem; landmarks
+    throw shadows too. 0 without buildings."""
+    if not len(boxes):
+        return 0.0
+    ground, path = problem.ground, sun_path(problem.latitude, problem.day)
+    marks = (ground.landmarks, ground.landmark_heights)
+    return float(sun_hours(boxes, heights, path, marks)[:, 0].mean())
+
+
+def seen_of(problem: SiteProblem, boxes: Floats, present: Flags) -> float:
+    """Mean visual quality that walkers at the eyes of the problem see, landmarks included."""
+    ground, made = problem.ground, problem.buildings
+    every = np.concatenate([boxes, np.asarray(ground.landmarks).reshape(-1, 5)])
+    if not len(every) or not len(ground.eyes):
+        return 0.0
+    heights = np.concatenate([made.sizes[present, 2], ground.landmark_heights])
+    quality = np.concatenate([made.quality[present], ground.landmark_quality])
+    return float(seen(ground.eyes, every, heights, quality, best=1.0).points.mean())
 
 
 def answer(problem: SiteProblem, boxes: Floats, evaluations: int, generations: int) -> SiteFound:

@@ -15,7 +15,7 @@ from scenewright.terms.site_measure import SitePrepared, inside_blocks, prepare_
 
 CELLS = 40_000
 """No more cells than about this."""
-SHARES = 24
+SHARES = 48
 LOOSE = 1e-6
 
 
@@ -35,16 +35,17 @@ def main_direction(edges: Floats) -> float:
 
 def cell_size(pitches: Floats, counts: Ints, area: float) -> float:
     """The size of cells that buildings of ``pitches`` (k, 2), sides with spacing, fill best: the
-    share of their cells they leave empty is least, between the least and the greatest side.
+    one, from half the least side on, whose cells they leave least empty; the largest of equals.
 
     >>> cell_size(np.array([[10.0, 10.0], [20.0, 10.0]]), np.array([1, 1]), 4000.0)
     10.0
     """
-    least = max(float(pitches.min()), (area / CELLS) ** 0.5)
-    sizes = np.linspace(least, max(float(pitches.max()), least), SHARES)
+    least = max(0.5 * float(pitches.min()), (area / CELLS) ** 0.5)
+    sizes = np.append(np.linspace(least, max(float(pitches.max()), least), SHARES), pitches.min())
+    sizes = np.sort(sizes[sizes >= least])
     spans = np.ceil(pitches[None] / sizes[:, None, None] - 1e-9)
     used = ((spans * sizes[:, None, None]).prod(2) * counts).sum(1)
-    return float(sizes[used.argmin()])
+    return float(sizes[used <= used.min() * (1.0 + 1e-9)].max())
 
 
 def make_cells(problem: SiteProblem) -> Cells:

@@ -26,7 +26,6 @@ from scenewright.terms.site_measure import SiteState
 
 Floats = NDArray[np.float64]
 
-USE, SEEN, TEXTURE, HEIGHT = range(4)
 OMEGA = (0.2, 0.5, 0.1, 0.2)
 """ω1 to ω4: visual quality leads, texture counts little, as the paper found best."""
 NEAR = 20.0
@@ -80,14 +79,14 @@ def tone_difference(s: SiteState, facts: Floats, i: int) -> float:
 def value_parts(s: SiteState, worth: Worth, out: Floats) -> None:
     """Write R, M, C and H of the layout a state holds to ``out`` (4,)."""
     facts, whole, n = worth.facts, worth.whole, s.frames.shape[0]
-    used, seen, texture, volume = 0.0, 0.0, 0.0, 0.0
+    used, shown, texture, volume = 0.0, 0.0, 0.0, 0.0
     for i in range(n):
         frame = read_frame(s.frames, i)
         if frame[4] > 0.0:
             used += 4.0 * (frame[4] + whole[3]) * (frame[5] + whole[3])
-            seen += facts[i, 0] * facts[i, 2]
+            shown += facts[i, 0] * facts[i, 2]
             volume += facts[i, 1]
             own = facts[i, 4] + 1.0 - tone_difference(s, facts, i)
             texture += (own + facts[i, 5]) / 3.0 if facts[i, 5] >= 0.0 else 0.5 * own
-    out[0], out[1] = min(used / whole[0], 1.0), min(seen / whole[1], 1.0)
+    out[0], out[1] = min(used / whole[0], 1.0), min(shown / whole[1], 1.0)
     out[2], out[3] = texture / max(n, 1), min(volume / whole[2], 1.0)
