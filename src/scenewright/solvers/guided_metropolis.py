@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 
 from scenewright.encodings.patterns import SINGLE, WALL
-from scenewright.geometry.boxes import Floats, read_frame
+from scenewright.geometry.boxes import Floats, read_frame, read_sides
 from scenewright.geometry.compiled import compiled, inlined
 from scenewright.geometry.paths import CLEAR, Bits, Grid, sweep_box
 from scenewright.solvers.draws import Stream, below, uniform
@@ -23,10 +23,10 @@ from scenewright.solvers.hall_moves import (
     spread,
     turn,
 )
-from scenewright.terms.circulation import route
+from scenewright.terms.circulation import is_reached, route
 from scenewright.terms.hall_place import build
 from scenewright.terms.hall_state import Kept, Prepared, Scratch, State
-from scenewright.terms.hall_terms import FILL, PROPORTION, REACH, SPACE, space_cost
+from scenewright.terms.hall_terms import ACCESS, FILL, PROPORTION, REACH, SPACE, space_cost
 from scenewright.terms.hall_trial import begin, judge, measure_all, settle, undo
 
 WALLS = 0.03
@@ -39,7 +39,8 @@ BLOCK = 16
 def missed(
     p: Prepared, s: State, grid: Grid, base: Bits, free: Bits, reached: Bits, inset: Floats
 ) -> float:
-    """Objects and doors the route does not reach; ``base`` takes the floor less partitions."""
+    """Objects and doors the route does not reach; ``base`` takes the floor less partitions. Each
+    unit's share of the objects is left in its costs."""
     for row in range(base.shape[0]):
         for word in range(base.shape[1]):
             base[row, word] = grid.free[row, word]
@@ -47,7 +48,15 @@ def missed(
         if s.walls[h, 4] > 0.0:
             sweep_box(base, grid, read_frame(s.walls, h), grid.radius, CLEAR)
     bare = Grid(grid.x0, grid.y0, grid.cell, grid.radius, base, grid.doors)
-    return route(s.frames, p.access, inset, bare, free, reached)
+    count = route(s.frames, p.access, inset, bare, free, reached)
+    for u in range(p.spans.shape[0]):
+        s.costs[REACH, u] = 0.0
+    if count > 0.0:
+        for i in range(s.frames.shape[0]):
+            frame, sides = read_frame(s.frames, i), read_sides(p.access, i)
+            if not is_reached(frame, sides, reached, bare):
+                s.costs[REACH, p.unit_of[i]] += 1.0
+    return count
 
 
 @inlined
@@ -100,6 +109,28 @@ def guided(p: Prepared, s: State, stream: Stream, size: float) -> tuple[int, int
 
 
 @inlined
+def called_for(p: Prepared, s: State, stream: Stream) -> int:
+    """A unit that stands in the way of something: one that is not reached, or one in a zone whose
+    passage is too narrow; -1 if all is well."""
+    g, links = p.spans.shape[0], p.links.shape[0]
+    total = 0.0
+    for u in range(g):
+        total += s.costs[REACH, u]
+    if total > 0.0 and p.weights[REACH] != 0.0:
+        return drawn_unit(p, s, REACH, stream)
+    start = below(stream, max(links, 1))
+    for k in range(links):
+        link = (start + k) % links
+        if s.costs[ACCESS, link] > 0.0:
+            zone = int(p.links[link, below(stream, 2)])
+            first = below(stream, g)
+            for turn in range(g):
+                if p.zones[(first + turn) % g] == zone:
+                    return (first + turn) % g
+    return -1
+
+
+@inlined
 def propose(p: Prepared, s: State, work: Scratch, stream: Stream, size: float, free: float) -> int:
     """Write a move of one unit; the unit."""
     blind = uniform(stream) < free
@@ -107,6 +138,9 @@ def propose(p: Prepared, s: State, work: Scratch, stream: Stream, size: float, f
     if blind:
         unit, kind = below(stream, p.spans.shape[0]), below(stream, 6)
         step = (uniform(stream) - 0.5) * 2.0 * size
+        called = called_for(p, s, stream) if uniform(stream) < 0.3 else -1
+        if called >= 0:
+            unit, step = called, 2.0 * step
     begin(p, s, work, unit)
     if kind == 0 and s.code[unit] == SINGLE:
         kind = 1

@@ -31,7 +31,7 @@ from scenewright.solvers.guided_metropolis import bring_back, missed, run
 from scenewright.solvers.hall_start import copy_frames, place_units, write_boxes
 from scenewright.terms.hall_place import build
 from scenewright.terms.hall_state import Kept, Prepared, Scratch, State, make_scratch
-from scenewright.terms.hall_terms import REACH
+from scenewright.terms.hall_terms import ACCESS, REACH
 from scenewright.terms.hall_trial import measure_all, measure_frames
 
 PAPER_STEPS = 1000
@@ -170,7 +170,11 @@ def anneal_hall(
         budget = budget._replace(seconds=SECONDS)
     watch = Watch(budget, progress, cancel)
     threads = min(budget.threads or os.cpu_count() or 1, CHAINS)
-    chains = [begin_chain(problem, start, stream) for stream in streams(seed, CHAINS)]
+    starts = _starts(problem, start, seed)
+    chains = [
+        begin_chain(problem, first, stream)
+        for first, stream in zip(starts, streams(seed, CHAINS), strict=True)
+    ]
     made = 0
     with ThreadPoolExecutor(threads) as pool:
         for first, share, kept in ((0.0, 0.6, CHAINS), (0.45, 1.0, CHAINS // 2)):
@@ -180,6 +184,15 @@ def anneal_hall(
             made += _stage(chains, pool, watch, first, share, made)
     found = sorted((layout_of(chain) for chain in chains), key=lambda layout: layout.energy)
     return HallFound(tuple(found), made)
+
+
+def _starts(problem: HallProblem, start: Kept, seed: int) -> list[Kept]:
+    """A first layout for every chain: the given one, and others where they hold as much."""
+    found = [start]
+    for k in range(1, CHAINS):
+        other, lost = first_layout(problem, start.walls, seed + 7919 * k)
+        found.append(start if lost else other)
+    return found
 
 
 def _cooled(problem: HallProblem, chain: Chain) -> Chain:
@@ -253,3 +266,12 @@ def by_objects(
     p, s, lost = measured(problem, kept, found.boxes)
     energy = sum(part.cost for part in parts_of(problem, p, s, lost))
     return HallFound((HallLayout(kept, found.boxes, energy, lost),), found.evaluations)
+
+
+def shortfall(problem: HallProblem, layout: HallLayout) -> float:
+    """What is wrong with a layout however low its energy: objects and doors that are not reached,
+    and metres that passages lack."""
+    p, s, lost = measured(problem, layout.kept, layout.boxes)
+    links = len(p.links)
+    lacking = np.log1p(s.costs[ACCESS, :links]).sum() if links else 0.0
+    return float(lost + np.round(lacking, 6))

@@ -25,6 +25,7 @@ from scenewright.domains.hall.dress import dressed, kept_groups, partitions, pla
 from scenewright.domains.hall.fit import fit
 from scenewright.domains.hall.pose import Hall, hall_of
 from scenewright.domains.hall.presets import PRESETS, USUAL, HallPreset
+from scenewright.domains.hall.search import Search, searched
 from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.wanted import leaning, wanted
@@ -38,7 +39,6 @@ from scenewright.scene_graph import PlacedGroup, SceneGraph, Tour
 from scenewright.solution import LeftOut, Solution, TermValue
 from scenewright.solve import Budget
 from scenewright.solvers.hall_chains import measured
-from scenewright.solvers.halls import HALL_SOLVERS
 from scenewright.space import Space
 from scenewright.zones import borders_of, zones_of
 
@@ -166,16 +166,16 @@ def _lay(
     locked = tuple(piece for piece in hall.fixed if piece.function not in ("", "fixed"))
     wishes = leaning(wanted(brief, task.number, locked), task.lean)
     fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.whole)
-    missing = left_out(hall, wishes, fitted.units)
     if not fitted.units:
+        missing = left_out(hall, wishes, fitted.units)
         return Laid((), kept_groups(hall, locked), (), (), missing, 0.0, 0, None)
     budget = task.budget
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
         scale = 1.0 if preset.whole else max(len(fitted.units) / USUAL, 1.0)
         budget = budget._replace(steps=int(preset.steps * scale))
-    heard = None if progress is None else lambda share, best: progress(share, f"energy {best:.1f}")
-    run = HALL_SOLVERS[task.solver].run
-    found = run(fitted.problem, fitted.start, budget, task.seed, heard, cancel)
+    search = Search(hall, wishes, preset, task.solver, budget, task.seed, catalog)
+    fitted, found = searched(search, fitted, progress, cancel)
+    missing = left_out(hall, wishes, fitted.units)
     best = found.layouts[0]
     p, s, lost = measured(fitted.problem, best.kept, best.boxes)
     objects = dressed(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)

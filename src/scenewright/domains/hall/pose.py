@@ -26,7 +26,7 @@ SHARE, MOST = 0.75, 0.8
 """δ_min: this share of what its objects demand of a zone, and at most."""
 MARGIN = 0.1
 """Passages are planned this much wider than asked for, in metres."""
-SEATS = ("seat", "chair", "stool", "bench")
+SEATS = ("auditorium_seat",)
 HEAD_HEIGHT = 2.0
 SIDES = ("front", "left", "back", "right")
 
