@@ -90,6 +90,9 @@ def test_distance_for_the_sun_counts_behind_a_building_only():
     assert (found.piece, found.other, found.amount) == ("n", "high", pytest.approx(8.0))
     assert kinds(ground, high, beside) == []
     assert kinds(ground, behind, building("s", 60, 56, h=12.0)) == ["spacing"]
+    overlapping = [building("south", 60, 30), building("north", 60, 36)]
+    told = [f.piece for f in judge_sites([ground], overlapping).findings if f.kind == "spacing"]
+    assert told == ["north"]
     austral = site(sun_spacing=1.5, latitude=-35.0)
     assert only(austral, low, building("n", 60, 38, h=12.0)).piece == "low"
 

@@ -127,6 +127,15 @@ def test_what_is_no_site_is_told_in_one_line(document, words, tmp_path):
     assert "\n" not in str(caught.value)
 
 
+def test_broken_features_are_left_out_and_told():
+    odd = {"type": "Feature", "properties": {}, "geometry": {"type": ["Point"], "coordinates": []}}
+    dot = line([[LON, LAT]], highway="service")
+    bow = area(at((20, 20), (40, 40), (40, 20), (20, 40)), building="yes")
+    found = told(SITE, odd, dot, bow, {"type": "Feature"}, LANE)
+    assert [row.feature for row in found.skipped] == ["feature-2", "feature-5", "feature-4"]
+    assert len(found.brief.sites[0].roads) == 1
+
+
 def test_indoor_maps_are_still_read_as_such(tmp_path):
     path = tmp_path / "map.geojson"
     room = area(at((0, 0), (10, 0), (10, 8), (0, 8)), indoor="room", level="0")

@@ -130,7 +130,7 @@ def _feature(row: Any, name: str) -> Feature:
     if not isinstance(geometry, dict):
         raise InputError("has no geometry")
     kind, coordinates = geometry.get("type"), geometry.get("coordinates")
-    if kind not in GEOMETRIES:
+    if not isinstance(kind, str) or kind not in GEOMETRIES:
         raise InputError(f"has a geometry of type {json.dumps(kind)[:40]}")
     tags = _tags(row)
     if kind == "Point":

@@ -171,7 +171,7 @@ def _roads(
     found: list[dict[str, Any]] = []
     for feature in features:
         told = width_of(feature.tags)
-        for line in feature.lines if told else ():
+        for line in (row for row in feature.lines if told and len(row) > 1):
             kind, width = told or ("", 0.0)
             whole = shapely.LineString(metres(map_, line))
             parts = shapely.get_parts(shapely.line_merge(shapely.intersection(whole, near)))

@@ -154,7 +154,8 @@ def _label(view: View, footprint: Points, words: list[str]) -> str:
     """Two short lines, or one joined, as large as fits upright in the footprint."""
     polygon = shapely.Polygon(footprint)
     circle = shapely.maximum_inscribed_circle(polygon, tolerance=0.1)
-    radius, x0, y0, x1, y1 = (circle.length, *polygon.bounds)
+    radius = float(circle.length)
+    x0, y0, x1, y1 = map(float, polygon.bounds)
     central = polygon.centroid.within(shapely.buffer(polygon, -0.8 * radius))
     middle = shapely.get_coordinates(polygon.centroid if central else circle)[0]
     wide, high = (max(2 * radius, 0.7 * (b - a)) * view.scale for a, b in ((x0, x1), (y0, y1)))
