@@ -41,7 +41,6 @@ def searched(
 ) -> tuple[Fitted, HallFound]:
     """The solver's answer. While it leaves something that nobody reaches, or a passage too
     narrow, ours tries again: from other first layouts, then with large groups in halves."""
-    heard = None if progress is None else lambda share, best: progress(share, f"energy {best:.1f}")
     again = search.solver == "anneal" and not search.preset.whole
     budget, tries, seen = search.budget, ATTEMPTS if again else 1, 0
     if budget.seconds is not None:
@@ -52,6 +51,7 @@ def searched(
         if attempt > 0 and attempt + 1 == tries:
             fitted = halved(search, fitted, seed)
         run = HALL_SOLVERS[search.solver].run
+        heard = None if progress is None else _heard(progress, attempt)
         found = run(fitted.problem, fitted.start, budget, seed, heard, cancel)
         seen += found.evaluations
         wrong = shortfall(fitted.problem, found.layouts[0]) if again else 0.0
@@ -62,6 +62,13 @@ def searched(
             budget = budget._replace(seconds=0.5 * budget.seconds)
     _, _, fitted, found = min(answers, key=lambda answer: answer[:2])
     return fitted, found._replace(evaluations=seen)
+
+
+def _heard(progress: Progress, attempt: int) -> Callable[[float, float], None]:
+    """Tells how far a search is, and never goes back: all is done but for the attempts after
+    the first."""
+    again = f", attempt {attempt + 1} of {ATTEMPTS}" if attempt else ""
+    return lambda share, best: progress(1.0 if attempt else share, f"energy {best:.1f}{again}")
 
 
 def halved(search: Search, fitted: Fitted, seed: int) -> Fitted:
