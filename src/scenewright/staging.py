@@ -36,11 +36,12 @@ WOOD_FLOOR = Material("oak floor", (0.73, 0.62, 0.50), roughness=0.55)
 STONE_FLOOR = Material("stone floor", (0.83, 0.81, 0.77), roughness=0.5)
 TILE_FLOOR = Material("tile floor", (0.80, 0.82, 0.82), roughness=0.3)
 DECK_FLOOR = Material("deck floor", (0.64, 0.58, 0.51), roughness=0.8)
+GRASS = Material("grass", (0.56, 0.64, 0.42), roughness=1.0)
 PLAIN_FLOOR = Material("screed floor", (0.78, 0.77, 0.74), roughness=0.85)
 
 FLOORS: dict[str, Material] = {
     "kitchen": STONE_FLOOR, "hall": STONE_FLOOR, "bathroom": TILE_FLOOR, "toilet": TILE_FLOOR,
-    "washroom": TILE_FLOOR, "balcony": DECK_FLOOR, "storage": PLAIN_FLOOR,
+    "washroom": TILE_FLOOR, "balcony": DECK_FLOOR, "storage": PLAIN_FLOOR, "site": GRASS,
 }  # fmt: skip
 """Floor finish by a room's first function; all others are oak."""
 

@@ -60,7 +60,7 @@ _ROWS = (
     _kinds("speaker floor_lamp potted_tree planter column obstacle box"),
     _kinds("table_lamp desk_lamp plant books vase bowl", support="top"),
     _kinds("pendant_lamp ceiling_lamp", support="ceiling"),
-    _kinds("rug", flat=True),
+    _kinds("rug road", flat=True),
     _kinds("picture curtain wall_clock", support="wall"),
     _kinds("drying_rack", _ANY),
     _kinds("staircase", _FRONT, 0.9),

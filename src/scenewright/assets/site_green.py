@@ -1,15 +1,17 @@
-"""What stands between buildings: trees, lamp posts, benches. Light, for there are many."""
+"""What lies and stands between buildings: roads, trees, lamp posts, benches. Light, for there
+are many."""
 
 from __future__ import annotations
 
 from math import cos, pi, sin
 
 from scenewright.assets.greenery import rosette_symbol
-from scenewright.assets.materials import BARK, BLACK, GLOW, LEAF, LEAF_LIGHT, STEEL, TEAK
+from scenewright.assets.materials import BARK, BLACK, CONCRETE, GLOW, LEAF, LEAF_LIGHT, STEEL, TEAK
 from scenewright.assets.model import Parts, asset, parts
 from scenewright.assets.objects import wobble
 from scenewright.assets.roofs import spire
 from scenewright.assets.symbols import Lines, oval, path, rectangle
+from scenewright.catalog import Material
 from scenewright.geometry.mesh import Mesh, loft
 from scenewright.geometry.solids import block, disc, leg, oval_ring
 from scenewright.scene import Size
@@ -99,11 +101,28 @@ def _bench_symbol(size: Size) -> Lines:
     return rectangle(size), path((-w, -0.7 * d), (w, -0.7 * d)), path((-w, 0.2 * d), (w, 0.2 * d))
 
 
+def _road(size: Size) -> Parts:
+    """A strip of asphalt along the depth, paving beside it where it is wide enough."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    kerb = 0.76 * w if size.width >= 6.0 else w
+    lanes = block((-kerb, kerb), (-d, d), (0.0, 0.7 * h if kerb < w else h))
+    if kerb == w:
+        return parts(size, {CONCRETE: [lanes]})
+    sides = [block((-w, -kerb), (-d, d), (0.0, h)), block((kerb, w), (-d, d), (0.0, h))]
+    return parts(size, {ASPHALT: [lanes], CONCRETE: sides})
+
+
+def _road_symbol(size: Size) -> Lines:
+    return (rectangle(size),)
+
+
+ASPHALT = Material("asphalt", (0.36, 0.37, 0.38), roughness=0.95)
 _TALL = (Size(1.5, 1.5, 4.0), Size(5.0, 5.0, 14.0), Size(9.0, 9.0, 30.0))
 
 ASSETS = (
     asset("tree", _tree, rosette_symbol),
     asset("tree", _conifer, rosette_symbol, variant="conifer", name="Conifer", sizes=_TALL),
+    asset("road", _road, _road_symbol),
     asset("lamp_post", _lamp_post, _lamp_symbol),
     asset("site_bench", _site_bench, _bench_symbol, name="Park bench"),
 )

@@ -18,6 +18,7 @@ from shapely import Geometry, Polygon, union_all
 from scenewright.catalog import Catalog
 from scenewright.formats import svg_dimensions as dimensions
 from scenewright.formats import svg_sheet as sheets
+from scenewright.formats import svg_site
 from scenewright.formats.svg_doors import doors_mark
 from scenewright.formats.svg_hall_rows import legend_rows
 from scenewright.formats.svg_halls import (
@@ -76,6 +77,9 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     from scenewright.assets import shipped
     from scenewright.shell import scene_of
 
+    if solution.brief.domain == "site":
+        svg_site.write(solution, path)
+        return
     final = Path(path)
     partial = final.with_name(f".{final.name}.partial")
     text_ = plan(scene_of(solution), shipped(), halls_of(solution))

@@ -88,7 +88,7 @@ def drawings_of(solution: Solution) -> tuple[Drawing, ...]:
     return tuple(
         _drawing(
             site, plan, tuple(row for row in rows if row.site == plan.id),
-            tuple(p for p in solution.pieces if p.space == plan.id and p.category != "building"),
+            tuple(p for p in solution.pieces if p.space == plan.id and p.category == "tree"),
             tuple(f for f in verdict.findings if f.space == plan.id), verdict.figures[plan.id],
         )
         for site, plan in zip(solution.brief.sites, plans, strict=True)

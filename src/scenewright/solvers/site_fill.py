@@ -42,13 +42,15 @@ def fill_site(
     cancel: Cancel | None = None,
 ) -> SiteFound:  # fmt: skip
     """Fill all blocks of a site from the sunny side on; what finds no place in its block goes on
-    to the next. If anything is left over, gaps may widen less, in the end not at all. Deterministic
-    by seed unless the budget is in seconds."""
-    watch = Watch(budget, progress, cancel)
+    to the next. If anything is left over, gaps may widen less, in the end not at all. ``steps`` are
+    layouts tried for each block. Deterministic by seed unless the budget is in seconds."""
+    watch = Watch(budget._replace(steps=None), None, cancel)
     tried = max((budget.steps or TRIED), 1)
     best: SiteFound | None = None
     done, rng = 0, np.random.default_rng(seed)
     for loosest in LOOSEST:
+        if progress is not None:
+            progress(done / (done + 1.0), 0.0)
         found = _filled(problem, loosest, tried, rng, watch, done)
         done += found.evaluations
         if best is None or found.present.sum() > best.present.sum():

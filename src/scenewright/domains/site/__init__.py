@@ -19,7 +19,7 @@ from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.brief_site import Site
 from scenewright.catalog import Catalog
-from scenewright.domains.site.dress import buildings, landmarks, trees
+from scenewright.domains.site.dress import buildings, landmarks, roads, trees
 from scenewright.domains.site.pose import pose
 from scenewright.domains.site.presets import PRESETS, SitePreset
 from scenewright.domains.site.wanted import Wanted, wanted
@@ -110,9 +110,8 @@ def _build(
     standing = landmarks(plan, catalog)
     placed = buildings(plan, rows, found.boxes, found.present)
     green = trees(plan, (*standing, *placed), catalog, np.random.default_rng(seed))
-    return Built(
-        (*standing, *placed, *green), _left_out(plan, rows, found.present), found.evaluations
-    )
+    pieces = (*roads(plan, catalog), *standing, *placed, *green)
+    return Built(pieces, _left_out(plan, rows, found.present), found.evaluations)
 
 
 def _left_out(plan: SitePlan, rows: list[Wanted], present: Flags) -> tuple[LeftOut, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import shapely
@@ -14,6 +15,8 @@ from scenewright.scene import Piece, Pose, Size
 from scenewright.site_plan import SitePlan
 from scenewright.site_problem import Flags, Floats
 
+THICKNESS = 0.04
+"""Of roads, in metres."""
 TREES, TREE_GAP, TREE_CLEAR = 400, 7.0, 2.5
 """Most trees of a site, their distance and what they keep from buildings and roads, metres."""
 
@@ -36,6 +39,29 @@ def buildings(
                 size=row.size, group=f"{plan.id}/buildings", function=row.name,
             )
         )  # fmt: skip
+    return tuple(found)
+
+
+def roads(plan: SitePlan, catalog: Catalog) -> tuple[Piece, ...]:
+    """Roads and paths, one piece for each straight part inside the site."""
+    asset = catalog.of("road")[0]
+    found = []
+    for way in plan.roads:
+        for line in way.inside:
+            for (x0, y0), (x1, y1) in pairwise(line.tolist()):
+                length = math.hypot(x1 - x0, y1 - y0)
+                if length < 0.5:
+                    continue
+                found.append(
+                    Piece(
+                        id=f"{plan.id}/{way.id}_{len(found) + 1}", category="road",
+                        asset=asset.id, space=plan.id,
+                        pose=Pose((x0 + x1) / 2, (y0 + y1) / 2, 0.0,
+                                  math.atan2(y1 - y0, x1 - x0)),
+                        size=Size(way.width, length, THICKNESS), group=f"{plan.id}/roads",
+                        function=way.kind, fixed=True,
+                    )
+                )  # fmt: skip
     return tuple(found)
 
 
