@@ -108,6 +108,12 @@ def test_plain_pictures_have_the_model_s_colour_and_size_does_not_matter() -> No
     assert np.allclose(small.way, large.way, atol=0.3)
 
 
+def test_what_is_all_glass_still_has_a_form() -> None:
+    glass = Part(Material("glass", (0.5, 0.7, 0.9), opacity=0.2), block().vertices, block().faces)
+    shades = portrait("pane", [glass], 64).plain[20:44, 20:44].reshape(-1, 3)
+    assert np.ptp(shades.sum(1).astype(float)) > 60
+
+
 def test_what_has_no_area_is_told_by_name() -> None:
     part = Part(WOOD, np.zeros((3, 3)), np.array([[0, 1, 2]]))
     with pytest.raises(InputError, match=r"nothing.*no face with an area"):

@@ -8,6 +8,7 @@ saliency is looked up there, so its colours are as fine as the picture, whatever
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -63,7 +64,7 @@ def portrait(name: str, parts: Sequence[Part], side: int, measure: str = "pictur
     low, high = mesh.vertices.min(0), mesh.vertices.max(0)
     middle = np.array([*(low + high)[:2] / 2, low[2]])
     grown = SPAN / float(np.linalg.norm(high - low))
-    shown = [_part(part, middle, grown) for part in parts]
+    shown = [_part(part, middle, grown) for part in _bodied(parts)]
     bounds = np.concatenate([part.vertices for part in shown])
     camera = facing(bounds, best.way)
     plain = render(stage_of(_blocks(shown), bounds), camera, side, side, sun_of(best.way))
@@ -130,6 +131,13 @@ def _tones(mesh: Mesh, found: Saliency, camera: Camera, side: int, middle: Float
 
 def _grown(points: Floats, middle: Floats, grown: float) -> Floats:
     return (points - middle) * grown - np.array([0.0, 0.0, SLAB])
+
+
+def _bodied(parts: Sequence[Part]) -> Sequence[Part]:
+    """The parts; of what is all glass, which would be a flat shade, the parts as solids."""
+    if any(part.material.opacity >= 0.8 for part in parts):
+        return parts
+    return [replace(part, material=replace(part.material, opacity=1.0)) for part in parts]
 
 
 def _part(part: Part, middle: Floats, grown: float) -> Part:
