@@ -157,7 +157,8 @@ def _check_plain(brief: Brief, number: int) -> None:
 
 
 def _check_doors(brief: Brief, number: int, space: Space) -> None:
-    for gate in gates(space) if space.holes else ():
+    asked = brief.rooms[number].demands and space.holes
+    for gate in gates(space) if asked else ():
         opening = gate.opening
         free = opening.width if opening.kind == "window" else free_width(space, gate)
         if free < min(LEAST_WAY, opening.width - 0.01):

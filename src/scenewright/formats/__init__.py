@@ -43,9 +43,15 @@ FORMATS = (
     ),
     Format(".sh3d", "Sweet Home 3D home", "scenewright.formats.sh3d"),
     Format(".xml", "Home.xml of a Sweet Home 3D home", "scenewright.formats.sh3d"),
-    Format(".geojson", "indoor map or site (OpenStreetMap)", "scenewright.formats.geojson"),
+    Format(
+        ".geojson",
+        "indoor map or site (OpenStreetMap, read), footprints of a site (written)",
+        "scenewright.formats.geojson",
+        "scenewright.formats.footprints_geojson",
+    ),
     Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
     Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
+    Format(".cityjson", "CityJSON of a site", writer="scenewright.formats.cityjson"),
     Format(".png", "picture from above", writer="scenewright.formats.png"),
 )
 

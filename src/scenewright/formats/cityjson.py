@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.errors import InputError
 from scenewright.formats.site_shapes import Standing, plans_of, standing
 from scenewright.outlines import ring, signed_area
 from scenewright.solution import Solution
@@ -29,6 +30,11 @@ Vertices = dict[tuple[int, int, int], int]
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the city model of a solution to ``path``; the file appears whole or not at all."""
+    if solution.brief.domain != "site":
+        raise InputError(
+            f"only sites can be written as {Path(path).suffix}", "choose .glb, .svg or .json",
+            file=str(path),
+        )  # fmt: skip
     final = Path(path)
     partial = final.with_name(f".{final.name}.partial")
     partial.write_text(json.dumps(document(solution), ensure_ascii=False) + "\n", encoding="utf-8")

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from scenewright.brief_site import Site
+from scenewright.errors import InputError
 from scenewright.formats.indoor_projection import Projection, coordinates_of, projection
 from scenewright.formats.site_shapes import Standing, plans_of, standing
 from scenewright.site_plan import SitePlan, Way
@@ -28,6 +29,11 @@ FIELDS = ("setback", "road_setback", "spacing", "sun_spacing", "floor_area_ratio
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the map of a solution to ``path``; the file appears whole or not at all."""
+    if solution.brief.domain != "site":
+        raise InputError(
+            f"only sites can be written as {Path(path).suffix}", "choose .glb, .svg or .json",
+            file=str(path),
+        )  # fmt: skip
     final = Path(path)
     partial = final.with_name(f".{final.name}.partial")
     partial.write_text(json.dumps(document(solution), ensure_ascii=False) + "\n", encoding="utf-8")

@@ -45,7 +45,7 @@ def buildings(
 def roads(plan: SitePlan, catalog: Catalog) -> tuple[Piece, ...]:
     """Roads and paths, one piece for each straight part inside the site."""
     asset = catalog.of("road")[0]
-    found = []
+    found: list[Piece] = []
     for way in plan.roads:
         for line in way.inside:
             for (x0, y0), (x1, y1) in pairwise(line.tolist()):
