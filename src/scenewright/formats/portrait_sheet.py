@@ -45,7 +45,7 @@ def columns_of(count: int) -> int:
     """Columns that bring a sheet nearest to :data:`SHAPE`.
 
     >>> [columns_of(count) for count in (1, 5, 15, 48)]
-    [1, 2, 4, 6]
+    [1, 2, 4, 7]
     """
     side = side_of(count)
     wide, high = 2 * side + GAP, side + FOOT
