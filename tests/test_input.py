@@ -281,7 +281,10 @@ def test_all_samples_read_and_obey_the_schema() -> None:
 
 def test_every_room_of_a_sample_can_be_reached_from_outside() -> None:
     for name in formats.samples():
-        found = {space.id: space for space in spaces(formats.read(name))}
+        brief = formats.read(name)
+        if brief.domain == "site":
+            continue
+        found = {space.id: space for space in spaces(brief)}
         ways = [o for s in found.values() for o in s.openings if o.kind != "window"]
         reached = {o.spaces[0] for o in ways if len(o.spaces) == 1}
         stairs = {s.id for s in found.values() if "hall" in s.functions}

@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 from pydantic import Field, ValidationError
 
 from scenewright.brief import Brief
-from scenewright.brief_fields import Coordinate, Heading, Length, Model, Number, Side, Switch, Whole
+from scenewright.brief_fields import Coordinate, Heading, Length, Model, Number, Switch, Whole
 from scenewright.errors import InputError
 from scenewright.formats.graph_record import GraphRecord, TourRecord
 from scenewright.formats.model_faults import told
@@ -28,7 +28,7 @@ class PieceRecord(Model):
     asset: str = ""
     space: str
     pose: tuple[Coordinate, Coordinate, Coordinate, Heading]
-    size: tuple[Side, Side, Side]
+    size: tuple[Length, Length, Length]
     group: str = ""
     function: str = ""
     on: str | None = None
