@@ -26,7 +26,7 @@ from scenewright.brief_fields import (
 )
 
 Metres = Annotated[Number, Field(gt=0, le=500)]
-FormName = Literal["parallel", "staggered", "spliced", "peripheral", "point", "mixed"]
+FormName = Literal["parallel", "staggered", "peripheral", "mixed"]
 
 
 class Road(Model):
@@ -58,7 +58,8 @@ class Building(Model):
     """Buildings of one model to be placed: ``model`` names a shipped style
     (``scenewright list assets``) or a file of the library; ``size`` width, depth and height in
     metres (left out: the model's own); ``count`` how many; ``floors`` storeys, for the floor-area
-    ratio. ``forms`` are the planar forms they may take (left out: all)."""
+    ratio. ``forms`` are the planar forms they may take (left out: all): rows ``parallel`` or
+    ``staggered``, ``peripheral`` around a court, ``mixed``."""
 
     id: str = ""
     name: str = ""
@@ -66,7 +67,7 @@ class Building(Model):
     count: Annotated[Whole, Field(ge=1, le=20_000)] = 1
     size: tuple[Metres, Metres, Metres] | None = None
     floors: Annotated[Whole, Field(ge=1, le=300)] | None = None
-    forms: Annotated[list[FormName], Field(max_length=6)] = []
+    forms: Annotated[list[FormName], Field(max_length=4)] = []
     required: Switch = True
 
 

@@ -46,7 +46,8 @@ class Buildings(NamedTuple):
 
     ``sizes`` (n, 3) width, depth, height; ``quality`` (n,) visual quality relative to the best of
     the library, τ in (0, 1]; ``tone`` and ``symmetry`` (n,) of the facade in [0, 1]; ``models``
-    (n,) number of the wish each one is of; ``floors`` (n,).
+    (n,) number of the wish each one is of; ``floors`` (n,); ``forms`` the
+    planar forms each may take (empty: all).
     """
 
     sizes: Floats
@@ -55,6 +56,7 @@ class Buildings(NamedTuple):
     symmetry: Floats
     models: Ints
     floors: Ints
+    forms: tuple[frozenset[str], ...] = ()
 
 
 class SiteProblem(NamedTuple):

@@ -214,10 +214,11 @@ def _best(
 ) -> Placed:  # fmt: skip
     """The best of several layouts of one block: most floor placed, then least turned away."""
     headings = _headings(problem, edges)
+    forms = _forms(problem, share)
     best, least = Placed((), np.zeros((0, 5)), "parallel"), math.inf
     for k in range(effort[0] if share else 0):
         heading = headings[0] if k < 4 else headings[int(rng.integers(len(headings)))]
-        form, queue = FORMS[k % len(FORMS)], list(share)
+        form, queue = forms[k % len(forms)], list(share)
         if k and effort[1] == 1.0:
             queue = _shuffled(problem, share, rng)
         found = _loosened(problem, edges, queue, heading, form, effort[1])
@@ -225,6 +226,13 @@ def _best(
         if cost < least:
             best, least = found, cost
     return best
+
+
+def _forms(problem: SiteProblem, share: list[int]) -> list[str]:
+    """The forms that all buildings of a block may take; all, if there is none."""
+    asked = [problem.buildings.forms[i] for i in share] if problem.buildings.forms else []
+    allowed = [form for form in FORMS if all(form in one for one in asked if one)]
+    return allowed or list(FORMS)
 
 
 def _shuffled(problem: SiteProblem, share: list[int], rng: np.random.Generator) -> list[int]:

@@ -27,6 +27,7 @@ def pose(
             sizes=sizes, quality=ones, tone=ones, symmetry=ones,
             models=np.array([b.wish for b in buildings], np.int64),
             floors=np.array([b.floors for b in buildings], np.int64),
+            forms=tuple(b.forms for b in buildings),
         ),
         names=tuple(f"{plan.id}/{b.asset.id}_{k}" for k, b in enumerate(buildings, 1)),
         weights=weights, spacing=site.spacing, sun_spacing=site.sun_spacing, facing=site.facing,

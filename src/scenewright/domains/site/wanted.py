@@ -17,7 +17,8 @@ MOST = 20_000
 
 
 class Wanted(NamedTuple):
-    """One building to be placed: the number of its wish, its model, size and storeys."""
+    """One building to be placed: the number of its wish, its model, size, storeys, whether it must
+    stand, and the planar forms it may take (empty: all)."""
 
     wish: int
     name: str
@@ -25,6 +26,7 @@ class Wanted(NamedTuple):
     size: Size
     floors: int
     required: bool
+    forms: frozenset[str]
 
 
 def wanted(site: Site, place: str, buildable: float, catalog: Catalog) -> list[Wanted]:
@@ -41,7 +43,9 @@ def wanted(site: Site, place: str, buildable: float, catalog: Catalog) -> list[W
                 "give it a lower size or raise height_limit", place=told,
             )  # fmt: skip
         floors = row.floors or max(round(size.height / STOREY), 1)
-        one = Wanted(number, row.name or asset.name, asset, size, floors, row.required)
+        one = Wanted(
+            number, row.name or asset.name, asset, size, floors, row.required, frozenset(row.forms)
+        )
         found += [one] * row.count
     if len(found) > MOST:
         raise InputError(f"asks for {len(found)} buildings", f"ask for {MOST} at most", place=place)
