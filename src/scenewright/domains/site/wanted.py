@@ -74,5 +74,6 @@ def _amounts(site: Site, buildable: float, catalog: Catalog) -> list[Building]:
         count = cover * buildable / len(usable) / footprint
         if ratio is not None:
             count = min(count, ratio * buildable / len(usable) / (footprint * floors))
-        rows.append(Building(model=asset.id, count=max(round(count), 1), required=False))
-    return rows
+        if round(count) >= 1:
+            rows.append(Building(model=asset.id, count=round(count), required=False))
+    return rows or [Building(model=usable[-1].id, required=False)]
