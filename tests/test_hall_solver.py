@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -19,6 +20,7 @@ from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.partitions import wall_needed
 from scenewright.domains.hall.pose import Hall, hall_of
 from scenewright.domains.hall.presets import PRESETS
+from scenewright.domains.hall.shortfall import spared
 from scenewright.domains.hall.wanted import Wanted, wanted
 from scenewright.formats import solution_json
 from scenewright.hall_problem import HallProblem
@@ -155,6 +157,8 @@ def test_gd_mh_makes_a_thousand_iterations() -> None:
     found = scenewright.solve(brief, preset="paper", seed=1)
     assert (found.solver, found.evaluations) == ("gd-mh", 1000)
     assert {value.term for value in found.terms} == {"space", "fill", "access", "proportion"}
+    fitted = posed(brief, "paper").fitted
+    assert gd_mh(fitted.problem, fitted.start, Budget(), 1).evaluations == 1000
 
 
 def answer(brief: Brief, **more: Any) -> Solution:
@@ -320,7 +324,46 @@ def test_walls_are_as_long_as_the_paper_says() -> None:
         assert lack > 1.2
         longest = 10.0 - 2 * (brief.passage_width + 0.3)  # a way round both ends
         assert built >= min(lack, longest) - 1e-9
+        for _, (low, high) in found.fitted.hosts:
+            assert min(low, 10.0 - high) >= brief.passage_width
         assert found.fitted.units == [Unit(0, east, 0, count)]
+
+
+def test_what_has_no_place_in_the_end_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Were there only one look for places, what stays would still stand where it was put."""
+    module = importlib.import_module("scenewright.domains.hall.fit")
+    art = {"id": "art", "category": "wall_exhibit", "count": 26, "size": [1.2, 0.1, 1.5]}
+    cases = [{"id": f"case {k}", "category": "showcase", "count": 3, "size": [3.0, 2.0, 1.0],
+              "clearance": 0.1} for k in range(9)]  # fmt: skip
+    brief = two_zones(art, *cases)
+    asked = 26 + 27
+    monkeypatch.setattr(module, "MOST_ROUNDS", 1)
+    found = posed(brief).fitted
+    chain = begin_chain(found.problem, found.start, streams(0, 1)[0])
+    placed = len(boxes_of(chain))
+    assert 0 < placed < asked
+    assert placed == sum(unit.last - unit.first for unit in found.units)
+    assert rules_broken(found.problem, chain) < SLACK
+
+
+@pytest.mark.parametrize("share", [0.1, 0.5, 1.0])
+def test_no_zone_is_asked_to_hold_more_than_its_floor(share: float) -> None:
+    """By more than one object, whatever the groups are."""
+    benches = [{"id": f"b{k}", "category": "bench", "size": [1.2, 0.5, 0.5], "clearance": 0.5,
+                "count": 1 + k % 3, "required": k % 4 > 0} for k in range(400)]  # fmt: skip
+    found = posed(two_zones(*benches, {"id": "all", "category": "showcase", "count": 5000}))
+    wishes, hall = found.wishes, found.hall
+    whole = [Unit(k, k % 2, 0, len(wish.sizes)) for k, wish in enumerate(wishes)]
+    stay = spared(hall, wishes, whole, share)
+    assert all(unit.last <= whole[unit.demand].last for unit in stay)
+    for zone in range(2):
+        taken = [0.0]
+        for unit in (unit for unit in stay if unit.zone == zone):
+            front, left, back, right = (share * depth for depth in wishes[unit.demand].clearance)
+            size = wishes[unit.demand].sizes[0]
+            one = (size.width + left + right) * (size.depth + front + back)
+            taken += [one] * (unit.last - unit.first)
+        assert 90.0 < sum(taken) <= 100.0 + 2 * max(taken)
 
 
 def test_no_hall_no_energy() -> None:
