@@ -86,12 +86,14 @@ def judge(pieces: tuple[Piece, ...]):
 
 
 def raster(solid: list, radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """Cells of the room whose disc is free and joined to the door, and their centres."""
+    """Cells of the room and its doorway whose disc is free and joined to the door, and their
+    centres."""
     xs, ys = np.arange(-0.5, 4.5, CELL), np.arange(-1.2, 3.5, CELL)
     points = np.stack(np.meshgrid(xs, ys), -1).reshape(-1, 2)
     x, y = points.T
     room = (x > 0) & (y > 0) & (x < 4) & (y < 3) & ~((x > 2.5) & (y > 1.6))
-    free = room | ((np.abs(x - 0.6) < 0.45) & (y <= 0) & (y > -0.9))
+    doorway = (np.abs(x - 0.6) < 0.45) & (y <= 0)
+    free = room | (doorway & (y > -0.9))
     for box in solid:
         free &= inside(points, box) < 0
     free = free.reshape(len(ys), len(xs))
@@ -99,7 +101,7 @@ def raster(solid: list, radius: float) -> tuple[np.ndarray, np.ndarray]:
     label, _ = ndimage.label(wide)
     start = label[np.argmin(np.abs(ys + 0.05)), np.argmin(np.abs(xs - 0.6))]
     joined = (label == start) & (start > 0)
-    return joined.ravel() & room, points
+    return joined.ravel() & (room | (doorway & (y > -0.1))), points
 
 
 placed = st.tuples(

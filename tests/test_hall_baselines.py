@@ -203,7 +203,7 @@ def test_random_and_genetic_layouts_stand_and_are_no_worse_than_the_first(
     found = solve(problem, start, Budget(steps=2000), seed, None, None)
     assert found.evaluations == 2000
     assert broken(problem, found.layouts[0].boxes) < 2e-4
-    assert found.layouts[0].energy < first
+    assert found.layouts[0].energy <= first + 1e-9
     again = solve(problem, start, Budget(steps=2000), seed, None, None)
     assert np.array_equal(found.layouts[0].boxes, again.layouts[0].boxes)
 

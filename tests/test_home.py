@@ -36,7 +36,7 @@ def faults(solution: Solution) -> list[str]:
     return [f.message for f in check(solution).findings]
 
 
-@pytest.mark.parametrize("name", samples())
+@pytest.mark.parametrize("name", [n for n in samples() if n.startswith("sample:home-")])
 def test_samples_are_valid_and_complete(name: str) -> None:
     solution = home.solve(read(name), seed=0)
     report = check(solution)

@@ -82,7 +82,7 @@ def test_clearance_shared_with_others_walls_and_solids() -> None:
 
 def test_clearance_shared_within_a_unit_counts_once() -> None:
     problem = hall([(0, 2)], [0])
-    found = energies(problem, boxes((1, 3, 0), (3.5, 3, math.pi)), [Laid("chain", 0, (2,))], NONE)
+    found = energies(problem, boxes((1, 3, 0), (3.5, 3, math.pi)), [Laid("grid", 0, (2,))], NONE)
     assert found["space/0"] == pytest.approx(space(0.5 / 2.0))
 
 

@@ -80,6 +80,4 @@ def tell_if_cold(console: Console) -> None:
     from scenewright.geometry.compiled import is_cold
 
     if is_cold():
-        console.print(
-            "compiling, first run only (up to a minute on a slow machine)", style="dim"
-        )
+        console.print("compiling, first run only (up to a minute on a slow machine)", style="dim")

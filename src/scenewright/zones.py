@@ -157,7 +157,7 @@ def _check_plain(brief: Brief, number: int) -> None:
 
 
 def _check_doors(brief: Brief, number: int, space: Space) -> None:
-    asked = brief.rooms[number].demands and space.holes
+    asked = space.holes and (brief.rooms[number].demands or len(brief.rooms) == 1)
     for gate in gates(space) if asked else ():
         opening = gate.opening
         free = opening.width if opening.kind == "window" else free_width(space, gate)

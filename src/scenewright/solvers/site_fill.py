@@ -146,8 +146,10 @@ def _ground(
     standing = np.concatenate([boxes[present], problem.ground.landmarks])
     heights = np.concatenate([sizes[present, 2], problem.ground.landmark_heights])
     ahead = float(sizes[waiting, 2].max()) if waiting else 0.0
-    far = problem.spacing + problem.sun_spacing * np.maximum(heights, ahead) + standing[:, 3:].max(
-        1, initial=0.0
+    far = (
+        problem.spacing
+        + problem.sun_spacing * np.maximum(heights, ahead)
+        + standing[:, 3:].max(1, initial=0.0)
     )
     near = ((standing[:, :2] + far[:, None] > low) & (standing[:, :2] - far[:, None] < high)).all(1)
     if not near.any():

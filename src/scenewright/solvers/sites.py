@@ -27,9 +27,7 @@ class SiteSolverRow(NamedTuple):
         progress: Progress | None = None, cancel: Cancel | None = None,
     ) -> SiteFound:  # fmt: skip
         """Solve; see the module."""
-        solve: SiteRun = getattr(
-            import_module(f"scenewright.solvers.{self.module}"), self.function
-        )
+        solve: SiteRun = getattr(import_module(f"scenewright.solvers.{self.module}"), self.function)
         return solve(problem, budget, seed, progress, cancel)
 
 

@@ -173,7 +173,8 @@ def _lay(
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
         scale = 1.0 if preset.whole else max(len(fitted.units) / USUAL, 1.0)
         budget = budget._replace(steps=int(preset.steps * scale))
-    search = Search(hall, wishes, preset, task.solver, budget, task.seed, catalog)
+    search = Search(hall, wishes, preset, task.solver, budget, task.seed, catalog,
+                    task.budget.steps is not None)  # fmt: skip
     fitted, found = searched(search, fitted, progress, cancel)
     missing = left_out(hall, wishes, fitted.units)
     best = found.layouts[0]

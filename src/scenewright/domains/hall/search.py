@@ -20,12 +20,14 @@ Cancel = Callable[[], bool]
 
 ATTEMPTS = 4
 """How often a hall is solved while something in it cannot be reached."""
+FIRST = 0.7
+"""Share of the steps a user states that the first attempt gets."""
 LARGE = 6
 """Groups of so many objects are tried in halves in the end."""
 
 
 class Search(NamedTuple):
-    """A hall to solve, and how."""
+    """A hall to solve, and how; ``stated`` if a user said how many steps."""
 
     hall: Hall
     wishes: list[Wanted]
@@ -34,17 +36,21 @@ class Search(NamedTuple):
     budget: Budget
     seed: int
     catalog: Catalog
+    stated: bool
 
 
 def searched(
     search: Search, fitted: Fitted, progress: Progress | None, cancel: Cancel | None
 ) -> tuple[Fitted, HallFound]:
     """The solver's answer. While it leaves something that nobody reaches, or a passage too
-    narrow, ours tries again: from other first layouts, then with large groups in halves."""
+    narrow, ours tries again: from other first layouts, then with large groups in halves. Of
+    seconds or steps that a user states, a part is kept for that."""
     again = search.solver == "anneal" and not search.preset.whole
     budget, tries, seen = search.budget, ATTEMPTS if again else 1, 0
     if budget.seconds is not None:
         budget = budget._replace(seconds=budget.seconds / (1.5 if again else 1.0))
+    elif again and search.stated and budget.steps is not None:
+        budget = budget._replace(steps=max(int(FIRST * budget.steps), 1))
     answers: list[tuple[float, int, Fitted, HallFound]] = []
     for attempt in range(tries):
         seed = search.seed + 104_729 * attempt
@@ -60,6 +66,9 @@ def searched(
             break
         if budget.seconds is not None:
             budget = budget._replace(seconds=0.5 * budget.seconds)
+        elif search.stated and search.budget.steps is not None:
+            rest = (1.0 - FIRST) / (ATTEMPTS - 1)
+            budget = budget._replace(steps=max(int(rest * search.budget.steps), 1))
     _, _, fitted, found = min(answers, key=lambda answer: answer[:2])
     return fitted, found._replace(evaluations=seen)
 
