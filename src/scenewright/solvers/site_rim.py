@@ -10,6 +10,9 @@ from scenewright.geometry.boxes import area_in_polygon, common_area, make_frame
 from scenewright.site_problem import Floats
 
 SLACK = 1e-3
+"""How far buildings stand behind the rim, in metres."""
+ROUNDING = 1e-5
+"""Square metres."""
 
 
 def rim(
@@ -51,7 +54,7 @@ def rim(
 
 def _fits(box: list[float], edges: Floats, boxes: list[list[float]], gap: float) -> bool:
     frame = make_frame(*box)
-    if area_in_polygon(frame, edges) < box[3] * box[4] - SLACK * box[3]:
+    if area_in_polygon(frame, edges) < box[3] * box[4] - ROUNDING:
         return False
     grown = make_frame(box[0], box[1], box[2], box[3] + gap, box[4] + gap)
     return all(
