@@ -91,6 +91,7 @@ def test_growth_exponent() -> None:
 
 @pytest.mark.realdata
 @pytest.mark.slow
+@pytest.mark.skipif(not hall_malls.names(), reason="needs the indoor maps")
 def test_a_real_station_is_filled_unit_by_unit() -> None:
     records = hall_malls.records(maps=["apb"])
     assert all(list(record) == KEYS for record in records)

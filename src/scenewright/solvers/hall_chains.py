@@ -44,6 +44,8 @@ COLD = (0.05, 20.0)
 FREE = 0.6
 """Share of our moves that energies do not lead."""
 TRIES = 600
+MANY = 64
+"""Units of a hall from which on all chains start alike."""
 
 
 class HallLayout(NamedTuple):
@@ -187,7 +189,10 @@ def anneal_hall(
 
 
 def _starts(problem: HallProblem, start: Kept, seed: int) -> list[Kept]:
-    """A first layout for every chain: the given one, and others where they hold as much."""
+    """A first layout for every chain: the given one, and others where they hold as much; only
+    the given one in halls so large that finding one takes longer than improving it."""
+    if len(problem.names) > MANY:
+        return [start] * CHAINS
     found = [start]
     for k in range(1, CHAINS):
         other, lost = first_layout(problem, start.walls, seed + 7919 * k)

@@ -23,10 +23,8 @@ from scenewright.solvers.site_strips import Rule, back, rows, turned
 FORMS = ("parallel", "staggered", "peripheral", "mixed")
 TRIED = 6
 LOOSEST, HALVINGS = (3.0, 1.5, 1.0, 1.0, 1.0), 5
-VARIETY = 0.15
-"""How much chance has a say in choosing forms that are about as good."""
-ASKEW = 0.5
-"""What a radian off the preferred heading costs, in shares of a block's buildings."""
+VARIETY = 0.15  # how much chance has a say among forms about as good
+ASKEW = 0.5  # what half a turn off the preferred heading costs, in shares of a block's buildings
 
 
 class Placed(NamedTuple):

@@ -26,6 +26,8 @@ ROUNDS = 12
 MOST_ROUNDS = 10 * ROUNDS
 TRIES = 300
 SMALL = 3
+CHANCES, LITTLE = 3, 0.02
+"""First layouts tried where no more than this share of the objects finds no room."""
 SHARES, LOOK = (0.1, 0.4, 0.7, 1.0), 1200
 """Shares of their clearances that objects get floor for, and layouts looked at for each share,
 where not everything fits."""
@@ -47,9 +49,17 @@ def fit(
 ) -> Fitted:  # fmt: skip
     """Assign, pose and place; see the module.
 
-    Where not everything fits, more is left out until the route reaches what stays.
+    Where only a little does not fit, other first layouts are tried; else more is left out until
+    the route reaches what stays.
     """
     asked = sum(len(wish.sizes) for wish in wishes)
+    for chance in range(CHANCES):
+        fitted = _fit(hall, wishes, weights, catalog, seed + 7 * chance, whole, SHARES[0])
+        missing = asked - sum(unit.last - unit.first for unit in fitted.units)
+        if missing == 0:
+            return fitted
+        if missing > max(2, LITTLE * asked):
+            break
     for share in SHARES:
         fitted = _fit(hall, wishes, weights, catalog, seed, whole, share)
         placed = sum(unit.last - unit.first for unit in fitted.units)

@@ -12,7 +12,7 @@ from scenewright.domains.hall.pose import Hall, pose
 from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.wanted import Wanted
 from scenewright.solve import Budget
-from scenewright.solvers.hall_chains import HallFound, first_layout, shortfall
+from scenewright.solvers.hall_chains import MANY, HallFound, first_layout, shortfall
 from scenewright.solvers.halls import HALL_SOLVERS
 
 Progress = Callable[[float, str], None]
@@ -46,7 +46,8 @@ def searched(
     narrow, ours tries again: from other first layouts, then with large groups in halves. Of
     seconds or steps that a user states, a part is kept for that."""
     again = search.solver == "anneal" and not search.preset.whole
-    budget, tries, seen = search.budget, ATTEMPTS if again else 1, 0
+    attempts = ATTEMPTS if len(fitted.units) <= MANY else 2
+    budget, tries, seen = search.budget, attempts if again else 1, 0
     if budget.seconds is not None:
         budget = budget._replace(seconds=budget.seconds / (1.5 if again else 1.0))
     elif again and search.stated and budget.steps is not None:
