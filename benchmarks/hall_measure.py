@@ -26,7 +26,7 @@ from scenewright.hall_energy import capacity
 from scenewright.hall_problem import Floats, HallProblem
 from scenewright.scene import Piece
 from scenewright.solution import Solution
-from scenewright.solvers.hall_chains import measured
+from scenewright.solvers.hall_chains import HallLayout, measured
 from scenewright.terms.hall_state import Kept
 from scenewright.terms.hall_terms import (
     ACCESS,
@@ -96,7 +96,7 @@ def energies_of(solution: Solution, number: int = 0) -> Energies:
     held = [_with_sizes(wish, placed, k) for k, wish in enumerate(wishes)]
     problem = pose(hall, held, _units(placed), (), dict(PAPER), shipped())
     boxes = _boxes([piece for pieces in placed.values() for piece in pieces])
-    p, s, _ = measured(problem, _single(problem), boxes)
+    p, s, _ = measured(problem, HallLayout(_single(problem), boxes, 0.0, 0.0, 0.0, loose=True))
     proportion, pairs = _proportion(problem, boxes)
     least = len(p.spans) * space_cost(0.0, 1.0) + 0.5 * pairs
     space, fill, access = (float(s.costs[term].sum()) for term in (SPACE, FILL, ACCESS))

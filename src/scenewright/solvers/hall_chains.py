@@ -49,12 +49,15 @@ MANY = 64
 
 
 class HallLayout(NamedTuple):
-    """A layout: what makes it, its boxes (n, 5), its energy, and what the route misses."""
+    """A layout: what makes it, its boxes (n, 5), its energy, what the route misses and how many
+    metres passages lack. The boxes of a ``loose`` one stand where no pattern puts them."""
 
     kept: Kept
     boxes: Floats
     energy: float
     missed: float
+    lacking: float
+    loose: bool = False
 
 
 class HallFound(NamedTuple):
@@ -137,7 +140,7 @@ def layout_of(chain: Chain) -> HallLayout:
     boxes = np.zeros((len(chain.p.sizes), 5))
     copy_frames(chain.s, boxes)
     total = energy + chain.p.weights[REACH] * count
-    return HallLayout(kept_of(chain.s), boxes, total, count)
+    return HallLayout(kept_of(chain.s), boxes, total, count, _lacking(chain.p, chain.s))
 
 
 def gd_mh(
@@ -236,16 +239,16 @@ def _stage(
     return made
 
 
-def measured(problem: HallProblem, kept: Kept, boxes: Floats) -> tuple[Prepared, State, float]:
-    """A measured state of objects in given boxes (n, 5), and what the route misses there."""
-    p = prepare(problem)
+def measured(problem: HallProblem, layout: HallLayout) -> tuple[Prepared, State, float]:
+    """A measured state of a layout, and what the route misses there."""
+    p, kept = prepare(problem), layout.kept
     s, work, grid = make_state(p), make_scratch(p), route_grid(problem, p)
     s.code[:], s.used[:] = kept.rows[:, 0], kept.rows[:, 1]
     s.pose[:], s.layers[:], s.partitions[:] = kept.pose, kept.layers, kept.walls
     for host in range(len(kept.walls)):
         build(p, s, host)
-    if ((p.spans[:, 1] - p.spans[:, 0] > 1) & (s.code == SINGLE)).any():
-        write_boxes(p, s, np.ascontiguousarray(boxes))
+    if layout.loose:
+        write_boxes(p, s, np.ascontiguousarray(layout.boxes))
         measure_frames(p, s, work, False)
     else:
         measure_all(p, s, work)
@@ -267,16 +270,14 @@ def by_objects(
     copy_frames(s, boxes)
     found = solve(problem, budget, seed, progress, cancel, boxes)
     rows = np.stack([np.full(len(p.spans), SINGLE), start.rows[:, 1]], 1).astype(np.float64)
-    kept = start._replace(rows=rows)
-    p, s, lost = measured(problem, kept, found.boxes)
+    layout = HallLayout(start._replace(rows=rows), found.boxes, 0.0, 0.0, 0.0, True)
+    p, s, lost = measured(problem, layout)
     energy = sum(part.cost for part in parts_of(problem, p, s, lost))
-    return HallFound((HallLayout(kept, found.boxes, energy, lost),), found.evaluations)
+    return HallFound(
+        (layout._replace(energy=energy, missed=lost, lacking=_lacking(p, s)),), found.evaluations
+    )
 
 
-def shortfall(problem: HallProblem, layout: HallLayout) -> float:
-    """What is wrong with a layout however low its energy: objects and doors that are not reached,
-    and metres that passages lack."""
-    p, s, lost = measured(problem, layout.kept, layout.boxes)
-    links = len(p.links)
-    lacking = np.log1p(s.costs[ACCESS, :links]).sum() if links else 0.0
-    return float(lost + np.round(lacking, 6))
+def _lacking(p: Prepared, s: State) -> float:
+    """Metres that the passages of a measured state lack, rounding aside."""
+    return float(np.round(np.log1p(s.costs[ACCESS, : len(p.links)]).sum(), 6))

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from scenewright.geometry.boxes import read_frame
+from scenewright.geometry.boxes import read_frame, square_to_segment
 from scenewright.geometry.buckets import insert, remove
 from scenewright.geometry.compiled import compiled, inlined
 from scenewright.terms.hall_measure import (
@@ -174,9 +174,28 @@ def zone_change(p: Prepared, s: State, work: Scratch, unit: int, zone: int) -> f
     if p.weights[ACCESS] != 0.0:
         for link in range(p.links.shape[0]):
             if int(p.links[link, 0]) == zone or int(p.links[link, 1]) == zone:
-                work.fresh[1, link] = access_of(p, s, work, link)
+                work.fresh[1, link] = s.costs[ACCESS, link]
+                if comes_near(p, s, work, unit, link):
+                    work.fresh[1, link] = access_of(p, s, work, link)
                 change += p.weights[ACCESS] * (work.fresh[1, link] - s.costs[ACCESS, link])
     return change
+
+
+@inlined
+def comes_near(p: Prepared, s: State, work: Scratch, unit: int, link: int) -> bool:
+    """True if an object of a unit lies, or lay, where it could narrow the passage of a link."""
+    half = p.links[link, 2]
+    for k in range(p.borders.shape[0]):
+        if int(p.borders[k, 4]) != link:
+            continue
+        x0, y0, x1, y1 = p.borders[k, 0], p.borders[k, 1], p.borders[k, 2], p.borders[k, 3]
+        for i in range(p.spans[unit, 0], p.spans[unit, 1]):
+            far = (half + s.frames[i, 6]) ** 2
+            if square_to_segment(s.frames[i, 0], s.frames[i, 1], x0, y0, x1, y1) <= far:
+                return True
+            if square_to_segment(work.frames[i, 0], work.frames[i, 1], x0, y0, x1, y1) <= far:
+                return True
+    return False
 
 
 @inlined

@@ -178,7 +178,7 @@ def _lay(
     fitted, found = searched(search, fitted, progress, cancel)
     missing = left_out(hall, wishes, fitted.units)
     best = found.layouts[0]
-    p, s, lost = measured(fitted.problem, best.kept, best.boxes)
+    p, s, lost = measured(fitted.problem, best)
     objects = dressed(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)
     walls = partitions(hall, fitted.problem, best.kept, catalog)
     chairs = with_chairs(objects, (*hall.fixed, *walls), catalog)

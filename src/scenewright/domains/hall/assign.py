@@ -1,8 +1,9 @@
 """Which zone a demand goes to: utilisation bands (Cao, Cheng, Zhang 2024, 3.1).
 
 U_a = Σ A(s) / A_r and U_w = Σ L(s) / L_r over the whole hall are what every zone should come to.
-The paper gives a group whole to the first zone it keeps in the band [U - κ, U + κ]; ours also
-splits one over several zones, and mends the split where a group finds no room.
+The paper gives a group whole to the first zone it keeps in the band, and does not say what becomes
+of one that fits nowhere: here the emptiest zone takes it. Of the band [U - κ, U + κ] only the upper
+end can be kept group by group. Ours also shares a group among several zones.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from scenewright.domains.hall.wanted import Wanted
 from scenewright.hall_problem import Floats
 
 KAPPA = 0.1
+LEAST = 3
 
 
 class Unit(NamedTuple):
@@ -53,9 +55,15 @@ def assign(
     target = need.sum() / max(areas.sum(), 1e-9)
     wall = sum(length_of(wish) * len(wish.sizes) for wish in wishes) / max(walls.sum(), 1e-9)
     choice = [_allowed(wish, names) for wish in wishes]
+    so_far = Taken(used, taken, areas, walls, (float(target), float(wall)))
     units: list[Unit] = []
     for k in sorted(range(len(wishes)), key=lambda k: (len(choice[k]), -need[k])):
-        units += _shared(wishes[k], k, choice[k], used, taken, areas, walls, (target, wall), whole)
+        alone = whole or len(choice[k]) == 1
+        mine = (_whole if alone else _shared)(wishes[k], k, choice[k], so_far)
+        for unit in mine:
+            used[unit.zone] += area_of(wishes[k]) * (unit.last - unit.first)
+            taken[unit.zone] += length_of(wishes[k]) * (unit.last - unit.first)
+        units += mine
     return sorted(units)
 
 
@@ -63,51 +71,61 @@ def _allowed(wish: Wanted, names: tuple[str, ...]) -> list[int]:
     return [names.index(zone) for zone in wish.zones] or list(range(len(names)))
 
 
-def _shared(
-    wish: Wanted, number: int, zones: list[int], used: Floats, taken: Floats, areas: Floats,
-    walls: Floats, targets: tuple[float, float], whole: bool,
-) -> list[Unit]:  # fmt: skip
-    """One demand's units: all of it to the emptiest zone, or shared out by what zones lack."""
-    area, length, count = area_of(wish), length_of(wish), len(wish.sizes)
+class Taken(NamedTuple):
+    """What zones come to so far: square metres and metres of wall (z,), of how much they have,
+    and the utilisations of the whole hall, U_a and U_w."""
+
+    used: Floats
+    taken: Floats
+    areas: Floats
+    walls: Floats
+    targets: tuple[float, float]
+
+
+def _whole(wish: Wanted, number: int, zones: list[int], so_far: Taken) -> list[Unit]:
+    """All of a demand to the first zone that stays in the band, else to the emptiest."""
+    count = len(wish.sizes)
+    inside = [zone for zone in zones if _capacity(wish, zone, so_far) >= count]
+    zone = inside[0] if inside else max(zones, key=lambda z: _room(z, so_far, length_of(wish)))
+    return [Unit(number, zone, 0, count)]
+
+
+def _shared(wish: Wanted, number: int, zones: list[int], so_far: Taken) -> list[Unit]:
+    """A demand shared out: the emptiest zones take what they have room for, the rest goes to all
+    by their floor. Nothing is split off that would be less than three objects."""
+    count, given = len(wish.sizes), dict.fromkeys(zones, 0)
+    left, length = count, length_of(wish)
+    for zone in sorted(zones, key=lambda z: -_room(z, so_far, length)):
+        here = max(min(left, _capacity(wish, zone, so_far)), 0)
+        given[zone] = left if left - here < min(LEAST, count) else here
+        left -= given[zone]
+    for zone, share in zip(zones, _by_floor(left, so_far.areas[zones]), strict=True):
+        given[zone] += share
     units, first = [], 0
-    while first < count:
-        room = np.array([_room(z, used, taken, areas, walls, targets, length) for z in zones])
-        pick = int(np.argmax(room))
-        zone, left = zones[pick], count - first
-        most = (targets[0] + KAPPA) * areas[zone] - used[zone]
-        fits = max(math.floor(most / area), 1)
-        if length > 0.0:
-            fits = max(min(fits, math.floor(max(walls[zone] - taken[zone], 0.0) / length)), 1)
-        number_here = left if whole or len(zones) == 1 else min(left, fits)
-        if left - number_here < min(3, count):
-            number_here = left
-        units.append(Unit(number, zone, first, first + number_here))
-        used[zone] += area * number_here
-        taken[zone] += length * number_here
-        first += number_here
-        if len(units) > 4 * len(zones):
-            units[-1] = units[-1]._replace(last=count)
-            break
-    return _joined(units)
+    for zone in (zone for zone in zones if given[zone]):
+        units.append(Unit(number, zone, first, first + given[zone]))
+        first += given[zone]
+    return units
 
 
-def _room(
-    zone: int, used: Floats, taken: Floats, areas: Floats, walls: Floats,
-    targets: tuple[float, float], length: float,
-) -> float:  # fmt: skip
+def _by_floor(count: int, areas: Floats) -> list[int]:
+    """A number shared in proportion to areas, whole and without rest."""
+    ends = np.round(np.cumsum(areas) / areas.sum() * count).astype(int)
+    return [int(share) for share in np.diff(ends, prepend=0)]
+
+
+def _capacity(wish: Wanted, zone: int, so_far: Taken) -> int:
+    """How many objects of a demand a zone takes before it leaves the band or has no wall left."""
+    most = (so_far.targets[0] + KAPPA) * so_far.areas[zone] - so_far.used[zone]
+    fits = math.floor(most / area_of(wish))
+    if wish.at_wall:
+        free = so_far.walls[zone] - so_far.taken[zone]
+        fits = min(fits, math.floor(free / length_of(wish)))
+    return fits
+
+
+def _room(zone: int, so_far: Taken, length: float) -> float:
     """How far a zone is from what it should come to: its area, or its wall, in shares."""
     if length > 0.0:
-        return float(targets[1] - taken[zone] / max(walls[zone], 1e-9))
-    return float(targets[0] - used[zone] / max(areas[zone], 1e-9))
-
-
-def _joined(units: list[Unit]) -> list[Unit]:
-    """Units of one demand in one zone made one."""
-    by_zone: dict[int, int] = {}
-    for unit in units:
-        by_zone[unit.zone] = by_zone.get(unit.zone, 0) + unit.last - unit.first
-    found, first = [], 0
-    for zone, count in by_zone.items():
-        found.append(Unit(units[0].demand, zone, first, first + count))
-        first += count
-    return found
+        return float(so_far.targets[1] - so_far.taken[zone] / max(so_far.walls[zone], 1e-9))
+    return float(so_far.targets[0] - so_far.used[zone] / max(so_far.areas[zone], 1e-9))

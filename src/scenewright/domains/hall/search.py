@@ -12,7 +12,7 @@ from scenewright.domains.hall.pose import Hall, pose
 from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.wanted import Wanted
 from scenewright.solve import Budget
-from scenewright.solvers.hall_chains import MANY, HallFound, first_layout, shortfall
+from scenewright.solvers.hall_chains import MANY, HallFound, first_layout
 from scenewright.solvers.halls import HALL_SOLVERS
 
 Progress = Callable[[float, str], None]
@@ -61,7 +61,7 @@ def searched(
         heard = None if progress is None else _heard(progress, attempt)
         found = run(fitted.problem, fitted.start, budget, seed, heard, cancel)
         seen += found.evaluations
-        wrong = shortfall(fitted.problem, found.layouts[0]) if again else 0.0
+        wrong = found.layouts[0].missed + found.layouts[0].lacking
         answers.append((wrong, attempt, fitted, found))
         if wrong == 0.0 or (cancel is not None and cancel()):
             break
