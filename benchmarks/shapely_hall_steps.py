@@ -24,7 +24,7 @@ from scenewright.solve import Budget
 from scenewright.solvers.draws import streams
 from scenewright.solvers.hall_chains import begin_chain, first_layout, gd_mh, layout_of
 from scenewright.terms.hall_state import Kept
-from scenewright.terms.hall_trial import measure_all
+from scenewright.terms.hall_whole import measure_all
 
 Floats = NDArray[np.float64]
 RATE, ITERATIONS = 0.1, 1000

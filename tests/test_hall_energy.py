@@ -18,7 +18,8 @@ from scenewright.solvers.hall_start import copy_frames, place_units
 from scenewright.terms.hall_place import build
 from scenewright.terms.hall_state import Prepared, Scratch, State, make_scratch
 from scenewright.terms.hall_terms import ACCESS, FILL, PROPORTION, SPACE
-from scenewright.terms.hall_trial import begin, judge, measure_all, settle, undo
+from scenewright.terms.hall_trial import begin, judge, settle, undo
+from scenewright.terms.hall_whole import measure_all
 
 ROWS = {"space": SPACE, "fill": FILL, "access": ACCESS, "proportion": PROPORTION}
 

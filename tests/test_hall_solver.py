@@ -41,7 +41,7 @@ from scenewright.solvers.hall_chains import (
 )
 from scenewright.solvers.hall_start import copy_frames
 from scenewright.terms.hall_terms import REACH
-from scenewright.terms.hall_trial import measure_all
+from scenewright.terms.hall_whole import measure_all
 from scenewright.zones import borders_of, zones_of
 
 SAMPLES = ("exhibition", "shop", "reading-room", "auditorium", "irregular")

@@ -27,7 +27,8 @@ from scenewright.terms.circulation import is_reached, route
 from scenewright.terms.hall_place import build
 from scenewright.terms.hall_state import Kept, Prepared, Scratch, State
 from scenewright.terms.hall_terms import ACCESS, FILL, PROPORTION, REACH, SPACE, space_cost
-from scenewright.terms.hall_trial import begin, judge, measure_all, settle, undo
+from scenewright.terms.hall_trial import begin, judge, settle, undo
+from scenewright.terms.hall_whole import measure_all
 
 WALLS = 0.03
 """Share of the moves that extend or shorten a partition, where there are any."""

@@ -32,7 +32,7 @@ from scenewright.solvers.hall_start import copy_frames, place_units, write_boxes
 from scenewright.terms.hall_place import build
 from scenewright.terms.hall_state import Kept, Prepared, Scratch, State, make_scratch
 from scenewright.terms.hall_terms import ACCESS, REACH
-from scenewright.terms.hall_trial import measure_all, measure_frames
+from scenewright.terms.hall_whole import measure_all, measure_frames
 
 PAPER_STEPS = 1000
 PAPER_RATE = 0.1

@@ -15,7 +15,7 @@ from scenewright.solvers.hall_chains import Chain, HallFound, begin_chain, layou
 from scenewright.solvers.hall_start import place_units
 from scenewright.terms.hall_state import Ints, Kept, Prepared
 from scenewright.terms.hall_terms import REACH
-from scenewright.terms.hall_trial import measure_all
+from scenewright.terms.hall_whole import measure_all
 
 LAYOUTS, TRIES = 1000, 60
 

@@ -13,7 +13,7 @@ from scenewright.solvers.hall_moves import drawn_code, reseed, scatter
 from scenewright.terms.hall_measure import clear_of, write_row
 from scenewright.terms.hall_place import unfold
 from scenewright.terms.hall_state import Ints, Prepared, Scratch, State
-from scenewright.terms.hall_trial import forget, place_all
+from scenewright.terms.hall_whole import forget, place_all
 
 
 @compiled
