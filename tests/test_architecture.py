@@ -57,6 +57,7 @@ LAYERS = (
         "site_plan",
         "staging",
         "assets",
+        "models",
         "samples",
     },
     {"terms", "encodings"},

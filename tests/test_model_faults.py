@@ -19,9 +19,9 @@ import numpy as np
 import pytest
 
 from scenewright.errors import InputError
-from scenewright.formats.models import library, load, report
-from scenewright.formats.models.as_asset import asset_of
-from scenewright.formats.models.model import Options
+from scenewright.models import library, load, report
+from scenewright.models.as_asset import asset_of
+from scenewright.models.model import Options
 from test_models import (
     CUBE,
     PIECE,

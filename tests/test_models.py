@@ -17,13 +17,13 @@ from PIL import Image
 
 from scenewright.catalog import Part
 from scenewright.errors import InputError
-from scenewright.formats.models import ROWS, library, load, report
-from scenewright.formats.models.as_asset import asset_of
-from scenewright.formats.models.facets import quads_cut, triangles
-from scenewright.formats.models.gltf import matrix
-from scenewright.formats.models.gltf_record import Node
-from scenewright.formats.models.model import Model, Options
 from scenewright.geometry.mesh import Mesh, merge, volume
+from scenewright.models import ROWS, library, load, report
+from scenewright.models.as_asset import asset_of
+from scenewright.models.facets import quads_cut, triangles
+from scenewright.models.gltf import matrix
+from scenewright.models.gltf_record import Node
+from scenewright.models.model import Model, Options
 from scenewright.scene import Size
 
 Floats = NDArray[np.float64]
@@ -423,7 +423,7 @@ def test_rows_name_modules_that_read() -> None:
     from importlib import import_module
 
     for row in ROWS:
-        assert callable(import_module(f"scenewright.formats.models.{row.reader}").read)
+        assert callable(import_module(f"scenewright.models.{row.reader}").read)
 
 
 REAL = [("kenney_city", 15, 15), ("kaykit_city", 61, 61), ("kaykit_medieval_village", 54, 54),

@@ -201,7 +201,7 @@ def test_view_faults_are_one_line_and_write_nothing(
 
 @pytest.mark.realdata
 def test_the_best_view_of_a_bunny_shows_its_ears_warm(real_data: Path) -> None:
-    from scenewright.formats.models import load
+    from scenewright.models import load
 
     model = load(real_data / "meshes_classic" / "stanford-bunny.obj")
     shot = portrait(model.name, model.parts, 128)

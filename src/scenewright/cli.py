@@ -212,7 +212,7 @@ def view(
 ) -> int:
     """Draw models from their best views, plain and coloured by saliency, on one sheet."""
     from scenewright import cli_view
-    from scenewright.formats.models.model import Options
+    from scenewright.models.model import Options
 
     request = cli_view.Request(tuple(models), output, measure, Options(up, front))
     viewed = cli_view.view(request, Console(stderr=True, quiet=quiet))

@@ -12,10 +12,10 @@ from scenewright.catalog import Part
 from scenewright.cli_arrange import named
 from scenewright.cli_progress import Watch, tell_if_cold, watching
 from scenewright.errors import InputError
-from scenewright.formats.models import report
-from scenewright.formats.models.model import Options, Skipped
 from scenewright.formats.portrait import Portrait, portrait
 from scenewright.formats.portrait_sheet import MOST, sheet, side_of, write
+from scenewright.models import report
+from scenewright.models.model import Options, Skipped
 
 
 class Request(NamedTuple):

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from scenewright.errors import InputError
-from scenewright.formats.models.model import (
+from scenewright.models.model import (
     MOST_FACES,
     PLAIN,
     Found,

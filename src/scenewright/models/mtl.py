@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from scenewright.catalog import Material
 from scenewright.errors import InputError
-from scenewright.formats.models.model import PLAIN, clean
+from scenewright.models.model import PLAIN, clean
 
 MOST_BYTES = 16 * 2**20
 MOST_MATERIALS = 10_000

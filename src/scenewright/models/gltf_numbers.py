@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.errors import InputError
-from scenewright.formats.models.files import MEBIBYTE, Beside
-from scenewright.formats.models.gltf_record import Accessor, Document, Sparse
-from scenewright.formats.models.model import MOST_FACES, check_count
+from scenewright.models.files import MEBIBYTE, Beside
+from scenewright.models.gltf_record import Accessor, Document, Sparse
+from scenewright.models.model import MOST_FACES, check_count
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]

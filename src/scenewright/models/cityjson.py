@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Part
 from scenewright.errors import InputError
-from scenewright.formats.models.city_surfaces import Surface, parts_of, surfaces_of
-from scenewright.formats.models.files import json_of
-from scenewright.formats.models.model import (
+from scenewright.models.city_surfaces import Surface, parts_of, surfaces_of
+from scenewright.models.files import json_of
+from scenewright.models.model import (
     FARTHEST,
     MOST_FACES,
     MOST_VERTICES,

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Material, Part
 from scenewright.errors import InputError
-from scenewright.formats.models import colours, gltf_numbers
-from scenewright.formats.models.gltf_numbers import Store, picked
-from scenewright.formats.models.gltf_record import Coat, Primitive, Roughness, TextureInfo
-from scenewright.formats.models.model import PLAIN, clean, part_of
+from scenewright.models import colours, gltf_numbers
+from scenewright.models.gltf_numbers import Store, picked
+from scenewright.models.gltf_record import Coat, Primitive, Roughness, TextureInfo
+from scenewright.models.model import PLAIN, clean, part_of
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]

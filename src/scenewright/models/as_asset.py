@@ -9,8 +9,8 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.catalog import Asset, Part
-from scenewright.formats.models.model import Model
 from scenewright.geometry.mesh import mapped
+from scenewright.models.model import Model
 from scenewright.scene import Size
 
 Floats = NDArray[np.float64]

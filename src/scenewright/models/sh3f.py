@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Part
 from scenewright.errors import InputError
-from scenewright.formats.models.archive import Archive, beside, entry, opened
-from scenewright.formats.models.files import MEBIBYTE, Beside
-from scenewright.formats.models.model import Found, Options, Skipped, clean
-from scenewright.formats.models.properties import properties
+from scenewright.models.archive import Archive, beside, entry, opened
+from scenewright.models.files import MEBIBYTE, Beside
+from scenewright.models.model import Found, Options, Skipped, clean
+from scenewright.models.properties import properties
 from scenewright.scene import Size
 
 Floats = NDArray[np.float64]
@@ -92,7 +92,7 @@ def _model(archive: Archive, file: str) -> tuple[Part, ...]:
     content = entry(archive, file, MOST_MODEL)
     if content is None:
         raise InputError(f"the model '{clean(file)}' is missing", "save the library again")
-    module = import_module(f"scenewright.formats.models.{READERS[suffix]}")
+    module = import_module(f"scenewright.models.{READERS[suffix]}")
     folder = str(PurePosixPath(file).parent)
     try:
         found = next(iter(module.read(content, "model", beside(archive, folder), Options())))

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Material, Part
 from scenewright.errors import InputError
-from scenewright.formats.models.facets import newell, triangles
-from scenewright.formats.models.model import MOST_FACES, check_count, merged, part_of
+from scenewright.models.facets import newell, triangles
+from scenewright.models.model import MOST_FACES, check_count, merged, part_of
 
 Floats = NDArray[np.float64]
 Json = Mapping[str, Any]

@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Part
 from scenewright.errors import InputError
-from scenewright.formats.models import gltf_numbers, gltf_record
-from scenewright.formats.models.files import MEBIBYTE, Beside, json_of
-from scenewright.formats.models.gltf_coats import Paint, painted, paints
-from scenewright.formats.models.gltf_numbers import Store, picked
-from scenewright.formats.models.gltf_record import Document, Node, Primitive
-from scenewright.formats.models.model import (
+from scenewright.models import gltf_numbers, gltf_record
+from scenewright.models.files import MEBIBYTE, Beside, json_of
+from scenewright.models.gltf_coats import Paint, painted, paints
+from scenewright.models.gltf_numbers import Store, picked
+from scenewright.models.gltf_record import Document, Node, Primitive
+from scenewright.models.model import (
     MOST_FACES,
     MOST_VERTICES,
     Found,

@@ -15,8 +15,8 @@ from contextlib import contextmanager
 from typing import IO, NamedTuple
 
 from scenewright.errors import InputError
-from scenewright.formats.models.files import MEBIBYTE, Beside, sized, within
-from scenewright.formats.models.model import clean
+from scenewright.models.files import MEBIBYTE, Beside, sized, within
+from scenewright.models.model import clean
 
 GREATEST_RATIO = 200
 TIGHT = MEBIBYTE

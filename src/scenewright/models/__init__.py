@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from scenewright.errors import InputError
-from scenewright.formats.models.files import MEBIBYTE, beside, whole
-from scenewright.formats.models.model import Found, Model, Options, Skipped, clean, set_up
+from scenewright.models.files import MEBIBYTE, beside, whole
+from scenewright.models.model import Found, Model, Options, Skipped, clean, set_up
 
 USUAL = Options()
 MOST_MODELS = 5000
@@ -130,7 +130,7 @@ def _taken(file: Path, name: str, options: Options) -> Iterator[Model | Skipped]
 def _of_file(file: Path, options: Options) -> Iterator[Model | Skipped]:
     try:
         row = _row(file)
-        module = import_module(f"scenewright.formats.models.{row.reader}")
+        module = import_module(f"scenewright.models.{row.reader}")
         content = whole(file, row.most_bytes)
         stem = clean(file.stem, "model")
         for found in module.read(content, stem, beside(file.parent), options):

@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Part
 from scenewright.errors import InputError
-from scenewright.formats.models import colours, mtl
-from scenewright.formats.models.facets import quads_cut, triangles
-from scenewright.formats.models.files import Beside
-from scenewright.formats.models.model import (
+from scenewright.models import colours, mtl
+from scenewright.models.facets import quads_cut, triangles
+from scenewright.models.files import Beside
+from scenewright.models.model import (
     FARTHEST,
     MOST_FACES,
     MOST_VERTICES,

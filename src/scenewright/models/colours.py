@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Material, Part
 from scenewright.errors import InputError
-from scenewright.formats.models.model import part_of
+from scenewright.models.model import part_of
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
