@@ -30,6 +30,7 @@ LAYERS = (
         "brief_fields",
         "brief_hall",
         "brief_site",
+        "document_faults",
         "solution",
         "problem",
         "hall_problem",

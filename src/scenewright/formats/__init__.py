@@ -67,7 +67,7 @@ def read(source: str | os.PathLike[str], keep: bool = False) -> Brief:
     """
     from pydantic import ValidationError
 
-    from scenewright.formats.model_faults import told
+    from scenewright.document_faults import told
     from scenewright.plan import spaces
     from scenewright.zones import check_halls
 

@@ -12,8 +12,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from scenewright.brief import Brief
+from scenewright.document_faults import told
 from scenewright.errors import InputError
-from scenewright.formats.model_faults import told
 
 GREATEST_FILE = 64 * 2**20
 SOLUTION = "scenewright/solution"

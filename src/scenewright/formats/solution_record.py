@@ -10,9 +10,9 @@ from pydantic import Field, ValidationError
 
 from scenewright.brief import Brief
 from scenewright.brief_fields import Coordinate, Heading, Length, Model, Number, Switch, Whole
+from scenewright.document_faults import told
 from scenewright.errors import InputError
 from scenewright.formats.graph_record import GraphRecord, TourRecord
-from scenewright.formats.model_faults import told
 from scenewright.plan import space_names
 
 FORMAT = "scenewright/solution"

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, Field, ValidationError
 
-from scenewright.formats.model_faults import told
+from scenewright.document_faults import told
 
 Whole = Annotated[int, Field(strict=True, ge=0, le=2**40)]
 Number = Annotated[float, Field(allow_inf_nan=False, ge=-1e12, le=1e12)]
