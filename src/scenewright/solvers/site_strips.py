@@ -13,6 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.geometry.compiled import compiled, inlined
+
 Floats = NDArray[np.float64]
 
 STEP = 1.0
@@ -51,35 +53,48 @@ def free_spans(block: Turned, y0: float, y1: float) -> Floats:
     >>> free_spans(turned(square + 1.0, np.pi / 2), 1.5, 2.5).round(6).tolist()
     [[1.0, 5.0]]
     """
-    ax, ay, bx, by = block.edges.T
-    low, high = np.minimum(ay, by), np.maximum(ay, by)
-    cross = (low < y1) & (high > y0)
-    if not cross.any():
-        return np.zeros((0, 2))
-    ax, ay, bx, by = ax[cross], ay[cross], bx[cross], by[cross]
-    run = np.where(by == ay, 1.0, by - ay)
-    t0, t1 = np.clip((y0 - ay) / run, 0, 1), np.clip((y1 - ay) / run, 0, 1)
-    level = by == ay
-    t0, t1 = np.where(level, 0.0, t0), np.where(level, 1.0, t1)
-    xs = np.sort([ax + t0 * (bx - ax), ax + t1 * (bx - ax)], axis=0)
-    order = np.argsort(xs[0])
-    starts, ends = xs[0][order], np.maximum.accumulate(xs[1][order])
-    gaps = starts[1:] > ends[:-1] + 1e-9
-    spans = np.stack([ends[:-1][gaps], starts[1:][gaps]], 1)
-    if not len(spans):
-        return spans
-    return spans[_inside(block.edges, spans.mean(1), 0.5 * (y0 + y1))]
+    work, spans = np.empty((len(block.edges), 2)), np.empty((len(block.edges), 2))
+    return spans[: write_spans(block.edges, y0, y1, work, spans)]
 
 
-def _inside(edges: Floats, x: Floats, y: float) -> NDArray[np.bool_]:
-    """Which points (x, y) lie inside: the outline goes round them once more than holes do. Holes
-    may overlap each other and reach over the outline."""
-    ax, ay, bx, by = edges.T
-    cross = (ay <= y) != (by <= y)
-    at = ax[cross] + (y - ay[cross]) / (by[cross] - ay[cross]) * (bx[cross] - ax[cross])
-    way = np.where(by[cross] < ay[cross], 1, -1)
-    inside: NDArray[np.bool_] = ((at[None, :] < x[:, None]) * way).sum(1) > 0
-    return inside
+@compiled
+def write_spans(edges: Floats, y0: float, y1: float, work: Floats, spans: Floats) -> int:
+    """Write the free spans of a strip to ``spans`` (e, 2), and say how many; ``work`` (e, 2) is
+    scratch: what each edge takes of x in the strip, sorted by where it starts."""
+    count = 0
+    for k in range(edges.shape[0]):
+        ax, ay, bx, by = edges[k, 0], edges[k, 1], edges[k, 2], edges[k, 3]
+        if min(ay, by) >= y1 or max(ay, by) <= y0:
+            continue
+        if ay != by:
+            t0 = min(max((y0 - ay) / (by - ay), 0.0), 1.0)
+            t1 = min(max((y1 - ay) / (by - ay), 0.0), 1.0)
+            ax, bx = ax + t0 * (bx - ax), ax + t1 * (bx - ax)
+        low, high, place = min(ax, bx), max(ax, bx), count
+        while place > 0 and work[place - 1, 0] > low:
+            work[place, 0], work[place, 1] = work[place - 1, 0], work[place - 1, 1]
+            place -= 1
+        work[place, 0], work[place, 1] = low, high
+        count += 1
+    found, reach, middle = 0, work[0, 1], 0.5 * (y0 + y1)
+    for k in range(1, count):
+        if work[k, 0] > reach + 1e-9 and inside(edges, 0.5 * (reach + work[k, 0]), middle):
+            spans[found, 0], spans[found, 1] = reach, work[k, 0]
+            found += 1
+        reach = max(reach, work[k, 1])
+    return found
+
+
+@inlined
+def inside(edges: Floats, x: float, y: float) -> bool:
+    """Whether a point lies inside: the outline goes round it once more than holes do. Holes may
+    overlap each other and reach over the outline."""
+    turns = 0
+    for k in range(edges.shape[0]):
+        ax, ay, bx, by = edges[k, 0], edges[k, 1], edges[k, 2], edges[k, 3]
+        if (ay <= y) != (by <= y) and ax + (y - ay) / (by - ay) * (bx - ax) < x:
+            turns += 1 if by < ay else -1
+    return turns > 0
 
 
 class Rule(NamedTuple):
@@ -128,9 +143,12 @@ def _strip(
 ) -> list[tuple[int, float, float]]:
     """Buildings for one strip, left to right in every free span."""
     placed: list[tuple[int, float, float]] = []
+    spans = free_spans(block, y0, y1)
+    if not len(spans):
+        return placed
     left = [i for i in waiting if sizes[i, 1] <= y1 - y0 + 1e-9]
     gap = rule.spacing * rule.loose
-    for x0, x1 in free_spans(block, y0, y1):
+    for x0, x1 in spans.tolist():
         row: list[int] = []
         room = x1 - x0
         for i in list(left):
