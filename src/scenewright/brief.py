@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticKnownError
 
+from scenewright.brief_catalog import CatalogEntry
 from scenewright.brief_fields import (
     Coordinate,
     Heading,
@@ -149,7 +150,8 @@ class WallBrief(Model):
 class Brief(Model):
     """A home, hall or site (later also a village): what there is and how it is to be judged.
 
-    Homes and halls have ``rooms`` on ``levels``, sites have ``sites``.
+    Homes and halls have ``rooms`` on ``levels``, sites have ``sites``. ``catalogs`` are models
+    of the user's own: folders, libraries or files, relative to the brief's file.
 
     ``outlines`` tells whether room outlines are the inner faces of walls or their centre lines
     (then rooms shrink by half of ``wall_thickness``). ``route_width`` is the width of the
@@ -161,6 +163,7 @@ class Brief(Model):
     version: Literal[1] = 1
     domain: Literal["home", "hall", "site"] = "home"
     name: str = "home"
+    catalogs: Annotated[list[CatalogEntry], Field(max_length=50)] = []
     levels: Annotated[list[LevelBrief], Field(max_length=200)] = []
     rooms: Annotated[list[Room], Field(max_length=10_000)]
     sites: Annotated[list[Site], Field(max_length=100)] = []

@@ -2,7 +2,7 @@
 
 A site is ground between streets: its outline, roads and paths, a few fixed landmarks, and
 buildings to be placed on it (Zhang, Yang 2023). Buildings are models: shipped styles by name, or
-files of the library.
+models of the brief's catalogues.
 """
 
 from __future__ import annotations
@@ -41,8 +41,9 @@ class Road(Model):
 
 
 class Landmark(Model):
-    """A building that stands where it stands: a shipped style or a model file, or just a
-    footprint with a height. ``size`` is width, depth, height."""
+    """A building that stands where it stands: a shipped style or a model of the brief's
+    ``catalogs``, as large as it is unless ``size`` (width, depth, height) is given, or just a
+    footprint with a height."""
 
     id: str = ""
     name: str = ""
@@ -56,10 +57,10 @@ class Landmark(Model):
 
 class Building(Model):
     """Buildings of one model to be placed: ``model`` names a shipped style
-    (``scenewright list assets``) or a file of the library; ``size`` width, depth and height in
-    metres (left out: the model's own); ``count`` how many; ``floors`` storeys, for the floor-area
-    ratio. ``forms`` are the planar forms they may take (left out: all): rows ``parallel`` or
-    ``staggered``, ``peripheral`` around a court, ``mixed``."""
+    (``scenewright list assets``) or a model of the brief's ``catalogs``; ``size`` width, depth and
+    height in metres (left out: the model's own); ``count`` how many; ``floors`` storeys, for the
+    floor-area ratio. ``forms`` are the planar forms they may take (left out: all): rows
+    ``parallel`` or ``staggered``, ``peripheral`` around a court, ``mixed``."""
 
     id: str = ""
     name: str = ""
@@ -80,8 +81,8 @@ class Site(Model):
     ``facing`` is the preferred heading of fronts (south); ``fire_access`` the width of the way
     that must reach each building. ``latitude`` (degrees) and ``day`` (of the year; 355 is the
     winter solstice in the north, 20 January is 20) are for hours of sun, at least ``sun_hours``.
-    Without ``buildings`` the models of ``library`` (a folder) or shipped ones fill the site up
-    to ``floor_area_ratio`` and ``coverage``.
+    Without ``buildings`` those of the brief's ``catalogs``, or shipped dwellings, fill the site
+    up to ``floor_area_ratio`` and ``coverage``.
     """
 
     id: str = ""
@@ -91,7 +92,6 @@ class Site(Model):
     roads: Annotated[list[Road], Field(max_length=5000)] = []
     landmarks: Annotated[list[Landmark], Field(max_length=2000)] = []
     buildings: Annotated[list[Building], Field(max_length=1000)] = []
-    library: str = ""
     floor_area_ratio: Annotated[Number, Field(gt=0, le=30)] | None = None
     coverage: Annotated[Number, Field(gt=0, le=0.9)] | None = None
     height_limit: Length | None = None

@@ -117,10 +117,13 @@ class Group(NamedTuple):
 
 @dataclass(frozen=True)
 class Catalog:
-    """Kinds by category and assets by id."""
+    """Kinds by category and assets by id; for models of a user's own catalogues ``names``, other
+    names in lower case with the ids they may mean, and ``broken``, why one could not be read."""
 
     kinds: dict[str, Kind] = field(default_factory=dict)
     assets: dict[str, Asset] = field(default_factory=dict)
+    names: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    broken: dict[str, str] = field(default_factory=dict)
 
     def of(self, category: str) -> tuple[Asset, ...]:
         """All assets of a category, in table order (empty if there are none)."""

@@ -102,6 +102,10 @@ def arrange(
     steps: Annotated[int | None, typer.Option(help="Steps to solve for, instead.")] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same result.")] = 0,
     keep: Annotated[bool, typer.Option("--keep", help="Leave the furniture of a .sh3d.")] = False,
+    catalogs: Annotated[
+        list[str] | None,
+        typer.Option("--catalog", metavar="PATH", help="Models of your own; may be repeated."),
+    ] = None,
     alternatives: Annotated[
         int, typer.Option(min=1, max=50, help="Plans that differ, ranked: OUT-1, OUT-2 …")
     ] = 1,
@@ -113,7 +117,16 @@ def arrange(
 
     _check_budget(seconds, steps)
     request = cli_arrange.Request(
-        source, tuple(outputs or ()), preset, solver, seconds, steps, seed, keep, alternatives
+        source,
+        tuple(outputs or ()),
+        preset,
+        solver,
+        seconds,
+        steps,
+        seed,
+        keep,
+        alternatives,
+        tuple(catalogs or ()),
     )
     console = Console(stderr=True, quiet=quiet)
     if alternatives > 1:

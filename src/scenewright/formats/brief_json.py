@@ -14,6 +14,7 @@ from pydantic import ValidationError
 from scenewright.brief import Brief
 from scenewright.document_faults import told
 from scenewright.errors import InputError
+from scenewright.formats.catalog_paths import resolved
 
 GREATEST_FILE = 64 * 2**20
 SOLUTION = "scenewright/solution"
@@ -26,16 +27,17 @@ def read(path: Path, keep: bool = False) -> Brief:
         raise InputError(
             f"is larger than {GREATEST_FILE // 2**20} MiB", "split it into several briefs"
         )
-    return loads(path.read_bytes())
+    return loads(path.read_bytes(), path.parent)
 
 
-def loads(text: str | bytes) -> Brief:
-    """The brief written in ``text`` (UTF-8 if bytes), or in the solution written there.
+def loads(text: str | bytes, folder: Path | None = None) -> Brief:
+    """The brief written in ``text`` (UTF-8 if bytes), or in the solution written there; its
+    catalogues are below ``folder``.
 
     >>> loads('{"rooms": [{"outline": [[0, 0], [4, 0], [4, 3]]}]}').rooms[0].outline[2]
     (4.0, 3.0)
     """
-    document = _document(text)
+    document = resolved(_document(text), folder or Path())
     if document.get("format") == SOLUTION:
         from scenewright.formats import solution_json
 

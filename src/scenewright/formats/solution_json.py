@@ -16,6 +16,7 @@ from typing import Any
 
 from scenewright.brief import Brief, FixedItem, Room
 from scenewright.errors import InputError
+from scenewright.formats.catalog_paths import resolved
 from scenewright.formats.graph_record import graph_document, graph_of, tour_document, tour_of
 from scenewright.formats.solution_record import FORMAT, PieceRecord, checked
 from scenewright.plan import room_ids
@@ -36,7 +37,7 @@ def read(path: str | os.PathLike[str]) -> Solution:
     if Path(path).suffix.lower() != ".json":
         raise InputError("is no solution", "give a solution .json", file=str(path))
     try:
-        return loads(Path(path).read_bytes())
+        return loads(Path(path).read_bytes(), Path(path).parent)
     except FileNotFoundError:
         raise InputError("there is no such file", "check the path", file=str(path)) from None
     except InputError as error:
@@ -51,8 +52,8 @@ def dumps(solution: Solution) -> str:
     return "{\n" + ",\n".join(f'"{key}": {text}' for key, text in entries) + "\n}\n"
 
 
-def loads(text: str | bytes) -> Solution:
-    """The solution written in ``text`` (UTF-8 if bytes)."""
+def loads(text: str | bytes, folder: Path | None = None) -> Solution:
+    """The solution written in ``text`` (UTF-8 if bytes); its catalogues are below ``folder``."""
     try:
         plain = text.decode("utf-8") if isinstance(text, bytes) else text
         document = json.loads(plain, parse_constant=_no_constant)
@@ -62,7 +63,8 @@ def loads(text: str | bytes) -> Solution:
         raise InputError("is nested too deeply", "give a solution file") from None
     except ValueError as error:
         raise InputError(f"is not valid JSON ({error})", "give a solution file") from None
-    return of_document(document)
+    plain_object = isinstance(document, dict)
+    return of_document(resolved(document, folder or Path()) if plain_object else document)
 
 
 def to_document(solution: Solution) -> dict[str, Any]:

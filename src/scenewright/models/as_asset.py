@@ -9,7 +9,6 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.catalog import Asset, Part
-from scenewright.geometry.mesh import mapped
 from scenewright.models.model import Model
 from scenewright.scene import Size
 
@@ -29,11 +28,8 @@ def asset_of(model: Model, category: str = "building") -> Asset:
     """
 
     def mesh(size: Size) -> tuple[Part, ...]:
-        source = _box(model.size)
-        return tuple(
-            Part(part.material, mapped(part.vertices, source, *_box(size)), part.faces)
-            for part in model.parts
-        )
+        scale = np.array(size) / np.array(model.size)
+        return tuple(Part(part.material, part.vertices * scale, part.faces) for part in model.parts)
 
     @cache
     def lines() -> tuple[Floats, ...]:
@@ -63,11 +59,6 @@ def outline(model: Model) -> tuple[Floats, ...]:
     shapes.sort(key=lambda s: -s.area)
     found = tuple(np.asarray(s.exterior.simplify(2 * grid).coords) for s in shapes)
     return found or (_rectangle(model.size),)
-
-
-def _box(size: Size) -> tuple[Floats, Floats]:
-    half = np.array([size.width / 2, size.depth / 2])
-    return np.array([*-half, 0.0]), np.array([*half, size.height])
 
 
 def _rectangle(size: Size) -> Floats:
