@@ -15,7 +15,8 @@ from flat import flat_solution
 from scenewright.assets import shipped
 from scenewright.catalog import Material
 from scenewright.formats.picture import Camera, developed, render, view_of
-from scenewright.formats.png import Block, framed, picture, stage_of, write
+from scenewright.formats.png import framed, picture, write
+from scenewright.formats.stage import Block, stage_of
 from scenewright.geometry import light, rays
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.prisms import box, corner_normals

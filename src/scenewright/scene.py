@@ -73,9 +73,22 @@ class Wall:
     prisms: tuple[Prism, ...]
 
 
+class Surface(NamedTuple):
+    """What lies on the ground of a space: ``kind`` (``asphalt``, ``pavement``, ``path``, ``walk``,
+    ``marking``) and the polygons it covers, each an outline with holes, between two heights."""
+
+    id: str
+    space: str
+    kind: str
+    areas: tuple[tuple[Points, tuple[Points, ...]], ...]
+    base: float
+    top: float
+
+
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """Everything that is drawn: the shell (levels, spaces, walls, openings) and the pieces."""
+    """Everything that is drawn: the shell (levels, spaces, walls, openings), what lies on open
+    ground, and the pieces."""
 
     name: str
     levels: tuple[Level, ...]
@@ -83,3 +96,4 @@ class Scene:
     walls: tuple[Wall, ...]
     openings: tuple[Opening, ...]
     pieces: tuple[Piece, ...]
+    surfaces: tuple[Surface, ...] = ()

@@ -17,6 +17,7 @@ from scenewright import masonry
 from scenewright.brief import Brief
 from scenewright.plan import levels, spaces
 from scenewright.scene import Prism, Scene, Wall
+from scenewright.site_ground import surfaces
 from scenewright.solution import Solution
 from scenewright.space import Opening, Points, Space
 
@@ -31,8 +32,9 @@ def scene_of(solution: Solution) -> Scene:
     rooms = spaces(solution.brief)
     walls, openings = shell(solution.brief, rooms)
     return Scene(
-        solution.brief.name, levels(solution.brief), rooms, walls, openings, solution.pieces
-    )
+        solution.brief.name, levels(solution.brief), rooms, walls, openings, solution.pieces,
+        surfaces(solution.brief.sites, solution.pieces),
+    )  # fmt: skip
 
 
 def shell(brief: Brief, spaces: Sequence[Space]) -> tuple[tuple[Wall, ...], tuple[Opening, ...]]:

@@ -13,13 +13,14 @@ import numpy as np
 import shapely
 
 from scenewright import joinery
+from scenewright.assets.tints import tint_of, tinted
 from scenewright.catalog import Asset, Catalog, Material, Part
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box, face_normals, prism, sheet
-from scenewright.scene import Piece, Prism, Scene, Size, Wall
+from scenewright.scene import Piece, Prism, Scene, Size, Surface, Wall
 from scenewright.space import Level, Opening, Space
 
-ThingKind = Literal["slab", "space", "wall", "opening", "piece"]
+ThingKind = Literal["slab", "space", "surface", "wall", "opening", "piece"]
 
 SLAB = 0.22
 """Thickness in metres of the slab drawn under each level."""
@@ -36,8 +37,17 @@ WOOD_FLOOR = Material("oak floor", (0.73, 0.62, 0.50), roughness=0.55)
 STONE_FLOOR = Material("stone floor", (0.83, 0.81, 0.77), roughness=0.5)
 TILE_FLOOR = Material("tile floor", (0.80, 0.82, 0.82), roughness=0.3)
 DECK_FLOOR = Material("deck floor", (0.64, 0.58, 0.51), roughness=0.8)
-GRASS = Material("grass", (0.56, 0.64, 0.42), roughness=1.0)
+GRASS = Material("grass", (0.50, 0.58, 0.37), roughness=1.0)
 PLAIN_FLOOR = Material("screed floor", (0.78, 0.77, 0.74), roughness=0.85)
+
+SURFACES: dict[str, Material] = {
+    "asphalt": Material("asphalt", (0.36, 0.37, 0.38), roughness=0.95),
+    "pavement": Material("pavement", (0.72, 0.71, 0.68), roughness=0.95),
+    "path": Material("gravel path", (0.70, 0.65, 0.56), roughness=1.0),
+    "walk": Material("garden walk", (0.70, 0.68, 0.63), roughness=0.95),
+    "marking": Material("road marking", (0.93, 0.93, 0.91), roughness=0.9),
+}
+"""What lies on open ground, by kind."""
 
 FLOORS: dict[str, Material] = {
     "kitchen": STONE_FLOOR, "hall": STONE_FLOOR, "bathroom": TILE_FLOOR, "toilet": TILE_FLOOR,
@@ -74,6 +84,11 @@ def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[Th
     for level in scene.levels:
         found += _slab(scene, level)
         found += [_floor(space) for space in scene.spaces if space.level == level.id]
+        found += [
+            _surface(s, level.id)
+            for s in scene.surfaces
+            if level_of.get(s.space, first) == level.id
+        ]
         walls = (_wall(wall, cut) for wall in scene.walls if wall.level == level.id)
         found += [wall for wall in walls if wall.parts]
         found += [_opening(o, cut) for o in scene.openings if o.level == level.id]
@@ -144,6 +159,17 @@ def _floor(space: Space) -> Thing:
     )  # fmt: skip
 
 
+def _surface(surface: Surface, level: str) -> Thing:
+    """What lies on the ground, one mesh a kind."""
+    meshes = [prism(outline, surface.base, surface.top, holes) for outline, holes in surface.areas]
+    part = Part(SURFACES[surface.kind], *merge(meshes))
+    extras: dict[str, str | float] = {"category": "surface", "function": surface.kind}
+    return Thing(
+        surface.id, "surface", level, surface.space, ("surface", surface.id), (part,), (0, 0, 0),
+        0.0, extras,
+    )  # fmt: skip
+
+
 def _wall(wall: Wall, cut: float | None) -> Thing:
     top = max((p.top for p in wall.prisms), default=0.0)
     top = top if cut is None else min(top, cut)
@@ -205,6 +231,9 @@ def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> Thi
     key: Hashable = (asset.id if asset else piece.category, size)
     x, y, z, heading = piece.pose
     parts = _meshed(asset, size)
+    if piece.category == "building" and not piece.fixed:
+        tint = tint_of(piece.id, parts)
+        key, parts = (key, tint), tinted(parts, tint)
     kind = catalog.kinds.get(piece.category)
     if cut is not None and kind is not None and kind.support in ("wall", "ceiling"):
         top = 0.0 if kind.support == "ceiling" else cut - z

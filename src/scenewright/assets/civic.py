@@ -23,6 +23,7 @@ from scenewright.assets.materials import (
     CURTAIN_WALL,
     GILT,
     LIMESTONE,
+    MASONRY,
     METAL_SHEET,
     PANE,
     RENDER,
@@ -33,7 +34,7 @@ from scenewright.assets.materials import (
     VERDIGRIS,
 )
 from scenewright.assets.model import Parts, parts
-from scenewright.assets.roofs import bell, dome, gable, regular, tiered
+from scenewright.assets.roofs import bell, dome, drawn_in, gable, regular, tiered
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.solids import Interval, block, disc, lathe, profile, sheet
 from scenewright.scene import Size
@@ -71,6 +72,8 @@ def _gallery(size: Size) -> Parts:
                  box(*over, (0.4 * h, 0.68 * h)),
                  *lights],
         CURTAIN_WALL: [box(*foyer, (0, 0.4 * h)), *panes], STEEL: fins, SLATE: [*slots, *door],
+        MASONRY: [box(drawn_in(x, 0.7), drawn_in(y, 0.7), (z * h, z * h + 0.05))
+                  for (x, y), z in ((low, 0.55), (tall, 0.86), (over, 0.68))],
         CONCRETE: [block((-0.6 * w, w), (0.05 * d, d), (0, 0.02 * h)), *ramp,
                    box(foyer[0], foyer[1], (0.39 * h, 0.42 * h), 0.3),
                    *columns([(x, 0.8 * d) for x in (-0.7 * w, -0.1 * w, 0.38 * w)],

@@ -82,6 +82,7 @@ def _modernist_house(size: Size) -> Parts:
         RENDER: [box(x, y, (low, top)), *columns(spots, (0, low), 0.16, 8), *curved,
                  *rail(x, y, (top, 0.76 * h), 0.2)],
         SLATE: [*strips, *glazing, *door], GREY: [*ground, *ramp],
+        MASONRY: [box(drawn_in(x, 0.3), drawn_in(y, 0.3), (top, top + 0.06))],
     })  # fmt: skip
 
 
@@ -91,7 +92,7 @@ def _row_houses(size: Size) -> Parts:
     eave = 0.6 * h
     y = (-0.92 * d, 0.84 * d)
     units = bays((-w, w), 6.0)
-    doors, panes, dormers, chimneys, stoops, trim = [], [], [], [], [], []
+    doors, panes, dormers, hoods, chimneys, stoops, trim = [], [], [], [], [], [], []
     for k, (a, b) in enumerate(units):
         at = [a + s * (b - a) for s in ((0.24, 0.7) if k % 2 == 0 else (0.76, 0.3))]
         middle = (a + b) / 2
@@ -113,8 +114,10 @@ def _row_houses(size: Size) -> Parts:
                 0.14 * h,
             )
         )
+        hoods.append(gable((middle - 1.35, middle + 1.35), (0.1 * d, 0.77 * d),
+                           (0.75 * h, 0.92 * h), "y", 0.015 * h))  # fmt: skip
         panes.append(
-            block((middle - 0.6, middle + 0.6), (0.72 * d, 0.76 * d), (0.66 * h, 0.78 * h))
+            block((middle - 0.6, middle + 0.6), (0.72 * d, 0.76 * d), (0.66 * h, 0.75 * h))
         )
         chimneys.append(block((b - 0.9, b - 0.1), (-0.2 * d, 0.0), (0.7 * h, h)))
         if k:
@@ -125,7 +128,8 @@ def _row_houses(size: Size) -> Parts:
     return parts(size, {
         BRICK: [box((-w + 0.1, w - 0.1), y, (0, eave)), *ends, *chimneys],
         LIMESTONE: [*stoops, *trim],
-        SLATE: [gable((-w + 0.1, w - 0.1), (-0.99 * d, 0.91 * d), (eave, 0.93 * h), "x", 0.01 * h)],
+        SLATE: [gable((-w + 0.1, w - 0.1), (-0.99 * d, 0.91 * d), (eave, 0.93 * h), "x", 0.01 * h),
+                *hoods],
         RENDER: dormers, PANE: panes, TIMBER: doors,
     })  # fmt: skip
 

@@ -13,38 +13,43 @@ from scenewright.assets.roofs import spire
 from scenewright.assets.symbols import Lines, oval, path, rectangle
 from scenewright.catalog import Material
 from scenewright.geometry.mesh import Mesh, loft
-from scenewright.geometry.solids import block, disc, leg, oval_ring
+from scenewright.geometry.solids import block, disc, leg
 from scenewright.scene import Size
 
 
 def _clump(rx: float, ry: float, z: tuple[float, float], at: tuple[float, float],
-           start: int, sides: int = 6) -> Mesh:  # fmt: skip
-    """An uneven round mass of leaves, 4 ``sides`` triangles: a point, two rings, a point."""
-    middle, low, high = (z[0] + z[1]) / 2, z[0], z[1]
-    rings = [[(at[0], at[1], low)] * sides]
-    for k, (level, wide) in enumerate(
-        ((0.5 * (low + middle), 0.86), (0.45 * middle + 0.55 * high, 0.9))
-    ):
-        ring = oval_ring(rx * wide, ry * wide, level, sides, at).tolist()
-        turn = (k + start) * pi / sides
-        rings.append([
-            (at[0] + (x - at[0]) * cos(turn) - (y - at[1]) * sin(turn) * rx / ry,
-             at[1] + (x - at[0]) * sin(turn) * ry / rx + (y - at[1]) * cos(turn),
-             level + 0.1 * (high - low) * (wobble(start + 7 * k + i) - 0.5))
-            for i, (x, y, level) in enumerate(ring)
-        ])  # fmt: skip
-    rings.append([(at[0], at[1], high)] * sides)
+           start: int, sides: int = 9) -> Mesh:  # fmt: skip
+    """An uneven round mass of leaves, 8 ``sides`` triangles: a point, four rings, a point."""
+    middle, half = (z[0] + z[1]) / 2, (z[1] - z[0]) / 2
+    rings = [[(at[0], at[1], z[0])] * sides]
+    for k, angle in enumerate((-0.95, -0.3, 0.35, 0.95)):
+        ring = []
+        for i in range(sides):
+            turn = 2 * pi * (i + 0.5 * (k % 2)) / sides
+            wide = cos(angle) * (0.86 + 0.2 * wobble(start + 7 * k + 3 * i))
+            ring.append(
+                (
+                    at[0] + rx * wide * cos(turn),
+                    at[1] + ry * wide * sin(turn),
+                    middle + half * (sin(angle) + 0.12 * (wobble(start + 5 * k + i) - 0.5)),
+                )
+            )
+        rings.append(ring)
+    rings.append([(at[0], at[1], z[1])] * sides)
     return loft(rings)
 
 
 def _tree(size: Size) -> Parts:
-    """A broad crown of two masses on a trunk."""
+    """A broad crown of four masses on a forked trunk."""
     w, d, h = size.width / 2, size.depth / 2, size.height
-    trunk = leg(0.0, 0.0, (0.0, 0.5 * h), 0.035 * (w + d), 0.05 * (w + d), 5)
+    trunk = leg(0.0, 0.0, (0.0, 0.5 * h), 0.025 * (w + d), 0.045 * (w + d), 7)
     return parts(size, {
         BARK: [trunk],
-        LEAF: [_clump(w, d, (0.24 * h, 0.86 * h), (0.0, 0.0), 0, 7)],
-        LEAF_LIGHT: [_clump(0.66 * w, 0.66 * d, (0.5 * h, h), (0.1 * w, 0.08 * d), 3, 6)],
+        LEAF: [_clump(0.8 * w, 0.8 * d, (0.3 * h, 0.84 * h), (0.0, 0.0), 0),
+               _clump(0.5 * w, 0.5 * d, (0.27 * h, 0.66 * h), (-0.44 * w, 0.34 * d), 11, 7),
+               _clump(0.5 * w, 0.5 * d, (0.3 * h, 0.7 * h), (0.38 * w, -0.44 * d), 23, 7)],
+        LEAF_LIGHT: [_clump(0.62 * w, 0.62 * d, (0.5 * h, h), (0.1 * w, 0.08 * d), 3),
+                     _clump(0.46 * w, 0.46 * d, (0.4 * h, 0.8 * h), (0.46 * w, 0.4 * d), 31, 7)],
     })  # fmt: skip
 
 

@@ -22,6 +22,7 @@ from scenewright.assets.materials import (
     CURTAIN_WALL,
     GREY,
     LIMESTONE,
+    MASONRY,
     METAL_SHEET,
     PANE,
     RENDER,
@@ -60,6 +61,7 @@ def _modern_residential(size: Size) -> Parts:
     return parts(size, {
         RENDER: [box(x, y, (0, top)), *rail(x, y, (top, top + 0.9), 0.25)],
         CONCRETE: [*cores, *houses], GREY: balconies, PANE: [*glass, *back], SLATE: doors,
+        MASONRY: [box(drawn_in(x, 0.25), drawn_in(y, 0.25), (top, top + 0.1))],
     })  # fmt: skip
 
 

@@ -41,12 +41,12 @@ class Surface(NamedTuple):
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the scene of a solution to ``path``; the file appears whole or not at all."""
-    from scenewright.assets import shipped
     from scenewright.shell import scene_of
+    from scenewright.stock import catalog_of
 
     final = Path(path)
     partial = final.with_name(f".{final.name}.partial")
-    partial.write_bytes(encoded(scene_of(solution), shipped()))
+    partial.write_bytes(encoded(scene_of(solution), catalog_of(solution.brief.catalogs)))
     os.replace(partial, final)
 
 
@@ -129,7 +129,7 @@ def _storey(
             for thing in mine:
                 _add(nodes, branch, _node(thing))
     for thing in found:
-        if thing.kind == "piece":
+        if thing.kind in ("surface", "piece"):
             _add(nodes, rooms.get(thing.space, top), _node(thing))
 
 

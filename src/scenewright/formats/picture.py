@@ -22,7 +22,7 @@ Ints = NDArray[np.int32]
 Pixels = NDArray[np.uint8]
 
 REACH = 2.2
-"""How far away, in metres, things still darken a surface."""
+"""How far away, in metres, things in a room still darken a surface."""
 SUN_SPREAD = 0.045
 FINER = np.array([[-0.375, -0.125], [0.125, -0.375], [0.375, 0.125], [-0.125, 0.375]], np.float32)
 """Where in a pixel the four finer rays go (a rotated grid)."""
@@ -42,12 +42,22 @@ class Camera(NamedTuple):
     angle: float
 
 
+class Air(NamedTuple):
+    """Linear colours of the sky at the horizon and overhead, and how far one sees, in metres:
+    so far away a third of a thing's own colour is left (H. Koschmieder 1924)."""
+
+    horizon: tuple[float, float, float]
+    zenith: tuple[float, float, float]
+    sight: float
+
+
 class Stage(NamedTuple):
     """What is drawn: triangles ``corners`` (m, 3, 3) with ``normals`` at their corners, the
     ``finishes`` (m,) they have (rows of ``table``: linear colour, roughness, metallic, emission,
     pattern), ``keys`` (m,) equal where light may be shared, ``smooth`` (m,) for round parts;
     ``glass`` (g, 3, 3) and ``tints`` (g, 4), linear colour and opacity; ``near`` (2, 3), the
-    lower and upper corner of what shadows may fall on."""
+    lower and upper corner of what shadows may fall on; ``reach`` how far away, in metres, things
+    still darken a surface; ``air`` what is beyond them (left out: the page)."""
 
     corners: Singles
     normals: Singles
@@ -58,10 +68,13 @@ class Stage(NamedTuple):
     glass: Singles
     tints: Singles
     near: Singles
+    reach: float = REACH
+    air: Air | None = None
 
 
 class Seen(NamedTuple):
-    """What rays met: triangle, key (-1 beyond all shadows), point and normal."""
+    """What rays met: triangle, key (-1 beyond all shadows), point and normal; where nothing is
+    met, the direction of the ray instead of a normal."""
 
     met: Ints
     keys: Ints
@@ -87,7 +100,7 @@ def render(stage: Stage, camera: Camera, width: int, height: int,
     solid = rays.build(stage.corners.reshape(-1, 3), _triples(len(stage.corners)))
     every = np.arange(width * height, dtype=np.int32)
     seen = _look(stage, solid, view, every, CENTRE)
-    arriving = _arriving(solid, view, seen, to_sun)
+    arriving = _arriving(solid, view, seen, to_sun, stage.reach)
     linear = _shaded(stage, view, seen, arriving, to_sun[2])
     _refine(stage, solid, view, seen, arriving, to_sun[2], linear)
     _glaze(stage, view, seen, linear)
@@ -143,6 +156,9 @@ def _look(stage: Stage, solid: rays.Caster, view: View, pixels: Ints, shift: Sin
         met[here] = rays.first(solid, np.broadcast_to(view.eye, ways.shape), ways)
         light.strike(view.eye, ways, met[here], stage.corners, stage.normals, stage.smooth,
                      stage.keys, stage.near, points[here], facing[here], keys[here])  # fmt: skip
+        if stage.air is not None:
+            missed = met[here] < 0
+            facing[here][missed] = _unit(ways[missed])
 
     _by_portions(look, len(pixels))
     return Seen(met, keys, points, facing)
@@ -154,7 +170,7 @@ def _aimed(view: View, pixels: Ints, shift: Singles) -> Singles:
     return ways
 
 
-def _arriving(solid: rays.Caster, view: View, seen: Seen, sun: Singles) -> Singles:
+def _arriving(solid: rays.Caster, view: View, seen: Seen, sun: Singles, reach: float) -> Singles:
     """Share of the sun and of the sky ``(n, 2)`` that reaches each pixel's surface.
 
     Pixels that came out half in the sun take more rays before they are averaged again.
@@ -165,7 +181,7 @@ def _arriving(solid: rays.Caster, view: View, seen: Seen, sun: Singles) -> Singl
     def once(here: slice) -> None:
         starts, to_sun, to_sky = _scattered(view, seen, everywhere[here], sun, 0)
         raw[everywhere[here], 0] = ~rays.occluded(solid, starts, to_sun)
-        raw[everywhere[here], 1] = ~rays.occluded(solid, starts, to_sky, REACH)
+        raw[everywhere[here], 1] = ~rays.occluded(solid, starts, to_sky, reach)
 
     def again(here: slice) -> None:
         for turn in range(1, 1 + MORE):
@@ -199,16 +215,34 @@ def _averaged(seen: Seen, view: View, raw: Singles) -> Singles:
 
 def _shaded(stage: Stage, view: View, seen: Seen, arriving: Singles, to_sun: Singles) -> Singles:
     linear = np.empty((len(seen.met), 3), np.float32)
-    grain = _grain(view, stage)
+    grain = 2 * view.across / view.width
 
     def shade(here: slice) -> None:
         met = seen.met[here]
         finishes = np.where(met >= 0, stage.finishes[met], len(stage.table) - 1).astype(np.int32)
         finish.shade(view.eye, seen.points[here], seen.facing[here], finishes, stage.table,
                      arriving[here], to_sun, grain, linear[here])  # fmt: skip
+        if stage.air is not None:
+            _aired(stage.air, view, seen, here, linear)
 
     _by_portions(shade, len(linear))
     return linear
+
+
+def _aired(air: Air, view: View, seen: Seen, here: slice, linear: Singles) -> None:
+    """Sky where nothing is met, and a veil of the horizon's colour before what is far away."""
+    sky = seen.met[here] < 0
+    up = np.maximum(seen.facing[here][sky, 2:], 0.0)
+    horizon, zenith = (np.array(colour, np.float32) for colour in air[:2])
+    linear[here][sky] = zenith + (horizon - zenith) * (1.0 - up) ** 3
+    away = np.linalg.norm(seen.points[here] - view.eye, axis=1)[:, None]
+    left = np.where(sky[:, None], 1.0, np.exp(-away / air.sight)).astype(np.float32)
+    linear[here] = linear[here] * left + horizon * (1.0 - left)
+
+
+def _unit(ways: Singles) -> Singles:
+    lengths = np.linalg.norm(ways, axis=1, keepdims=True)
+    return np.asarray(ways / lengths, np.float32)
 
 
 def _refine(stage: Stage, solid: rays.Caster, view: View, seen: Seen, arriving: Singles,
@@ -251,10 +285,3 @@ def _covered(triangles: Singles, view: View) -> Ints:
     ).clip(0).astype(int).tolist():  # fmt: skip
         mask[top:bottom, left:right] = True
     return np.flatnonzero(mask).astype(np.int32)
-
-
-def _grain(view: View, stage: Stage) -> float:
-    """Size of a pixel in metres at the middle of the stage."""
-    middle = stage.corners.reshape(-1, 3)
-    away = float(np.linalg.norm((middle.min(0) + middle.max(0)) / 2 - view.eye))
-    return 2 * view.across / view.width * away

@@ -18,7 +18,7 @@ from scenewright.catalog import Material, Part
 from scenewright.errors import InputError
 from scenewright.formats.glb import linear_of
 from scenewright.formats.picture import FINER, PAGE, Camera, Pixels, render, view_of
-from scenewright.formats.png import Block, stage_of
+from scenewright.formats.stage import Block, stage_of
 from scenewright.geometry import light, rays
 from scenewright.geometry.best_view import best_view
 from scenewright.geometry.mesh import Mesh, merge

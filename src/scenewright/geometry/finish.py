@@ -15,8 +15,9 @@ from scenewright.geometry.compiled import compiled, inlined
 Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
 
-PLAIN, PLANKS, SLABS, TILES, DECK, PAGE = 0, 1, 2, 3, 4, 5
-"""Patterns: none, oak planks, 0.6 m slabs, 0.3 m tiles, outdoor boards, the page itself."""
+PLAIN, PLANKS, SLABS, TILES, DECK, PAGE, GRASS, GRIT = 0, 1, 2, 3, 4, 5, 6, 7
+"""Patterns: none, oak planks, 0.6 m slabs, 0.3 m tiles, outdoor boards, the page itself, uneven
+ground that grows, uneven ground that does not."""
 
 SUN = (1.24, 1.18, 1.08)
 SKY = (0.55, 0.60, 0.67)
@@ -31,7 +32,7 @@ def shade(eye: Singles, points: Singles, facing: Singles, finishes: Ints, table:
 
     ``table`` rows are colour, roughness, metallic, emission and pattern, picked by
     ``finishes`` (n,); ``light`` (n, 2) the share of sun and of sky that arrives; ``grain`` the
-    size of a pixel in metres.
+    width of a pixel as a share of its distance.
     """
     for i in range(out.shape[0]):
         m = finishes[i]
@@ -43,7 +44,9 @@ def shade(eye: Singles, points: Singles, facing: Singles, finishes: Ints, table:
             for k in range(3):
                 out[i, k] = table[m, k] * (1.0 - (0.50 - 0.03 * k) * dark)
             continue
-        tone = _tone(pattern, points[i, 0], points[i, 1], grain) if nz > 0.9 else 1.0
+        tone = 1.0
+        if pattern != PLAIN and nz > 0.9:
+            tone = _tone(pattern, points[i, 0], points[i, 1], grain * _away(eye, points, i))
         gloss_sun, gloss_sky, facet = _gloss(eye, points, facing, i, to_sun, table[m, 3])
         metal = table[m, 4]
         weight = metal * 0.6 + (1.0 - metal) * (0.04 + 0.5 * facet) * (1.0 - table[m, 3])
@@ -56,6 +59,12 @@ def shade(eye: Singles, points: Singles, facing: Singles, finishes: Ints, table:
             out[i, k] = body + tint * (
                 weight * gloss_sky * (0.35 + 0.65 * open_sky) + gloss_sun * light[i, 0]
             )
+
+
+@inlined
+def _away(eye: Singles, points: Singles, i: int) -> float:
+    x, y, z = points[i, 0] - eye[0], points[i, 1] - eye[1], points[i, 2] - eye[2]
+    return math.sqrt(x * x + y * y + z * z)
 
 
 @inlined
@@ -89,7 +98,29 @@ def _tone(pattern: int, x: float, y: float, grain: float) -> float:
         return _boards(x, y, 0.6, 0.6, 0.035, 0.006, 0.20, grain)
     if pattern == TILES:
         return _boards(x, y, 0.3, 0.3, 0.025, 0.006, 0.20, grain)
+    if pattern == GRASS:
+        spots = _patches(x, y, 7.0, 0.10, grain) + _patches(x, y, 1.3, 0.13, grain)
+        return 1.0 + spots + _patches(x, y, 0.16, 0.22, grain) + _patches(x, y, 0.03, 0.3, grain)
+    if pattern == GRIT:
+        spots = _patches(x, y, 5.0, 0.07, grain) + _patches(x, y, 0.5, 0.05, grain)
+        return 1.0 + spots + _patches(x, y, 0.03, 0.14, grain)
     return 1.0
+
+
+@inlined
+def _patches(x: float, y: float, size: float, vary: float, grain: float) -> float:
+    """Smooth random spots of some size, -``vary`` / 2 to ``vary`` / 2, none where a pixel is
+    as large as they are (value noise, after K. Perlin 1985)."""
+    clear = min(max(2.0 - 2.0 * grain / size, 0.0), 1.0)
+    if clear == 0.0:
+        return 0.0
+    u, v = x / size, y / size
+    i, j = math.floor(u), math.floor(v)
+    u, v = u - i, v - j
+    u, v = u * u * (3.0 - 2.0 * u), v * v * (3.0 - 2.0 * v)
+    low = _noise(i, j) * (1.0 - u) + _noise(i + 1.0, j) * u
+    high = _noise(i, j + 1.0) * (1.0 - u) + _noise(i + 1.0, j + 1.0) * u
+    return clear * vary * (low * (1.0 - v) + high * v - 0.5)
 
 
 @inlined

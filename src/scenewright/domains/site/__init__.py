@@ -19,7 +19,8 @@ from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.brief_site import Site
 from scenewright.catalog import Catalog
-from scenewright.domains.site.dress import buildings, landmarks, roads, trees
+from scenewright.domains.site.dress import buildings, landmarks
+from scenewright.domains.site.green import green
 from scenewright.domains.site.pose import pose
 from scenewright.domains.site.presets import PRESETS, SitePreset
 from scenewright.domains.site.wanted import Wanted, wanted
@@ -109,8 +110,8 @@ def _build(
     found = SITE_SOLVERS[solver].run(problem, budget, seed, progress, cancel)
     standing = landmarks(plan, catalog)
     placed = buildings(plan, rows, found.boxes, found.present)
-    green = trees(plan, (*standing, *placed), catalog, np.random.default_rng(seed))
-    pieces = (*roads(plan, catalog), *standing, *placed, *green)
+    grown = green(plan, (*standing, *placed), catalog, np.random.default_rng(seed))
+    pieces = (*standing, *placed, *grown)
     return Built(pieces, _left_out(plan, rows, found.present), found.evaluations)
 
 

@@ -1,0 +1,104 @@
+"""What lies on the ground of a site: carriageways, pavements, paths, markings, walks to doors.
+
+Roads are united before they are drawn, so that bends have no gaps and crossings are one piece.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+import shapely
+from shapely.ops import substring
+
+from scenewright.brief_site import Site
+from scenewright.outlines import rings
+from scenewright.scene import Piece, Surface
+from scenewright.site_outlines import GRID, MITRE
+from scenewright.site_plan import SitePlan, Way, site_plans
+from scenewright.site_walks import walks
+from scenewright.space import Points
+
+HEIGHTS = {"asphalt": 0.03, "marking": 0.035, "walk": 0.04, "path": 0.05, "pavement": 0.12}
+"""How far the top of each lies above the ground, in metres."""
+DASH, GAP, STRIPE = 3.0, 5.0, 0.16
+"""Length, distance and width of the dashes of a road's middle line, in metres."""
+SPECK = 0.02
+"""Areas smaller than this, in square metres, are left out."""
+
+
+def surfaces(sites: Sequence[Site], pieces: Sequence[Piece]) -> tuple[Surface, ...]:
+    """What lies on the ground of all sites, a row for each kind that occurs."""
+    return tuple(row for plan in site_plans(sites) for row in _of_plan(plan, pieces))
+
+
+def _of_plan(plan: SitePlan, pieces: Sequence[Piece]) -> Iterator[Surface]:
+    floor = shapely.Polygon(plan.outline, plan.holes)
+    driven = [way for way in plan.roads if way.kind == "road"]
+    roads, paths = _covered(driven), _covered(way for way in plan.roads if way.kind == "path")
+    lanes = shapely.intersection(_lanes(driven), floor, grid_size=GRID)
+    standing = [p for p in pieces if p.space == plan.id and p.category == "building"]
+    strips = shapely.union_all([walk.buffer(0.9, cap_style="flat", join_style="mitre")
+                                for walk in walks(plan, standing)])  # fmt: skip
+    ways = shapely.union(roads, paths)
+    found = {
+        "asphalt": lanes,
+        "pavement": shapely.difference(roads, lanes, grid_size=GRID),
+        "path": shapely.difference(paths, roads, grid_size=GRID),
+        "walk": shapely.intersection(shapely.difference(strips, ways), floor, grid_size=GRID),
+        "marking": shapely.intersection(_markings(driven), lanes, grid_size=GRID),
+    }
+    for kind, shape in found.items():
+        areas = tuple(rings(part) for part in _polygons(shape))
+        if areas:
+            yield Surface(f"{kind} of {plan.id}", plan.id, kind, areas, -0.01, HEIGHTS[kind])
+
+
+def kerb(width: float) -> float:
+    """Width in metres of the pavement on each side of a road of some width.
+
+    >>> kerb(4.0), round(kerb(10.0), 2)
+    (0.0, 1.5)
+    """
+    return min(max(0.15 * width, 0.9), 3.0) if width >= 5.5 else 0.0
+
+
+def _covered(ways: Iterable[Way]) -> shapely.Geometry:
+    """The ground of ways, inside the site."""
+    parts = [shapely.Polygon(a.outline, a.holes) for way in ways for a in way.areas]
+    return shapely.union_all(np.array(parts, object), grid_size=GRID)
+
+
+def _lanes(ways: Sequence[Way]) -> shapely.Geometry:
+    """The carriageways, without the pavement beside them."""
+    lines = np.array([shapely.LineString(way.line) for way in ways], object)
+    half = np.array([way.width / 2 - kerb(way.width) for way in ways])
+    wide = shapely.buffer(lines, half, cap_style="flat", join_style="mitre", mitre_limit=MITRE)
+    return shapely.union_all(wide, grid_size=GRID)
+
+
+def _markings(ways: Sequence[Way]) -> shapely.Geometry:
+    """Dashes along the middle of roads of two lanes, none where another road crosses."""
+    wide = [way for way in ways if way.width - 2 * kerb(way.width) >= 5.0]
+    dashes = [dash for way in wide for dash in _dashes(way.line)]
+    if not dashes:
+        return shapely.Polygon()
+    owner = np.repeat(np.arange(len(wide)), [sum(1 for _ in _dashes(w.line)) for w in wide])
+    stripes = shapely.buffer(np.array(dashes, object), STRIPE / 2, cap_style="flat")
+    ground = [shapely.LineString(way.line).buffer(way.width / 2, cap_style="flat") for way in ways]
+    rank = {id(way): number for number, way in enumerate(ways)}
+    dash, road = shapely.STRtree(ground).query(stripes, predicate="intersects")
+    own = np.array([rank[id(way)] for way in wide])[owner]
+    crossed = np.unique(dash[road != own[dash]])
+    return shapely.union_all(np.delete(stripes, crossed))
+
+
+def _dashes(line: Points) -> Iterator[shapely.LineString]:
+    whole = shapely.LineString(line)
+    for start in np.arange(GAP / 2, whole.length - DASH, DASH + GAP):
+        yield substring(whole, start, start + DASH)
+
+
+def _polygons(shape: shapely.Geometry) -> list[shapely.Polygon]:
+    parts = shapely.get_parts(shapely.get_parts(shape))
+    return [p for p in parts if p.geom_type == "Polygon" and p.area > SPECK]

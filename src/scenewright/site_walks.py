@@ -1,0 +1,93 @@
+"""Walks: how people get from a street to the door of every building, for the eye only.
+
+From the middle of each front a walk leads some metres ahead, then straight to the nearest street;
+where a building stands between, to the door of a neighbour nearer to a street.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TypeAlias
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from scenewright.layout import corners
+from scenewright.scene import Piece
+from scenewright.site_plan import SitePlan
+from scenewright.space import Points
+
+AHEAD = (2.5, 6.0, 10.0)
+"""How far a walk may lead straight ahead, in metres; the first that gets through is taken."""
+CLEAR, LONGEST, NEIGHBOURS = 1.2, 80.0, 12
+"""Metres kept from buildings and of a walk at most; how many doors of neighbours are tried."""
+
+Walk: TypeAlias = shapely.LineString
+
+
+def walks(plan: SitePlan, buildings: Sequence[Piece]) -> tuple[Walk, ...]:
+    """The middle lines of the walks of a site; buildings that none can reach have none."""
+    areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
+    if not buildings or not areas:
+        return ()
+    streets = shapely.union_all(areas)
+    shapely.prepare(streets)
+    taken = shapely.STRtree(_footprints(buildings))
+    found: dict[int, Walk] = {}
+    for ahead in AHEAD:
+        _lay(buildings, ahead, streets, taken, found)
+    return tuple(found[i] for i in sorted(found))
+
+
+def _lay(
+    buildings: Sequence[Piece], ahead: float, streets: shapely.Geometry, taken: shapely.STRtree,
+    found: dict[int, Walk],
+) -> None:  # fmt: skip
+    """Add the walks that bend so far ahead of the doors, the nearest to a street first."""
+    doors, knees = _doors(buildings, ahead)
+    direct = shapely.shortest_line(shapely.points(knees), streets)
+    away = shapely.length(direct)
+    through = _free(taken, direct) & (away <= LONGEST)
+    near = cKDTree(knees).query(knees, k=min(NEIGHBOURS, len(knees)))[1].reshape(len(knees), -1)
+    for i in (int(i) for i in np.argsort(away, kind="stable") if int(i) not in found):
+        if through[i]:
+            found[i] = _line(doors[i], knees[i], shapely.get_coordinates(direct[i])[-1])
+            continue
+        bends = [shapely.get_coordinates(found[j])[1] for j in near[i].tolist() if j in found]
+        ways = [Walk([knees[i], bend]) for bend in bends]
+        for bend, way, there in zip(bends, ways, _free(taken, ways), strict=True):
+            if there and way.length <= LONGEST:
+                found[i] = _line(doors[i], knees[i], bend)
+                break
+
+
+def _doors(buildings: Sequence[Piece], far: float) -> tuple[Points, Points]:
+    """The middle of every front ``(n, 2)``, and the point so far ahead of it."""
+    poses = np.array([(p.pose.x, p.pose.y, p.pose.heading, p.size.depth) for p in buildings])
+    ahead = np.stack([np.cos(poses[:, 2]), np.sin(poses[:, 2])], 1)
+    doors = poses[:, :2] + ahead * poses[:, 3:] / 2
+    return doors, doors + ahead * far
+
+
+def _footprints(buildings: Sequence[Piece]) -> Points:
+    boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in buildings]
+    return np.asarray(shapely.polygons(corners(np.array(boxes))))
+
+
+def _free(taken: shapely.STRtree, lines: Sequence[Walk]) -> NDArray[np.bool_]:
+    """Whether each line keeps clear of all buildings."""
+    blocked = np.zeros(len(lines), np.bool_)
+    if len(lines):
+        blocked[taken.query(lines, predicate="dwithin", distance=CLEAR)[0]] = True
+    return ~blocked
+
+
+def _line(door: Points, knee: Points, end: Points) -> Walk:
+    """Door, knee and 0.2 m beyond the end."""
+    step = end - knee
+    length = float(np.hypot(*step))
+    beyond = end + step / length * 0.2 if length > 1e-6 else end
+    points = [door, knee, beyond] if length > 0.05 else [door, knee]
+    return Walk(points)
