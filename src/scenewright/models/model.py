@@ -65,6 +65,8 @@ class Found(NamedTuple):
     category: str = ""
     size: Size | None = None
     elevation: float = 0.0
+    tags: tuple[str, ...] = ()
+    opening: bool = False
 
 
 class Skipped(NamedTuple):
@@ -78,7 +80,8 @@ class Model(NamedTuple):
     """A model in the local frame; ``parts`` fill its ``size`` exactly.
 
     ``id`` is the stem of the file, followed by ``/`` and a name where a file holds several;
-    ``category`` and ``elevation`` (metres above the floor) are the file's own words, if any.
+    ``category``, ``elevation`` (metres above the floor), ``tags`` (further words) and ``opening``
+    (a door or window) are what the file says, if anything; ``sized`` if it tells the size.
     """
 
     id: str
@@ -90,6 +93,9 @@ class Model(NamedTuple):
     source: str
     category: str = ""
     elevation: float = 0.0
+    tags: tuple[str, ...] = ()
+    opening: bool = False
+    sized: bool = False
 
 
 def set_up(found: Found, source: str, options: Options) -> Model:
@@ -118,7 +124,7 @@ def set_up(found: Found, source: str, options: Options) -> Model:
     )
     return Model(
         found.id, found.name, made, Size(*size.tolist()), found.author, found.licence, source,
-        found.category, found.elevation,
+        found.category, found.elevation, found.tags, found.opening, found.size is not None,
     )  # fmt: skip
 
 

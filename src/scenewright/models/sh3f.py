@@ -30,6 +30,7 @@ Fields = Mapping[str, str]
 CATALOGUE = "PluginFurnitureCatalog"
 CENTIMETRE = 0.01
 MOST_PIECES = 5000
+MOST_TAGS = 20
 MOST_MODEL = 64 * MEBIBYTE
 MOST_TEXT = 8 * MEBIBYTE
 READERS = {".obj": "obj", ".glb": "gltf", ".gltf": "gltf", ".stl": "stl"}
@@ -78,10 +79,16 @@ def _piece(archive: Archive, stem: str, number: int, fields: Fields,
             f"{stem}/{own}", clean(fields.get("name"), own), turned, "+y", "+z",
             clean(fields.get("creator")), clean(fields.get("license", licence)),
             clean(fields.get("category")), _size(fields), _length(fields, "elevation", 0.0),
+            _tags(fields), fields.get("doorOrWindow", "").strip().lower() == "true",
         )  # fmt: skip
     except InputError as error:
         told = InputError(error.fault, error.remedy, place=error.place)
         return Skipped(f"{stem}/{own}", str(told))
+
+
+def _tags(fields: Fields) -> tuple[str, ...]:
+    words = (clean(word) for word in fields.get("tags", "").split(",")[:MOST_TAGS])
+    return tuple(word for word in words if word)
 
 
 def _model(archive: Archive, file: str) -> tuple[Part, ...]:
