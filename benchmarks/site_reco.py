@@ -45,14 +45,20 @@ def compounds(path: Path, **more: Any) -> list[tuple[Site, Designed]]:
 
 def asked(site: Site, designed: Designed, model: str) -> Site:
     """The site with the designer's buildings as wishes: one for every size, all of one model."""
-    rows = zip(np.round(designed.boxes[:, 3:], 1).tolist(), designed.floors.tolist(), strict=True)
-    counted = Counter((*size, floors) for size, floors in rows)
+    counted = Counter(sizes_of(designed))
     buildings = [
         {"model": model, "count": count, "floors": floors,
          "size": (width, depth, STOREY * floors)}
         for (width, depth, floors), count in counted.items()
     ]  # fmt: skip
     return Site.model_validate(site.model_dump() | {"buildings": buildings})
+
+
+def sizes_of(designed: Designed) -> list[tuple[float, float, int]]:
+    """Width and depth, up to the next 10 cm, and storeys of every building."""
+    wide = np.round(np.ceil(designed.boxes[:, 3:] * 10.0 - 1e-6) / 10.0, 1)
+    rows = zip(wide.tolist(), designed.floors.tolist(), strict=True)
+    return [(width, depth, floors) for (width, depth), floors in rows]
 
 
 def _compound(row: dict[str, Any], more: dict[str, Any]) -> tuple[Site, Designed]:

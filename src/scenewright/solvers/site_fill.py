@@ -271,20 +271,19 @@ def _laid(
     problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str, loose: float
 ) -> Placed:
     """One layout of a block."""
-    sizes, spacing = problem.buildings.sizes, problem.spacing
+    sizes, way = problem.buildings.sizes, problem.fire_access
+    rule = Rule(problem.spacing, way, problem.sun_spacing, loose, form == "staggered", True)
     numbers: list[int] = []
     boxes = np.zeros((0, 5))
     waiting = queue
     if form in ("peripheral", "mixed"):
-        numbers, boxes = rim(edges, sizes, queue, spacing * loose, 0.5 if form == "mixed" else 1.0)
+        share = 0.5 if form == "mixed" else 1.0
+        numbers, boxes = rim(edges, sizes, queue, max(rule.beside(), way), share)
         waiting = [i for i in queue if i not in set(numbers)]
-    inner = edges
     if len(boxes):
         ahead = float(sizes[waiting, 2].max()) if waiting else 0.0
-        kept = _kept(problem, boxes, sizes[numbers, 2], ahead)
-        inner = np.concatenate([edges, kept])
-    rule = Rule(spacing, problem.sun_spacing, loose, form == "staggered", True)
-    block = turned(inner, heading)
+        edges = np.concatenate([edges, _kept(problem, boxes, sizes[numbers, 2], ahead)])
+    block = turned(edges, heading)
     placed = rows(block, sizes, waiting, rule)
     found = np.zeros((len(placed), 5))
     if placed:

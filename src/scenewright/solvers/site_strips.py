@@ -19,6 +19,8 @@ Floats = NDArray[np.float64]
 
 STEP = 1.0
 """How far a strip is moved on when nothing fits, in metres."""
+OPEN = 0.5
+"""How many heights of a row the gap behind it widens by, at least, where there is room for it."""
 
 
 class Turned(NamedTuple):
@@ -98,15 +100,26 @@ def inside(edges: Floats, x: float, y: float) -> bool:
 
 
 class Rule(NamedTuple):
-    """How rows are set: gaps between neighbours and between rows are ``loose`` times the least;
-    rows that fill less than a whole strip are spread over it (``spread``), every other one is
-    shifted by half a place (``staggered``)."""
+    """How rows are set: ``spacing`` between neighbours; behind a row the spacing, a ``way`` or its
+    height times ``sun``, whichever is most. ``loose`` above 1 widens both, gaps behind by their
+    height too. Rows that fill less than a whole strip are spread over it (``spread``), every other
+    one is shifted by half a place (``staggered``)."""
 
     spacing: float
+    way: float
     sun: float
     loose: float
     staggered: bool
     spread: bool
+
+    def beside(self) -> float:
+        """Metres between neighbours."""
+        return self.spacing + (self.loose - 1.0) * max(self.spacing, self.way)
+
+    def behind(self, tall: float) -> float:
+        """Metres behind a row so high."""
+        least = max(self.spacing, self.way, self.sun * tall)
+        return least + (self.loose - 1.0) * max(least, OPEN * tall)
 
 
 def rows(
@@ -116,7 +129,7 @@ def rows(
     numbers with x and y in the frame of the rows.
 
     A strip is as deep as the first building waiting; others join it if they are no deeper. Behind
-    it stays the spacing, or the heights of the strip times ``sun`` if that is more.
+    it stays what the rule says.
     """
     placed: list[tuple[int, float, float]] = []
     waiting = list(queue)
@@ -133,7 +146,7 @@ def rows(
         taken = {i for i, _, _ in found}
         tall = max(float(sizes[i, 2]) for i in taken)
         waiting = [i for i in waiting if i not in taken]
-        top -= deep + max(rule.spacing, rule.sun * tall) * rule.loose
+        top -= deep + rule.behind(tall)
         number += 1
     return placed
 
@@ -147,7 +160,7 @@ def _strip(
     if not len(spans):
         return placed
     left = [i for i in waiting if sizes[i, 1] <= y1 - y0 + 1e-9]
-    gap = rule.spacing * rule.loose
+    gap = rule.beside()
     for x0, x1 in spans.tolist():
         row: list[int] = []
         room = x1 - x0

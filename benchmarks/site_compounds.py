@@ -1,0 +1,164 @@
+"""Real compounds laid out anew: the designer's buildings on the designer's ground, side by side.
+
+The 91 compounds of :mod:`.site_reco` (CC BY-NC-SA 4.0: measured here, never shipped). Both layouts
+are looked at by the same exact tests on the footprints as they were drawn; ours is solved with
+their least rectangles, and the footprints are put into these afterwards.
+The rules are the designer's own: setback and spacing as the nearest pair keeps them, at most the
+usual 3 m and 6 m, so that nothing is asked of ours that was not possible there.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections import Counter, defaultdict
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import shapely
+from shapely import affinity
+
+from benchmarks.r2v import data_dir
+from benchmarks.site_reco import STOREY, Designed, asked, compounds, sizes_of
+from scenewright.brief import Brief
+from scenewright.brief_site import Site
+from scenewright.check.site_access import find_unreachable, reached
+from scenewright.check.site_bodies import Bodies, bodies_of, grounds_of
+from scenewright.check.site_figures import SOUTHERLY
+from scenewright.check.site_rules import (
+    find_near_edges,
+    find_outside,
+    find_overlaps,
+    find_too_close,
+)
+from scenewright.check.site_sun import sampled, sun_hours
+from scenewright.domains.site import solve
+from scenewright.scene import Piece, Pose, Size
+from scenewright.solution import Solution
+
+Row = dict[str, Any]
+MODEL = "modern_residential"
+SETBACK, SPACING = 3.0, 6.0
+SUNNY = 2.0
+"""Hours of sun that a front should have on the day of the site."""
+FIGURES = (
+    ("coverage", "share"), ("least_spacing", "m"), ("spacing", "m"), ("south", "share"),
+    ("sun", "h"), ("sunny", "share"), ("overlaps", "1"), ("outside", "1"), ("near", "1"),
+    ("unreached", "1"), ("valid", "share"), ("left_out", "1"),
+)  # fmt: skip
+
+
+class Pair(NamedTuple):
+    """A compound as designed and as laid out anew, each measured; ours as a solution too."""
+
+    site: Site
+    designed: Designed
+    theirs: Row
+    ours: Row
+    solution: Solution
+
+
+def file() -> Path:
+    """Where the compounds are if the data are there."""
+    return data_dir() / "site_reco_sample" / "reco_sample.json"
+
+
+def pairs(most: int | None = None, seed: int = 0, **more: Any) -> list[Pair]:
+    """Every compound (the first ``most``) laid out anew; ``more`` are further fields of sites."""
+    return [compare(site, designed, seed) for site, designed in compounds(file(), **more)[:most]]
+
+
+def compare(site: Site, designed: Designed, seed: int = 0) -> Pair:
+    """One compound laid out anew by its designer's own distances."""
+    ruled = site.model_copy(update=own_rules(site, designed))
+    wishes = asked(ruled, designed, MODEL)
+    brief = Brief.model_validate({"domain": "site", "name": site.name, "sites": [wishes]})
+    begun = time.perf_counter(), time.process_time()
+    solution = solve(brief, seed=seed)
+    took = {"seconds": time.perf_counter() - begun[0], "cpu": time.process_time() - begun[1]}
+    placed = [p for p in solution.pieces if p.category == "building"]
+    theirs = measured(wishes, pieces_of(wishes, designed), designed.footprints)
+    ours = measured(wishes, placed, moved_footprints(designed, placed)) | took
+    ours["left_out"] = len(designed.boxes) - len(placed)
+    return Pair(wishes, designed, theirs | {"left_out": 0}, ours, solution)
+
+
+def own_rules(site: Site, designed: Designed) -> dict[str, float]:
+    """The setback and spacing that the designer's layout keeps, at most the usual ones."""
+    shapes = np.array(designed.footprints, object)
+    border = shapely.Polygon(site.outline).exterior
+    setback = float(shapely.distance(shapes, border).min(initial=SETBACK))
+    gap = float(gaps(shapes).min(initial=SPACING))
+    return {"setback": math.floor(setback * 100) / 100, "spacing": math.floor(gap * 100) / 100}
+
+
+def pieces_of(site: Site, designed: Designed) -> list[Piece]:
+    """The designer's buildings as boxes."""
+    return [
+        Piece(f"b{k}", "building", MODEL, site.id, Pose(x, y, 0.0, heading), Size(w, d, height))
+        for k, ((x, y, heading, w, d), height) in enumerate(
+            zip(designed.boxes.tolist(), designed.heights.tolist(), strict=True))
+    ]  # fmt: skip
+
+
+def moved_footprints(designed: Designed, placed: list[Piece]) -> tuple[shapely.Geometry, ...]:
+    """The designer's footprints where ours stand: each moved with the box about it."""
+    free: dict[tuple[float, float, int], list[int]] = defaultdict(list)
+    for number, size in enumerate(sizes_of(designed)):
+        free[size].append(number)
+    found = []
+    for piece in placed:
+        floors = round(piece.size.height / STOREY)
+        number = free[round(piece.size.width, 1), round(piece.size.depth, 1), floors].pop()
+        x, y, heading = designed.boxes[number, :3]
+        shape = affinity.rotate(designed.footprints[number], piece.pose.heading - heading, (x, y),
+                                use_radians=True)  # fmt: skip
+        found.append(affinity.translate(shape, piece.pose.x - x, piece.pose.y - y))
+    return tuple(found)
+
+
+def gaps(shapes: Any) -> Any:
+    """The distance of each footprint to the nearest other, (n,); empty with fewer than two."""
+    if len(shapes) < 2:
+        return np.zeros(0)
+    tree = shapely.STRtree(shapes)
+    (_, _), found = tree.query_nearest(
+        shapes, exclusive=True, all_matches=False, return_distance=True
+    )
+    return found
+
+
+def measured(site: Site, pieces: list[Piece], footprints: tuple[shapely.Geometry, ...]) -> Row:
+    """What the referee's tests say of some buildings with footprints of any shape."""
+    ground = grounds_of([site])[0]
+    bodies = bodies_of(ground, pieces)[0]
+    shapes = np.empty(len(footprints), object)
+    shapes[:] = footprints
+    bodies = bodies._replace(footprints=shapes)
+    got = reached(ground, bodies)
+    tests = (find_overlaps, find_outside, find_near_edges, find_too_close)
+    found = [finding for test in tests for finding in test(ground, bodies)]
+    kinds = Counter(f.kind for f in [*found, *find_unreachable(ground, bodies, got)])
+    return figures(site, bodies, ground.floor) | {
+        "overlaps": kinds["collision"], "outside": kinds["out_of_bounds"],
+        "near": kinds["setback"] + kinds["spacing"], "unreached": kinds["unreachable_building"],
+        "valid": float(not kinds),
+    }  # fmt: skip
+
+
+def figures(site: Site, bodies: Bodies, floor: Any) -> Row:
+    """Coverage, spacing, share of fronts within 30 degrees of south, hours of winter sun."""
+    covered = shapely.union_all(bodies.footprints).intersection(floor).area / floor.area
+    apart = gaps(bodies.footprints)
+    off = np.abs(np.angle(np.exp(1j * (bodies.heading - site.facing))))
+    rows = sampled(len(bodies.ids))
+    hours = sun_hours(bodies, site.latitude, site.day, rows) if len(rows) else np.zeros(0)
+    return {
+        "buildings": len(bodies.ids), "coverage": float(covered),
+        "least_spacing": float(apart.min(initial=math.inf)),
+        "spacing": float(np.median(apart)) if len(apart) else math.inf,
+        "south": float((off <= SOUTHERLY + 1e-9).mean()) if len(off) else 1.0,
+        "sun": float(hours.mean()) if len(hours) else 0.0,
+        "sunny": float((hours >= SUNNY - 1e-6).mean()) if len(hours) else 1.0,
+    }  # fmt: skip
