@@ -23,7 +23,7 @@ def site(width: float = 120.0, depth: float = 80.0, **more) -> Site:
 
 
 def building(name: str, x: float, y: float, w=10.0, d=8.0, h=9.0, heading=SOUTH, **more) -> Piece:
-    asset, space = more.pop("asset", "slab"), more.pop("space", "s")
+    asset, space = more.pop("asset", "modern_residential"), more.pop("space", "s")
     pose = Pose(x, y, more.pop("z", 0.0), heading)
     return Piece(name, "building", asset, space, pose, Size(w, d, h), **more)
 
@@ -46,7 +46,7 @@ def quarter() -> tuple[Site, list[Piece]]:
             {"id": "rotunda", "name": "Rotunda", "outline": round_, "height": 18.0},
             {"id": "mill", "name": "Old mill", "at": (28, 82), "size": (20, 10, 14)},
         ],
-        "buildings": [{"model": "slab", "count": 10, "floors": 6, "size": (24, 11, 18)}],
+        "buildings": [{"model": "modern_residential", "count": 10, "floors": 6, "size": (24, 11, 18)}],
     })  # fmt: skip
     rows = [building(f"b{k}", 30, y, 30, 11, 18) for k, y in enumerate((14, 34, 54))]
     rows += [building(f"b{k + 3}", 92, y, 28, 11, 18) for k, y in enumerate((12, 28))]

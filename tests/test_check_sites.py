@@ -158,8 +158,8 @@ def test_broken_pieces_are_findings():
 
 
 def test_figures_by_hand():
-    wish = {"model": "slab", "floors": 5, "size": (10, 8, 9)}
-    ground = site(buildings=[wish | {"model": "slab"}], sun_hours=2.0)
+    wish = {"model": "modern_residential", "floors": 5, "size": (10, 8, 9)}
+    ground = site(buildings=[wish | {"model": "modern_residential"}], sun_hours=2.0)
     pieces = [building("a", 30, 40), building("b", 60, 40, heading=SOUTH + 0.5),
               building("c", 90, 40, heading=SOUTH + 0.6, asset="villa")]  # fmt: skip
     found = figures(ground, *pieces)

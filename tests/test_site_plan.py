@@ -89,7 +89,7 @@ def test_the_plan_turns_with_the_site(angle):
         ({"landmarks": [{"at": (50, 30), "size": (10, 10, 5)}, {"id": "hall", "at": (58, 30),
           "size": (10, 10, 5)}]}, "landmarks[1]: overlaps landmarks[0] 'landmark-1' by 20.00 m²"),
         ({"landmarks": [{"outline": [(50, 30), (60, 30), (55, 30)]}]}, "landmarks[0]: its outline"),
-        ({"landmarks": [{"at": (50, 30), "model": "no-such-model"}]}, "its size is not known"),
+        ({"landmarks": [{"at": (50, 30), "model": "no-such-model"}]}, "there is no model 'no-such-model'"),
         ({"landmarks": [{"name": "Hall"}]}, "landmarks[0]: has no place"),
         ({"roads": [road((0, 5), (9, 5)), road((0, 100), (90, 100))]},
          "roads[1]: lies 37.00 m outside the site"),

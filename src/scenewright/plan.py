@@ -19,7 +19,7 @@ from scenewright.errors import InputError
 from scenewright.layout import corners
 from scenewright.openings import find_openings
 from scenewright.room_names import functions_from_name, sort_functions
-from scenewright.site_plan import site_plans
+from scenewright.site_plan import named, plans_of
 from scenewright.space import Level, Points, Space
 
 DEFAULT_LEVEL = Level("0", "", 0.0, 2.6)
@@ -79,7 +79,7 @@ def _grounds(brief: Brief) -> tuple[Space, ...]:
     level = levels(brief)[0].id
     return tuple(
         Space(plan.id, plan.name, ("site",), level, plan.outline, plan.holes, SKY)
-        for plan in site_plans(brief.sites)
+        for plan in plans_of(brief)
     )
 
 
@@ -108,7 +108,8 @@ def room_ids(brief: Brief) -> tuple[str, ...]:
 def space_names(brief: Brief) -> dict[str, str]:
     """The name of every room or site by its id."""
     if brief.domain == "site":
-        return {plan.id: plan.name for plan in site_plans(brief.sites)}
+        ids = named(brief.sites, "site", "sites")
+        return {i: site.name or i for i, site in zip(ids, brief.sites, strict=True)}
     return {i: room.name or i for i, room in zip(room_ids(brief), brief.rooms, strict=True)}
 
 

@@ -18,6 +18,7 @@ from scenewright.brief import Brief
 from scenewright.plan import levels, spaces
 from scenewright.scene import Prism, Scene, Wall
 from scenewright.site_ground import surfaces
+from scenewright.site_plan import plans_of
 from scenewright.solution import Solution
 from scenewright.space import Opening, Points, Space
 
@@ -33,7 +34,7 @@ def scene_of(solution: Solution) -> Scene:
     walls, openings = shell(solution.brief, rooms)
     return Scene(
         solution.brief.name, levels(solution.brief), rooms, walls, openings, solution.pieces,
-        surfaces(solution.brief.sites, solution.pieces),
+        surfaces(plans_of(solution.brief), solution.pieces),
     )  # fmt: skip
 
 

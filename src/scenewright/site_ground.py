@@ -11,11 +11,10 @@ import numpy as np
 import shapely
 from shapely.ops import substring
 
-from scenewright.brief_site import Site
 from scenewright.outlines import rings
 from scenewright.scene import Piece, Surface
 from scenewright.site_outlines import GRID, MITRE
-from scenewright.site_plan import SitePlan, Way, site_plans
+from scenewright.site_plan import SitePlan, Way
 from scenewright.site_walks import walks
 from scenewright.space import Points
 
@@ -27,9 +26,9 @@ SPECK = 0.02
 """Areas smaller than this, in square metres, are left out."""
 
 
-def surfaces(sites: Sequence[Site], pieces: Sequence[Piece]) -> tuple[Surface, ...]:
+def surfaces(plans: Sequence[SitePlan], pieces: Sequence[Piece]) -> tuple[Surface, ...]:
     """What lies on the ground of all sites, a row for each kind that occurs."""
-    return tuple(row for plan in site_plans(sites) for row in _of_plan(plan, pieces))
+    return tuple(row for plan in plans for row in _of_plan(plan, pieces))
 
 
 def _of_plan(plan: SitePlan, pieces: Sequence[Piece]) -> Iterator[Surface]:

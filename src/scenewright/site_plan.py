@@ -8,24 +8,22 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple, Protocol
 
 import numpy as np
 import shapely
 
 from scenewright import site_outlines as shapes
-from scenewright.brief_site import Landmark, Site
+from scenewright.brief import Brief
+from scenewright.brief_site import Site
+from scenewright.catalog import Catalog
 from scenewright.errors import InputError
 from scenewright.outlines import rings
-from scenewright.site_fit import corners_of, main_direction
+from scenewright.site_fit import main_direction
+from scenewright.site_models import Standing, building_models, landmarks_of
 from scenewright.space import Points
-
-OVERLAP = 0.02
-LANDMARK_HEIGHT = 9.0
-"""Height in metres of a landmark that does not say."""
-
-Sizes = Callable[[str], tuple[float, float, float] | None]
+from scenewright.stock import catalog_of
 
 
 class Named(Protocol):
@@ -72,17 +70,6 @@ class Way(NamedTuple):
     areas: tuple[Area, ...]
 
 
-class Standing(NamedTuple):
-    """A landmark: its footprint, the box (x, y, heading, width, depth) of its model, height."""
-
-    id: str
-    name: str
-    model: str
-    footprint: Points
-    box: tuple[float, float, float, float, float]
-    height: float
-
-
 class Entrance(NamedTuple):
     """Where a road or path crosses or meets the outline: the point and the index of the way."""
 
@@ -94,7 +81,8 @@ class Entrance(NamedTuple):
 class SitePlan(NamedTuple):
     """A valid site. ``area`` is that of the ground (outline less holes), ``buildable`` what is
     left of it by ``setback`` from the outline and holes, ``road_setback`` from roads and paths
-    and ``spacing`` from landmarks; ``blocks`` are its connected pieces, the largest first."""
+    and ``spacing`` from landmarks; ``blocks`` are its connected pieces, the largest first.
+    ``models`` are the assets that draw the buildings asked for, a row each."""
 
     id: str
     name: str
@@ -106,21 +94,28 @@ class SitePlan(NamedTuple):
     roads: tuple[Way, ...]
     landmarks: tuple[Standing, ...]
     entrances: tuple[Entrance, ...]
+    models: tuple[str, ...] = ()
 
 
-def site_plans(sites: Sequence[Site], sizes: Sizes | None = None) -> tuple[SitePlan, ...]:
-    """The plans of the sites of a brief; ``sizes`` tells width, depth and height of a model.
+def plans_of(brief: Brief) -> tuple[SitePlan, ...]:
+    """The plans of the sites of a brief, with the models it names."""
+    return site_plans(brief.sites, catalog_of(brief.catalogs))
+
+
+def site_plans(sites: Sequence[Site], catalog: Catalog | None = None) -> tuple[SitePlan, ...]:
+    """The plans of some sites; ``catalog`` holds the models of landmarks (else shipped ones).
 
     Raises InputError, with the place in the brief, for anything that cannot be built on.
     """
+    models = catalog_of(()) if catalog is None else catalog
     told = named(sites, "site", "sites")
     return tuple(
-        _plan(site, told[number], f"sites[{number}] '{site.name or told[number]}'", sizes)
+        _plan(site, told[number], f"sites[{number}] '{site.name or told[number]}'", models)
         for number, site in enumerate(sites)
     )
 
 
-def site_plan(site: Site, sizes: Sizes | None = None) -> SitePlan:
+def site_plan(site: Site, catalog: Catalog | None = None) -> SitePlan:
     """The plan of one site.
 
     >>> plan = site_plan(Site(outline=[(0, 0), (100, 0), (100, 60), (0, 60)],
@@ -128,7 +123,7 @@ def site_plan(site: Site, sizes: Sizes | None = None) -> SitePlan:
     >>> [round(block.area) for block in plan.blocks], len(plan.entrances)
     ([2160, 2160], 2)
     """
-    return site_plans([site], sizes)[0]
+    return site_plans([site], catalog)[0]
 
 
 def named(rows: Sequence[Named], word: str, key: str, place: str = "") -> tuple[str, ...]:
@@ -147,15 +142,17 @@ def named(rows: Sequence[Named], word: str, key: str, place: str = "") -> tuple[
     return tuple(found)
 
 
-def _plan(site: Site, name: str, place: str, sizes: Sizes | None) -> SitePlan:
+def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
     try:
         floor = shapes.ground(site.outline, site.holes)
         built = shapes.inset(floor, site.setback)
     except InputError as error:
         raise error.located(place=place) from None
     named(site.buildings, "building", "buildings", place)
+    models = building_models(site.buildings, place, catalog)
     roads = _roads(site, floor, place)
-    landmarks = _landmarks(site, floor, place, sizes)
+    marks = named(site.landmarks, "landmark", "landmarks", place)
+    landmarks = landmarks_of(site.landmarks, marks, floor, place, catalog)
     taken = [
         shapes.kept_free([shapes.way(road.line, road.width)[1] for road in roads],
                          site.road_setback),
@@ -170,7 +167,7 @@ def _plan(site: Site, name: str, place: str, sizes: Sizes | None) -> SitePlan:
     outline, holes = rings(floor)
     return SitePlan(
         name, site.name or name, outline, holes, floor.area, sum(b.area for b in blocks),
-        blocks, roads, landmarks, tuple(_entrances(floor, roads)),
+        blocks, roads, landmarks, tuple(_entrances(floor, roads)), models,
     )  # fmt: skip
 
 
@@ -217,66 +214,3 @@ def _entrances(floor: shapely.Polygon, roads: Sequence[Way]) -> Iterator[Entranc
             if all(np.hypot(*(point - other)) > road.width for other in seen):
                 seen.append(point)
                 yield Entrance(float(point[0]), float(point[1]), number)
-
-
-def _landmarks(
-    site: Site, floor: shapely.Polygon, place: str, sizes: Sizes | None
-) -> tuple[Standing, ...]:
-    found: list[Standing] = []
-    for number, name in enumerate(named(site.landmarks, "landmark", "landmarks", place)):
-        told = f"{place} landmarks[{number}]"
-        try:
-            found.append(_landmark(site.landmarks[number], name, sizes))
-        except InputError as error:
-            raise error.located(place=told) from None
-        out = shapely.difference(shapely.Polygon(found[-1].footprint), floor)
-        if out.area > OVERLAP:
-            raise InputError(f"stands with {out.area:.2f} m² outside the site",
-                             "move it in or leave it out", place=told)  # fmt: skip
-    footprints = np.array([shapely.Polygon(row.footprint) for row in found], object)
-    pairs = shapely.STRtree(footprints).query(footprints, predicate="intersects").T if found else ()
-    for a, b in pairs:
-        shared = shapely.intersection(footprints[a], footprints[b]).area if a < b else 0.0
-        if shared > OVERLAP:
-            raise InputError(
-                f"overlaps landmarks[{a}] '{found[a].id}' by {shared:.2f} m²", "move one of them",
-                place=f"{place} landmarks[{b}]",
-            )  # fmt: skip
-    return tuple(found)
-
-
-def _landmark(row: Landmark, name: str, sizes: Sizes | None) -> Standing:
-    """The footprint given, or that of a box of its own or its model's size where it stands."""
-    size = row.size or (sizes or _shipped_size)(row.model) if row.at else None
-    if row.at is not None and size is not None:
-        box = (*row.at, row.heading, size[0], size[1])
-        footprint = corners_of(box)
-    elif row.outline is not None:
-        footprint = rings(shapes.simple(row.outline, "its outline", 0.01))[0]
-        box = _box_about(footprint, row.heading)
-    else:
-        fault = "has no outline, and its size is not known" if row.at else "has no place"
-        raise InputError(fault, 'give "at" and "size", or "outline"')
-    if row.outline is not None:
-        footprint = rings(shapes.simple(row.outline, "its outline", 0.01))[0]
-    height = row.height or (size[2] if size else LANDMARK_HEIGHT)
-    return Standing(name, row.name or name, row.model, footprint, box, height)
-
-
-def _shipped_size(model: str) -> tuple[float, float, float] | None:
-    from scenewright.assets import shipped
-
-    asset = shipped().assets.get(model)
-    return (*asset.usual,) if asset else None
-
-
-def _box_about(footprint: Points, heading: float) -> tuple[float, float, float, float, float]:
-    """The least rectangle about a footprint; of its four fronts that nearest to ``heading``."""
-    frame = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shapely.Polygon(footprint)))
-    x, y = frame[:4].mean(0)
-    along, across = frame[1] - frame[0], frame[2] - frame[1]
-    angle, long, wide = np.arctan2(along[1], along[0]), np.hypot(*along), np.hypot(*across)
-    quarter = np.round((heading - angle) / (np.pi / 2))
-    turned = (angle + quarter * np.pi / 2 + np.pi) % (2 * np.pi) - np.pi
-    width, depth = (wide, long) if quarter % 2 == 0 else (long, wide)
-    return float(x), float(y), float(turned), float(width), float(depth)

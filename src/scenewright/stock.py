@@ -19,9 +19,13 @@ from scenewright.catalog import Asset, Catalog
 from scenewright.errors import InputError
 from scenewright.models import MOST_IN_ALL, LibraryReport, report, suffixes
 from scenewright.models.as_asset import asset_of
-from scenewright.models.categories import category_of
+from scenewright.models.categories import BUILDING, category_of
 from scenewright.models.model import Model, Options
 
+__all__ = ["BUILDING", "OWN", "catalog_of", "named"]
+
+OWN = "model:"
+"""How the ids of assets begin that are models of a user's catalogues."""
 Stamp = tuple[tuple[str, int, int], ...]
 """Name, time of the last change and bytes of every file."""
 
@@ -66,8 +70,8 @@ def named(catalog: Catalog, name: str) -> Asset:
 
 
 def _near(name: str, catalog: Catalog) -> str:
-    buildings = [asset.id for asset in catalog.of("building")]
-    own = [asset for asset in catalog.assets if asset.startswith("model:")]
+    buildings = [asset.id for asset in catalog.of(BUILDING)]
+    own = [asset for asset in catalog.assets if asset.startswith(OWN)]
     found = get_close_matches(name.casefold(), {*catalog.names, *buildings}, 4)
     found = found or get_close_matches(name, catalog.assets, 4) or [*own, *buildings][:8]
     return f"use one of: {', '.join(found)}"
@@ -111,7 +115,7 @@ def _report(entry: CatalogBrief) -> LibraryReport:
 def _fresh(model: Model, taken: dict[str, Asset]) -> Model:
     """The model under an id that no asset has yet."""
     number, name = 1, model.id
-    while f"model:{name}" in taken:
+    while f"{OWN}{name}" in taken:
         number, name = number + 1, f"{model.id}-{number + 1}"
     return model._replace(id=name)
 
@@ -121,7 +125,7 @@ def _names(model: Model, asset: Asset, entry: CatalogBrief) -> Iterator[str]:
     top, file = PurePath(entry.path), PurePath(model.source)
     inner = model.id.partition("/")[2]
     below = file.relative_to(top) if file != top else PurePath(file.name)
-    yield from (asset.id, asset.id.removeprefix("model:"), model.name)
+    yield from (asset.id, asset.id.removeprefix(OWN), model.name)
     for path in {below, PurePath(top.name) / below if file != top else below}:
         for told in (path.as_posix(), path.with_suffix("").as_posix()):
             yield f"{told}/{inner}" if inner else told

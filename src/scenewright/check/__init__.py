@@ -39,6 +39,7 @@ from scenewright.check.routes import (
 from scenewright.check.site_figures import judge_sites
 from scenewright.solution import Solution
 from scenewright.space import Space
+from scenewright.stock import catalog_of
 
 __all__ = [
     "ESSENTIALS", "KINDS", "USABLE", "Finding", "Note", "Report", "check", "expected",
@@ -95,7 +96,8 @@ def check(
 
 def _of_sites(solution: Solution) -> Report:
     """The report on an answer to a brief of sites."""
-    findings, by_site = judge_sites(solution.brief.sites, solution.pieces)
+    models = catalog_of(solution.brief.catalogs)
+    findings, by_site = judge_sites(solution.brief.sites, solution.pieces, models)
     counts = count_by_kind(tuple(findings))
     figures = {"pieces": len(solution.pieces), "counts": counts, "sites": by_site}
     return Report(tuple(findings), (), figures)

@@ -6,13 +6,13 @@ Landmarks come from the brief, whatever the answer says of them; buildings are t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import PurePath
 from typing import NamedTuple
 
 import numpy as np
 import shapely
 
 from scenewright.brief_site import Site
+from scenewright.catalog import Catalog
 from scenewright.check.bodies import Flags, Floats, Shape, Shapes
 from scenewright.check.report import Finding
 from scenewright.scene import Piece
@@ -50,21 +50,10 @@ class Grounds(NamedTuple):
     drivable: Flags
 
 
-def grounds_of(sites: Sequence[Site], pieces: Sequence[Piece]) -> list[Grounds]:
-    """The grounds of all sites; ``pieces`` tell the size of models that are files."""
-    plans = site_plans(sites, lambda model: _size(model, pieces))
+def grounds_of(sites: Sequence[Site], catalog: Catalog | None = None) -> list[Grounds]:
+    """The grounds of all sites; ``catalog`` tells the models they name, else the shipped one."""
+    plans = site_plans(sites, catalog)
     return [_grounds(site, plan) for site, plan in zip(sites, plans, strict=True)]
-
-
-def _size(model: str, pieces: Sequence[Piece]) -> tuple[float, float, float] | None:
-    """The size of a shipped model, else that of the fixed piece drawn by it."""
-    from scenewright.assets import shipped
-
-    asset = shipped().assets.get(model)
-    if asset:
-        return (*asset.usual,)
-    names = {model, f"model:{PurePath(model).stem}"}
-    return next(((*p.size,) for p in pieces if p.fixed and p.asset in names), None)
 
 
 def _grounds(site: Site, plan: SitePlan) -> Grounds:

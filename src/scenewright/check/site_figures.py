@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import PurePath
 from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
 
 from scenewright.brief_site import Site
+from scenewright.catalog import Catalog
 from scenewright.check.bodies import Flags, Floats
 from scenewright.check.report import Finding
 from scenewright.check.site_access import find_unreachable, reached
@@ -35,10 +35,13 @@ class SiteVerdict(NamedTuple):
     figures: dict[str, dict[str, Any]]
 
 
-def judge_sites(sites: Sequence[Site], pieces: Sequence[Piece]) -> SiteVerdict:
+def judge_sites(
+    sites: Sequence[Site], pieces: Sequence[Piece], catalog: Catalog | None = None
+) -> SiteVerdict:
     """Every violation on some sites, and their figures. Landmarks are known by their ids; what
-    else is a building was placed. Broken pieces become findings."""
-    grounds = grounds_of(sites, pieces)
+    else is a building was placed. Broken pieces become findings. ``catalog`` holds the models
+    that the sites name (else the shipped one)."""
+    grounds = grounds_of(sites, catalog)
     known = {ground.plan.id for ground in grounds}
     faults = [(piece, fault_of(piece, known)) for piece in pieces]
     verdict = SiteVerdict([], {})
@@ -69,7 +72,7 @@ def _figures(ground: Grounds, bodies: Bodies, got: Flags) -> dict[str, Any]:
     area = ground.floor.area
     covered = float(shapely.union_all(bodies.footprints).intersection(ground.floor).area)
     footprint = np.asarray(shapely.area(bodies.footprints))
-    floor_area = float((footprint * _floors(ground.site, bodies)).sum())
+    floor_area = float((footprint * _floors(ground, bodies)).sum())
     off = np.abs(np.angle(np.exp(1j * (bodies.heading[own] - ground.site.facing))))
     return {
         "buildings": int(own.sum()),
@@ -91,22 +94,22 @@ def _share(flags: Flags) -> float:
     return round(float(flags.mean()), 4) if len(flags) else 1.0
 
 
-def _floors(site: Site, bodies: Bodies) -> Floats:
+def _floors(ground: Grounds, bodies: Bodies) -> Floats:
     """Storeys: as the wish of the same model and nearest size says, else one for every 3 m."""
     floors = np.maximum(np.round((bodies.high - bodies.low) / STOREY), 1.0)
     known: dict[tuple[str, Size], int] = {}
     for row, piece in enumerate(bodies.pieces):
         key = piece.asset, piece.size
         if key not in known:
-            known[key] = _storeys(site, piece)
+            known[key] = _storeys(ground, piece)
         floors[row] = known[key] or floors[row]
     return floors
 
 
-def _storeys(site: Site, piece: Piece) -> int:
+def _storeys(ground: Grounds, piece: Piece) -> int:
     """The storeys of the wish a building answers; 0 if none tells."""
-    wishes = [wish for wish in site.buildings if wish.floors
-              and piece.asset in (wish.model, f"model:{PurePath(wish.model).stem}")]  # fmt: skip
+    rows = zip(ground.site.buildings, ground.plan.models, strict=True)
+    wishes = [wish for wish, model in rows if wish.floors and piece.asset == model]
     off = [np.abs(np.subtract(wish.size or piece.size, piece.size)).sum() for wish in wishes]
     return (wishes[int(np.argmin(off))].floors or 0) if wishes else 0
 

@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.errors import InputError
-from scenewright.formats.site_shapes import Standing, plans_of, standing
+from scenewright.formats.site_shapes import Standing, standing
 from scenewright.outlines import ring, signed_area
+from scenewright.site_plan import plans_of
 from scenewright.solution import Solution
 from scenewright.space import Points
 
@@ -43,7 +44,7 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
 
 def document(solution: Solution) -> dict[str, Any]:
     """The CityJSON object of a solution of sites."""
-    plans = plans_of(solution)
+    plans = plans_of(solution.brief)
     vertices: Vertices = {}
     objects: dict[str, Any] = {}
     for plan in plans:

@@ -16,8 +16,8 @@ import numpy as np
 from scenewright.brief_site import Site
 from scenewright.errors import InputError
 from scenewright.formats.indoor_projection import Projection, coordinates_of, projection
-from scenewright.formats.site_shapes import Standing, plans_of, standing
-from scenewright.site_plan import SitePlan, Way
+from scenewright.formats.site_shapes import Standing, standing
+from scenewright.site_plan import SitePlan, Way, plans_of
 from scenewright.solution import Solution
 from scenewright.space import Points
 
@@ -42,7 +42,7 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
 
 def document(solution: Solution) -> dict[str, Any]:
     """The FeatureCollection of a solution of sites."""
-    plans = plans_of(solution)
+    plans = plans_of(solution.brief)
     rows = standing(solution, plans)
     features: list[dict[str, Any]] = []
     for site, plan in zip(solution.brief.sites, plans, strict=True):

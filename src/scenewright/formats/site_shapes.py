@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import PurePath
 from typing import NamedTuple
 
 from scenewright.brief_site import Site
 from scenewright.scene import Piece
 from scenewright.site_fit import corners_of
-from scenewright.site_plan import SitePlan, site_plans
+from scenewright.site_plan import SitePlan
 from scenewright.solution import Solution
 from scenewright.space import Points
 
@@ -31,21 +30,6 @@ class Standing(NamedTuple):
     landmark: bool
 
 
-def plans_of(solution: Solution) -> tuple[SitePlan, ...]:
-    """The plans of a solution's sites; fixed pieces tell the size of models that are files."""
-    from scenewright.assets import shipped
-
-    known = shipped().assets
-
-    def size(model: str) -> tuple[float, float, float] | None:
-        names = {model, f"model:{PurePath(model).stem}"}
-        pieces = (p for p in solution.pieces if p.fixed and p.asset in names)
-        asset = known.get(model)
-        return (*asset.usual,) if asset else next(((*p.size,) for p in pieces), None)
-
-    return site_plans(solution.brief.sites, size)
-
-
 def standing(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[Standing, ...]:
     """Buildings as placed, and landmarks as in the brief, in the order of the pieces; landmarks
     that have no piece come last."""
@@ -53,7 +37,8 @@ def standing(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[Standing,
         name: row
         for plan in plans for row in plan.landmarks for name in (row.id, f"{plan.id}/{row.id}")
     }  # fmt: skip
-    sites = dict(zip((plan.id for plan in plans), solution.brief.sites, strict=True))
+    sites = {plan.id: (site, plan)
+             for site, plan in zip(solution.brief.sites, plans, strict=True)}  # fmt: skip
     found, told = [], set()
     for piece in solution.pieces:
         if piece.category != "building" or piece.space not in sites:
@@ -62,7 +47,7 @@ def standing(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[Standing,
         box = (piece.pose.x, piece.pose.y, piece.pose.heading, *piece.size[:2])
         if row is not None:
             told.add(id(row))
-        floors = storeys(sites[piece.space], piece)
+        floors = storeys(*sites[piece.space], piece)
         found.append(Standing(
             piece.id, row.name if row else piece.function or piece.asset, piece.asset, piece.space,
             row.footprint if row else corners_of(box), piece.pose.z,
@@ -77,10 +62,10 @@ def standing(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[Standing,
     return tuple(found)
 
 
-def storeys(site: Site, piece: Piece) -> int:
+def storeys(site: Site, plan: SitePlan, piece: Piece) -> int:
     """Storeys of a building: as the wish of its model says, else one for every 3 m."""
-    wishes = [wish for wish in site.buildings if wish.floors
-              and piece.asset in (wish.model, f"model:{PurePath(wish.model).stem}")]  # fmt: skip
+    rows = zip(site.buildings, plan.models, strict=True)
+    wishes = [wish for wish, model in rows if wish.floors and piece.asset == model]
     if not wishes:
         return max(1, round(piece.size.height / STOREY))
     heights = [abs((wish.size or piece.size)[2] - piece.size.height) for wish in wishes]

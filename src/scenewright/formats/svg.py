@@ -74,15 +74,15 @@ class Paper(NamedTuple):
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the plan of a solution to ``path``; the file appears whole or not at all."""
-    from scenewright.assets import shipped
     from scenewright.shell import scene_of
+    from scenewright.stock import catalog_of
 
     if solution.brief.domain == "site":
         svg_site.write(solution, path)
         return
     final = Path(path)
     partial = final.with_name(f".{final.name}.partial")
-    text_ = plan(scene_of(solution), shipped(), halls_of(solution))
+    text_ = plan(scene_of(solution), catalog_of(solution.brief.catalogs), halls_of(solution))
     partial.write_text(text_, encoding="utf-8")
     os.replace(partial, final)
 

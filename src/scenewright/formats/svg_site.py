@@ -19,13 +19,14 @@ from scenewright.check.report import Finding
 from scenewright.check.site_figures import judge_sites
 from scenewright.formats import svg_sheet as sheets
 from scenewright.formats import svg_site_marks as marks
-from scenewright.formats.site_shapes import Standing, plans_of, standing
+from scenewright.formats.site_shapes import Standing, standing
 from scenewright.formats.svg_legend import Row, arrange, legend_mark
 from scenewright.formats.svg_marks import View, clean, group, tag, text
 from scenewright.scene import Piece
-from scenewright.site_plan import SitePlan
+from scenewright.site_plan import SitePlan, plans_of
 from scenewright.solution import Solution
 from scenewright.space import Points
+from scenewright.stock import catalog_of
 
 MARGIN, CAPTION = 6.0, 7.0
 """Millimetres around a site, and below it for its name."""
@@ -82,9 +83,11 @@ def plan(solution: Solution, views: Views | None = None) -> str:
 
 def drawings_of(solution: Solution) -> tuple[Drawing, ...]:
     """What there is to draw of each site of a solution."""
-    plans = plans_of(solution)
+    plans = plans_of(solution.brief)
     rows = standing(solution, plans)
-    verdict = judge_sites(solution.brief.sites, solution.pieces)
+    verdict = judge_sites(
+        solution.brief.sites, solution.pieces, catalog_of(solution.brief.catalogs)
+    )
     return tuple(
         _drawing(
             site, plan, tuple(row for row in rows if row.site == plan.id),

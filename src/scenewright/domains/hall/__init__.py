@@ -17,7 +17,6 @@ from zlib import crc32
 import numpy as np
 
 from scenewright._version import __version__
-from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.catalog import Catalog
 from scenewright.domains.hall.chairs import with_chairs
@@ -40,6 +39,7 @@ from scenewright.solution import LeftOut, Solution, TermValue
 from scenewright.solve import Budget
 from scenewright.solvers.hall_chains import measured
 from scenewright.space import Space
+from scenewright.stock import catalog_of
 from scenewright.zones import borders_of, zones_of
 
 Progress = Callable[[float, str], None]
@@ -99,7 +99,7 @@ def solve(
     started = time.perf_counter()
     chosen = _preset(preset)
     named = solver or chosen.solver
-    catalog, rooms = shipped(), spaces(brief)
+    catalog, rooms = catalog_of(brief.catalogs), spaces(brief)
     threads = min(threads or os.cpu_count() or 1, 16)
     halls = [_hall(brief, k, space, catalog, seed, variant) for k, space in enumerate(rooms)]
     busy = [k for k, room in enumerate(brief.rooms) if room.demands]

@@ -17,7 +17,6 @@ import numpy as np
 import shapely
 
 from scenewright._version import __version__
-from scenewright.assets import shipped
 from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog
 from scenewright.domains.home.attempt import Furnished, Task, floor_of, out_of_reach
@@ -35,6 +34,7 @@ from scenewright.scene import Piece
 from scenewright.solution import Solution
 from scenewright.solve import Budget
 from scenewright.space import Space
+from scenewright.stock import catalog_of
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -71,7 +71,7 @@ def solve(
     named = solver or chosen.solver
     _check_asks(brief)
     rooms = spaces(brief)
-    catalog = shipped()
+    catalog = catalog_of(brief.catalogs)
     tasks = [
         _task(brief, brief_room, space, catalog, chosen, named, seed, cancel)
         for brief_room, space in zip(brief.rooms, rooms, strict=True)

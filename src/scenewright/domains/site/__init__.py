@@ -15,7 +15,6 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright._version import __version__
-from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.brief_site import Site
 from scenewright.catalog import Catalog
@@ -31,6 +30,7 @@ from scenewright.site_problem import Flags
 from scenewright.solution import LeftOut, Solution
 from scenewright.solve import Budget
 from scenewright.solvers.sites import SITE_SOLVERS
+from scenewright.stock import catalog_of
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -67,11 +67,13 @@ def solve(
     started = time.perf_counter()
     if preset not in PRESETS:
         raise InputError(f"there is no preset '{preset}'", "one of " + ", ".join(PRESETS))
-    chosen, catalog = PRESETS[preset], shipped()
+    chosen, catalog = PRESETS[preset], catalog_of(brief.catalogs)
     named = solver or chosen.solver
     budget = Budget(seconds, steps, threads=threads)
     found = []
-    for number, (site, plan) in enumerate(zip(brief.sites, site_plans(brief.sites), strict=True)):
+    for number, (site, plan) in enumerate(
+        zip(brief.sites, site_plans(brief.sites, catalog), strict=True)
+    ):
         place = f"sites[{number}]"
         heard = None if progress is None else _part(progress, number, len(brief.sites), plan.name)
         rng_seed = seed + 7919 * number
@@ -103,7 +105,7 @@ def _build(
     budget: Budget, seed: int, progress: Callable[[float, float], None] | None,
     cancel: Cancel | None,
 ) -> Built:  # fmt: skip
-    rows = wanted(site, place, plan.buildable, catalog)
+    rows = wanted(site, plan, place, catalog)
     problem = pose(site, plan, rows, preset.weights)
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)

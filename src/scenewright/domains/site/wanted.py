@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from typing import NamedTuple
 
 from scenewright.brief_site import Building, Site
 from scenewright.catalog import Asset, Catalog
+from scenewright.domains.site.amounts import STOREY, amounts
 from scenewright.errors import InputError
 from scenewright.scene import Size
+from scenewright.site_plan import SitePlan
+from scenewright.stock import OWN
 
-STOREY = 3.0
-HOUSING = ("modern_residential", "point_tower", "row_houses", "villa")
-"""What fills a site that asks for nothing but an amount of floor."""
 MOST = 20_000
+LEAST = 1.5
+"""Least side in plan, in metres, that a model may have by itself to be taken for a building."""
 
 
 class Wanted(NamedTuple):
@@ -29,14 +30,15 @@ class Wanted(NamedTuple):
     forms: frozenset[str]
 
 
-def wanted(site: Site, place: str, buildable: float, catalog: Catalog) -> list[Wanted]:
+def wanted(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[Wanted]:
     """The buildings a site asks for, or those that bring its floor-area ratio and coverage."""
-    rows = site.buildings or _amounts(site, buildable, catalog)
+    if not site.buildings:
+        return _filling(site, plan, place, catalog)
     found: list[Wanted] = []
-    for number, row in enumerate(rows):
+    for number, (row, model) in enumerate(zip(site.buildings, plan.models, strict=True)):
+        asset = catalog.assets[model]
         told = f"{place} buildings[{number}] '{row.name or row.model}'"
-        asset = asset_of(row.model, catalog, told)
-        size = Size(*row.size) if row.size else asset.usual
+        size = _size(row, asset, told)
         if site.height_limit is not None and size.height > site.height_limit + 1e-6:
             raise InputError(
                 f"is {size.height:g} m high, the limit of the site is {site.height_limit:g} m",
@@ -52,28 +54,23 @@ def wanted(site: Site, place: str, buildable: float, catalog: Catalog) -> list[W
     return found
 
 
-def asset_of(model: str, catalog: Catalog, place: str) -> Asset:
-    """The asset of a building's model."""
-    if model in catalog.assets and catalog.assets[model].category == "building":
-        return catalog.assets[model]
-    known = sorted(a.id for a in catalog.of("building"))
-    near = get_close_matches(model, known, 3) or known[:8]
-    raise InputError(f"'{model}' is no building", f"use one of: {', '.join(near)}", place=place)
+def _filling(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[Wanted]:
+    found: list[Wanted] = []
+    for number, (asset, count) in enumerate(amounts(site, plan, place, catalog)):
+        floors = max(round(asset.usual.height / STOREY), 1)
+        one = Wanted(number, asset.name, asset, asset.usual, floors, False, frozenset())
+        found += [one] * min(count, MOST - len(found))
+    return found
 
 
-def _amounts(site: Site, buildable: float, catalog: Catalog) -> list[Building]:
-    """As many dwellings as the floor-area ratio, the coverage or usual values ask for."""
-    ratio, cover = site.floor_area_ratio, site.coverage or 0.25
-    limit = site.height_limit or 1e9
-    kinds = [catalog.assets[k] for k in HOUSING if k in catalog.assets]
-    usable = [a for a in kinds if a.usual.height <= limit] or kinds[-1:]
-    rows = []
-    for asset in usable:
-        width, depth, height = asset.usual
-        footprint, floors = width * depth, max(round(min(height, limit) / STOREY), 1)
-        count = cover * buildable / len(usable) / footprint
-        if ratio is not None:
-            count = min(count, ratio * buildable / len(usable) / (footprint * floors))
-        if round(count) >= 1:
-            rows.append(Building(model=asset.id, count=round(count), required=False))
-    return rows or [Building(model=usable[-1].id, required=False)]
+def _size(row: Building, asset: Asset, place: str) -> Size:
+    """The size given, else that of the model if it is one of a building."""
+    if row.size:
+        return Size(*row.size)
+    size = asset.usual
+    if asset.id.startswith(OWN) and min(size.width, size.depth) < LEAST:
+        raise InputError(
+            f"is only {size.width:.3g} x {size.depth:.3g} m, {size.height:.3g} m high by its file",
+            "give its size, or its catalogue a scale", place=place,
+        )  # fmt: skip
+    return size

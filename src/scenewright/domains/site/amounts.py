@@ -1,0 +1,87 @@
+"""What fills a site that asks for an amount of floor only: of which models, and how many."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from scenewright.brief_site import Site
+from scenewright.catalog import Asset, Catalog
+from scenewright.errors import InputError
+from scenewright.site_fit import fits
+from scenewright.site_plan import SitePlan
+from scenewright.stock import BUILDING, OWN
+
+STOREY = 3.0
+HOUSING = ("modern_residential", "point_tower", "row_houses", "villa")
+"""What fills a site where the brief names no catalogues."""
+USUAL_COVERAGE = 0.25
+MOST_MODELS = 200
+"""Models of a large catalogue that are mixed on one site."""
+MOST = 20_000
+
+
+def amounts(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[tuple[Asset, int]]:
+    """Models and their counts: each covers about the same ground, all together what coverage and
+    floor-area ratio ask for. Those of the brief's catalogues, less landmarks; else dwellings."""
+    models = _models(site, plan, place, catalog)
+    ratio = site.floor_area_ratio
+    cover = (site.coverage or USUAL_COVERAGE) * plan.buildable
+    floor = float("inf") if ratio is None else ratio * plan.buildable
+    counts = [0] * len(models)
+    areas = [asset.usual.width * asset.usual.depth for asset in models]
+    floors = [area * max(round(a.usual.height / STOREY), 1)
+              for a, area in zip(models, areas, strict=True)]  # fmt: skip
+    open_ = list(range(len(models)))
+    while open_ and sum(counts) < MOST:
+        k = min(open_, key=lambda i: (counts[i] + 0.5) * areas[i])
+        # half a building too much is as near as half too little
+        if areas[k] / 2 > cover or floors[k] / 2 > floor:
+            open_.remove(k)
+            continue
+        counts[k] += 1
+        cover, floor = cover - areas[k], floor - floors[k]
+    rows = [(asset, count) for asset, count in zip(models, counts, strict=True) if count]
+    return rows or [(min(models, key=lambda a: a.usual.width * a.usual.depth), 1)]
+
+
+def _models(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[Asset]:
+    """The models that may be used; InputError if the catalogues hold some but none will do."""
+    limit = site.height_limit or float("inf")
+    standing = {row.model for row in plan.landmarks}
+    own = [a for a in catalog.assets.values() if a.id.startswith(OWN) and a.id not in standing]
+    if not own:
+        usual = [catalog.assets[name] for name in HOUSING]
+        return [a for a in usual if a.usual.height <= limit] or usual[-1:]
+    built = [a for a in own if a.category == BUILDING]
+    if not built:
+        raise InputError(
+            f"none of the {len(own)} models of the catalogues is as large as a building: "
+            f"{_told(own)}", "give the catalogue a scale, or list buildings with their size",
+            place=place,
+        )  # fmt: skip
+    spread = _spread([a for a in built if a.usual.height <= limit])
+    found = [a for a in spread if fits(plan, a.usual.width, a.usual.depth)]
+    if not found:
+        raise InputError(
+            f"none of the {len(built)} buildings of the catalogues fits the ground or the height "
+            f"limit: {_told(built)}", "give the catalogue a scale, or other models", place=place,
+        )  # fmt: skip
+    return found
+
+
+def _told(assets: list[Asset]) -> str:
+    """The largest and the smallest, in words."""
+    order = sorted(assets, key=lambda a: a.usual.width * a.usual.depth * a.usual.height)
+    rows = {"the largest": order[-1], "the smallest": order[0]} if order[1:] else {"": order[0]}
+    return ", ".join(
+        f"{word} '{a.id.removeprefix(OWN)}' is {a.usual.width:.3g} x {a.usual.depth:.3g} x "
+        f"{a.usual.height:.3g} m".strip() for word, a in rows.items()
+    )  # fmt: skip
+
+
+def _spread(assets: list[Asset]) -> list[Asset]:
+    """Of many models some from all over the list: steps of the golden section."""
+    if len(assets) <= MOST_MODELS:
+        return assets
+    golden = (sqrt(5) - 1) / 2
+    return [assets[int(len(assets) * (k * golden % 1))] for k in range(MOST_MODELS)]
