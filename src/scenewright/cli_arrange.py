@@ -73,8 +73,7 @@ def prepared(request: Request, console: Console) -> Brief:
     from scenewright import domains, formats
 
     _check_outputs(request.outputs)
-    brief = formats.read(request.source, keep=request.keep)
-    brief = brief.model_copy(update={"catalogs": [*brief.catalogs, *_given(request.catalogs)]})
+    brief = formats.read(request.source, keep=request.keep, catalogs=request.catalogs)
     named("preset", request.preset, domains.presets(brief.domain))
     if request.solver is not None:
         named("solver", request.solver, domains.solvers(brief.domain))
@@ -82,13 +81,6 @@ def prepared(request: Request, console: Console) -> Brief:
         console.print("--keep has no effect: the file holds no furniture to keep", style="dim")
     tell_if_cold(console)
     return brief
-
-
-def _given(catalogs: Sequence[str]) -> list[str]:
-    """Catalogues of the command line: paths below the working folder, or names."""
-    from scenewright.formats.catalog_paths import absolute
-
-    return [absolute(path, Path.cwd()) for path in catalogs]
 
 
 def _check_outputs(outputs: Sequence[Path]) -> None:

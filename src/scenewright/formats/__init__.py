@@ -10,7 +10,7 @@ suffix (``.dxf``), and a module.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib import import_module, resources
 from pathlib import Path
 from types import ModuleType
@@ -56,11 +56,14 @@ FORMATS = (
 )
 
 
-def read(source: str | os.PathLike[str], keep: bool = False) -> Brief:
+def read(
+    source: str | os.PathLike[str], keep: bool = False, catalogs: Sequence[str] = ()
+) -> Brief:
     """The brief in a file, or a sample (``sample:home-flat``); checked down to its geometry.
 
-    ``keep`` leaves movable furniture of the file where it is, as fixed items. Anything that
-    cannot be used raises :class:`InputError`, one line that names the file.
+    ``keep`` leaves movable furniture of the file where it is, as fixed items; ``catalogs`` are
+    further catalogues of models, below the working folder. Anything that cannot be used raises
+    :class:`InputError`, one line that names the file.
 
     >>> read("sample:home-flat").rooms[1].name
     'Kitchen'
@@ -68,11 +71,12 @@ def read(source: str | os.PathLike[str], keep: bool = False) -> Brief:
     from pydantic import ValidationError
 
     from scenewright.document_faults import told
+    from scenewright.formats.catalog_paths import with_catalogs
     from scenewright.plan import spaces
     from scenewright.zones import check_halls
 
     try:
-        brief = _read(source, keep)
+        brief = with_catalogs(_read(source, keep), catalogs)
         check_halls(brief, spaces(brief))
     except InputError as error:
         raise error.located(file=str(source)) from None

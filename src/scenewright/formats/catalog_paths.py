@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
+
+from scenewright.brief import Brief
 
 Json = dict[str, Any]
 
@@ -26,6 +29,12 @@ def absolute(path: str, folder: Path) -> str:
     whole = folder / path
     plain = Path(path).name == path and not Path(path).suffix
     return path if plain and not whole.exists() else str(whole.absolute())
+
+
+def with_catalogs(brief: Brief, catalogs: Sequence[str]) -> Brief:
+    """A brief with further catalogues, below the working folder."""
+    more = [absolute(path, Path.cwd()) for path in catalogs]
+    return brief.model_copy(update={"catalogs": [*brief.catalogs, *more]}) if more else brief
 
 
 def _mapped(entry: object, folder: Path) -> object:
