@@ -61,6 +61,7 @@ LAYERS = (
         "site_outlines",
         "site_plan",
         "staging",
+        "appearance",
         "assets",
         "models",
         "stock",

@@ -133,7 +133,7 @@ def pictured_saliency(about: Subject, ways: Floats) -> Floats:
 
 
 def _pictured(about: Subject, way: Floats) -> float:
-    starts, along = _picture(way, about.size)
+    starts, along = parallel_rays(way, about.size)
     distance, met, _ = rays.hits(about.caster, starts, along)
     places = starts[met >= 0] + distance[met >= 0, None] * along[met >= 0]
     return float(values_at(about.found, places + about.middle).sum())
@@ -145,7 +145,7 @@ def viewpoint_entropy(about: Subject, ways: Floats) -> Floats:
 
     Flat faces cut into many count as many, as the measure is meant.
     """
-    return np.array([_entropy(rays.first(about.caster, *_picture(way, about.size)))
+    return np.array([_entropy(rays.first(about.caster, *parallel_rays(way, about.size)))
                      for way in ways])  # fmt: skip
 
 
@@ -155,7 +155,7 @@ def _entropy(met: NDArray[np.int32]) -> float:
     return float(-(share * np.log2(share)).sum())
 
 
-def _picture(way: Floats, size: float) -> tuple[Floats, Floats]:
+def parallel_rays(way: Floats, size: float) -> tuple[Floats, Floats]:
     """Parallel rays towards the middle, over a disc as wide as the model can be.
 
     They lie on a spiral (H. Vogel 1979): rows would run along the bright edges of a building and
