@@ -9,30 +9,18 @@ grows with the number of blocks and rows, not with pairs of buildings.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.layout import corners
 from scenewright.site_problem import Flags, Floats, SiteProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
+from scenewright.solvers.site_block import Placed, forms, headings, kept, laid, loosened
 from scenewright.solvers.site_found import SiteFound
-from scenewright.solvers.site_rim import rim
-from scenewright.solvers.site_strips import Rule, back, rows, turned
 
-FORMS = ("parallel", "staggered", "peripheral", "mixed")
 TRIED = 6
-LOOSEST, HALVINGS = (3.0, 1.5, 1.0, 1.0, 1.0), 5
+LOOSEST = (3.0, 1.5, 1.0, 1.0, 1.0)
 VARIETY = 0.15  # how much chance has a say among forms about as good
 ASKEW = 0.5  # what half a turn off the preferred heading costs, in shares of a block's buildings
-
-
-class Placed(NamedTuple):
-    """Buildings of a block: their numbers and boxes (k, 5), and the form."""
-
-    numbers: tuple[int, ...]
-    boxes: Floats
-    form: str
 
 
 def fill_site(
@@ -79,7 +67,7 @@ def _filled(
         left = _settled(found, left, boxes, present, forms)
     for b in order if left else []:
         ground = _ground(problem, b, boxes, present, left)
-        found = _laid(problem, ground, left, problem.facing, "parallel", 1.0)
+        found = laid(problem, ground, left, problem.facing, "parallel", 1.0)
         left = _settled(found, left, boxes, present, forms)
     return SiteFound(boxes, present, {}, done, 1, tuple(forms))
 
@@ -152,60 +140,7 @@ def _ground(
     near = ((standing[:, :2] + far[:, None] > low) & (standing[:, :2] - far[:, None] < high)).all(1)
     if not near.any():
         return edges
-    return np.concatenate([edges, _kept(problem, standing[near], heights[near], ahead)])
-
-
-def _kept(problem: SiteProblem, boxes: Floats, heights: Floats, ahead: float) -> Floats:
-    """Edges (clockwise) of the ground that buildings keep from others: the spacing all around;
-    behind, away from the sun, as many of their heights as asked for, and ahead as many of the
-    heights of those to come."""
-    heading = noon(problem)
-    c, s = math.cos(heading), math.sin(heading)
-    rings = corners(boxes)
-    x = rings[..., 0] * s - rings[..., 1] * c
-    y = rings[..., 0] * c + rings[..., 1] * s
-    gap, sun = problem.spacing, problem.sun_spacing
-    x0, x1 = x.min(1) - gap, x.max(1) + gap
-    y0, y1 = y.min(1) - np.maximum(gap, sun * heights), y.max(1) + max(gap, sun * ahead)
-    px, py = np.stack([x0, x0, x1, x1], 1), np.stack([y0, y1, y1, y0], 1)
-    ring = np.stack(back(px, py, heading), -1)
-    edges: Floats = np.concatenate([ring, np.roll(ring, -1, axis=1)], axis=2).reshape(-1, 4)
-    return edges
-
-
-def noon(problem: SiteProblem) -> float:
-    """The heading towards the sun at noon: south in the northern half of the world."""
-    return -math.pi / 2 if problem.latitude >= 0.0 else math.pi / 2
-
-
-def _in_sun(problem: SiteProblem, found: Placed) -> Placed:
-    """A layout without the buildings that stand too near behind another one of it."""
-    if problem.sun_spacing <= 0.0 or len(found.numbers) < 2:
-        return found
-    heading = noon(problem)
-    c, s = math.cos(heading), math.sin(heading)
-    rings = corners(found.boxes)
-    x = rings[..., 0] * s - rings[..., 1] * c
-    y = rings[..., 0] * c + rings[..., 1] * s
-    reach = problem.sun_spacing * problem.buildings.sizes[list(found.numbers), 2]
-    beside = (x.min(1)[:, None] < x.max(1)[None, :]) & (x.max(1)[:, None] > x.min(1)[None, :])
-    gap = y.min(1)[:, None] - y.max(1)[None, :]
-    behind = y.mean(1)[:, None] > y.mean(1)[None, :]
-    dark = (beside & behind & (gap < reach[:, None] - 1e-6)).any(0)
-    kept = np.flatnonzero(~dark)
-    return Placed(tuple(found.numbers[k] for k in kept), found.boxes[kept], found.form)
-
-
-def _headings(problem: SiteProblem, edges: Floats) -> list[float]:
-    """The preferred heading, and those along the two longest edges nearest to it."""
-    way = edges[:, 2:] - edges[:, :2]
-    longest = np.argsort(-np.hypot(way[:, 0], way[:, 1]), kind="stable")[:2]
-    found = [problem.facing]
-    for k in longest.tolist():
-        along = math.atan2(way[k, 1], way[k, 0])
-        turns = [along + q * math.pi / 2 for q in range(4)]
-        found.append(min(turns, key=lambda a: abs(_wrapped(a - problem.facing))))
-    return found
+    return np.concatenate([edges, kept(problem, standing[near], heights[near], ahead)])
 
 
 def _best(
@@ -213,26 +148,18 @@ def _best(
     rng: np.random.Generator,
 ) -> Placed:  # fmt: skip
     """The best of several layouts of one block: most floor placed, then least turned away."""
-    headings = _headings(problem, edges)
-    forms = _forms(problem, share)
+    ways, allowed = headings(problem, edges), forms(problem, share)
     best, least = Placed((), np.zeros((0, 5)), "parallel"), math.inf
     for k in range(effort[0] if share else 0):
-        heading = headings[0] if k < 4 else headings[int(rng.integers(len(headings)))]
-        form, queue = forms[k % len(forms)], list(share)
+        heading = ways[0] if k < 4 else ways[int(rng.integers(len(ways)))]
+        form, queue = allowed[k % len(allowed)], list(share)
         if k and effort[1] == 1.0:
             queue = _shuffled(problem, share, rng)
-        found = _loosened(problem, edges, queue, heading, form, effort[1])
+        found = loosened(problem, edges, queue, heading, form, effort[1])
         cost = _cost(problem, found, share) + VARIETY * float(rng.random())
         if cost < least:
             best, least = found, cost
     return best
-
-
-def _forms(problem: SiteProblem, share: list[int]) -> list[str]:
-    """The forms that all buildings of a block may take; all, if there is none."""
-    asked = [problem.buildings.forms[i] for i in share] if problem.buildings.forms else []
-    allowed = [form for form in FORMS if all(form in one for one in asked if one)]
-    return allowed or list(FORMS)
 
 
 def _shuffled(problem: SiteProblem, share: list[int], rng: np.random.Generator) -> list[int]:
@@ -248,52 +175,3 @@ def _cost(problem: SiteProblem, found: Placed, share: list[int]) -> float:
     missing = 1.0 - area[list(found.numbers)].sum() / max(float(area[share].sum()), 1e-9)
     turns = np.abs((found.boxes[:, 2] - problem.facing + math.pi) % (2 * math.pi) - math.pi)
     return float(missing) * 10.0 + ASKEW * float(turns.mean() if len(turns) else 0.0) / math.pi
-
-
-def _loosened(
-    problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str,
-    loosest: float,
-) -> Placed:  # fmt: skip
-    """A layout of a block with gaps as wide as still hold all that the least gaps hold."""
-    tight = _laid(problem, edges, queue, heading, form, 1.0)
-    low, high, best = 1.0, loosest, tight
-    for _ in range(HALVINGS if loosest > 1.0 else 0):
-        loose = 0.5 * (low + high)
-        found = _laid(problem, edges, queue, heading, form, loose)
-        if len(found.numbers) >= len(tight.numbers):
-            low, best = loose, found
-        else:
-            high = loose
-    return best
-
-
-def _laid(
-    problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str, loose: float
-) -> Placed:
-    """One layout of a block."""
-    sizes, way = problem.buildings.sizes, problem.fire_access
-    rule = Rule(problem.spacing, way, problem.sun_spacing, loose, form == "staggered", True)
-    numbers: list[int] = []
-    boxes = np.zeros((0, 5))
-    waiting = queue
-    if form in ("peripheral", "mixed"):
-        share = 0.5 if form == "mixed" else 1.0
-        numbers, boxes = rim(edges, sizes, queue, max(rule.beside(), way), share)
-        waiting = [i for i in queue if i not in set(numbers)]
-    if len(boxes):
-        ahead = float(sizes[waiting, 2].max()) if waiting else 0.0
-        edges = np.concatenate([edges, _kept(problem, boxes, sizes[numbers, 2], ahead)])
-    block = turned(edges, heading)
-    placed = rows(block, sizes, waiting, rule)
-    found = np.zeros((len(placed), 5))
-    if placed:
-        at = np.array([(x, y) for _, x, y in placed])
-        found[:, 0], found[:, 1] = back(at[:, 0], at[:, 1], heading)
-        found[:, 2] = heading
-        found[:, 3:] = sizes[[i for i, _, _ in placed], :2]
-    numbers += [i for i, _, _ in placed]
-    return _in_sun(problem, Placed(tuple(numbers), np.concatenate([boxes, found]), form))
-
-
-def _wrapped(angle: float) -> float:
-    return (angle + math.pi) % (2 * math.pi) - math.pi
