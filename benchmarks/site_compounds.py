@@ -10,8 +10,10 @@ usual 3 m and 6 m, so that nothing is asked of ours that was not possible there.
 from __future__ import annotations
 
 import math
+import statistics
 import time
 from collections import Counter, defaultdict
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -35,6 +37,8 @@ from scenewright.check.site_rules import (
 from scenewright.check.site_sun import sampled, sun_hours
 from scenewright.domains.site import solve
 from scenewright.scene import Piece, Pose, Size
+from scenewright.site_fit import fits
+from scenewright.site_plan import site_plan
 from scenewright.solution import Solution
 
 Row = dict[str, Any]
@@ -43,10 +47,16 @@ SETBACK, SPACING = 3.0, 6.0
 SUNNY = 2.0
 """Hours of sun that a front should have on the day of the site."""
 FIGURES = (
-    ("coverage", "share"), ("least_spacing", "m"), ("spacing", "m"), ("south", "share"),
-    ("sun", "h"), ("sunny", "share"), ("overlaps", "1"), ("outside", "1"), ("near", "1"),
-    ("unreached", "1"), ("valid", "share"), ("left_out", "1"),
+    ("coverage", "share", "median"), ("least_spacing", "m", "median"), ("spacing", "m", "median"),
+    ("south", "share", "mean"), ("sun", "h", "median"), ("sunny", "share", "mean"),
+    ("overlaps", "1", "sum"), ("outside", "1", "sum"), ("near", "1", "sum"),
+    ("unreached", "1", "sum"), ("valid", "share", "mean"), ("left_out", "1", "sum"),
+    ("unplaceable", "1", "sum"),
 )  # fmt: skip
+"""What is told of a compound, its unit, and how all compounds are put together."""
+TOGETHER: dict[str, Callable[[Sequence[float]], float]] = {
+    "median": statistics.median, "mean": statistics.fmean, "sum": sum,
+}  # fmt: skip
 
 
 class Pair(NamedTuple):
@@ -81,7 +91,41 @@ def compare(site: Site, designed: Designed, seed: int = 0) -> Pair:
     theirs = measured(wishes, pieces_of(wishes, designed), designed.footprints)
     ours = measured(wishes, placed, moved_footprints(designed, placed)) | took
     ours["left_out"] = len(designed.boxes) - len(placed)
-    return Pair(wishes, designed, theirs | {"left_out": 0}, ours, solution)
+    ours["unplaceable"] = unplaceable(wishes)
+    none = {"left_out": 0, "unplaceable": 0}
+    return Pair(wishes, designed, theirs | none, ours, solution)
+
+
+def records(most: int | None = None) -> list[Row]:
+    """The designer's layouts and ours over all compounds, figure by figure; a word without."""
+    if not file().exists():
+        told = {"case": "compounds: no site_reco_sample, set SCENEWRIGHT_DATA", "metric": "skipped"}
+        return [told | dict.fromkeys(("unit", "ours", "baseline", "baseline_name", "ratio"))
+                | {"runs": 0}]  # fmt: skip
+    found = pairs(most)
+    built = sum(len(pair.designed.boxes) for pair in found)
+    case = f"{len(found)} compounds, {built} buildings"
+    rows = [_record(case, found, *figure) for figure in FIGURES]
+    seconds = {"case": case, "metric": "processor seconds of all", "unit": "s",
+               "ours": round(sum(pair.ours["cpu"] for pair in found), 3), "baseline": None,
+               "baseline_name": "", "ratio": None, "runs": len(found)}  # fmt: skip
+    return [*rows, seconds]
+
+
+def _record(case: str, found: list[Pair], name: str, unit: str, how: str) -> Row:
+    """One figure of all compounds; those with a single building have no spacing."""
+    both = [(pair.ours[name], pair.theirs[name]) for pair in found
+            if not math.isnan(pair.ours[name]) and not math.isnan(pair.theirs[name])]  # fmt: skip
+    ours, theirs = (TOGETHER[how](values) for values in zip(*both, strict=True))
+    return {"case": case, "metric": f"{name.replace('_', ' ')}, {how}", "unit": unit,
+            "ours": round(ours, 4), "baseline": round(theirs, 4), "baseline_name": "designer",
+            "ratio": round(ours / theirs, 4) if theirs else None, "runs": len(both)}  # fmt: skip
+
+
+def unplaceable(site: Site) -> int:
+    """How many of the boxes asked for stand nowhere on the ground even alone."""
+    plan = site_plan(site)
+    return sum(row.count for row in site.buildings if row.size and not fits(plan, *row.size[:2]))
 
 
 def own_rules(site: Site, designed: Designed) -> dict[str, float]:
@@ -156,8 +200,8 @@ def figures(site: Site, bodies: Bodies, floor: Any) -> Row:
     hours = sun_hours(bodies, site.latitude, site.day, rows) if len(rows) else np.zeros(0)
     return {
         "buildings": len(bodies.ids), "coverage": float(covered),
-        "least_spacing": float(apart.min(initial=math.inf)),
-        "spacing": float(np.median(apart)) if len(apart) else math.inf,
+        "least_spacing": float(apart.min()) if len(apart) else math.nan,
+        "spacing": float(np.median(apart)) if len(apart) else math.nan,
         "south": float((off <= SOUTHERLY + 1e-9).mean()) if len(off) else 1.0,
         "sun": float(hours.mean()) if len(hours) else 0.0,
         "sunny": float((hours >= SUNNY - 1e-6).mean()) if len(hours) else 1.0,

@@ -3,8 +3,10 @@
     python benchmarks/site_reco.py PATH/reco_sample.json
 
 Chen et al. 2022, "ReCo: A Dataset for Residential Community Layout Planning". Boundaries and
-footprints in metres, storeys. Footprints become their least rectangles, the front of each the
-long side nearest to south, three metres a storey; what lies outside the boundary is left out.
+footprints in metres, storeys. The file cuts buildings along the tiles of a map; the pieces
+are joined again. Footprints become their least rectangles, the front of
+each the long side nearest to south, three metres a storey; what lies outside the boundary is left
+out.
 """
 
 from __future__ import annotations
@@ -18,13 +20,17 @@ from typing import Any, NamedTuple
 import numpy as np
 import shapely
 from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from scenewright.brief_site import Site
 from scenewright.errors import InputError
 from scenewright.site_plan import SitePlan, site_plan
 
 Floats = NDArray[np.float64]
-STOREY = 3.0
+STOREY, TOUCH, LEAST, LONGEST, TILT = 3.0, 0.02, 1.0, 400.0, 0.01
+"""Metres a storey; how near touching is; the length of a border that counts; what stays in pieces
+because it would be longer; how much of its length a cut may run aside."""
 
 
 class Designed(NamedTuple):
@@ -69,12 +75,42 @@ def _compound(row: dict[str, Any], more: dict[str, Any]) -> tuple[Site, Designed
     boundary = shapely.make_valid(shapely.Polygon(row["boundary"]))
     drawn = [(shapely.make_valid(shapely.Polygon(b["coords"])), b["floor"])
              for b in row["buildings"] if len(b["coords"]) > 2]  # fmt: skip
-    inside = [(s, f) for s, f in drawn if s.area > 1.0 and boundary.contains(s.centroid)]
+    joined = _joined(drawn)
+    inside = [(s, f) for s, f in joined if s.area > 1.0 and boundary.contains(s.centroid)]
     shapes, floors = tuple(s for s, _ in inside), np.array([f for _, f in inside], np.int64)
     boxes = np.array([_box(shape) for shape in shapes]).reshape(-1, 5)
     return site, Designed(
-        boxes, floors, STOREY * floors.astype(float), shapes, len(drawn) - len(inside)
+        boxes, floors, STOREY * floors.astype(float), shapes, len(joined) - len(inside)
     )
+
+
+def _joined(drawn: list[tuple[shapely.Geometry, int]]) -> list[tuple[shapely.Geometry, int]]:
+    """Shapes with storeys, those cut along a tile made one again: they have as many storeys and
+    share a border that runs due north or east."""
+    shapes, floors = np.array([s for s, _ in drawn], object), np.array([f for _, f in drawn])
+    i, j = shapely.STRtree(shapes).query(shapes, predicate="dwithin", distance=TOUCH)
+    pairs = (i < j) & (floors[i] == floors[j])
+    i, j = i[pairs], j[pairs]
+    shared = shapely.intersection(
+        shapely.buffer(shapes[i], TOUCH), shapely.buffer(shapes[j], TOUCH)
+    )
+    boxes = shapely.bounds(shared).reshape(-1, 4)
+    sides = boxes[:, 2:] - boxes[:, :2]
+    cut = (sides.min(1) < 4.0 * TOUCH + TILT * sides.max(1)) & (sides.max(1) > LEAST)
+    links = coo_array((np.ones(cut.sum()), (i[cut], j[cut])), shape=(len(shapes),) * 2)
+    part = connected_components(links, directed=False)[1]
+    found = []
+    for k in range(part.max() + 1):
+        pieces = shapes[part == k]
+        whole = _one(pieces)
+        kept = [whole] if _box(whole)[3] <= LONGEST else list(pieces)
+        found += [(shape, int(floors[part == k][0])) for shape in kept]
+    return found
+
+
+def _one(shapes: NDArray[np.object_]) -> shapely.Geometry:
+    wide = shapely.union_all(shapely.buffer(shapes, TOUCH, join_style="mitre"))
+    return wide.buffer(-TOUCH, join_style="mitre") if len(shapes) > 1 else shapes[0]
 
 
 def _box(shape: shapely.Geometry) -> Floats:
