@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -138,7 +139,9 @@ def fill_energies(
         fill_frames(population[k], frames)
         energies[k], routes[k] = measure(frames, p, costs), 0.0
         if p.weights[ROUTE] != 0.0:
-            routes[k] = p.weights[ROUTE] * route(frames, p.access, p.inset, grid, free, reached)
+            routes[k] = p.weights[ROUTE] * route(
+                frames, p.access, p.inset, grid, free, reached, math.inf
+            )
             energies[k] += routes[k]
 
 

@@ -19,6 +19,7 @@ from scenewright.geometry.compiled import compiled, inlined
 Bits = NDArray[np.uint64]
 ALL = np.uint64(0xFFFFFFFFFFFFFFFF)
 NONE = np.uint64(0)
+SQUARE = 1e-12
 # Plain integers would make numba compile each function once for every value.
 CLEAR, SET, LOOK = np.int64(0), np.int64(1), np.int64(2)
 
@@ -45,6 +46,13 @@ def rounded_span(frame: Frame, radius: float, y: float) -> tuple[float, float]:
     low, high = math.inf, -math.inf
     x, c, s, w, d = frame[0], frame[2], frame[3], frame[4], frame[5]
     dy = y - frame[1]
+    if abs(c) < SQUARE or abs(s) < SQUARE:  # most boxes stand square to the grid
+        along, across = (w, d) if abs(c) < abs(s) else (d, w)
+        over = max(abs(dy) - across, 0.0)
+        if over > radius:
+            return low, high
+        along += math.sqrt(radius * radius - over * over)
+        return x - along, x + along
     for _quarter in range(4):  # the edge ahead: outward normal (c, s), from its right end leftward
         px, py = s * w + c * d, -c * w + s * d
         qx, qy = -s * w + c * d, c * w + s * d
@@ -102,6 +110,8 @@ def sweep_box(bits: Bits, grid: Grid, frame: Frame, radius: float, task: np.int6
     for row in range(max(first, 0), min(end, bits.shape[0])):
         low, high = rounded_span(frame, radius, grid.y0 + (row + 0.5) * grid.cell)
         met |= sweep_span(bits, row, low, high, grid.x0, grid.cell, task)
+        if met and task == LOOK:
+            break
     return met
 
 
@@ -138,18 +148,39 @@ def fill_row(reached: Bits, free: Bits, row: int, source: int) -> bool:
 
 @compiled
 def flood(reached: Bits, free: Bits) -> None:
-    """Grow the set cells of ``reached`` over the free cells, four neighbours, in place."""
-    rows = free.shape[0]
+    """Grow the set cells of ``reached`` over the free cells, four neighbours, in place.
+
+    Sweeps go down and up by turns, from the first to the last row that holds a set cell and on
+    for as long as they gain; the first that gains nothing is the last.
+    """
+    rows, first, last = free.shape[0], free.shape[0], -1
     for row in range(rows):
         for k in range(free.shape[1]):
-            reached[row, k] = spread(reached[row, k] & free[row, k], free[row, k])
-    gained = True
-    while gained:
+            seed = reached[row, k] & free[row, k]
+            if reached[row, k] != NONE:
+                reached[row, k] = spread(seed, free[row, k])
+            if seed != NONE:
+                first, last = min(first, row), row
+    for row in range(first, last + 1):
+        fill_row(reached, free, row, row)
+    gained, turn = last >= 0, 0
+    while gained or turn == 1:
         gained = False
-        for row in range(rows):
-            gained |= fill_row(reached, free, row, max(row - 1, 0))
-        for row in range(rows - 1, -1, -1):
-            gained |= fill_row(reached, free, row, min(row + 1, rows - 1))
+        if turn % 2 == 0:
+            row = first + 1
+            while row < rows and (row <= last + 1):
+                grown = fill_row(reached, free, row, row - 1)
+                gained |= grown
+                last = max(last, row) if grown else last
+                row += 1
+        else:
+            row = last - 1
+            while row >= 0 and row >= first - 1:
+                grown = fill_row(reached, free, row, row + 1)
+                gained |= grown
+                first = min(first, row) if grown else first
+                row -= 1
+        turn += 1
 
 
 @inlined

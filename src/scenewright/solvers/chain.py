@@ -6,6 +6,7 @@ differences. The sums are written once, here; terms know nothing of chains.
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -59,18 +60,44 @@ def copy_rows(into: Floats, source: Floats) -> None:
 
 
 @inlined
-def try_item(chain: Chain, p: Prepared, i: int, frame: Frame) -> float:
-    """Energy without the route if item ``i`` stood at ``frame``; nothing is changed yet."""
+def without_item(chain: Chain, p: Prepared, i: int) -> tuple[float, float]:
+    """The sums (shared, own) that are left if item ``i`` is taken away."""
+    old = chain.costs
+    shared, own = old.sums[0] - old.boxes[i, 0], old.sums[1] - old.boxes[i, 1]
+    for j in range(chain.frames.shape[0]):
+        shared -= old.pairs[i, j] if j != i else 0.0
+    for k in range(p.related_start[i], p.related_start[i + 1]):
+        own -= old.relations[p.related[k]]
+    return shared, own
+
+
+@inlined
+def try_item(chain: Chain, p: Prepared, i: int, frame: Frame, limit: float) -> float:
+    """Energy without the route if item ``i`` stood at ``frame``; nothing is changed yet.
+
+    No cost is negative, so what the parts looked at come to is the least it can be: once that is
+    over ``limit`` the answer is infinity and the rest is not looked at.
+    """
     box, sums, old = chain.box, chain.sums, chain.costs
-    box[0], box[1], box[2], box[3] = box_cost(frame, i, p)
+    shared, own = without_item(chain, p, i)
+    area = old.sums[2] - old.boxes[i, 2] + 4.0 * frame[4] * frame[5]
+    most = limit + 1e-9 * abs(limit)  # sums made of differences are not exact to the last digit
+    spare = (most - own) * area - shared if area > 0.0 else math.inf
+    box[0], box[1], box[2], box[3] = box_cost(frame, i, p, spare)
+    if box[0] > spare or (area > 0.0 and (shared + box[0]) / area + own + box[1] > most):
+        return math.inf
     for k in range(4):
         sums[k] = old.sums[k] + box[k] - old.boxes[i, k]
+    spare -= box[0] + box[1] * area
     shared, own = sums[0], sums[1]
     for j in range(chain.frames.shape[0]):
         if j != i:
             value = pair_cost(frame, read_frame(chain.frames, j), i, j, p)
             shared += value - old.pairs[i, j]
+            spare -= value
             chain.row[j] = value
+            if spare < 0.0:
+                return math.inf
     for k in range(p.related_start[i], p.related_start[i + 1]):
         r = p.related[k]
         first, second = p.pairs[r, 0], p.pairs[r, 1]

@@ -49,7 +49,7 @@ def missed(
         if s.walls[h, 4] > 0.0:
             sweep_box(base, grid, read_frame(s.walls, h), grid.radius, CLEAR)
     bare = Grid(grid.x0, grid.y0, grid.cell, grid.radius, base, grid.doors)
-    count = route(s.frames, p.access, inset, bare, free, reached)
+    count = route(s.frames, p.access, inset, bare, free, reached, math.inf)
     for u in range(p.spans.shape[0]):
         s.costs[REACH, u] = 0.0
     if count > 0.0:

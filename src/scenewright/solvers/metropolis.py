@@ -44,14 +44,15 @@ def attempt(
     limit = energy - temperature * math.log(1.0 - uniform(stream))
     item, frame, turn, accepted = i, there, 1 if i == j else 0, True
     while turn < 3:
-        tried = try_item(chain, p, item, frame)
+        tried = try_item(chain, p, item, frame, limit if turn == 1 else math.inf)
         if turn == 1:
             energy = tried
             if energy <= limit and p.weights[ROUTE] != 0.0:
                 before = read_frame(chain.frames, item)
                 write_frame(chain.frames, item, frame)
+                most = (limit - energy) / p.weights[ROUTE]
                 energy += p.weights[ROUTE] * route(
-                    chain.frames, p.access, p.inset, grid, free, reached
+                    chain.frames, p.access, p.inset, grid, free, reached, most
                 )
                 write_frame(chain.frames, item, before)
             accepted = energy <= limit

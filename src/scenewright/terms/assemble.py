@@ -7,6 +7,7 @@ areas are divided by the summed area of all items: ``shared`` (weight times squa
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -69,14 +70,16 @@ class Prepared(NamedTuple):
 
 
 @inlined
-def box_cost(frame: Frame, i: int, p: Prepared) -> tuple[float, float, float, float]:
+def box_cost(frame: Frame, i: int, p: Prepared, most: float) -> tuple[float, float, float, float]:
     """Weighted costs of item ``i`` standing at ``frame``: shared, own, its area, and its printed
-    main-wall turn."""
+    main-wall turn. The rest is not looked at once the place alone costs over ``most`` (shared)."""
     w, shared, own, turn = p.weights, 0.0, 0.0, 0.0
     back, role, light, snug = p.traits[i, 1], p.traits[i, 2], p.traits[i, 3], p.traits[i, 4]
     if w[BOUNDARY] != 0.0:
         shared += w[BOUNDARY] * packing.outside(frame, p.edges)
     shared += clearance.entered(frame, p.traits[i, 0], p.zones, w)
+    if shared > most:
+        return shared, own, 4.0 * frame[4] * frame[5], turn
     if w[CLEAR_ROOM] != 0.0 and p.traits[i, 7] > 0.0:
         clear = read_sides(p.clear, i)
         shared += w[CLEAR_ROOM] * clearance.zone_blocked(frame, clear, p.edges, p.zones)
@@ -159,7 +162,7 @@ def measure(frames: Floats, p: Prepared, costs: Costs) -> float:
     shared, own, area, turn = 0.0, 0.0, 0.0, 0.0
     for i in range(frames.shape[0]):
         frame = read_frame(frames, i)
-        cost = box_cost(frame, i, p)
+        cost = box_cost(frame, i, p, math.inf)
         boxes = costs.boxes
         boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3] = cost
         shared, own, area, turn = shared + cost[0], own + cost[1], area + cost[2], turn + cost[3]

@@ -32,14 +32,15 @@ def is_reached(frame: Frame, access: Sides, reached: Bits, grid: Grid) -> bool:
 
 @inlined
 def route(
-    frames: Floats, access: Floats, inset: Floats, grid: Grid, free: Bits, reached: Bits
-) -> float:
+    frames: Floats, access: Floats, inset: Floats, grid: Grid, free: Bits, reached: Bits,
+    most: float,
+) -> float:  # fmt: skip
     """Items not reached plus doors not joined to the first door, by a route of the stated width.
 
     A flood fill from the first door over the cells where a disc of the route's width fits; an
     item is reached if a filled cell lies within half the width + 0.2 m of a side it is used
     from. ``access`` and ``inset`` (n, 4) are the items'; ``free`` and ``reached`` scratch
-    (h, k). A room without doors has nothing to reach.
+    (h, k). A room without doors has nothing to reach. Counting stops over ``most``.
     """
     doors = grid.doors.shape[0]
     if doors == 0:
@@ -59,7 +60,11 @@ def route(
             for word in range(free.shape[1]):
                 joined |= (reached[row, word] & grid.doors[k, row, word]) != 0
         missed += 0.0 if joined else 1.0
+        if missed > most:
+            return missed
     for i in range(frames.shape[0]):
         solid = solid_part(read_frame(frames, i), read_sides(inset, i))
         missed += 0.0 if is_reached(solid, read_sides(access, i), reached, grid) else 1.0
+        if missed > most:
+            return missed
     return missed
