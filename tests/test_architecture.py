@@ -65,6 +65,7 @@ LAYERS = (
         "assets",
         "models",
         "stock",
+        "authorship",
         "samples",
     },
     {"terms", "encodings"},

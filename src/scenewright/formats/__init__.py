@@ -52,6 +52,9 @@ FORMATS = (
     Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
     Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
     Format(".cityjson", "CityJSON of a site", writer="scenewright.formats.cityjson"),
+    Format(
+        ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"
+    ),
     Format(".png", "picture from above", writer="scenewright.formats.png"),
 )
 

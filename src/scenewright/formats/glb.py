@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright import authorship
 from scenewright._version import __version__
 from scenewright.catalog import Catalog, Material, Part
 from scenewright.geometry.prisms import face_normals, normals_of, row_keys
@@ -84,7 +85,7 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
         [surface(part, corner) for part, corner in zip(parts, normals, strict=True)]
     )
     document = {
-        "asset": {"version": "2.0", "generator": f"Scenewright {__version__}"},
+        "asset": _about(scene, catalog),
         "scene": 0,
         "scenes": [{"name": scene.name or "home", "nodes": [0]}],
         "nodes": nodes,
@@ -95,6 +96,16 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
         "buffers": [{"byteLength": len(buffer)}],
     }
     return document, buffer
+
+
+def _about(scene: Scene, catalog: Catalog) -> Json:
+    """The version, and who made the models on what terms."""
+    found: Json = {"version": "2.0", "generator": f"Scenewright {__version__}"}
+    told = authorship.credits_of(scene.pieces, catalog)
+    if told:
+        found["copyright"] = authorship.line(told)
+        found["extras"] = {"credits": authorship.document(told)}
+    return found
 
 
 def _tree(scene: Scene, found: Sequence[Thing]) -> list[Json]:

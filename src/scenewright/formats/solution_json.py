@@ -14,6 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from scenewright import authorship
 from scenewright.brief import Brief, FixedItem, Room
 from scenewright.errors import InputError
 from scenewright.formats.catalog_paths import resolved
@@ -22,6 +23,7 @@ from scenewright.formats.solution_record import FORMAT, PieceRecord, checked
 from scenewright.plan import room_ids
 from scenewright.scene import Piece, Pose, Size
 from scenewright.solution import LeftOut, Patch, Solution, TermValue
+from scenewright.stock import catalog_of
 
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
@@ -85,6 +87,9 @@ def to_document(solution: Solution) -> dict[str, Any]:
         "left_out": [entry._asdict() for entry in solution.left_out],
         "terms": [value._asdict() for value in solution.terms],
         **_hall_document(solution),
+        "credits": authorship.document(
+            authorship.credits_of(solution.pieces, catalog_of(solution.brief.catalogs))
+        ),
         "brief": solution.brief.model_dump(mode="json"),
     }
 

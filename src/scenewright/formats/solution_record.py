@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError
 
@@ -83,6 +83,7 @@ class SolutionRecord(Model):
     terms: Annotated[list[TermRecord], Field(max_length=1_000_000)]
     graph: GraphRecord | None = None
     tours: Annotated[list[TourRecord], Field(max_length=10_000)] = []
+    credits: Annotated[list[dict[str, Any]], Field(max_length=100_000)] = []
     brief: Brief
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
 from math import sqrt
 
 from scenewright.brief_site import Site
 from scenewright.catalog import Asset, Catalog
 from scenewright.errors import InputError
+from scenewright.models.words import ASIDE, tokens_of
 from scenewright.site_fit import fits
 from scenewright.site_plan import SitePlan
 from scenewright.stock import BUILDING, OWN
@@ -18,6 +20,17 @@ USUAL_COVERAGE = 0.25
 MOST_MODELS = 200
 """Models of a large catalogue that are mixed on one site."""
 MOST = 20_000
+SLENDER, LOW = 3.0, 2.0
+"""Least side in plan and height of what fills a site, in metres."""
+BESIDE = (
+    "road", "street", "crossing", "pavement", "path", "bridge", "grass", "ground", "terrain",
+    "tile", "base", "floor", "hill", "water", "tree", "trees", "bush", "hedge", "plant", "rock",
+    "mountain", "cloud", "fence", "wall", "gate", "lamp", "light", "lights", "sign", "car",
+    "truck", "bus", "van", "taxi", "train", "boat", "ship", "plane", "vehicle", "person",
+    "animal", "fountain", "wheel", "turret", "roof", "top", "door", "window", "stairs",
+    "chimney", "part", "saw", "arm", "projectile",
+)  # fmt: skip
+"""Words of large things that are no buildings, or parts of one."""
 
 
 def amounts(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[tuple[Asset, int]]:
@@ -52,7 +65,7 @@ def _models(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[As
     if not own:
         usual = [catalog.assets[name] for name in HOUSING]
         return [a for a in usual if a.usual.height <= limit] or usual[-1:]
-    built = [a for a in own if a.category == BUILDING]
+    built = [a for a in own if fills(a)]
     if not built:
         raise InputError(
             f"none of the {len(own)} models of the catalogues is as large as a building: "
@@ -67,6 +80,28 @@ def _models(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[As
             f"limit: {_told(built)}", "give the catalogue a scale, or other models", place=place,
         )  # fmt: skip
     return found
+
+
+def fills(asset: Asset) -> bool:
+    """Whether a model may fill a site by itself: a building, neither slender nor low, and not
+    named like what stands or lies beside buildings.
+
+    >>> from scenewright.assets import shipped
+    >>> [fills(shipped().assets[name]) for name in ("villa", "sofa")]
+    [True, False]
+    """
+    width, depth, height = asset.usual
+    built = asset.category == BUILDING and min(width, depth) >= SLENDER and height >= LOW
+    names = (asset.id.removeprefix(OWN).rpartition("/")[2], asset.name)
+    return built and not any(
+        _beside(word) for name in names
+        for word in takewhile(lambda word: word not in ASIDE, tokens_of(name))
+    )  # fmt: skip
+
+
+def _beside(word: str) -> bool:
+    """Whether a word, or the end of a long one, tells what is no building (*trafficlight*)."""
+    return word in BESIDE or any(word.endswith(end) for end in BESIDE if len(end) > 3)
 
 
 def _told(assets: list[Asset]) -> str:

@@ -1,0 +1,39 @@
+"""Credits as plain text: a paragraph an author and licence, a line a model."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from scenewright.authorship import UNKNOWN, Credit, credits_of
+from scenewright.solution import Solution
+from scenewright.stock import catalog_of
+
+
+def write(solution: Solution, path: str | os.PathLike[str]) -> None:
+    """Write the credits of a solution to ``path``; the file appears whole or not at all."""
+    final = Path(path)
+    partial = final.with_name(f".{final.name}.partial")
+    rows = credits_of(solution.pieces, catalog_of(solution.brief.catalogs))
+    partial.write_text(text(solution.brief.name, rows), encoding="utf-8")
+    os.replace(partial, final)
+
+
+def text(name: str, rows: tuple[Credit, ...]) -> str:
+    """The text, ending in a newline.
+
+    >>> row = Credit("Jane Doe", "CC0-1.0", (("model:tower", "Tower", 3),))
+    >>> print(text("Town", (row,)), end="")
+    Credits of Town
+    <BLANKLINE>
+    Jane Doe, licence CC0-1.0
+      Tower (model:tower), 3 times
+    """
+    parts = [f"Credits of {name}\n"]
+    for row in rows:
+        told = row.author if row.author != UNKNOWN else "Author not told"
+        lines = [f"{told}, licence {row.licence}"]
+        for identity, title, count in row.assets:
+            lines.append(f"  {title} ({identity})" + (f", {count} times" if count > 1 else ""))
+        parts.append("\n".join(lines) + "\n")
+    return "\n".join(parts)
