@@ -25,9 +25,9 @@ from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.site_genetic import MatrixGenetic, make_judge, viewpoint_site
 from scenewright.solvers.site_lattice import make_cells
 from scenewright.solvers.site_random import lines_of
-from scenewright.solvers.site_swarm import Swarm
 from scenewright.solvers.site_templates import make_template
 from scenewright.solvers.sites import SITE_SOLVERS
+from scenewright.solvers.swarm import Swarm
 from scenewright.terms.site_terms import SITE_TERMS, read_site_weights
 
 PROBLEM = example_site(12, 110.0)

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from scenewright.problem import Problem
 from scenewright.solve import Budget, Cancel, Found, Progress, Run
 
 
 class SolverRow(NamedTuple):
-    """One solver: its name, what it is, and where its function is (imported when first run)."""
+    """One solver: its name, what it is, where its function is (imported when first run), and
+    whether homes pose it their patches or the single pieces of their groups."""
 
     name: str
     doc: str
     source: str
     module: str
     function: str
+    encoding: Literal["patches", "pieces"] = "patches"
 
     def run(
         self,
@@ -42,6 +44,12 @@ ROWS = (
               "Liu et al. 2017", "genetic", "paper_ga"),
     SolverRow("paper-sa", "the paper's comparison: annealing over patches, 500 iterations",
               "Liu et al. 2017", "paper_annealing", "paper_sa"),
+    SolverRow("merrell", "single pieces annealed by interior design guidelines, T from 100 by 0.99",
+              "Merrell et al. 2011", "merrell", "merrell", "pieces"),
+    SolverRow("pso", "particle swarm over patches, 40 particles, 100 rounds",
+              "Kennedy, Eberhart 1995", "swarm", "swarm"),
+    SolverRow("greedy", "largest patch first, each at its best corner, wall or partner",
+              "Feo, Resende 1995", "greedy", "greedy"),
     SolverRow("random", "layouts drawn at random, the best kept", "baseline", "random_search",
               "random_search"),
 )  # fmt: skip

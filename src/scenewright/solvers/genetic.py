@@ -16,10 +16,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.encodings.boxes import gene_bounds, to_boxes
-from scenewright.energy import energies_of, prepare, route_grid
 from scenewright.problem import Problem
-from scenewright.solve import Budget, Cancel, Found, Progress, Watch, distinct, run_population
+from scenewright.solve import Budget, Cancel, Found, Progress
+from scenewright.solvers.over_genes import over_genes
 
 Floats = NDArray[np.float64]
 POPULATION = 40
@@ -110,17 +109,6 @@ def paper_ga(
 
     Steps are looked-at layouts, 40 a generation; its schedule is spread over the budget's steps.
     """
-    n = len(problem.items.low)
     rounds = max(budget.steps // POPULATION, 1) if budget.steps else GENERATIONS
-    low, high = gene_bounds(problem)
-    p, grid = prepare(problem), route_grid(problem, 0.1)
-    genes, energies, done = run_population(
-        PaperGenetic(generations=rounds),
-        lambda rows: energies_of(p, grid, to_boxes(rows.reshape(-1, n, 5)))[0],
-        low.ravel(),
-        high.ravel(),
-        np.random.default_rng(seed),
-        Watch(budget, progress, cancel),
-        rounds,
-    )
-    return Found(distinct(to_boxes(genes.reshape(-1, n, 5)), energies), done)
+    solver = PaperGenetic(generations=rounds)
+    return over_genes(solver, problem, budget, seed, progress, cancel, rounds)

@@ -7,10 +7,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.encodings.boxes import gene_bounds, to_boxes
-from scenewright.energy import energies_of, prepare, route_grid
 from scenewright.problem import Problem
-from scenewright.solve import Budget, Cancel, Found, Progress, Watch, distinct, run_population
+from scenewright.solve import Budget, Cancel, Found, Progress
+from scenewright.solvers.over_genes import over_genes
 
 Floats = NDArray[np.float64]
 BATCH = 40
@@ -50,16 +49,5 @@ def random_search(
     cancel: Cancel | None = None,
 ) -> Found:
     """The best of random layouts; 4000 of them without a budget."""
-    n = len(problem.items.low)
-    low, high = gene_bounds(problem)
-    p, grid = prepare(problem), route_grid(problem, 0.1)
-    genes, energies, done = run_population(
-        RandomDraws(),
-        lambda rows: energies_of(p, grid, to_boxes(rows.reshape(-1, n, 5)))[0],
-        low.ravel(),
-        high.ravel(),
-        np.random.default_rng(seed),
-        Watch(budget, progress, cancel),
-        None if budget.seconds or budget.steps else ROUNDS,
-    )
-    return Found(distinct(to_boxes(genes.reshape(-1, n, 5)), energies), done)
+    rounds = None if budget.seconds or budget.steps else ROUNDS
+    return over_genes(RandomDraws(), problem, budget, seed, progress, cancel, rounds)

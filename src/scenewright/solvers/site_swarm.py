@@ -1,13 +1,12 @@
 """Sites by a particle swarm over poses, the paper's comparison "PSO".
 
-Kennedy, Eberhart 1995, with the constriction of Clerc, Kennedy 2002: w = 0.7298, c = 1.49618.
-A particle is all poses (n, 3); headings are rounded to the four of the site when judged.
+The swarm is :class:`scenewright.solvers.swarm.Swarm`. A particle is all poses (n, 3); headings are
+rounded to the four of the site when judged.
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
@@ -17,53 +16,11 @@ from scenewright.solvers.draws import streams
 from scenewright.solvers.site_answer import answer, make_measure, standing
 from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.site_random import TRIES, drop_buildings, lines_of
+from scenewright.solvers.swarm import Swarm
 
 PARTICLES, ROUNDS = 40, 250
 LOOKED = 40
 """How many of the best are looked at for what can stand."""
-INERTIA, PULL = 0.7298, 1.49618
-
-
-class Flight(NamedTuple):
-    """Positions and velocities (P, m), the best of each particle with its energy (P,), bounds."""
-
-    places: Floats
-    speeds: Floats
-    bests: Floats
-    energies: Floats
-    low: Floats
-    high: Floats
-
-
-class Swarm(NamedTuple):
-    """Ask / tell of :class:`scenewright.solve.PopulationSolver`; ``first`` (P, m) where it
-    starts."""
-
-    first: Floats
-
-    def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Flight:
-        """At the first places, with small random speeds."""
-        speeds = 0.1 * (high - low) * rng.uniform(-1.0, 1.0, self.first.shape)
-        energies = np.full(len(self.first), math.inf)
-        return Flight(self.first.copy(), speeds, self.first.copy(), energies, low, high)
-
-    def ask(self, state: Flight, rng: np.random.Generator) -> tuple[Floats, Flight]:
-        """Where the particles are; after the first round each flies on, pulled to its own best
-        and to the best of all, and stays within the bounds."""
-        if not np.isfinite(state.energies).any():
-            return state.places, state
-        shape, leader = state.places.shape, state.bests[state.energies.argmin()]
-        speeds = INERTIA * state.speeds
-        speeds += PULL * rng.random(shape) * (state.bests - state.places)
-        speeds += PULL * rng.random(shape) * (leader - state.places)
-        places = np.clip(state.places + speeds, state.low, state.high)
-        return places, state._replace(places=places, speeds=speeds)
-
-    def tell(self, state: Flight, genes: Floats, energies: Floats) -> Flight:
-        """Each particle keeps its best."""
-        better = energies < state.energies
-        bests = np.where(better[:, None], genes, state.bests)
-        return state._replace(bests=bests, energies=np.where(better, energies, state.energies))
 
 
 def swarm_site(

@@ -135,7 +135,7 @@ def dressed(
         again, lost = _placed(task, tuple(p.wish for p in placed), names, settled, ())
         if not lost and _lost(again) <= _lost(placed):
             placed = again
-    return _scored(task, placed, missing, problem, energy)
+    return scored(task, placed, missing, problem, energy)
 
 
 def _lost(placed: tuple[Placed, ...]) -> int:
@@ -168,10 +168,11 @@ def _placed(
     return tuple(placed), tuple(missing)
 
 
-def _scored(
+def scored(
     task: Task, placed: tuple[Placed, ...], missing: tuple[Missing, ...], problem: Problem,
     energy: float,
 ) -> Furnished:  # fmt: skip
+    """The answer that groups so placed make, ways kept open; ``energy`` if nothing stands."""
     blocked: tuple[str, ...] = ()
     if task.preset.exact:
         placed, gone, blocked = _opened(task, placed)

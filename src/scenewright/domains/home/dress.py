@@ -136,11 +136,11 @@ def _try(
     essential = GROUPS[function].essential
     for i, member in enumerate(case.members):
         if member.category in essential and not stands[i]:
-            return Refused(_reason(member, int(codes[i]), int(offenders[i]), standing))
+            return Refused(why_not(member, int(codes[i]), int(offenders[i]), standing))
     lost = [m for m, stood in zip(case.members, stands, strict=True) if not stood]
     heavy = sum(m.on < 0 and m.z < 0.05 and m.category != "rug" for m in lost)
     if _MUST & {m.category for m in lost} or _without_table(case, lost):
-        return Refused(_reason(lost[0], int(codes[stands.index(False)]), -1, standing))
+        return Refused(why_not(lost[0], int(codes[stands.index(False)]), -1, standing))
     return Dressed(case, box, stands, heavy)
 
 
@@ -198,7 +198,8 @@ def _supported(
     return tuple(stands)
 
 
-def _reason(member: Member, code: int, offender: int, standing: Standing) -> str:
+def why_not(member: Member, code: int, offender: int, standing: Standing) -> str:
+    """What is told of a member that cannot stand, by the code of its fault."""
     what = member.category.replace("_", " ")
     if code == OUTSIDE:
         size = member.size

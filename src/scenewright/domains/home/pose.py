@@ -48,7 +48,7 @@ def problem_of(
     sizes those of a room of ``area`` square metres."""
     groups = [w.group for w in wishes]
     return Problem(
-        ground, items_of(wishes, area), tuple(_numbered(groups)), weights, printed,
+        ground, items_of(wishes, area), tuple(numbered(groups)), weights, printed,
         route_width,
     )  # fmt: skip
 
@@ -56,7 +56,7 @@ def problem_of(
 def items_of(wishes: tuple[Wish, ...], area: float) -> Items:
     """Patches as arrays: size range from the case library, behaviour from the table of groups."""
     kinds = [GROUPS[w.group] for w in wishes]
-    sizes = [_sizes(w, area) for w in wishes]
+    sizes = [sizes_of(w, area) for w in wishes]
     pairs, targets, weights = _relations([w.group for w in wishes])
 
     def column(values: list[float]) -> NDArray[np.float64]:
@@ -76,7 +76,7 @@ def items_of(wishes: tuple[Wish, ...], area: float) -> Items:
     )  # fmt: skip
 
 
-def _sizes(wish: Wish, area: float) -> tuple[tuple[float, float], ...]:
+def sizes_of(wish: Wish, area: float) -> tuple[tuple[float, float], ...]:
     """Least, greatest and wished (width, depth): the least is that of the smallest real case
     that becomes the room (of any case if the wish may be small)."""
     found = cases(wish.group).sizes
@@ -108,10 +108,10 @@ def _relations(
     )
 
 
-def _numbered(groups: list[str]) -> list[str]:
+def numbered(groups: list[str]) -> list[str]:
     """Names for items: the group's, with a number from the second of its kind on.
 
-    >>> _numbered(["shelf", "plant", "shelf"])
+    >>> numbered(["shelf", "plant", "shelf"])
     ['shelf', 'plant', 'shelf_2']
     """
     names: list[str] = []

@@ -13,6 +13,7 @@ from scenewright.domains.home.attempt import (
     penalty,
     posed,
 )
+from scenewright.domains.home.piecewise import piecewise
 from scenewright.domains.home.programme import ALSO, FALLBACK, Wish
 from scenewright.solve import Budget
 from scenewright.solvers import SOLVERS
@@ -26,7 +27,10 @@ ROOMY = 4  # placed groups that make another try worth its time
 def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
     """The best answer found: all wishes at once; if that fails, what held and fallbacks for the
     rest; then, where only a way is missing, the same afresh; then the core alone; what is still
-    missing is tried in the room that is left. Presets that are not exact try once."""
+    missing is tried in the room that is left. Presets that are not exact, and solvers that place
+    single pieces, try once."""
+    if SOLVERS[task.solver].encoding == "pieces":
+        return piecewise(task, wishes, budget)
     if not task.preset.exact:
         return attempt(task, wishes, budget, task.seed)
     best = attempt(task, wishes, _share(budget, FIRST), task.seed)
