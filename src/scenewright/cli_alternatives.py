@@ -70,8 +70,13 @@ def numbered(path: Path, rank: int) -> Path:
 
     >>> numbered(Path("out/plan.svg"), 2).as_posix()
     'out/plan-2.svg'
+    >>> numbered(Path("plan.street.png"), 2).as_posix()
+    'plan-2.street.png'
     """
-    return path.with_name(f"{path.stem}-{rank}{path.suffix}")
+    from scenewright.formats import suffix_of
+
+    suffix = suffix_of(path)
+    return path.with_name(f"{path.name.removesuffix(suffix)}-{rank}{suffix}")
 
 
 def row(plan: Plan) -> dict[str, Any]:

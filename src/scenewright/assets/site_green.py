@@ -6,7 +6,7 @@ from __future__ import annotations
 from math import cos, pi, sin
 
 from scenewright.assets.greenery import rosette_symbol
-from scenewright.assets.materials import BARK, BLACK, CONCRETE, GLOW, LEAF, LEAF_LIGHT, STEEL, TEAK
+from scenewright.assets.materials import BARK, BLACK, CONCRETE, GLOW, STEEL, TEAK
 from scenewright.assets.model import Parts, asset, parts
 from scenewright.assets.objects import wobble
 from scenewright.assets.roofs import spire
@@ -16,22 +16,26 @@ from scenewright.geometry.mesh import Mesh, loft
 from scenewright.geometry.solids import block, disc, leg
 from scenewright.scene import Size
 
+CROWN = Material("crown", (0.31, 0.45, 0.24), roughness=0.95)
+CROWN_LIGHT = Material("light crown", (0.41, 0.54, 0.29), roughness=0.95)
+NEEDLES = Material("needles", (0.24, 0.37, 0.24), roughness=0.95)
+
 
 def _clump(rx: float, ry: float, z: tuple[float, float], at: tuple[float, float],
-           start: int, sides: int = 9) -> Mesh:  # fmt: skip
-    """An uneven round mass of leaves, 8 ``sides`` triangles: a point, four rings, a point."""
+           start: int, sides: int = 11) -> Mesh:  # fmt: skip
+    """An uneven round mass of leaves, 10 ``sides`` triangles: a point, five rings, a point."""
     middle, half = (z[0] + z[1]) / 2, (z[1] - z[0]) / 2
-    rings = [[(at[0], at[1], z[0])] * sides]
-    for k, angle in enumerate((-0.95, -0.3, 0.35, 0.95)):
+    rings = [[(at[0], at[1], z[0] + 0.04 * half)] * sides]
+    for k, angle in enumerate((-1.05, -0.55, 0.0, 0.55, 1.05)):
         ring = []
         for i in range(sides):
             turn = 2 * pi * (i + 0.5 * (k % 2)) / sides
-            wide = cos(angle) * (0.86 + 0.2 * wobble(start + 7 * k + 3 * i))
+            wide = cos(angle) * (0.9 + 0.12 * wobble(start + 7 * k + 3 * i))
             ring.append(
                 (
                     at[0] + rx * wide * cos(turn),
                     at[1] + ry * wide * sin(turn),
-                    middle + half * (sin(angle) + 0.12 * (wobble(start + 5 * k + i) - 0.5)),
+                    middle + half * (sin(angle) + 0.1 * (wobble(start + 5 * k + i) - 0.5)),
                 )
             )
         rings.append(ring)
@@ -40,16 +44,16 @@ def _clump(rx: float, ry: float, z: tuple[float, float], at: tuple[float, float]
 
 
 def _tree(size: Size) -> Parts:
-    """A broad crown of four masses on a forked trunk."""
+    """A broad crown of five masses on a trunk."""
     w, d, h = size.width / 2, size.depth / 2, size.height
-    trunk = leg(0.0, 0.0, (0.0, 0.5 * h), 0.025 * (w + d), 0.045 * (w + d), 7)
+    trunk = leg(0.0, 0.0, (0.0, 0.5 * h), 0.02 * (w + d), 0.032 * (w + d), 8)
     return parts(size, {
         BARK: [trunk],
-        LEAF: [_clump(0.8 * w, 0.8 * d, (0.3 * h, 0.84 * h), (0.0, 0.0), 0),
-               _clump(0.5 * w, 0.5 * d, (0.27 * h, 0.66 * h), (-0.44 * w, 0.34 * d), 11, 7),
-               _clump(0.5 * w, 0.5 * d, (0.3 * h, 0.7 * h), (0.38 * w, -0.44 * d), 23, 7)],
-        LEAF_LIGHT: [_clump(0.62 * w, 0.62 * d, (0.5 * h, h), (0.1 * w, 0.08 * d), 3),
-                     _clump(0.46 * w, 0.46 * d, (0.4 * h, 0.8 * h), (0.46 * w, 0.4 * d), 31, 7)],
+        CROWN: [_clump(0.8 * w, 0.8 * d, (0.3 * h, 0.84 * h), (0.0, 0.0), 0),
+                _clump(0.5 * w, 0.5 * d, (0.27 * h, 0.66 * h), (-0.44 * w, 0.34 * d), 11, 9),
+                _clump(0.5 * w, 0.5 * d, (0.3 * h, 0.7 * h), (0.38 * w, -0.44 * d), 23, 9)],
+        CROWN_LIGHT: [_clump(0.62 * w, 0.62 * d, (0.5 * h, h), (0.1 * w, 0.08 * d), 3),
+                      _clump(0.46 * w, 0.46 * d, (0.4 * h, 0.8 * h), (0.46 * w, 0.4 * d), 31, 9)],
     })  # fmt: skip
 
 
@@ -64,7 +68,7 @@ def _conifer(size: Size) -> Parts:
     ]
     shaped = [Mesh(cone.vertices * (w, d, 1.0), cone.faces) for cone in cones]
     trunk = leg(0.0, 0.0, (0.0, 0.3 * h), 0.06 * w, 0.07 * w, 5)
-    return parts(size, {BARK: [trunk], LEAF: shaped})
+    return parts(size, {BARK: [trunk], NEEDLES: shaped})
 
 
 def _lamp_post(size: Size) -> Parts:

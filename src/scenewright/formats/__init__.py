@@ -1,4 +1,4 @@
-"""Files in and out: one file a format, found by suffix.
+"""Files in and out: one file a format, found by the longest suffix that fits.
 
 A row says which suffix a module handles and whether it reads briefs or writes solutions; the
 module is imported on first use, so a missing extra is only noticed (and named) then. A module
@@ -56,12 +56,11 @@ FORMATS = (
         ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"
     ),
     Format(".png", "picture from above", writer="scenewright.formats.png"),
+    Format(".street.png", "picture of a site at eye height", writer="scenewright.formats.street"),
 )
 
 
-def read(
-    source: str | os.PathLike[str], keep: bool = False, catalogs: Sequence[str] = ()
-) -> Brief:
+def read(source: str | os.PathLike[str], keep: bool = False, catalogs: Sequence[str] = ()) -> Brief:
     """The brief in a file, or a sample (``sample:home-flat``); checked down to its geometry.
 
     ``keep`` leaves movable furniture of the file where it is, as fixed items; ``catalogs`` are
@@ -107,6 +106,17 @@ def writer(path: str | os.PathLike[str]) -> Callable[[Solution, str | os.PathLik
         row.writer, path
     ).write
     return write_function
+
+
+def suffix_of(path: str | os.PathLike[str]) -> str:
+    """The suffix by which a file's format is found, as it is written there.
+
+    >>> suffix_of("a/site.street.png"), suffix_of("site.png"), suffix_of("notes.txt")
+    ('.street.png', '.png', '.txt')
+    """
+    name = Path(path).name
+    fitting = [len(row.suffix) for row in formats() if _fits(row, name.lower())]
+    return name[-max(fitting) :] if fitting else Path(name).suffix
 
 
 def samples() -> tuple[str, ...]:
@@ -158,15 +168,22 @@ def _sample(name: str) -> Brief:
 
 
 def _row(path: str | os.PathLike[str], part: str) -> Format:
-    suffix = Path(path).suffix.lower()
-    found = [row for row in FORMATS if row.suffix == suffix and getattr(row, part)]
-    found = found or [row for row in formats() if row.suffix == suffix and getattr(row, part)]
+    name = Path(path).name.lower()
+    suffix = Path(name).suffix
+    fitting = [row for row in FORMATS if _fits(row, name) and getattr(row, part)]
+    fitting = fitting or [row for row in formats() if _fits(row, name) and getattr(row, part)]
+    found = sorted(fitting, key=lambda row: -len(row.suffix))
     if not found:
         usable = ", ".join(row.suffix for row in formats() if getattr(row, part))
         verb = "read" if part == "reader" else "written"
         told = f"'{suffix}' files cannot be {verb}" if suffix else "the name has no suffix"
         raise InputError(told, f"use one of: {usable}", file=str(path))
     return found[0]
+
+
+def _fits(row: Format, name: str) -> bool:
+    """Whether a file's name ends in a row's suffix, and has more than that."""
+    return name.endswith(row.suffix) and len(name) > len(row.suffix)
 
 
 def _module(name: str, path: str | os.PathLike[str]) -> ModuleType:

@@ -26,18 +26,20 @@ PATTERNS = {
     "deck floor": finish.DECK, "page": finish.PAGE,
     "grass": finish.GRASS, "meadow": finish.GRASS, "asphalt": finish.GRIT,
     "pavement": finish.SLABS, "gravel path": finish.GRIT, "garden walk": finish.SLABS,
+    "crown": finish.LEAVES, "light crown": finish.LEAVES, "needles": finish.LEAVES,
 }  # fmt: skip
 
 Floats = NDArray[np.float64]
 
 
 class Block(NamedTuple):
-    """The triangles of one part, in place."""
+    """The triangles of one part, in place, and the category of the thing it belongs to."""
 
     material: Material
     vertices: Floats
     faces: NDArray[np.int64]
     normals: Floats
+    category: str = ""
 
 
 def stage_of(
@@ -98,7 +100,8 @@ def _of_thing(thing: Thing, normals: Sequence[Floats]) -> list[Block]:
     turn = thing._replace(at=(0.0, 0.0, 0.0))
     return [
         Block(part.material, placed(thing, part.vertices), part.faces,
-              placed(turn, corner.reshape(-1, 3)).reshape(-1, 3, 3))
+              placed(turn, corner.reshape(-1, 3)).reshape(-1, 3, 3),
+              str(thing.extras.get("category", "")))
         for part, corner in zip(thing.parts, normals, strict=True)
     ]  # fmt: skip
 

@@ -15,9 +15,9 @@ from scenewright.geometry.compiled import compiled, inlined
 Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
 
-PLAIN, PLANKS, SLABS, TILES, DECK, PAGE, GRASS, GRIT = 0, 1, 2, 3, 4, 5, 6, 7
+PLAIN, PLANKS, SLABS, TILES, DECK, PAGE, GRASS, GRIT, LEAVES = 0, 1, 2, 3, 4, 5, 6, 7, 8
 """Patterns: none, oak planks, 0.6 m slabs, 0.3 m tiles, outdoor boards, the page itself, uneven
-ground that grows, uneven ground that does not."""
+ground that grows, uneven ground that does not, crowns of trees."""
 
 SUN = (1.24, 1.18, 1.08)
 SKY = (0.55, 0.60, 0.67)
@@ -45,8 +45,10 @@ def shade(eye: Singles, points: Singles, facing: Singles, finishes: Ints, table:
                 out[i, k] = table[m, k] * (1.0 - (0.50 - 0.03 * k) * dark)
             continue
         tone = 1.0
-        if pattern != PLAIN and nz > 0.9:
-            tone = _tone(pattern, points[i, 0], points[i, 1], grain * _away(eye, points, i))
+        if pattern != PLAIN and (nz > 0.9 or pattern == LEAVES):
+            lift = points[i, 2] if pattern == LEAVES else 0.0
+            tone = _tone(pattern, points[i, 0] + 0.83 * lift, points[i, 1] - 0.61 * lift,
+                         grain * _away(eye, points, i))  # fmt: skip
         gloss_sun, gloss_sky, facet = _gloss(eye, points, facing, i, to_sun, table[m, 3])
         metal = table[m, 4]
         weight = metal * 0.6 + (1.0 - metal) * (0.04 + 0.5 * facet) * (1.0 - table[m, 3])
@@ -101,6 +103,9 @@ def _tone(pattern: int, x: float, y: float, grain: float) -> float:
     if pattern == GRASS:
         spots = _patches(x, y, 7.0, 0.10, grain) + _patches(x, y, 1.3, 0.13, grain)
         return 1.0 + spots + _patches(x, y, 0.16, 0.22, grain) + _patches(x, y, 0.03, 0.3, grain)
+    if pattern == LEAVES:
+        spots = _patches(x, y, 0.9, 0.25, grain) + _patches(x, y, 0.31, 0.6, grain)
+        return 1.0 + spots + _patches(x, y, 0.11, 0.6, grain)
     if pattern == GRIT:
         spots = _patches(x, y, 5.0, 0.07, grain) + _patches(x, y, 0.5, 0.05, grain)
         return 1.0 + spots + _patches(x, y, 0.03, 0.14, grain)

@@ -162,7 +162,14 @@ def side_densities(model: Model, count: int = 2000) -> Floats:
 
 
 def best_spot(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> Spot:
-    """Where a picture from the path shows most: the eye and the direction.
+    """Where a picture from the path shows most: the first of :func:`best_spots`."""
+    if not made.found.size:
+        raise ValueError("no eyes")
+    return best_spots(made, view, standoff)[0]
+
+
+def best_spots(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> list[Spot]:
+    """Of every eye the direction in which a picture shows most, the best eye first.
 
     A view ``view`` radians wide is judged by (Σ √v)², v being what one building adds to it: as
     much as all add if one building fills it, k times as much if k share it. Rays steeper than
@@ -171,8 +178,6 @@ def best_spot(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> S
     best picture would be of a wall. One looks at
     the middle of the view, slightly up. ``score`` is (Σ √v)².
     """
-    if not made.found.size:
-        raise ValueError("no eyes")
     ways = ways_of(made)
     nearness = np.minimum(made.distances / standoff, 1.0)
     worth = made.values * nearness**2 / made.values.shape[1]
@@ -182,11 +187,17 @@ def best_spot(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> S
     wide = min(max(round(view / (2.0 * np.pi) * BINS), 1), BINS)
     scores = np.array([
         _views(made.found[e], bins[e], worth[e], wide) for e in range(len(bins))
-    ])  # fmt: skip
-    e, first = divmod(int(np.argmax(scores)), BINS)
-    middle = (first + wide / 2) / BINS * 2.0 * np.pi
-    way = np.array([np.cos(RISE) * np.cos(middle), np.cos(RISE) * np.sin(middle), np.sin(RISE)])
-    return Spot(made.eyes[e], way, float(scores[e, first]))
+    ]).reshape(-1, BINS)  # fmt: skip
+    firsts = scores.argmax(1)
+    order = np.argsort(-scores.max(1), kind="stable")
+    return [_spot(made.eyes[e], firsts[e] + wide / 2, scores[e, firsts[e]]) for e in order]
+
+
+def _spot(eye: Floats, middle: float, score: float) -> Spot:
+    """The view whose middle is so many bins from +x."""
+    turn = middle / BINS * 2.0 * np.pi
+    way = np.array([np.cos(RISE) * np.cos(turn), np.cos(RISE) * np.sin(turn), np.sin(RISE)])
+    return Spot(eye, way, float(score))
 
 
 def _views(found: Ints, bins: Ints, worth: Floats, wide: int) -> Floats:

@@ -1,0 +1,119 @@
+"""What lies and grows on a site: roads in one piece, walks to doors, trees clear of everything."""
+
+from __future__ import annotations
+
+import json
+import struct
+
+import numpy as np
+import pytest
+import shapely
+
+import scenewright as sw
+from scenewright.assets import shipped
+from scenewright.assets.tints import TINTS
+from scenewright.brief import Brief
+from scenewright.formats.glb import encoded
+from scenewright.layout import corners
+from scenewright.shell import scene_of
+from scenewright.site_plan import plans_of
+from scenewright.site_walks import CLEAR, walks
+from scenewright.solution import Solution
+
+CROSSING = [
+    {"line": [[-5, 40], [60, 30], [125, 45]], "width": 10},
+    {"line": [[60, -5], [60, 95]], "width": 8},
+    {"line": [[-5, 70], [125, 70]], "width": 3, "kind": "path"},
+]
+BUILDINGS = [{"model": "villa", "count": 7}, {"model": "row_houses", "count": 2}]
+
+
+def solved(roads: list[dict[str, object]], **more: object) -> Solution:
+    ground = {"id": "s", "outline": [[0, 0], [120, 0], [120, 90], [0, 90]], "roads": roads}
+    return sw.solve(Brief.model_validate({"domain": "site", "sites": [ground | more]}))
+
+
+@pytest.fixture(scope="module")
+def street() -> Solution:
+    return solved(CROSSING, buildings=BUILDINGS,
+                  landmarks=[{"model": "pavilion", "at": [20, 12]}])  # fmt: skip
+
+
+def shapes_of(solution: Solution) -> dict[str, shapely.Geometry]:
+    return {
+        row.kind: shapely.union_all([shapely.Polygon(*area) for area in row.areas])
+        for row in scene_of(solution).surfaces
+    }
+
+
+def footprints(solution: Solution) -> list[shapely.Polygon]:
+    boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth)
+             for p in solution.pieces if p.category == "building"]  # fmt: skip
+    return [shapely.Polygon(ring) for ring in corners(np.array(boxes))]
+
+
+def test_roads_are_one_piece_and_cover_what_the_plan_says(street: Solution) -> None:
+    found = shapes_of(street)
+    plan = plans_of(street.brief)[0]
+    roads = shapely.union_all([shapely.Polygon(a.outline, a.holes) for way in plan.roads
+                               if way.kind == "road" for a in way.areas])  # fmt: skip
+    assert found["asphalt"].geom_type == "Polygon"
+    assert found["asphalt"].area + found["pavement"].area == pytest.approx(roads.area, rel=1e-4)
+    for one, other in (("asphalt", "pavement"), ("path", "asphalt"), ("walk", "path")):
+        assert found[one].intersection(found[other]).area < 0.1
+    assert found["asphalt"].buffer(1e-3).contains(found["marking"])
+    crossing = found["marking"].intersection(shapely.Point(60, 30).buffer(4.0))
+    assert crossing.area == 0.0
+
+
+def test_a_site_without_roads_has_nothing_on_the_ground() -> None:
+    assert shapes_of(solved([], buildings=BUILDINGS)) == {}
+
+
+def test_walks_lead_from_doors_to_ways_past_all_buildings(street: Solution) -> None:
+    plan = plans_of(street.brief)[0]
+    buildings = [p for p in street.pieces if p.category == "building"]
+    found = walks(plan, buildings)
+    assert len(found) == len(buildings)
+    every = shapely.union_all([walk.buffer(0.1) for walk in found])
+    ways = shapely.union_all([shapely.Polygon(a.outline) for w in plan.roads for a in w.areas])
+    for part in shapely.get_parts(every):
+        assert part.intersects(ways)
+    for walk in found:
+        _, *rest = shapely.get_coordinates(walk)
+        near = [shapely.LineString(rest).distance(shape) for shape in footprints(street)]
+        assert min(near) > CLEAR - 1e-6
+
+
+def test_trees_and_lamps_keep_clear(street: Solution) -> None:
+    found = shapes_of(street)
+    drive = shapely.union_all([found[kind] for kind in ("asphalt", "path", "walk")])
+    built = shapely.union_all(footprints(street))
+    trees = [p for p in street.pieces if p.category == "tree"]
+    assert len(trees) > 20
+    for tree in trees:
+        stem = shapely.Point(tree.pose.x, tree.pose.y)
+        assert stem.distance(drive) > 1.0
+        assert stem.distance(built) > tree.size.width / 2
+    lamps = [p for p in street.pieces if p.category == "lamp_post"]
+    assert lamps
+    assert all(found["pavement"].contains(shapely.Point(p.pose.x, p.pose.y)) for p in lamps)
+
+
+def test_like_buildings_differ_in_colour_and_landmarks_do_not(street: Solution) -> None:
+    data = encoded(scene_of(street), shipped())
+    document = json.loads(data[20 : 20 + struct.unpack("<I", data[12:16])[0]])
+
+    def colours(prefix: str) -> list[set[str]]:
+        used = [document["meshes"][node["mesh"]]["primitives"] for node in document["nodes"]
+                if node["name"].startswith(prefix) and "mesh" in node]  # fmt: skip
+        names = [{document["materials"][row["material"]]["name"] for row in rows} for rows in used]
+        return [set(row) for row in {frozenset(row) for row in names}]
+
+    assert len(colours("s/villa_")) > 1
+    (landmark,) = colours("s/landmark-1")
+    plain = {material.name for material in TINTS}
+    others = {tint.name for row in TINTS.values() for tint in row[1:]}
+    assert landmark & plain
+    assert not landmark & others
+    assert encoded(scene_of(street), shipped()) == data
