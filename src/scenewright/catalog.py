@@ -73,7 +73,7 @@ class Asset:
 
     ``mesh(size)`` gives parts that fill exactly ``[-w/2, w/2] x [-d/2, d/2] x [0, h]``;
     ``symbol(size)`` polylines ``(k, 2)`` in the same frame seen from above (closed ones repeat
-    their first point).
+    their first point). ``style`` and ``colour`` are words, where somebody told or they show.
     """
 
     id: str
@@ -86,6 +86,8 @@ class Asset:
     symbol: Symbol
     licence: str = "Apache-2.0"
     author: str = "Scenewright"
+    style: str = ""
+    colour: str = ""
 
 
 class Member(NamedTuple):

@@ -1,7 +1,9 @@
 """The catalog of a brief: what is shipped, and every model of the catalogues it names.
 
-A catalogue is a folder of model files, a library or one file (:mod:`scenewright.models`). It is
-read once and kept until a file of it changes.
+A catalogue is a folder of model files, a library or one file (:mod:`scenewright.models`), or a
+name under which one is registered. What each model is, is inferred and corrected by the
+catalogue's table (:mod:`scenewright.models.listing`). It is read once and kept until a file of it
+changes.
 """
 
 from __future__ import annotations
@@ -17,12 +19,15 @@ from scenewright.assets import shipped
 from scenewright.brief_catalog import CatalogBrief, entry_of
 from scenewright.catalog import Asset, Catalog
 from scenewright.errors import InputError
-from scenewright.models import MOST_IN_ALL, LibraryReport, report, suffixes
+from scenewright.models import MOST_IN_ALL, SIDECARS, LibraryReport, report, suffixes
 from scenewright.models.as_asset import asset_of
-from scenewright.models.categories import BUILDING, category_of
-from scenewright.models.model import Model, Options
+from scenewright.models.categories import BUILDING
+from scenewright.models.licences import licensed
+from scenewright.models.listing import Listed, listed, table_beside, table_of
+from scenewright.models.model import Model, Options, Skipped
+from scenewright.models.register import table_file, where
 
-__all__ = ["BUILDING", "OWN", "catalog_of", "named"]
+__all__ = ["BUILDING", "OWN", "Taken", "catalog_of", "named", "taken"]
 
 OWN = "model:"
 """How the ids of assets begin that are models of a user's catalogues."""
@@ -31,10 +36,12 @@ Stamp = tuple[tuple[str, int, int], ...]
 
 
 class Taken(NamedTuple):
-    """A catalogue as read: its entry in the brief and what its files hold."""
+    """A catalogue as read: where it is, what each of its models is taken for, and what could not
+    be used and why."""
 
-    entry: CatalogBrief
-    report: LibraryReport
+    path: Path
+    models: tuple[Listed, ...]
+    skipped: tuple[Skipped, ...]
 
 
 def catalog_of(catalogs: Sequence[str | CatalogBrief]) -> Catalog:
@@ -46,7 +53,16 @@ def catalog_of(catalogs: Sequence[str | CatalogBrief]) -> Catalog:
     if not catalogs:
         return shipped()
     entries = tuple(entry_of(entry) for entry in catalogs)
-    return _stocked(entries, tuple(_stamp(Path(entry.path)) for entry in entries))
+    return _stocked(entries, tuple(stamp for entry in entries for stamp in _stamps(entry)))
+
+
+def taken(entry: CatalogBrief) -> Taken:
+    """The models of a catalogue, understood and corrected by its table."""
+    path, table = _source(entry)
+    corrections = table_of(table) if table else table_beside(path)
+    found = _report(entry, path)
+    stated = entry.scale != 1.0 or bool(entry.up or entry.front)
+    return Taken(path, listed(licensed(found.models, path), corrections, stated), found.skipped)
 
 
 def named(catalog: Catalog, name: str) -> Asset:
@@ -80,35 +96,53 @@ def _near(name: str, catalog: Catalog) -> str:
 @lru_cache(maxsize=2)
 def _stocked(entries: tuple[CatalogBrief, ...], stamps: tuple[Stamp, ...]) -> Catalog:
     del stamps
-    taken = [Taken(entry, _report(entry)) for entry in entries]
-    faces = sum(len(part.faces) for one in taken for m in one.report.models for part in m.parts)
+    catalogues = [taken(entry) for entry in entries]
+    faces = sum(len(p.faces) for c in catalogues for one in c.models for p in one.model.parts)
     if faces > MOST_IN_ALL:
         raise InputError(f"the catalogues hold {faces:,} triangles",
                          f"{MOST_IN_ALL:,} can be held: give smaller ones")  # fmt: skip
     usual = shipped()
     assets = dict(usual.assets)
     names: dict[str, tuple[str, ...]] = {}
-    for one in taken:
-        for model in one.report.models:
-            asset = asset_of(_fresh(model, assets), category_of(model))
+    for catalogue in catalogues:
+        for one in catalogue.models:
+            if one.skip:
+                continue
+            model = _fresh(one.model, assets)
+            asset = asset_of(model, one.category, one.style, one.colour)
             assets[asset.id] = asset
-            for name in {told.casefold() for told in _names(model, asset, one.entry)}:
+            for name in {told.casefold() for told in _names(model, asset, catalogue.path)}:
                 names[name] = (*names.get(name, ()), asset.id)
-    broken = {
-        name.casefold(): row.reason
-        for one in taken for row in one.report.skipped for name in _broken(row.name)
-    }  # fmt: skip
+    broken = {name.casefold(): reason for c in catalogues for name, reason in _unusable(c)}
     return Catalog(usual.kinds, assets, names, broken)
 
 
-def _report(entry: CatalogBrief) -> LibraryReport:
+def _unusable(catalogue: Taken) -> Iterator[tuple[str, str]]:
+    """What a model may be called that cannot be used, and why."""
+    for row in catalogue.skipped:
+        yield from ((name, row.reason) for name in _broken(row.name))
+    for one in catalogue.models:
+        if one.skip:
+            yield from ((name, "the table skips it") for name in _broken(one.model.id))
+
+
+def _source(entry: CatalogBrief) -> tuple[Path, Path | None]:
+    """Where a catalogue's models are; of a registered one, given by its name, also its table."""
+    path = Path(entry.path)
+    if path.exists() or path.name != entry.path or path.suffix:
+        return path, None
+    table = table_file(entry.path)
+    return where(entry.path), table if table.is_file() else None
+
+
+def _report(entry: CatalogBrief, path: Path) -> LibraryReport:
     """What a catalogue holds; it must be something."""
-    found = report(entry.path, Options(entry.up, entry.front, entry.scale))
+    found = report(path, Options(entry.up, entry.front, entry.scale))
     if not found.models:
         first, more = found.skipped[:1], len(found.skipped) - 1
         told = f"{first[0].name}: {first[0].reason}" if first else "there are no model files"
         fault = f"holds no usable model ({told})" + f" and {more} more" * (more > 0)
-        raise InputError(fault, f"give one of: {', '.join(suffixes())}", file=entry.path)
+        raise InputError(fault, f"give one of: {', '.join(suffixes())}", file=str(path))
     return found
 
 
@@ -120,9 +154,9 @@ def _fresh(model: Model, taken: dict[str, Asset]) -> Model:
     return model._replace(id=name)
 
 
-def _names(model: Model, asset: Asset, entry: CatalogBrief) -> Iterator[str]:
+def _names(model: Model, asset: Asset, top: Path) -> Iterator[str]:
     """What a model may be called: its id, its own name, its file below the catalogue."""
-    top, file = PurePath(entry.path), PurePath(model.source)
+    file = PurePath(model.source)
     inner = model.id.partition("/")[2]
     below = file.relative_to(top) if file != top else PurePath(file.name)
     yield from (asset.id, asset.id.removeprefix(OWN), model.name)
@@ -136,6 +170,13 @@ def _names(model: Model, asset: Asset, entry: CatalogBrief) -> Iterator[str]:
 def _broken(name: str) -> tuple[str, ...]:
     path = PurePath(name)
     return (name, path.with_suffix("").as_posix(), path.stem) if path.name else (name,)
+
+
+def _stamps(entry: CatalogBrief) -> tuple[Stamp, ...]:
+    """Of a catalogue's files and of the tables that correct it."""
+    path, table = _source(entry)
+    beside = [table] if table else [path.with_name(f"{path.stem}.{name}") for name in SIDECARS]
+    return tuple(_stamp(one) for one in (path, *beside))
 
 
 def _stamp(path: Path) -> Stamp:

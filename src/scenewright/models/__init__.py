@@ -19,6 +19,8 @@ from scenewright.models.files import MEBIBYTE, beside, whole
 from scenewright.models.model import Found, Model, Options, Skipped, clean, set_up
 
 USUAL = Options()
+SIDECARS = ("catalog.csv", "catalog.json")
+"""Tables that lie among models and tell about them."""
 MOST_MODELS = 5000
 MOST_ENTRIES = 100_000
 MOST_IN_ALL = 8_000_000
@@ -113,7 +115,7 @@ def _files(top: Path) -> Iterator[tuple[Path, Skipped | None]]:
             )
         for name in sorted(names):
             file = Path(folder, name)
-            if file.suffix.lower() in suffixes():
+            if file.suffix.lower() in suffixes() and name not in SIDECARS:
                 plain = file.is_file() and not file.is_symlink()
                 told = clean(str(file.relative_to(top)), "unnamed")
                 yield file, None if plain else Skipped(told, "is a link or no plain file")

@@ -9,27 +9,35 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.catalog import Asset, Part
+from scenewright.models.categories import BUILDING
 from scenewright.models.model import Model
+from scenewright.models.thinning import thinned
 from scenewright.scene import Size
 
 Floats = NDArray[np.float64]
 
 MOST_DRAWN = 20_000
 """Faces up to which the plan symbol is the exact outline; beyond, its convex hull."""
+HEAVY, LIGHT, LEAST = 25_000, 15_000, 12
+"""Triangles above which furniture is drawn with fewer, how many these are, and least of a part."""
 GRID = 1e-4
 """To what share of the model's size an outline is drawn."""
 
 
-def asset_of(model: Model, category: str = "building") -> Asset:
+def asset_of(model: Model, category: str = "building", style: str = "", colour: str = "") -> Asset:
     """The asset ``model:<id>``; ``mesh(size)`` stretches the model to exactly that size.
 
     Its smallest, usual and largest size are the model's own, so that a catalog prefers the model
-    that needs no stretching.
+    that needs no stretching. Furniture of more than :data:`HEAVY` triangles is drawn with fewer.
     """
+
+    @cache
+    def drawn() -> tuple[Part, ...]:
+        return model.parts if category == BUILDING else lighter(model.parts)
 
     def mesh(size: Size) -> tuple[Part, ...]:
         scale = np.array(size) / np.array(model.size)
-        return tuple(Part(part.material, part.vertices * scale, part.faces) for part in model.parts)
+        return tuple(Part(part.material, part.vertices * scale, part.faces) for part in drawn())
 
     @cache
     def lines() -> tuple[Floats, ...]:
@@ -41,8 +49,17 @@ def asset_of(model: Model, category: str = "building") -> Asset:
 
     return Asset(
         f"model:{model.id}", category, model.name, model.size, model.size, model.size, mesh,
-        symbol, model.licence, model.author,
+        symbol, model.licence, model.author, style, colour,
     )  # fmt: skip
+
+
+def lighter(parts: tuple[Part, ...]) -> tuple[Part, ...]:
+    """Parts with about :data:`LIGHT` triangles together, if they have more than :data:`HEAVY`."""
+    count = sum(len(part.faces) for part in parts)
+    if count <= HEAVY:
+        return parts
+    thin = (thinned(p, max(LEAST, len(p.faces) * LIGHT // count)) for p in parts)
+    return tuple(part for part in thin if len(part.faces))
 
 
 def outline(model: Model) -> tuple[Floats, ...]:

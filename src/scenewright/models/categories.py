@@ -1,25 +1,20 @@
-"""What a model is, where nobody says: a building by its file or its size."""
+"""What is a building, where nobody says."""
 
 from __future__ import annotations
 
-from pathlib import PurePath
-
-from scenewright.models.model import Model
+from scenewright.scene import Size
 
 BUILDING = "building"
 LARGE = 3.5
 """Least side of a building in metres: furniture is hardly that large in two directions."""
 CITY = (".json", ".cityjson")
+"""Suffixes of files that hold nothing but buildings."""
 
 
-def category_of(model: Model) -> str:
-    """The category of a model: ``building`` if it is of a city model or at least
-    :data:`LARGE` in two directions, else the file's own word.
+def building(size: Size, unit: float = 1.0) -> bool:
+    """Whether a size is at least :data:`LARGE` in two directions, with lengths of ``unit`` metres.
 
-    >>> from scenewright.scene import Size
-    >>> category_of(Model("tower", "Tower", (), Size(8, 9, 30), "", "", "tower.obj"))
-    'building'
+    >>> building(Size(8, 9, 3)), building(Size(9, 0.2, 2.5))
+    (True, False)
     """
-    wide = sum(side >= LARGE for side in model.size) >= 2
-    city = PurePath(model.source).suffix.lower() in CITY
-    return BUILDING if wide or city else model.category
+    return sum(side * unit >= LARGE for side in size) >= 2

@@ -38,6 +38,8 @@ FILLED = 0.1
 SKIN = 0.03
 """How near a side's face a triangle is part of it, as a share of the depth."""
 OBLONG = 1.15
+PLAIN = 3000
+"""Up to so many triangles each is cut finely, so that large ones count where they are."""
 
 
 class Front(NamedTuple):
@@ -77,13 +79,25 @@ def front(parts: Sequence[Part], size: Size, kind: str) -> Front:
 
 def _leaning(corners: Floats, areas: Floats, size: Size) -> list[float]:
     """How far the upper part lies away from each side, as a share of half the way to it."""
-    middles = corners.mean(1)
+    fine = 1 if len(corners) > PLAIN else 8
+    middles = (corners.transpose(0, 2, 1) @ _places(fine).T).transpose(0, 2, 1).reshape(-1, 3)
+    weights = np.repeat(areas, fine * fine)
     upper = middles[:, 2] > UPPER * size.height
-    if not areas[upper].sum() > 0 or not areas[~upper].sum() > 0:
+    if not weights[upper].sum() > 0 or not weights[~upper].sum() > 0:
         return [0.0] * 4
-    high, low = (np.average(middles[s, :2], axis=0, weights=areas[s]) for s in (upper, ~upper))
+    high, low = (np.average(middles[s, :2], axis=0, weights=weights[s]) for s in (upper, ~upper))
     shift = (low - high) / (np.array([size.width, size.depth]) / 2)
     return [float(np.dot(shift, side)) for side in SIDES]
+
+
+def _places(fine: int) -> Floats:
+    """The middles of the ``fine`` x ``fine`` equal triangles one is cut into, as shares of its
+    corners ``(fine * fine, 3)``."""
+    cuts = range(fine)
+    ahead = [(3 * i + 1, 3 * j + 1) for i in cuts for j in cuts if i + j < fine]
+    back = [(3 * i + 2, 3 * j + 2) for i in cuts for j in cuts if i + j < fine - 1]
+    shares = np.array([*ahead, *back]) / (3 * fine)
+    return np.column_stack([1 - shares.sum(1), shares])
 
 
 def _filling(corners: Floats, crossed: Floats, areas: Floats, size: Size) -> list[float]:
