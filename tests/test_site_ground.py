@@ -79,7 +79,9 @@ def test_walks_lead_from_doors_to_ways_past_all_buildings(street: Solution) -> N
     ways = shapely.union_all([shapely.Polygon(a.outline) for w in plan.roads for a in w.areas])
     for part in shapely.get_parts(every):
         assert part.intersects(ways)
+    floor = shapely.Polygon(plan.outline).buffer(1e-6)
     for walk in found:
+        assert floor.covers(walk)
         _, *rest = shapely.get_coordinates(walk)
         near = [shapely.LineString(rest).distance(shape) for shape in footprints(street)]
         assert min(near) > CLEAR - 1e-6

@@ -94,3 +94,22 @@ def test_large_sites_are_drawn_in_seconds(tmp_path):
     assert time.perf_counter() - start < 10
     assert (tmp_path / "plan.svg").stat().st_size < 3e6
     assert [p.name for p in tmp_path.iterdir()] == ["plan.svg"]
+
+
+def test_models_have_letters_by_number_with_counts_in_the_legend():
+    pieces = [building(f"v{k}", 15 + 25 * k, 20, asset="villa") for k in range(3)]
+    pieces.append(building("r", 30, 60, 30, 10, asset="row_houses"))
+    drawing = drawn(site(), pieces)
+    told = words(drawing)
+    assert told.count("A") == 3 * 2 + 1  # three buildings, each over a halo, and the legend
+    assert told.count("B") == 1 * 2 + 1
+    assert any(word.startswith("3 × ") for word in told)
+    assert any(word.startswith("1 × ") for word in told)
+
+
+def test_sites_are_drawn_on_handy_paper_and_labels_stay_within_their_buildings():
+    grid = [building(f"v{k}", 20 + 20 * (k % 30), 20 + 20 * (k // 30), 14, 12) for k in range(900)]
+    root = drawn(site(outline=[(0, 0), (640, 0), (640, 640), (0, 640)], roads=[]), grid)
+    assert float(root.get("width", "0mm")[:-2]) <= 594.0
+    sizes = [float(t.get("font-size", "0")) for t in root.iter(f"{SVG}text") if t.text == "A"]
+    assert min(sizes) >= 1.0

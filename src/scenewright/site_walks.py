@@ -28,28 +28,34 @@ Walk: TypeAlias = shapely.LineString
 
 
 def walks(plan: SitePlan, buildings: Sequence[Piece]) -> tuple[Walk, ...]:
-    """The middle lines of the walks of a site; buildings that none can reach have none."""
+    """The middle lines of the walks of a site, inside it; buildings that none can reach have
+    none."""
     areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
-    if not buildings or not areas:
+    standing = [p for p in buildings if np.isfinite([*p.pose, *p.size]).all()]
+    if not standing or not areas:
         return ()
     streets = shapely.union_all(areas)
     shapely.prepare(streets)
-    taken = shapely.STRtree(_footprints(buildings))
+    taken = shapely.STRtree(_footprints(standing))
+    floor = shapely.Polygon(plan.outline, plan.holes)
+    shapely.prepare(floor)
     found: dict[int, Walk] = {}
     for ahead in AHEAD:
-        _lay(buildings, ahead, streets, taken, found)
+        _lay(standing, ahead, streets, taken, floor, found)
     return tuple(found[i] for i in sorted(found))
 
 
 def _lay(
     buildings: Sequence[Piece], ahead: float, streets: shapely.Geometry, taken: shapely.STRtree,
-    found: dict[int, Walk],
+    floor: shapely.Polygon, found: dict[int, Walk],
 ) -> None:  # fmt: skip
     """Add the walks that bend so far ahead of the doors, the nearest to a street first."""
     doors, knees = _doors(buildings, ahead)
     direct = shapely.shortest_line(shapely.points(knees), streets)
     away = shapely.length(direct)
-    through = _free(taken, direct) & (away <= LONGEST)
+    first = shapely.linestrings(np.stack([doors, knees], 1))
+    within = shapely.covers(floor, first) & shapely.covers(floor, direct)
+    through = within & _free(taken, direct) & (away <= LONGEST)
     near = cKDTree(knees).query(knees, k=min(NEIGHBOURS, len(knees)))[1].reshape(len(knees), -1)
     for i in (int(i) for i in np.argsort(away, kind="stable") if int(i) not in found):
         if through[i]:
@@ -58,7 +64,8 @@ def _lay(
         bends = [shapely.get_coordinates(found[j])[1] for j in near[i].tolist() if j in found]
         ways = [Walk([knees[i], bend]) for bend in bends]
         for bend, way, there in zip(bends, ways, _free(taken, ways), strict=True):
-            if there and way.length <= LONGEST:
+            inside = there and floor.covers(first[i]) and floor.covers(way)
+            if inside and way.length <= LONGEST:
                 found[i] = _line(doors[i], knees[i], bend)
                 break
 

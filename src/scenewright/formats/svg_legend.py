@@ -55,15 +55,16 @@ class Arrangement(NamedTuple):
     columns: tuple[tuple[float, float, tuple[Row, ...]], ...]
 
 
-def arrange(need: tuple[float, float], extra: tuple[float, float], rows: Sequence[Row]
-            ) -> Arrangement:  # fmt: skip
+def arrange(need: tuple[float, float], extra: tuple[float, float], rows: Sequence[Row],
+            large: int = 200) -> Arrangement:  # fmt: skip
     """The largest scale, then the smallest paper on which drawing and legend fit.
 
     ``need`` is the drawing in metres to scale, ``extra`` millimetres that stay as they are.
+    Papers larger than A3 are only used from the scale ``large`` on.
     """
     for scale in SCALES if rows else ():
         wide, high = (n * 1000 / scale + more for n, more in zip(need, extra, strict=True))
-        for paper in papers(scale):
+        for paper in papers(scale, large):
             found = _beside(Sheet(*paper, scale), wide, high, rows)
             found = found or _below(Sheet(*paper, scale), wide, high, rows)
             if found is not None:
@@ -157,6 +158,8 @@ def _sign(row: Row, left: float, y: float) -> str:
     match row.sign:
         case "swatch":
             return shape([box], fill=row.value, stroke=GREY, stroke_width=FINE)
+        case "letter":
+            return _words(row.value, left, y, TEXT, weight="bold")
         case "stop" | "number":
             return bubble(int(row.value), middle, filled=row.sign == "stop")
         case "route":

@@ -63,9 +63,9 @@ def choose(width: float, height: float, extra_width: float, extra_height: float)
     )
 
 
-def papers(scale: int) -> tuple[tuple[float, float], ...]:
-    """The papers to try at a scale, the smallest first."""
-    return PAPERS if scale <= 100 else PAPERS + LARGE
+def papers(scale: int, large: int = 200) -> tuple[tuple[float, float], ...]:
+    """The papers to try at a scale, the smallest first; those above A3 from ``large`` on."""
+    return PAPERS if scale < large else PAPERS + LARGE
 
 
 def sheet_mark(sheet: Sheet, name: str, summary: str) -> str:

@@ -8,8 +8,10 @@ the figures of the referee.
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from string import ascii_uppercase
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,12 +26,15 @@ from scenewright.formats.svg_legend import Row, arrange, legend_mark
 from scenewright.formats.svg_marks import View, clean, group, tag, text
 from scenewright.scene import Piece
 from scenewright.site_plan import SitePlan, plans_of
+from scenewright.site_walks import Walk, walks
 from scenewright.solution import Solution
 from scenewright.space import Points
 from scenewright.stock import catalog_of
 
 MARGIN, CAPTION = 6.0, 7.0
 """Millimetres around a site, and below it for its name."""
+LARGE, MODELS = 2000, 30
+"""The scale from which papers above A3 are used; most models listed."""
 
 Views = Mapping[str, tuple[Points, Points]]
 """By site: points (n, 2) along its ways, and what is seen from each, relative, in [0, 1]."""
@@ -42,6 +47,7 @@ class Drawing(NamedTuple):
     plan: SitePlan
     rows: tuple[Standing, ...]
     trees: tuple[Piece, ...]
+    walks: tuple[Walk, ...]
     findings: tuple[Finding, ...]
     figures: dict[str, Any]
     bounds: tuple[float, float, float, float]
@@ -61,7 +67,9 @@ def plan(solution: Solution, views: Views | None = None) -> str:
     wide = sum(d.bounds[2] - d.bounds[0] for d in drawings)
     high = max(d.bounds[3] - d.bounds[1] for d in drawings)
     extra = (len(drawings) + 1) * MARGIN, 2 * MARGIN + CAPTION
-    arranged = arrange((wide, high), extra, legend(drawings, bool(views)))
+    letters = letters_of(drawings)
+    rows = legend(drawings, letters, bool(views))
+    arranged = arrange((wide, high), extra, rows, LARGE)
     sheet, (room_wide, room_high) = arranged.sheet, arranged.room
     scale = 1000 / sheet.scale
     spare = (room_wide - wide * scale) / (len(drawings) + 1)
@@ -71,7 +79,8 @@ def plan(solution: Solution, views: Views | None = None) -> str:
         left += spare
         bottom = sheets.EDGE + (room_high - CAPTION + (north - south) * scale) / 2
         view = sheets.view_at(sheet, west, south, left, bottom)
-        body.append(_site_mark(view, drawing, (views or {}).get(drawing.plan.id)))
+        seen = (views or {}).get(drawing.plan.id)
+        body.append(_site_mark(view, drawing, letters, seen))
         if len(drawings) > 1:
             middle = left + (east - west) * scale / 2
             body.append(text(drawing.plan.name, (middle, bottom + MARGIN), 2.6))
@@ -92,6 +101,8 @@ def drawings_of(solution: Solution) -> tuple[Drawing, ...]:
         _drawing(
             site, plan, tuple(row for row in rows if row.site == plan.id),
             tuple(p for p in solution.pieces if p.space == plan.id and p.category == "tree"),
+            walks(plan, [p for p in solution.pieces
+                         if p.space == plan.id and p.category == "building"]),
             tuple(f for f in verdict.findings if f.space == plan.id), verdict.figures[plan.id],
         )
         for site, plan in zip(solution.brief.sites, plans, strict=True)
@@ -100,7 +111,7 @@ def drawings_of(solution: Solution) -> tuple[Drawing, ...]:
 
 def _drawing(
     site: Site, plan: SitePlan, rows: tuple[Standing, ...], trees: tuple[Piece, ...],
-    findings: tuple[Finding, ...], figures: dict[str, Any],
+    walks: tuple[Walk, ...], findings: tuple[Finding, ...], figures: dict[str, Any],
 ) -> Drawing:  # fmt: skip
     """Bounds take in the site and what stands no farther outside than it is long."""
     low, high = plan.outline.min(0), plan.outline.max(0)
@@ -115,27 +126,41 @@ def _drawing(
     corners = np.vstack([plan.outline, *inside])
     (west, south), (east, north) = corners.min(0).tolist(), corners.max(0).tolist()
     drawn = tuple(row for row in rows if any(row.footprint is kept for kept in inside))
-    return Drawing(site, plan, drawn, trees, findings, figures,
+    return Drawing(site, plan, drawn, trees, walks, findings, figures,
                    (west, south, east, north))  # fmt: skip
 
 
-def _site_mark(view: View, drawing: Drawing, seen: tuple[Points, Points] | None) -> str:
+def letters_of(drawings: Sequence[Drawing]) -> dict[str, str]:
+    """A letter for every model, the most frequent first: A to Z, then A1 …"""
+    counts = Counter(marks.model_of(r) for d in drawings for r in d.rows if not r.landmark)
+    return {
+        name: f"{ascii_uppercase[k % 26]}{k // 26 or ''}"
+        for k, (name, _) in enumerate(counts.most_common())
+    }
+
+
+def _site_mark(
+    view: View, drawing: Drawing, letters: Mapping[str, str], seen: tuple[Points, Points] | None
+) -> str:
     plan, rows = drawing.plan, drawing.rows
     return group([
         marks.ground_mark(view, plan),
+        marks.walks_mark(view, drawing.walks),
         marks.ways_mark(view, plan.roads),
         marks.setback_mark(view, plan, drawing.site.setback),
         marks.trees_mark(view, drawing.trees),
         marks.views_mark(view, *seen) if seen else "",
         marks.buildings_mark(view, rows),
-        marks.labels_mark(view, rows),
+        marks.labels_mark(view, rows, letters),
         marks.entrances_mark(view, plan),
         marks.faults_mark(view, rows, drawing.findings),
     ])  # fmt: skip
 
 
-def legend(drawings: Sequence[Drawing], views: bool = False) -> tuple[Row, ...]:
-    """Signs that occur, then the figures of each site."""
+def legend(
+    drawings: Sequence[Drawing], letters: Mapping[str, str], views: bool = False
+) -> tuple[Row, ...]:
+    """Signs that occur, the models with their numbers, then the figures of each site."""
     rows = [Row("heading", "Legend")]
     used = {marks.tint(r.floors) for d in drawings for r in d.rows if not r.landmark}
     least = 1
@@ -150,13 +175,32 @@ def legend(drawings: Sequence[Drawing], views: bool = False) -> tuple[Row, ...]:
         ("path" in ways, "swatch", "Path", marks.PAVING),
         (any(d.trees for d in drawings), "swatch", "Tree", marks.LEAF),
         (any(d.site.setback for d in drawings), "border", "Setback", ""),
+        (bool(letters), "entrance", "Front of a building", ""),
+        (any(d.plan.entrances for d in drawings), "exit", "Way in", ""),
         (views, "swatch", "Much to see from here", "#0054a0"),
         (any(d.findings for d in drawings), "swatch", "Fault, distance in metres", marks.FAULT),
     )
     rows += [Row(sign, words, value=value) for used_, sign, words, value in signs if used_]
+    rows += _models(drawings, letters)
     for drawing in drawings:
         rows += _figures(drawing, drawing.plan.name if len(drawings) > 1 else "Figures")
     return tuple(rows)
+
+
+def _models(drawings: Sequence[Drawing], letters: Mapping[str, str]) -> list[Row]:
+    """The models by letter: how many there are, storeys and height."""
+    counts = Counter(marks.model_of(r) for d in drawings for r in d.rows if not r.landmark)
+    first = {marks.model_of(r): r for d in drawings for r in d.rows if not r.landmark}
+    rows = [
+        Row("letter", first[name].name,
+            f"{counts[name]} × {first[name].floors} st, "
+            f"{first[name].high - first[name].low:.0f} m", letter)
+        for name, letter in list(letters.items())[:MODELS]
+    ]  # fmt: skip
+    more = len(letters) - MODELS
+    if more > 0:
+        rows.append(Row("", f"and {more} more models"))
+    return [Row("heading", "Models"), *rows] if rows else []
 
 
 def _figures(drawing: Drawing, heading: str) -> list[Row]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -122,7 +122,7 @@ def buildings_mark(view: View, rows: Sequence[Standing]) -> str:
     """Buildings by their storeys with a mark at the middle of the front, landmarks hatched."""
     marks = []
     for row in rows:
-        words = f"{row.name} · {row.floors} storeys · {row.high - row.low:.1f} m"
+        words = model_of(row)
         fill = HATCH if row.landmark else tint(row.floors)
         body = shape([to_paper(view, row.footprint)], fill=fill)
         marks.append(group([title(words), body, "" if row.landmark else _front(view, row)]))
@@ -140,14 +140,27 @@ def _front(view: View, row: Standing) -> str:
     return shape([to_paper(view, np.array(corners))], fill=INK, stroke="none")
 
 
-def labels_mark(view: View, rows: Sequence[Standing]) -> str:
-    """Storeys and height of each building, names of landmarks, where there is room."""
+def labels_mark(view: View, rows: Sequence[Standing], letters: Mapping[str, str]) -> str:
+    """The letter of each building's model (by :func:`model_of`) and its storeys, the name and
+    height of landmarks, where there is room."""
     marks = []
     for row in rows:
-        words = [f"{row.floors} st", f"{row.high - row.low:.0f} m"]
-        told = [row.name, words[1]] if row.landmark else words
+        told = [row.name, f"{row.high - row.low:.0f} m"]
+        if not row.landmark:
+            told = [letters.get(model_of(row), ""), f"{row.floors} st"]
         marks.append(_label(view, row.footprint, told))
     return group(marks, fill=INK)
+
+
+def model_of(row: Standing) -> str:
+    """What tells the models of a plan apart: name, storeys and height."""
+    return f"{row.name} · {row.floors} storeys · {row.high - row.low:.1f} m"
+
+
+def walks_mark(view: View, lines: Iterable[shapely.LineString]) -> str:
+    """Walks from the ways to the doors."""
+    marks = [line(to_paper(view, shapely.get_coordinates(walk))) for walk in lines]
+    return group(marks, fill="none", stroke=PAVING, stroke_width=max(1.8 * view.scale, FINE))
 
 
 def _label(view: View, footprint: Points, words: list[str]) -> str:
@@ -159,7 +172,7 @@ def _label(view: View, footprint: Points, words: list[str]) -> str:
     central = polygon.centroid.within(shapely.buffer(polygon, -0.8 * radius))
     middle = shapely.get_coordinates(polygon.centroid if central else circle)[0]
     wide, high = (max(2 * radius, 0.7 * (b - a)) * view.scale for a, b in ((x0, x1), (y0, y1)))
-    for lines in (words, [" · ".join(words)], words[-1:]):
+    for lines in (words, [" · ".join(words)], words[:1]):
         longest = max(text_width(line_, 1.0) for line_ in lines)
         size = min(LABEL, 0.9 * wide / longest, 0.8 * high / (1.25 * len(lines)))
         if size >= SMALLEST:
