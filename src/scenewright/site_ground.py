@@ -9,7 +9,6 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 import shapely
-from shapely.ops import substring
 
 from scenewright.outlines import rings
 from scenewright.scene import Piece, Surface
@@ -36,6 +35,7 @@ def _of_plan(plan: SitePlan, pieces: Sequence[Piece]) -> Iterator[Surface]:
     driven = [way for way in plan.roads if way.kind == "road"]
     roads, paths = _covered(driven), _covered(way for way in plan.roads if way.kind == "path")
     lanes = shapely.intersection(_lanes(driven), floor, grid_size=GRID)
+    shapely.prepare(lanes)
     standing = [p for p in pieces if p.space == plan.id and p.category == "building"]
     strips = shapely.union_all([walk.buffer(0.9, cap_style="flat", join_style="mitre")
                                 for walk in walks(plan, standing)])  # fmt: skip
@@ -45,7 +45,7 @@ def _of_plan(plan: SitePlan, pieces: Sequence[Piece]) -> Iterator[Surface]:
         "pavement": shapely.difference(roads, lanes, grid_size=GRID),
         "path": shapely.difference(paths, roads, grid_size=GRID),
         "walk": shapely.intersection(shapely.difference(strips, ways), floor, grid_size=GRID),
-        "marking": shapely.intersection(_markings(driven), lanes, grid_size=GRID),
+        "marking": _markings(driven, lanes),
     }
     for kind, shape in found.items():
         areas = tuple(rings(part) for part in _polygons(shape))
@@ -76,26 +76,31 @@ def _lanes(ways: Sequence[Way]) -> shapely.Geometry:
     return shapely.union_all(wide, grid_size=GRID)
 
 
-def _markings(ways: Sequence[Way]) -> shapely.Geometry:
-    """Dashes along the middle of roads of two lanes, none where another road crosses."""
-    wide = [way for way in ways if way.width - 2 * kerb(way.width) >= 5.0]
-    dashes = [dash for way in wide for dash in _dashes(way.line)]
-    if not dashes:
+def _markings(ways: Sequence[Way], lanes: shapely.Geometry) -> shapely.Geometry:
+    """Dashes along the middle of roads of two lanes, none where another road crosses or the lanes
+    end."""
+    wide = [number for number, way in enumerate(ways) if way.width - 2 * kerb(way.width) >= 5.0]
+    dashes = [_dashes(ways[number].line) for number in wide]
+    if not sum(map(len, dashes)):
         return shapely.Polygon()
-    owner = np.repeat(np.arange(len(wide)), [sum(1 for _ in _dashes(w.line)) for w in wide])
-    stripes = shapely.buffer(np.array(dashes, object), STRIPE / 2, cap_style="flat")
+    owner = np.repeat(wide, [len(rows) for rows in dashes])
+    stripes = shapely.buffer(
+        shapely.linestrings(np.concatenate(dashes)), STRIPE / 2, cap_style="flat"
+    )
     ground = [shapely.LineString(way.line).buffer(way.width / 2, cap_style="flat") for way in ways]
-    rank = {id(way): number for number, way in enumerate(ways)}
     dash, road = shapely.STRtree(ground).query(stripes, predicate="intersects")
-    own = np.array([rank[id(way)] for way in wide])[owner]
-    crossed = np.unique(dash[road != own[dash]])
-    return shapely.union_all(np.delete(stripes, crossed))
+    drawn = shapely.covers(lanes, stripes)
+    drawn[dash[road != owner[dash]]] = False
+    return shapely.multipolygons(stripes[drawn])
 
 
-def _dashes(line: Points) -> Iterator[shapely.LineString]:
+def _dashes(line: Points) -> Points:
+    """Both ends (n, 2, 2) of every dash along a line."""
     whole = shapely.LineString(line)
-    for start in np.arange(GAP / 2, whole.length - DASH, DASH + GAP):
-        yield substring(whole, start, start + DASH)
+    starts = np.arange(GAP / 2, whole.length - DASH, DASH + GAP)
+    ends = shapely.line_interpolate_point(whole, np.stack([starts, starts + DASH], 1))
+    found: Points = shapely.get_coordinates(ends).reshape(-1, 2, 2)
+    return found
 
 
 def _polygons(shape: shapely.Geometry) -> list[shapely.Polygon]:

@@ -1,0 +1,112 @@
+"""Sites of any number of buildings at one density, and one measure for all methods on them.
+
+Streets in a grid, seven or eight buildings a block, a landmark in the middle; buildings are the
+paper's nineteen styles and plain ones in one fixed order, so that a scene holds those of the next
+smaller one. The measure is F_eva of (22) in Zhang, Yang 2023 with its parts, what walkers see,
+sun on fronts in winter, and the verdict of the referee on what was placed.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections import Counter
+from itertools import cycle, islice
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from scenewright.assets import shipped
+from scenewright.brief import Brief
+from scenewright.catalog import Catalog
+from scenewright.check.site_figures import judge_sites
+from scenewright.domains.site.dress import buildings, landmarks
+from scenewright.domains.site.pose import pose
+from scenewright.domains.site.presets import PRESETS
+from scenewright.domains.site.wanted import Wanted, wanted
+from scenewright.site_plan import SitePlan, site_plan
+from scenewright.site_problem import SiteProblem
+from scenewright.solvers.site_answer import score
+from scenewright.solvers.site_found import SiteFound
+
+Row = dict[str, Any]
+SIZES = (6, 15, 30, 70, 120)
+"""Numbers of buildings in the paper's scenes."""
+MIX = (
+    "villa", "row_houses", "pagoda", "modern_residential", "japanese_house", "gallery",
+    "point_tower", "villa", "classical_residence", "row_houses", "commercial_block",
+    "modernist_house", "modern_residential", "buddhist_temple", "villa",
+    "row_houses", "gothic_church", "villa", "office_tower", "modern_residential", "pavilion",
+    "japanese_house", "classical_residence", "museum", "villa", "row_houses", "gymnasium",
+    "modernist_house", "byzantine_church", "modern_residential",
+)  # fmt: skip
+EACH, SPACING, STREET, SETBACK = 7.5, 6.0, 8.0, 3.0
+"""Buildings a block; metres between buildings, of street, and kept from streets and borders."""
+DENSITY = 0.6
+"""How much of the blocks buildings with their distances take."""
+
+
+class Scene(NamedTuple):
+    """A site ready to be solved: the brief, its plan, what is to be placed, and the problem."""
+
+    brief: Brief
+    plan: SitePlan
+    wishes: list[Wanted]
+    problem: SiteProblem
+    catalog: Catalog
+
+
+def scene_brief(count: int, density: float = DENSITY, sun_spacing: float = 0.0) -> Brief:
+    """A site for so many buildings."""
+    catalog, models = shipped(), list(islice(cycle(MIX), count))
+    sizes = np.array([catalog.assets[model].usual for model in models])
+    behind = np.maximum(SPACING, sun_spacing * sizes[:, 2])
+    ground = float(((sizes[:, 0] + SPACING) * (sizes[:, 1] + behind)).sum()) / density
+    columns = max(round(math.sqrt(count / EACH)), 2)
+    rows = max(math.ceil(count / EACH / columns), 1)
+    side = math.sqrt(ground / (columns * rows)) + STREET + 2.0 * SETBACK
+    wide, deep = columns * side, rows * side
+    across = [[[-5.0, k * side], [wide + 5.0, k * side]] for k in range(1, rows)]
+    along = [[[k * side, -5.0], [k * side, deep + 5.0]] for k in range(1, columns)]
+    counts = Counter(models)
+    site = {
+        "id": "scene", "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
+        "roads": [{"line": line, "width": STREET} for line in across + along],
+        "landmarks": [{"id": "temple", "model": "pavilion",
+                       "at": [(columns // 2 + 0.5) * side, (rows // 2 + 0.5) * side]}],
+        "buildings": [{"model": model, "count": counts[model]} for model in sorted(counts)],
+        "spacing": SPACING, "sun_spacing": sun_spacing, "setback": SETBACK,
+        "road_setback": SETBACK,
+    }  # fmt: skip
+    told = {"domain": "site", "name": f"{count} buildings", "sites": [site]}
+    return Brief.model_validate({"format": "scenewright/brief", "version": 1} | told)
+
+
+def posed(brief: Brief) -> Scene:
+    """A brief with one site as the problem that methods are given."""
+    site, catalog = brief.sites[0], shipped()
+    plan = site_plan(site, catalog)
+    wishes = wanted(site, plan, "site", catalog)
+    problem = pose(site, plan, wishes, PRESETS["default"].weights)
+    return Scene(brief, plan, wishes, problem, catalog)
+
+
+def judged(scene: Scene, found: SiteFound) -> Row:
+    """The common measure of what a method found, and the referee's verdict with its seconds."""
+    placed = buildings(scene.plan, scene.wishes, found.boxes, found.present)
+    pieces = (*landmarks(scene.plan, scene.catalog), *placed)
+    begun = time.process_time()
+    verdict = judge_sites(scene.brief.sites, pieces)
+    took = time.process_time() - begun
+    kinds = Counter(finding.kind for finding in verdict.findings)
+    figures = next(iter(verdict.figures.values()))
+    scores = score(scene.problem, found.boxes, found.present)
+    return {
+        **{name: scores[name] for name in ("value", "use", "shown", "texture", "height", "seen")},
+        "sun": figures["sun_mean"] or 0.0, "sunny": figures["sun_share"],
+        "overlaps": kinds["collision"], "outside": kinds["out_of_bounds"],
+        "near": kinds["setback"] + kinds["spacing"] + kinds["blocked_path"],
+        "unreached": kinds["unreachable_building"], "valid": float(not kinds),
+        "left_out": int((~found.present).sum()), "generations": found.generations,
+        "evaluations": found.evaluations, "judging": took,
+    }  # fmt: skip
