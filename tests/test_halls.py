@@ -28,6 +28,7 @@ from scenewright.solution import Solution
 
 SAMPLES = ("exhibition", "shop", "reading-room", "auditorium", "irregular")
 STEPS = 2000
+SEEDS = 5
 EVERY = pytest.mark.parametrize(("name", "seed"), [(n, s) for n in SAMPLES for s in (0, 1)])
 
 
@@ -167,12 +168,15 @@ def turned(brief: Brief, quarters: int, dx: float, dy: float) -> Brief:
 def test_a_hall_elsewhere_is_as_good(name: str, quarters: int, dx: float, dy: float) -> None:
     brief = brief_of(name)
     assert turned(turned(brief, 4 - quarters, 0, 0), quarters, 0, 0) == brief
-    found = answer(turned(brief, quarters, dx, dy))
-    assert found.left_out == ()
-    report = scenewright.check(found)
-    assert report.valid, report.findings
-    (here,), (there,) = found.energies.values(), solved(name, 0).energies.values()
-    assert here < 2.0 * there + 20.0
+    elsewhere, energies = turned(brief, quarters, dx, dy), []
+    for seed in range(SEEDS):
+        found = answer(elsewhere, seed)
+        assert found.left_out == ()
+        report = scenewright.check(found)
+        assert report.valid, report.findings
+        energies.append(sum(found.energies.values()))
+    here = np.median([sum(solved(name, seed).energies.values()) for seed in range(SEEDS)])
+    assert np.median(energies) < 1.5 * here + 20.0
 
 
 def test_a_solution_that_is_turned_along_stays_valid() -> None:

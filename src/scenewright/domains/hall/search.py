@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -11,17 +12,27 @@ from scenewright.domains.hall.fit import TRIES, Fitted
 from scenewright.domains.hall.pose import Hall, pose
 from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.wanted import Wanted
+from scenewright.hall_problem import HallProblem
 from scenewright.solve import Budget
-from scenewright.solvers.hall_chains import MANY, HallFound, first_layout
+from scenewright.solvers.hall_chains import (
+    MANY,
+    HallFound,
+    HallLayout,
+    cooled_hall,
+    first_layout,
+)
 from scenewright.solvers.halls import HALL_SOLVERS
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
+Heard = Callable[[float, float], None]
 
 ATTEMPTS = 4
 """How often a hall is solved while something in it cannot be reached."""
-FIRST = 0.7
-"""Share of the steps a user states that the first attempt gets."""
+FIRST, AGAIN = 0.5, 0.1
+"""Shares of the seconds or steps a user states: the first attempt's, and that of each after it."""
+WAYS, WRONG = ("access", "reach"), 20.0
+"""What is wrong where it costs anything, and how much more it weighs then in the end."""
 LARGE = 6
 """Groups of so many objects are tried in halves in the end."""
 
@@ -39,46 +50,100 @@ class Search(NamedTuple):
     stated: bool
 
 
+class Answer(NamedTuple):
+    """What one attempt found: objects and doors nobody reaches plus metres that passages lack,
+    for which units, and the layouts."""
+
+    wrong: float
+    fitted: Fitted
+    found: HallFound
+
+
 def searched(
     search: Search, fitted: Fitted, progress: Progress | None, cancel: Cancel | None
 ) -> tuple[Fitted, HallFound]:
     """The solver's answer. While it leaves something that nobody reaches, or a passage too
     narrow, ours tries again: from other first layouts, then with large groups in halves. Of
-    seconds or steps that a user states, a part is kept for that."""
+    seconds or steps that a user states, a part is kept for that; what is left of them in the end
+    improves the answer."""
     again = search.solver == "anneal" and not search.preset.whole
-    attempts = ATTEMPTS if len(fitted.units) <= MANY else 2
-    budget, tries, seen = search.budget, attempts if again else 1, 0
-    if budget.seconds is not None:
-        budget = budget._replace(seconds=budget.seconds / (1.5 if again else 1.0))
-    elif again and search.stated and budget.steps is not None:
-        budget = budget._replace(steps=max(int(FIRST * budget.steps), 1))
-    answers: list[tuple[float, int, Fitted, HallFound]] = []
+    shared = again and (search.stated or search.budget.seconds is not None)
+    tries = 1 if not again else ATTEMPTS if len(fitted.units) <= MANY else 2
+    begun, answers = time.perf_counter(), list[Answer]()
     for attempt in range(tries):
         seed = search.seed + 104_729 * attempt
         if attempt > 0 and attempt + 1 == tries:
             fitted = halved(search, fitted, seed)
+        budget = _share(search.budget, AGAIN if attempt else FIRST) if shared else search.budget
+        heard = None if progress is None else _heard(progress, attempt, shared)
         run = HALL_SOLVERS[search.solver].run
-        heard = None if progress is None else _heard(progress, attempt)
-        found = run(fitted.problem, fitted.start, budget, seed, heard, cancel)
-        seen += found.evaluations
-        wrong = found.layouts[0].missed + found.layouts[0].lacking
-        answers.append((wrong, attempt, fitted, found))
-        if wrong == 0.0 or (cancel is not None and cancel()):
+        problem = _heavy(fitted.problem) if shared and attempt else fitted.problem
+        found = run(problem, fitted.start, budget, seed, heard, cancel)
+        answers.append(Answer(_wrong(found.layouts[0]), fitted, found))
+        if answers[-1].wrong == 0.0 or (cancel is not None and cancel()):
             break
-        if budget.seconds is not None:
-            budget = budget._replace(seconds=0.5 * budget.seconds)
-        elif search.stated and search.budget.steps is not None:
-            rest = (1.0 - FIRST) / (ATTEMPTS - 1)
-            budget = budget._replace(steps=max(int(rest * search.budget.steps), 1))
-    _, _, fitted, found = min(answers, key=lambda answer: answer[:2])
-    return fitted, found._replace(evaluations=seen)
+    seen = sum(answer.found.evaluations for answer in answers)
+    best = min(answers, key=lambda answer: answer.wrong)
+    if shared and not (cancel is not None and cancel()):
+        rest = _rest(search.budget, seen, time.perf_counter() - begun)
+        heard = None if progress is None else _heard(progress, ATTEMPTS, shared)
+        found = _improved(best, rest, search.seed, heard, cancel)
+        seen, best = seen + found.evaluations - best.found.evaluations, best._replace(found=found)
+    return best.fitted, best.found._replace(evaluations=seen)
 
 
-def _heard(progress: Progress, attempt: int) -> Callable[[float, float], None]:
-    """Tells how far a search is, and never goes back: all is done but for the attempts after
-    the first."""
-    again = f", attempt {attempt + 1} of {ATTEMPTS}" if attempt else ""
-    return lambda share, best: progress(1.0 if attempt else share, f"energy {best:.1f}{again}")
+def _wrong(layout: HallLayout) -> float:
+    return layout.missed + layout.lacking
+
+
+def _rank(layout: HallLayout) -> tuple[float, float]:
+    return _wrong(layout), layout.energy
+
+
+def _share(budget: Budget, share: float) -> Budget:
+    """A part of a budget, whether of seconds, of steps or of both."""
+    steps = None if budget.steps is None else max(int(share * budget.steps), 1)
+    seconds = None if budget.seconds is None else share * budget.seconds
+    return budget._replace(steps=steps, seconds=seconds)
+
+
+def _rest(budget: Budget, steps: int, seconds: float) -> Budget:
+    """What is left of a budget."""
+    left = None if budget.steps is None else max(budget.steps - steps, 0)
+    time_left = None if budget.seconds is None else max(budget.seconds - seconds, 0.0)
+    return budget._replace(steps=left, seconds=time_left)
+
+
+def _improved(
+    answer: Answer, rest: Budget, seed: int, progress: Heard | None, cancel: Cancel | None
+) -> HallFound:
+    """What was found, cooled again for as long as there is; never worse. While something is
+    wrong, that weighs more than all else."""
+    if rest.steps == 0 or rest.seconds == 0.0:
+        return answer.found
+    problem = answer.fitted.problem if answer.wrong == 0.0 else _heavy(answer.fitted.problem)
+    start = answer.found.layouts[0].kept
+    more = cooled_hall(problem, start, rest, seed, progress, cancel)
+    layouts = sorted((*answer.found.layouts, *more.layouts), key=_rank)
+    return HallFound(tuple(layouts), answer.found.evaluations + more.evaluations)
+
+
+def _heavy(problem: HallProblem) -> HallProblem:
+    """The same problem with more weight on what must not be wrong."""
+    heavy = {name: WRONG * weight for name, weight in problem.weights.items() if name in WAYS}
+    return problem._replace(weights=problem.weights | heavy)
+
+
+def _heard(progress: Progress, attempt: int, shared: bool) -> Heard:
+    """Tells how far a search is, and never goes back. Attempts that share a budget have their
+    parts of it, the improvement (after the last) the rest; else all is done but for the attempts
+    after the first."""
+    again = f", attempt {attempt + 1} of {ATTEMPTS}" if 0 < attempt < ATTEMPTS else ""
+    low, high = float(attempt > 0), 1.0
+    if shared:
+        low = FIRST + AGAIN * (attempt - 1) if attempt else 0.0
+        high = FIRST + AGAIN * attempt if attempt < ATTEMPTS else 1.0
+    return lambda share, best: progress(low + (high - low) * share, f"energy {best:.1f}{again}")
 
 
 def halved(search: Search, fitted: Fitted, seed: int) -> Fitted:
