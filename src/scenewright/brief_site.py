@@ -25,6 +25,7 @@ from scenewright.brief_fields import (
     Whole,
 )
 
+Place = Annotated[Number, Field(ge=-1e9, le=1e9)]
 Metres = Annotated[Number, Field(gt=0, le=500)]
 FormName = Literal["parallel", "staggered", "peripheral", "mixed"]
 
@@ -82,7 +83,9 @@ class Site(Model):
     that must reach each building. ``latitude`` (degrees) and ``day`` (of the year; 355 is the
     winter solstice in the north, 20 January is 20) are for hours of sun, at least ``sun_hours``.
     Without ``buildings`` those of the brief's ``catalogs``, or shipped dwellings, fill the site
-    up to ``floor_area_ratio`` and ``coverage``.
+    up to ``floor_area_ratio`` and ``coverage``. ``origin`` is the longitude and latitude of
+    (0, 0), if known; ``shift`` is to be added to coordinates for those of the reference
+    ``system`` of the map or city model that the site came from.
     """
 
     id: str = ""
@@ -105,3 +108,5 @@ class Site(Model):
     day: Annotated[Whole, Field(ge=1, le=366)] = 20
     sun_hours: Annotated[Number, Field(ge=0, le=12)] = 2.0
     origin: tuple[Coordinate, Coordinate] | None = None
+    system: Annotated[str, Field(max_length=200)] = ""
+    shift: tuple[Place, Place] = (0.0, 0.0)

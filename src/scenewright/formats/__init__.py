@@ -51,7 +51,12 @@ FORMATS = (
     ),
     Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
     Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
-    Format(".cityjson", "CityJSON of a site", writer="scenewright.formats.cityjson"),
+    Format(
+        ".cityjson",
+        "city model: its buildings as landmarks (read), a site (written)",
+        "scenewright.formats.site_cityjson",
+        "scenewright.formats.cityjson",
+    ),
     Format(
         ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"
     ),

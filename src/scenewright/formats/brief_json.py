@@ -21,13 +21,19 @@ SOLUTION = "scenewright/solution"
 
 
 def read(path: Path, keep: bool = False) -> Brief:
-    """The brief in a JSON file. Its fixed items always stay, whatever ``keep`` says."""
+    """The brief in a JSON file, or that of a city model (CityJSON). Its fixed items always stay,
+    whatever ``keep`` says."""
     del keep
     if path.stat().st_size > GREATEST_FILE:
         raise InputError(
             f"is larger than {GREATEST_FILE // 2**20} MiB", "split it into several briefs"
         )
-    return loads(path.read_bytes(), path.parent)
+    document = _document(path.read_bytes())
+    if document.get("type") == "CityJSON":
+        from scenewright.formats import site_cityjson
+
+        return site_cityjson.brief_of(document, path)
+    return _brief(document, path.parent)
 
 
 def loads(text: str | bytes, folder: Path | None = None) -> Brief:
@@ -37,7 +43,11 @@ def loads(text: str | bytes, folder: Path | None = None) -> Brief:
     >>> loads('{"rooms": [{"outline": [[0, 0], [4, 0], [4, 3]]}]}').rooms[0].outline[2]
     (4.0, 3.0)
     """
-    document = resolved(_document(text), folder or Path())
+    return _brief(_document(text), folder or Path())
+
+
+def _brief(raw: dict[str, Any], folder: Path) -> Brief:
+    document = resolved(raw, folder)
     if document.get("format") == SOLUTION:
         from scenewright.formats import solution_json
 

@@ -1,7 +1,8 @@
 """A solved site as CityJSON 2.0: buildings as solids of level of detail 1.2, ground and roads.
 
 Prisms over the footprints, every surface told as ground, wall or roof; vertices are whole
-millimetres, each listed once. Coordinates are the local metres of the brief.
+millimetres, each listed once. Coordinates are those of the city model that the site came from,
+else the local metres of the brief.
 """
 
 from __future__ import annotations
@@ -15,12 +16,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright import authorship
+from scenewright.brief import Brief
 from scenewright.errors import InputError
 from scenewright.formats.site_shapes import Standing, standing
 from scenewright.outlines import ring, signed_area
 from scenewright.site_plan import plans_of
 from scenewright.solution import Solution
 from scenewright.space import Points
+from scenewright.stock import catalog_of
 
 SCALE = 0.001
 GROUND, ROOF, WALL = 0, 1, 2
@@ -49,8 +53,8 @@ def document(solution: Solution) -> dict[str, Any]:
     objects: dict[str, Any] = {}
     for plan in plans:
         name = _free(plan.id, objects)
-        objects[name] = _flat("LandUse", [(plan.outline, *plan.holes)], {"name": plan.name},
-                              vertices)  # fmt: skip
+        told: dict[str, Any] = {"name": plan.name, "class": "site"}
+        objects[name] = _flat("LandUse", [(plan.outline, *plan.holes)], told, vertices)
         for way in plan.roads:
             areas = [(area.outline, *area.holes) for area in way.areas]
             if areas:
@@ -59,12 +63,23 @@ def document(solution: Solution) -> dict[str, Any]:
     for row in standing(solution, plans):
         objects[_free(row.id, objects)] = _building(row, vertices)
     whole = np.array(list(vertices), np.int64).reshape(-1, 3)
+    x, y, system = _frame(solution.brief)
+    about: dict[str, Any] = {"title": solution.brief.name,
+                             "geographicalExtent": _extent(whole, (x, y, 0.0))}  # fmt: skip
+    models = catalog_of(solution.brief.catalogs)
     return {
         "type": "CityJSON", "version": "2.0",
-        "transform": {"scale": [SCALE] * 3, "translate": [0.0, 0.0, 0.0]},
-        "metadata": {"title": solution.brief.name, "geographicalExtent": _extent(whole)},
+        "transform": {"scale": [SCALE] * 3, "translate": [x, y, 0.0]},
+        "metadata": about | ({"referenceSystem": system} if system else {}),
         "CityObjects": objects, "vertices": whole.tolist(),
+        "+credits": authorship.document(authorship.credits_of(solution.pieces, models)),
     }  # fmt: skip
+
+
+def _frame(brief: Brief) -> tuple[float, float, str]:
+    """What all sites add to their coordinates for those of one reference system, and its name."""
+    frames = {(*site.shift, site.system) for site in brief.sites}
+    return frames.pop() if len(frames) == 1 else (0.0, 0.0, "")
 
 
 def _building(row: Standing, vertices: Vertices) -> dict[str, Any]:
@@ -119,8 +134,8 @@ def _free(wish: str, taken: dict[str, Any]) -> str:
     return next(name for name in names if name not in taken)
 
 
-def _extent(whole: NDArray[np.int64]) -> list[float]:
+def _extent(whole: NDArray[np.int64], moved: tuple[float, float, float]) -> list[float]:
     if not len(whole):
-        return [0.0] * 6
-    corners = np.concatenate([whole.min(0), whole.max(0)]) * SCALE
+        return [*moved, *moved]
+    corners = np.concatenate([whole.min(0) * SCALE + moved, whole.max(0) * SCALE + moved])
     return [round(float(value), 3) for value in corners]

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from scenewright import authorship
 from scenewright.brief_site import Site
 from scenewright.errors import InputError
 from scenewright.formats.indoor_projection import Projection, coordinates_of, projection
@@ -20,6 +21,7 @@ from scenewright.formats.site_shapes import Standing, standing
 from scenewright.site_plan import SitePlan, Way, plans_of
 from scenewright.solution import Solution
 from scenewright.space import Points
+from scenewright.stock import catalog_of
 
 METRES = "coordinates are metres, x to the east and y to the north: the brief has no origin"
 PLAIN = Projection((0.0, 0.0), (1.0, 1.0), False)
@@ -52,6 +54,8 @@ def document(solution: Solution) -> dict[str, Any]:
         features += [_building(row, map_) for row in rows if row.site == plan.id]
     found: dict[str, Any] = {"type": "FeatureCollection", "name": solution.brief.name,
                              "features": features}  # fmt: skip
+    models = catalog_of(solution.brief.catalogs)
+    found["credits"] = authorship.document(authorship.credits_of(solution.pieces, models))
     return found if all(s.origin for s in solution.brief.sites) else found | {"note": METRES}
 
 

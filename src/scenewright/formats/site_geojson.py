@@ -80,7 +80,7 @@ def report(found: Collection, name: str) -> SiteReport:
     sites = []
     for number, feature in enumerate(outlines):
         shape = next(row.shape for row in drawn if row.feature is feature)
-        sites.append(_site(feature, shape, drawn, found.features, map_, skipped))
+        sites.append(_site(feature, shape, drawn, found, map_, skipped))
         sites[-1].setdefault("name", name if len(outlines) == 1 else f"{name} {number + 1}")
     brief = Brief.model_validate({"domain": "site", "name": name, "sites": sites})
     return SiteReport(
@@ -120,7 +120,7 @@ def _largest(shape: shapely.Geometry) -> shapely.Polygon:
 
 def _site(
     feature: Feature, shape: shapely.Geometry, drawn: list[_Drawn],
-    features: tuple[Feature, ...], map_: Projection, skipped: list[Skipped],
+    found: Collection, map_: Projection, skipped: list[Skipped],
 ) -> dict[str, Any]:  # fmt: skip
     """One site as a document of the brief."""
     floor = _largest(shape)
@@ -133,14 +133,16 @@ def _site(
     outline, cut = rings(ground)
     document: dict[str, Any] = {
         "id": feature.id, "outline": outline.tolist(), "holes": [hole.tolist() for hole in cut],
-        "roads": _roads(features, floor, map_),
+        "roads": _roads(found.features, floor, map_),
         "landmarks": _landmarks(drawn, ground, feature, skipped),
     }  # fmt: skip
     for key, field in OWN.items():
         value = number_of(feature.tags.get(key, ""))
         if value is not None:
             document[field] = round(value) if field == "day" else value
-    if map_.turns:
+    if not map_.turns:
+        document |= {"shift": map_.origin, "system": found.crs[:200]}
+    else:
         document["origin"] = map_.origin
         document.setdefault("latitude", max(min(map_.origin[1], 89.0), -89.0))
     if feature.tags.get("name"):

@@ -41,6 +41,7 @@ ROWS = (
     Row(".glb", "binary glTF 2.0", "gltf", 256 * MEBIBYTE),
     Row(".gltf", "glTF 2.0", "gltf", 32 * MEBIBYTE),
     Row(".json", "CityJSON 1.0 to 2.0", "cityjson", 128 * MEBIBYTE),
+    Row(".cityjson", "CityJSON 1.0 to 2.0", "cityjson", 128 * MEBIBYTE),
     Row(".stl", "STL, binary or text", "stl", 256 * MEBIBYTE),
     Row(".sh3f", "Sweet Home 3D furniture library", "sh3f", 512 * MEBIBYTE),
 )

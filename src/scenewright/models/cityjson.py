@@ -41,29 +41,43 @@ DEEPEST = 8
 
 
 class City(NamedTuple):
-    """The objects of a file, its corners in metres about their middle, who made it."""
+    """The objects of a file, its corners in metres about their middle, who made it, and where the
+    middle lies in the file's reference system (named as the file does)."""
 
     objects: Json
     corners: Floats
     author: str
     licence: str
+    middle: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    system: str = ""
 
 
 def read(content: bytes, stem: str, *_: object) -> Iterator[Found | Skipped]:
     """One model a building, in the order of the file; the others are told."""
     city = city_of(json_of(content, "CityJSON"))
-    roots = [key for key, one in city.objects.items() if _is_root(city.objects, one)]
-    check_count(len(roots), MOST_BUILDINGS, "buildings")
-    if not roots:
-        raise InputError("holds no buildings", "give a CityJSON file with buildings")
-    for key in roots:
+    for key in roots_of(city):
         name = clean(key, "unnamed")
         try:
-            parts = squared(parts_of(city.corners, _surfaces(city, key)))
+            parts = parts_at(city, key)
+            parts = turned(parts, turn_of(parts))
             yield Found(f"{stem}/{name}", name, parts, "+z", "-y", city.author, city.licence)
         except InputError as error:
             told = InputError(error.fault, error.remedy, place=error.place)
             yield Skipped(f"{stem}/{name}", str(told))
+
+
+def roots_of(city: City) -> list[str]:
+    """The keys of all buildings; InputError if there are none."""
+    roots = [key for key, one in city.objects.items() if _is_root(city.objects, one)]
+    check_count(len(roots), MOST_BUILDINGS, "buildings")
+    if not roots:
+        raise InputError("holds no buildings", "give a CityJSON file with buildings")
+    return roots
+
+
+def parts_at(city: City, key: str) -> tuple[Part, ...]:
+    """The triangles of an object where it stands, one part a material."""
+    return parts_of(city.corners, _surfaces(city, key))
 
 
 def city_of(document: Json) -> City:
@@ -80,11 +94,13 @@ def city_of(document: Json) -> City:
     about = about if isinstance(about, dict) else {}
     contact = about.get("pointOfContact", about.get("datasetPointOfContact"))
     author = clean(contact.get("contactName")) if isinstance(contact, dict) else ""
-    return City(objects, _corners(document), author, clean(about.get("license")))
+    corners, middle = _corners(document)
+    system = clean(about.get("referenceSystem"))
+    return City(objects, corners, author, clean(about.get("license")), middle, system)
 
 
-def _corners(document: Json) -> Floats:
-    """Corners ``(n, 3)``, near the origin so that no digits are lost."""
+def _corners(document: Json) -> tuple[Floats, tuple[float, float, float]]:
+    """Corners ``(n, 3)``, near the origin so that no digits are lost, and where that lies."""
     raw = _table(document.get("vertices"), "vertices")
     check_count(len(raw), MOST_VERTICES, "vertices")
     transform = document.get("transform")
@@ -96,7 +112,20 @@ def _corners(document: Json) -> Floats:
             raw = raw * scale  # where on earth the whole lies does not matter
     if not np.all(np.abs(raw) <= FARTHEST):
         raise InputError("a corner is not at a finite place", "save it again", place="vertices")
-    return raw - np.median(raw, 0) if len(raw) else raw
+    middle = np.median(raw, 0) if len(raw) else np.zeros(3)
+    x, y, z = (middle + _translate(transform)).tolist()
+    return raw - middle, (x, y, z)
+
+
+def _translate(transform: object) -> Floats:
+    """What a transform adds to corners; nothing if it does not tell three finite numbers."""
+    told = transform.get("translate") if isinstance(transform, dict) else None
+    try:
+        found = np.array(told, np.float64)
+    except (ValueError, TypeError, OverflowError):
+        return np.zeros(3)
+    right = found.shape == (3,) and bool(np.all(np.abs(found) <= FARTHEST))
+    return found if right else np.zeros(3)
 
 
 def _table(rows: object, place: str) -> Floats:
@@ -165,18 +194,22 @@ def _detail(geometry: Json) -> tuple[float, bool]:
     return (level if 0.0 <= level < 100.0 else 0.0), DEPTHS[str(geometry["type"])] > 0
 
 
-def squared(parts: tuple[Part, ...]) -> tuple[Part, ...]:
-    """The parts turned in plan so that the least rectangle round them lies along the axes.
+def turn_of(parts: tuple[Part, ...]) -> float:
+    """By what angle the least rectangle round some parts is turned in plan against the axes.
 
-    The turn is at most an eighth: what looked south still looks south most of all.
+    It is at most an eighth: what looked south still looks south most of all.
     """
     points = np.concatenate([part.vertices[:, :2] for part in parts])
     box = shapely.minimum_rotated_rectangle(shapely.multipoints(points - points[0]))
     if box.geom_type != "Polygon":
-        return parts
+        return 0.0
     side = np.diff(np.asarray(box.exterior.coords)[:2], axis=0)[0]
     angle = float(np.arctan2(side[1], side[0]))
-    angle -= np.round(angle / (np.pi / 2)) * np.pi / 2
+    return angle - float(np.round(angle / (np.pi / 2)) * np.pi / 2)
+
+
+def turned(parts: tuple[Part, ...], angle: float) -> tuple[Part, ...]:
+    """The parts turned back by an angle in plan, clockwise."""
     cos, sin = np.cos(angle), np.sin(angle)
     turn = np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]])
     return tuple(Part(part.material, part.vertices @ turn.T, part.faces) for part in parts)
