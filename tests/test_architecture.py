@@ -19,7 +19,7 @@ FILES = sorted(PACKAGE.rglob("*.py"))
 NAMES = [str(file.relative_to(PACKAGE)) for file in FILES]
 
 LAYERS = (
-    {"errors", "geometry", "_version"},
+    {"errors", "geometry", "whole_file", "_version"},
     {
         "space",
         "scene",

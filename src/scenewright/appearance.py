@@ -28,6 +28,7 @@ from scenewright.geometry.mesh import Mesh, merge
 from scenewright.geometry.relief import relief, shown
 from scenewright.geometry.saliency import relative_quality, saliency, visual_quality
 from scenewright.geometry.walker_meshes import Model, side_densities
+from scenewright.whole_file import write_whole
 
 Floats = NDArray[np.float64]
 Measure = Literal["relief", "printed"]
@@ -141,14 +142,9 @@ def _kept(parts: Sequence[Part]) -> Facts:
         return _facts(json.loads(path.read_text(encoding="utf-8")))
     except (OSError, ValueError, TypeError):
         found = facts_of(parts)
-    partial = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
+    with suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
-        partial.write_text(json.dumps([*found[:4], *found.sides]), encoding="utf-8")
-        os.replace(partial, path)
-    except OSError:
-        with suppress(OSError):
-            partial.unlink()
+        write_whole(path, json.dumps([*found[:4], *found.sides]))
     return found
 
 

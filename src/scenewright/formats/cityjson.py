@@ -25,6 +25,7 @@ from scenewright.site_plan import plans_of
 from scenewright.solution import Solution
 from scenewright.space import Points
 from scenewright.stock import catalog_of
+from scenewright.whole_file import write_whole
 
 SCALE = 0.001
 GROUND, ROOF, WALL = 0, 1, 2
@@ -40,10 +41,7 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
             f"only sites can be written as {Path(path).suffix}", "choose .glb, .svg or .json",
             file=str(path),
         )  # fmt: skip
-    final = Path(path)
-    partial = final.with_name(f".{final.name}.partial")
-    partial.write_text(json.dumps(document(solution), ensure_ascii=False) + "\n", encoding="utf-8")
-    os.replace(partial, final)
+    write_whole(path, json.dumps(document(solution), ensure_ascii=False) + "\n")
 
 
 def document(solution: Solution) -> dict[str, Any]:

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 
 from scenewright.authorship import UNKNOWN, Credit, credits_of
 from scenewright.solution import Solution
 from scenewright.stock import catalog_of
+from scenewright.whole_file import write_whole
 
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the credits of a solution to ``path``; the file appears whole or not at all."""
-    final = Path(path)
-    partial = final.with_name(f".{final.name}.partial")
     rows = credits_of(solution.pieces, catalog_of(solution.brief.catalogs))
-    partial.write_text(text(solution.brief.name, rows), encoding="utf-8")
-    os.replace(partial, final)
+    write_whole(path, text(solution.brief.name, rows))
 
 
 def text(name: str, rows: tuple[Credit, ...]) -> str:

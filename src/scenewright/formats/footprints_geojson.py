@@ -22,6 +22,7 @@ from scenewright.site_plan import SitePlan, Way, plans_of
 from scenewright.solution import Solution
 from scenewright.space import Points
 from scenewright.stock import catalog_of
+from scenewright.whole_file import write_whole
 
 METRES = "coordinates are metres, x to the east and y to the north: the brief has no origin"
 PLAIN = Projection((0.0, 0.0), (1.0, 1.0), False)
@@ -36,10 +37,7 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
             f"only sites can be written as {Path(path).suffix}", "choose .glb, .svg or .json",
             file=str(path),
         )  # fmt: skip
-    final = Path(path)
-    partial = final.with_name(f".{final.name}.partial")
-    partial.write_text(json.dumps(document(solution), ensure_ascii=False) + "\n", encoding="utf-8")
-    os.replace(partial, final)
+    write_whole(path, json.dumps(document(solution), ensure_ascii=False) + "\n")
 
 
 def document(solution: Solution) -> dict[str, Any]:

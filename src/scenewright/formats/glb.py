@@ -12,7 +12,6 @@ import json
 import os
 import struct
 from collections.abc import Hashable, Sequence
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -25,6 +24,7 @@ from scenewright.geometry.prisms import face_normals, normals_of, row_keys
 from scenewright.scene import Scene
 from scenewright.solution import Solution
 from scenewright.staging import Thing, things
+from scenewright.whole_file import whole
 
 FLOAT, SHORT, INT = 5126, 5123, 5125
 Json = dict[str, Any]
@@ -45,10 +45,8 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     from scenewright.shell import scene_of
     from scenewright.stock import catalog_of
 
-    final = Path(path)
-    partial = final.with_name(f".{final.name}.partial")
-    partial.write_bytes(encoded(scene_of(solution), catalog_of(solution.brief.catalogs)))
-    os.replace(partial, final)
+    with whole(path) as partial:
+        partial.write_bytes(encoded(scene_of(solution), catalog_of(solution.brief.catalogs)))
 
 
 def encoded(scene: Scene, catalog: Catalog) -> bytes:

@@ -7,7 +7,6 @@ that every room shows. Sites are seen as a bird does.
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +17,7 @@ from scenewright.formats.picture import PAGE, REACH, Camera, Pixels, render, vie
 from scenewright.formats.stage import SHADOW, blocks_of, stage_of
 from scenewright.scene import Scene
 from scenewright.solution import Solution
+from scenewright.whole_file import whole
 
 WIDTH, TALLEST = 1440, 1026
 ANGLE = np.deg2rad(26.0)
@@ -51,11 +51,9 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     from scenewright.shell import scene_of
     from scenewright.stock import catalog_of
 
-    final = Path(path)
-    partial = final.with_name(f".{final.name}.partial")
     pixels = picture(scene_of(solution), catalog_of(solution.brief.catalogs))
-    Image.fromarray(pixels).save(partial, format="png", compress_level=3)
-    os.replace(partial, final)
+    with whole(path) as partial:
+        Image.fromarray(pixels).save(partial, format="png", compress_level=3)
 
 
 def picture(scene: Scene, catalog: Catalog, width: int = WIDTH) -> Pixels:

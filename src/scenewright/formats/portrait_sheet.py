@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from scenewright.errors import InputError
 from scenewright.formats.glb import linear_of
 from scenewright.formats.picture import PAGE, Pixels, developed
 from scenewright.formats.portrait import HOTTEST, RAMP, Portrait
+from scenewright.whole_file import whole
 
 MOST = 48
 """Portraits on a sheet."""
@@ -78,14 +78,10 @@ def sheet(portraits: Sequence[Portrait], measure: str, of: int) -> Pixels:
 
 def write(pixels: Pixels, path: Path) -> None:
     """Write a sheet as PNG; the file appears whole or not at all, missing folders are made."""
-    partial = path.with_name(f".{os.getpid()}-{path.name}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        try:
+        with whole(path) as partial:
             Image.fromarray(pixels).save(partial, format="png", compress_level=4)
-            os.replace(partial, path)
-        finally:
-            partial.unlink(missing_ok=True)
     except OSError as error:
         raise InputError(
             f"cannot be written: {error.strerror or error}", "choose another place", file=str(path)

@@ -24,14 +24,12 @@ from scenewright.plan import room_ids
 from scenewright.scene import Piece, Pose, Size
 from scenewright.solution import LeftOut, Patch, Solution, TermValue
 from scenewright.stock import catalog_of
+from scenewright.whole_file import write_whole
 
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write a solution to ``path``; the file appears whole or not at all."""
-    final = Path(path)
-    partial = final.with_name(f".{final.name}.partial")
-    partial.write_text(dumps(solution), encoding="utf-8")
-    os.replace(partial, final)
+    write_whole(path, dumps(solution))
 
 
 def read(path: str | os.PathLike[str]) -> Solution:

@@ -7,7 +7,6 @@ of the ground below is cut off. The sun stands in the south half, where it light
 from __future__ import annotations
 
 import os
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +20,7 @@ from scenewright.shell import scene_of
 from scenewright.site_plan import plans_of
 from scenewright.solution import Solution
 from scenewright.stock import catalog_of
+from scenewright.whole_file import whole
 
 WIDTH = 1280
 AIR = Air((0.72, 0.80, 0.88), (0.22, 0.41, 0.72), 1400.0)
@@ -38,10 +38,8 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
 
     if solution.brief.domain != "site":
         raise InputError("street pictures are of sites only", "write a plain .png instead")
-    final = Path(path)
-    partial = final.with_name(f".{final.name}.partial")
-    Image.fromarray(picture(solution)).save(partial, format="png", compress_level=6)
-    os.replace(partial, final)
+    with whole(path) as partial:
+        Image.fromarray(picture(solution)).save(partial, format="png", compress_level=6)
 
 
 def picture(solution: Solution, width: int = WIDTH) -> Pixels:

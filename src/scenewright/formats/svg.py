@@ -10,7 +10,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from pathlib import Path
 from typing import NamedTuple
 
 from shapely import Geometry, Polygon, union_all
@@ -47,6 +46,7 @@ from scenewright.formats.svg_shell import (
 from scenewright.scene import Piece, Scene
 from scenewright.solution import Solution
 from scenewright.space import Level
+from scenewright.whole_file import write_whole
 
 CAPTION = 8.0
 """Millimetres below a level's plan for its name."""
@@ -80,11 +80,8 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     if solution.brief.domain == "site":
         svg_site.write(solution, path)
         return
-    final = Path(path)
-    partial = final.with_name(f".{final.name}.partial")
-    text_ = plan(scene_of(solution), catalog_of(solution.brief.catalogs), halls_of(solution))
-    partial.write_text(text_, encoding="utf-8")
-    os.replace(partial, final)
+    catalog = catalog_of(solution.brief.catalogs)
+    write_whole(path, plan(scene_of(solution), catalog, halls_of(solution)))
 
 
 def plan(scene: Scene, catalog: Catalog, halls: Halls | None = None) -> str:

@@ -10,7 +10,6 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from string import ascii_uppercase
 from typing import Any, NamedTuple
 
@@ -30,6 +29,7 @@ from scenewright.site_walks import Walk, walks
 from scenewright.solution import Solution
 from scenewright.space import Points
 from scenewright.stock import catalog_of
+from scenewright.whole_file import write_whole
 
 MARGIN, CAPTION = 6.0, 7.0
 """Millimetres around a site, and below it for its name."""
@@ -55,10 +55,7 @@ class Drawing(NamedTuple):
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the plan of a solution's sites to ``path``; it appears whole or not at all."""
-    final = Path(path)
-    partial = final.with_name(f".{final.name}.partial")
-    partial.write_text(plan(solution), encoding="utf-8")
-    os.replace(partial, final)
+    write_whole(path, plan(solution))
 
 
 def plan(solution: Solution, views: Views | None = None) -> str:

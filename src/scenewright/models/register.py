@@ -15,6 +15,7 @@ from pathlib import Path
 from scenewright.errors import InputError
 from scenewright.models import SIDECARS
 from scenewright.models.files import MEBIBYTE, json_of, whole
+from scenewright.whole_file import write_whole
 
 PLAIN = r"[\w][\w.-]{0,63}"
 TABLE, POINTER = SIDECARS
@@ -66,8 +67,8 @@ def register(name: str, path: Path, table: str) -> Path:
     folder = home() / checked(name)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        _write(folder / TABLE, table)
-        _write(folder / POINTER, json.dumps({"path": str(path.absolute())}, indent=1) + "\n")
+        write_whole(folder / TABLE, table)
+        write_whole(folder / POINTER, json.dumps({"path": str(path.absolute())}, indent=1) + "\n")
     except OSError as error:
         raise InputError(f"cannot be written: {error.strerror}", "check its rights",
                          file=str(folder)) from None  # fmt: skip
@@ -80,9 +81,3 @@ def checked(name: str) -> str:
         raise InputError(f"'{name[:40]}' is no name for a catalogue",
                          "use letters, digits, dashes, dots")  # fmt: skip
     return name
-
-
-def _write(file: Path, text: str) -> None:
-    partial = file.with_name(f".{file.name}.{os.getpid()}.tmp")
-    partial.write_text(text, encoding="utf-8")
-    partial.replace(file)
