@@ -121,8 +121,8 @@ def falls(found: list[Row]) -> list[Row]:
             ends = [figure(chosen(found, buildings=size, method=method, equal=equal), "value")
                     for size in (sizes[0], sizes[-1])]  # fmt: skip
             records.append({
-                "case": f"{method}, equal {equal}", "unit": "1",
-                "metric": f"F_eva, {sizes[-1]} against {sizes[0]} buildings",
+                "case": f"{method}, equal {equal}",
+                "metric": f"F_eva, {sizes[-1]} against {sizes[0]} buildings", "unit": "1",
                 "ours": round(ends[1], 4), "baseline": round(ends[0], 4),
                 "baseline_name": f"{sizes[0]} buildings", "ratio": round(ends[1] / ends[0], 4),
                 "runs": len(found),
