@@ -72,6 +72,7 @@ LAYERS = (
     {"energy", "hall_energy", "solve", "solvers"},
     {"check", "domains"},
     {"formats"},
+    {"batch"},
     {"scenewright", "cli", "__main__"},
 )
 """Top-level modules from the ground up; ``cli_arrange`` and the like belong to ``cli``."""

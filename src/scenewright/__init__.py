@@ -19,6 +19,7 @@ from scenewright._version import __version__
 
 if TYPE_CHECKING:
     from scenewright.assets import shipped
+    from scenewright.batch import batch
     from scenewright.brief import Brief
     from scenewright.catalog import Asset, Catalog, Kind
     from scenewright.check import Report, check
@@ -36,8 +37,8 @@ if TYPE_CHECKING:
 __all__ = [
     "Asset", "Brief", "Catalog", "InputError", "Kind", "Layout", "Level", "Opening", "Piece",
     "Pose", "Problem", "Report", "Scene", "Size", "Solution", "Space", "__version__",
-    "alternatives", "check", "read", "read_solution", "samples", "scene_of", "shipped", "solve",
-    "write",
+    "alternatives", "batch", "check", "read", "read_solution", "samples", "scene_of", "shipped",
+    "solve", "write",
 ]  # fmt: skip
 
 _HOMES = {
@@ -46,6 +47,7 @@ _HOMES = {
     "samples": "formats:samples",
     "write": "formats:write",
     "alternatives": "domains:alternatives",
+    "batch": "batch:batch",
     "solve": "domains:solve",
     "check": "check:check",
     "Report": "check:Report",

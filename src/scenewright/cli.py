@@ -17,6 +17,7 @@ from typing import Annotated, Any, cast
 import typer
 from rich.console import Console
 
+from scenewright import cli_batch
 from scenewright import cli_show as show
 from scenewright._version import __version__
 from scenewright.errors import InputError
@@ -91,7 +92,9 @@ def _root(
 
 @app.command()
 def arrange(
-    source: Annotated[str, typer.Argument(metavar="INPUT", help="File, or a sample:NAME.")],
+    sources: Annotated[
+        list[str], typer.Argument(metavar="INPUT...", help="File, or a sample:NAME.")
+    ],
     outputs: Annotated[
         list[Path] | None,
         typer.Option("-o", "--output", metavar="OUT", help="File to write; may be repeated."),
@@ -109,6 +112,11 @@ def arrange(
     alternatives: Annotated[
         int, typer.Option(min=1, max=50, help="Plans that differ, ranked: OUT-1, OUT-2 …")
     ] = 1,
+    many: cli_batch.BatchOption = False,
+    formats: cli_batch.FormatOption = None,
+    jobs: cli_batch.JobsOption = None,
+    memory: cli_batch.MemoryOption = None,
+    limit: cli_batch.LimitOption = None,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
@@ -117,17 +125,13 @@ def arrange(
 
     _check_budget(seconds, steps)
     request = cli_arrange.Request(
-        source,
-        tuple(outputs or ()),
-        preset,
-        solver,
-        seconds,
-        steps,
-        seed,
-        keep,
-        alternatives,
-        tuple(catalogs or ()),
-    )
+        sources[0], tuple(outputs or ()), preset, solver, seconds, steps, seed, keep,
+        alternatives, tuple(catalogs or ()),
+    )  # fmt: skip
+    terms = cli_batch.Terms(formats, jobs, memory, limit)
+    if many:
+        return cli_batch.run(sources, request, terms, as_json, quiet)
+    cli_batch.check_single(sources, terms)
     console = Console(stderr=True, quiet=quiet)
     if alternatives > 1:
         return _alternatives(request, console, as_json, quiet)

@@ -27,7 +27,7 @@ class Watch(NamedTuple):
 @contextmanager
 def watching(console: Console, quiet: bool = False) -> Iterator[Watch]:
     """A bar on ``console`` if the work takes over a second; the first Ctrl-C asks it to stop."""
-    with _bar(console, quiet) as bar, _interrupts() as interrupted:
+    with _bar(console, quiet) as bar, interrupts() as interrupted:
         task = bar.add_task("starting", total=1.0)
 
         def progress(fraction: float, message: str = "") -> None:
@@ -55,7 +55,7 @@ def _bar(console: Console, quiet: bool) -> Iterator[Progress]:
 
 
 @contextmanager
-def _interrupts() -> Iterator[list[int]]:
+def interrupts() -> Iterator[list[int]]:
     """Counts Ctrl-C in a list; the second one interrupts for good."""
     seen: list[int] = []
 

@@ -1,0 +1,124 @@
+"""Many files on one machine: every core at work, each result written whole, nothing done twice.
+
+The parent hands one file at a time to each of its workers (:mod:`scenewright.batch.crew`) and
+writes a line into the ledger for each that is done (:mod:`scenewright.batch.ledger`). Killed at
+any moment and started again with the same words, it goes on where it was: what is finished and
+unchanged is skipped. A file that cannot be used, takes too long or kills its worker twice has its
+line in the table and stops nobody.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Collection, Iterable, Sequence
+from math import isfinite
+from pathlib import Path
+
+from scenewright.batch.crew import Crew, arranged_by
+from scenewright.batch.ledger import Ledger
+from scenewright.batch.orders import Limits, Options, Order, orders_of
+from scenewright.batch.table import Row, write_summary
+from scenewright.errors import InputError
+
+__all__ = ["MEMORY", "TIME", "Limits", "Options", "Order", "Row", "batch"]
+
+MEMORY = 4.0
+"""Memory a worker may take, GiB."""
+TIME = 600.0
+"""Seconds a file may take."""
+Told = Callable[[Row, int, int, bool], None]
+
+
+def batch(
+    sources: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
+    folder: str | os.PathLike[str],
+    *,
+    formats: Sequence[str] = (".json",),
+    jobs: int | None = None,
+    preset: str = "default",
+    solver: str | None = None,
+    seconds: float | None = None,
+    steps: int | None = None,
+    seed: int = 0,
+    keep: bool = False,
+    catalogs: Sequence[str] = (),
+    memory: float = MEMORY,
+    limit: float = TIME,
+    progress: Told | None = None,
+    cancel: Callable[[], bool] | None = None,
+) -> tuple[Row, ...]:
+    """Lay out every file of ``sources`` (files, folders, samples) into ``folder``.
+
+    A row for each, in the order of the sources, is returned and written to ``summary.csv`` and
+    ``summary.json``. ``jobs`` workers (one for each processor, if not stated) may take ``memory``
+    GiB each and ``limit`` seconds a file; the other options are those of
+    :func:`scenewright.solve`. ``progress`` hears every row as it comes, how many are done, of how
+    many, and whether the row was there before; when ``cancel`` answers true the workers are
+    stopped and the rows so far returned.
+    """
+    given = [sources] if isinstance(sources, str | os.PathLike) else sources
+    out = Path(folder)
+    options = Options(tuple(formats), preset, solver, seconds, steps, seed, keep, tuple(catalogs))
+    limits = _checked(Limits(jobs or os.cpu_count() or 1, memory, limit), options)
+    orders = orders_of(given, out, options)
+    with Ledger(out) as ledger:
+        rows = {order.name: ledger.find(order) for order in orders}
+        found = {name: row for name, row in rows.items() if row is not None}
+        for done, row in enumerate(found.values(), 1):
+            _tell(progress, row, done, len(orders), True)
+        waiting = [order for order in orders if order.name not in found]
+        try:
+            _work(waiting, options, limits, ledger, found, len(orders), progress, cancel)
+        finally:
+            told = tuple(found[order.name] for order in orders if order.name in found)
+            write_summary(out, told, options)
+    return told
+
+
+def _work(
+    waiting: list[Order], options: Options, limits: Limits, ledger: Ledger,
+    found: dict[str, Row], total: int, progress: Told | None, cancel: Callable[[], bool] | None,
+) -> None:  # fmt: skip
+    """Have the waiting orders done; every row goes to the ledger as it comes."""
+    if not waiting:
+        return
+    with Crew(min(limits.jobs, len(waiting)), limits, options, ledger.parts) as crew:
+        for order, row in arranged_by(crew, waiting, cancel):
+            ledger.write(order, row)
+            found[order.name] = row
+            _tell(progress, row, len(found), total, False)
+
+
+def _tell(progress: Told | None, row: Row, done: int, total: int, before: bool) -> None:
+    if progress is not None:
+        progress(row, done, total, before)
+
+
+def _checked(limits: Limits, options: Options) -> Limits:
+    """Limits and options that can be used; whatever cannot is told before anything starts."""
+    from scenewright import domains
+    from scenewright.formats import writer
+
+    for what, value in (("jobs", limits.jobs), ("memory", limits.memory), ("limit", limits.time)):
+        if not (isfinite(value) and value > 0):
+            raise InputError(f"{what} {value:g} is not possible", "give a positive number")
+    if not options.formats:
+        raise InputError("no format is given", "name one, such as .json")
+    for suffix in options.formats:
+        if not suffix.startswith(".") or "/" in suffix:
+            raise InputError(f"'{suffix}' is no format", "give suffixes, such as .json,.glb")
+        writer(f"scene{suffix}")
+    _known("preset", options.preset, [n for d in domains.DOMAINS for n in domains.presets(d)])
+    if options.solver is not None:
+        _known("solver", options.solver, [n for d in domains.DOMAINS for n in domains.solvers(d)])
+    return limits
+
+
+def _known(what: str, name: str, names: Collection[str]) -> None:
+    if name not in names:
+        told = ", ".join(_once(names))
+        raise InputError(f"there is no {what} '{name}'", f"use one of: {told}")
+
+
+def _once(names: Iterable[str]) -> list[str]:
+    return list(dict.fromkeys(names))

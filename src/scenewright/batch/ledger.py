@@ -1,0 +1,96 @@
+"""What is done already: a line of JSON for each finished file, so that a batch can go on.
+
+Results appear under their names first and the line is written after, so a batch killed between
+the two does that file again and writes the same. A line cut off by a kill is passed over.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from contextlib import suppress
+from pathlib import Path
+from types import TracebackType
+from typing import Any, TextIO
+
+from scenewright.batch.orders import Order
+from scenewright.batch.table import FAILED, Row
+from scenewright.errors import InputError
+
+NAME, PARTS = ".batch.jsonl", ".parts"
+
+
+class Ledger:
+    """The ledger of a folder of results, and ``parts``, where they are before they are whole.
+
+    Used as a context; only one batch at a time may write into a folder.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.path, self.parts = folder / NAME, folder / PARTS
+        self._rows: dict[str, tuple[str, Row]] = {}
+        self._file: TextIO
+
+    def __enter__(self) -> Ledger:
+        try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            self._file = self.path.open("a+", encoding="utf-8", errors="surrogateescape")
+            self._claim()
+            shutil.rmtree(self.parts, ignore_errors=True)
+            self.parts.mkdir(exist_ok=True)
+        except OSError as error:
+            told = f"cannot be written into: {error.strerror or error}"
+            raise InputError(told, "choose another folder", file=str(self.path.parent)) from None
+        self._read()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:  # fmt: skip
+        self._file.close()
+        shutil.rmtree(self.parts, ignore_errors=True)
+
+    def find(self, order: Order) -> Row | None:
+        """The row of an order that is done, unchanged since, and whose results are still there;
+        those that failed are tried again."""
+        key, row = self._rows.get(order.name, ("", None))
+        if row is None or key != order.key or row.status == FAILED:
+            return None
+        return row if all(path.is_file() for path in order.outputs) else None
+
+    def write(self, order: Order, row: Row) -> None:
+        """Note that an order is done."""
+        line = json.dumps({"name": order.name, "key": order.key, **row._asdict()})
+        self._file.write(line + "\n")
+        self._file.flush()
+
+    def _claim(self) -> None:
+        """Refuse a folder another batch is writing into (where the system can tell)."""
+        try:
+            import fcntl
+        except ImportError:
+            return
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            self._file.close()
+            raise InputError(
+                "another batch is writing into it", "wait for it or choose another folder",
+                file=str(self.path.parent),
+            ) from None  # fmt: skip
+
+    def _read(self) -> None:
+        """Take in what is done; a line that was cut off is ended so that the next stands alone."""
+        self._file.seek(0)
+        text = self._file.read()
+        for line in text.splitlines():
+            with suppress(ValueError, KeyError, TypeError):
+                told: dict[str, Any] = json.loads(line)
+                values = {field: told[field] for field in Row._fields}
+                row = Row(**values)._replace(outputs=tuple(told["outputs"]))
+                self._rows[str(told["name"])] = (str(told["key"]), row)
+        self._file.seek(0, os.SEEK_END)
+        if text and not text.endswith("\n"):
+            self._file.write("\n")

@@ -1,0 +1,116 @@
+"""A worker of a batch: takes one file at a time as a line of JSON, answers with its row.
+
+A process of its own, started by :mod:`scenewright.batch.crew`. It ends when its
+parent does, and takes no more memory than it may.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import sys
+import time
+from pathlib import Path
+from threading import Thread
+from typing import Any, TextIO
+
+from scenewright.batch.orders import Options
+from scenewright.batch.table import COMPLETE, LEFT_OUT, NOT_VALID, Row, failed
+from scenewright.errors import InputError
+
+PATIENCE = 0.5
+"""Seconds between looks at whether the parent is still there."""
+READY = "ready"
+
+
+def main() -> None:
+    """Answer every line that comes in with one line, until no more come."""
+    answers = os.fdopen(os.dup(1), "w", encoding="ascii")
+    os.dup2(2, 1)  # whatever a library prints is no answer
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
+    first = json.loads(sys.stdin.readline())
+    told: dict[str, Any] = first["options"]
+    told |= {key: tuple(told[key]) for key in ("formats", "catalogs")}
+    options = Options(**told)
+    _bound(first["memory"])
+    _answer(answers, READY)
+    for line in sys.stdin:
+        _answer(answers, _row(json.loads(line), options, first["memory"], Path(first["parts"])))
+
+
+def _answer(answers: TextIO, value: Any) -> None:
+    answers.write(json.dumps(value) + "\n")
+    answers.flush()
+
+
+def _end_with(parent: int) -> None:
+    """Leave at once when the parent is gone: nobody would hear the answer."""
+    while os.getppid() == parent:
+        time.sleep(PATIENCE)
+    os._exit(1)
+
+
+def _bound(memory: float) -> None:
+    """Take no more than ``memory`` GiB, where the system can hold a process to that."""
+    try:
+        import resource
+    except ImportError:
+        return
+    most = int(memory * 2**30)
+    before = resource.getrlimit(resource.RLIMIT_DATA)[1]
+    if before == resource.RLIM_INFINITY or most < before:
+        resource.setrlimit(resource.RLIMIT_DATA, (most, before))
+
+
+def _row(order: dict[str, Any], options: Options, memory: float, parts: Path) -> Row:
+    """Do one order; whatever goes wrong becomes its row."""
+    begun, source = time.perf_counter(), order["source"]
+    try:
+        row = _done(source, [Path(path) for path in order["outputs"]], options, parts)
+        return row._replace(seconds=round(time.perf_counter() - begun, 3))
+    except InputError as error:
+        told = str(error)
+    except MemoryError:
+        told = f"{source}: takes more than {memory:g} GiB of memory; allow more with --memory"
+    except Exception as error:
+        told = f"{source}: a fault of ours, {type(error).__name__}: {error}"
+    return failed(source, time.perf_counter() - begun, told)
+
+
+def _done(source: str, outputs: list[Path], options: Options, parts: Path) -> Row:
+    """Read, lay out, judge and write one file; its results appear when all are written."""
+    from scenewright import domains, formats
+    from scenewright.check import check
+
+    brief = formats.read(source, keep=options.keep, catalogs=options.catalogs)
+    try:
+        solution = domains.solve(
+            brief, preset=options.preset, solver=options.solver, seconds=options.seconds,
+            steps=options.steps, seed=options.seed, threads=1,
+        )  # fmt: skip
+    except InputError as error:
+        raise error.located(file=source) from None
+    report = check(solution)
+    written = [parts / f"{os.getpid()}-{k}-{path.name}" for k, path in enumerate(outputs)]
+    for part, path in zip(written, outputs, strict=True):
+        _write(solution, part, path)
+    for part, path in zip(written, outputs, strict=True):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        os.replace(part, path)
+    missing = sum(out.required for out in solution.left_out)
+    broken = sum(not found.given for found in report.findings)
+    status = NOT_VALID if not report.valid else LEFT_OUT if missing else COMPLETE
+    told = "" if report.valid else next(f.message for f in report.findings if not f.given)
+    names = tuple(str(path) for path in outputs)
+    return Row(source, status, 0.0, len(solution.pieces), missing, broken, told, names)
+
+
+def _write(solution: Any, part: Path, path: Path) -> None:
+    from scenewright import formats
+
+    try:
+        formats.write(solution, part)
+    except InputError as error:
+        raise InputError(error.fault, error.remedy, file=str(path)) from None

@@ -1,0 +1,167 @@
+"""``arrange --batch``: many files, a bar with the rate and the time left, a table at the end."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, NamedTuple
+
+import typer
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeRemainingColumn,
+)
+
+from scenewright import cli_show as show
+from scenewright.cli_progress import interrupts, tell_if_cold
+from scenewright.errors import InputError
+
+if TYPE_CHECKING:
+    from scenewright.batch import Row
+    from scenewright.cli_arrange import Request
+
+BatchOption = Annotated[
+    bool, typer.Option("--batch", help="Many files and folders into one folder, -o DIR.")
+]
+FormatOption = Annotated[
+    str | None, typer.Option("--format", help="With --batch: suffixes, such as .json,.glb.")
+]
+JobsOption = Annotated[
+    int | None, typer.Option(min=1, max=1024, help="With --batch: workers; one a core, if not.")
+]
+MemoryOption = Annotated[
+    float | None, typer.Option(help="With --batch: GiB a worker may take (4).")
+]
+LimitOption = Annotated[
+    float | None, typer.Option(help="With --batch: seconds a file may take (600).")
+]
+MOST = 25
+"""Files told one by one at the end."""
+
+
+class Terms(NamedTuple):
+    """What only a batch is told: formats, workers, memory of each in GiB, seconds for a file."""
+
+    formats: str | None
+    jobs: int | None
+    memory: float | None
+    limit: float | None
+
+
+def check_single(sources: Sequence[str], terms: Terms) -> None:
+    """Refuse words that only a batch understands."""
+    if len(sources) > 1:
+        raise InputError(f"{len(sources)} inputs are given", "add --batch and -o FOLDER")
+    if any(term is not None for term in terms):
+        raise InputError("--format, --jobs, --memory, --limit are of a batch", "add --batch")
+
+
+def run(sources: Sequence[str], request: Request, terms: Terms, as_json: bool, quiet: bool) -> int:
+    """Lay out all files; the exit code: 0 all complete, 1 not all, 2 none could be used, 130
+    interrupted."""
+    from scenewright.batch import MEMORY, TIME, batch
+
+    if len(request.outputs) != 1 or request.outputs[0].is_file():
+        raise InputError("a batch writes into one folder", "give it with -o FOLDER")
+    if request.alternatives > 1:
+        raise InputError("--alternatives and --batch exclude each other", "give one of them")
+    folder = request.outputs[0]
+    formats = [f".{f.strip().removeprefix('.')}" for f in (terms.formats or ".json").split(",")]
+    console = Console(stderr=True, quiet=quiet)
+    tell_if_cold(console)
+    with interrupts() as interrupted, _bar(console) as watch:
+        rows = batch(
+            sources, folder, formats=formats, jobs=terms.jobs, preset=request.preset,
+            solver=request.solver, seconds=request.seconds, steps=request.steps,
+            seed=request.seed, keep=request.keep, catalogs=request.catalogs,
+            memory=MEMORY if terms.memory is None else terms.memory,
+            limit=TIME if terms.limit is None else terms.limit,
+            progress=watch.heard, cancel=lambda: bool(interrupted),
+        )  # fmt: skip
+    code = 130 if len(rows) < watch.total else _code(rows)
+    if as_json:
+        told = {"exit_code": code, "folder": str(folder), **_document(rows)}
+        sys.stdout.write(json.dumps(told, indent=2, ensure_ascii=False) + "\n")
+    elif not quiet:
+        _tell(Console(), rows, folder, watch)
+    if code == 130:
+        told_so_far = f"interrupted after {len(rows)} of {watch.total} files"
+        sys.stderr.write(f"scenewright: {told_so_far}; say the same again to go on\n")
+    return code
+
+
+def _code(rows: Sequence[Row]) -> int:
+    states = {row.status for row in rows}
+    return 0 if states == {"complete"} else 2 if states == {"failed"} else 1
+
+
+def _document(rows: Sequence[Row]) -> dict[str, object]:
+    from scenewright.batch.table import totals
+
+    return {"totals": totals(rows), "files": [row._asdict() for row in rows]}
+
+
+def _tell(console: Console, rows: Sequence[Row], folder: Path, watch: Heard) -> None:
+    """The totals, the files that came to nothing or break a rule, and where the rest is told."""
+    from scenewright.batch.table import CSV, FAILED, NOT_VALID, totals
+
+    told = [row for row in rows if row.status in (FAILED, NOT_VALID)]
+    told.sort(key=lambda row: row.status != FAILED)
+    lines = [{"file": row.file, "status": row.status, "message": _without(row)} for row in told]
+    if lines:
+        show.table(console, lines[:MOST], title="files to look at")
+    counted = [{"files": status, "": count} for status, count in totals(rows).items() if count]
+    show.table(console, counted, title="batch")
+    rate = watch.made / max(watch.seconds(), 1e-9)
+    words = [f"{len(rows)} files in {folder}"]
+    words += [f"{watch.made} in {watch.seconds():.0f} s, {rate:.1f} a second"] * bool(watch.made)
+    words += [f"{watch.before} were done before"] * bool(watch.before)
+    words += [f"{len(told) - MOST} more to look at"] * (len(told) > MOST)
+    words.append(f"all of them: {folder / CSV}")
+    console.print("; ".join(words), style="dim", markup=False)
+
+
+def _without(row: Row) -> str:
+    """The message without the name of the file, which stands beside it."""
+    return row.message.removeprefix(f"{row.file}: ")
+
+
+class Heard:
+    """Moves a bar as rows come in and counts them: ``total`` files, of which some were done
+    ``before`` and others ``made`` now."""
+
+    def __init__(self, bar: Progress) -> None:
+        self.bar, self.total, self.made, self.before = bar, 0, 0, 0
+        self.task = bar.add_task("files", total=None, rate="")
+        self.begun = time.perf_counter()
+
+    def seconds(self) -> float:
+        """Since the start."""
+        return time.perf_counter() - self.begun
+
+    def heard(self, _: Row, done: int, total: int, before: bool) -> None:
+        """A row has come."""
+        self.total = total
+        self.before, self.made = self.before + before, self.made + (not before)
+        rate = f"{self.made / max(self.seconds(), 1e-9):.1f}/s" if self.made else ""
+        self.bar.update(self.task, completed=done, total=total, rate=rate)
+
+
+@contextmanager
+def _bar(console: Console) -> Iterator[Heard]:
+    """A bar with count, rate and time left, if anyone is looking."""
+    bar = Progress(
+        TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
+        TextColumn("{task.fields[rate]}", markup=False), TimeRemainingColumn(), console=console,
+        transient=True, disable=console.quiet or not console.is_terminal,
+    )  # fmt: skip
+    with bar:
+        yield Heard(bar)
