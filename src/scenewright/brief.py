@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticKnownError
 
-from scenewright.brief_catalog import CatalogEntry
+from scenewright.brief_catalog import CatalogEntry, GroupsEntry
 from scenewright.brief_fields import (
     Coordinate,
     Heading,
@@ -25,6 +25,7 @@ from scenewright.brief_fields import (
     Side,
     Switch,
     Whole,
+    Words,
 )
 from scenewright.brief_hall import Demand, Link, ZoneBrief
 from scenewright.brief_site import Site
@@ -113,7 +114,8 @@ class Room(Model):
 
     ``function`` may be several for an open plan; left out, it is read from ``name``.
     ``main_wall`` is the index of an outline edge as listed (0 joins the first two points).
-    ``ask`` replaces what the function and size would bring.
+    ``ask`` replaces what the function and size would bring. ``style`` and ``colour`` are words
+    that furniture of the brief's own catalogues should answer to; left out, the home's.
     Halls have ``zones``, ``links`` between them and ``demands`` instead of functions and asks,
     and ``people``, the most that may be inside at once.
     """
@@ -130,6 +132,8 @@ class Room(Model):
     main_wall: Annotated[Whole, Field(ge=0)] | None = None
     fixed: Annotated[list[FixedItem], Field(max_length=2000)] = []
     ask: Annotated[list[Ask], Field(max_length=200)] | None = None
+    style: Words = ""
+    colour: Words = ""
     zones: Annotated[list[ZoneBrief], Field(max_length=200)] = []
     links: Annotated[list[Link], Field(max_length=1000)] = []
     demands: Annotated[list[Demand], Field(max_length=1000)] = []
@@ -164,6 +168,9 @@ class Brief(Model):
     domain: Literal["home", "hall", "site"] = "home"
     name: str = "home"
     catalogs: Annotated[list[CatalogEntry], Field(max_length=50)] = []
+    groups: Annotated[list[GroupsEntry], Field(max_length=20)] = []
+    style: Words = ""
+    colour: Words = ""
     levels: Annotated[list[LevelBrief], Field(max_length=200)] = []
     rooms: Annotated[list[Room], Field(max_length=10_000)]
     sites: Annotated[list[Site], Field(max_length=100)] = []

@@ -16,6 +16,7 @@ Side = Annotated[Number, Field(gt=0, le=30)]
 Height = Annotated[Number, Field(ge=0, le=100)]
 Heading = Annotated[Number, Field(ge=-tau, le=tau)]
 Clearance = Annotated[Number, Field(ge=0, le=20)]
+Words = Annotated[str, Field(max_length=80)]
 Point = tuple[Coordinate, Coordinate]
 Outline = Annotated[list[Point], Field(min_length=3, max_length=5000)]
 

@@ -93,7 +93,8 @@ class Asset:
 class Member(NamedTuple):
     """One object of a group, in the group's frame (origin in the middle of its footprint, front
     to +y): centre ``x, y``, height ``z`` of the underside, ``heading`` relative to the group's
-    front, ``size``, and ``on``, the index of the member it stands on (-1: none)."""
+    front, ``size``, ``on``, the index of the member it stands on (-1: none), and ``asset``, the
+    model to draw it with (empty: any that suits)."""
 
     category: str
     x: float
@@ -102,6 +103,7 @@ class Member(NamedTuple):
     heading: float
     size: Size
     on: int = -1
+    asset: str = ""
 
 
 class Group(NamedTuple):
@@ -117,7 +119,7 @@ class Group(NamedTuple):
     members: tuple[Member, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Catalog:
     """Kinds by category and assets by id; for models of a user's own catalogues ``names``, other
     names in lower case with the ids they may mean, and ``broken``, why one could not be read."""

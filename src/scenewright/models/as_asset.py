@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scenewright.assets import shipped
 from scenewright.catalog import Asset, Part
 from scenewright.models.categories import BUILDING
 from scenewright.models.model import Model
@@ -20,6 +21,8 @@ MOST_DRAWN = 20_000
 """Faces up to which the plan symbol is the exact outline; beyond, its convex hull."""
 HEAVY, LIGHT, LEAST = 25_000, 15_000, 12
 """Triangles above which furniture is drawn with fewer, how many these are, and least of a part."""
+SQUARE = 0.85
+"""Furniture that covers more of its box than this is drawn in plan by the symbol of its kind."""
 GRID = 1e-4
 """To what share of the model's size an outline is drawn."""
 
@@ -44,6 +47,9 @@ def asset_of(model: Model, category: str = "building", style: str = "", colour: 
         return outline(model)
 
     def symbol(size: Size) -> tuple[Floats, ...]:
+        usual = None if category == BUILDING else shipped().choose(category, size)
+        if usual is not None and _area(lines()) > SQUARE * model.size.width * model.size.depth:
+            return usual.symbol(size)
         scale = np.array([size.width / model.size.width, size.depth / model.size.depth])
         return tuple(line * scale for line in lines())
 
@@ -51,6 +57,10 @@ def asset_of(model: Model, category: str = "building", style: str = "", colour: 
         f"model:{model.id}", category, model.name, model.size, model.size, model.size, mesh,
         symbol, model.licence, model.author, style, colour,
     )  # fmt: skip
+
+
+def _area(lines: tuple[Floats, ...]) -> float:
+    return float(sum(shapely.area(shapely.polygons(line)) for line in lines))
 
 
 def lighter(parts: tuple[Part, ...]) -> tuple[Part, ...]:

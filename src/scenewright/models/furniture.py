@@ -22,6 +22,8 @@ from scenewright.scene import Size
 OTHER = "other"
 LIKELY = 1.45
 """How many times longer or shorter than the table of sizes a side may be."""
+TABLES, UPRIGHT = ("dining_table", "round_table"), 1.15
+"""What one sits at, and the same for its height."""
 UNITS = (1.0, 0.001, 0.01, 0.1, 0.0254, 0.3048, 10.0, 100.0, 1000.0)
 """Metres a unit: as it is, powers of ten, inch, foot."""
 OFF = 2.5
@@ -98,7 +100,7 @@ def understood(model: Model, unit: float = 1.0) -> Understood:
     scale = _scale(model.size, hung, unit)
     size = Size(*(side * scale for side in model.size))
     kind, misfit = nearest(hung, size)
-    if misfit > LIKELY:
+    if misfit > LIKELY or (kind in TABLES and misfits(kind, size)[2] > UPRIGHT):
         shown = " x ".join(f"{side:.2f}" for side in size)
         return Understood(OTHER, 0.3, f"{told}, but of {shown} m", scale=unit)
     way = _front(model, kind)

@@ -21,6 +21,7 @@ from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog
 from scenewright.domains.home.attempt import Furnished, Task, floor_of, out_of_reach
 from scenewright.domains.home.extras import extras
+from scenewright.domains.home.furnishing import libraries_of, taste_of
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.presets import PRESETS, Preset
@@ -72,8 +73,11 @@ def solve(
     _check_asks(brief)
     rooms = spaces(brief)
     catalog = catalog_of(brief.catalogs)
+    libraries = libraries_of(brief, catalog)
     tasks = [
-        _task(brief, brief_room, space, catalog, chosen, named, seed, cancel)
+        _task(brief, brief_room, space, catalog, chosen, named, seed, cancel)._replace(
+            library=libraries[taste_of(brief, brief_room)]
+        )
         for brief_room, space in zip(brief.rooms, rooms, strict=True)
     ]
     wishes = [

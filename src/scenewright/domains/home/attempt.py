@@ -17,6 +17,7 @@ from scenewright.domains.home.dress import (
     pieces_of,
     standing_of,
 )
+from scenewright.domains.home.library import SHIPPED, Library
 from scenewright.domains.home.pose import problem_of
 from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import Wish, part_of
@@ -59,6 +60,7 @@ class Task(NamedTuple):
     tight: frozenset[str]
     seed: int
     cancel: Cancel | None
+    library: Library = SHIPPED
 
 
 class Placed(NamedTuple):
@@ -104,7 +106,7 @@ def posed(task: Task, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
     preset = task.preset
     return problem_of(
         ground, wishes, preset.weights, preset.printed, task.route_width,
-        part_of(task.space.functions, floor_of(task.ground)),
+        part_of(task.space.functions, floor_of(task.ground)), task.library,
     )  # fmt: skip
 
 
@@ -155,7 +157,7 @@ def _placed(
         name = wanted if wanted not in taken else f"{wanted}_{len(taken) + 1}"
         worn = dress_patch(
             wish.group, box, task.ground, standing, task.catalog, task.space.height,
-            task.preset.exact,
+            task.preset.exact, task.library,
         )  # fmt: skip
         if isinstance(worn, Refused):
             missing.append(Missing(wish, worn.reason))

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import cases, fitting, nearest
+from scenewright.domains.home.library import SHIPPED, Library, cases, fitting, nearest
 from scenewright.geometry.fit import (
     AT_WINDOW,
     COLLIDES,
@@ -83,19 +83,20 @@ def joined(standing: Standing, more: Standing) -> Standing:
 
 def dress_patch(
     function: str, box: Floats, ground: Ground, standing: Standing, catalog: Catalog,
-    height: float, exact: bool = True,
+    height: float, exact: bool = True, library: Library = SHIPPED,
 ) -> Dressed | Refused:  # fmt: skip
     """The best case for a patch: fewest members lost, then nearest in size.
 
     With ``exact`` false the nearest case is taken as the paper prints, fitting or not.
     """
     if not exact:
-        case = nearest(function, box[3], box[4])
+        case = nearest(function, box[3], box[4], library)
         return Dressed(case, box, tuple(True for _ in case.members), 0)
     best: Dressed | None = None
     reason = Refused("no case of it is small enough for the free floor")
-    smallest = cases(function).groups[int(np.argmin(cases(function).sizes.prod(-1)))]
-    for case in (*fitting(function, box[3], box[4])[:TRIED], smallest):
+    known = cases(function, library)
+    smallest = known.groups[int(np.argmin(known.sizes.prod(-1)))]
+    for case in (*fitting(function, box[3], box[4], library)[:TRIED], smallest):
         drawn = _drawn_in(case, box, ground)
         tried = _try(function, case, drawn, ground, standing, catalog, height)
         if isinstance(tried, Refused):
@@ -227,7 +228,7 @@ def pieces_of(
         if not dressed.stands[i]:
             continue
         names[i] = _name(f"{group}/{member.category}", names)
-        asset = catalog.choose(member.category, member.size)
+        asset = catalog.assets.get(member.asset) or catalog.choose(member.category, member.size)
         x, y, heading = (float(v) for v in boxes[i, :3])
         found.append(
             Piece(

@@ -3,11 +3,16 @@
 Liu, Jiang, Mao, Wang (2017), section 3.4, take the group of the same function whose (length,
 width) is nearest to the patch, by a bounded k-d tree, and do not ask whether it fits. We take
 the nearest of those that *do* fit inside the patch, and shrink the patch to it.
+
+A library is the shipped one unless a brief brings cases of its own: learned from furnished homes,
+or made with the furniture of its catalogues.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -17,53 +22,90 @@ from scenewright.catalog import Group
 from scenewright.domains.home.groups import GROUPS
 from scenewright.geometry.kd_tree import Node, nearest_first, plant
 
+SLACK = 0.005
+LARGER = 0.45
+"""By how much a case may be wider or deeper than its patch, in metres: shipped, or real."""
+
 
 class Cases(NamedTuple):
-    """The cases of one function: groups, their (width, depth) as ``(n, 2)`` and its k-d tree."""
+    """The cases of one function: groups, their (width, depth) as ``(n, 2)`` and its k-d tree;
+    ``real`` tells which are made of a user's own models: these come first."""
 
     groups: tuple[Group, ...]
     sizes: NDArray[np.float64]
     tree: Node | None
+    real: NDArray[np.bool_]
+
+
+class Library(NamedTuple):
+    """Cases by function where they are not the shipped ones, and distances between groups, by
+    their two functions, where they are not the usual ones."""
+
+    own: Mapping[str, Cases] = MappingProxyType({})
+    distances: Mapping[tuple[str, str], float] = MappingProxyType({})
+
+
+SHIPPED = Library()
 
 
 @cache
-def cases(function: str) -> Cases:
-    """All cases of a group function."""
-    groups = tuple(GROUPS[function].cases())
+def shipped_cases(function: str) -> Cases:
+    """The shipped cases of a group function."""
+    return planted(tuple(GROUPS[function].cases()))
+
+
+def planted(groups: tuple[Group, ...], real: tuple[bool, ...] = ()) -> Cases:
+    """Cases, ready to be found by size; ``real`` tells which come first."""
     sizes = np.array([(g.width, g.depth) for g in groups])
-    return Cases(groups, sizes, plant(sizes.tolist()))
+    first = np.array(real or (False,) * len(groups))
+    return Cases(groups, sizes, plant(sizes.tolist()), first)
 
 
-def nearest(function: str, width: float, depth: float) -> Group:
+def cases(function: str, library: Library = SHIPPED) -> Cases:
+    """All cases of a group function."""
+    return library.own.get(function) or shipped_cases(function)
+
+
+def nearest(function: str, width: float, depth: float, library: Library = SHIPPED) -> Group:
     """The case nearest to a patch of this size, whether or not it fits (as printed).
 
     >>> nearest("media", 1.25, 0.4).name
     'TV on a 1.2 m stand'
     """
-    found = cases(function)
+    found = cases(function, library)
     return found.groups[next(nearest_first(found.tree, (width, depth)))]
 
 
-def fitting(function: str, width: float, depth: float, slack: float = 0.005) -> tuple[Group, ...]:
+def fitting(
+    function: str, width: float, depth: float, library: Library = SHIPPED
+) -> tuple[Group, ...]:
     """The cases that fit inside a patch, nearest first; empty if none does.
+
+    Those of a user's own furniture come before all others. They are few, so ones that are a
+    little larger than the patch are given too: what they run into shows when they are tried.
 
     >>> [g.width <= 1.9 for g in fitting("wardrobe", 1.9, 0.7)][:3]
     [True, True, True]
     >>> fitting("sleeping", 1.0, 1.0)
     ()
     """
-    found = cases(function)
+    found = cases(function, library)
+    slack = LARGER if found.real.any() else SLACK
     most = (width + slack, depth + slack)
-    return tuple(found.groups[i] for i in nearest_first(found.tree, (width, depth), most))
+    order = nearest_first(found.tree, (width, depth), most)
+    if found.real.any():
+        return tuple(found.groups[i] for i in sorted(order, key=lambda i: not found.real[i]))
+    return tuple(found.groups[i] for i in order)
 
 
-def wished(function: str, area: float) -> Group:
+def wished(function: str, area: float, library: Library = SHIPPED) -> Group:
     """The case a designer would wish for in a room of this area.
 
     The cases ordered by footprint, at the share that the area takes of the row's ``roomy`` span.
     """
     small, large = GROUPS[function].roomy
-    found = cases(function)
+    found = cases(function, library)
     order = np.argsort(found.sizes.prod(-1), kind="stable")
+    order = order[found.real[order]] if found.real.any() else order
     share = np.clip((area - small) / (large - small), 0, 1)
     return found.groups[int(order[round(share * (len(order) - 1))])]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import nearest
+from scenewright.domains.home.library import SHIPPED, Library, nearest
 from scenewright.domains.home.pose import RELATIONS, numbered, sizes_of
 from scenewright.domains.home.programme import Wish
 from scenewright.problem import Ground, Items, Problem, empty_items
@@ -49,9 +49,9 @@ class Tie(NamedTuple):
     weight: float
 
 
-def parts_of(wish: Wish, area: float, catalog: Catalog) -> Parts:
+def parts_of(wish: Wish, area: float, catalog: Catalog, library: Library = SHIPPED) -> Parts:
     """The case a room of ``area`` square metres wishes for, taken apart."""
-    case = nearest(wish.group, *sizes_of(wish, area)[2])
+    case = nearest(wish.group, *sizes_of(wish, area, library)[2], library)
     placed = tuple(i for i, m in enumerate(case.members) if _placed(m, catalog))
     essential = GROUPS[wish.group].essential
     anchor = next((i for i in placed if case.members[i].category in essential), placed[0])

@@ -42,7 +42,7 @@ def piecewise(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished
     and a group with it if it is what makes it. Presets that are not exact leave all standing."""
     preset = task.preset
     area = part_of(task.space.functions, floor_of(task.ground))
-    parts = tuple(parts_of(wish, area, task.catalog) for wish in wishes)
+    parts = tuple(parts_of(wish, area, task.catalog, task.library) for wish in wishes)
     problem = posed_pieces(
         task.ground, parts, task.catalog, preset.weights, preset.printed, task.route_width
     )

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import cases, wished
+from scenewright.domains.home.library import SHIPPED, Library, cases, wished
 from scenewright.domains.home.programme import Wish
 from scenewright.problem import Ground, Items, Problem, empty_items
 
@@ -42,22 +42,22 @@ RELATIONS: tuple[Relation, ...] = (
 
 def problem_of(
     ground: Ground, wishes: tuple[Wish, ...], weights: dict[str, float], printed: bool,
-    route_width: float, area: float,
+    route_width: float, area: float, library: Library = SHIPPED,
 ) -> Problem:  # fmt: skip
     """The problem of placing ``wishes`` on ``ground``; items in the order of the wishes, their
     sizes those of a room of ``area`` square metres."""
     groups = [w.group for w in wishes]
     return Problem(
-        ground, items_of(wishes, area), tuple(numbered(groups)), weights, printed,
+        ground, items_of(wishes, area, library), tuple(numbered(groups)), weights, printed,
         route_width,
     )  # fmt: skip
 
 
-def items_of(wishes: tuple[Wish, ...], area: float) -> Items:
+def items_of(wishes: tuple[Wish, ...], area: float, library: Library = SHIPPED) -> Items:
     """Patches as arrays: size range from the case library, behaviour from the table of groups."""
     kinds = [GROUPS[w.group] for w in wishes]
-    sizes = [sizes_of(w, area) for w in wishes]
-    pairs, targets, weights = _relations([w.group for w in wishes])
+    sizes = [sizes_of(w, area, library) for w in wishes]
+    pairs, targets, weights = _relations([w.group for w in wishes], library)
 
     def column(values: list[float]) -> NDArray[np.float64]:
         return np.array(values, np.float64).reshape(len(wishes))
@@ -76,12 +76,16 @@ def items_of(wishes: tuple[Wish, ...], area: float) -> Items:
     )  # fmt: skip
 
 
-def sizes_of(wish: Wish, area: float) -> tuple[tuple[float, float], ...]:
+def sizes_of(
+    wish: Wish, area: float, library: Library = SHIPPED
+) -> tuple[tuple[float, float], ...]:
     """Least, greatest and wished (width, depth): the least is that of the smallest real case
     that becomes the room (of any case if the wish may be small)."""
-    found = cases(wish.group).sizes
-    goal = wished(wish.group, area)
+    known = cases(wish.group, library)
+    found = known.sizes
+    goal = wished(wish.group, area, library)
     if not wish.small:
+        found = found[known.real] if known.real.any() else found
         found = found[found.prod(-1) >= BECOMING * goal.width * goal.depth]
     if wish.most is not None:
         fits = (found <= np.array(wish.most) + 1e-9).all(-1)
@@ -92,11 +96,19 @@ def sizes_of(wish: Wish, area: float) -> tuple[tuple[float, float], ...]:
     return tuple(low), tuple(high), tuple(ideal)
 
 
+def relations(library: Library = SHIPPED) -> tuple[Relation, ...]:
+    """The relations between groups, at the distances of a library."""
+    return tuple(
+        r._replace(distance=library.distances.get((r.first, r.second), r.distance))
+        for r in RELATIONS
+    )
+
+
 def _relations(
-    groups: list[str],
+    groups: list[str], library: Library
 ) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
     pairs, targets, weights = [], [], []
-    for relation in RELATIONS:
+    for relation in relations(library):
         if relation.first in groups and relation.second in groups:
             pairs.append((groups.index(relation.first), groups.index(relation.second)))
             targets.append((relation.distance, relation.angle, relation.bearing))

@@ -1,0 +1,180 @@
+"""Homes furnished from a user's own catalogue: real sizes, like chairs, valid by the referee."""
+
+from __future__ import annotations
+
+from math import pi
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from scenewright.assets import shipped
+from scenewright.brief import Brief, Room
+from scenewright.catalog import Catalog, Group, Member
+from scenewright.check import check
+from scenewright.domains import home
+from scenewright.domains.home.furnishing import Taste, anchor_of, library_of, taste_of
+from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.library import SHIPPED, cases, fitting, planted
+from scenewright.domains.home.refit import RAISED, Chosen, reach, refitted
+from scenewright.scene import Size
+from scenewright.stock import OWN, catalog_of
+from test_catalogues import obj
+
+CATALOG = shipped()
+MODELS = {
+    "sofa": Size(2.13, 0.87, 0.74), "coffee_table": Size(0.93, 0.61, 0.41),
+    "armchair": Size(0.83, 0.77, 0.81), "tv_stand": Size(1.52, 0.37, 0.52),
+    "dining_table": Size(1.53, 0.87, 0.75), "dining_chair": Size(0.43, 0.52, 0.91),
+    "chair_chrome": Size(0.5, 0.56, 0.86), "double_bed": Size(1.66, 2.13, 0.97),
+    "nightstand": Size(0.47, 0.37, 0.46), "wardrobe": Size(1.83, 0.63, 2.13),
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A catalogue of cuboids of odd sizes, in millimetres."""
+    place = tmp_path_factory.mktemp("furniture")
+    for name, size in MODELS.items():
+        (place / f"{name}.obj").write_text(obj(Size(*(side * 1000 for side in size))))
+    (place / "catalog.csv").write_text(
+        "id,front,style,colour\nchair_chrome,front,bauhaus,black\ndining_chair,front,farm,brown\n"
+        + "".join(f"{name},front,,\n" for name in MODELS if "chair" not in name)
+    )
+    return place
+
+
+def room(name: str, width: float, depth: float, left: float = 0.0, style: str = "") -> Room:
+    """A room with a door at its left and a window at its upper wall."""
+    right = left + width
+    return Room.model_validate({
+        "id": name, "function": name, "style": style,
+        "outline": [[left, 0], [right, 0], [right, depth], [left, depth]],
+        "doors": [{"at": [left, 0.7], "width": 0.85}],
+        "windows": [{"at": [left + width / 2, depth], "width": 1.2}],
+    })  # fmt: skip
+
+
+def overlaps(group: Group) -> set[tuple[int, int]]:
+    """Pairs of solid members of a group that share more than 2 cm of floor and some height."""
+    found = set()
+    for i, a in enumerate(group.members):
+        for k, b in enumerate(group.members[:i]):
+            flat = CATALOG.kinds[a.category].flat or CATALOG.kinds[b.category].flat
+            level = a.z < b.z + b.size.height - 0.02 and b.z < a.z + a.size.height - 0.02
+            gap = max(abs(a.x - b.x) - reach(a)[0] - reach(b)[0],
+                      abs(a.y - b.y) - reach(a)[1] - reach(b)[1])  # fmt: skip
+            if not flat and level and gap < -0.03:
+                found.add((i, k))
+    return found
+
+
+@pytest.mark.parametrize("function", GROUPS)
+@pytest.mark.parametrize("seed", range(3))
+def test_a_refitted_case_is_sound(function: str, seed: int) -> None:
+    """Nothing newly overlaps or sticks out of the box, backs stay at the back edge, what stands on
+    something stays on it, and chosen members have their own sizes."""
+    rng = np.random.default_rng(seed)
+    for case in cases(function).groups[::3]:
+        scale = {c: rng.uniform(0.85, 1.2, 3) for c in sorted({m.category for m in case.members})}
+        chosen = {i: Chosen("model:x", Size(*(np.array(m.size) * scale[m.category]).tolist()))
+                  for i, m in enumerate(case.members)
+                  if CATALOG.kinds[m.category].support == "floor"}  # fmt: skip
+        found = refitted(case, chosen, anchor_of(case), CATALOG)
+        if found is None:
+            continue
+        assert overlaps(found) <= overlaps(case)
+        for i, (old, new) in enumerate(zip(case.members, found.members, strict=True)):
+            assert i not in chosen or new.size == chosen[i].size
+            if new.on < 0 and new.z < RAISED and old.category != "rug":
+                assert abs(new.x) + reach(new)[0] <= found.width / 2 + 1e-6
+                assert abs(new.y) + reach(new)[1] <= found.depth / 2 + 1e-6
+            if new.on >= 0:
+                under = found.members[new.on]
+                assert new.z == pytest.approx(under.z + under.size.height)
+                assert abs(new.x - under.x) <= reach(under)[0]
+            back = -case.depth / 2 - (old.y - reach(old)[1])
+            if i == anchor_of(case) and abs(back) < 0.03:
+                assert -found.depth / 2 - (new.y - reach(new)[1]) == pytest.approx(back, abs=0.02)
+
+
+def test_the_same_sizes_give_the_same_case() -> None:
+    for function in GROUPS:
+        for case in cases(function).groups:
+            chosen = {i: Chosen("", m.size) for i, m in enumerate(case.members)}
+            found = refitted(case, chosen, anchor_of(case), CATALOG)
+            assert found is not None
+            assert (found.width, found.depth) == pytest.approx((case.width, case.depth))
+            for old, new in zip(case.members, found.members, strict=True):
+                assert (new.x, new.y) == pytest.approx((old.x, old.y), abs=1e-9)
+
+
+def test_a_wider_bed_pushes_its_nightstands_out() -> None:
+    bed = Member("double_bed", 0, 0, 0, 0, Size(1.6, 2.05, 0.9))
+    stands = [Member("nightstand", x, -0.8, 0, 0, Size(0.4, 0.4, 0.5)) for x in (-1.05, 1.05)]
+    lamp = Member("table_lamp", 1.05, -0.8, 0.5, 0, Size(0.2, 0.2, 0.4), on=2)
+    case = Group("sleeping", "bed", 2.6, 2.1, (bed, *stands, lamp))
+    found = refitted(case, {0: Chosen("model:b", Size(1.8, 2.05, 0.9))}, 0, CATALOG)
+    assert found is not None
+    assert found.width == pytest.approx(2.8)
+    assert [m.x for m in found.members] == pytest.approx([0, -1.15, 1.15, 1.15])
+
+
+def test_chairs_at_a_turned_side_keep_their_tuck() -> None:
+    table = Member("dining_table", 0, 0, 0, 0, Size(1.0, 0.8, 0.74))
+    chair = Member("dining_chair", 0.55, 0, 0, pi / 2, Size(0.4, 0.5, 0.9))
+    case = Group("dining", "table", 2.0, 1.0, (table, chair))
+    found = refitted(case, {0: Chosen("t", Size(1.4, 0.9, 0.74))}, 0, CATALOG)
+    assert found is not None
+    tuck = found.members[1].x - found.members[0].x - 0.7
+    assert tuck == pytest.approx(0.55 - 0.5)
+
+
+def test_without_models_the_library_is_the_shipped_one() -> None:
+    assert library_of(CATALOG, Taste()) is SHIPPED
+    assert not any(cases(name).real.any() for name in GROUPS)
+
+
+def test_real_cases_come_first_and_may_be_a_little_larger(folder: Path) -> None:
+    library = library_of(catalog_of([str(folder)]), Taste())
+    found = fitting("wardrobe", 1.7, 0.6, library)
+    assert found[0].members[0].asset == "model:wardrobe"
+    assert not fitting("wardrobe", 1.2, 0.6, library)[0].members[0].asset
+    assert planted(cases("bath").groups).real.sum() == 0
+
+
+def test_a_home_stands_on_its_own_models_unstretched(folder: Path) -> None:
+    brief = Brief(
+        catalogs=[str(folder)],
+        rooms=[room("living", 5.2, 6.4), room("double_bedroom", 3.8, 4.2, 7.0)],
+    )  # fmt: skip
+    solution = home.solve(brief, steps=4000)
+    assert check(solution).valid
+    own = [p for p in solution.pieces if p.asset.startswith(OWN)]
+    for piece in own:
+        assert piece.size == pytest.approx(MODELS[piece.asset.removeprefix(OWN)])
+    assert {p.category for p in own} >= {"sofa", "dining_table", "double_bed", "wardrobe"}
+    again = home.solve(brief, steps=4000)
+    assert [(p.asset, p.pose) for p in again.pieces] == [(p.asset, p.pose) for p in solution.pieces]
+
+
+@pytest.mark.parametrize(
+    ("style", "colour", "chair"),
+    [("Bauhaus", "", "model:chair_chrome"), ("farm", "", "model:dining_chair"),
+     ("", "black", "model:chair_chrome"), ("", "brown", "model:dining_chair")],
+)  # fmt: skip
+def test_style_and_colour_choose_among_models(
+    folder: Path, style: str, colour: str, chair: str
+) -> None:
+    catalog: Catalog = catalog_of([str(folder)])
+    library = library_of(catalog, Taste(style, colour))
+    for case in library.own["dining"].groups:
+        chairs = {m.asset for m in case.members if m.category == "dining_chair" and m.asset}
+        assert chairs <= {chair}
+
+
+def test_a_room_has_its_own_taste_or_the_homes() -> None:
+    brief = Brief(style="oak", colour="white", rooms=[
+        room("living", 4, 5), room("bedroom", 4, 4, style="steel"),
+    ])  # fmt: skip
+    assert [taste_of(brief, r) for r in brief.rooms] == [("oak", "white"), ("steel", "white")]
