@@ -15,6 +15,8 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
+NONE: Floats = np.zeros((0, 5))
+
 
 class SiteGround(NamedTuple):
     """The ground.
@@ -23,7 +25,8 @@ class SiteGround(NamedTuple):
     ``block_edges`` (f, 4): those of the buildable blocks (outline less setbacks, roads and
     landmarks with their distances), block b owning rows ``block_spans[b]``; ``block_areas`` (b,).
     ``roads`` (r, 5): boxes of the straight pieces of roads and paths, front along the piece.
-    ``landmarks`` (l, 5) boxes and ``landmark_heights`` (l,), ``landmark_quality`` (l,).
+    ``landmarks`` (l, 5) boxes and ``landmark_heights`` (l,), ``landmark_quality`` (l,),
+    ``landmark_sides`` (l, 5) as those of buildings.
     ``eyes`` (k, 2): points along roads and paths where people walk, about 5 m apart.
     ``bounds`` (4,), ``area`` of the site in square metres.
     """
@@ -39,6 +42,7 @@ class SiteGround(NamedTuple):
     eyes: Floats
     bounds: Floats
     area: float
+    landmark_sides: Floats = NONE
 
 
 class Buildings(NamedTuple):
@@ -47,7 +51,8 @@ class Buildings(NamedTuple):
     ``sizes`` (n, 3) width, depth, height; ``quality`` (n,) visual quality relative to the best of
     the library, τ in (0, 1]; ``tone`` and ``symmetry`` (n,) of the facade in [0, 1]; ``models``
     (n,) number of the wish each one is of; ``floors`` (n,); ``forms`` the
-    planar forms each may take (empty: all).
+    planar forms each may take (empty: all); ``sides`` (n, 5) what front, left, back, right side
+    and roof show, as a share of the best mean of four sides in the library (empty: ``quality``).
     """
 
     sizes: Floats
@@ -57,6 +62,7 @@ class Buildings(NamedTuple):
     models: Ints
     floors: Ints
     forms: tuple[frozenset[str], ...] = ()
+    sides: Floats = NONE
 
 
 class SiteProblem(NamedTuple):
@@ -74,3 +80,13 @@ class SiteProblem(NamedTuple):
     fire_access: float
     latitude: float
     day: int
+
+
+def sides_of(sides: Floats, quality: Floats) -> Floats:
+    """What the sides (n, 5) of buildings show; their ``quality`` (n,) where that is not known.
+
+    >>> sides_of(NONE, np.array([0.5])).tolist()
+    [[0.5, 0.5, 0.5, 0.5, 0.5]]
+    """
+    known = len(sides) == len(quality)
+    return np.asarray(sides) if known else np.repeat(quality[:, None], 5, axis=1)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from scenewright.geometry.box_grid import BoxGrid, box_grid, first_box
 from scenewright.geometry.boxes import Floats
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 
 SILL = 0.9
 """Height of the ground floor's window sills, metres: where sunlight is counted (GB 50180)."""
@@ -146,26 +146,40 @@ def sun_hours(boxes: ArrayLike, heights: ArrayLike, path: Floats,
 @compiled
 def light(grid: BoxGrid, path: Floats, places: int, sill: float, hours: Floats) -> None:
     """Write the hours of sun ``(n, 4)`` on the sides of the first n boxes of a grid."""
+    top = highest(grid)
+    for i in range(hours.shape[0]):
+        for side in range(4):
+            hours[i, side] = lit_hours(grid, path, places, sill, top, i, side)
+
+
+@compiled
+def highest(grid: BoxGrid) -> float:
+    """The height of the highest box."""
     top = 0.0
     for i in range(grid.heights.shape[0]):
         top = max(top, grid.heights[i])
-    for i in range(hours.shape[0]):
-        x, y, c, s = grid.frames[i, 0], grid.frames[i, 1], grid.frames[i, 2], grid.frames[i, 3]
-        z = min(sill, grid.heights[i])
-        for side in range(4):
-            along, out = (grid.frames[i, 4], grid.frames[i, 5])
-            if side % 2:
-                along, out = out, along
-            hours[i, side] = 0.0
-            for k in range(path.shape[0]):
-                ax, ay, az = path[k, 0], path[k, 1], path[k, 2]
-                if ax * c + ay * s <= 0.0:
-                    continue
-                for place in range(places):
-                    shift = along * ((2.0 * place + 1.0) / places - 1.0)
-                    px, py = x + out * c - shift * s, y + out * s + shift * c
-                    reach = (top - z) / az
-                    met, _, _, _ = first_box(grid, px, py, z, ax, ay, az, reach, i)
-                    if met < 0:
-                        hours[i, side] += path[k, 3] / places
-            c, s = -s, c
+    return top
+
+
+@inlined
+def lit_hours(grid: BoxGrid, path: Floats, places: int, sill: float, top: float, i: int,
+              side: int) -> float:  # fmt: skip
+    """Hours of sun on a side of a box, none of them higher than ``top``."""
+    x, y, c, s = grid.frames[i, 0], grid.frames[i, 1], grid.frames[i, 2], grid.frames[i, 3]
+    for _ in range(side):
+        c, s = -s, c
+    along, out = grid.frames[i, 4], grid.frames[i, 5]
+    if side % 2:
+        along, out = out, along
+    z, hours = min(sill, grid.heights[i]), 0.0
+    for k in range(path.shape[0]):
+        ax, ay, az = path[k, 0], path[k, 1], path[k, 2]
+        if ax * c + ay * s <= 0.0:
+            continue
+        for place in range(places):
+            shift = along * ((2.0 * place + 1.0) / places - 1.0)
+            px, py = x + out * c - shift * s, y + out * s + shift * c
+            met, _, _, _ = first_box(grid, px, py, z, ax, ay, az, (top - z) / az, i)
+            if met < 0:
+                hours += path[k, 3] / places
+    return hours

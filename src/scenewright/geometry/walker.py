@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from scenewright.geometry.best_view import GOLDEN, directions
 from scenewright.geometry.box_grid import BoxGrid, box_grid, first_box
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -120,21 +120,33 @@ def look(grid: BoxGrid, quality: Floats, made: Sights, reach: float) -> None:
 @compiled
 def look_from(grid: BoxGrid, quality: Floats, made: Sights, reach: float, e: int) -> float:
     """Fill in what one eye sees; its visible quality V(e)."""
-    c, s = np.cos(made.turns[e]), np.sin(made.turns[e])
-    x, y, z, total = made.eyes[e, 0], made.eyes[e, 1], made.eyes[e, 2], 0.0
+    total = 0.0
     for r in range(made.ways.shape[0]):
-        ax = made.ways[r, 0] * c - made.ways[r, 1] * s
-        ay = made.ways[r, 0] * s + made.ways[r, 1] * c
-        az = made.ways[r, 2]
-        far = min(reach, z / -az) if az < 0.0 else reach
-        b, distance, side, cosine = first_box(grid, x, y, z, ax, ay, az, far, -1)
-        value = 0.0
-        if b >= 0 and side >= 0:
-            value = quality[b, side] * (1.0 - distance / reach) ** 2 * cosine
-        made.found[e, r], made.values[e, r] = b, value
-        made.distances[e, r] = distance if b >= 0 else np.inf
-        total += value
+        look_along(grid, quality, made, reach, e, r)
+        total += made.values[e, r]
     return total / made.ways.shape[0]
+
+
+@inlined
+def way_of(made: Sights, e: int, r: int) -> tuple[float, float, float]:
+    """The direction of a ray of an eye."""
+    c, s = np.cos(made.turns[e]), np.sin(made.turns[e])
+    x, y = made.ways[r, 0], made.ways[r, 1]
+    return x * c - y * s, x * s + y * c, made.ways[r, 2]
+
+
+@inlined
+def look_along(grid: BoxGrid, quality: Floats, made: Sights, reach: float, e: int,
+               r: int) -> None:  # fmt: skip
+    """Fill in what one ray of an eye sees."""
+    x, y, z = made.eyes[e, 0], made.eyes[e, 1], made.eyes[e, 2]
+    ax, ay, az = way_of(made, e, r)
+    far = min(reach, z / -az) if az < 0.0 else reach
+    b, distance, side, cosine = first_box(grid, x, y, z, ax, ay, az, far, -1)
+    made.found[e, r], made.values[e, r] = b, 0.0
+    if b >= 0 and side >= 0:
+        made.values[e, r] = quality[b, side] * (1.0 - distance / reach) ** 2 * cosine
+    made.distances[e, r] = distance if b >= 0 else np.inf
 
 
 def seen_of(made: Sights, count: int) -> Seen:

@@ -16,7 +16,7 @@ from scenewright.geometry.buckets import remove
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.sun import sun_hours, sun_path
 from scenewright.geometry.walker import seen
-from scenewright.site_problem import Flags, Floats, Ints, SiteProblem
+from scenewright.site_problem import Flags, Floats, Ints, SiteProblem, sides_of
 from scenewright.solvers.site_found import SiteFound
 from scenewright.terms.site_measure import (
     SitePrepared,
@@ -123,13 +123,22 @@ def sun_of(problem: SiteProblem, boxes: Floats, heights: Floats) -> float:
 
 def seen_of(problem: SiteProblem, boxes: Floats, present: Flags) -> float:
     """Mean visual quality that walkers at the eyes of the problem see, landmarks included."""
+    return float(views_of(problem, boxes, present).mean()) if len(problem.ground.eyes) else 0.0
+
+
+def views_of(problem: SiteProblem, boxes: Floats, present: Flags) -> Floats:
+    """Visual quality (k,) that walkers see at each eye of the problem, of buildings (m, 5) that
+    stand and of landmarks."""
     ground, made = problem.ground, problem.buildings
     every = np.concatenate([boxes, np.asarray(ground.landmarks).reshape(-1, 5)])
-    if not len(every) or not len(ground.eyes):
-        return 0.0
+    if not len(every):
+        return np.zeros(len(ground.eyes))
     heights = np.concatenate([made.sizes[present, 2], ground.landmark_heights])
-    quality = np.concatenate([made.quality[present], ground.landmark_quality])
-    return float(seen(ground.eyes, every, heights, quality, best=1.0).points.mean())
+    sides = np.concatenate([
+        sides_of(made.sides, made.quality)[present],
+        sides_of(ground.landmark_sides, ground.landmark_quality),
+    ])  # fmt: skip
+    return seen(ground.eyes, every, heights, sides, best=1.0).points
 
 
 def answer(problem: SiteProblem, boxes: Floats, evaluations: int, generations: int) -> SiteFound:

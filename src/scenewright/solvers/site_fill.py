@@ -14,8 +14,10 @@ import numpy as np
 
 from scenewright.site_problem import Flags, Floats, SiteProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
+from scenewright.solvers.site_aims import Around, around, lacking
 from scenewright.solvers.site_block import Placed, forms, headings, kept, laid, loosened
 from scenewright.solvers.site_found import SiteFound
+from scenewright.solvers.site_improve import improved
 
 TRIED = 6
 LOOSEST = (3.0, 1.5, 1.0, 1.0, 1.0)
@@ -44,7 +46,7 @@ def fill_site(
         if best.present.all() or watch.over(done, 0.0):
             break
     assert best is not None
-    return best._replace(evaluations=done)
+    return improved(problem, best._replace(evaluations=done), seed, watch)
 
 
 def _filled(
@@ -62,7 +64,10 @@ def _filled(
             break
         share = left if loosest == 1.0 else _share(problem, left, order[count:])
         ground = _ground(problem, b, boxes, present, share)
-        found = _best(problem, ground, share, (tried if loosest > 1.0 else 4 * tried, loosest), rng)
+        about = around(problem, _edges(problem, b), boxes, present)
+        found = _best(
+            problem, about, ground, share, (tried if loosest > 1.0 else 4 * tried, loosest), rng
+        )
         done += tried
         left = _settled(found, left, boxes, present, forms)
     for b in order if left else []:
@@ -144,10 +149,11 @@ def _ground(
 
 
 def _best(
-    problem: SiteProblem, edges: Floats, share: list[int], effort: tuple[int, float],
+    problem: SiteProblem, about: Around, edges: Floats, share: list[int], effort: tuple[int, float],
     rng: np.random.Generator,
 ) -> Placed:  # fmt: skip
-    """The best of several layouts of one block: most floor placed, then least turned away."""
+    """The best of several layouts of one block: most floor placed, then what it lacks in the aims
+    and how far fronts are turned away. Aims are looked at only where they may decide."""
     ways, allowed = headings(problem, edges), forms(problem, share)
     best, least = Placed((), np.zeros((0, 5)), "parallel"), math.inf
     for k in range(effort[0] if share else 0):
@@ -157,6 +163,7 @@ def _best(
             queue = _shuffled(problem, share, rng)
         found = loosened(problem, edges, queue, heading, form, effort[1])
         cost = _cost(problem, found, share) + VARIETY * float(rng.random())
+        cost += lacking(problem, about, found) if cost < least else 0.0
         if cost < least:
             best, least = found, cost
     return best

@@ -49,6 +49,18 @@ SITE_TERMS: tuple[SiteTerm, ...] = (
              _PAPER + "5, E_S"),
     SiteTerm("left", LEFT, "building", 10, "buildings left out", "ours"),
 )  # fmt: skip
+SITE_AIMS: tuple[SiteTerm, ...] = (
+    SiteTerm("seen", 0, "site", 3, "visual quality that walkers do not see, of what a rich street "
+             "shows", "ours"),
+    SiteTerm("sun", 1, "site", 3, "hours without sun on fronts, of those a front to the sun gets",
+             "ours"),
+    SiteTerm("even", 2, "site", 0.5, "how far the middle of what stands in a block lies off the "
+             "block's", "ours"),
+)  # fmt: skip
+"""What the default solver chooses by among layouts that hold as much; a weight of 0 switches an
+aim off."""
+MUCH = 0.4
+"""Visual quality V that eyes in a rich street see."""
 PRINTED = ("insert", "overlap", "road", "facing", "quality")
 
 
@@ -60,13 +72,26 @@ def read_site_weights(weights: Mapping[str, float]) -> Floats:
     """
     places = {row.name: row.number for row in SITE_TERMS}
     vector = np.array([float(row.weight) for row in SITE_TERMS])
+    aims = {row.name for row in SITE_AIMS}
     for name, weight in weights.items():
+        if name in aims:
+            continue
         if name not in places:
             raise InputError(
-                f"no term of sites is called {name!r}", f"the terms are {', '.join(places)}"
+                f"no term of sites is called {name!r}",
+                f"the terms are {', '.join([*places, *aims])}",
             )
         vector[places[name]] = weight
     return vector
+
+
+def read_site_aims(weights: Mapping[str, float]) -> Floats:
+    """Weights by name to those of the aims ``(3,)``; a name left out keeps its default.
+
+    >>> read_site_aims({"sun": 0.0}).tolist()
+    [3.0, 0.0, 0.5]
+    """
+    return np.array([float(weights.get(row.name, row.weight)) for row in SITE_AIMS])
 
 
 @inlined

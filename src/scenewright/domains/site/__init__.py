@@ -15,12 +15,13 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright._version import __version__
+from scenewright.appearance import facts
 from scenewright.brief import Brief
 from scenewright.brief_site import Site
 from scenewright.catalog import Catalog
-from scenewright.domains.site.dress import buildings, landmarks
+from scenewright.domains.site.dress import buildings, landmark_assets, landmarks
 from scenewright.domains.site.green import green
-from scenewright.domains.site.pose import pose
+from scenewright.domains.site.pose import Looks, pose
 from scenewright.domains.site.presets import PRESETS, SitePreset
 from scenewright.domains.site.wanted import Wanted, wanted
 from scenewright.errors import InputError
@@ -106,7 +107,7 @@ def _build(
     cancel: Cancel | None,
 ) -> Built:  # fmt: skip
     rows = wanted(site, plan, place, catalog)
-    problem = pose(site, plan, rows, preset.weights)
+    problem = pose(site, plan, rows, preset.weights, _looks(plan, rows, catalog, preset, progress))
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
     found = SITE_SOLVERS[solver].run(problem, budget, seed, progress, cancel)
@@ -115,6 +116,17 @@ def _build(
     grown = green(plan, (*standing, *placed), catalog, np.random.default_rng(seed))
     pieces = (*standing, *placed, *grown)
     return Built(pieces, _left_out(plan, rows, found.present), found.evaluations)
+
+
+def _looks(
+    plan: SitePlan, rows: list[Wanted], catalog: Catalog, preset: SitePreset,
+    progress: Callable[[float, float], None] | None,
+) -> Looks:  # fmt: skip
+    """How all models of a site look."""
+    marks = landmark_assets(plan, catalog)
+    heard = None if progress is None else lambda _share, _name: progress(0.0, 0.0)
+    found = facts([*(row.asset for row in rows), *(mark for mark in marks if mark)], heard)
+    return Looks(found, tuple(mark.id if mark else "" for mark in marks), preset.measure)
 
 
 def _left_out(plan: SitePlan, rows: list[Wanted], present: Flags) -> tuple[LeftOut, ...]:

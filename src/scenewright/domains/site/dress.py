@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from scenewright.assets import shipped
-from scenewright.catalog import Catalog
+from scenewright.catalog import Asset, Catalog
 from scenewright.domains.site.wanted import Wanted
 from scenewright.scene import Piece, Pose, Size
 from scenewright.site_plan import SitePlan
@@ -33,13 +33,21 @@ def buildings(
     return tuple(found)
 
 
+def landmark_assets(plan: SitePlan, catalog: Catalog) -> tuple[Asset | None, ...]:
+    """The models that draw the landmarks: those named, else shipped ones of about their size."""
+    return tuple(
+        catalog.assets[row.model] if row.model
+        else shipped().choose("building", Size(row.box[3], row.box[4], row.height))
+        for row in plan.landmarks
+    )  # fmt: skip
+
+
 def landmarks(plan: SitePlan, catalog: Catalog) -> tuple[Piece, ...]:
     """What stands already."""
     found = []
-    for row in plan.landmarks:
+    for row, chosen in zip(plan.landmarks, landmark_assets(plan, catalog), strict=True):
         x, y, heading, width, depth = row.box
         size = Size(width, depth, row.height)
-        chosen = catalog.assets[row.model] if row.model else shipped().choose("building", size)
         found.append(
             Piece(
                 id=f"{plan.id}/{row.id}", category="building",

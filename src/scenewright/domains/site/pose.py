@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import NamedTuple
+
 import numpy as np
 
+from scenewright.appearance import PLAIN, Facts, Measure, qualities
 from scenewright.brief_site import Site
 from scenewright.domains.site.wanted import Wanted
 from scenewright.outlines import edges
@@ -15,16 +19,31 @@ PACE = 5.0
 """Distance of the points from which people look, along ways, in metres."""
 
 
+class Looks(NamedTuple):
+    """How the models of a site look: facts by the id of the asset, the assets of its landmarks
+    ("": none known), and the measure of visual quality."""
+
+    facts: Mapping[str, Facts]
+    landmarks: tuple[str, ...]
+    measure: Measure = "relief"
+
+
 def pose(
-    site: Site, plan: SitePlan, buildings: list[Wanted], weights: dict[str, float]
+    site: Site, plan: SitePlan, buildings: list[Wanted], weights: dict[str, float], looks: Looks
 ) -> SiteProblem:
     """The problem of placing some buildings on a site."""
     sizes = np.array([tuple(b.size) for b in buildings], np.float64).reshape(-1, 3)
-    ones = np.ones(len(buildings))
+    facts = [looks.facts[b.asset.id] for b in buildings]
+    marks = [looks.facts.get(name, PLAIN) for name in looks.landmarks]
+    quality, sides = qualities([*facts, *marks], looks.measure)
+    count = len(buildings)
     return SiteProblem(
-        ground=_ground(plan),
+        ground=_ground(plan)._replace(
+            landmark_quality=quality[count:], landmark_sides=sides[count:]
+        ),
         buildings=Buildings(
-            sizes=sizes, quality=ones, tone=ones, symmetry=ones,
+            sizes=sizes, quality=quality[:count], sides=sides[:count],
+            tone=np.array([f.tone for f in facts]), symmetry=np.array([f.symmetry for f in facts]),
             models=np.array([b.wish for b in buildings], np.int64),
             floors=np.array([b.floors for b in buildings], np.int64),
             forms=tuple(b.forms for b in buildings),

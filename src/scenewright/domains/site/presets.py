@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from scenewright.appearance import Measure
+
 
 class SitePreset(NamedTuple):
-    """What it is, the solver, how many layouts of each block are looked at, and weights by name
-    of the term."""
+    """What it is, the solver, how many layouts (of each block, by the default solver) are looked
+    at, weights by name of the term or aim, and the measure of visual quality: our ``relief`` or as
+    ``printed``."""
 
     doc: str
     solver: str
     steps: int
     weights: dict[str, float]
+    measure: Measure = "relief"
 
 
 PRESETS: dict[str, SitePreset] = {
