@@ -6,13 +6,22 @@ import math
 
 import numpy as np
 
-from scenewright.geometry.boxes import area_in_polygon, common_area, make_frame
+from scenewright.geometry.boxes import (
+    Frame,
+    area_in_polygon,
+    common_area,
+    make_frame,
+    read_frame,
+)
+from scenewright.geometry.compiled import compiled, inlined
 from scenewright.site_problem import Floats
 
 SLACK = 1e-3
 """How far buildings stand behind the rim, in metres."""
 ROUNDING = 1e-5
 """Square metres."""
+STEP = 1.0
+"""How far a building that does not fit is moved on, in metres."""
 
 
 def rim(
@@ -25,39 +34,47 @@ def rim(
     near to another is moved on by a metre.
     """
     most = math.ceil(len(queue) * share)
-    numbers: list[int] = []
-    boxes: list[list[float]] = []
-    waiting = list(queue)
-    way = edges[:, 2:] - edges[:, :2]
-    lengths = np.hypot(way[:, 0], way[:, 1])
-    for (x0, y0, _, _), (dx, dy), length in zip(edges, way, lengths, strict=True):
-        at = 0.0
-        while waiting and len(numbers) < most and at < length:
-            i = waiting[0]
-            width, depth = float(sizes[i, 0]), float(sizes[i, 1])
-            if at + width > length:
-                break
-            u = (dx / length, dy / length)
-            middle, off = at + width / 2, depth / 2 + SLACK
-            box = [
-                float(x0 + u[0] * middle - u[1] * off), float(y0 + u[1] * middle + u[0] * off),
-                math.atan2(-u[0], u[1]), width, depth,
-            ]  # fmt: skip
-            if _fits(box, edges, boxes, gap):
-                numbers.append(waiting.pop(0))
-                boxes.append(box)
-                at += width + gap
-            else:
-                at += 1.0
-    return numbers, np.array(boxes).reshape(-1, 5)
+    boxes, wide = np.empty((most, 5)), np.empty((most, 8))
+    floors = sizes[queue, :2] if most else np.empty((0, 2))
+    count = set_along(edges, floors, gap, boxes, wide)
+    return queue[:count], boxes[:count]
 
 
-def _fits(box: list[float], edges: Floats, boxes: list[list[float]], gap: float) -> bool:
-    frame = make_frame(*box)
-    if area_in_polygon(frame, edges) < box[3] * box[4] - ROUNDING:
-        return False
-    grown = make_frame(box[0], box[1], box[2], box[3] + gap, box[4] + gap)
-    return all(
-        common_area(grown, make_frame(b[0], b[1], b[2], b[3] + gap, b[4] + gap)) < SLACK
-        for b in boxes
-    )
+@compiled
+def set_along(edges: Floats, floors: Floats, gap: float, boxes: Floats, wide: Floats) -> int:
+    """Set buildings of widths and depths ``floors`` (n, 2) in turn, as many as ``boxes`` (k, 5)
+    holds, and say how many; ``wide`` (k, 8) is scratch for frames with half the gap around."""
+    count = 0
+    for e in range(edges.shape[0]):
+        x0, y0, x1, y1 = edges[e, 0], edges[e, 1], edges[e, 2], edges[e, 3]
+        length = math.hypot(x1 - x0, y1 - y0)
+        if length <= 0.0:
+            continue
+        ux, uy, at = (x1 - x0) / length, (y1 - y0) / length, 0.0
+        heading = math.atan2(-ux, uy)
+        while count < boxes.shape[0] and at + floors[count, 0] <= length:
+            width, depth = floors[count, 0], floors[count, 1]
+            middle, off = at + 0.5 * width, 0.5 * depth + SLACK
+            x, y = x0 + ux * middle - uy * off, y0 + uy * middle + ux * off
+            frame = make_frame(x, y, heading, width, depth)
+            grown = make_frame(x, y, heading, width + gap, depth + gap)
+            if not fits(frame, grown, edges, wide, count):
+                at += STEP
+                continue
+            boxes[count, 0], boxes[count, 1], boxes[count, 2] = x, y, heading
+            boxes[count, 3], boxes[count, 4] = width, depth
+            for k in range(8):
+                wide[count, k] = grown[k]
+            count += 1
+            at += width + gap
+    return count
+
+
+@inlined
+def fits(frame: Frame, grown: Frame, edges: Floats, wide: Floats, count: int) -> bool:
+    """Whether a building lies in the block and, with half the gap around, off the first others."""
+    for k in range(count):
+        if common_area(grown, read_frame(wide, k)) >= SLACK:
+            return False
+    area = 4.0 * frame[4] * frame[5]
+    return area_in_polygon(frame, edges) >= area - ROUNDING
