@@ -16,6 +16,7 @@ import scenewright
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "scenewright"
 FILES = sorted(PACKAGE.rglob("*.py"))
+TESTS = sorted((ROOT / "tests").rglob("*.py"))
 NAMES = [str(file.relative_to(PACKAGE)) for file in FILES]
 
 LAYERS = (
@@ -147,6 +148,11 @@ def test_files_and_functions_are_small(file: Path) -> None:
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             assert (node.end_lineno or 0) - node.lineno < 60, f"{node.name} is too long"
+
+
+@pytest.mark.parametrize("file", TESTS, ids=lambda file: file.name)
+def test_files_of_tests_are_small(file: Path) -> None:
+    assert len(file.read_text(encoding="utf-8").splitlines()) <= 400, "split it by theme"
 
 
 @pytest.mark.parametrize("file", FILES, ids=NAMES)

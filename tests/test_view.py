@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from PIL import Image
 
+from model_files import obj_text, put
 from scenewright.catalog import Material, Part
 from scenewright.cli import run
 from scenewright.errors import InputError
@@ -20,7 +21,6 @@ from scenewright.formats.portrait import HOTTEST, RAMP, Portrait, facing, heat, 
 from scenewright.formats.portrait_sheet import MOST, columns_of, sheet, side_of
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.prisms import box
-from test_models import obj_text, put
 
 Floats = NDArray[np.float64]
 WOOD = Material("wood", (0.6, 0.4, 0.2))

@@ -1,0 +1,82 @@
+"""What a kind of shop on an indoor map holds."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from scenewright.assets import shipped
+from scenewright.domains.hall.programme import (
+    PROGRAMMES,
+    SMALLEST_SHOP,
+    UTILISATION,
+    shop_kind,
+    shop_programme,
+)
+from scenewright.scene import Size
+
+# Programmes
+
+
+def used(kind: str, floor_area: float, perimeter: float) -> float:
+    total = 0.0
+    for demand in shop_programme(kind, floor_area, perimeter):
+        assert demand.size
+        assert demand.count
+        assert isinstance(demand.clearance, tuple)
+        front, left, back, right = demand.clearance
+        total += demand.count * (demand.size[0] + left + right) * (demand.size[1] + front + back)
+    return total / floor_area
+
+
+@pytest.mark.parametrize("kind", PROGRAMMES)
+@pytest.mark.parametrize("floor_area", [30, 47, 80, 150, 600, 3000])
+def test_half_of_the_floor_is_used(kind: str, floor_area: float) -> None:
+    share = used(kind, floor_area, 4.4 * math.sqrt(floor_area))
+    assert (0.45 if floor_area >= 60 else 0.395) <= share <= UTILISATION + 1e-9
+    ids = [d.id for d in shop_programme(kind, floor_area, 4.4 * math.sqrt(floor_area))]
+    assert len(ids) == len(set(ids))
+
+
+def test_everything_is_in_the_catalog_at_its_size() -> None:
+    for row in (row for rows in PROGRAMMES.values() for row in rows):
+        asset = shipped().choose(row.category, Size(*row.size))
+        assert asset is not None, row.category
+        sizes = zip(asset.smallest, row.size, asset.largest, strict=True)
+        assert all(low <= size <= high for low, size, high in sizes), row.category
+
+
+def test_no_programme_is_too_large_to_lay_out() -> None:
+    for kind in PROGRAMMES:
+        assert sum(demand.count or 0 for demand in shop_programme(kind, 90_000, 1_200)) < 10_000
+
+
+def test_walls_hold_what_stands_at_them() -> None:
+    for kind in PROGRAMMES:
+        wall = sum((d.count or 0) * d.size[0] for d in shop_programme(kind, 400, 80)
+                   if d.place == "wall" and d.size)  # fmt: skip
+        assert wall <= 0.45 * 80 + 1e-9
+
+
+def test_small_and_unknown_units_hold_nothing() -> None:
+    assert shop_programme("clothes", SMALLEST_SHOP - 0.01, 22) == []
+    assert shop_programme("", 100, 40) == []
+    assert shop_programme("castle", 100, 40) == []
+
+
+@pytest.mark.parametrize(
+    ("tags", "kind"),
+    [
+        ({"shop": "supermarket"}, "grocery"),
+        ({"shop": "bakery", "amenity": "cafe"}, "food"),
+        ({"room": "shop"}, "generic"),
+        ({"room": "shop", "shop": "vacant"}, ""),
+        ({"room": "disused", "shop": "toys"}, ""),
+        ({"amenity": "toilets"}, ""),
+        ({"amenity": "library"}, "library"),
+        ({"shop": " Books ; toys"}, "books"),
+    ],
+)
+def test_kinds_by_tags(tags: dict[str, str], kind: str) -> None:
+    assert shop_kind(tags) == kind
