@@ -28,6 +28,7 @@ from scenewright.domains.home.presets import PRESETS, Preset
 from scenewright.domains.home.programme import Wish, programme, resolved
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.room import furnish
+from scenewright.domains.home.yielding import yielded
 from scenewright.domains.standing import fixed_pieces
 from scenewright.errors import InputError
 from scenewright.plan import place, spaces
@@ -91,6 +92,8 @@ def solve(
     budgets = [_budget(each, chosen, named, len(w), pool * b / (sum(work) or 1), seconds, steps)
                for w, b in zip(wishes, work, strict=True)]  # fmt: skip
     answers = _run(tasks, wishes, budgets, pool, progress)
+    if chosen.exact:
+        answers = yielded(tasks, answers, rooms, catalog, brief.route_width)
     return _solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
 
 
