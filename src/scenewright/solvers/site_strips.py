@@ -161,8 +161,10 @@ def _strip(
         return placed
     left = [i for i in waiting if sizes[i, 1] <= y1 - y0 + 1e-9]
     gap = rule.beside()
-    for x0, x1 in spans.tolist():
+    reach = -math.inf
+    for low, x1 in spans.tolist():
         row: list[int] = []
+        x0 = max(low, reach + gap)
         room = x1 - x0
         for i in list(left):
             need = float(sizes[i, 0]) + (gap if row else 0.0)
@@ -174,6 +176,7 @@ def _strip(
                 break
         if row:
             placed += _spread(sizes, row, x0, room, y1, gap, rule, number)
+            reach = placed[-1][1] + 0.5 * float(sizes[row[-1], 0])
     return placed
 
 
