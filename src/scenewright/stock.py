@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path, PurePath
@@ -27,10 +28,12 @@ from scenewright.models.listing import Listed, listed, table_beside, table_of
 from scenewright.models.model import Model, Options, Skipped
 from scenewright.models.register import table_file, where
 
-__all__ = ["BUILDING", "OWN", "Taken", "catalog_of", "named", "taken"]
+__all__ = ["BUILDING", "ONLY_NAMED", "OWN", "Taken", "catalog_of", "named", "taken"]
 
 OWN = "model:"
 """How the ids of assets begin that are models of a user's catalogues."""
+ONLY_NAMED = "named"
+"""The category of models that are used only where a brief names them."""
 Stamp = tuple[tuple[str, int, int], ...]
 """Name, time of the last change and bytes of every file."""
 
@@ -104,14 +107,13 @@ def _stocked(entries: tuple[CatalogBrief, ...], stamps: tuple[Stamp, ...]) -> Ca
     usual = shipped()
     assets = dict(usual.assets)
     names: dict[str, tuple[str, ...]] = {}
-    for catalogue in catalogues:
+    for entry, catalogue in zip(entries, catalogues, strict=True):
         for one in catalogue.models:
             if one.skip:
                 continue
-            model = _fresh(one.model, assets)
-            asset = asset_of(model, one.category, one.style, one.colour)
-            assets[asset.id] = asset
-            for name in {told.casefold() for told in _names(model, asset, catalogue.path)}:
+            asset = asset_of(_fresh(one.model, assets), one.category, one.style, one.colour)
+            assets[asset.id] = asset if entry.fill else replace(asset, category=ONLY_NAMED)
+            for name in {told.casefold() for told in _names(one.model, asset, catalogue.path)}:
                 names[name] = (*names.get(name, ()), asset.id)
     broken = {name.casefold(): reason for c in catalogues for name, reason in _unusable(c)}
     return Catalog(usual.kinds, assets, names, broken)

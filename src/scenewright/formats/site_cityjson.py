@@ -68,7 +68,8 @@ def brief_of(document: dict[str, Any], path: Path) -> Brief:
     sites = [_site(name or path.stem, ground, city, buildings, roads, water)
              for name, ground in grounds]  # fmt: skip
     return Brief.model_validate({
-        "domain": "site", "name": path.stem, "catalogs": [str(path.absolute())], "sites": sites,
+        "domain": "site", "name": path.stem, "sites": sites,
+        "catalogs": [{"path": str(path.absolute()), "fill": False}],
     })  # fmt: skip
 
 

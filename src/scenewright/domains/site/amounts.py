@@ -11,7 +11,7 @@ from scenewright.errors import InputError
 from scenewright.models.words import ASIDE, tokens_of
 from scenewright.site_fit import fits
 from scenewright.site_plan import SitePlan
-from scenewright.stock import BUILDING, OWN
+from scenewright.stock import BUILDING, ONLY_NAMED, OWN
 
 STOREY = 3.0
 HOUSING = ("modern_residential", "point_tower", "row_houses", "villa")
@@ -62,9 +62,18 @@ def _models(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[As
     limit = site.height_limit or float("inf")
     standing = {row.model for row in plan.landmarks}
     own = [a for a in catalog.assets.values() if a.id.startswith(OWN) and a.id not in standing]
+    own = [a for a in own if a.category != ONLY_NAMED]
     if not own:
         usual = [catalog.assets[name] for name in HOUSING]
-        return [a for a in usual if a.usual.height <= limit] or usual[-1:]
+        low = [a for a in usual if a.usual.height <= limit]
+        if not low:
+            least = min(usual, key=lambda a: a.usual.height)
+            raise InputError(
+                f"no dwelling is as low as the height limit of {limit:g} m: the lowest, "
+                f"{least.id}, is {least.usual.height:g} m high",
+                "raise height_limit, or list buildings with their size", place=place,
+            )  # fmt: skip
+        return low
     built = [a for a in own if fills(a)]
     if not built:
         raise InputError(

@@ -1,0 +1,173 @@
+"""City models as sites: buildings stand where the file has them, streets and water keep free."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+import shapely
+
+from catalogs import city, flat, saved
+from scenewright.check import check
+from scenewright.domains import solve
+from scenewright.errors import InputError
+from scenewright.formats import read, write
+from scenewright.formats.road_areas import pieces
+from scenewright.scene import Scene
+from scenewright.shell import scene_of
+from scenewright.site_plan import plans_of
+from scenewright.staging import placed, things
+from scenewright.stock import catalog_of
+
+L_SHAPE = [(0, 0), (20, 0), (20, 8), (8, 8), (8, 24), (0, 24)]
+BLOCK = [(60, 10), (84, 10), (84, 22), (60, 22)]
+FAR = [(10, 70), (40, 70), (40, 82), (10, 82)]
+TOWN = {"el": L_SHAPE, "block": BLOCK, "far": FAR}
+
+
+def turned(outline, angle: float, by=(0.0, 0.0)):
+    cos, sin = math.cos(angle), math.sin(angle)
+    return np.asarray(outline, float) @ np.array([[cos, sin], [-sin, cos]]) + by
+
+
+def drawn(scene: Scene, name: str, catalog) -> np.ndarray:
+    """The corners of a piece as they are drawn."""
+    (thing,) = [t for t in things(scene, catalog) if t.name == name]
+    return np.concatenate([placed(thing, part.vertices) for part in thing.parts])
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, 1.2, 2.9, -0.7])
+def test_buildings_are_drawn_where_the_file_has_them(tmp_path, angle):
+    truth = {key: turned(outline, angle, (500, 300)) for key, outline in TOWN.items()}
+    brief = read(saved(tmp_path / "town.city.json", city(truth)))
+    (site,) = brief.sites
+    solution = solve(brief, seed=1)
+    catalog, scene = catalog_of(brief.catalogs), scene_of(solution)
+    offset = np.array(site.shift) - (84000, 447000)
+    plan = plans_of(brief)[0]
+    for row in plan.landmarks:
+        key = row.id
+        want = truth[key] - offset
+        assert (
+            shapely.Polygon(row.footprint).symmetric_difference(shapely.Polygon(want)).area < 0.05
+        )
+        corners = drawn(scene, f"{plan.id}/{row.id}", catalog)
+        away = shapely.distance(shapely.points(corners[:, :2]), shapely.LinearRing(want))
+        assert away.max() < 0.002
+        assert (corners[:, 2].min(), corners[:, 2].max()) == pytest.approx((0, 9))
+    assert len(plan.landmarks) == 3
+    assert check(solution).valid
+
+
+def test_written_city_models_lie_where_they_were_read(tmp_path):
+    brief = read(saved(tmp_path / "town.json", city(TOWN)))
+    write(solve(brief, seed=1), tmp_path / "out.cityjson")
+    document = json.loads((tmp_path / "out.cityjson").read_text())
+    scale, shift = (np.array(document["transform"][key]) for key in ("scale", "translate"))
+    corners = np.array(document["vertices"]) * scale + shift
+    built = document["CityObjects"]["town/block"]["geometry"][0]["boundaries"][0][0][0]
+    found = corners[built][:, :2] - (84000, 447000)
+    assert sorted(map(tuple, found.round(3).tolist())) == sorted(
+        (float(x), float(y)) for x, y in BLOCK
+    )
+    assert document["metadata"]["referenceSystem"].endswith("7415")
+
+
+def test_what_was_written_is_read_with_its_ground(tmp_path):
+    brief = read(saved(tmp_path / "town.json", city(TOWN)))
+    first = solve(brief, seed=1)
+    write(first, tmp_path / "out.cityjson")
+    back = read(tmp_path / "out.cityjson")
+    before, after = plans_of(brief)[0], plans_of(back)[0]
+    assert after.area == pytest.approx(before.area, rel=1e-3)
+    assert len(after.landmarks) == sum(p.category == "building" for p in first.pieces)
+
+
+def test_streets_and_water_are_kept_free(tmp_path):
+    town = city(TOWN)
+    flat(town, "street", "Road", [(-10, 30), (95, 30), (95, 40), (-10, 40)])
+    flat(town, "pond", "WaterBody", [(45, 50), (55, 50), (55, 65), (45, 65)])
+    brief = read(saved(tmp_path / "town.json", town))
+    (plan,), shift = plans_of(brief), np.array(brief.sites[0].shift) - (84000, 447000)
+    (road,) = plan.roads
+    assert (road.kind, road.width) == ("road", pytest.approx(10, abs=0.5))
+    floor = shapely.Polygon(plan.outline, plan.holes)
+    assert not floor.contains(shapely.Point(np.array([50, 57]) - shift))
+    solution = solve(brief, seed=1)
+    assert check(solution).valid
+    assert any(not p.fixed and p.category == "building" for p in solution.pieces)
+
+
+def test_a_drawn_ground_counts_and_buildings_outside_it_do_not(tmp_path):
+    town = city(TOWN)
+    flat(town, "lot", "LandUse", [(-5, -5), (100, -5), (100, 50), (-5, 50)], name="Lot")
+    town["CityObjects"]["lot"]["attributes"]["class"] = "site"
+    plan = plans_of(read(saved(tmp_path / "town.json", town)))[0]
+    assert (plan.name, plan.area) == ("Lot", pytest.approx(105 * 55))
+    assert {row.id for row in plan.landmarks} == {"el", "block"}
+
+
+def test_buildings_that_overlap_share_the_ground(tmp_path):
+    twin = {"a": BLOCK, "b": [(x + 6, y) for x, y in BLOCK], "c": BLOCK}
+    solution = solve(read(saved(tmp_path / "town.json", city(twin))), seed=1)
+    assert check(solution).valid
+    plan = plans_of(solution.brief)[0]
+    areas = [shapely.Polygon(row.footprint).area for row in plan.landmarks]
+    assert areas == pytest.approx([288]) or areas == pytest.approx([288, 216])
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({"version": "9.0"}, "is CityJSON 9.0"),
+        ({"CityObjects": {}}, "holds no buildings"),
+        ({"metadata": {"referenceSystem": "https://www.opengis.net/def/crs/EPSG/0/4326"}},
+         "its coordinates are degrees"),
+        ({"vertices": [[0, 0]]}, "vertices"),
+        ({"transform": {"scale": [1e300, 1, 1]}}, "transform"),
+    ],
+)  # fmt: skip
+def test_what_is_no_site_is_told(tmp_path, change, told):
+    path = saved(tmp_path / "town.json", city(TOWN) | change)
+    with pytest.raises(InputError) as error:
+        read(path)
+    assert told in str(error.value)
+    assert "town.json" in str(error.value)
+
+
+def test_buildings_too_far_apart_are_no_site(tmp_path):
+    far = TOWN | {"lost": [(x + 4000, y + 5000) for x, y in BLOCK]}
+    with pytest.raises(InputError, match=r"4 buildings lie over 5\.\d+ km"):
+        read(saved(tmp_path / "town.json", city(far)))
+
+
+def test_ground_under_water_is_no_site(tmp_path):
+    town = city(TOWN)
+    flat(town, "sea", "WaterBody", [(-100, -100), (200, -100), (200, 200), (-100, 200)])
+    with pytest.raises(InputError, match="under water"):
+        read(saved(tmp_path / "town.json", town))
+
+
+def test_road_areas_become_straight_pieces_that_cover_them():
+    bend = shapely.LineString([(0, 0), (60, 0), (100, 40), (100, 90)]).buffer(4, cap_style="flat")
+    found = pieces(bend)
+    cover = shapely.union_all([
+        shapely.LineString(piece.line).buffer(piece.width / 2, cap_style="flat") for piece in found
+    ])  # fmt: skip
+    assert cover.intersection(bend).area > 0.85 * bend.area
+    assert cover.difference(bend).area < 0.15 * bend.area
+    assert len(found) < 40
+    assert pieces(shapely.Polygon()) == []
+
+
+@pytest.mark.realdata
+@pytest.mark.parametrize("name", ["delft", "rotterdam_subset"])
+def test_real_city_models_are_sites(real_data, name):
+    path = real_data / "citymodels_cityjson" / f"{name}.json"
+    if not path.exists():
+        pytest.skip(f"no {path.name}")
+    solution = solve(read(path), seed=0)
+    assert check(solution).valid
+    assert sum(p.fixed for p in solution.pieces if p.category == "building") >= 16
