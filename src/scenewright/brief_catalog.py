@@ -24,6 +24,17 @@ class CatalogBrief(Model):
     fill: Switch = True
 
 
+class GroupsBrief(Model):
+    """Furniture groups learned from furnished homes (``scenewright catalog learn``); they stand
+    for the shipped ones of their functions, or ``beside`` them."""
+
+    path: PathText
+    beside: Switch = False
+
+
+GroupsEntry = PathText | GroupsBrief
+"""A file of learned groups by its path, or with how it is used."""
+
 CatalogEntry = PathText | CatalogBrief
 """A folder of models, a model file or a library by its path, or with what its files leave open."""
 
