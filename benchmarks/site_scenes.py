@@ -16,12 +16,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from scenewright.appearance import facts
 from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.catalog import Catalog
 from scenewright.check.site_figures import judge_sites
-from scenewright.domains.site.dress import buildings, landmarks
-from scenewright.domains.site.pose import pose
+from scenewright.domains.site.dress import buildings, landmark_assets, landmarks
+from scenewright.domains.site.pose import Looks, pose
 from scenewright.domains.site.presets import PRESETS
 from scenewright.domains.site.wanted import Wanted, wanted
 from scenewright.site_plan import SitePlan, site_plan
@@ -87,8 +88,10 @@ def posed(brief: Brief) -> Scene:
     site, catalog = brief.sites[0], shipped()
     plan = site_plan(site, catalog)
     wishes = wanted(site, plan, "site", catalog)
-    problem = pose(site, plan, wishes, PRESETS["default"].weights)
-    return Scene(brief, plan, wishes, problem, catalog)
+    preset, marks = PRESETS["default"], landmark_assets(plan, catalog)
+    found = facts([*(row.asset for row in wishes), *(mark for mark in marks if mark)])
+    looks = Looks(found, tuple(mark.id if mark else "" for mark in marks), preset.measure)
+    return Scene(brief, plan, wishes, pose(site, plan, wishes, preset.weights, looks), catalog)
 
 
 def judged(scene: Scene, found: SiteFound) -> Row:
