@@ -14,8 +14,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.errors import InputError
 from scenewright.geometry.compiled import compiled
+from scenewright.terms.weights import vector_of
 
 TAU = 0.05
 EPSILON = 1.5
@@ -61,14 +61,7 @@ def read_hall_weights(weights: Mapping[str, float]) -> NDArray[np.float64]:
     [0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     """
     places = {row.name: row.number for row in HALL_TERMS}
-    vector = np.zeros(len(HALL_TERMS))
-    for name, weight in weights.items():
-        if name not in places:
-            raise InputError(
-                f"no term of halls is called {name!r}", f"the terms are {', '.join(places)}"
-            )
-        vector[places[name]] = weight
-    return vector
+    return vector_of(weights, places, np.zeros(len(HALL_TERMS)), "term of halls")
 
 
 @compiled

@@ -13,7 +13,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.errors import InputError
+from scenewright.terms.weights import vector_of
 
 (
     BOUNDARY, OVERLAP, KEEP_FREE, CORRIDORS, OBSTACLES, WINDOW, CLEAR_ROOM, CLEAR_ITEMS,
@@ -116,14 +116,6 @@ def read_weights(weights: Mapping[str, float], printed: bool) -> NDArray[np.floa
     """
     unwanted = "repaired" if printed else "printed"
     twice = {row.name for row in TERMS if row.form == "printed"}
-    places = {
-        row.name: row.number for row in TERMS if row.form != unwanted or row.name not in twice
-    }
-    vector = np.zeros(len(TERMS))
-    for name, weight in weights.items():
-        if name not in places:
-            raise InputError(
-                f"no term is called {name!r}", f"the terms are {', '.join(sorted(places))}"
-            )
-        vector[places[name]] = weight
-    return vector
+    rows = [row for row in TERMS if row.form != unwanted or row.name not in twice]
+    places = {row.name: row.number for row in sorted(rows, key=lambda row: row.name)}
+    return vector_of(weights, places, np.zeros(len(TERMS)), "term")
