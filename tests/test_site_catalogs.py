@@ -17,6 +17,7 @@ from scenewright.domains import solve
 from scenewright.domains.site.amounts import HOUSING
 from scenewright.errors import InputError
 from scenewright.formats import read, solution_json, write
+from scenewright.formats.affordable import affordable
 from scenewright.models.licences import terms_of
 from scenewright.shell import scene_of
 from scenewright.site_plan import plans_of
@@ -211,6 +212,36 @@ def test_a_glb_holds_each_model_once(stock, tmp_path):
     assert set(numbers) == {"model:cottage", "model:row"}
     nodes = [node for node in document["nodes"] if node.get("mesh") == numbers["model:cottage"]]
     assert len(nodes) == sum(p.asset == "model:cottage" for p in many.pieces) > 30
+
+
+def test_pictures_of_heavy_models_are_taken_of_lighter_ones(stock):
+    solution = solved(str(stock), buildings=[{"model": "cottage", "count": 9}])
+    shown = things(scene_of(solution), catalog_of([str(stock)]))
+    whole = sum(len(part.faces) for thing in shown for part in thing.parts)
+    for most in (whole, 3 * whole // 5):
+        drawn = affordable(shown, most)
+        assert sum(len(p.faces) for thing in drawn for p in thing.parts) <= most
+        assert [thing.name for thing in drawn] == [thing.name for thing in shown]
+        light = {t.name for t in shown if sum(len(p.faces) for p in t.parts) <= 12}
+        assert all(a.parts is b.parts for a, b in zip(drawn, shown, strict=True) if a.name in light)
+        keys = {thing.key: thing.parts for thing in drawn}
+        assert all(keys[thing.key] is thing.parts for thing in drawn if thing.kind == "piece")
+
+
+def test_heavy_models_are_told(tmp_path, monkeypatch, capsys):
+    side = np.arange(160)
+    x, y = (grid.ravel() for grid in np.meshgrid(side, side))
+    z = 5 + np.sin(x * y)
+    corner = (side[:-1, None] * 160 + side[:-1] + 1).ravel()
+    rows = [f"v {a / 10} {c} {b / 10}" for a, b, c in zip(x, y, z, strict=True)]
+    rows += [f"f {k} {k + 1} {k + 161} {k + 160}" for k in corner]
+    (tmp_path / "rock.obj").write_text("\n".join(rows))
+    site = {"outline": FIELD, "buildings": [{"model": "rock"}]}
+    document = {"domain": "site", "catalogs": ["rock.obj"], "sites": [site]}
+    (tmp_path / "brief.json").write_text(json.dumps(document))
+    monkeypatch.chdir(tmp_path)
+    run(["arrange", "brief.json", "-o", "out.json"])
+    assert "model:rock has 50,562 faces" in capsys.readouterr().err
 
 
 def test_credits_tell_author_and_licence_everywhere(stock, tmp_path):

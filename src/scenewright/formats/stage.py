@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog, Material
+from scenewright.formats.affordable import affordable
 from scenewright.formats.glb import linear_of
 from scenewright.formats.picture import PAGE, Stage
 from scenewright.geometry import finish
@@ -73,7 +74,7 @@ def stage_of(
 def blocks_of(scene: Scene, catalog: Catalog, cut: float | None = None) -> list[Block]:
     """Every part of every thing, levels side by side on one ground, without what is above
     ``cut``."""
-    shown = things(scene, catalog, cut)
+    shown = affordable(things(scene, catalog, cut))
     normals = _shared_normals(shown)
     found: list[Block] = []
     start = 0.0
