@@ -17,6 +17,8 @@ from scenewright.cli_progress import Watch, tell_if_cold, watching
 from scenewright.errors import InputError
 from scenewright.solution import Solution
 
+HEAVY = 50_000
+"""Faces of a model above which it is told."""
 SWEET_HOME = (".sh3d", ".xml")
 
 
@@ -65,7 +67,21 @@ def arrange(request: Request, console: Console) -> Arranged:
             raise KeyboardInterrupt
         report = check(solution)
         write_together(solution, request.outputs, watch)
+    _tell_heavy(solution, console)
     return Arranged(solution, report, interrupted)
+
+
+def _tell_heavy(solution: Solution, console: Console) -> None:
+    """Name the user's models in use that have more than :data:`HEAVY` faces."""
+    from scenewright.stock import OWN, catalog_of
+
+    catalog = catalog_of(solution.brief.catalogs)
+    for name in sorted({piece.asset for piece in solution.pieces if piece.asset.startswith(OWN)}):
+        asset = catalog.assets.get(name)
+        faces = sum(len(part.faces) for part in asset.mesh(asset.usual)) if asset else 0
+        if faces > HEAVY:
+            told = f"{name} has {faces:,} faces: files with it are large"
+            console.print(told, style="dim", markup=False)
 
 
 def prepared(request: Request, console: Console) -> Brief:
