@@ -46,11 +46,13 @@ def _solvers() -> list[Row]:
 
 def _terms() -> list[Row]:
     from scenewright.terms.hall_terms import HALL_TERMS
+    from scenewright.terms.site_terms import SITE_AIMS, SITE_TERMS
     from scenewright.terms.table import TERMS
 
     home = [{"domain": "home"} | row._asdict() for row in TERMS]
     hall = [{"domain": "hall"} | row._asdict() for row in HALL_TERMS]
-    return [*home, *({"form": "repaired", "kind": row["of"]} | row for row in hall)]
+    site = [{"domain": "site"} | row._asdict() for row in (*SITE_TERMS, *SITE_AIMS)]
+    return [*home, *({"form": "repaired", "kind": row["of"]} | row for row in (*hall, *site))]
 
 
 def _patterns() -> list[Row]:

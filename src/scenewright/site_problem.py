@@ -6,7 +6,7 @@ heading. NamedTuples of C-contiguous float64 / int64 arrays.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,7 +68,8 @@ class Buildings(NamedTuple):
 class SiteProblem(NamedTuple):
     """One site to solve. ``spacing`` is the least distance of buildings to each other,
     ``sun_spacing`` that behind one to the south in heights of it, ``facing`` the preferred
-    heading, ``fire_access`` the width of the way to each building, all in metres and radians."""
+    heading, ``fire_access`` the width of the way to each building, all in metres and radians.
+    ``form`` is that of the paper's measures: ``printed``, or ``repaired`` where they need it."""
 
     ground: SiteGround
     buildings: Buildings
@@ -80,6 +81,7 @@ class SiteProblem(NamedTuple):
     fire_access: float
     latitude: float
     day: int
+    form: Literal["printed", "repaired"] = "repaired"
 
 
 def sides_of(sides: Floats, quality: Floats) -> Floats:

@@ -1,8 +1,8 @@
 """Sites by annealing over boxes, as the paper's local templates and its comparison "SA".
 
 Kirkpatrick, Gelatt, Vecchi 1983. A move looks only at the building that moved and what stands near
-it. The energy is the repaired sum, so buildings may overlap on the way; what still cannot stand
-in the end is left out.
+it. The energy is the repaired sum, or f_cost of (6) with the ratio (5) where the problem's form is
+``printed``. Buildings may overlap on the way; what still cannot stand in the end is left out.
 """
 
 from __future__ import annotations
@@ -22,12 +22,23 @@ from scenewright.solvers.site_answer import Measure, answer, make_measure
 from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.site_moves import propose
 from scenewright.solvers.site_random import TRIES, drop_buildings, lines_of
-from scenewright.terms.site_measure import SitePrepared, SiteState, change, commit, energy_of, lay
+from scenewright.terms.site_measure import (
+    SitePrepared,
+    SiteState,
+    change,
+    change_of_fitness,
+    commit,
+    energy_of,
+    fitness,
+    lay,
+)
 
 HOT, COLD = 10.0, 1e-3
 MOVES = 4000
 SLICE = 20_000
 PILOT = 500
+E_MAX = 10.0
+"""E_max of (6): costs beyond it are all alike."""
 
 
 @compiled
@@ -36,8 +47,9 @@ def run_site_chain(
     best: Floats, tally: Floats,
 ) -> None:  # fmt: skip
     """Anneal the layout a state holds by ``steps`` moves. Temperature falls geometrically over a
-    schedule (4,): hot and cold end, where this part starts and stops (0 to 1). ``tally`` (2,)
-    energy now and of the best, whose frames are kept in ``best`` (n, 8)."""
+    schedule (5,): hot and cold end, where this part starts and stops (0 to 1), and E_max of (6) if
+    the energy is -f_cost as printed (0: our sum). ``tally`` (2,) energy now and of the best, whose
+    frames are kept in ``best`` (n, 8)."""
     n, temperature, heat = s.frames.shape[0], schedule[0], 1.0
     for step in range(steps):
         if step % 32 == 0:
@@ -46,7 +58,10 @@ def run_site_chain(
             heat = 1.0 - share
         i = below(stream, n)
         frame = propose(p, s, i, heat, lines, stream)
-        more = change(p, s, i, frame)
+        if schedule[4] > 0.0:
+            more = change_of_fitness(p, s, i, frame, schedule[4])
+        else:
+            more = change(p, s, i, frame)
         if more > -temperature * math.log(1.0 - uniform(stream)):
             continue
         commit(p, s, i, frame)
@@ -72,7 +87,10 @@ def anneal_from(
     ``first`` is where its schedule starts, from 0 hot to 1 cold."""
     measure, stream = make_measure(problem), streams(seed, 1)[0]
     lay(measure.p, measure.s, np.ascontiguousarray(start))
+    most_cost = E_MAX if problem.form == "printed" else 0.0
     energy = energy_of(measure.p, measure.s)
+    if most_cost:
+        energy = -fitness(measure.p, measure.s, most_cost, 0.0)
     tally, best = np.array([energy, energy]), measure.s.frames.copy()
     if not len(problem.ground.block_areas) or not len(start):
         return start, 1
@@ -88,7 +106,7 @@ def anneal_from(
         ends = np.append(np.arange(0, wanted, SLICE), wanted)
         for begin, end in pairwise(ends.tolist()):
             part = before + (share - before) * np.array([begin, end]) / steps
-            schedule = np.array([HOT, COLD, *(first + (1.0 - first) * part)])
+            schedule = np.array([HOT, COLD, *(first + (1.0 - first) * part), most_cost])
             run_site_chain(
                 measure.p, measure.s, lines, schedule, end - begin, stream, best, tally
             )  # fmt: skip
@@ -101,7 +119,7 @@ def anneal_from(
 
 def _rate(measure: Measure, lines: Floats, stream: Stream, best: Floats) -> float:
     """Moves a second, by making a few that cannot be accepted."""
-    schedule, tally = np.array([1e-300, 1e-300, 0.0, 0.0]), np.array([0.0, -math.inf])
+    schedule, tally = np.array([1e-300, 1e-300, 0.0, 0.0, 0.0]), np.array([0.0, -math.inf])
     run_site_chain(measure.p, measure.s, lines, schedule, 1, stream, best, tally)
     begun = time.perf_counter()
     run_site_chain(measure.p, measure.s, lines, schedule, PILOT, stream, best, tally)

@@ -57,7 +57,27 @@ class MatrixGenetic(NamedTuple):
 
     ``points`` of the crossover; ``keep`` how many of the best stay; ``led`` how much the visual
     quality rules the first layouts; ``local`` whether, once the individuals are alike, the best
-    one is searched around by single-point mutations.
+    one is searched around by single-point mutations; ``ends`` whether the search ends there.
+
+    Ratings may come from anybody who looks at the layouts: told with their sign turned, the best
+    rated breed. Here somebody likes buildings in the west.
+
+    >>> from scenewright import read
+    >>> from scenewright.domains.site import problems
+    >>> from scenewright.solvers.site_lattice import make_cells
+    >>> problem = problems(read("sample:site-30"))[0]
+    >>> cells = make_cells(problem)
+    >>> solver, judge = MatrixGenetic(cells, problem.buildings.quality), make_judge(problem, cells)
+    >>> rng, wide = np.random.default_rng(0), np.zeros(cells.fits.shape[2] * 3)
+    >>> state, likings = solver.init(rng, wide, wide), []
+    >>> for generation in range(12):
+    ...     genes, state = solver.ask(state, rng)
+    ...     boxes = judge.boxes(genes)
+    ...     ratings = -np.array([one[one[:, 3] > 0, 0].mean() for one in boxes])
+    ...     state = solver.tell(state, genes, -ratings)
+    ...     likings.append(float(ratings.max()))
+    >>> likings[-1] > likings[0]
+    True
     """
 
     cells: Cells
@@ -70,6 +90,7 @@ class MatrixGenetic(NamedTuple):
     keep: int = 1
     led: float = 0.5
     local: bool = True
+    ends: bool = False
 
     def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Bred:  # noqa: ARG002
         """Nothing judged yet."""
@@ -127,12 +148,14 @@ class MatrixGenetic(NamedTuple):
 
 
 class MatrixJudge(NamedTuple):
-    """What judges chromosomes without a person: -F_eva of (22) and position costs of (5)."""
+    """What judges chromosomes without a person: -F_eva of (22), and ``position`` times the mean
+    position costs of (5), which are none as printed."""
 
     cells: Cells
     measure: Measure
     worth: Worth
     omega: tuple[float, ...] = OMEGA
+    position: float = POSITION
 
     def energies(self, genes: Floats) -> Floats:
         """Energies (P,) of chromosomes (P, cells · 3), about -1 … 0; lower is better."""
@@ -144,7 +167,7 @@ class MatrixJudge(NamedTuple):
             lay(p, s, boxes)
             value_parts(s, self.worth, parts)
             position = float(weights @ s.sums) / max(len(boxes), 1)
-            found[k] = POSITION * position - float(parts @ np.array(self.omega))
+            found[k] = self.position * position - float(parts @ np.array(self.omega))
         return found
 
     def boxes(self, genes: Floats) -> Floats:
@@ -166,7 +189,8 @@ def evolve(
     problem: SiteProblem, solver: MatrixGenetic, judge: MatrixJudge, budget: Budget, seed: int,
     progress: Progress | None, cancel: Cancel | None,
 ) -> SiteFound:  # fmt: skip
-    """Breed until the budget is spent; without one 200 generations, or until nothing is gained."""
+    """Breed until the budget is spent; without one 200 generations, or until nothing is gained;
+    or until (12) says that all are alike, if the search ends there."""
     watch, rng = Watch(budget, progress, cancel), np.random.default_rng(seed)
     if budget.steps:
         solver = solver._replace(population=min(solver.population, budget.steps))
@@ -182,6 +206,7 @@ def evolve(
         if energies[first] < least:
             best, least = genes[first].copy(), float(energies[first])
         spent = not bounded and (state.age == GENERATIONS or state.stalled > STALLED)
+        spent = spent or (solver.ends and state.settled >= 0)
         full = budget.steps is not None and done + solver.population > budget.steps
         if watch.over(done, least) or spent or full:
             break
@@ -193,10 +218,12 @@ def viewpoint_site(
     problem: SiteProblem, budget: Budget, seed: int = 0,
     progress: Progress | None = None, cancel: Cancel | None = None,
 ) -> SiteFound:  # fmt: skip
-    """The paper's algorithm with its measure in place of the person; a step is a layout."""
-    cells = make_cells(problem)
-    solver = MatrixGenetic(cells, problem.buildings.quality)
-    return evolve(problem, solver, make_judge(problem, cells), budget, seed, progress, cancel)
+    """The paper's algorithm with its measure in place of the person; a step is a layout. In the
+    form printed, (22) alone judges, and (12) ends the search."""
+    cells, printed = make_cells(problem), problem.form == "printed"
+    solver = MatrixGenetic(cells, problem.buildings.quality, local=not printed, ends=printed)
+    judge = make_judge(problem, cells)._replace(position=0.0 if printed else POSITION)
+    return evolve(problem, solver, judge, budget, seed, progress, cancel)
 
 
 def simple_site(

@@ -16,14 +16,12 @@ from scenewright.errors import InputError
 from scenewright.geometry.boxes import Floats
 from scenewright.site_problem import Buildings, Flags, SiteGround, SiteProblem
 from scenewright.solve import Budget, Watch
-from scenewright.solvers.site_anneal import anneal_from
+from scenewright.solvers.site_anneal import E_MAX, anneal_from
 from scenewright.solvers.site_answer import make_measure, score, standing
 from scenewright.terms.site_terms import fitness_of_cost, utilisation
 
 STEPS = 20_000
 COOL = 0.4
-MOST = 10.0
-"""E_max of (6)."""
 
 
 class Template(NamedTuple):
@@ -78,5 +76,5 @@ def make_template(
     sizes = buildings.sizes[present]
     tall = float(sizes[:, 2].max(initial=1e-9))
     found["fit"] = utilisation(sizes, (spacing, spacing), (*target, tall))
-    found["fitness"] = float(fitness_of_cost(np.array(found["ratio"]), MOST))
+    found["fitness"] = float(fitness_of_cost(np.array(found["ratio"]), E_MAX))
     return Template(np.where(present[:, None], boxes, 0.0), present, found)

@@ -234,6 +234,28 @@ def change(p: SitePrepared, s: SiteState, i: int, frame: Frame) -> float:
 
 
 @compiled
+def change_of_fitness(p: SitePrepared, s: SiteState, i: int, frame: Frame, most: float) -> float:
+    """How far f_cost of (6) as printed, with E_max ``most``, falls if building ``i`` went to
+    ``frame``; nothing is moved yet."""
+    look(p, s, i, read_frame(s.frames, i), s.old)
+    look(p, s, i, frame, s.new)
+    return fitness(p, s, most, 0.0) - fitness(p, s, most, 1.0)
+
+
+@compiled
+def fitness(p: SitePrepared, s: SiteState, most: float, moved: float) -> float:
+    """f_cost of (6) by the ratio (5), now (``moved`` 0) or after the move last looked at (1)."""
+    cost, quality = 0.0, 0.0
+    for k in range(s.sums.shape[0]):
+        value = s.sums[k] + moved * (s.new[k] - s.old[k])
+        if k == QUALITY:
+            quality = -p.weights[k] * value
+        elif k != LEFT:
+            cost += p.weights[k] * value
+    return max(most - cost / quality, 0.0) if quality > 1e-12 else 0.0
+
+
+@compiled
 def commit(p: SitePrepared, s: SiteState, i: int, frame: Frame) -> None:
     """Make the move last tried."""
     for k in range(s.sums.shape[0]):

@@ -50,10 +50,10 @@ SITE_TERMS: tuple[SiteTerm, ...] = (
     SiteTerm("left", LEFT, "building", 10, "buildings left out", "ours"),
 )  # fmt: skip
 SITE_AIMS: tuple[SiteTerm, ...] = (
-    SiteTerm("seen", 0, "site", 3, "visual quality that walkers do not see, of what a rich street "
-             "shows", "ours"),
-    SiteTerm("sun", 1, "site", 3, "hours without sun on fronts, of those a front to the sun gets",
-             "ours"),
+    SiteTerm("seen", 0, "site", 3, "visual quality that walkers on the ways see, 0.4 in a rich "
+             "street; higher is better", "ours"),
+    SiteTerm("sun", 1, "site", 3, "hours of sun on fronts on the day of the brief; higher is "
+             "better", "ours"),
     SiteTerm("even", 2, "site", 0.5, "how far the middle of what stands in a block lies off the "
              "block's", "ours"),
 )  # fmt: skip
@@ -61,6 +61,16 @@ SITE_AIMS: tuple[SiteTerm, ...] = (
 aim off."""
 MUCH = 0.4
 """Visual quality V that eyes in a rich street see."""
+SITE_FIGURES: dict[str, str] = {
+    "value": "F_eva, the paper's evaluation of a site (Zhang, Yang 2023, eq. 22); higher is better",
+    "use": "use of the ground, part of F_eva",
+    "shown": "visual quality of all facades that stand, part of F_eva",
+    "texture": "tone and symmetry of facades, part of F_eva",
+    "height": "volume that stands of all asked for, part of F_eva",
+    "ratio": "the paper's energy, position costs over visual quality (eq. 5); lower is better",
+    "generations": "generations until the layouts were alike (eq. 12), or all there were",
+}
+"""Figures of a site that are told beside its terms."""
 PRINTED = ("insert", "overlap", "road", "facing", "quality")
 
 

@@ -23,12 +23,13 @@ from scenewright.domains.site.dress import buildings, landmark_assets, landmarks
 from scenewright.domains.site.green import green
 from scenewright.domains.site.pose import Looks, pose
 from scenewright.domains.site.presets import PRESETS, SitePreset
+from scenewright.domains.site.reasons import reasons
 from scenewright.domains.site.wanted import Wanted, wanted
 from scenewright.errors import InputError
 from scenewright.scene import Piece
 from scenewright.site_plan import SitePlan, site_plans
-from scenewright.site_problem import Flags
-from scenewright.solution import LeftOut, Solution
+from scenewright.site_problem import Flags, SiteProblem
+from scenewright.solution import LeftOut, Solution, TermValue
 from scenewright.solve import Budget
 from scenewright.solvers.sites import SITE_SOLVERS
 from scenewright.stock import catalog_of
@@ -36,13 +37,15 @@ from scenewright.stock import catalog_of
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 
-__all__ = ["PRESETS", "solve"]
+__all__ = ["PRESETS", "problems", "solve"]
 
 
 class Built(NamedTuple):
     """One site built on."""
 
+    site: str
     pieces: tuple[Piece, ...]
+    terms: tuple[TermValue, ...]
     left_out: tuple[LeftOut, ...]
     evaluations: int
 
@@ -84,9 +87,9 @@ def solve(
         brief=brief,
         pieces=tuple(piece for one in found for piece in one.pieces),
         patches=(),
-        terms=(),
+        terms=tuple(term for one in found for term in one.terms),
         left_out=tuple(out for one in found for out in one.left_out),
-        energies={},
+        energies={one.site: sum(term.cost for term in one.terms) for one in found},
         preset=preset,
         solver=named,
         seed=seed,
@@ -106,16 +109,37 @@ def _build(
     budget: Budget, seed: int, progress: Callable[[float, float], None] | None,
     cancel: Cancel | None,
 ) -> Built:  # fmt: skip
-    rows = wanted(site, plan, place, catalog)
-    problem = pose(site, plan, rows, preset.weights, _looks(plan, rows, catalog, preset, progress))
+    rows, problem = _posed(site, plan, place, catalog, preset, progress)
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
     found = SITE_SOLVERS[solver].run(problem, budget, seed, progress, cancel)
     standing = landmarks(plan, catalog)
     placed = buildings(plan, rows, found.boxes, found.present)
     grown = green(plan, (*standing, *placed), catalog, np.random.default_rng(seed))
-    pieces = (*standing, *placed, *grown)
-    return Built(pieces, _left_out(plan, rows, found.present), found.evaluations)
+    return Built(
+        plan.id, (*standing, *placed, *grown), reasons(problem, found, plan.id),
+        _left_out(plan, rows, found.present), found.evaluations,
+    )  # fmt: skip
+
+
+def problems(brief: Brief, preset: str = "default") -> tuple[SiteProblem, ...]:
+    """The sites of a brief as problems, for solvers of :data:`SITE_SOLVERS` run by oneself."""
+    catalog = catalog_of(brief.catalogs)
+    return tuple(
+        _posed(site, plan, f"sites[{number}]", catalog, PRESETS[preset], None)[1]
+        for number, (site, plan) in enumerate(
+            zip(brief.sites, site_plans(brief.sites, catalog), strict=True)
+        )
+    )
+
+
+def _posed(
+    site: Site, plan: SitePlan, place: str, catalog: Catalog, preset: SitePreset,
+    progress: Callable[[float, float], None] | None,
+) -> tuple[list[Wanted], SiteProblem]:  # fmt: skip
+    rows = wanted(site, plan, place, catalog)
+    looks = _looks(plan, rows, catalog, preset, progress)
+    return rows, pose(site, plan, rows, preset.weights, looks)._replace(form=preset.form)
 
 
 def _looks(

@@ -1,0 +1,39 @@
+"""Why a site is as good as it is: every term and aim with its weight, and the paper's figures."""
+
+from __future__ import annotations
+
+from scenewright.geometry.sun import open_hours, sun_path
+from scenewright.site_problem import SiteProblem
+from scenewright.solution import TermValue
+from scenewright.solvers.site_answer import score
+from scenewright.solvers.site_block import noon
+from scenewright.solvers.site_found import SiteFound
+from scenewright.terms.site_terms import (
+    MUCH,
+    QUALITY,
+    SITE_AIMS,
+    SITE_FIGURES,
+    SITE_TERMS,
+    read_site_aims,
+    read_site_weights,
+)
+
+
+def reasons(problem: SiteProblem, found: SiteFound, site: str) -> tuple[TermValue, ...]:
+    """The terms of a site as built, whose costs add up to its energy, then figures of weight 0."""
+    known = found.score or score(problem, found.boxes, found.present)
+    known = known | {"generations": float(found.generations)}
+    weights, count = read_site_weights(problem.weights), len(problem.buildings.sizes)
+    rows = []
+    for row in SITE_TERMS:
+        value, weight = known[row.name], float(weights[row.number])
+        lacks = count - value if row.number == QUALITY else value
+        rows.append(TermValue(site, "", row.name, value, weight, weight * lacks))
+    best = float(open_hours([noon(problem)], sun_path(problem.latitude, problem.day))[0, 0])
+    lacking = {"seen": 1.0 - known["seen"] / MUCH, "sun": 1.0 - known["sun"] / max(best, 1e-9)}
+    for aim, weight in zip(SITE_AIMS, read_site_aims(problem.weights).tolist(), strict=True):
+        if aim.name in lacking:
+            cost = weight * max(lacking[aim.name], 0.0)
+            rows.append(TermValue(site, "", aim.name, known[aim.name], weight, cost))
+    rows += [TermValue(site, "", name, known[name], 0.0, 0.0) for name in SITE_FIGURES]
+    return tuple(rows)

@@ -1,0 +1,141 @@
+"""Why a site is as good as it is, and the paper's measures in printed and repaired form."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from benchmarks.site_instances import example_site
+from typer.testing import CliRunner
+
+import scenewright as sw
+from scenewright.appearance import shipped_facts
+from scenewright.cli import app
+from scenewright.domains.site import problems
+from scenewright.domains.site.presets import PRESETS
+from scenewright.formats import solution_json
+from scenewright.geometry.boxes import make_frame
+from scenewright.solve import Budget
+from scenewright.solvers.site_anneal import E_MAX, anneal_site
+from scenewright.solvers.site_answer import make_measure, score
+from scenewright.solvers.site_genetic import MatrixGenetic, make_judge, viewpoint_site
+from scenewright.solvers.site_lattice import make_cells
+from scenewright.terms.site_measure import change_of_fitness, commit, fitness, lay
+from scenewright.terms.site_terms import (
+    SITE_AIMS,
+    SITE_FIGURES,
+    SITE_TERMS,
+    fitness_of_cost,
+    printed_ratio,
+)
+
+
+@pytest.fixture(scope="module")
+def solution() -> sw.Solution:
+    return sw.solve(sw.read("sample:site-landmarks"))
+
+
+def test_costs_of_terms_add_up_to_the_energy(solution: sw.Solution) -> None:
+    assert {term.space for term in solution.terms} == set(solution.energies) == {"quarter"}
+    assert sum(t.cost for t in solution.terms) == pytest.approx(solution.energies["quarter"])
+    named = {term.term: term for term in solution.terms}
+    aims = {row.name for row in SITE_AIMS} - {"even"}
+    assert set(named) == {row.name for row in SITE_TERMS} | aims | set(SITE_FIGURES)
+    assert named["overlap"].value < 1e-4 > named["left"].value == 0.0
+    assert 0.0 < named["seen"].value < 0.5
+    assert 0.0 < named["sun"].value <= 8.0
+    assert named["seen"].cost == pytest.approx(3.0 * (1.0 - named["seen"].value / 0.4))
+    value = [named[name].value for name in ("use", "shown", "texture", "height")]
+    assert named["value"].value == pytest.approx(np.dot(value, (0.2, 0.5, 0.1, 0.2)))
+
+
+def test_terms_are_saved_and_explained(solution: sw.Solution, tmp_path: Path) -> None:
+    assert solution_json.loads(solution_json.dumps(solution)).terms == solution.terms
+    sw.write(solution, tmp_path / "site.json")
+    told = CliRunner().invoke(app, ["explain", str(tmp_path / "site.json")])
+    assert told.exit_code == 0, told.output
+    for word in ("seen", "walkers on the ways see", "F_eva", "generations", "hours of sun"):
+        assert word in told.output
+
+
+def test_models_count_as_they_look() -> None:
+    problem = problems(sw.read("sample:site-landmarks"))[0]
+    names = [name.partition("/")[2].rpartition("_")[0] for name in problem.names]
+    facts = [shipped_facts()[name] for name in names]
+    assert problem.buildings.tone.tolist() == [row.tone for row in facts]
+    assert problem.buildings.symmetry.tolist() == [row.symmetry for row in facts]
+    order = np.argsort([row.relief for row in facts], kind="stable")
+    assert (np.diff(problem.buildings.quality[order]) >= 0).all()
+    assert problem.ground.landmark_quality.tolist() == pytest.approx(
+        [shipped_facts()[name].relief / shipped_facts()["pagoda"].relief
+         for name in ("gothic_church", "pagoda")]
+    )  # fmt: skip
+    assert problem.buildings.sides.shape == (len(names), 5)
+    printed = problems(sw.read("sample:site-landmarks"), "paper")[0]
+    assert printed.form == "printed"
+    assert (printed.buildings.quality != problem.buildings.quality).any()
+    assert (printed.buildings.sides == problem.buildings.sides).all()
+
+
+def test_a_move_changes_the_printed_fitness_by_what_the_whole_says() -> None:
+    problem, rng = example_site(10, 110.0), np.random.default_rng(2)
+    measure = make_measure(problem)
+    boxes = np.column_stack([
+        rng.uniform(10, 90, (10, 2)), rng.uniform(0, 6, 10), problem.buildings.sizes[:, :2],
+    ])  # fmt: skip
+    lay(measure.p, measure.s, boxes)
+    for _ in range(20):
+        i = int(rng.integers(10))
+        boxes[i, :3] = [*rng.uniform(10, 90, 2), rng.uniform(0, 6)]
+        frame = make_frame(*boxes[i].tolist())
+        before = whole(measure)
+        assert fitness(measure.p, measure.s, 1e3, 0.0) == pytest.approx(before)
+        change = change_of_fitness(measure.p, measure.s, i, frame, 1e3)
+        commit(measure.p, measure.s, i, frame)
+        lay(measure.p, measure.s, boxes)
+        assert change == pytest.approx(before - whole(measure), abs=1e-9)
+    assert fitness(measure.p, measure.s, 1e-9, 0.0) == 0.0
+
+
+def whole(measure) -> float:
+    ratio = printed_ratio(measure.s.sums, np.abs(measure.p.weights))
+    return float(fitness_of_cost(ratio, 1e3))
+
+
+def test_annealing_as_printed_lowers_the_ratio_and_pays_nothing_for_what_it_leaves_out() -> None:
+    problem = example_site(8, 120.0)._replace(form="printed")
+    ends = [anneal_site(problem, Budget(None, steps, threads=None), 0) for steps in (1, 200_000)]
+    ratios = [score(problem, end.boxes, end.present)["ratio"] for end in ends]
+    assert ratios[1] < ratios[0] < E_MAX
+    other = problem._replace(form="repaired")
+    assert anneal_site(other, Budget(None, 200_000, threads=None), 0).present.all()
+    assert not ends[1].present.all()
+
+
+def test_the_printed_algorithm_judges_by_the_value_alone_and_ends_when_all_are_alike() -> None:
+    problem = example_site(8, 120.0)
+    cells = make_cells(problem)
+    genes, _ = MatrixGenetic(cells, problem.buildings.quality).ask(
+        MatrixGenetic(cells, problem.buildings.quality).init(
+            np.random.default_rng(0), np.zeros(3), np.zeros(3)
+        ),
+        np.random.default_rng(0),
+    )
+    judge = make_judge(problem, cells)._replace(position=0.0)
+    boxes = judge.boxes(genes)
+    values = [score(problem, one, one[:, 3] > 0)["value"] for one in boxes]
+    assert judge.energies(genes) == pytest.approx(-np.array(values))
+    found = viewpoint_site(problem._replace(form="printed"), Budget(None, 2000, threads=None), 0)
+    assert found.evaluations == 10 * found.generations < 2000
+    longer = viewpoint_site(problem, Budget(None, 2000, threads=None), 0)
+    assert longer.evaluations == 2000 > 10 * longer.generations
+
+
+def test_paper_presets_are_the_papers() -> None:
+    for name in ("paper", "paper-repaired"):
+        assert PRESETS[name].solver == "vp"
+        assert PRESETS[name].steps == 10 * 200
+    solved = sw.solve(sw.read("sample:site-courtyards"), preset="paper")
+    told = {term.term: term.value for term in solved.terms}
+    assert solved.evaluations == 10 * told["generations"] <= 2000
