@@ -116,28 +116,37 @@ def _used(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
 
 def explained(console: Console, solution: Solution) -> None:
     """Costs by room, item and term, dearest first; what the terms mean; what was left out."""
-    table = _table("room", "item", "term", "value", "weight", "cost", title="why")
-    for column in table.columns[3:]:
+    why = _table("room", "item", "term", "value", "weight", "cost", title="why")
+    for column in why.columns[3:]:
         column.justify = "right"
     rooms = _rooms(solution)
     felt = [term for term in solution.terms if term.cost >= LEAST_COST]
     for term in sorted(felt, key=lambda t: -t.cost):
-        table.add_row(Text(rooms.get(term.space, term.space)), Text(term.item), Text(term.term),
+        why.add_row(Text(rooms.get(term.space, term.space)), Text(term.item), Text(term.term),
                       f"{term.value:.4g}", f"{term.weight:g}", f"{term.cost:.2f}")  # fmt: skip
-    console.print(table)
-    for name, meaning in _meanings({term.term for term in felt}).items():
+    console.print(why)
+    domain = solution.brief.domain
+    figures = [t for t in solution.terms if t.weight == 0.0] if domain == "site" else []
+    if figures:
+        rows = [{"site": rooms.get(t.space, t.space), "figure": t.term, "value": t.value}
+                for t in figures]  # fmt: skip
+        table(console, rows, "figures")
+    for name, meaning in _meanings({term.term for term in (*felt, *figures)}, domain).items():
         console.print(Text(f"{name}: {meaning}", "dim"))
     _left_out(console, solution)
 
 
-def _meanings(names: set[str]) -> dict[str, str]:
+def _meanings(names: set[str], domain: str) -> dict[str, str]:
     """One line for each term; of two forms the repaired one."""
     from scenewright.terms.hall_terms import HALL_TERMS
+    from scenewright.terms.site_terms import SITE_AIMS, SITE_FIGURES, SITE_TERMS
     from scenewright.terms.table import TERMS
 
     ordered = sorted(TERMS, key=lambda row: row.form != "printed")
     meanings = {row.name: row.doc for row in HALL_TERMS}
     meanings |= {row.name: row.doc for row in ordered}
+    if domain == "site":
+        meanings = {row.name: row.doc for row in (*SITE_TERMS, *SITE_AIMS)} | SITE_FIGURES
     return {name: meanings[name] for name in meanings if name in names}
 
 
