@@ -87,6 +87,22 @@ def write_spans(edges: Floats, y0: float, y1: float, work: Floats, spans: Floats
     return found
 
 
+@compiled
+def next_strip(
+    edges: Floats, top: float, bottom: float, floor: tuple[float, float], work: Floats,
+    spans: Floats,
+) -> float:  # fmt: skip
+    """The top of the first strip, going down by steps, with a span that holds a building; ``floor``
+    the depth of the strip and the least width of those waiting, ``work`` and ``spans`` scratch."""
+    deep, least = floor
+    while top - deep >= bottom:
+        for k in range(write_spans(edges, top - deep, top, work, spans)):
+            if spans[k, 1] - spans[k, 0] >= least - 1e-9:
+                return top
+        top -= STEP
+    return top
+
+
 @inlined
 def inside(edges: Floats, x: float, y: float) -> bool:
     """Whether a point lies inside: the outline goes round it once more than holes do. Holes may
@@ -135,9 +151,12 @@ def rows(
     waiting = list(queue)
     top = float(block.edges[:, [1, 3]].max())
     bottom = float(block.edges[:, [1, 3]].min())
-    number = 0
+    number, scratch = 0, np.empty((2, len(block.edges), 2))
     while waiting and top - sizes[waiting[0], 1] >= bottom:
         deep = float(sizes[waiting[0], 1])
+        floors = sizes[waiting, :2]
+        least = float(floors[floors[:, 1] <= deep + 1e-9, 0].min())
+        top = next_strip(block.edges, top, bottom, (deep, least), scratch[0], scratch[1])
         found = _strip(block, sizes, waiting, top - deep, top, rule, number)
         if not found:
             top -= STEP
