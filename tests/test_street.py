@@ -37,8 +37,9 @@ def solved(roads: list[dict[str, object]], count: int = 8) -> Solution:
 
 
 def spot_of(solution: Solution) -> Standpoint:
-    blocks = blocks_of(scene_of(solution), catalog_of(solution.brief.catalogs))
-    return standpoint(plans_of(solution.brief), solution.pieces, blocks)
+    catalog = catalog_of(solution.brief.catalogs)
+    blocks = blocks_of(scene_of(solution), catalog)
+    return standpoint(plans_of(solution.brief), solution.pieces, blocks, catalog)
 
 
 @pytest.mark.parametrize("roads", [ROADS, []], ids=["street", "open ground"])

@@ -27,6 +27,7 @@ from scenewright.brief_fields import (
 
 Place = Annotated[Number, Field(ge=-1e9, le=1e9)]
 Metres = Annotated[Number, Field(gt=0, le=500)]
+Side = Annotated[Number, Field(ge=0.5, le=500)]
 FormName = Literal["parallel", "staggered", "peripheral", "mixed"]
 
 
@@ -67,7 +68,7 @@ class Building(Model):
     name: str = ""
     model: Annotated[str, Field(min_length=1, max_length=500)]
     count: Annotated[Whole, Field(ge=1, le=20_000)] = 1
-    size: tuple[Metres, Metres, Metres] | None = None
+    size: tuple[Side, Side, Side] | None = None
     floors: Annotated[Whole, Field(ge=1, le=300)] | None = None
     forms: Annotated[list[FormName], Field(max_length=4)] = []
     required: Switch = True

@@ -157,7 +157,8 @@ def _check(feature: Feature, floor: shapely.Polygon, map_: Projection) -> None:
         told = f"holds only {floor.area:.2g} m²"
         remedy = "its coordinates may be in another reference system: export it as longitude and "
         remedy += "latitude (WGS 84)"
-        raise InputError(told, remedy if map_.turns else "draw it in metres", place=feature.id)
+        flat = "draw it in metres; of a map in degrees cut out at most 10 km"
+        raise InputError(told, remedy if map_.turns else flat, place=feature.id)
     if max(east - west, north - south) > LARGEST_EXTENT:
         raise InputError(
             f"is {max(east - west, north - south) / 1000:.0f} km long",

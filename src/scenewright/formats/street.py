@@ -44,9 +44,10 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
 
 def picture(solution: Solution, width: int = WIDTH) -> Pixels:
     """The street from its best spot as pixels ``(height, width, 3)``."""
-    blocks = blocks_of(scene_of(solution), catalog_of(solution.brief.catalogs))
+    catalog = catalog_of(solution.brief.catalogs)
+    blocks = blocks_of(scene_of(solution), catalog)
     bounds = np.vstack([block.vertices for block in blocks])
-    spot = standpoint(plans_of(solution.brief), solution.pieces, blocks)
+    spot = standpoint(plans_of(solution.brief), solution.pieces, blocks, catalog)
     stage = stage_of(blocks, bounds, MEADOW, SHADOW)._replace(reach=REACH, air=AIR)
     height = round(TALL * width)
     whole = round(2 * HORIZON * height)

@@ -14,6 +14,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scenewright.appearance import PLAIN, facts, qualities
+from scenewright.catalog import Catalog
 from scenewright.formats.picture import Camera, view_of
 from scenewright.formats.stage import Block
 from scenewright.geometry import rays
@@ -25,6 +27,7 @@ from scenewright.layout import corners
 from scenewright.scene import Piece
 from scenewright.site_ground import kerb
 from scenewright.site_plan import SitePlan, Way
+from scenewright.staging import asset_of
 
 ANGLE = float(np.deg2rad(75.0))
 """How wide a street picture is."""
@@ -63,12 +66,12 @@ class Stands(NamedTuple):
 
 
 def standpoint(
-    plans: Sequence[SitePlan], pieces: Sequence[Piece], blocks: Sequence[Block]
+    plans: Sequence[SitePlan], pieces: Sequence[Piece], blocks: Sequence[Block], catalog: Catalog
 ) -> Standpoint:
     """The best place for a picture of a scene, and where to look."""
     buildings = [piece for piece in pieces if piece.category == "building"]
     eyes = _eyes(plans, pieces)
-    found = best_spots(_seen(buildings, eyes), ANGLE)[:TRIED]
+    found = best_spots(_seen(buildings, eyes, catalog), ANGLE)[:TRIED]
     tried = [Standpoint(s.point, s.way[:2] / np.hypot(*s.way[:2])) for s in found]
     along = np.concatenate([np.zeros((0, 4)), *(_paced(w, 0.0) for p in plans for w in p.roads)])
     for eye, _ in list(tried) if len(along) else ():
@@ -95,11 +98,14 @@ def camera_of(spot: Standpoint) -> Camera:
     return Camera((x, y, z), (u, v, w), ANGLE)
 
 
-def _seen(buildings: Sequence[Piece], eyes: Floats) -> Sights:
-    """What is seen of the buildings from all eyes."""
+def _seen(buildings: Sequence[Piece], eyes: Floats, catalog: Catalog) -> Sights:
+    """What is seen of the buildings from all eyes, by what their models show on each side."""
+    assets = [asset_of(piece, catalog) for piece in buildings]
+    known = facts(asset for asset in assets if asset is not None)
+    shown = [known[a.id] if a is not None else PLAIN for a in assets]
     boxes = [(*p.pose[:2], p.pose.heading, p.size.width, p.size.depth) for p in buildings]
     grid = box_grid(np.array(boxes).reshape(-1, 5), [p.size.height for p in buildings])
-    return sights_of_boxes(grid, np.ones(len(buildings)), eyes, rays=RAYS)
+    return sights_of_boxes(grid, qualities(shown)[1], eyes, 1.0, RAYS)
 
 
 def _eyes(plans: Sequence[SitePlan], pieces: Sequence[Piece]) -> Floats:

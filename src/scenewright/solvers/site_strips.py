@@ -17,6 +17,8 @@ from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 
+MANY = 64
+"""Edges of a block that are worth a look at which of them a strip meets."""
 STEP = 1.0
 """How far a strip is moved on when nothing fits, in metres."""
 OPEN = 0.5
@@ -55,8 +57,12 @@ def free_spans(block: Turned, y0: float, y1: float) -> Floats:
     >>> free_spans(turned(square + 1.0, np.pi / 2), 1.5, 2.5).round(6).tolist()
     [[1.0, 5.0]]
     """
-    work, spans = np.empty((len(block.edges), 2)), np.empty((len(block.edges), 2))
-    return spans[: write_spans(block.edges, y0, y1, work, spans)]
+    edges = block.edges
+    if len(edges) > MANY:  # only those of the strip matter, for what is inside as well
+        ay, by = edges[:, 1], edges[:, 3]
+        edges = edges[((ay < y1) | (by < y1)) & ((ay > y0) | (by > y0))]
+    work, spans = np.empty((len(edges), 2)), np.empty((len(edges), 2))
+    return spans[: write_spans(edges, y0, y1, work, spans) if len(edges) else 0]
 
 
 @compiled

@@ -50,8 +50,9 @@ def green(
     if not kinds:
         return ()
     ground = _ground(plan, buildings)
-    beside = np.concatenate([np.zeros((0, 2)), *(_avenue(way, ground) for way in plan.roads)])
-    rows = _apart(beside, 0.55 * AVENUE)[: 2 * TREES // 3]
+    beside = np.concatenate([np.zeros((0, 2)), *(_avenue(way) for way in plan.roads)])
+    beside = beside[:: max(1, len(beside) // (8 * TREES))]
+    rows = _apart(_clear(beside, ground), 0.55 * AVENUE)[: 2 * TREES // 3]
     groves = _groves(plan, ground, rows, rng)[: TREES - len(rows)]
     species = np.concatenate([np.zeros(len(rows)), _waves(groves, 55.0, rng) < -0.35])
     sizes = rng.integers(len(SCALES), size=len(rows) + len(groves))
@@ -86,11 +87,11 @@ def _clear(points: Floats, ground: Ground, border: bool = True) -> Floats:
     return points
 
 
-def _avenue(way: Way, ground: Ground) -> Floats:
+def _avenue(way: Way) -> Floats:
     """Places of trees on both sides of a way."""
     at = [_beside(line, side * (way.width / 2 + VERGE), AVENUE, AVENUE / 2)[:, :2]
           for line in way.inside for side in (1, -1)]  # fmt: skip
-    return _clear(np.concatenate([np.zeros((0, 2)), *at]), ground)
+    return np.concatenate([np.zeros((0, 2)), *at])
 
 
 def _beside(line: Floats, off: float, step: float, start: float) -> Floats:
@@ -155,9 +156,7 @@ def _tree(
 def _lamps(plan: SitePlan, catalog: Catalog) -> Iterator[Piece]:
     """Lamps on the pavements, their arms over the road."""
     assets = catalog.of("lamp_post")
-    paved = [way for way in plan.roads if way.kind == "road" and kerb(way.width)]
-    spots = [row for way in paved if assets for row in _lamp_spots(plan, way)]
-    for count, (x, y, heading) in enumerate(spots[:TREES], 1):
+    for count, (x, y, heading) in enumerate(_lamp_spots(plan)[:TREES] if assets else (), 1):
         yield Piece(
             id=f"{plan.id}/lamp_{count}", category="lamp_post", asset=assets[0].id,
             space=plan.id, pose=Pose(x, y, 0.0, heading), size=assets[0].usual,
@@ -165,17 +164,25 @@ def _lamps(plan: SitePlan, catalog: Catalog) -> Iterator[Piece]:
         )  # fmt: skip
 
 
-def _lamp_spots(plan: SitePlan, way: Way) -> list[tuple[float, float, float]]:
-    """Place and heading of the lamps of a road, on its sides in turn, off all other ways."""
-    others = shapely.union_all([
-        shapely.Polygon(a.outline, a.holes) for o in plan.roads if o is not way for a in o.areas
-    ])  # fmt: skip
-    floor = shapely.difference(shapely.Polygon(plan.outline, plan.holes), others)
-    found = []
-    for line in way.inside:
-        for side, start in ((1, LAMPS / 4), (-1, 3 * LAMPS / 4)):
-            at = _beside(line, side * (way.width / 2 - LAMP_IN), LAMPS, start)
-            at = at[shapely.contains_xy(floor, at[:, 0], at[:, 1])]
-            turn = (at[:, 2] - side * math.pi / 2 + math.pi) % (2 * math.pi) - math.pi
-            found += list(zip(at[:, 0].tolist(), at[:, 1].tolist(), turn.tolist(), strict=True))
-    return found
+def _lamp_spots(plan: SitePlan) -> list[tuple[float, float, float]]:
+    """Place and heading of lamps on both sides of the roads in turn, inside, off other ways."""
+    found, owners = [np.zeros((0, 3))], [np.zeros(0, np.int64)]
+    for number, way in enumerate(plan.roads):
+        if way.kind != "road" or not kerb(way.width):
+            continue
+        for line in way.inside:
+            for side, start in ((1, LAMPS / 4), (-1, 3 * LAMPS / 4)):
+                at = _beside(line, side * (way.width / 2 - LAMP_IN), LAMPS, start)
+                at[:, 2] = (at[:, 2] - side * math.pi / 2 + math.pi) % (2 * math.pi) - math.pi
+                found.append(at)
+                owners.append(np.full(len(at), number))
+    spots, owner = np.concatenate(found), np.concatenate(owners)
+    areas = [(number, shapely.Polygon(a.outline, a.holes))
+             for number, way in enumerate(plan.roads) for a in way.areas]  # fmt: skip
+    floor = shapely.Polygon(plan.outline, plan.holes)
+    good = shapely.contains_xy(floor, spots[:, 0], spots[:, 1])
+    lamp, area = shapely.STRtree([shape for _, shape in areas]).query(
+        shapely.points(spots[:, :2]), predicate="intersects"
+    )
+    good[lamp[owner[lamp] != np.array([number for number, _ in areas], np.int64)[area]]] = False
+    return [(x, y, turn) for x, y, turn in spots[good].tolist()]

@@ -38,7 +38,7 @@ def pose(
     quality, sides = qualities([*facts, *marks], looks.measure)
     count = len(buildings)
     return SiteProblem(
-        ground=_ground(plan)._replace(
+        ground=_ground(plan, float(sizes[:, :2].min(initial=np.inf)))._replace(
             landmark_quality=quality[count:], landmark_sides=sides[count:]
         ),
         buildings=Buildings(
@@ -54,8 +54,10 @@ def pose(
     )  # fmt: skip
 
 
-def _ground(plan: SitePlan) -> SiteGround:
-    rings = [_rings(block.outline, block.holes) for block in plan.blocks]
+def _ground(plan: SitePlan, least: float) -> SiteGround:
+    """The ground, with the blocks that are at least ``least`` metres wide somewhere."""
+    blocks = [block for block in plan.blocks if 2.02 * block.radius >= least]
+    rings = [_rings(block.outline, block.holes) for block in blocks]
     ends = np.cumsum([len(ring) for ring in rings])
     ways = [line for way in plan.roads for line in way.inside]
     outline = _rings(plan.outline, plan.holes)
@@ -65,7 +67,7 @@ def _ground(plan: SitePlan) -> SiteGround:
         block_edges=np.concatenate([np.zeros((0, 4)), *rings]),
         block_spans=np.stack([ends - [len(ring) for ring in rings], ends], 1).astype(np.int64)
         if rings else np.zeros((0, 2), np.int64),
-        block_areas=np.array([block.area for block in plan.blocks]),
+        block_areas=np.array([block.area for block in blocks]),
         roads=np.concatenate(
             [np.zeros((0, 5)), *(_pieces(line, way.width) for way in plan.roads
                                  for line in way.inside)]
