@@ -6,7 +6,6 @@ rule; 2 the input cannot be used; 130 interrupted.
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import sys
@@ -17,7 +16,7 @@ from typing import Annotated, Any, cast
 import typer
 from rich.console import Console
 
-from scenewright import cli_batch
+from scenewright import cli_batch, cli_catalog
 from scenewright import cli_show as show
 from scenewright._version import __version__
 from scenewright.errors import InputError
@@ -29,6 +28,8 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     no_args_is_help=True,
 )
+
+app.add_typer(cli_catalog.app, name="catalog")
 
 USAGE_FAULT = cast(type[Exception], typer.BadParameter.__mro__[2])
 """What the parser raises for arguments it cannot use (its own ``ClickException``)."""
@@ -109,6 +110,10 @@ def arrange(
         list[str] | None,
         typer.Option("--catalog", metavar="PATH", help="Models of your own; may be repeated."),
     ] = None,
+    groups: Annotated[
+        list[str] | None,
+        typer.Option("--groups", metavar="PATH", help="Learned groups; may be repeated."),
+    ] = None,
     alternatives: Annotated[
         int, typer.Option(min=1, max=50, help="Plans that differ, ranked: OUT-1, OUT-2 …")
     ] = 1,
@@ -126,7 +131,7 @@ def arrange(
     _check_budget(seconds, steps)
     request = cli_arrange.Request(
         sources[0], tuple(outputs or ()), preset, solver, seconds, steps, seed, keep,
-        alternatives, tuple(catalogs or ()),
+        alternatives, tuple(catalogs or ()), tuple(groups or ()),
     )  # fmt: skip
     terms = cli_batch.Terms(formats, jobs, memory, limit)
     if many:
@@ -139,7 +144,9 @@ def arrange(
     complete = not any(entry.required for entry in solution.left_out)
     code = 130 if interrupted else 0 if report.valid and complete else 1
     if as_json:
-        _print_json(show.arranged_document(request.source, request.outputs, solution, report, code))
+        show.print_json(
+            show.arranged_document(request.source, request.outputs, solution, report, code)
+        )
     elif not quiet:
         show.arranged(Console(), request.outputs, solution, report, interrupted)
     return _fault(show.interrupted(request.outputs), code) if interrupted else code
@@ -152,7 +159,7 @@ def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) ->
     plans, interrupted = cli_alternatives.arrange_all(request, console)
     code = 130 if interrupted else 0 if any(plan.complete for plan in plans) else 1
     if as_json:
-        _print_json([cli_alternatives.document(request.source, plan) for plan in plans])
+        show.print_json([cli_alternatives.document(request.source, plan) for plan in plans])
     elif not quiet:
         console = Console()
         show.table(console, [cli_alternatives.row(plan) for plan in plans], title="plans")
@@ -173,7 +180,7 @@ def check(
 
     report = judge(solution_json.read(file))
     if as_json:
-        _print_json({"file": str(file), **report.to_dict()})
+        show.print_json({"file": str(file), **report.to_dict()})
     elif not quiet:
         show.checked(Console(), report)
     return 0 if report.valid else 1
@@ -189,7 +196,7 @@ def explain(
 
     solution = solution_json.read(file)
     if as_json:
-        _print_json(show.explained_document(solution))
+        show.print_json(show.explained_document(solution))
     else:
         show.explained(Console(), solution)
     return 0
@@ -209,7 +216,7 @@ def bench(
     with watching(Console(stderr=True), quiet) as watch:
         records = cli_bench.records(name, quick, watch.progress)
     if as_json:
-        _print_json(records)
+        show.print_json(records)
     elif not quiet:
         show.table(Console(), records, title=f"bench {name}")
     return 0
@@ -234,7 +241,7 @@ def view(
     request = cli_view.Request(tuple(models), output, measure, Options(up, front))
     viewed = cli_view.view(request, Console(stderr=True, quiet=quiet))
     if as_json:
-        _print_json(cli_view.document(request, viewed))
+        show.print_json(cli_view.document(request, viewed))
     elif not quiet:
         show.table(Console(), cli_view.shown(viewed), title="models")
         for told in [*cli_view.told(viewed), f"wrote {output}"]:
@@ -254,7 +261,7 @@ def list_(
 
     rows = cli_lists.rows(what)
     if as_json:
-        _print_json(rows)
+        show.print_json(rows)
     else:
         show.table(Console(), cli_lists.shown(what, rows), title=what)
     return 0
@@ -267,7 +274,7 @@ def schema(
     """Print the JSON Schema of an input file."""
     from scenewright import cli_lists
 
-    _print_json(cli_lists.schema(what))
+    show.print_json(cli_lists.schema(what))
     return 0
 
 
@@ -278,7 +285,3 @@ def _check_budget(seconds: float | None, steps: int | None) -> None:
         raise InputError(f"--seconds {seconds:g} is not possible", "give a positive number")
     if steps is not None and steps <= 0:
         raise InputError(f"--steps {steps} is not possible", "give a positive whole number")
-
-
-def _print_json(document: Any) -> None:
-    sys.stdout.write(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n")

@@ -35,6 +35,7 @@ class Request(NamedTuple):
     keep: bool
     alternatives: int = 1
     catalogs: tuple[str, ...] = ()
+    groups: tuple[str, ...] = ()
 
 
 class Arranged(NamedTuple):
@@ -89,7 +90,9 @@ def prepared(request: Request, console: Console) -> Brief:
     from scenewright import domains, formats
 
     _check_outputs(request.outputs)
-    brief = formats.read(request.source, keep=request.keep, catalogs=request.catalogs)
+    brief = formats.read(
+        request.source, keep=request.keep, catalogs=request.catalogs, groups=request.groups
+    )
     named("preset", request.preset, domains.presets(brief.domain))
     if request.solver is not None:
         named("solver", request.solver, domains.solvers(brief.domain))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import sys
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -183,6 +185,11 @@ def arranged_document(
         "left_out": [entry._asdict() for entry in solution.left_out],
         "check": report.to_dict(),
     }
+
+
+def print_json(document: Any) -> None:
+    """One JSON document on the standard output."""
+    sys.stdout.write(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
 
 
 def table(console: Console, rows: Sequence[Mapping[str, Any]], title: str) -> None:

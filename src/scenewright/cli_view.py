@@ -51,14 +51,19 @@ def view(request: Request, console: Console) -> Viewed:
     named("measure", request.measure, list(MEASURES))
     if request.output.suffix.lower() != ".png":
         raise InputError("sheets are .png files", "choose such a name", file=str(request.output))
+    return portrayed(None, request, console)
+
+
+def portrayed(sitters: Sequence[Sitter] | None, request: Request, console: Console) -> Viewed:
+    """Draw sitters, or the models the request names, and write the sheet."""
     tell_if_cold(console)
     with watching(console, console.quiet) as watch:
-        sitters, skipped = gathered(request, watch)
-        drawn = _drawn(sitters[:MOST], request.measure, watch, skipped)
+        given, skipped = gathered(request, watch) if sitters is None else (list(sitters), [])
+        drawn = _drawn(given[:MOST], request.measure, watch, skipped)
         watch.progress(1.0, f"writing {request.output.name}")
         portraits = tuple(shown for _, shown in drawn)
-        write(sheet(portraits, request.measure, len(sitters)), request.output)
-    return Viewed(tuple(s for s, _ in drawn), portraits, len(sitters), tuple(skipped))
+        write(sheet(portraits, request.measure, len(given)), request.output)
+    return Viewed(tuple(s for s, _ in drawn), portraits, len(given), tuple(skipped))
 
 
 def gathered(request: Request, watch: Watch) -> tuple[list[Sitter], list[Skipped]]:

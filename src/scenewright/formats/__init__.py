@@ -65,12 +65,17 @@ FORMATS = (
 )
 
 
-def read(source: str | os.PathLike[str], keep: bool = False, catalogs: Sequence[str] = ()) -> Brief:
+def read(
+    source: str | os.PathLike[str],
+    keep: bool = False,
+    catalogs: Sequence[str] = (),
+    groups: Sequence[str] = (),
+) -> Brief:
     """The brief in a file, or a sample (``sample:home-flat``); checked down to its geometry.
 
     ``keep`` leaves movable furniture of the file where it is, as fixed items; ``catalogs`` are
-    further catalogues of models, below the working folder. Anything that cannot be used raises
-    :class:`InputError`, one line that names the file.
+    further catalogues of models and ``groups`` files of learned groups, below the working folder.
+    Anything that cannot be used raises :class:`InputError`, one line that names the file.
 
     >>> read("sample:home-flat").rooms[1].name
     'Kitchen'
@@ -78,12 +83,12 @@ def read(source: str | os.PathLike[str], keep: bool = False, catalogs: Sequence[
     from pydantic import ValidationError
 
     from scenewright.document_faults import told
-    from scenewright.formats.catalog_paths import with_catalogs
+    from scenewright.formats.catalog_paths import with_more
     from scenewright.plan import spaces
     from scenewright.zones import check_halls
 
     try:
-        brief = with_catalogs(_read(source, keep), catalogs)
+        brief = with_more(_read(source, keep), catalogs, groups)
         check_halls(brief, spaces(brief))
     except InputError as error:
         raise error.located(file=str(source)) from None

@@ -1,4 +1,4 @@
-"""Catalogues a brief names relative to its own file, as absolute paths; and back."""
+"""Catalogues and learned groups a brief names relative to its own file, as absolute paths."""
 
 from __future__ import annotations
 
@@ -10,18 +10,21 @@ from scenewright.brief import Brief
 
 Json = dict[str, Any]
 
+NAMED = ("catalogs", "groups")
+"""Fields of a brief that hold paths."""
+
 
 def resolved(document: Json, folder: Path) -> Json:
-    """A brief or solution whose ``catalogs`` are absolute; what is no text stays as it is.
+    """A brief or solution whose ``catalogs`` and ``groups`` are absolute; what is no text stays.
 
     A plain name that is no file in ``folder`` stays a name: it may be registered.
     """
     if isinstance(document.get("brief"), dict):
         return document | {"brief": resolved(document["brief"], folder)}
-    listed = document.get("catalogs")
-    if not isinstance(listed, list):
-        return document
-    return document | {"catalogs": [_mapped(entry, folder) for entry in listed]}
+    listed = {key: document[key] for key in NAMED if isinstance(document.get(key), list)}
+    return document | {
+        key: [_mapped(entry, folder) for entry in entries] for key, entries in listed.items()
+    }
 
 
 def absolute(path: str, folder: Path) -> str:
@@ -31,10 +34,14 @@ def absolute(path: str, folder: Path) -> str:
     return path if plain and not whole.exists() else str(whole.absolute())
 
 
-def with_catalogs(brief: Brief, catalogs: Sequence[str]) -> Brief:
-    """A brief with further catalogues, below the working folder."""
-    more = [absolute(path, Path.cwd()) for path in catalogs]
-    return brief.model_copy(update={"catalogs": [*brief.catalogs, *more]}) if more else brief
+def with_more(brief: Brief, catalogs: Sequence[str], groups: Sequence[str] = ()) -> Brief:
+    """A brief with further catalogues and learned groups, below the working folder."""
+    if not catalogs and not groups:
+        return brief
+    more, learned = ([absolute(path, Path.cwd()) for path in paths] for paths in (catalogs, groups))
+    return brief.model_copy(
+        update={"catalogs": [*brief.catalogs, *more], "groups": [*brief.groups, *learned]}
+    )
 
 
 def _mapped(entry: object, folder: Path) -> object:

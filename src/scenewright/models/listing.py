@@ -75,7 +75,7 @@ def _listed(model: Model, unit: float, fixed: bool, cells: Cells) -> Listed:
     if fixed:
         taken = taken._replace(turn=0, scale=1.0)
     category = cells.get("category") or taken.category
-    if cells.get("category"):
+    if category != taken.category:
         taken = taken._replace(sure=1.0, why="by the table")
     front = cells.get("front") or FRONTS[taken.turn]
     scale = _number(cells, "scale", taken.scale)

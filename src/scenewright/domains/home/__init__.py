@@ -11,31 +11,23 @@ import os
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from zlib import crc32
-
-import numpy as np
-import shapely
 
 from scenewright._version import __version__
-from scenewright.brief import Brief, Room
-from scenewright.catalog import Catalog
-from scenewright.domains.home.attempt import Furnished, Task, floor_of, out_of_reach
+from scenewright.brief import Brief
+from scenewright.domains.home.attempt import Furnished, Task
 from scenewright.domains.home.extras import extras
-from scenewright.domains.home.furnishing import libraries_of, taste_of
-from scenewright.domains.home.ground import ground_of
-from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.presets import PRESETS, Preset
-from scenewright.domains.home.programme import Wish, programme, resolved
+from scenewright.domains.home.own_library import libraries_of, taste_of
+from scenewright.domains.home.presets import PRESETS, Preset, preset_named
+from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.room import furnish
+from scenewright.domains.home.tasks import check_asks, task_of, wishes_of
 from scenewright.domains.home.yielding import yielded
 from scenewright.domains.standing import fixed_pieces
-from scenewright.errors import InputError
-from scenewright.plan import place, spaces
+from scenewright.plan import spaces
 from scenewright.scene import Piece
 from scenewright.solution import Solution
 from scenewright.solve import Budget
-from scenewright.space import Space
 from scenewright.stock import catalog_of
 
 Progress = Callable[[float, str], None]
@@ -44,7 +36,6 @@ Cancel = Callable[[], bool]
 __all__ = ["PRESETS", "solve"]
 
 MOST_THREADS = 16
-SIDEWAYS = 0.4  # the width of a person turned sideways, metres
 
 
 def solve(
@@ -69,20 +60,21 @@ def solve(
     found so far is returned.
     """
     started = time.perf_counter()
-    chosen = _preset(preset)
+    chosen = preset_named(preset)
     named = solver or chosen.solver
-    _check_asks(brief)
+    check_asks(brief)
     rooms = spaces(brief)
     catalog = catalog_of(brief.catalogs)
     libraries = libraries_of(brief, catalog)
     tasks = [
-        _task(brief, brief_room, space, catalog, chosen, named, seed, cancel)._replace(
-            library=libraries[taste_of(brief, brief_room)]
+        task_of(
+            brief, brief_room, space, tuple(fixed_pieces(brief_room, space, catalog)), catalog,
+            libraries[taste_of(brief, brief_room)], chosen, named, seed, cancel,
         )
         for brief_room, space in zip(brief.rooms, rooms, strict=True)
-    ]
+    ]  # fmt: skip
     wishes = [
-        _wishes(brief_room, task, rooms)
+        wishes_of(brief_room, task, rooms, task.fixed)
         for brief_room, task in zip(brief.rooms, tasks, strict=True)
     ]
     work = [float(len(w)) ** 1.5 for w in wishes]
@@ -93,7 +85,8 @@ def solve(
                for w, b in zip(wishes, work, strict=True)]  # fmt: skip
     answers = _run(tasks, wishes, budgets, pool, progress)
     if chosen.exact:
-        answers = yielded(tasks, answers, rooms, catalog, brief.route_width)
+        standing = [task.fixed for task in tasks]
+        answers = yielded(standing, answers, rooms, catalog, brief.route_width)
     return _solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
 
 
@@ -119,12 +112,6 @@ def _furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
     return furnish(task, wishes, budget)
 
 
-def _preset(name: str) -> Preset:
-    if name not in PRESETS:
-        raise InputError(f"there is no preset '{name}'", "one of " + ", ".join(PRESETS))
-    return PRESETS[name]
-
-
 def _budget(
     least: Budget, preset: Preset, solver: str, items: int, share: float, seconds: float | None,
     steps: int | None,
@@ -133,56 +120,6 @@ def _budget(
         return least._replace(seconds=seconds * share)
     each = steps or (preset.steps if solver == preset.solver else None)
     return least if each is None else least._replace(steps=each * max(items, 1))
-
-
-def _task(
-    brief: Brief, room: Room, space: Space, catalog: Catalog, preset: Preset, solver: str,
-    seed: int, cancel: Cancel | None,
-) -> Task:  # fmt: skip
-    fixed = tuple(fixed_pieces(room, space, catalog))
-    shape = shapely.Polygon(space.outline, list(space.holes))
-    taken = sum(p.size.width * p.size.depth for p in fixed if p.size.height > 0.05)
-    area = max(float(shape.area) - taken, 0.1)
-    stream = int(np.random.SeedSequence([seed, crc32(space.id.encode())]).generate_state(1)[0])
-    ground = ground_of(space, fixed, area)
-    task = Task(
-        space, ground, fixed, catalog, preset, solver, brief.route_width,
-        _use_width(shape, brief.route_width), frozenset(),
-        stream % 2**31, cancel,
-    )  # fmt: skip
-    return task._replace(tight=out_of_reach(task, ()))
-
-
-def _use_width(shape: shapely.Polygon, width: float) -> float:
-    """The width of the way to pieces: a room nowhere as wide as two routes is used sideways."""
-    across = 2 * float(shapely.maximum_inscribed_circle(shape, tolerance=0.02).length)
-    return width if across >= 2 * width else min(width, SIDEWAYS)
-
-
-def _wishes(room: Room, task: Task, rooms: tuple[Space, ...]) -> tuple[Wish, ...]:
-    """What the user asked for in a room, else what its function and size bring, less what
-    already stands there."""
-    if room.ask is not None:
-        return tuple(
-            Wish(ask.group, 0 if ask.required else 1, required=ask.required, most=ask.size)
-            for ask in room.ask
-            for _ in range(ask.count)
-        )
-    others = frozenset(
-        f for s in rooms if s.id != task.space.id for f in resolved(s.functions, 0.0)
-    )
-    have = frozenset(p.category for p in task.fixed)
-    return programme(task.space, floor_of(task.ground), others, have)
-
-
-def _check_asks(brief: Brief) -> None:
-    for number, room in enumerate(brief.rooms):
-        for k, ask in enumerate(room.ask or ()):
-            if ask.group not in GROUPS:
-                raise InputError(
-                    f"there is no furniture group '{ask.group}'",
-                    "use one of: " + ", ".join(GROUPS), place=place(brief, number, f"ask[{k}]"),
-                )  # fmt: skip
 
 
 def _solution(

@@ -134,7 +134,7 @@ def _try(
     )  # fmt: skip
     codes = np.where((codes == 0) & (spans[:, 1] > height), OUTSIDE, codes)
     stands = _supported(case.members, codes == 0, boxes, ground, catalog)
-    essential = GROUPS[function].essential
+    essential = essential_of(case)
     for i, member in enumerate(case.members):
         if member.category in essential and not stands[i]:
             return Refused(why_not(member, int(codes[i]), int(offenders[i]), standing))
@@ -143,6 +143,16 @@ def _try(
     if _MUST & {m.category for m in lost} or _without_table(case, lost):
         return Refused(why_not(lost[0], int(codes[stands.index(False)]), -1, standing))
     return Dressed(case, box, stands, heavy)
+
+
+def essential_of(case: Group) -> tuple[str, ...]:
+    """The categories that make a group: its row's, or of a learned case without any of these that
+    of its largest piece on the floor."""
+    known = GROUPS[case.function].essential
+    if any(m.category in known for m in case.members):
+        return known
+    floor = [m for m in case.members if m.on < 0 and m.category != "rug"]
+    return (max(floor or case.members, key=lambda m: m.size.width * m.size.depth).category,)
 
 
 _MUST = frozenset(

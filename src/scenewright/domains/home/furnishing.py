@@ -8,15 +8,12 @@ the same model. Where no model suits, the shipped asset stays.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import lru_cache
 from math import log
 from typing import NamedTuple
 
 from scenewright.assets.sizes import SIZES
-from scenewright.brief import Brief, Room
 from scenewright.catalog import Asset, Catalog, Group, Member
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import SHIPPED, Library, planted, shipped_cases
 from scenewright.domains.home.refit import Chosen, refitted
 from scenewright.scene import Size
 from scenewright.stock import OWN
@@ -55,42 +52,6 @@ class Taste(NamedTuple):
 
 
 Stock = Mapping[str, tuple[Asset, ...]]
-
-
-def taste_of(brief: Brief, room: Room) -> Taste:
-    """What is wished for in a room: its own words, else the home's."""
-    return Taste(room.style or brief.style, room.colour or brief.colour)
-
-
-def libraries_of(brief: Brief, catalog: Catalog) -> dict[Taste, Library]:
-    """The case library of each taste there is in a home."""
-    return {
-        taste: library_of(catalog, taste) for taste in {taste_of(brief, r) for r in brief.rooms}
-    }
-
-
-@lru_cache(maxsize=32)
-def library_of(catalog: Catalog, taste: Taste) -> Library:
-    """The shipped cases with the furniture of a catalog."""
-    stock = stock_of(catalog)
-    if not stock:
-        return SHIPPED
-    own = {}
-    for name in GROUPS:
-        known = shipped_cases(name).groups
-        cases = furnished(name, known, stock, catalog, taste)
-        own[name] = planted(cases, _first(cases, known))
-    return Library(own)
-
-
-def _first(cases: tuple[Group, ...], shipped: tuple[Group, ...]) -> tuple[bool, ...]:
-    """Which cases come first: those about a real model, else those with one; but none if even
-    the smallest of them is larger than any shipped case."""
-    about = [bool(case.members[anchor_of(case)].asset) for case in cases]
-    first = about if any(about) else [any(m.asset for m in case.members) for case in cases]
-    areas = [case.width * case.depth for case, yes in zip(cases, first, strict=True) if yes]
-    most = max(case.width * case.depth for case in shipped)
-    return tuple(first) if min(areas, default=0.0) <= most else ()
 
 
 def stock_of(catalog: Catalog) -> Stock:

@@ -29,12 +29,14 @@ LARGER = 0.45
 
 class Cases(NamedTuple):
     """The cases of one function: groups, their (width, depth) as ``(n, 2)`` and its k-d tree;
-    ``real`` tells which are made of a user's own models: these come first."""
+    ``real`` tells which are made of a user's own models: these come first. ``areas`` are those of
+    the rooms learned cases were seen in, m² (NaN: not known)."""
 
     groups: tuple[Group, ...]
     sizes: NDArray[np.float64]
     tree: Node | None
     real: NDArray[np.bool_]
+    areas: NDArray[np.float64]
 
 
 class Library(NamedTuple):
@@ -54,11 +56,15 @@ def shipped_cases(function: str) -> Cases:
     return planted(tuple(GROUPS[function].cases()))
 
 
-def planted(groups: tuple[Group, ...], real: tuple[bool, ...] = ()) -> Cases:
-    """Cases, ready to be found by size; ``real`` tells which come first."""
+def planted(
+    groups: tuple[Group, ...], real: tuple[bool, ...] = (), areas: tuple[float, ...] = ()
+) -> Cases:
+    """Cases, ready to be found by size; ``real`` tells which come first, ``areas`` of what rooms
+    they are."""
     sizes = np.array([(g.width, g.depth) for g in groups])
     first = np.array(real or (False,) * len(groups))
-    return Cases(groups, sizes, plant(sizes.tolist()), first)
+    of_rooms = np.array(areas or (np.nan,) * len(groups))
+    return Cases(groups, sizes, plant(sizes.tolist()), first, of_rooms)
 
 
 def cases(function: str, library: Library = SHIPPED) -> Cases:
@@ -101,10 +107,13 @@ def fitting(
 def wished(function: str, area: float, library: Library = SHIPPED) -> Group:
     """The case a designer would wish for in a room of this area.
 
-    The cases ordered by footprint, at the share that the area takes of the row's ``roomy`` span.
+    The cases ordered by footprint, at the share that the area takes of the row's ``roomy`` span;
+    of learned ones that of the room most like in area.
     """
     small, large = GROUPS[function].roomy
     found = cases(function, library)
+    if np.isfinite(found.areas).any():
+        return found.groups[int(np.nanargmin(np.abs(np.log(found.areas / area))))]
     order = np.argsort(found.sizes.prod(-1), kind="stable")
     order = order[found.real[order]] if found.real.any() else order
     share = np.clip((area - small) / (large - small), 0, 1)

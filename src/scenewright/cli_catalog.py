@@ -1,0 +1,208 @@
+"""The verb ``catalog``: furniture of one's own, looked through, registered, learned from homes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from rich.console import Console
+
+from scenewright import cli_show as show
+from scenewright.errors import InputError
+
+if TYPE_CHECKING:
+    from scenewright.models.listing import Listed
+    from scenewright.stock import Taken
+
+app = typer.Typer(
+    help="Furniture of your own: look it through, register it, learn groups from homes.",
+    no_args_is_help=True,
+)
+
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON document only.")]
+Named = Annotated[str, typer.Argument(metavar="CATALOGUE", help="A path or a registered name.")]
+SHOWN = ("id", "category", "front", "size", "sure", "colour", "author", "why")
+
+
+@app.command()
+def add(
+    path: Annotated[Path, typer.Argument(help="A folder of models, a library or one file.")],
+    name: Annotated[str | None, typer.Option(help="What to call it; else as the file.")] = None,
+    replace: Annotated[bool, typer.Option(help="Take the place of one of that name.")] = False,
+    as_json: Json = False,
+) -> int:
+    """Register a catalogue: remember where it is and what each of its models is taken for."""
+    from scenewright.brief_catalog import entry_of
+    from scenewright.models import register
+    from scenewright.models.listing import csv_text, rows
+    from scenewright.stock import taken
+
+    called = register.checked(name or path.stem or path.absolute().name)
+    if called in register.names() and not replace:
+        raise InputError(f"'{called}' is registered already", "give --replace or another --name")
+    found = taken(entry_of(str(path.absolute())))
+    folder = register.register(called, path, csv_text(rows(found.models)))
+    counts = _counts(found)
+    if as_json:
+        show.print_json({"name": called, "table": str(folder / register.TABLE)} | counts)
+        return 0
+    console = Console()
+    console.print(f"{called}: {_summary(counts)}", markup=False)
+    console.print(f"edit {folder / register.TABLE} to correct it", style="dim", markup=False)
+    return 0
+
+
+@app.command("list")
+def list_(as_json: Json = False) -> int:
+    """List the registered catalogues."""
+    from scenewright.models import register
+    from scenewright.models.listing import table_of
+
+    found = []
+    for name in register.names():
+        file = register.table_file(name)
+        table = table_of(file) if file.is_file() else {}
+        used = [c for c in table.values() if c.get("category") not in ("", "other")]
+        path = register.where(name)
+        found.append({"name": name, "models": len(table), "usable": len(used),
+                      "path": str(path), "there": path.exists()})  # fmt: skip
+    if as_json:
+        show.print_json(found)
+    elif found:
+        show.table(Console(), found, title="catalogues")
+    else:
+        Console().print("none yet: scenewright catalog add PATH", style="dim")
+    return 0
+
+
+@app.command("show")
+def show_(
+    catalogue: Named,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="OUT", help="A .png sheet or a .csv.")
+    ] = None,
+    category: Annotated[str | None, typer.Option(help="Only models of this category.")] = None,
+    as_json: Json = False,
+) -> int:
+    """Show what each model of a catalogue is taken for, as a table or a sheet of pictures."""
+    from scenewright.brief_catalog import entry_of
+    from scenewright.models.listing import rows
+    from scenewright.stock import taken
+
+    found = taken(entry_of(catalogue))
+    models = [one for one in found.models if category in (None, one.category)]
+    if not models:
+        known = ", ".join(sorted({one.category for one in found.models}))
+        raise InputError(f"holds no model of category '{category}'", f"it has: {known}")
+    console = Console()
+    if output is not None:
+        _write(models, output, console, as_json)
+    if as_json:
+        show.print_json({"models": rows(models), "skipped": [s._asdict() for s in found.skipped]}
+                   | _counts(found))  # fmt: skip
+        return 0
+    if output is None:
+        show.table(console, [_row(one) for one in models], title=catalogue)
+        for one in found.skipped:
+            console.print(f"skipped {one.name}: {one.reason}", style="dim", markup=False)
+    console.print(_summary(_counts(found)), markup=False)
+    return 0
+
+
+@app.command()
+def learn(
+    homes: Annotated[list[str], typer.Argument(metavar="HOME...", help="Furnished .sh3d or .xml.")],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="GROUPS.json")],
+    as_json: Json = False,
+) -> int:
+    """Learn furniture groups from furnished homes: what stands together, how, in which sizes."""
+    from scenewright.assets import shipped
+    from scenewright.domains.home.learned_groups import document, learn, write
+
+    rooms = [room for home in homes for room in _furnished(home)]
+    found = learn(rooms, shipped())
+    if not found.cases:
+        raise InputError("no furniture groups are found", "give homes with furniture in them",
+                         file=homes[0])  # fmt: skip
+    write(found, output)
+    if as_json:
+        show.print_json(document(found))
+        return 0
+    table: dict[str, list[Any]] = {}
+    for case in found.cases:
+        table.setdefault(case.case.function, []).append(case)
+    rows = [{"function": name, "cases": len(own), "seen": sum(c.seen for c in own),
+             "homes": len({home for c in own for home in c.homes}),
+             "holds": "; ".join(dict.fromkeys(c.case.name for c in own))}
+            for name, own in table.items()]  # fmt: skip
+    show.table(Console(), rows, title="learned groups")
+    told = f"{found.rooms} furnished rooms of {len(homes)} homes; wrote {output}"
+    Console().print(told, style="dim", markup=False)
+    return 0
+
+
+def _furnished(home: str) -> list[Any]:
+    """The rooms of a home as furnished."""
+    from scenewright import formats
+    from scenewright.assets import shipped
+    from scenewright.domains.home.learning import Furnished
+    from scenewright.domains.standing import fixed_pieces
+    from scenewright.plan import spaces
+
+    brief = formats.read(home, keep=True)
+    return [
+        Furnished(Path(home).stem, space, tuple(fixed_pieces(room, space, shipped())))
+        for space, room in zip(spaces(brief), brief.rooms, strict=True)
+    ]
+
+
+def _write(models: Sequence[Listed], output: Path, console: Console, quiet: bool) -> None:
+    """The sheet of pictures or the table."""
+    from scenewright.cli_view import Request, Sitter, portrayed, told
+    from scenewright.models.as_asset import lighter
+    from scenewright.models.listing import csv_text, rows
+    from scenewright.models.model import Options
+
+    if output.suffix.lower() == ".csv":
+        partial = output.with_name(f".{output.name}.tmp")
+        partial.write_text(csv_text(rows(models)), encoding="utf-8")
+        partial.replace(output)
+    else:
+        if output.suffix.lower() != ".png":
+            raise InputError("is neither .png nor .csv", "choose such a name", file=str(output))
+        order = sorted(models, key=lambda one: (one.category == "other", one.category))
+        sitters = [Sitter(f"{one.category}: {one.model.name}", one.model.source,
+                          lighter(one.model.parts)) for one in order]  # fmt: skip
+        request = Request((), output, "picture", Options())
+        viewed = portrayed(sitters, request, Console(stderr=True, quiet=quiet))
+        for line in [] if quiet else told(viewed):
+            console.print(line, style="dim", markup=False)
+    if not quiet:
+        console.print(f"wrote {output}", style="dim", markup=False)
+
+
+def _row(one: Listed) -> dict[str, Any]:
+    size = " x ".join(f"{side:.2f}" for side in one.model.size)
+    cells = {"id": one.model.id, "category": "skipped" if one.skip else one.category,
+             "front": one.front, "size": size, "sure": one.sure, "colour": one.colour,
+             "author": one.model.author, "why": one.why}  # fmt: skip
+    return {key: cells[key] for key in SHOWN}
+
+
+def _counts(found: Taken) -> dict[str, Any]:
+    """How many models can be used, by category, how many only where named, how many not at all."""
+    usable = Counter(m.category for m in found.models if m.category != "other" and not m.skip)
+    return {
+        "usable": usable.total(),
+        "other": sum(m.category == "other" and not m.skip for m in found.models),
+        "skipped": len(found.skipped) + sum(m.skip for m in found.models),
+        "categories": dict(sorted(usable.items())),
+    }
+
+
+def _summary(counts: dict[str, Any]) -> str:
+    return (f"{counts['usable']} models of {len(counts['categories'])} categories, "
+            f"{counts['other']} used only where named, {counts['skipped']} skipped")  # fmt: skip

@@ -1,0 +1,275 @@
+"""Furniture groups learned from rooms that somebody furnished.
+
+A group is found about the piece that makes it (a bed, a table, a sofa, a desk): what stands near
+it, faces it, stands on it or hangs above it. Each becomes a case in the group's own frame, as the
+paper made its library from designers' rooms (Liu et al. 2017, section 3.4); what a person could
+not use is mended or dropped, and like cases of several homes become one with a range of sizes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import cos, pi, remainder, sin
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.catalog import Catalog, Group, Member
+from scenewright.domains.home.learning_space import (
+    BACKED,
+    TOP,
+    above,
+    apart,
+    drawn_out,
+    gap,
+    local,
+    on,
+    turned,
+)
+from scenewright.domains.home.learning_words import (
+    ABOVE,
+    ANCHORS,
+    COMPANIONS,
+    ROOMS,
+    RUNS,
+    SEATS,
+    Company,
+)
+from scenewright.domains.home.trial import usable
+from scenewright.models.furniture import LIKELY, misfits
+from scenewright.scene import Piece, Size
+from scenewright.space import Space
+
+Floats = NDArray[np.float64]
+
+STRAIGHT = 0.15  # headings nearer to a quarter turn than this are one, radians
+FACING = 1.9  # an armchair turned further from its sofa than this is not of its group, radians
+TOUCHING = 0.12  # units of a run nearer than this are one row, metres
+PULL = 0.2  # floor behind a chair to rise from it, metres
+ELBOWS = 0.6  # least width of a toilet's place, metres
+RUG = 0.6  # by how much a rug may be longer than the group on it, metres
+STAND = 0.5  # height of a stand that was drawn together with its television, metres
+
+
+class Furnished(NamedTuple):
+    """A furnished room: the home's name, the space and the pieces in it."""
+
+    home: str
+    space: Space
+    pieces: tuple[Piece, ...]
+
+
+class Found(NamedTuple):
+    """One group as found: its case, the home, the room and its area, how far its back is from a
+    wall and its middle from the nearest door (NaN: there is none), and the middle and heading of
+    its box in the room."""
+
+    case: Group
+    home: str
+    room: str
+    area: float
+    wall: float
+    door: float
+    box: tuple[float, float, float]
+
+
+def found_in(room: Furnished, catalog: Catalog) -> Iterator[Found]:
+    """The groups of a room that a person can use."""
+    free = [p for p in room.pieces if p.category in catalog.kinds]
+    for anchor in sorted(free, key=_rank):
+        if anchor not in free or anchor.category not in ANCHORS or anchor.pose.z > TOP:
+            continue
+        function = _function(anchor, room)
+        members = _members(anchor, function, free, catalog)
+        for piece in members:
+            free.remove(piece)
+        function = _named(function, members, anchor, room)
+        case = _case(function, anchor, members, room, catalog) if function else None
+        if case and usable(case, catalog):
+            yield _found(case, anchor, room)
+
+
+def _rank(piece: Piece) -> tuple[int, float]:
+    order = list(ANCHORS)
+    rank = order.index(piece.category) if piece.category in ANCHORS else len(order)
+    return rank, -piece.size.width * piece.size.depth
+
+
+def _function(anchor: Piece, room: Furnished) -> str:
+    """A table in a bedroom or study is a desk."""
+    return ROOMS.get((anchor.category, *room.space.functions[:1]), ANCHORS[anchor.category])
+
+
+def _members(anchor: Piece, function: str, free: Sequence[Piece], catalog: Catalog) -> list[Piece]:
+    """The anchor and what keeps it company: on the floor first, then on them and above."""
+    company = COMPANIONS.get(function, Company(()))
+    members = [anchor]
+    if company.row:
+        members += _row(anchor, company, free)
+    else:
+        near = [p for p in free if p is not anchor and p.category in company.kinds]
+        members += [p for p in near if gap(p, anchor) < company.reach and _faces(p, anchor)]
+    standing = tuple(members)
+    for piece in free:
+        if (
+            piece not in members
+            and piece.category != "obstacle"
+            and (
+                any(on(piece, below) for below in standing)
+                or (piece.category in ABOVE.get(function, ()) and above(piece, standing))
+            )
+        ):
+            members.append(piece)
+    del catalog
+    return members
+
+
+def _row(anchor: Piece, company: Company, free: Sequence[Piece]) -> list[Piece]:
+    """Units side by side with the anchor, with the same heading."""
+    row = [anchor]
+    grown = True
+    while grown:
+        more = [p for p in free if p not in row and p.category in company.kinds
+                and abs(remainder(p.pose.heading - anchor.pose.heading, 2 * pi)) < STRAIGHT
+                and any(gap(p, q) < TOUCHING for q in row)
+                and abs(local(p, anchor)[1]) < 0.25]  # fmt: skip
+        row += more
+        grown = bool(more)
+    return row[1:]
+
+
+def _faces(piece: Piece, anchor: Piece) -> bool:
+    """Whether a seat looks towards the anchor; other pieces need not."""
+    if piece.category != "armchair":
+        return True
+    way = np.arctan2(anchor.pose.y - piece.pose.y, anchor.pose.x - piece.pose.x)
+    return abs(remainder(float(way) - piece.pose.heading, 2 * pi)) < FACING
+
+
+def _named(function: str, members: Sequence[Piece], anchor: Piece, room: Furnished) -> str:
+    """The function by what the group turned out to hold; empty if it is of none."""
+    kinds = {piece.category for piece in members}
+    if function in ("kitchen", "fridge", "counter"):
+        return next((name for name, needs, not_ in RUNS if needs <= kinds and not not_ & kinds), "")
+    seats = sum(piece.category in SEATS for piece in members)
+    at_wall = _wall_gap(anchor, _heading(anchor, room), room) < BACKED
+    if function == "dining":
+        return "" if seats < 2 - at_wall else "dining_wall" if at_wall else function
+    return "" if function == "desk" and not seats else function
+
+
+def _heading(anchor: Piece, room: Furnished) -> float:
+    """Where the group looks: as its anchor, but a table looks away from the wall it is at."""
+    heading = anchor.pose.heading
+    if "table" not in anchor.category and anchor.category != "desk":
+        return heading
+    if anchor.category == "desk":
+        turns: tuple[float, ...] = (0.0, pi)
+    else:
+        turns = (0.0, pi) if anchor.size.width >= anchor.size.depth else (pi / 2, -pi / 2)
+    gaps = [(_wall_gap(anchor, heading + turn, room), k) for k, turn in enumerate(turns)]
+    best = min(gaps)
+    return heading + turns[best[1] if best[0] < BACKED else 0]
+
+
+def _wall_gap(anchor: Piece, heading: float, room: Furnished) -> float:
+    """How far the back of a piece is from the nearest wall, were its heading so."""
+    across = abs(sin(heading - anchor.pose.heading)) > 0.5
+    half = (anchor.size.width if across else anchor.size.depth) / 2
+    back = shapely.Point(anchor.pose.x - cos(heading) * half, anchor.pose.y - sin(heading) * half)
+    return float(shapely.LinearRing(room.space.outline).distance(back))
+
+
+def _case(function: str, anchor: Piece, pieces: Sequence[Piece], room: Furnished,
+          catalog: Catalog) -> Group | None:  # fmt: skip
+    """The pieces as a case in the group's frame, without what runs into something."""
+    heading = _heading(anchor, room)
+    seated = [drawn_out(p, anchor) if p.category in SEATS else p for p in pieces]
+    kept = apart(anchor, seated, catalog)
+    kept.sort(key=lambda p: p.pose.z > TOP)
+    members: list[Member] = []
+    for piece in kept:
+        x, y = turned(piece.pose.x - anchor.pose.x, piece.pose.y - anchor.pose.y, heading)
+        turn = remainder(piece.pose.heading - heading, 2 * pi)
+        quarter = round(turn / (pi / 2)) * pi / 2
+        turn = quarter if abs(turn - quarter) < STRAIGHT else turn
+        below = next((k for k, q in enumerate(kept) if q is not piece and on(piece, q)), -1)
+        top = members[below].z + members[below].size.height if 0 <= below < len(members) else None
+        category = function if function in ("desk",) and piece is anchor else piece.category
+        members.append(Member(category, x, y, piece.pose.z if top is None else top,
+                              turn, piece.size, below if top is not None else -1))  # fmt: skip
+    first = members[0]
+    if max(misfits(first.category, first.size)) > LIKELY:
+        return None
+    return boxed(function, _mended(members))
+
+
+def _mended(members: list[Member]) -> list[Member]:
+    """Without a rug that reaches far out of the group; a television in one with its stand
+    becomes two."""
+    solid = boxed("", [m for m in members if m.category != "rug"])
+    most = max(solid.width, solid.depth) + RUG
+    kept = [m for m in members if m.category != "rug" or max(m.size[:2]) <= most]
+    first = kept[0]
+    if len(kept) == len(members) and first.category == "tv_stand" and len(members) == 1:
+        wide = min(first.size.width, 1.4) * 0.8
+        stand = first._replace(size=Size(first.size.width, first.size.depth, STAND))
+        screen = Size(wide, min(0.2, first.size.depth), 0.62 * wide)
+        kept = [stand, Member("tv", first.x, first.y, STAND, first.heading, screen, 0)]
+    return kept if len(kept) == len(members) or first.category == "tv_stand" else _renumbered(
+        members, kept
+    )  # fmt: skip
+
+
+def _renumbered(members: list[Member], kept: list[Member]) -> list[Member]:
+    """Members with the numbers of what they stand on after some were left out."""
+    new = {k: kept.index(m) for k, m in enumerate(members) if m in kept}
+    return [m._replace(on=new.get(m.on, -1)) for m in kept]
+
+
+def boxed(function: str, members: Sequence[Member]) -> Group:
+    """Members as a case: the box round what stands, with room to rise from chairs."""
+    low, high = np.full(2, np.inf), np.full(2, -np.inf)
+    for member in members:
+        if member.on >= 0 or member.z > TOP:
+            continue
+        half = _half(member)
+        at = np.array([member.x, member.y])
+        back = np.array([sin(member.heading), -cos(member.heading)]) * PULL
+        behind = at + (back if member.category in ("dining_chair", "stool", "bench") else 0.0)
+        low = np.minimum(low, np.minimum(at, behind) - half)
+        high = np.maximum(high, np.maximum(at, behind) + half)
+    spare = max(ELBOWS - float(high[0] - low[0]), 0.0) / 2 if function == "toilet" else 0.0
+    low[0], high[0] = low[0] - spare, high[0] + spare
+    middle, size = (low + high) / 2, high - low
+    moved = tuple(m._replace(x=m.x - float(middle[0]), y=m.y - float(middle[1])) for m in members)
+    floor = [m.category.replace("_", " ") for m in members if m.on < 0 and m.z <= TOP]
+    named = ", ".join(f"{floor.count(k)} {k}" if floor.count(k) > 1 else k
+                      for k in dict.fromkeys(floor))  # fmt: skip
+    return Group(function, named, float(size[0]), float(size[1]) + 0.01, moved)
+
+
+def _half(member: Member) -> Floats:
+    c, s = abs(cos(member.heading)), abs(sin(member.heading))
+    w, d = member.size.width / 2, member.size.depth / 2
+    return np.array([w * c + d * s, w * s + d * c])
+
+
+def _found(case: Group, anchor: Piece, room: Furnished) -> Found:
+    at = shapely.Point(anchor.pose.x, anchor.pose.y)
+    doors = [o for o in room.space.openings if o.kind != "window"]
+    door = min((at.distance(shapely.Point(o.x, o.y)) for o in doors), default=float("nan"))
+    first = case.members[0]
+    area = shapely.Polygon(room.space.outline, list(room.space.holes)).area
+    heading = _heading(anchor, room)
+    return Found(case, room.home, room.space.id, float(area), _wall_gap(anchor, heading, room),
+                 float(door), _centre(anchor, first, heading))  # fmt: skip
+
+
+def _centre(anchor: Piece, first: Member, heading: float) -> tuple[float, float, float]:
+    """Where the middle of a group's box is in the room, and where the group looks."""
+    x = anchor.pose.x - first.x * sin(heading) - first.y * cos(heading)
+    y = anchor.pose.y + first.x * cos(heading) - first.y * sin(heading)
+    return x, y, heading
