@@ -1,7 +1,8 @@
-"""The home benchmark: kernels and solvers against shapely, the sample homes, the whole process.
+"""The home benchmark: kernels against shapely and C, sample homes, the whole process, all methods.
 
 ``scenewright bench home``. Figures of speed are medians of several runs in this process or of
-whole processes; where nothing else does the same work the baseline is the aim stated for it.
+whole processes; where nothing else does the same work the baseline is the aim stated for it. The
+tables of all methods are printed in full by ``python -m benchmarks.home_methods``.
 """
 
 from __future__ import annotations
@@ -14,12 +15,16 @@ import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
-from benchmarks.shapely_home import Record, bench_home
+from benchmarks import home_methods
+from benchmarks.home_kernel import bench_kernel
+from benchmarks.shapely_home import bench_home
 from scenewright.check import check
 from scenewright.domains.home import solve
 from scenewright.formats import read, samples
 
+Record = dict[str, Any]
 Progress = Callable[[float, str], None]
 
 DEMO = "sample:home-flat"
@@ -34,8 +39,12 @@ def records(quick: bool = False, progress: Progress | None = None) -> list[Recor
         ("solving the demo", lambda: bench_solving(runs)),
         ("whole process", lambda: bench_process(runs)),
     ]
-    if not quick:
-        stages.insert(0, ("kernels and solvers", bench_home))
+    if quick:
+        stages.append(("methods", lambda: home_methods.records(2, 0, ("4000 layouts",))))
+    else:
+        stages.insert(0, ("kernels and solvers", lambda: [dict(row) for row in bench_home()]))
+        stages.insert(1, ("kernels against C", lambda: [dict(row) for row in bench_kernel()]))
+        stages.append(("methods", lambda: home_methods.records(10, 50)))
     found: list[Record] = []
     for number, (name, stage) in enumerate(stages):
         if progress:
@@ -47,7 +56,7 @@ def records(quick: bool = False, progress: Progress | None = None) -> list[Recor
 def bench_samples(seeds: int) -> list[Record]:
     """Share of sample homes, over seeds, that the referee calls valid, and that are complete."""
     found = []
-    for name in samples():
+    for name in (name for name in samples() if name.startswith("sample:home-")):
         reports = [check(solve(read(name), seed=seed)) for seed in range(seeds)]
         valid = sum(r.valid for r in reports) / seeds
         complete = sum(not r.notes for r in reports) / seeds
