@@ -9,8 +9,10 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from scenewright.formats import svg_site
+from scenewright.formats import svg_site, svg_site_marks
+from scenewright.formats.site_views import views_of
 from scenewright.formats.svg_site_marks import FAULT, HATCH, tint
+from scenewright.site_plan import plans_of
 from sites import answer, building, field, quarter, site
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -70,9 +72,37 @@ def test_the_legend_tells_figures_and_only_signs_in_use():
 
 
 def test_what_walkers_see_is_drawn_where_it_is_told():
-    views = {"s": (np.array([(10.0, 10.0), (20.0, 10.0)]), np.array([0.0, 1.0]))}
-    circles = [c for c in drawn(site(), [], views).iter(f"{SVG}circle") if c.get("fill")]
-    assert [c.get("fill") for c in circles] == ["#e2ecf4", "#0054a0"]
+    places = np.array([(10.0, 10.0), (15.0, 10.0), (20.0, 10.0), (60.0, 70.0)])
+    views = {"s": (places, np.array([0.0, 0.15, 0.3, 2.0]))}
+    root = drawn(site(), [building("a", 20, 20)], views)
+    band = [p for p in root.iter(f"{SVG}path") if p.get("stroke", "").startswith("#")]
+    colours = [svg_site_marks.view_colour(share) for share in (0.0, 0.5, 1.0)]
+    strokes = [path for path in band if path.get("stroke") in colours]
+    assert [path.get("stroke") for path in strokes] == [*colours, colours[2]]
+    first, second, third, alone = (points(path) for path in strokes)
+    assert first[-1] == pytest.approx(second[0])
+    assert second[-1] == pytest.approx(third[0])
+    assert np.ptp(alone, axis=0) == pytest.approx([0, 0])
+    assert {"Much to see", "Visual quality seen from the ways", "0.613"} <= set(words(root))
+
+
+def test_views_are_those_of_a_walker_by_the_models():
+    ground = site(120, 80, roads=[{"line": [(0, 5), (120, 5)], "width": 6}])
+    rich, plain = (building("a", 60, 20, 24, 24, 40, asset=model)
+                   for model in ("pagoda", "modern_residential"))  # fmt: skip
+    told = {}
+    for piece in (rich, plain):
+        solution = answer(ground, [piece])
+        views = views_of(solution, plans_of(solution.brief))
+        eyes, values = views["s"]
+        assert eyes[:, 1] == pytest.approx(5.0)
+        assert np.argmax(values) in range(8, 16), "most before the building"
+        told[piece.asset] = values.mean()
+    assert told["pagoda"] > 1.5 * told["modern_residential"] > 0.0
+    broken = answer(ground, [building("far", 1e9, 0), building("nan", np.nan, 0)])
+    assert views_of(broken, plans_of(broken.brief)) == {}
+    lonely = answer(site(), [rich])
+    assert views_of(lonely, plans_of(lonely.brief)) == {}
 
 
 def test_hostile_names_and_places_are_harmless():

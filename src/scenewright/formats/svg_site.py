@@ -21,6 +21,7 @@ from scenewright.check.site_figures import judge_sites
 from scenewright.formats import svg_sheet as sheets
 from scenewright.formats import svg_site_marks as marks
 from scenewright.formats.site_shapes import Standing, standing
+from scenewright.formats.site_views import Views, views_of
 from scenewright.formats.svg_legend import Row, arrange, legend_mark
 from scenewright.formats.svg_marks import View, clean, group, tag, text
 from scenewright.scene import Piece
@@ -35,9 +36,6 @@ MARGIN, CAPTION = 6.0, 7.0
 """Millimetres around a site, and below it for its name."""
 LARGE, MODELS = 2000, 30
 """The scale from which papers above A3 are used; most models listed."""
-
-Views = Mapping[str, tuple[Points, Points]]
-"""By site: points (n, 2) along its ways, and what is seen from each, relative, in [0, 1]."""
 
 
 class Drawing(NamedTuple):
@@ -55,17 +53,18 @@ class Drawing(NamedTuple):
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the plan of a solution's sites to ``path``; it appears whole or not at all."""
-    write_whole(path, plan(solution))
+    write_whole(path, plan(solution, views_of(solution, plans_of(solution.brief))))
 
 
 def plan(solution: Solution, views: Views | None = None) -> str:
     """The SVG text of a plan of all sites; ``views`` adds what walkers see along the ways."""
+    views = views or {}
     drawings = drawings_of(solution)
     wide = sum(d.bounds[2] - d.bounds[0] for d in drawings)
     high = max(d.bounds[3] - d.bounds[1] for d in drawings)
     extra = (len(drawings) + 1) * MARGIN, 2 * MARGIN + CAPTION
     letters = letters_of(drawings)
-    rows = legend(drawings, letters, bool(views))
+    rows = legend(drawings, letters, views)
     arranged = arrange((wide, high), extra, rows, LARGE)
     sheet, (room_wide, room_high) = arranged.sheet, arranged.room
     scale = 1000 / sheet.scale
@@ -76,14 +75,13 @@ def plan(solution: Solution, views: Views | None = None) -> str:
         left += spare
         bottom = sheets.EDGE + (room_high - CAPTION + (north - south) * scale) / 2
         view = sheets.view_at(sheet, west, south, left, bottom)
-        seen = (views or {}).get(drawing.plan.id)
-        body.append(_site_mark(view, drawing, letters, seen))
+        body.append(_site_mark(view, drawing, letters, views.get(drawing.plan.id)))
         if len(drawings) > 1:
             middle = left + (east - west) * scale / 2
             body.append(text(drawing.plan.name, (middle, bottom + MARGIN), 2.6))
         left += (east - west) * scale
     head = [tag("defs", marks.hatch()),
-            sheets.sheet_mark(sheet, solution.brief.name, _summary(drawings))]  # fmt: skip
+            sheets.sheet_mark(sheet, solution.brief.name, _summary(drawings, views))]  # fmt: skip
     return sheets.document(sheet, solution.brief.name, [*head, *body, legend_mark(arranged)])
 
 
@@ -144,9 +142,9 @@ def _site_mark(
         marks.ground_mark(view, plan),
         marks.walks_mark(view, drawing.walks),
         marks.ways_mark(view, plan.roads),
+        marks.views_mark(view, *seen) if seen else "",
         marks.setback_mark(view, plan, drawing.site.setback),
         marks.trees_mark(view, drawing.trees),
-        marks.views_mark(view, *seen) if seen else "",
         marks.buildings_mark(view, rows),
         marks.labels_mark(view, rows, letters),
         marks.entrances_mark(view, plan),
@@ -155,7 +153,7 @@ def _site_mark(
 
 
 def legend(
-    drawings: Sequence[Drawing], letters: Mapping[str, str], views: bool = False
+    drawings: Sequence[Drawing], letters: Mapping[str, str], views: Views
 ) -> tuple[Row, ...]:
     """Signs that occur, the models with their numbers, then the figures of each site."""
     rows = [Row("heading", "Legend")]
@@ -174,13 +172,15 @@ def legend(
         (any(d.site.setback for d in drawings), "border", "Setback", ""),
         (bool(letters), "entrance", "Front of a building", ""),
         (any(d.plan.entrances for d in drawings), "exit", "Way in", ""),
-        (views, "swatch", "Much to see from here", "#0054a0"),
+        (bool(views), "swatch", "Little to see from the way", marks.view_colour(0.0)),
+        (bool(views), "swatch", "Much to see", marks.view_colour(1.0)),
         (any(d.findings for d in drawings), "swatch", "Fault, distance in metres", marks.FAULT),
     )
     rows += [Row(sign, words, value=value) for used_, sign, words, value in signs if used_]
     rows += _models(drawings, letters)
     for drawing in drawings:
-        rows += _figures(drawing, drawing.plan.name if len(drawings) > 1 else "Figures")
+        heading = drawing.plan.name if len(drawings) > 1 else "Figures"
+        rows += _figures(drawing, heading, views.get(drawing.plan.id))
     return tuple(rows)
 
 
@@ -200,7 +200,7 @@ def _models(drawings: Sequence[Drawing], letters: Mapping[str, str]) -> list[Row
     return [Row("heading", "Models"), *rows] if rows else []
 
 
-def _figures(drawing: Drawing, heading: str) -> list[Row]:
+def _figures(drawing: Drawing, heading: str, seen: tuple[Points, Points] | None) -> list[Row]:
     found, site = drawing.figures, drawing.site
     least, sun = found["least_spacing"], found["sun_mean"]
     told = [
@@ -213,6 +213,9 @@ def _figures(drawing: Drawing, heading: str) -> list[Row]:
         ("Fronts to the preferred side", f"{found['south_share']:.0%}"),
         (f"At least {site.sun_hours:g} h of winter sun" if sun is not None else "",
          f"{found['sun_share']:.0%}"),
+        ("Winter sun, mean" if sun is not None else "", f"{sun or 0.0:.1f} h"),
+        ("Visual quality seen from the ways" if seen else "",
+         f"{seen[1].mean():.3f}" if seen else ""),
         ("Reached by the fire brigade", f"{found['reached_share']:.0%}"),
         ("Faults", f"{sum(not f.given for f in drawing.findings)}"),
     ]  # fmt: skip
@@ -223,9 +226,13 @@ def _against(value: str, wanted: float | None, form: str) -> str:
     return value if wanted is None else f"{value} of {wanted:{form}}"
 
 
-def _summary(drawings: Sequence[Drawing]) -> str:
+def _summary(drawings: Sequence[Drawing], views: Views) -> str:
     buildings = sum(d.figures["buildings"] for d in drawings)
     area = sum(d.plan.area for d in drawings)
     faults = sum(not f.given for d in drawings for f in d.findings)
     told = [f"{area / 1e4:.2f} ha", f"{buildings} buildings"]
+    hours = [d.figures["sun_mean"] for d in drawings if d.figures["sun_mean"] is not None]
+    told += [f"{float(np.mean(hours)):.1f} h of winter sun"] if hours else []
+    told += [f"visual quality {np.concatenate([v for _, v in views.values()]).mean():.3f}"
+             ] if views else []  # fmt: skip
     return " · ".join(["Site plan", *told, *([f"{faults} faults"] if faults else [])])

@@ -32,8 +32,10 @@ from scenewright.space import Points
 
 GROUND, ASPHALT, PAVING, LEAF, FAULT = "#f1f4ea", "#d9d9d6", "#ece3d0", "#bcd6a8", "#d1121f"
 HATCH = "url(#hatch)"
-FAINT, FULL = np.array([226.0, 236.0, 244.0]), np.array([0.0, 84.0, 160.0])
+FAINT, FULL = np.array([236.0, 226.0, 240.0]), np.array([106.0, 27.0, 130.0])
 """Colours of what walkers see: nothing, and most."""
+MUCH, BAND = 0.3, 1.1
+"""Visual quality V drawn as most, and how wide the band along the ways is in millimetres."""
 
 STOREYS = ((3, "#fbe9d3"), (6, "#f5cfa3"), (11, "#e9ac73"), (18, "#cf8850"), (10_000, "#a8643a"))
 """Fills of buildings up to so many storeys."""
@@ -223,11 +225,26 @@ def entrances_mark(view: View, plan: SitePlan) -> str:
 
 
 def views_mark(view: View, points: Points, values: Points) -> str:
-    """What walkers see, at points along the ways: small dots, the fuller and bluer the more.
-    ``values`` (n,) are relative, in [0, 1]."""
-    marks = []
-    for at, value in zip(to_paper(view, points), np.clip(values, 0.0, 1.0), strict=True):
-        mixed = (1 - float(value)) * FAINT + float(value) * FULL
-        colour = "#" + "".join(f"{round(part):02x}" for part in mixed.tolist())
-        marks.append(tag("circle", cx=at[0], cy=at[1], r=0.45 + 0.5 * float(value), fill=colour))
-    return group(marks, stroke="#ffffff", stroke_width=FINE / 2)
+    """What walkers see, a band along the ways: the deeper the violet, the more. ``points`` (n, 2)
+    that follow each other closely are joined; ``values`` (n,) are visual qualities V."""
+    places, marks = to_paper(view, points), []
+    shades = np.clip(values / MUCH, 0.0, 1.0)
+    gaps = np.hypot(*np.diff(points, axis=0).T) if len(points) > 1 else np.zeros(0)
+    near = gaps <= 1.5 * float(np.median(gaps)) if len(gaps) else gaps
+    for k in range(len(places)):
+        first, last = k > 0 and bool(near[k - 1]), k < len(near) and bool(near[k])
+        start = (places[k - 1] + places[k]) / 2 if first else places[k]
+        end = (places[k] + places[k + 1]) / 2 if last else places[k]
+        ends = [tuple(map(float, point)) for point in (start, places[k], end)]
+        marks.append(line(ends, stroke=view_colour(float(shades[k]))))
+    return group(marks, stroke_width=BAND, stroke_linecap="round", fill="none")
+
+
+def view_colour(share: float) -> str:
+    """The colour of a place from which so much is seen, of the most.
+
+    >>> view_colour(0.0), view_colour(1.0)
+    ('#ece2f0', '#6a1b82')
+    """
+    mixed = (1 - share) * FAINT + share * FULL
+    return "#" + "".join(f"{round(part):02x}" for part in mixed.tolist())

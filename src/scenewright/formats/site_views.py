@@ -1,0 +1,56 @@
+"""What walkers on the ways of a site see, for its plan."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from scenewright.appearance import PLAIN, facts, qualities
+from scenewright.catalog import Catalog
+from scenewright.geometry.walker import eyes_along, seen
+from scenewright.scene import Piece
+from scenewright.site_plan import SitePlan
+from scenewright.solution import Solution
+from scenewright.space import Points
+from scenewright.staging import asset_of
+from scenewright.stock import catalog_of
+
+PACE, EYES = 5.0, 4000
+"""Metres between points on the ways, and about how many there are at most."""
+BOUNDS = 1e6
+"""Metres beyond which nothing can be seen for sure."""
+
+Views = Mapping[str, tuple[Points, Points]]
+"""By site: points (n, 2) along its ways, and the visual quality V (n,) seen from each."""
+
+
+def views_of(solution: Solution, plans: Sequence[SitePlan]) -> Views:
+    """What is seen from the ways of every site that has ways and buildings."""
+    catalog = catalog_of(solution.brief.catalogs)
+    found = {}
+    for plan in plans:
+        here = [p for p in solution.pieces if p.space == plan.id and p.category == "building"
+                and _sound(p)]  # fmt: skip
+        lines = [part for way in plan.roads for part in way.inside]
+        length = sum(float(np.hypot(*np.diff(line, axis=0).T).sum()) for line in lines)
+        eyes = eyes_along(list(lines), max(PACE, length / EYES))
+        if here and len(eyes):
+            found[plan.id] = (eyes, _seen(here, eyes, catalog))
+    return found
+
+
+def _sound(piece: Piece) -> bool:
+    """True if a building has a place and a size that rays can meet."""
+    numbers = np.array([*piece.pose, *piece.size], float)
+    bounded = bool(np.isfinite(numbers).all() and (np.abs(numbers) < BOUNDS).all())
+    return bounded and min(piece.size) > 0.0
+
+
+def _seen(buildings: Sequence[Piece], eyes: Points, catalog: Catalog) -> Points:
+    assets = [asset_of(piece, catalog) for piece in buildings]
+    known = facts(asset for asset in assets if asset is not None)
+    shown = [known[asset.id] if asset is not None else PLAIN for asset in assets]
+    boxes = np.array([(*p.pose[:2], p.pose.heading, *p.size[:2]) for p in buildings])
+    heights = [piece.size.height for piece in buildings]
+    return seen(eyes, boxes, heights, qualities(shown)[1], best=1.0).points
