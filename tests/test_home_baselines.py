@@ -67,13 +67,24 @@ def test_pieces_laid_as_in_their_case_are_that_case(group):
         assert (drawn[3:] <= box[3:] + 0.2 + 1e-9).all()
 
 
-def test_what_rides_goes_where_its_carrier_goes():
-    parts = parts_of(Wish("media", 0), 30.0, CATALOG)
-    case, _ = as_laid(parts, np.array([[3.0, 2.0, 1.0, 2.0, 0.4]]))
-    stand, screen = case.members[0], case.members[1]
-    was, is_ = parts.case.members[1], (screen.x - stand.x, screen.y - stand.y)
-    assert is_ == pytest.approx((was.x - parts.case.members[0].x, was.y - parts.case.members[0].y))
-    assert screen.on == 0
+def in_frame_of(carrier, member):
+    """Where a member lies and looks, seen from another."""
+    cos, sin = np.cos(carrier.heading), np.sin(carrier.heading)
+    dx, dy = member.x - carrier.x, member.y - carrier.y
+    turned = member.heading - carrier.heading
+    return [cos * dx + sin * dy, cos * dy - sin * dx, np.cos(turned), np.sin(turned)]
+
+
+@pytest.mark.parametrize("group", sorted(GROUPS))
+def test_what_rides_goes_where_its_carrier_goes(group):
+    parts, rng = parts_of(Wish(group, 0), 30.0, CATALOG), np.random.default_rng(1)
+    sizes = [parts.case.members[i].size for i in parts.placed]
+    boxes = np.array([[*rng.uniform(-3, 3, 2), rng.uniform(0, 6), s.width, s.depth] for s in sizes])
+    case, _ = as_laid(parts, boxes)
+    for i, carrier in enumerate(parts.rides):
+        here = in_frame_of(case.members[carrier], case.members[i])
+        there = in_frame_of(parts.case.members[carrier], parts.case.members[i])
+        assert here == pytest.approx(there, abs=1e-9)
 
 
 @pytest.mark.parametrize("group", sorted(GROUPS))
