@@ -68,7 +68,7 @@ def solve(
     libraries = libraries_of(brief, catalog)
     tasks = [
         task_of(
-            brief, brief_room, space, tuple(fixed_pieces(brief_room, space, catalog)), catalog,
+            brief, space, tuple(fixed_pieces(brief_room, space, catalog)), catalog,
             libraries[taste_of(brief, brief_room)], chosen, named, seed, cancel,
         )
         for brief_room, space in zip(brief.rooms, rooms, strict=True)

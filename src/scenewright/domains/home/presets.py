@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from scenewright.errors import InputError
+
 
 @dataclass(frozen=True, slots=True)
 class Preset:
@@ -41,3 +43,10 @@ PRESETS: dict[str, Preset] = {
     ),
     "paper-repaired": Preset("the paper's seven costs, repaired, by our solver", PAPER),
 }  # fmt: skip
+
+
+def preset_named(name: str) -> Preset:
+    """The preset of a name; raises :class:`InputError` if there is none."""
+    if name not in PRESETS:
+        raise InputError(f"there is no preset '{name}'", "one of " + ", ".join(PRESETS))
+    return PRESETS[name]

@@ -17,7 +17,7 @@ from scenewright.check.bodies import bodies_of, rooms_of
 from scenewright.check.reach import find_unreachable
 from scenewright.check.report import Finding
 from scenewright.check.routes import grounds_of, walk_in
-from scenewright.domains.home.attempt import Furnished, Missing, Placed, Task, penalty
+from scenewright.domains.home.attempt import Furnished, Missing, Placed, penalty
 from scenewright.domains.home.groups import GROUPS
 from scenewright.scene import Piece
 from scenewright.space import Space
@@ -38,13 +38,14 @@ class Loss(NamedTuple):
 
 
 def yielded(
-    tasks: Sequence[Task], answers: Sequence[Furnished], rooms: tuple[Space, ...],
-    catalog: Catalog, width: float,
+    standing: Sequence[tuple[Piece, ...]], answers: Sequence[Furnished],
+    rooms: tuple[Space, ...], catalog: Catalog, width: float,
 ) -> list[Furnished]:  # fmt: skip
-    """The answers for all rooms of a home without what bars a way or cannot be walked to."""
+    """The answers for all rooms of a home without what bars a way or cannot be walked to;
+    ``standing`` is what is to stay in each room."""
     found = list(answers)
     for _ in range(ROUNDS):
-        placed = [(*t.fixed, *_pieces(a)) for t, a in zip(tasks, found, strict=True)]
+        placed = [(*here, *_pieces(a)) for here, a in zip(standing, found, strict=True)]
         findings = _unreached(tuple(p for here in placed for p in here), rooms, catalog, width)
         losses = {loss for finding in findings if (loss := _least(finding, found)) is not None}
         if not losses:

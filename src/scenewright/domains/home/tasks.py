@@ -1,0 +1,96 @@
+"""What is to be done in each room: the room as a task, and what it is wished to hold."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from zlib import crc32
+
+import numpy as np
+import shapely
+
+from scenewright.brief import Brief, Room
+from scenewright.catalog import Catalog
+from scenewright.domains.home.attempt import Task, floor_of, out_of_reach
+from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.library import Library
+from scenewright.domains.home.presets import Preset
+from scenewright.domains.home.programme import Wish, programme, resolved
+from scenewright.errors import InputError
+from scenewright.plan import place
+from scenewright.scene import Piece
+from scenewright.space import Space
+
+Cancel = Callable[[], bool]
+
+SIDEWAYS = 0.4  # the width of a person turned sideways, metres
+
+
+def task_of(
+    brief: Brief, space: Space, fixed: tuple[Piece, ...], catalog: Catalog,
+    library: Library, preset: Preset, solver: str, seed: int, cancel: Cancel | None = None,
+) -> Task:  # fmt: skip
+    """One room as a task: the ground that ``fixed`` pieces leave, its stream of random numbers,
+    and what no route reaches even while the room is empty."""
+    shape = shapely.Polygon(space.outline, list(space.holes))
+    taken = sum(p.size.width * p.size.depth for p in fixed if p.size.height > 0.05)
+    area = max(float(shape.area) - taken, 0.1)
+    stream = int(np.random.SeedSequence([seed, crc32(space.id.encode())]).generate_state(1)[0])
+    ground = ground_of(space, fixed, area)
+    task = Task(
+        space, ground, fixed, catalog, preset, solver, brief.route_width,
+        _use_width(shape, brief.route_width), frozenset(),
+        stream % 2**31, cancel, library,
+    )  # fmt: skip
+    return task._replace(tight=out_of_reach(task, ()))
+
+
+def _use_width(shape: shapely.Polygon, width: float) -> float:
+    """The width of the way to pieces: a room nowhere as wide as two routes is used sideways."""
+    across = 2 * float(shapely.maximum_inscribed_circle(shape, tolerance=0.02).length)
+    return width if across >= 2 * width else min(width, SIDEWAYS)
+
+
+def wishes_of(
+    room: Room, task: Task, rooms: tuple[Space, ...], fixed: tuple[Piece, ...]
+) -> tuple[Wish, ...]:
+    """What the user asked for in a room, else what its function and size bring, less what
+    already stands there."""
+    groups = {p.group: p.function for p in fixed if p.function in GROUPS}
+    standing = Counter(groups.values())
+    if room.ask is not None:
+        asked = tuple(
+            Wish(ask.group, 0 if ask.required else 1, required=ask.required, most=ask.size)
+            for ask in room.ask
+            for _ in range(ask.count)
+        )
+        return _less(asked, standing)
+    others = frozenset(
+        f for s in rooms if s.id != task.space.id for f in resolved(s.functions, 0.0)
+    )
+    have = frozenset(p.category for p in fixed)
+    usual = programme(task.space, floor_of(task.ground), others, have)
+    return _less(usual, standing)
+
+
+def _less(wishes: tuple[Wish, ...], standing: Counter[str]) -> tuple[Wish, ...]:
+    """Wishes without one for each group of the same function that stands."""
+    left, kept = standing.copy(), []
+    for wish in wishes:
+        if left[wish.group] > 0:
+            left[wish.group] -= 1
+        else:
+            kept.append(wish)
+    return tuple(kept)
+
+
+def check_asks(brief: Brief) -> None:
+    """Every group that is asked for is known."""
+    for number, room in enumerate(brief.rooms):
+        for k, ask in enumerate(room.ask or ()):
+            if ask.group not in GROUPS:
+                raise InputError(
+                    f"there is no furniture group '{ask.group}'",
+                    "use one of: " + ", ".join(GROUPS), place=place(brief, number, f"ask[{k}]"),
+                )  # fmt: skip
