@@ -7,6 +7,7 @@ import pytest
 
 from rooms import full_problem, random_layouts, turned_boxes, turned_problem
 from scenewright.assets import shipped
+from scenewright.catalog import Group, Member
 from scenewright.check import check
 from scenewright.domains.home import solve
 from scenewright.domains.home.dress import world
@@ -17,6 +18,7 @@ from scenewright.domains.home.programme import Wish
 from scenewright.formats import read
 from scenewright.geometry.boxes import frames_of
 from scenewright.problem import Problem
+from scenewright.scene import Size
 from scenewright.solve import Budget
 from scenewright.solvers import SOLVERS
 from scenewright.solvers.draws import streams
@@ -75,9 +77,20 @@ def in_frame_of(carrier, member):
     return [cos * dx + sin * dy, cos * dy - sin * dx, np.cos(turned), np.sin(turned)]
 
 
-@pytest.mark.parametrize("group", sorted(GROUPS))
+def lamp_on_a_table():
+    """A sofa that makes its group, a table beside it, a lamp on one of the table's corners."""
+    members = (
+        Member("sofa", 0.0, 0.0, 0.0, 0.0, Size(2.0, 0.9, 0.8)),
+        Member("side_table", 1.4, 0.1, 0.0, np.pi / 2, Size(0.5, 0.6, 0.5)),
+        Member("table_lamp", 1.5, 0.25, 0.5, 0.3, Size(0.2, 0.2, 0.4), on=1),
+    )
+    return Parts(Wish("seating", 0), Group("seating", "", 3.4, 0.9, members), (0, 1), 0, (0, 1, 1))
+
+
+@pytest.mark.parametrize("group", ["lamp on a table", *sorted(GROUPS)])
 def test_what_rides_goes_where_its_carrier_goes(group):
-    parts, rng = parts_of(Wish(group, 0), 30.0, CATALOG), np.random.default_rng(1)
+    rng = np.random.default_rng(1)
+    parts = parts_of(Wish(group, 0), 30.0, CATALOG) if group in GROUPS else lamp_on_a_table()
     sizes = [parts.case.members[i].size for i in parts.placed]
     boxes = np.array([[*rng.uniform(-3, 3, 2), rng.uniform(0, 6), s.width, s.depth] for s in sizes])
     case, _ = as_laid(parts, boxes)
