@@ -20,7 +20,8 @@ from scenewright.formats.svg_marks import GREY, INK, PALE, group, line, number, 
 Row = dict[str, Any]
 FONT = "Helvetica, Arial, 'DejaVu Sans', sans-serif"
 COLOURS = {
-    "default": ("ours", "#0b6e4f"), "vp": ("vp (the paper)", "#c24a00"), "sga": ("sga", "#d99000"),
+    "default": ("ours", "#0b6e4f"), "paper": ("the paper's", "#8c1d18"),
+    "vp": ("vp, repaired", "#d9602b"), "sga": ("sga", "#d99000"),
     "sa": ("sa", "#0064a8"), "sa-free": ("sa-free", "#6aa5cf"), "pso": ("pso", "#8a4fa3"),
     "random": ("random", "#6d7278"),
 }  # fmt: skip

@@ -16,13 +16,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from scenewright.appearance import facts
 from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.catalog import Catalog
 from scenewright.check.site_figures import judge_sites
-from scenewright.domains.site.dress import buildings, landmark_assets, landmarks
-from scenewright.domains.site.pose import Looks, pose
+from scenewright.domains.site import problems
+from scenewright.domains.site.dress import buildings, landmarks
 from scenewright.domains.site.presets import PRESETS
 from scenewright.domains.site.wanted import Wanted, wanted
 from scenewright.site_plan import SitePlan, site_plan
@@ -48,12 +47,13 @@ DENSITY = 0.6
 
 
 class Scene(NamedTuple):
-    """A site ready to be solved: the brief, its plan, what is to be placed, and the problem."""
+    """A site ready to be solved: the brief, its plan, what is to be placed, and the problem as
+    each preset poses it. Layouts are measured by that of the default."""
 
     brief: Brief
     plan: SitePlan
     wishes: list[Wanted]
-    problem: SiteProblem
+    problems: dict[str, SiteProblem]
     catalog: Catalog
 
 
@@ -84,14 +84,11 @@ def scene_brief(count: int, density: float = DENSITY, sun_spacing: float = 0.0) 
 
 
 def posed(brief: Brief) -> Scene:
-    """A brief with one site as the problem that methods are given."""
+    """A brief with one site as the problems that methods are given."""
     site, catalog = brief.sites[0], shipped()
     plan = site_plan(site, catalog)
-    wishes = wanted(site, plan, "site", catalog)
-    preset, marks = PRESETS["default"], landmark_assets(plan, catalog)
-    found = facts([*(row.asset for row in wishes), *(mark for mark in marks if mark)])
-    looks = Looks(found, tuple(mark.id if mark else "" for mark in marks), preset.measure)
-    return Scene(brief, plan, wishes, pose(site, plan, wishes, preset.weights, looks), catalog)
+    found = {name: problems(brief, name)[0] for name in PRESETS}
+    return Scene(brief, plan, wanted(site, plan, "site", catalog), found, catalog)
 
 
 def judged(scene: Scene, found: SiteFound) -> Row:
@@ -103,7 +100,7 @@ def judged(scene: Scene, found: SiteFound) -> Row:
     took = time.process_time() - begun
     kinds = Counter(finding.kind for finding in verdict.findings)
     figures = next(iter(verdict.figures.values()))
-    scores = score(scene.problem, found.boxes, found.present)
+    scores = score(scene.problems["default"], found.boxes, found.present)
     return {
         **{name: scores[name] for name in ("value", "use", "shown", "texture", "height", "seen")},
         "sun": figures["sun_mean"] or 0.0, "sunny": figures["sun_share"],

@@ -22,7 +22,8 @@ HERE = site_compounds.file().exists()
 def test_scenes_hold_what_they_say_at_one_density() -> None:
     for size in SIZES:
         scene = posed(scene_brief(size))
-        sizes, spacing = scene.problem.buildings.sizes, scene.problem.spacing
+        problem = scene.problems["default"]
+        sizes, spacing = problem.buildings.sizes, problem.spacing
         ground = ((sizes[:, :2] + spacing).prod(1)).sum() / scene.plan.buildable
         assert len(scene.wishes) == size
         assert 0.5 < ground < 0.7
@@ -31,7 +32,8 @@ def test_scenes_hold_what_they_say_at_one_density() -> None:
 def test_the_common_measure_sees_overlaps_and_what_is_left_out() -> None:
     scene = posed(scene_brief(6))
     middle = np.mean(scene.plan.blocks[0].outline, axis=0)
-    boxes = np.column_stack([np.tile([*middle, 0.0], (6, 1)), scene.problem.buildings.sizes[:, :2]])
+    sizes = scene.problems["default"].buildings.sizes[:, :2]
+    boxes = np.column_stack([np.tile([*middle, 0.0], (6, 1)), sizes])
     piled = SiteFound(boxes, np.arange(6) < 3, {}, 1)
     row = judged(scene, piled)
     assert row["overlaps"] == 3
