@@ -15,6 +15,7 @@ from scenewright.domains import solve
 from scenewright.errors import InputError
 from scenewright.formats import read, write
 from scenewright.formats.road_areas import pieces
+from scenewright.formats.site_cityjson import read_report
 from scenewright.scene import Scene
 from scenewright.shell import scene_of
 from scenewright.site_plan import plans_of
@@ -116,6 +117,27 @@ def test_buildings_that_overlap_share_the_ground(tmp_path):
     plan = plans_of(solution.brief)[0]
     areas = [shapely.Polygon(row.footprint).area for row in plan.landmarks]
     assert areas == pytest.approx([288]) or areas == pytest.approx([288, 216])
+
+
+def test_what_is_left_out_of_a_city_is_told(tmp_path):
+    town = city(TOWN | {"twin": BLOCK})
+    town["CityObjects"]["far"]["geometry"] = []
+    found = read_report(saved(tmp_path / "town.city.json", town))
+    assert found.buildings == 4
+    assert {row.name: row.reason for row in found.skipped} == {
+        "far": "has no geometry that can be used",
+        "twin": "less than half of it is free on the ground",
+    }
+    assert found.brief.name == "town"
+
+
+def test_buildings_of_one_name_keep_apart(tmp_path):
+    long = "x" * 90
+    town = city({long + "a": L_SHAPE, long + "b": BLOCK})
+    solution = solve(read(saved(tmp_path / "town.json", town)), seed=1)
+    assert check(solution).valid
+    sizes = {tuple(np.round(p.size, 3)) for p in solution.pieces if p.fixed}
+    assert len(sizes) == 2
 
 
 @pytest.mark.parametrize(

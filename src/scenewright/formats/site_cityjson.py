@@ -7,6 +7,7 @@ become straight pieces. Heights above the sea do not count: all ground is level.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -20,7 +21,7 @@ from scenewright.errors import InputError
 from scenewright.formats.road_areas import pieces
 from scenewright.models.cityjson import City, city_of, parts_at, roots_of, turn_of
 from scenewright.models.files import MEBIBYTE, json_of, whole
-from scenewright.models.model import clean
+from scenewright.models.model import Skipped, clean
 from scenewright.outlines import rings
 from scenewright.site_outlines import GRID, polygons
 from scenewright.stock import OWN
@@ -53,41 +54,66 @@ class Standing(NamedTuple):
 def read(path: Path, keep: bool = False) -> Brief:
     """The brief of a city model. There is no furniture to ``keep``."""
     del keep
-    return brief_of(json_of(whole(path, MOST_BYTES), "CityJSON"), path)
+    return read_report(path).brief
+
+
+class CityReport(NamedTuple):
+    """What was read: the brief, how many buildings the file has, and what was left out and why."""
+
+    brief: Brief
+    buildings: int
+    skipped: tuple[Skipped, ...]
+
+
+def read_report(path: Path) -> CityReport:
+    """The brief of a city model, and what was found and left out."""
+    return report(json_of(whole(path, MOST_BYTES), "CityJSON"), path)
 
 
 def brief_of(document: dict[str, Any], path: Path) -> Brief:
     """The brief of a city model; ``path`` is where its buildings' models are."""
+    return report(document, path).brief
+
+
+def report(document: dict[str, Any], path: Path) -> CityReport:
+    """The brief and report of a city model already read."""
     city = city_of(document)
     if any(sign in city.system for sign in DEGREES):
         raise InputError("its coordinates are degrees", "export it in a system of metres")
-    buildings = list(_buildings(city, clean(path.stem, "model")))
+    skipped: list[Skipped] = []
+    buildings = list(_buildings(city, clean(path.stem, "model"), skipped))
+    name = path.stem.removesuffix(".city")
     grounds = _sites(city) or [("", _hull(buildings))]
     roads = shapely.union_all([_area(city, key) for key in _keys(city, ROADS)], grid_size=GRID)
     water = shapely.union_all([_area(city, key) for key in _keys(city, ("WaterBody",))])
-    sites = [_site(name or path.stem, ground, city, buildings, roads, water)
-             for name, ground in grounds]  # fmt: skip
-    return Brief.model_validate({
-        "domain": "site", "name": path.stem, "sites": sites,
+    sites = [_site(told or name, ground, city, buildings, roads, water, skipped)
+             for told, ground in grounds]  # fmt: skip
+    brief = Brief.model_validate({
+        "domain": "site", "name": name, "sites": sites,
         "catalogs": [{"path": str(path.absolute()), "fill": False}],
     })  # fmt: skip
+    return CityReport(brief, len(roots_of(city)), tuple(skipped))
 
 
 def _site(
     name: str, ground: shapely.Polygon, city: City, buildings: list[Standing],
-    roads: shapely.Geometry, water: shapely.Geometry,
+    roads: shapely.Geometry, water: shapely.Geometry, skipped: list[Skipped],
 ) -> dict[str, Any]:  # fmt: skip
     floor = _ground(ground, water)
     outline, holes = rings(floor)
     ways = pieces(shapely.intersection(roads, ground, grid_size=GRID))
     inside = [way for way in ways if shapely.LineString(way.line).intersects(floor)]
+    landmarks = list(_landmarks(floor, buildings, skipped))
+    if len(landmarks) > MOST_LANDMARKS:
+        raise InputError(f"has {len(landmarks):,} buildings on its ground",
+                         f"cut a quarter of at most {MOST_LANDMARKS:,} out")  # fmt: skip
     return {
         "name": name, "outline": outline.tolist(), "holes": [hole.tolist() for hole in holes],
         "roads": [
             {"line": way.line, "width": min(max(way.width, 0.5), 100.0),
              "kind": "path" if way.width < NARROW else "road"} for way in inside[:MOST_ROADS]
         ],
-        "landmarks": list(_landmarks(floor, buildings))[:MOST_LANDMARKS],
+        "landmarks": landmarks,
         "system": city.system, "shift": city.middle[:2],
     }  # fmt: skip
 
@@ -102,7 +128,9 @@ def _ground(ground: shapely.Polygon, water: shapely.Geometry) -> shapely.Polygon
     return parts[0]
 
 
-def _landmarks(floor: shapely.Polygon, buildings: list[Standing]) -> Iterator[dict[str, Any]]:
+def _landmarks(
+    floor: shapely.Polygon, buildings: list[Standing], skipped: list[Skipped]
+) -> Iterator[dict[str, Any]]:
     """Buildings at least half on the ground; what two of them cover belongs to the first."""
     taken = shapely.STRtree([row.footprint for row in buildings])
     kept: dict[int, shapely.Polygon] = {}
@@ -113,23 +141,31 @@ def _landmarks(floor: shapely.Polygon, buildings: list[Standing]) -> Iterator[di
             rest = shapely.difference(rest, shapely.union_all(near), grid_size=GRID)
         parts = polygons(rest)
         if not parts or parts[0].area < 0.5 * row.footprint.area:
+            told = "less than half of it is free on the ground"
+            skipped.append(Skipped(row.model.partition("/")[2], told))
             continue
         kept[number] = shapely.Polygon(parts[0].exterior)
         yield {
-            "id": row.model.rpartition("/")[2], "name": row.name, "model": f"{OWN}{row.model}",
+            "id": row.model.partition("/")[2], "name": row.name, "model": f"{OWN}{row.model}",
             "at": row.at, "heading": row.heading, "outline": rings(kept[number])[0].tolist(),
         }  # fmt: skip
 
 
-def _buildings(city: City, stem: str) -> Iterator[Standing]:
+def _buildings(city: City, stem: str, skipped: list[Skipped]) -> Iterator[Standing]:
     """Every building whose geometry can be used, where it stands."""
+    seen: Counter[str] = Counter()
     for number, key in enumerate(roots_of(city), 1):
+        short = clean(key, "unnamed")
         try:
             parts = parts_at(city, key)
-        except InputError:
+        except InputError as error:
+            skipped.append(Skipped(short, error.fault))
             continue
+        seen[short] += 1
+        model = f"{stem}/{short}" + (f"-{seen[short]}" if seen[short] > 1 else "")
         shape = _shadow(parts)
         if shape.is_empty:
+            skipped.append(Skipped(short, "covers no ground"))
             continue
         angle = turn_of(parts)
         points = np.concatenate([part.vertices[np.unique(part.faces)] for part in parts])
@@ -139,7 +175,6 @@ def _buildings(city: City, stem: str) -> Iterator[Standing]:
         x, y = (back @ ((local.min(0) + local.max(0)) / 2)).tolist()
         told = city.objects[key].get("attributes")
         name = clean(told.get("name")) if isinstance(told, dict) else ""
-        model = f"{stem}/{clean(key, 'unnamed')}"
         yield Standing(name or f"building {number}", model, shape, (x, y), angle - np.pi / 2)
 
 
