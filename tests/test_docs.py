@@ -7,15 +7,20 @@ import shlex
 from pathlib import Path
 
 import pytest
+from benchmarks.appearance import ranking
 
 from scenewright import cli
+from scenewright.appearance import shipped_facts
 from scenewright.brief_hall import Demand, ZoneBrief
 from scenewright.check import KINDS
 from scenewright.domains.hall.presets import PRESETS as HALL_PRESETS
 from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.site.presets import PRESETS as SITE_PRESETS
 from scenewright.encodings.patterns import PATTERNS
 from scenewright.solvers.halls import HALL_SOLVERS
+from scenewright.solvers.sites import SITE_SOLVERS
 from scenewright.terms.hall_terms import HALL_TERMS
+from scenewright.terms.site_terms import SITE_AIMS
 from scenewright.terms.table import TERMS
 
 ROOT = Path(__file__).parent.parent
@@ -62,6 +67,13 @@ def test_the_tables_are_told_whole() -> None:
     assert [row.name for row in TERMS if f"`{row.name}`" not in home] == []
     assert [name for name in PRESETS if f"`{name}`" not in home and name not in home] == []
     assert [kind for kind in KINDS if f"`{kind}`" not in check] == []
+
+
+def test_the_tables_of_sites_are_told_whole() -> None:
+    site = (ROOT / "docs" / "site.md").read_text(encoding="utf-8")
+    names = [*(row.name for row in SITE_AIMS), *SITE_SOLVERS, *SITE_PRESETS]
+    assert [name for name in names if f"`{name}`" not in site] == []
+    assert [line for line in ranking(shipped_facts()) if line not in site] == []
 
 
 def test_the_tables_of_halls_are_told_whole() -> None:

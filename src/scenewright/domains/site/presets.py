@@ -24,6 +24,8 @@ PRESETS: dict[str, SitePreset] = {
     "default": SitePreset("blocks filled row by row, six layouts of each", "fill", 6, {}),
     "quick": SitePreset("two layouts of each block", "fill", 2, {}),
     "fine": SitePreset("forty layouts of each block", "fill", 40, {}),
+    "plain": SitePreset("the default without aims: what fits, and no more", "fill", 6,
+                        {"seen": 0.0, "sun": 0.0, "even": 0.0}),
     "paper": SitePreset("Zhang, Yang 2023 as printed, without the person: 10 layouts, at most 200 "
                         "generations, ended by (12)", "vp", 2000, {}, "printed", "printed"),
     "paper-repaired": SitePreset("the same with position costs, local search after (12) and our "

@@ -1,0 +1,58 @@
+"""What each aim of our default on sites is for: with it alone, with all, and with none.
+
+    scenewright bench site_aims
+
+Medians over seeds on the shipped samples; the baseline is the same filling without any aim.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Callable
+from typing import Any
+
+from benchmarks.site_scale import sites
+from scenewright.domains.site import problems
+from scenewright.formats import read
+from scenewright.site_problem import SiteProblem
+from scenewright.solve import Budget
+from scenewright.solvers.site_answer import score
+from scenewright.solvers.sites import SITE_SOLVERS
+from scenewright.terms.site_terms import SITE_AIMS
+
+Record = dict[str, Any]
+NONE = {row.name: 0.0 for row in SITE_AIMS}
+METRICS = {"seen": "V from the ways", "sun": "hours on fronts", "placed": "buildings"}
+
+
+def judged(problem: SiteProblem, weights: dict[str, float], seed: int) -> dict[str, float]:
+    """What a filling with some weights scores."""
+    found = SITE_SOLVERS["fill"].run(problem._replace(weights=weights), Budget(None, 6), seed)
+    told = score(problem, found.boxes, found.present)
+    return told | {"placed": float(found.present.sum())}
+
+
+def medians(problem: SiteProblem, weights: dict[str, float], seeds: int) -> dict[str, float]:
+    """Medians of the metrics over seeds."""
+    rows = [judged(problem, weights, seed) for seed in range(seeds)]
+    return {name: statistics.median(row[name] for row in rows) for name in METRICS}
+
+
+def records(quick: bool, progress: Callable[[float, str], None]) -> list[Record]:
+    """One record for each sample, aim and metric."""
+    variants = {row.name: NONE | {row.name: row.weight} for row in SITE_AIMS} | {"all": {}}
+    found, names = [], sites()[: 1 if quick else None]
+    seeds = 3 if quick else 9
+    for number, name in enumerate(names):
+        progress(number / len(names), name)
+        problem = problems(read(name))[0]
+        none = medians(problem, NONE, seeds)
+        for aim, weights in variants.items():
+            ours = medians(problem, weights, seeds)
+            for metric, unit in METRICS.items():
+                found.append({
+                    "case": f"{name}, aim {aim}", "metric": metric, "unit": unit,
+                    "ours": ours[metric], "baseline": none[metric], "baseline_name": "no aim",
+                    "ratio": ours[metric] / none[metric] if none[metric] else None, "runs": seeds,
+                })  # fmt: skip
+    return found
