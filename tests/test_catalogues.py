@@ -183,3 +183,31 @@ def test_light_furniture_stays_as_it_is() -> None:
     heavy = (ball(240), *parts)
     assert sum(len(p.faces) for p in heavy) > HEAVY
     assert sum(len(p.faces) for p in lighter(heavy)) <= LIGHT + 100
+
+
+def test_what_is_kept_of_a_registered_catalogue_is_what_was_read(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SCENEWRIGHT_HOME", str(tmp_path / "home"))
+    stored = register.register("mine", folder, "id\nsofa\n")
+    read = [one.model for one in taken(entry_of("mine")).models]
+    copy = stored / "models.npz"
+    assert copy.is_file()
+    first = copy.stat().st_mtime_ns
+    again = [one.model for one in taken(entry_of("mine")).models]
+    assert copy.stat().st_mtime_ns == first
+    for a, b in zip(read, again, strict=True):
+        assert a._replace(parts=()) == b._replace(parts=())
+        for p, q in zip(a.parts, b.parts, strict=True):
+            assert p.material == q.material
+            assert np.array_equal(p.vertices, q.vertices)
+            assert np.array_equal(p.faces, q.faces)
+    (folder / "sofa.obj").write_text(obj(Size(1.9, 0.9, 0.8)))
+    assert by_id_of("mine")["sofa"].model.size.width == pytest.approx(1.9)
+    for damage in (b"", b"PK\x03\x04 no archive", copy.read_bytes()[:-400]):
+        copy.write_bytes(damage)
+        assert len(taken(entry_of("mine")).models) == 3
+
+
+def by_id_of(name: str) -> dict[str, Listed]:
+    return {one.model.id: one for one in taken(entry_of(name)).models}

@@ -43,8 +43,14 @@ def add(
     called = register.checked(name or path.stem or path.absolute().name)
     if called in register.names() and not replace:
         raise InputError(f"'{called}' is registered already", "give --replace or another --name")
-    found = taken(entry_of(str(path.absolute())))
-    folder = register.register(called, path, csv_text(rows(found.models)))
+    before = register.saved(called)
+    folder = register.register(called, path, csv_text([]))
+    try:
+        found = taken(entry_of(called))
+    except InputError:
+        register.restore(called, before)
+        raise
+    register.register(called, path, csv_text(rows(found.models)))
     counts = _counts(found)
     if as_json:
         show.print_json({"name": called, "table": str(folder / register.TABLE)} | counts)

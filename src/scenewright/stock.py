@@ -13,9 +13,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
+from hashlib import sha256
 from pathlib import Path, PurePath
 from typing import NamedTuple
 
+from scenewright._version import __version__
 from scenewright.assets import shipped
 from scenewright.brief_catalog import CatalogBrief, entry_of
 from scenewright.catalog import Asset, Catalog
@@ -23,6 +25,7 @@ from scenewright.errors import InputError
 from scenewright.models import MOST_IN_ALL, SIDECARS, LibraryReport, report, suffixes
 from scenewright.models.as_asset import asset_of
 from scenewright.models.categories import BUILDING
+from scenewright.models.kept import keep, kept
 from scenewright.models.licences import licensed
 from scenewright.models.listing import Listed, listed, table_beside, table_of
 from scenewright.models.model import Model, Options, Skipped
@@ -34,6 +37,8 @@ OWN = "model:"
 """How the ids of assets begin that are models of a user's catalogues."""
 ONLY_NAMED = "named"
 """The category of models that are used only where a brief names them."""
+COPY = "models.npz"
+"""What is kept of a registered catalogue's models, beside its table."""
 Stamp = tuple[tuple[str, int, int], ...]
 """Name, time of the last change and bytes of every file."""
 
@@ -138,8 +143,14 @@ def _source(entry: CatalogBrief) -> tuple[Path, Path | None]:
 
 
 def _report(entry: CatalogBrief, path: Path) -> LibraryReport:
-    """What a catalogue holds; it must be something."""
-    found = report(path, Options(entry.up, entry.front, entry.scale))
+    """What a catalogue holds; it must be something. Of a registered one a copy is kept."""
+    options = Options(entry.up, entry.front, entry.scale)
+    copy = None if path == Path(entry.path) else table_file(entry.path).with_name(COPY)
+    made_of = sha256(repr((_stamp(path), options, __version__)).encode()).hexdigest()
+    ready = kept(copy, made_of) if copy else None
+    found = ready or report(path, options)
+    if copy and not ready:
+        keep(copy, found, made_of)
     if not found.models:
         first, more = found.skipped[:1], len(found.skipped) - 1
         told = f"{first[0].name}: {first[0].reason}" if first else "there are no model files"

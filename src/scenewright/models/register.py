@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shutil
 import sys
 from pathlib import Path
 
@@ -73,6 +74,22 @@ def register(name: str, path: Path, table: str) -> Path:
         raise InputError(f"cannot be written: {error.strerror}", "check its rights",
                          file=str(folder)) from None  # fmt: skip
     return folder
+
+
+def saved(name: str) -> dict[str, bytes]:
+    """The files of a registered catalogue as they are, to be put back; none if there is none."""
+    folder = home() / checked(name)
+    files = [folder / file for file in (TABLE, POINTER)]
+    return {file.name: file.read_bytes() for file in files if file.is_file()}
+
+
+def restore(name: str, files: dict[str, bytes]) -> None:
+    """Put a registered catalogue back as it was; without files it is gone."""
+    folder = home() / checked(name)
+    for file, content in files.items():
+        (folder / file).write_bytes(content)
+    if not files:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def checked(name: str) -> str:
