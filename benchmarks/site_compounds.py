@@ -108,8 +108,8 @@ def records(most: int | None = None) -> list[Row]:
     rows = [_record(case, found, *figure) for figure in FIGURES]
     whole = [pair for pair in found if not pair.ours["left_out"]]
     if whole:
-        told = f"{len(whole)} of them in which ours places all"
-        rows += [_record(told, whole, *figure) for figure in FIGURES[:6]]
+        part = f"{len(whole)} of them in which ours places all"
+        rows += [_record(part, whole, *figure) for figure in FIGURES[:6]]
     seconds = {"case": case, "metric": "processor seconds of all", "unit": "s",
                "ours": round(sum(pair.ours["cpu"] for pair in found), 3), "baseline": None,
                "baseline_name": "", "ratio": None, "runs": len(found)}  # fmt: skip
