@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+MOST = 400
+"""Letters of a place or a fault that are told."""
+
 
 class InputError(ValueError):
     """Input that cannot be used: one line naming file, place, fault and remedy.
@@ -13,11 +16,31 @@ class InputError(ValueError):
 
     def __init__(self, fault: str, remedy: str = "", *, file: str = "", place: str = "") -> None:
         self.fault, self.remedy, self.file, self.place = fault, remedy, file, place
-        told = ": ".join(part for part in (file, place, fault) if part)
-        super().__init__(" ".join((f"{told}; {remedy}" if remedy else told).split()))
+        parts = (file, _short(place), _short(fault))
+        told = ": ".join(part for part in parts if part)
+        super().__init__(_plain(f"{told}; {remedy}" if remedy else told))
 
     def located(self, *, file: str = "", place: str = "") -> InputError:
         """The same error with file or place filled in where they were unknown."""
         return InputError(
             self.fault, self.remedy, file=self.file or file, place=self.place or place
         )
+
+
+def _short(text: str) -> str:
+    """A text that quotes a long one of the user's, with its middle left out.
+
+    >>> _short("a" * 999) == "a" * 200 + " … " + "a" * 100
+    True
+    """
+    return text if len(text) <= MOST else f"{text[:200]} … {text[-100:]}"
+
+
+def _plain(text: str) -> str:
+    """A text on one line, without what a terminal would obey.
+
+    >>> _plain("a\\nb\\x1b[31m")
+    'a b\ufffd[31m'
+    """
+    line = " ".join(text.split())
+    return "".join(letter if letter.isprintable() else "\ufffd" for letter in line)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 from scenewright.geometry.sun import open_hours, sun_path
 from scenewright.site_problem import SiteProblem
 from scenewright.solution import TermValue
@@ -35,5 +37,6 @@ def reasons(problem: SiteProblem, found: SiteFound, site: str) -> tuple[TermValu
         if aim.name in lacking:
             cost = weight * max(lacking[aim.name], 0.0)
             rows.append(TermValue(site, "", aim.name, known[aim.name], weight, cost))
-    rows += [TermValue(site, "", name, known[name], 0.0, 0.0) for name in SITE_FIGURES]
+    told = {name: known[name] for name in SITE_FIGURES if isfinite(known[name])}  # of none: inf
+    rows += [TermValue(site, "", name, value, 0.0, 0.0) for name, value in told.items()]
     return tuple(rows)
