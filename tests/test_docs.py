@@ -35,9 +35,11 @@ def test_examples_run(
 ) -> None:  # fmt: skip
     """Files are written, commands must not fail, Python runs; in order, in one folder."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("SCENEWRIGHT_HOME", str(tmp_path / "user"))
     names: dict[str, object] = {}
     for file, language, body in BLOCK.findall(document.read_text(encoding="utf-8")):
         if file:
+            Path(file).parent.mkdir(parents=True, exist_ok=True)
             Path(file).write_text(body, encoding="utf-8")
         elif language == "python":
             exec(compile(body, str(document), "exec"), names)

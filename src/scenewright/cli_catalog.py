@@ -210,5 +210,6 @@ def _counts(found: Taken) -> dict[str, Any]:
 
 
 def _summary(counts: dict[str, Any]) -> str:
-    return (f"{counts['usable']} models of {len(counts['categories'])} categories, "
-            f"{counts['other']} used only where named, {counts['skipped']} skipped")  # fmt: skip
+    models, kinds = counts["usable"], len(counts["categories"])
+    told = f"{models} model{'s' * (models != 1)} of {kinds} categor{'y' if kinds == 1 else 'ies'}"
+    return f"{told}, {counts['other']} used only where named, {counts['skipped']} skipped"
