@@ -34,8 +34,8 @@ BESIDE = (
 
 
 def amounts(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[tuple[Asset, int]]:
-    """Models and their counts: each covers about the same ground, all together what coverage and
-    floor-area ratio ask for. Those of the brief's catalogues, less landmarks; else dwellings."""
+    """Models and their counts, all together what coverage and floor-area ratio ask for: those of
+    the brief's catalogues less landmarks, each as often; else dwellings, each on as much ground."""
     models = _models(site, plan, place, catalog)
     ratio = site.floor_area_ratio
     cover = (site.coverage or USUAL_COVERAGE) * plan.buildable
@@ -44,9 +44,11 @@ def amounts(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[tu
     areas = [asset.usual.width * asset.usual.depth for asset in models]
     floors = [area * max(round(a.usual.height / STOREY), 1)
               for a, area in zip(models, areas, strict=True)]  # fmt: skip
+    weights = [1.0 if a.id.startswith(OWN) else area
+               for a, area in zip(models, areas, strict=True)]  # fmt: skip
     open_ = list(range(len(models)))
     while open_ and sum(counts) < MOST:
-        k = min(open_, key=lambda i: (counts[i] + 0.5) * areas[i])
+        k = min(open_, key=lambda i: (counts[i] + 0.5) * weights[i])
         # half a building too much is as near as half too little
         if areas[k] / 2 > cover or floors[k] / 2 > floor:
             open_.remove(k)
@@ -124,8 +126,8 @@ def _told(assets: list[Asset]) -> str:
 
 
 def _spread(assets: list[Asset]) -> list[Asset]:
-    """Of many models some from all over the list: steps of the golden section."""
-    if len(assets) <= MOST_MODELS:
-        return assets
+    """The models in steps of the golden section, so that the first few are from all over the list;
+    of many the first."""
     golden = (sqrt(5) - 1) / 2
-    return [assets[int(len(assets) * (k * golden % 1))] for k in range(MOST_MODELS)]
+    order = sorted(range(len(assets)), key=lambda k: k * golden % 1)
+    return [assets[k] for k in order[:MOST_MODELS]]
