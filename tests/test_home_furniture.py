@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import shutil
+import subprocess
+from collections import Counter
 from math import pi
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from scenewright import formats
 from scenewright.assets import shipped
 from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog, Group, Member
@@ -179,3 +183,42 @@ def test_a_room_has_its_own_taste_or_the_homes() -> None:
         room("living", 4, 5), room("bedroom", 4, 4, style="steel"),
     ])  # fmt: skip
     assert [taste_of(brief, r) for r in brief.rooms] == [("oak", "white"), ("steel", "white")]
+
+
+@pytest.mark.realdata
+def test_a_flat_of_a_whole_library_is_valid_light_and_credits_everybody(
+    real_data: Path, tmp_path: Path
+) -> None:
+    """175 CC0 models: every one is listed, all pieces drawn once, every author named."""
+    library = str(real_data / "furniture_sweethome3d" / "BlendSwap-CC-0.sh3f")
+    counts = Counter(asset.category for asset in catalog_of([library]).assets.values()
+                     if asset.id.startswith(OWN))  # fmt: skip
+    assert counts.total() == 175
+    assert counts["other"] < 100
+    assert len(counts) > 35
+    solution = home.solve(formats.read("sample:home-flat", catalogs=[library]), steps=2000)
+    assert check(solution).valid
+    used = {p.asset for p in solution.pieces if p.asset.startswith(OWN)}
+    assert len(used) >= 18
+    scene, names = tmp_path / "flat.glb", tmp_path / "flat.credits.txt"
+    for file in (scene, names):
+        formats.write(solution, file)
+    assert scene.stat().st_size < 40e6
+    assets = catalog_of([library]).assets
+    told = names.read_text(encoding="utf-8")
+    assert [assets[a].author for a in used if assets[a].author not in told] == []
+    validated(scene)
+
+
+def validated(scene: Path) -> None:
+    """The Khronos validator finds nothing wrong, where it is installed (npm gltf-validator)."""
+    node = shutil.which("node")
+    code = """const v = require('gltf-validator'), fs = require('fs');
+        v.validateBytes(new Uint8Array(fs.readFileSync(process.argv[1])))
+         .then(r => console.log(r.issues.numErrors))"""
+    if node is None:
+        pytest.skip("no node: install it and npm gltf-validator to validate the scene")
+    done = subprocess.run([node, "-e", code, str(scene)], capture_output=True, text=True)
+    if done.returncode:
+        pytest.skip("no gltf-validator: npm install gltf-validator, and set NODE_PATH")
+    assert done.stdout.split() == ["0"]

@@ -7,6 +7,7 @@ import shapely
 
 from scenewright.catalog import Catalog
 from scenewright.domains.home.dress import joined, standing_of
+from scenewright.domains.home.furnishing import nearest_own
 from scenewright.gates import Gate, gates
 from scenewright.geometry.fit import faults
 from scenewright.problem import Ground
@@ -19,6 +20,7 @@ CURTAINED = frozenset(
 )
 TABLES = ("dining_table", "round_table")
 LAMP = Size(0.46, 0.46, 0.14)
+HEAD_ROOM = 2.0  # what a lamp leaves below it, metres
 PENDANT = Size(0.44, 0.44, 0.9)
 CURTAIN_DEPTH = 0.09
 COOKING = 0.8  # no curtain nearer than this to kitchen units, metres
@@ -35,20 +37,30 @@ def _lamps(space: Space, pieces: tuple[Piece, ...], catalog: Catalog) -> list[Pi
     if DARK & set(space.functions) or not space.functions:
         return []
     tables = [p for p in pieces if p.category in TABLES and p.function == "dining"]
+    pendant, lamp = (
+        _real(category, usual, catalog)
+        for category, usual in (("pendant_lamp", PENDANT), ("ceiling_lamp", LAMP))
+    )
     found = [
-        _hung("pendant_lamp", space, catalog, t.pose.x, t.pose.y, t.pose.heading, PENDANT, i)
+        _hung("pendant_lamp", space, catalog, t.pose.x, t.pose.y, t.pose.heading, pendant, i)
         for i, t in enumerate(tables)
-        if space.height - PENDANT.height > 1.4
+        if space.height - pendant.height > 1.4
     ]
     x, y = _middle(space)
-    wide = _shape(space).buffer(-LAMP.width * 0.72)
+    wide = _shape(space).buffer(-max(lamp.width, lamp.depth) * 0.72)
     far = wide.contains(shapely.Point(x, y)) and all(
         np.hypot(x - t.pose.x, y - t.pose.y) > 1.2 for t in tables
     )
-    tall = any(p.pose.z + p.size.height > space.height - LAMP.height for p in pieces)
-    if far and not tall:
-        found.append(_hung("ceiling_lamp", space, catalog, x, y, 0.0, LAMP, 0))
+    tall = any(p.pose.z + p.size.height > space.height - lamp.height for p in pieces)
+    if far and not tall and space.height - lamp.height > HEAD_ROOM:
+        found.append(_hung("ceiling_lamp", space, catalog, x, y, 0.0, lamp, 0))
     return found
+
+
+def _real(category: str, usual: Size, catalog: Catalog) -> Size:
+    """The size of a user's own lamp nearest to the usual one; the usual one where there is none."""
+    own = nearest_own(category, usual, catalog)
+    return own.usual if own else usual
 
 
 def _middle(space: Space) -> tuple[float, float]:
@@ -69,7 +81,8 @@ def _hung(
     category: str, space: Space, catalog: Catalog, x: float, y: float, heading: float, size: Size,
     index: int,
 ) -> Piece:  # fmt: skip
-    asset = catalog.choose(category, size)
+    own = nearest_own(category, size, catalog)
+    asset = own if own and own.usual == size else catalog.choose(category, size)
     name = f"{space.id}/{category}" + (f"_{index + 1}" if index else "")
     pose = Pose(float(x), float(y), space.height - size.height, float(heading))
     return Piece(name, category, asset.id if asset else "", space.id, pose, size, space.id, "light")

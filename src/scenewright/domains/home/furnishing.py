@@ -8,6 +8,7 @@ the same model. Where no model suits, the shipped asset stays.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 from math import log
 from typing import NamedTuple
 
@@ -54,6 +55,7 @@ class Taste(NamedTuple):
 Stock = Mapping[str, tuple[Asset, ...]]
 
 
+@lru_cache(maxsize=8)
 def stock_of(catalog: Catalog) -> Stock:
     """The models of a user's own by the categories they may stand for."""
     own = [asset for asset in catalog.assets.values() if asset.id.startswith(OWN)]
@@ -65,6 +67,13 @@ def stock_of(catalog: Catalog) -> Stock:
         if more:
             found.setdefault(kind, []).extend(more)
     return {kind: tuple(assets) for kind, assets in found.items()}
+
+
+def nearest_own(category: str, size: Size, catalog: Catalog) -> Asset | None:
+    """The model of a user's own that may stand for a piece of a size, nearest to it."""
+    like = Member(category, 0, 0, 0, 0, size)
+    suited = [a for a in stock_of(catalog).get(category, ()) if _suits(like, a)]
+    return min(suited, key=lambda a: _unlike(like, a, Taste()), default=None)
 
 
 def furnished(function: str, cases: tuple[Group, ...], stock: Stock, catalog: Catalog,
