@@ -181,6 +181,18 @@ def test_models_of_no_metric_size_are_told_and_work_with_a_size_or_scale(tmp_pat
     assert next(p.size for p in built(scaled)) == pytest.approx((10, 9, 12))
 
 
+def test_a_landmark_that_is_small_by_its_file_is_told(tmp_path):
+    house(tmp_path / "well.obj", 1.2, 1.0, 1.5)
+    marks = [
+        {"model": "well", "at": (30, 45)},
+        {"model": "well", "at": (60, 45), "size": (1, 1, 1)},
+    ]
+    notes = check(solved(str(tmp_path), landmarks=marks)).notes
+    assert [note.message.partition(" by")[0] for note in notes] == [
+        "landmark-1 is only 1.2 x 1 m, 1.5 m high"
+    ]
+
+
 def test_what_stands_beside_buildings_does_not_fill_a_site(stock):
     for name in ("road_straight", "streetlight", "oak tree", "base"):
         house(stock / f"{name}.obj", 10, 10, 8)

@@ -37,6 +37,7 @@ from scenewright.check.routes import (
     walk_in,
 )
 from scenewright.check.site_figures import judge_sites
+from scenewright.check.site_notes import find_small
 from scenewright.solution import Solution
 from scenewright.space import Space
 from scenewright.stock import catalog_of
@@ -100,7 +101,7 @@ def _of_sites(solution: Solution) -> Report:
     findings, by_site = judge_sites(solution.brief.sites, solution.pieces, models)
     counts = count_by_kind(tuple(findings))
     figures = {"pieces": len(solution.pieces), "counts": counts, "sites": by_site}
-    return Report(tuple(findings), (), figures)
+    return Report(tuple(findings), tuple(find_small(solution.brief.sites, models)), figures)
 
 
 def _halls(solution: Solution, bodies: Bodies, rooms: Rooms) -> tuple[list[Hall], list[Finding]]:
