@@ -372,3 +372,20 @@ def test_no_hall_no_energy() -> None:
     assert (found.pieces, found.left_out, found.evaluations) == ((), (), 0)
     assert found.graph is not None
     assert [zone.id for zone in found.graph.zones] == ["west", "east"]
+
+
+def test_wall_rows_come_before_what_can_stand_elsewhere() -> None:
+    zone = {"id": "z", "outline": [[0, 0], [13, 0], [13, 10], [0, 10]]}
+    demands = [
+        {"id": "pictures", "category": "wall_exhibit", "count": 9, "zone": "z", "place": "wall"},
+        {"id": "cases", "category": "showcase", "count": 10, "zone": "z"},
+        {"id": "plinths", "category": "plinth", "count": 8, "zone": "z"},
+        {"id": "benches", "category": "bench", "count": 4, "zone": "z"},
+    ]
+    outline = [[-9, 0], [22, 0], [22, 19], [-9, 19]]
+    room = {"id": "hall", "outline": outline, "height": 4.0, "zones": [zone], "demands": demands,
+            "doors": [{"id": "d", "at": [-9, 9], "width": 1.8}]}  # fmt: skip
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    for seed in range(10):
+        fitted = posed(brief, seed=seed).fitted
+        assert [u.last for u in fitted.units if u.demand == 0] == [9], "the row is whole"

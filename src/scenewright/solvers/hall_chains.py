@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from scenewright.encodings.patterns import SINGLE
+from scenewright.encodings.patterns import SINGLE, WALL
 from scenewright.geometry.paths import Bits, Grid
 from scenewright.hall_energy import (
     kept_of,
@@ -95,17 +95,15 @@ class Chain(NamedTuple):
 def first_layout(
     problem: HallProblem, walls: Floats, seed: int, tries: int = TRIES
 ) -> tuple[Kept, tuple[int, ...]]:
-    """A layout without overlap and the units that found no place in it, largest first.
-
-    ``walls`` (p, 2) are the partitions to start with.
-    """
+    """A layout without overlap and the units that found no place in it: wall rows first, which
+    can stand nowhere else, then the largest. ``walls`` (p, 2) are the partitions to start with."""
     p = prepare(problem)
     s, work = make_state(p), make_scratch(p)
     s.partitions[:] = walls
     for host in range(len(walls)):
         build(p, s, host)
     need = np.array([p.sizes[a:b].prod(1).sum() + p.beta[u] for u, (a, b) in enumerate(p.spans)])
-    order = np.argsort(-need, kind="stable").astype(np.int64)
+    order = np.lexsort([-need, -p.choices[:, WALL]]).astype(np.int64)
     placed = np.zeros(len(need))
     place_units(p, s, work, order, tries, streams(seed, 1)[0], placed)
     return kept_of(s), tuple(int(u) for u in order if not placed[u])
