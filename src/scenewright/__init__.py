@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from scenewright.brief import Brief
     from scenewright.catalog import Asset, Catalog, Kind
     from scenewright.check import Report, check
-    from scenewright.domains import alternatives, solve
+    from scenewright.domains import alternatives, resolve, solve
     from scenewright.errors import InputError
     from scenewright.formats import read, samples, write
     from scenewright.formats.solution_json import read as read_solution
@@ -37,8 +37,8 @@ if TYPE_CHECKING:
 __all__ = [
     "Asset", "Brief", "Catalog", "InputError", "Kind", "Layout", "Level", "Opening", "Piece",
     "Pose", "Problem", "Report", "Scene", "Size", "Solution", "Space", "__version__",
-    "alternatives", "batch", "check", "read", "read_solution", "samples", "scene_of", "shipped",
-    "solve", "write",
+    "alternatives", "batch", "check", "read", "read_solution", "resolve", "samples", "scene_of",
+    "shipped", "solve", "write",
 ]  # fmt: skip
 
 _HOMES = {
@@ -49,6 +49,7 @@ _HOMES = {
     "alternatives": "domains:alternatives",
     "batch": "batch:batch",
     "solve": "domains:solve",
+    "resolve": "domains:resolve",
     "check": "check:check",
     "Report": "check:Report",
     "scene_of": "shell:scene_of",

@@ -16,7 +16,7 @@ from typing import Annotated, Any, cast
 import typer
 from rich.console import Console
 
-from scenewright import cli_batch, cli_catalog
+from scenewright import cli_adjust, cli_batch, cli_catalog
 from scenewright import cli_show as show
 from scenewright._version import __version__
 from scenewright.errors import InputError
@@ -30,6 +30,7 @@ app = typer.Typer(
 )
 
 app.add_typer(cli_catalog.app, name="catalog")
+app.command()(cli_adjust.adjust)
 
 USAGE_FAULT = cast(type[Exception], typer.BadParameter.__mro__[2])
 """What the parser raises for arguments it cannot use (its own ``ClickException``)."""

@@ -89,7 +89,7 @@ def prepared(request: Request, console: Console) -> Brief:
     """The brief of a request whose outputs and names can be used."""
     from scenewright import domains, formats
 
-    _check_outputs(request.outputs)
+    check_outputs(request.outputs)
     brief = formats.read(
         request.source, keep=request.keep, catalogs=request.catalogs, groups=request.groups
     )
@@ -102,7 +102,7 @@ def prepared(request: Request, console: Console) -> Brief:
     return brief
 
 
-def _check_outputs(outputs: Sequence[Path]) -> None:
+def check_outputs(outputs: Sequence[Path]) -> None:
     """Every suffix can be written and no file is named twice."""
     from scenewright import formats
 

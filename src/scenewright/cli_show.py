@@ -44,6 +44,21 @@ def arranged(
         console.print(Text(f"wrote {path}", "dim"))
 
 
+def adjusted(
+    console: Console, outputs: Sequence[Path], solution: Solution, report: Report,
+    changed: Mapping[str, Sequence[str]],
+) -> None:  # fmt: skip
+    """What moved, came and went, what is left out, the referee's verdict and the files."""
+    for how, pieces in changed.items():
+        if pieces:
+            console.print(Text(f"{how}: {', '.join(pieces)}"))
+    _left_out(console, solution)
+    console.print(Text(_work(solution)))
+    checked(console, report)
+    for path in outputs:
+        console.print(Text(f"wrote {path}", "dim"))
+
+
 def interrupted(outputs: Sequence[Path]) -> str:
     """What Ctrl-C led to."""
     return "interrupted: best so far " + ("written" if outputs else "told, no -o to write")

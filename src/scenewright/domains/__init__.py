@@ -6,11 +6,12 @@ cancel)``, which returns a solution, and ``PRESETS``.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
 from typing import Any, NamedTuple
 
 from scenewright.brief import Brief
+from scenewright.errors import InputError
 from scenewright.solution import Solution
 
 
@@ -83,6 +84,37 @@ def alternatives(
         if cancel is not None and cancel():
             break
     return tuple(sorted(found, key=lambda s: (len(s.left_out), sum(s.energies.values()))))
+
+
+def resolve(
+    solution: Solution,
+    *,
+    move: Mapping[str, tuple[float, ...]] | None = None,
+    swap: Sequence[tuple[str, str]] = (),
+    lock: Sequence[str] = (),
+    unlock: Sequence[str] = (),
+    again: Sequence[str] = (),
+    steps: int | None = None,
+    seed: int | None = None,
+) -> Solution:
+    """Change a furnished home by hand and solve again only what that touches.
+
+    Pieces and groups are named by id, or by what is enough of it: ``"sofa"``, ``"bedroom/bed"``.
+    ``move`` puts them at (x, y) or (x, y, heading) in metres and radians, ``swap`` exchanges two;
+    both are locked there. ``lock`` keeps groups where they are whatever is solved, ``unlock`` lets
+    them go. In rooms where something was moved as little as possible changes; rooms named in
+    ``again`` are laid out anew around what is locked (give another ``seed`` for another answer).
+    """
+    if solution.brief.domain != "home":
+        raise InputError(
+            f"a {solution.brief.domain} cannot be solved again in part",
+            'set "fixed": true on what is to stay and arrange the file again',
+        )
+    from scenewright.domains.home.edits import Edits
+    from scenewright.domains.home.resolve import resolve as of_home
+
+    edits = Edits(move or {}, tuple(swap), tuple(lock), tuple(unlock), tuple(again))
+    return of_home(solution, edits, steps=steps, seed=seed)
 
 
 def presets(domain: str) -> Mapping[str, Any]:

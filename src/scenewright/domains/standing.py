@@ -1,8 +1,8 @@
-"""What already stands in a room: the fixed items of a brief as pieces, in every domain."""
+"""What already stands in a room: fixed items of a brief as pieces and back, in every domain."""
 
 from __future__ import annotations
 
-from scenewright.brief import Room
+from scenewright.brief import FixedItem, Room
 from scenewright.catalog import Catalog
 from scenewright.scene import Piece, Pose, Size
 from scenewright.space import Space
@@ -27,3 +27,29 @@ def fixed_pieces(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
             )
         )  # fmt: skip
     return found
+
+
+def is_item(item: FixedItem, piece: Piece) -> bool:
+    """Whether a piece is a brief's fixed item, by id or (where it has none) by place."""
+    if item.id:
+        return item.id == piece.id
+    apart = max(abs(item.at[0] - piece.pose.x), abs(item.at[1] - piece.pose.y))
+    return item.category == piece.category and apart < 1e-3
+
+
+def item_of(piece: Piece, name: str = "") -> FixedItem:
+    """A piece as the fixed item of a brief."""
+    x, y, z, heading = piece.pose
+    return FixedItem(
+        id=piece.id,
+        category=piece.category,
+        asset=piece.asset or None,
+        at=(x, y),
+        z=max(z, 0.0),
+        heading=heading,
+        size=(piece.size.width, piece.size.depth, piece.size.height),
+        name=name,
+        on=piece.on,
+        group=piece.group,
+        function=piece.function,
+    )

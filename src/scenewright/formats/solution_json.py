@@ -15,7 +15,8 @@ from pathlib import Path
 from typing import Any
 
 from scenewright import authorship
-from scenewright.brief import Brief, FixedItem, Room
+from scenewright.brief import Brief, Room
+from scenewright.domains.standing import is_item, item_of
 from scenewright.errors import InputError
 from scenewright.formats.catalog_paths import resolved
 from scenewright.formats.graph_record import graph_document, graph_of, tour_document, tour_of
@@ -142,8 +143,8 @@ def _room_with_locked(room: Room, here: list[Piece]) -> Room:
     names = {item.id: item.name for item in room.fixed if item.id}
     groups = {p.group for p in here if p.fixed and p.function not in ("", "fixed", "light")}
     kept = [piece for piece in here if piece.fixed or piece.group in groups]
-    locked = [_fixed_item(piece, names.get(piece.id, "")) for piece in kept]
-    unplaced = [item for item in room.fixed if not any(_same(item, piece) for piece in here)]
+    locked = [item_of(piece, names.get(piece.id, "")) for piece in kept]
+    unplaced = [item for item in room.fixed if not any(is_item(item, piece) for piece in here)]
     return room.model_copy(update={"fixed": [*locked, *unplaced]})
 
 
@@ -162,31 +163,6 @@ def _zoned(solution: Solution) -> Callable[[Room, str], Room]:
         return room.model_copy(update={"zones": drawn})
 
     return zoned
-
-
-def _same(item: FixedItem, piece: Piece) -> bool:
-    """Whether a piece is a brief's fixed item, by id or (where it has none) by place."""
-    if item.id:
-        return item.id == piece.id
-    apart = max(abs(item.at[0] - piece.pose.x), abs(item.at[1] - piece.pose.y))
-    return item.category == piece.category and apart < 1e-3
-
-
-def _fixed_item(piece: Piece, name: str) -> FixedItem:
-    x, y, z, heading = piece.pose
-    return FixedItem(
-        id=piece.id,
-        category=piece.category,
-        asset=piece.asset or None,
-        at=(x, y),
-        z=max(z, 0.0),
-        heading=heading,
-        size=(piece.size.width, piece.size.depth, piece.size.height),
-        name=name,
-        on=piece.on,
-        group=piece.group,
-        function=piece.function,
-    )
 
 
 def _piece_document(piece: Piece) -> dict[str, Any]:

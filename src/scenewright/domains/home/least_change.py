@@ -1,0 +1,121 @@
+"""The rest of a room after some of it was moved: as little as possible is placed anew.
+
+What the moved pieces do not touch stays as it is. Groups they run into, and groups that now bar a
+way or cannot be reached, are placed anew around all that stays; only if that fails is the whole
+room laid out again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.domains.home.attempt import (
+    UNREACHED,
+    Furnished,
+    Placed,
+    Task,
+    dressed,
+    out_of_reach,
+    penalty,
+    posed,
+)
+from scenewright.domains.home.regroup import as_standing, misplaced
+from scenewright.domains.home.room import furnish
+from scenewright.scene import Piece
+from scenewright.solve import Budget
+from scenewright.solvers import SOLVERS
+
+TRIED = 6  # layouts that are dressed
+SHIFT = 10.0  # what it costs to put a group a metre away from where it was
+ALIKE = 0.5  # share of the work for the groups that are placed anew
+
+
+class Rest(NamedTuple):
+    """Groups that stayed as they were, and the answer for the others."""
+
+    stay: tuple[Placed, ...]
+    answer: Furnished
+
+
+def rearranged(task: Task, groups: Sequence[Placed], budget: Budget) -> Rest:
+    """The groups of a room about the fixed pieces of a task, with the least change."""
+    if not task.preset.exact or SOLVERS[task.solver].encoding == "pieces":
+        return Rest((), furnish(task, tuple(g.wish for g in groups), budget))
+    stay = _unhurt(task, groups)
+    stay = _open(task, stay)
+    freed = [g for g in groups if g not in stay]
+    part = budget.steps and max(1, int(ALIKE * budget.steps * len(freed) / max(len(groups), 1)))
+    answer = _anew(task, freed, stay, budget._replace(steps=part))
+    if not _trouble(answer):
+        return Rest(stay, answer)
+    whole = furnish(task, tuple(g.wish for g in groups), budget)
+    evaluations = answer.evaluations + whole.evaluations
+    if _trouble(whole) < _trouble(answer):
+        return Rest((), whole._replace(evaluations=evaluations))
+    return Rest(stay, answer._replace(evaluations=evaluations))
+
+
+def _trouble(answer: Furnished) -> float:
+    """What is wrong with an answer apart from its energy."""
+    return sum(penalty(m.wish) for m in answer.missing) + UNREACHED * len(answer.unreached)
+
+
+def _unhurt(task: Task, groups: Sequence[Placed]) -> tuple[Placed, ...]:
+    """The groups none of whose pieces runs into what is fixed."""
+    fixed = as_standing(task.fixed, task.catalog)
+    return tuple(g for g in groups if not misplaced(task, g.pieces, fixed))
+
+
+def _open(task: Task, stay: tuple[Placed, ...]) -> tuple[Placed, ...]:
+    """The groups that can be reached and bar nothing else's way."""
+    while far := _far(task, stay):
+        cut = [g for g in stay if any(p.id in far for p in g.pieces)]
+        if not cut:
+            gains = [(len(_far(task, [o for o in stay if o is not g])), k)
+                     for k, g in enumerate(stay)]  # fmt: skip
+            left, k = min(gains, default=(len(far), 0))
+            cut = [stay[k]] if left < len(far) else []
+        if not cut:
+            break
+        stay = tuple(g for g in stay if g not in cut)
+    return stay
+
+
+def _far(task: Task, groups: Sequence[Placed]) -> frozenset[str]:
+    pieces = tuple(p for g in groups for p in g.pieces)
+    return out_of_reach(task, pieces) - task.tight
+
+
+def _anew(task: Task, freed: Sequence[Placed], stay: tuple[Placed, ...], budget: Budget
+          ) -> Furnished:  # fmt: skip
+    """The freed groups placed around all others: where they were if they can stand there, smaller
+    or not, else as the solver finds, the nearer the better."""
+    if not freed:
+        return Furnished(0.0, (), (), (), None, 0.0, 0)
+    wishes = tuple(g.wish for g in freed)
+    kept: tuple[Piece, ...] = tuple(p for g in stay for p in g.pieces)
+    firm = task._replace(fixed=(*task.fixed, *kept))
+    boxes = np.array([g.dressed.box for g in stay]).reshape(-1, 5)
+    ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, boxes]))
+    problem = posed(task, wishes, ground)
+    found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
+    before = np.array([g.dressed.box for g in freed])
+    layouts = [before, *(layout.boxes for layout in found.layouts[:TRIED])]
+    energy = found.layouts[0].energy
+    answers = [dressed(firm, wishes, problem, layout, energy) for layout in layouts]
+    best = min(answers, key=lambda a: a.score + SHIFT * _moved(a, freed))
+    return best._replace(evaluations=found.evaluations)
+
+
+def _moved(answer: Furnished, before: Sequence[Placed]) -> float:
+    """How far groups lie from where they were, metres; a quarter turn counts as one."""
+    was = {id(g.wish): g.dressed.box for g in before}
+    total = 0.0
+    for item in answer.placed:
+        box, old = item.dressed.box, was.get(id(item.wish), item.dressed.box)
+        turn = abs((box[2] - old[2] + np.pi) % (2 * np.pi) - np.pi) / (np.pi / 2)
+        total += float(np.hypot(*(box[:2] - old[:2]))) + float(turn)
+    return total
