@@ -19,7 +19,8 @@ from scenewright.hall_energy import make_state, prepare
 from scenewright.hall_problem import Floats, HallProblem
 from scenewright.solve import Budget
 from scenewright.solvers.guided_metropolis import bring_back
-from scenewright.solvers.hall_chains import HallLayout, anneal_hall, gd_mh
+from scenewright.solvers.hall_chains import anneal_hall, gd_mh
+from scenewright.solvers.hall_found import HallLayout
 from scenewright.terms.hall_measure import passage
 from scenewright.terms.hall_state import Prepared, State, make_scratch
 from scenewright.terms.hall_terms import NEAR, PRINTED

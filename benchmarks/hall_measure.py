@@ -26,7 +26,7 @@ from scenewright.hall_energy import capacity
 from scenewright.hall_problem import Floats, HallProblem
 from scenewright.scene import Piece
 from scenewright.solution import Solution
-from scenewright.solvers.hall_chains import HallLayout, measured
+from scenewright.solvers.hall_found import HallLayout, measured
 from scenewright.terms.hall_state import Kept
 from scenewright.terms.hall_terms import (
     ACCESS,

@@ -21,7 +21,8 @@ from scenewright.solve import Budget
 from scenewright.solvers.draws import streams
 from scenewright.solvers.hall_blocks import UNIT, Block, main_direction, sheet_of
 from scenewright.solvers.hall_cells import Members, boxes_in, divide, misfit, options_for, rooms_of
-from scenewright.solvers.hall_chains import HallRun, begin_chain, first_layout
+from scenewright.solvers.hall_chains import begin_chain, first_layout
+from scenewright.solvers.hall_found import HallRun
 from scenewright.solvers.hall_genetic import decode, genetic_hall, judged, violation
 from scenewright.solvers.hall_merrell import merrell, sweep
 from scenewright.solvers.hall_miqp import miqp

@@ -8,19 +8,17 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.encodings.patterns import SINGLE, WALL
+from scenewright.encodings.patterns import WALL
 from scenewright.geometry.paths import Bits, Grid
 from scenewright.hall_energy import (
     kept_of,
     make_state,
-    parts_of,
     prepare,
     route_grid,
 )
@@ -28,11 +26,12 @@ from scenewright.hall_problem import Floats, HallProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
 from scenewright.solvers.draws import Stream, streams
 from scenewright.solvers.guided_metropolis import bring_back, missed, run
-from scenewright.solvers.hall_start import copy_frames, place_units, write_boxes
+from scenewright.solvers.hall_found import HallFound, HallLayout, lacking
+from scenewright.solvers.hall_start import copy_frames, place_units
 from scenewright.terms.hall_place import build
 from scenewright.terms.hall_state import Kept, Prepared, Scratch, State, make_scratch
-from scenewright.terms.hall_terms import ACCESS, REACH
-from scenewright.terms.hall_whole import measure_all, measure_frames
+from scenewright.terms.hall_terms import REACH
+from scenewright.terms.hall_whole import measure_all
 
 PAPER_STEPS = 1000
 PAPER_RATE = 0.1
@@ -48,32 +47,6 @@ FREE = 0.6
 TRIES = 600
 MANY = 64
 """Units of a hall from which on all chains start alike."""
-
-
-class HallLayout(NamedTuple):
-    """A layout: what makes it, its boxes (n, 5), its energy, what the route misses and how many
-    metres passages lack. The boxes of a ``loose`` one stand where no pattern puts them."""
-
-    kept: Kept
-    boxes: Floats
-    energy: float
-    missed: float
-    lacking: float
-    loose: bool = False
-
-
-class HallFound(NamedTuple):
-    """Layouts, best first, and how many were looked at."""
-
-    layouts: tuple[HallLayout, ...]
-    evaluations: int
-
-
-HallRun = Callable[[HallProblem, Kept, Budget, int, Progress | None, Cancel | None], HallFound]
-
-
-ObjectRun = Callable[[HallProblem, Budget, int, Progress | None, Cancel | None, Floats | None], Any]
-"""A solver of single objects; it answers with ``boxes`` (n, 5) and ``evaluations``."""
 
 
 class Chain(NamedTuple):
@@ -140,7 +113,7 @@ def layout_of(chain: Chain) -> HallLayout:
     boxes = np.zeros((len(chain.p.sizes), 5))
     copy_frames(chain.s, boxes)
     total = energy + chain.p.weights[REACH] * count
-    return HallLayout(kept_of(chain.s), boxes, total, count, _lacking(chain.p, chain.s))
+    return HallLayout(kept_of(chain.s), boxes, total, count, lacking(chain.p, chain.s))
 
 
 def gd_mh(
@@ -251,47 +224,3 @@ def _stage(
             left = max((watch.budget.seconds or 0.0) / 60.0, 1e-3)
             steps = int(np.clip(rate * left, 16, 100_000))
     return made
-
-
-def measured(problem: HallProblem, layout: HallLayout) -> tuple[Prepared, State, float]:
-    """A measured state of a layout, and what the route misses there."""
-    p, kept = prepare(problem), layout.kept
-    s, work, grid = make_state(p), make_scratch(p), route_grid(problem, p)
-    s.code[:], s.used[:] = kept.rows[:, 0], kept.rows[:, 1]
-    s.pose[:], s.layers[:], s.partitions[:] = kept.pose, kept.layers, kept.walls
-    for host in range(len(kept.walls)):
-        build(p, s, host)
-    if layout.loose:
-        write_boxes(p, s, np.ascontiguousarray(layout.boxes))
-        measure_frames(p, s, work, False)
-    else:
-        measure_all(p, s, work)
-    bits = np.zeros((3, *grid.free.shape), np.uint64)
-    inset = np.zeros((len(p.sizes), 4))
-    return p, s, missed(p, s, grid, bits[0], bits[1], bits[2], inset)
-
-
-def by_objects(
-    solve: ObjectRun, problem: HallProblem, start: Kept, budget: Budget, seed: int,
-    progress: Progress | None, cancel: Cancel | None,
-) -> HallFound:  # fmt: skip
-    """A solver that places objects one by one, from the same first layout: its answer as a layout
-    of single objects."""
-    p = prepare(problem)
-    s, work = make_state(p), make_scratch(p)
-    bring_back(p, s, work, start)
-    boxes = np.zeros((len(p.sizes), 5))
-    copy_frames(s, boxes)
-    found = solve(problem, budget, seed, progress, cancel, boxes)
-    rows = np.stack([np.full(len(p.spans), SINGLE), start.rows[:, 1]], 1).astype(np.float64)
-    layout = HallLayout(start._replace(rows=rows), found.boxes, 0.0, 0.0, 0.0, True)
-    p, s, lost = measured(problem, layout)
-    energy = sum(part.cost for part in parts_of(problem, p, s, lost))
-    return HallFound(
-        (layout._replace(energy=energy, missed=lost, lacking=_lacking(p, s)),), found.evaluations
-    )
-
-
-def _lacking(p: Prepared, s: State) -> float:
-    """Metres that the passages of a measured state lack, rounding aside."""
-    return float(np.round(np.log1p(s.costs[ACCESS, : len(p.links)]).sum(), 6))

@@ -19,7 +19,8 @@ from scenewright.hall_problem import HallProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch, run_population
 from scenewright.solvers.draws import streams
 from scenewright.solvers.genetic import GENERATIONS, POPULATION, PaperGenetic
-from scenewright.solvers.hall_chains import Chain, HallFound, begin_chain, layout_of
+from scenewright.solvers.hall_chains import Chain, begin_chain, layout_of
+from scenewright.solvers.hall_found import HallFound
 from scenewright.solvers.hall_moves import reseed, wall_angle
 from scenewright.solvers.hall_random import whole_energy
 from scenewright.terms.hall_place import unfold

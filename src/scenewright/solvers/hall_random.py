@@ -11,7 +11,8 @@ from scenewright.hall_problem import HallProblem
 from scenewright.solve import Budget, Cancel, Progress, Watch
 from scenewright.solvers.draws import streams
 from scenewright.solvers.guided_metropolis import missed
-from scenewright.solvers.hall_chains import Chain, HallFound, begin_chain, layout_of
+from scenewright.solvers.hall_chains import Chain, begin_chain, layout_of
+from scenewright.solvers.hall_found import HallFound
 from scenewright.solvers.hall_start import place_units
 from scenewright.terms.hall_state import Ints, Kept, Prepared
 from scenewright.terms.hall_terms import REACH

@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 
 from scenewright.hall_problem import HallProblem
 from scenewright.solve import Budget, Cancel, Progress
-from scenewright.solvers.hall_chains import HallFound, HallRun, by_objects
+from scenewright.solvers.hall_found import HallFound, HallRun, by_objects
 from scenewright.terms.hall_state import Kept
 
 

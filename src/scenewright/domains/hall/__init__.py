@@ -37,7 +37,7 @@ from scenewright.scene import Piece
 from scenewright.scene_graph import PlacedGroup, SceneGraph, Tour
 from scenewright.solution import LeftOut, Solution, TermValue
 from scenewright.solve import Budget
-from scenewright.solvers.hall_chains import measured
+from scenewright.solvers.hall_found import measured
 from scenewright.space import Space
 from scenewright.stock import catalog_of
 from scenewright.zones import borders_of, zones_of

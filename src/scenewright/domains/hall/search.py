@@ -14,13 +14,8 @@ from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.wanted import Wanted
 from scenewright.hall_problem import HallProblem
 from scenewright.solve import Budget
-from scenewright.solvers.hall_chains import (
-    MANY,
-    HallFound,
-    HallLayout,
-    cooled_hall,
-    first_layout,
-)
+from scenewright.solvers.hall_chains import MANY, cooled_hall, first_layout
+from scenewright.solvers.hall_found import HallFound, HallLayout
 from scenewright.solvers.halls import HALL_SOLVERS
 
 Progress = Callable[[float, str], None]
