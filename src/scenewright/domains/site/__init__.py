@@ -23,6 +23,7 @@ from scenewright.domains.site.dress import buildings, landmark_assets, landmarks
 from scenewright.domains.site.green import green
 from scenewright.domains.site.pose import Looks, pose
 from scenewright.domains.site.presets import PRESETS, SitePreset
+from scenewright.domains.site.reached import reached
 from scenewright.domains.site.reasons import reasons
 from scenewright.domains.site.wanted import Wanted, wanted
 from scenewright.errors import InputError
@@ -31,6 +32,7 @@ from scenewright.site_plan import SitePlan, site_plans
 from scenewright.site_problem import Flags, SiteProblem
 from scenewright.solution import LeftOut, Solution, TermValue
 from scenewright.solve import Budget
+from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.sites import SITE_SOLVERS
 from scenewright.stock import catalog_of
 
@@ -113,12 +115,14 @@ def _build(
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
     found = SITE_SOLVERS[solver].run(problem, budget, seed, progress, cancel)
+    found, cut_off = _reached_only(plan, found, site.fire_access)
     standing = landmarks(plan, catalog)
     placed = buildings(plan, rows, found.boxes, found.present)
     grown = green(plan, (*standing, *placed), catalog, np.random.default_rng(seed))
     return Built(
         plan.id, (*standing, *placed, *grown), reasons(problem, found, plan.id),
-        _left_out(plan, rows, found.present), found.evaluations,
+        (*_left_out(plan, rows, found.present | cut_off), *_cut_off(site, plan, rows, cut_off)),
+        found.evaluations,
     )  # fmt: skip
 
 
@@ -151,6 +155,25 @@ def _looks(
     heard = None if progress is None else lambda _share, _name: progress(0.0, 0.0)
     found = facts([*(row.asset for row in rows), *(mark for mark in marks if mark)], heard)
     return Looks(found, tuple(mark.id if mark else "" for mark in marks), preset.measure)
+
+
+def _reached_only(plan: SitePlan, found: SiteFound, width: float) -> tuple[SiteFound, Flags]:
+    """What was found without the buildings that no way leads to, and which those are."""
+    cut_off = np.zeros(len(found.present), np.bool_)
+    cut_off[found.present] = ~reached(plan, found.boxes[found.present], width)
+    if cut_off.any():
+        found = found._replace(present=found.present & ~cut_off, score={})
+    return found, cut_off
+
+
+def _cut_off(site: Site, plan: SitePlan, rows: list[Wanted], cut_off: Flags) -> tuple[LeftOut, ...]:
+    """Buildings that no way leads to where they would stand, by model."""
+    told = f"no way {site.fire_access:g} m wide leads to where there is room for it"
+    missing = Counter(row for row, lost in zip(rows, cut_off, strict=True) if lost)
+    return tuple(
+        LeftOut(plan.id, f"{count} of {row.name}" if count > 1 else row.name, told, row.required)
+        for row, count in missing.items()
+    )
 
 
 def _left_out(plan: SitePlan, rows: list[Wanted], present: Flags) -> tuple[LeftOut, ...]:
