@@ -43,8 +43,10 @@ def test_what_is_reached_the_referee_finds_reached(seed: int, road: bool, width:
     boxes = np.column_stack([rng.uniform(10, 110, 14), rng.uniform(15, 70, 14),
                              rng.uniform(-3, 3, 14), rng.uniform(6, 30, (14, 2))])  # fmt: skip
     got = reached(site_plan(ground), boxes, width)
-    pieces = [sites.building(f"b{k}", *box[:2], *box[3:], heading=box[2])
-              for k, box in enumerate(boxes.tolist())]  # fmt: skip
+    pieces = [
+        sites.building(f"b{k}", x, y, wide, depth, heading=heading)
+        for k, (x, y, heading, wide, depth) in enumerate(boxes.tolist())
+    ]
     findings = judge_sites([ground], pieces).findings
     lost = {f.piece for f in findings if f.kind == "unreachable_building"}
     assert lost <= {f"b{k}" for k in np.flatnonzero(~got)}
