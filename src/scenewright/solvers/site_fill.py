@@ -1,9 +1,10 @@
 """The default solver of sites: blocks filled row by row, forms chosen block by block.
 
 Every block gets its share of the buildings and tries forms (rows parallel or staggered, around
-its rim, both), headings and orders; gaps widen until the block is just filled. Placed buildings
-keep their distances by construction, so the search only chooses among valid layouts, and the work
-grows with the number of blocks and rows, not with pairs of buildings.
+its rim, both), headings and orders (low models first, or those that look best); gaps widen until
+the block is just filled. Placed buildings keep their distances by construction, so the search only
+chooses among valid layouts, and the work grows with the number of blocks and rows, not with pairs
+of buildings.
 """
 
 from __future__ import annotations
@@ -12,16 +13,16 @@ import math
 
 import numpy as np
 
-from scenewright.site_problem import Flags, Floats, SiteProblem
+from scenewright.site_problem import Flags, Floats, SiteProblem, sides_of
 from scenewright.solve import Budget, Cancel, Progress, Watch
 from scenewright.solvers.site_aims import Around, around, lacking
 from scenewright.solvers.site_block import Placed, forms, headings, kept, laid, loosened
 from scenewright.solvers.site_found import SiteFound
 from scenewright.solvers.site_improve import improved
 
-TRIED = 6
+TRIED = 8
 LOOSEST = (3.0, 1.5, 1.0, 1.0, 1.0)
-VARIETY = 0.15  # how much chance has a say among forms about as good
+VARIETY = 0.05  # how much chance has a say among forms about as good
 ASKEW = 0.5  # what half a turn off the preferred heading costs, in shares of a block's buildings
 
 
@@ -156,11 +157,15 @@ def _best(
     and how far fronts are turned away. Aims are looked at only where they may decide."""
     ways, allowed = headings(problem, edges), forms(problem, share)
     best, least = Placed((), np.zeros((0, 5)), "parallel"), math.inf
+    looks = sides_of(problem.buildings.sides, problem.buildings.quality)[:, :4].mean(1)
+    handsome = sorted(share, key=lambda i: (-float(looks[i]), i))
     for k in range(effort[0] if share else 0):
         heading = ways[0] if k < 4 else ways[int(rng.integers(len(ways)))]
         form, queue = allowed[k % len(allowed)], list(share)
         if k and effort[1] == 1.0:
             queue = _shuffled(problem, share, rng)
+        elif k % 8 >= 4:
+            queue = handsome
         found = loosened(problem, edges, queue, heading, form, effort[1])
         cost = _cost(problem, found, share) + VARIETY * float(rng.random())
         cost += lacking(problem, about, found) if cost < least else 0.0

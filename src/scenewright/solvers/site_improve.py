@@ -32,7 +32,7 @@ RAYS, PACES = 32, 2
 """Rays of each eye, and of how many eyes one is used."""
 SHADE = 100.0
 """Metres within which shadows are followed."""
-GIVE = 12.0
+GIVE = 25.0
 """How much wider, narrower, deeper or less deep one may be that takes another's place, metres."""
 PARTNERS, TRIES = 24, 2
 """Partners drawn for each building, and exchanges tried for each."""

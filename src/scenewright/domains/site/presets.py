@@ -21,10 +21,10 @@ class SitePreset(NamedTuple):
 
 
 PRESETS: dict[str, SitePreset] = {
-    "default": SitePreset("blocks filled row by row, six layouts of each", "fill", 6, {}),
+    "default": SitePreset("blocks filled row by row, eight layouts of each", "fill", 8, {}),
     "quick": SitePreset("two layouts of each block", "fill", 2, {}),
     "fine": SitePreset("forty layouts of each block", "fill", 40, {}),
-    "plain": SitePreset("the default without aims: what fits, and no more", "fill", 6,
+    "plain": SitePreset("the default without aims: what fits, and no more", "fill", 8,
                         {"seen": 0.0, "sun": 0.0, "even": 0.0}),
     "paper": SitePreset("Zhang, Yang 2023 as printed, without the person: 10 layouts, at most 200 "
                         "generations, ended by (12)", "vp", 2000, {}, "printed", "printed"),
