@@ -49,7 +49,7 @@ def main(arguments: list[str]) -> None:
 def sheet(found: list[Row]) -> str:
     """The SVG text."""
     width = LEFT + len(PANELS) * (WIDE + GAP) - GAP + NAMES
-    height = TOP + len(BUDGETS) * (HIGH + GAP)
+    height = TOP + len(BUDGETS) * (HIGH + GAP) - GAP + 6.0
     seeds = len({row["seed"] for row in found})
     told = f"Scenes of 6 to 120 buildings, {seeds} seeds: medians and quartiles"
     marks = [tag("rect", width=width, height=height, fill="#ffffff"),
