@@ -82,6 +82,7 @@ def run(sources: Sequence[str], request: Request, terms: Terms, as_json: bool, q
             sources, folder, formats=formats, jobs=terms.jobs, preset=request.preset,
             solver=request.solver, seconds=request.seconds, steps=request.steps,
             seed=request.seed, keep=request.keep, catalogs=request.catalogs,
+            groups=request.groups,
             memory=MEMORY if terms.memory is None else terms.memory,
             limit=TIME if terms.limit is None else terms.limit,
             progress=watch.heard, cancel=lambda: bool(interrupted),

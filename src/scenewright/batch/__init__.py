@@ -42,6 +42,7 @@ def batch(
     seed: int = 0,
     keep: bool = False,
     catalogs: Sequence[str] = (),
+    groups: Sequence[str] = (),
     memory: float = MEMORY,
     limit: float = TIME,
     progress: Told | None = None,
@@ -58,7 +59,8 @@ def batch(
     """
     given = [sources] if isinstance(sources, str | os.PathLike) else sources
     out = Path(folder)
-    options = Options(tuple(formats), preset, solver, seconds, steps, seed, keep, tuple(catalogs))
+    options = Options(tuple(formats), preset, solver, seconds, steps, seed, keep, tuple(catalogs),
+                      tuple(groups))  # fmt: skip
     limits = _checked(Limits(jobs or os.cpu_count() or 1, memory, limit), options)
     orders = orders_of(given, out, options)
     with Ledger(out) as ledger:

@@ -36,6 +36,7 @@ class Options(NamedTuple):
     seed: int
     keep: bool
     catalogs: tuple[str, ...] = ()
+    groups: tuple[str, ...] = ()
 
 
 class Order(NamedTuple):

@@ -32,7 +32,7 @@ def main() -> None:
     Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     first = json.loads(sys.stdin.readline())
     told: dict[str, Any] = first["options"]
-    told |= {key: tuple(told[key]) for key in ("formats", "catalogs")}
+    told |= {key: tuple(told[key]) for key in ("formats", "catalogs", "groups")}
     options = Options(**told)
     _bound(first["memory"])
     _answer(answers, READY)
@@ -84,7 +84,9 @@ def _done(source: str, outputs: list[Path], options: Options, parts: Path) -> Ro
     from scenewright import domains, formats
     from scenewright.check import check
 
-    brief = formats.read(source, keep=options.keep, catalogs=options.catalogs)
+    brief = formats.read(
+        source, keep=options.keep, catalogs=options.catalogs, groups=options.groups
+    )
     try:
         solution = domains.solve(
             brief, preset=options.preset, solver=options.solver, seconds=options.seconds,
