@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -135,11 +136,16 @@ class Catalog:
 
     def choose(self, category: str, size: Size) -> Asset | None:
         """The asset of a category whose size range lies nearest to ``size``; ``None`` if none."""
-        found = self.of(category)
-        return min(found, key=lambda a: _misfit(a, size)) if found else None
+        return _chosen(self, category, size)
+
+
+@lru_cache(maxsize=8192)
+def _chosen(catalog: Catalog, category: str, size: Size) -> Asset | None:
+    found = catalog.of(category)
+    return min(found, key=lambda a: _misfit(a, size)) if found else None
 
 
 def _misfit(asset: Asset, size: Size) -> float:
-    low, high, wish = (np.asarray(s) for s in (asset.smallest, asset.largest, size))
-    outside = np.maximum(low - wish, 0) + np.maximum(wish - high, 0)
-    return float(outside.sum() + 1e-3 * np.abs(wish - np.asarray(asset.usual)).sum())
+    limits = zip(asset.smallest, size, asset.largest, strict=True)
+    outside = sum(max(low - wish, 0.0) + max(wish - high, 0.0) for low, wish, high in limits)
+    return outside + 1e-3 * sum(abs(a - b) for a, b in zip(size, asset.usual, strict=True))

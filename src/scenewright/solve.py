@@ -143,13 +143,10 @@ def distinct(
     """
     chosen: list[int] = []
     for k in np.argsort(energies, kind="stable"):
-        gaps = [boxes[k] - boxes[other] for other in chosen]
-        near = [
-            np.all(np.hypot(g[:, 0], g[:, 1]) <= apart)
-            and np.all(np.abs((g[:, 2] + np.pi) % (2 * np.pi) - np.pi) <= apart)
-            for g in gaps
-        ]
-        if not any(near):
+        gaps = boxes[chosen, :, :3] - boxes[k, :, :3]
+        turned = np.abs((gaps[..., 2] + np.pi) % (2 * np.pi) - np.pi)
+        near = (np.hypot(gaps[..., 0], gaps[..., 1]) <= apart) & (turned <= apart)
+        if not near.all(axis=1).any():
             chosen.append(int(k))
         if len(chosen) == keep:
             break

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -115,19 +116,25 @@ def attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> 
     preset = task.preset
     problem = posed(task, wishes, task.ground)
     found = SOLVERS[task.solver].run(problem, budget, seed, cancel=task.cancel)
-    answers = [
-        dressed(task, wishes, problem, layout.boxes, layout.energy)
-        for layout in found.layouts[: LAYOUTS if preset.exact else 1]
-    ]
-    return min(answers, key=lambda a: a.score)._replace(evaluations=found.evaluations)
+    first, *others = found.layouts[: LAYOUTS if preset.exact else 1]
+    best = dressed(task, wishes, problem, first.boxes, first.energy)
+    for layout in others:
+        other = dressed(task, wishes, problem, layout.boxes, layout.energy, most=best.score)
+        best = other if other.score < best.score else best
+    return best._replace(evaluations=found.evaluations)
 
 
 def dressed(
     task: Task, wishes: tuple[Wish, ...], problem: Problem, boxes: Floats, energy: float,
-    before: tuple[Placed, ...] = (),
+    before: tuple[Placed, ...] = (), most: float = math.inf,
 ) -> Furnished:  # fmt: skip
-    """Dress a layout; then once more with the patches pushed together."""
+    """Dress a layout; then once more with the patches pushed together.
+
+    An answer that will not score below ``most`` is given up as soon as that shows: its score is
+    infinite."""
     placed, missing = _placed(task, wishes, problem.names, boxes, before)
+    if sum(penalty(m.wish) for m in missing) >= most:
+        return Furnished(math.inf, placed, missing, (), problem, energy, 0)
     if task.preset.exact and placed:
         names = tuple(p.name for p in placed)
         settled = tidied(
@@ -137,7 +144,7 @@ def dressed(
         again, lost = _placed(task, tuple(p.wish for p in placed), names, settled, ())
         if not lost and _lost(again) <= _lost(placed):
             placed = again
-    return scored(task, placed, missing, problem, energy)
+    return scored(task, placed, missing, problem, energy, most)
 
 
 def _lost(placed: tuple[Placed, ...]) -> int:
@@ -172,28 +179,31 @@ def _placed(
 
 def scored(
     task: Task, placed: tuple[Placed, ...], missing: tuple[Missing, ...], problem: Problem,
-    energy: float,
+    energy: float, most: float = math.inf,
 ) -> Furnished:  # fmt: skip
-    """The answer that groups so placed make, ways kept open; ``energy`` if nothing stands."""
+    """The answer that groups so placed make, ways kept open; ``energy`` if nothing stands. Its
+    score is infinite as soon as it is not below ``most``."""
     blocked: tuple[str, ...] = ()
     if task.preset.exact:
         placed, gone, blocked = _opened(task, placed)
         missing = (*missing, *gone)
-    energy = _energy(task, placed, energy)
     score = (
         sum(penalty(m.wish) for m in missing)
         + sum(BARRED if b.startswith(DOOR) else UNREACHED for b in blocked)
-        + LOST * sum(p.dressed.lost for p in placed)
-        + ENERGY * energy
+        + LOST * _lost(placed)
     )
-    return Furnished(score, placed, missing, blocked, problem, energy, 0)
+    if score >= most:
+        return Furnished(math.inf, placed, missing, blocked, problem, energy, 0)
+    energy = _energy(task, placed, problem, energy)
+    return Furnished(score + ENERGY * energy, placed, missing, blocked, problem, energy, 0)
 
 
-def _energy(task: Task, placed: tuple[Placed, ...], otherwise: float) -> float:
-    """Energy of the patches as they are dressed."""
+def _energy(task: Task, placed: tuple[Placed, ...], asked: Problem, otherwise: float) -> float:
+    """Energy of the patches as they are dressed; ``asked`` is the problem they answer."""
     if not placed:
         return otherwise
-    problem = posed(task, tuple(p.wish for p in placed), task.ground)
+    same = asked.ground is task.ground and asked.names == tuple(p.name for p in placed)
+    problem = asked if same else posed(task, tuple(p.wish for p in placed), task.ground)
     return float(evaluate(problem, np.array([[p.dressed.box for p in placed]]))[0])
 
 

@@ -7,6 +7,7 @@ windows and what stands already; what is not essential to the group gives way.
 
 from __future__ import annotations
 
+from itertools import chain, islice
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import SHIPPED, Library, cases, fitting, nearest
+from scenewright.domains.home.library import SHIPPED, Library, cases, each_fitting, nearest
 from scenewright.geometry.fit import (
     AT_WINDOW,
     COLLIDES,
@@ -96,7 +97,7 @@ def dress_patch(
     reason = Refused("no case of it is small enough for the free floor")
     known = cases(function, library)
     smallest = known.groups[int(np.argmin(known.sizes.prod(-1)))]
-    for case in (*fitting(function, box[3], box[4], library)[:TRIED], smallest):
+    for case in chain(islice(each_fitting(function, box[3], box[4], library), TRIED), (smallest,)):
         drawn = _drawn_in(case, box, ground)
         tried = _try(function, case, drawn, ground, standing, catalog, height)
         if isinstance(tried, Refused):

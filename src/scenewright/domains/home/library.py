@@ -10,7 +10,7 @@ or made with the furniture of its catalogues.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from types import MappingProxyType
 from typing import NamedTuple
@@ -95,13 +95,20 @@ def fitting(
     >>> fitting("sleeping", 1.0, 1.0)
     ()
     """
+    return tuple(each_fitting(function, width, depth, library))
+
+
+def each_fitting(
+    function: str, width: float, depth: float, library: Library = SHIPPED
+) -> Iterator[Group]:
+    """The same one by one, as far as they are asked for."""
     found = cases(function, library)
     slack = LARGER if found.real.any() else SLACK
     most = (width + slack, depth + slack)
     order = nearest_first(found.tree, (width, depth), most)
     if found.real.any():
-        return tuple(found.groups[i] for i in sorted(order, key=lambda i: not found.real[i]))
-    return tuple(found.groups[i] for i in order)
+        order = iter(sorted(order, key=lambda i: not found.real[i]))
+    return (found.groups[i] for i in order)
 
 
 def wished(function: str, area: float, library: Library = SHIPPED) -> Group:

@@ -96,13 +96,13 @@ def _filled(task: Task, answer: Furnished, budget: Budget) -> Furnished:
     problem = posed(task, wishes, ground)
     found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
     best = answer
+    others = tuple(m for m in answer.missing if m.wish not in wanted)
+    lacking = sum(penalty(m.wish) for m in others)
     for layout in found.layouts[:FILLS]:
-        more = dressed(task, wishes, problem, layout.boxes, answer.energy, answer.placed)
-        others = tuple(m for m in answer.missing if m.wish not in wanted)
-        more = more._replace(
-            missing=(*more.missing, *others),
-            score=more.score + sum(penalty(m.wish) for m in others),
+        more = dressed(
+            task, wishes, problem, layout.boxes, answer.energy, answer.placed, best.score - lacking
         )
+        more = more._replace(missing=(*more.missing, *others), score=more.score + lacking)
         best = min(best, more, key=lambda a: a.score)
     return best._replace(evaluations=answer.evaluations + found.evaluations)
 
