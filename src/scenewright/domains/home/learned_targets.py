@@ -88,12 +88,12 @@ def _clearances(rooms: Iterable[Furnished], catalog: Catalog) -> tuple[Clearance
         for piece in standing:
             if "front" in catalog.kinds[piece.category].access:
                 others = [footprint(p) for p in standing if p is not piece]
-                depths[piece.category].append(_free(piece, others, floor))
+                depths[piece.category].append(free_before(piece, others, floor))
     return tuple(Clearance(kind, min(found), float(np.median(found)), len(found))
                  for kind, found in sorted(depths.items()))  # fmt: skip
 
 
-def _free(piece: Piece, others: Sequence[shapely.Polygon], floor: shapely.Polygon) -> float:
+def free_before(piece: Piece, others: Sequence[shapely.Polygon], floor: shapely.Polygon) -> float:
     """Depth of the free floor before a piece, over its whole width."""
     c, s = cos(piece.pose.heading), sin(piece.pose.heading)
     half, start = piece.size.width / 2 - HAIR, piece.size.depth / 2 + HAIR

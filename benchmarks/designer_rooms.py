@@ -1,0 +1,183 @@
+"""Rooms that a designer furnished and we furnish anew: emptied, with the same groups asked for.
+
+Six example homes of Sweet Home 3D. What is built in there stays in both; the groups of the rest are
+found as :mod:`scenewright.domains.home.learning` finds them and asked for in the emptied rooms.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from benchmarks.home_rooms import data_folder
+from scenewright.assets import shipped
+from scenewright.brief import Ask, Brief
+from scenewright.check import Report, check
+from scenewright.domains.home import solve
+from scenewright.domains.home.attempt import posed
+from scenewright.domains.home.learning import Found, Furnished, found_in
+from scenewright.domains.home.library import SHIPPED
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.tasks import task_of
+from scenewright.domains.standing import fixed_pieces
+from scenewright.energy import explain
+from scenewright.formats import read
+from scenewright.plan import spaces
+from scenewright.scene import Piece
+from scenewright.solution import Patch, Solution
+from scenewright.space import Space
+
+Floats = NDArray[np.float64]
+
+BEDS = ("sleeping", "single", "bunk")
+ALSO: tuple[tuple[str, str, tuple[str, ...]], ...] = (
+    ("double_bed", "sleeping", BEDS), ("bunk_bed", "bunk", BEDS), ("single_bed", "single", BEDS),
+    ("hob_cabinet", "kitchenette", ("kitchen", "kitchenette")), ("tv", "media", ("media",)),
+    ("sofa", "seating", ("seating",)), ("corner_sofa", "seating", ("seating",)),
+    ("dining_table", "dining_wall", ("dining", "dining_wall", "desk")),
+    ("round_table", "dining_wall", ("dining", "dining_wall", "desk")),
+)  # fmt: skip
+"""A piece, and the group asked for where it stands in no group that was found (designers let
+chairs stand where nobody could sit down), unless one of the last was."""
+
+
+class Seen(NamedTuple):
+    """One layout of a room: the space, its floor, all pieces, the boxes of its groups (k, 5), and
+    how many faults the referee finds in the room."""
+
+    space: Space
+    floor: shapely.Polygon
+    pieces: tuple[Piece, ...]
+    boxes: Floats
+    faults: int
+
+
+class Pair(NamedTuple):
+    """A room as the designer left it and as we furnish it: their energies by term on the groups
+    both hold (none if they share none), and the groups we left out."""
+
+    home: str
+    designer: Seen
+    ours: Seen
+    designer_terms: dict[str, float]
+    our_terms: dict[str, float]
+    left_out: tuple[str, ...]
+
+
+class Home(NamedTuple):
+    """A home furnished twice, and its rooms that hold groups."""
+
+    name: str
+    designer: Solution
+    ours: Solution
+    rooms: tuple[Pair, ...]
+
+
+def files() -> list[Path]:
+    """The furnished homes."""
+    return sorted((data_folder() / "furnished_homes_sh3d").glob("*.xml"))
+
+
+def furnish(path: Path, seed: int) -> Home:
+    """A home as it was and as we furnish it with the same groups."""
+    full, bare = read(path, keep=True), read(path)
+    homes = list(spaces(bare))
+    stood = {s.id: tuple(fixed_pieces(room, s, shipped()))
+             for s, room in zip(homes, full.rooms, strict=True)}  # fmt: skip
+    stays = {s.id: tuple(fixed_pieces(room, s, shipped()))
+             for s, room in zip(homes, bare.rooms, strict=True)}  # fmt: skip
+    found = {s.id: _found(path.stem, s, stood[s.id], stays[s.id]) for s in homes}
+    asks = {s.id: _asked(found[s.id], stood[s.id]) for s in homes}
+    brief = bare.model_copy(update={"rooms": [
+        room.model_copy(update={"ask": asks[s.id]})
+        for s, room in zip(homes, bare.rooms, strict=True)
+    ]})  # fmt: skip
+    ours = solve(brief, seed=seed)
+    was = replace(
+        ours, brief=full, pieces=tuple(p for pieces in stood.values() for p in pieces),
+        patches=tuple(patch for s in homes for patch in _patches(s, found[s.id])),
+    )  # fmt: skip
+    reports = check(was), check(ours)
+    rooms = tuple(_pair(path.stem, brief, s, stays[s.id], (was, ours), reports)
+                  for s in homes if asks[s.id])  # fmt: skip
+    return Home(path.stem, was, ours, rooms)
+
+
+def _found(
+    home: str, space: Space, stood: Sequence[Piece], stays: Sequence[Piece]
+) -> tuple[Found, ...]:
+    """The groups of a room among what does not stay."""
+    left = {(p.category, p.pose) for p in stays}
+    free = tuple(p for p in stood if (p.category, p.pose) not in left)
+    return tuple(found_in(Furnished(home, space, free), shipped()))
+
+
+def _asked(found: Sequence[Found], stood: Sequence[Piece]) -> list[Ask]:
+    """The groups found, those of which none usable was, and one seating for several armchairs."""
+    counts = Counter(one.case.function for one in found)
+    kinds = Counter(p.category for p in stood)
+    if counts["reading"] > 1:
+        counts["seating"], counts["reading"] = 1, 0
+    for kind, group, instead in ALSO:
+        if kinds[kind] and not any(counts[name] for name in instead):
+            counts[group] += 1
+    return [Ask(group=name, count=n, required=True) for name, n in counts.items() if n]
+
+
+def _patches(space: Space, found: Sequence[Found]) -> Iterator[Patch]:
+    for k, one in enumerate(found):
+        box = (*one.box, one.case.width, one.case.depth)
+        yield Patch(f"{space.id}/{one.case.function}_{k}", space.id, one.case.function, box)
+
+
+def _pair(
+    home: str, brief: Brief, space: Space, stays: tuple[Piece, ...],
+    solutions: tuple[Solution, Solution], reports: tuple[Report, Report],
+) -> Pair:  # fmt: skip
+    was, ours = (_seen(space, s, r) for s, r in zip(solutions, reports, strict=True))
+    theirs, mine = (_boxes(space, s) for s in solutions)
+    shared = {f: min(len(boxes), len(mine.get(f, []))) for f, boxes in theirs.items()}
+    terms = [_terms(brief, space, stays, shared, boxes) for boxes in (theirs, mine)]
+    out = tuple(one.what for one in solutions[1].left_out if one.space == space.id)
+    return Pair(home, was, ours, terms[0], terms[1], out)
+
+
+def _seen(space: Space, solution: Solution, report: Report) -> Seen:
+    pieces = tuple(p for p in solution.pieces if p.space == space.id)
+    boxes = [patch.box for patch in solution.patches if patch.space == space.id]
+    faults = sum(found.space == space.id for found in report.findings)
+    floor = shapely.Polygon(space.outline, list(space.holes))
+    return Seen(space, floor, pieces, np.array(boxes).reshape(-1, 5), faults)
+
+
+def _boxes(space: Space, solution: Solution) -> dict[str, list[tuple[float, ...]]]:
+    boxes: dict[str, list[tuple[float, ...]]] = {}
+    for patch in solution.patches:
+        if patch.space == space.id:
+            boxes.setdefault(patch.function, []).append(patch.box)
+    return boxes
+
+
+def _terms(
+    brief: Brief, space: Space, stays: tuple[Piece, ...], shared: dict[str, int],
+    boxes: dict[str, list[tuple[float, ...]]],
+) -> dict[str, float]:  # fmt: skip
+    """Cost by term of the groups both layouts hold, as one problem with the same wishes."""
+    groups = [group for group, count in shared.items() for _ in range(count)]
+    if not groups:
+        return {}
+    task = task_of(brief, space, stays, shipped(), SHIPPED, PRESETS["default"], "anneal", 0)
+    problem = posed(task, tuple(Wish(group, 1) for group in groups), task.ground)
+    chosen = [box for group, count in shared.items() for box in boxes.get(group, [])[:count]]
+    costs: Counter[str] = Counter()
+    for part in explain(problem, np.array(chosen)):
+        costs[part.term] += part.cost  # type: ignore[assignment]
+    return {name: float(cost) for name, cost in costs.items()}

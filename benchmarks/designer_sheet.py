@@ -1,0 +1,46 @@
+"""Two plans of one home side by side on one sheet: the designer's and ours."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from benchmarks.designer_rooms import Home
+from scenewright.assets import shipped
+from scenewright.formats import svg
+from scenewright.shell import scene_of
+from scenewright.solution import Solution
+
+_HEAD = re.compile(r'<svg [^>]*?width="([\d.]+)mm" height="([\d.]+)mm"', re.DOTALL)
+_NAMES = re.compile(r'(\bid="|href="#|url\(#)')
+
+
+def sheet(home: Home) -> str:
+    """The SVG text of a home's two plans."""
+    plans = [_plan(home.designer, f"{home.name} · designer", "a-"),
+             _plan(home.ours, f"{home.name} · Scenewright", "b-")]  # fmt: skip
+    wide, high = sum(w for _, w, _ in plans), max(h for _, _, h in plans)
+    body, left = [], 0.0
+    for text, width, height in plans:
+        body.append(f'<g transform="translate({left:g} {(high - height) / 2:g})">{text}</g>')
+        left += width
+    inside = "\n".join(body)
+    return (
+        '<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" '
+        'xmlns:xlink="http://www.w3.org/1999/xlink" version="1.1" '
+        f'width="{wide:g}mm" height="{high:g}mm" viewBox="0 0 {wide:g} {high:g}">\n'
+        f"{inside}\n</svg>\n"
+    )
+
+
+def _plan(solution: Solution, name: str, prefix: str) -> tuple[str, float, float]:
+    """A plan to stand within another, names of its own, and its width and height in millimetres."""
+    text = svg.plan(replace(scene_of(solution), name=name), shipped())
+    text = text[text.index("<svg ") :]
+    found = _HEAD.search(text)
+    if found is None:
+        raise AssertionError("a plan tells its size in millimetres")
+    width, height = found.groups()
+    text = text.replace(f'width="{width}mm" height="{height}mm"',
+                        f'width="{width}" height="{height}"', 1)  # fmt: skip
+    return _NAMES.sub(rf"\g<1>{prefix}", text), float(width), float(height)
