@@ -166,6 +166,7 @@ def test_the_file_reads_back_as_it_was_written(tmp_path: Path) -> None:
     ("change", "told"),
     [
         ({"format": "other"}, "is no file of learned groups"),
+        ({"distances": [["a", "b", float("nan"), 0, 0, 9]]}, "is no"),
         ({"cases": [{"function": "bed", "name": "", "width": 1, "depth": 1, "members": [
             {"category": "double_bed", "x": 0, "y": 0, "size": [1, 1, 1]}]}]},
          "cases[0]: there is no group 'bed'"),

@@ -26,6 +26,8 @@ from scenewright.scene import Size
 
 FORMAT = "scenewright/groups"
 MOST_BYTES = 32 * 2**20
+FARTHEST = 100.0
+"""Groups of one room are not further apart, metres."""
 LEAST_SEEN = 3
 """Pairs of groups seen less often keep the usual distance."""
 
@@ -152,6 +154,10 @@ def _read(path: Path, changed: int, size: int) -> Known:
                          place=place[:80]) from None  # fmt: skip
     for number, case in enumerate(record.cases):
         _check(case, f"cases[{number}]", str(path))
+    for number, row in enumerate(record.distances):
+        if not 0.0 < row.median < FARTHEST:
+            raise InputError(f"{row.median} m is no distance in a room", "correct it",
+                             file=str(path), place=f"distances[{number}]")  # fmt: skip
     return _known(record)
 
 
