@@ -163,9 +163,11 @@ def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) ->
         show.print_json([cli_alternatives.document(request.source, plan) for plan in plans])
     elif not quiet:
         console = Console()
-        show.table(console, [cli_alternatives.row(plan) for plan in plans], title="plans")
+        show.table(console, cli_alternatives.rows(plans), title="plans")
         for told in filter(None, map(cli_alternatives.patterns, plans)):
             console.print(told, style="dim", markup=False)
+        if len(plans) < request.alternatives and not interrupted:
+            console.print(f"{len(plans)} of {request.alternatives} plans: no more differ")
     return code
 
 

@@ -94,8 +94,32 @@ def row(plan: Plan) -> dict[str, Any]:
     return told
 
 
+def differences(plans: list[Plan]) -> list[float]:
+    """How much each plan of a home differs from the most like of the others, 0 to 1."""
+    from scenewright.domains.home.alternatives import difference
+
+    return [
+        min((difference(p.solution, q.solution) for q in plans if q is not p), default=0.0)
+        for p in plans
+    ]
+
+
+def rows(plans: list[Plan]) -> list[dict[str, Any]]:
+    """The table of plans."""
+    found = [row(plan) for plan in plans]
+    if plans[0].solution.brief.domain == "home":
+        for told, apart in zip(found, differences(plans), strict=True):
+            told["differs"] = f"{apart:.0%}"
+    return found
+
+
 def patterns(plan: Plan) -> str:
-    """How the groups of a plan are laid out, in one line."""
+    """How the groups of a hall are laid out, or where those of a home stand, in one line."""
+    if plan.solution.brief.domain == "home":
+        from scenewright.domains.home.alternatives import sides
+
+        stand = sides(plan.solution)
+        return f"plan {plan.rank}: {stand}" if stand else ""
     groups = () if plan.solution.graph is None else plan.solution.graph.groups
     told = [f"{group.demand} {group.pattern}" for group in groups if len(group.objects) > 1]
     return f"plan {plan.rank}: {', '.join(told)}" if told else ""

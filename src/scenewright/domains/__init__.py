@@ -68,14 +68,15 @@ def alternatives(
     cancel: Callable[[], bool] | None = None,
     **options: Any,
 ) -> tuple[Solution, ...]:
-    """``count`` solutions that differ, best first. Halls differ by pattern, zoning and place;
-    homes by the seed. ``options`` are those of :func:`solve`."""
-    if brief.domain == "hall":
-        from scenewright.domains.hall import alternatives as halls
-
-        return halls.alternatives(
+    """``count`` solutions that differ, best first. Halls differ by pattern, zoning and place, homes
+    room by room in walls and groups (fewer, where no more differ); sites by the seed. ``options``
+    are those of :func:`solve`."""
+    if brief.domain in ("hall", "home"):
+        module = import_module(f"scenewright.domains.{brief.domain}.alternatives")
+        plans: tuple[Solution, ...] = module.alternatives(
             brief, count, seed=seed, progress=progress, cancel=cancel, **options
         )
+        return plans
     found = []
     for k in range(count):
         found.append(solve(brief, seed=seed + k, cancel=cancel, **options))

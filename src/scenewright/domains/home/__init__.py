@@ -22,6 +22,7 @@ from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.room import furnish
 from scenewright.domains.home.tasks import check_asks, task_of, wishes_of
+from scenewright.domains.home.variants import other_groups, varied
 from scenewright.domains.home.yielding import yielded
 from scenewright.domains.standing import fixed_pieces
 from scenewright.plan import spaces
@@ -49,6 +50,7 @@ def solve(
     threads: int | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
+    variant: int = 0,
 ) -> Solution:
     """Furnish every room of a home.
 
@@ -57,7 +59,8 @@ def solve(
     same answer, whatever the number of ``threads`` (one for each processor, if not stated); each
     room has its own stream of random numbers.
     ``progress`` hears the share done and the room's name; when ``cancel`` answers true, what was
-    found so far is returned.
+    found so far is returned. A ``variant`` above 0 arranges rooms around other walls and takes
+    other groups for the same use; its energies are told as those of the usual problem.
     """
     started = time.perf_counter()
     chosen = preset_named(preset)
@@ -74,7 +77,7 @@ def solve(
         for brief_room, space in zip(brief.rooms, rooms, strict=True)
     ]  # fmt: skip
     wishes = [
-        wishes_of(brief_room, task, rooms, task.fixed)
+        other_groups(wishes_of(brief_room, task, rooms, task.fixed), variant)
         for brief_room, task in zip(brief.rooms, tasks, strict=True)
     ]
     work = [float(len(w)) ** 1.5 for w in wishes]
@@ -83,7 +86,7 @@ def solve(
     pool = min(threads, len(rooms))
     budgets = [_budget(each, chosen, named, len(w), pool * b / (sum(work) or 1), seconds, steps)
                for w, b in zip(wishes, work, strict=True)]  # fmt: skip
-    answers = _run(tasks, wishes, budgets, pool, progress)
+    answers = _run([varied(task, variant) for task in tasks], wishes, budgets, pool, progress)
     if chosen.exact:
         standing = [task.fixed for task in tasks]
         answers = yielded(standing, answers, rooms, catalog, brief.route_width)

@@ -16,6 +16,7 @@ WINDOW_DEPTH = 0.3  # nothing taller than the sill this near to the glass, metre
 CORRIDOR = 0.7  # width of the way from door to door, metres
 USE = 0.6  # floor before a fixed piece, metres
 HEAD_HEIGHT = 2.0
+MAIN_WALL = 1.5  # the paper's least length of a main wall, metres
 
 
 def ground_of(space: Space, fixed: tuple[Piece, ...], area: float) -> Ground:
@@ -51,7 +52,7 @@ def main_wall(space: Space) -> list[float] | None:
         touched = _distance(gate.face, walls) < 0.02
         length = np.where(touched, 0.5 * length, length)
     best = int(np.argmax(length))
-    return [float(v) for v in walls[best]] if length[best] >= 1.5 else None
+    return [float(v) for v in walls[best]] if length[best] >= MAIN_WALL else None
 
 
 def _distance(point: Floats, walls: Floats) -> Floats:

@@ -1,0 +1,179 @@
+"""Several plans of one home that differ: other walls, other groups, room by room.
+
+Candidates are solved with every room arranged around another of its walls, and every second time
+with other groups for the same use. Each plan takes for each room the candidate that adds most to
+those already taken, judged by energy and difference (maximal marginal relevance, Carbonell and
+Goldstein 1998), so plans differ in all rooms that allow it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from math import cos, pi
+from typing import Any, NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.brief import Brief
+from scenewright.check import check
+from scenewright.domains.home import solve
+from scenewright.plan import spaces
+from scenewright.solution import Patch, Solution
+from scenewright.space import Space
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+
+TRIED = 2
+"""Candidates for every plan asked for, and two more."""
+DIFFERENT = 1.0
+"""Weight of differing against being good: energies count from 0, the best, to 1."""
+MISSING = 2.0
+"""What it costs that something essential or asked for is left out of a room."""
+LEAST = 0.1
+"""Plans that differ by less from one already taken are not given."""
+FAR = 2.0
+"""A group that lies this far from where it did counts as standing elsewhere, metres."""
+
+MAKES = {"sleeping": "bed", "single": "bed", "bunk": "bunk bed", "seating": "sofa", "desk": "desk"}
+"""What groups that make a room are called."""
+WINDS = ("east", "north-east", "north", "north-west", "west", "south-west", "south", "south-east")
+
+
+class Candidate(NamedTuple):
+    """One answer for one room: from which solution, its patches, energy and what it lacks."""
+
+    number: int
+    patches: tuple[Patch, ...]
+    energy: float
+    lacking: int
+
+
+def alternatives(
+    brief: Brief, count: int, *, seed: int = 0, progress: Progress | None = None,
+    cancel: Cancel | None = None, **options: Any,
+) -> tuple[Solution, ...]:  # fmt: skip
+    """Up to ``count`` plans that differ by at least :data:`LEAST`, best first; ``options`` are
+    those of :func:`scenewright.domains.home.solve`."""
+    tried = TRIED * count + 2
+    found: list[Solution] = []
+    for k in range(tried):
+        if cancel is not None and cancel() and found:
+            break
+        found.append(solve(brief, seed=seed + k, variant=k, cancel=cancel, **options))
+        if progress:
+            progress((k + 1) / tried, f"plan {k + 1} of {tried}")
+    return choose(found, count)
+
+
+def choose(found: Sequence[Solution], count: int) -> tuple[Solution, ...]:
+    """Plans put together room by room from whole ones: the best, then those that add most."""
+    rooms = spaces(found[0].brief)
+    ordered = sorted(found, key=_rank)
+    chosen: dict[str, list[Candidate]] = {room.id: [] for room in rooms}
+    plans: list[Solution] = []
+    for _ in range(count):
+        for room in rooms:
+            chosen[room.id].append(_next(ordered, room, chosen[room.id]))
+        plan = composed(ordered, [chosen[room.id][-1].number for room in rooms], rooms)
+        if not check(plan).valid:
+            plan = min(ordered, key=lambda s: -min((difference(s, p) for p in plans), default=0.0))
+        if all(difference(plan, other) >= LEAST for other in plans):
+            plans.append(plan)
+    return tuple(sorted(plans, key=_rank))
+
+
+def _next(found: Sequence[Solution], room: Space, taken: Sequence[Candidate]) -> Candidate:
+    """The candidate for a room that adds most to those taken."""
+    known = [_candidate(k, solution, room.id) for k, solution in enumerate(found)]
+    energies = np.array([c.energy for c in known])
+    spread = max(float(np.ptp(energies)), 1e-9)
+    scores = [
+        -(c.energy - float(energies.min())) / spread
+        - MISSING * c.lacking
+        + DIFFERENT * min((_apart(c.patches, t.patches) for t in taken), default=0.0)
+        for c in known
+    ]
+    return known[int(np.argmax(scores))]
+
+
+def _candidate(number: int, solution: Solution, room: str) -> Candidate:
+    lacking = sum(out.required for out in solution.left_out if out.space == room)
+    patches = tuple(p for p in solution.patches if p.space == room)
+    return Candidate(number, patches, solution.energies.get(room, 0.0), lacking)
+
+
+def composed(found: Sequence[Solution], take: Sequence[int], rooms: Sequence[Space]) -> Solution:
+    """One home of which each room is that of the solution with the given number."""
+    parts = [(room.id, found[k]) for room, k in zip(rooms, take, strict=True)]
+    return replace(
+        found[0],
+        pieces=tuple(p for room, s in parts for p in s.pieces if p.space == room),
+        patches=tuple(p for room, s in parts for p in s.patches if p.space == room),
+        terms=tuple(t for room, s in parts for t in s.terms if t.space == room),
+        left_out=tuple(o for room, s in parts for o in s.left_out if o.space == room),
+        energies={room: s.energies.get(room, 0.0) for room, s in parts},
+        seconds=sum(s.seconds for s in found),
+        evaluations=sum(s.evaluations for s in found),
+    )
+
+
+def difference(one: Solution, other: Solution) -> float:
+    """How much two plans of a home differ, 0 to 1: the mean over its rooms, by floor area, of the
+    share of furniture, by area, that stands elsewhere, looks another way or is in one only."""
+    total, summed = 0.0, 0.0
+    for room in spaces(one.brief):
+        area = float(shapely.Polygon(room.outline, list(room.holes)).area)
+        mine, theirs = (tuple(p for p in s.patches if p.space == room.id) for s in (one, other))
+        if mine or theirs:
+            total += area
+            summed += area * _apart(mine, theirs)
+    return summed / total if total else 0.0
+
+
+def _apart(mine: Sequence[Patch], theirs: Sequence[Patch]) -> float:
+    """How much two layouts of one room differ, 0 to 1, whichever comes first."""
+    return (_changed(mine, theirs) + _changed(theirs, mine)) / 2
+
+
+def _changed(mine: Sequence[Patch], theirs: Sequence[Patch]) -> float:
+    """The share of the furniture, by area, that is not where the other layout has the like."""
+    left = list(theirs)
+    changed, total = 0.0, 0.0
+    for patch in mine:
+        area = patch.box[3] * patch.box[4]
+        same = [p for p in left if p.function == patch.function]
+        nearest = min(same, key=lambda p: _moved(patch, p), default=None)
+        if nearest is not None:
+            left.remove(nearest)
+        total += area
+        changed += area * (1.0 if nearest is None else _moved(patch, nearest))
+    alone = sum(p.box[3] * p.box[4] for p in left)
+    return (changed + alone) / max(total + alone, 1e-9)
+
+
+def _moved(one: Patch, other: Patch) -> float:
+    """How much a group stands elsewhere, 0 to 1: wholly if it looks another way."""
+    if cos(one.box[2] - other.box[2]) < 0.7:
+        return 1.0
+    return min(float(np.hypot(one.box[0] - other.box[0], one.box[1] - other.box[1])) / FAR, 1.0)
+
+
+def sides(solution: Solution) -> str:
+    """Where what makes its rooms stands, in words: ``Bedroom: bed at the east wall; …``."""
+    told = []
+    for room in spaces(solution.brief):
+        stand = [
+            f"{MAKES[p.function]} at the {WINDS[round((p.box[2] + pi) / (pi / 4)) % 8]} wall"
+            for p in solution.patches
+            if p.space == room.id and p.function in MAKES
+        ]
+        if stand:
+            told.append(f"{room.name}: {', '.join(stand)}")
+    return "; ".join(told)
+
+
+def _rank(solution: Solution) -> tuple[int, float]:
+    return sum(out.required for out in solution.left_out), sum(solution.energies.values())
