@@ -135,6 +135,18 @@ def test_chairs_at_a_turned_side_keep_their_tuck() -> None:
     assert tuck == pytest.approx(0.55 - 0.5)
 
 
+def test_chairs_too_wide_for_their_table_are_refused() -> None:
+    table = Member("dining_table", 0, 0, 0, 0, Size(1.0, 0.8, 0.74))
+    chairs = [Member("dining_chair", x, -0.6, 0, 0, Size(0.45, 0.5, 0.9)) for x in (-0.25, 0.25)]
+    case = Group("dining", "table", 1.2, 1.8, (table, *chairs))
+    wide = Chosen("c", Size(0.6, 0.5, 0.9))
+    assert refitted(case, {1: wide, 2: wide}, 0, CATALOG) is None
+    lamp = Member("table_lamp", 0, 0, 0.74, 0, Size(0.3, 0.3, 0.4), on=0)
+    lit = case._replace(members=(*case.members, lamp))
+    assert refitted(lit, {3: Chosen("l", Size(0.9, 0.9, 0.4))}, 0, CATALOG) is None
+    assert refitted(lit, {3: Chosen("l", Size(0.5, 0.5, 0.4))}, 0, CATALOG) is not None
+
+
 def test_without_models_the_library_is_the_shipped_one() -> None:
     assert library_of(CATALOG, Taste()) is SHIPPED
     assert not any(cases(name).real.any() for name in GROUPS)

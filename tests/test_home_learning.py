@@ -134,7 +134,7 @@ def test_a_chair_pushed_into_a_table_is_drawn_out_until_its_back_is_clear() -> N
 def test_like_cases_of_several_homes_become_one_with_a_range() -> None:
     wider = (("double_bed", 0.0, 0.0, 0.0, 0.0, Size(1.66, 2.05, 0.6)), *BEDROOM[1:])
     rooms = [furnished(BEDROOM, name="a"), furnished(wider, name="b"),
-             furnished(BEDROOM[:2], name="c")]  # fmt: skip
+             furnished(BEDROOM[:3], name="c")]  # fmt: skip
     learned = merged([one for room in rooms for one in found(room)])
     assert sorted(case.seen for case in learned) == [1, 2]
     both = next(case for case in learned if case.seen == 2)
