@@ -17,6 +17,7 @@ from scenewright.domains.hall.presets import PRESETS as HALL_PRESETS
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.site.presets import PRESETS as SITE_PRESETS
 from scenewright.encodings.patterns import PATTERNS
+from scenewright.solvers import SOLVERS
 from scenewright.solvers.halls import HALL_SOLVERS
 from scenewright.solvers.sites import SITE_SOLVERS
 from scenewright.terms.hall_terms import HALL_TERMS
@@ -68,6 +69,7 @@ def test_the_tables_are_told_whole() -> None:
     check = (ROOT / "docs" / "check.md").read_text(encoding="utf-8")
     assert [row.name for row in TERMS if f"`{row.name}`" not in home] == []
     assert [name for name in PRESETS if f"`{name}`" not in home and name not in home] == []
+    assert [name for name in SOLVERS if f"`{name}`" not in home] == []
     assert [kind for kind in KINDS if f"`{kind}`" not in check] == []
 
 
