@@ -6,14 +6,12 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from scenewright.appearance import PLAIN, facts, qualities
-from scenewright.catalog import Catalog
+from scenewright.formats.site_shown import shown
 from scenewright.geometry.walker import eyes_along, seen
 from scenewright.scene import Piece
 from scenewright.site_plan import SitePlan
 from scenewright.solution import Solution
 from scenewright.space import Points
-from scenewright.staging import asset_of
 from scenewright.stock import catalog_of
 
 PACE, EYES = 5.0, 4000
@@ -36,7 +34,7 @@ def views_of(solution: Solution, plans: Sequence[SitePlan]) -> Views:
         length = sum(float(np.hypot(*np.diff(line, axis=0).T).sum()) for line in lines)
         eyes = eyes_along(list(lines), max(PACE, length / EYES))
         if here and len(eyes):
-            found[plan.id] = (eyes, _seen(here, eyes, catalog))
+            found[plan.id] = (eyes, seen(eyes, *shown(here, catalog), best=1.0).points)
     return found
 
 
@@ -45,12 +43,3 @@ def _sound(piece: Piece) -> bool:
     numbers = np.array([*piece.pose, *piece.size], float)
     bounded = bool(np.isfinite(numbers).all() and (np.abs(numbers) < BOUNDS).all())
     return bounded and min(piece.size) > 0.0
-
-
-def _seen(buildings: Sequence[Piece], eyes: Points, catalog: Catalog) -> Points:
-    assets = [asset_of(piece, catalog) for piece in buildings]
-    known = facts(asset for asset in assets if asset is not None)
-    shown = [known[asset.id] if asset is not None else PLAIN for asset in assets]
-    boxes = np.array([(*p.pose[:2], p.pose.heading, *p.size[:2]) for p in buildings])
-    heights = [piece.size.height for piece in buildings]
-    return seen(eyes, boxes, heights, qualities(shown)[1], best=1.0).points

@@ -14,9 +14,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.appearance import PLAIN, facts, qualities
 from scenewright.catalog import Catalog
 from scenewright.formats.picture import Camera, view_of
+from scenewright.formats.site_shown import shown
 from scenewright.formats.stage import Block
 from scenewright.geometry import rays
 from scenewright.geometry.box_grid import box_grid
@@ -27,7 +27,6 @@ from scenewright.layout import corners
 from scenewright.scene import Piece
 from scenewright.site_ground import kerb
 from scenewright.site_plan import SitePlan, Way
-from scenewright.staging import asset_of
 
 ANGLE = float(np.deg2rad(75.0))
 """How wide a street picture is."""
@@ -100,12 +99,8 @@ def camera_of(spot: Standpoint) -> Camera:
 
 def _seen(buildings: Sequence[Piece], eyes: Floats, catalog: Catalog) -> Sights:
     """What is seen of the buildings from all eyes, by what their models show on each side."""
-    assets = [asset_of(piece, catalog) for piece in buildings]
-    known = facts(asset for asset in assets if asset is not None)
-    shown = [known[a.id] if a is not None else PLAIN for a in assets]
-    boxes = [(*p.pose[:2], p.pose.heading, p.size.width, p.size.depth) for p in buildings]
-    grid = box_grid(np.array(boxes).reshape(-1, 5), [p.size.height for p in buildings])
-    return sights_of_boxes(grid, qualities(shown)[1], eyes, 1.0, RAYS)
+    boxes, heights, sides = shown(buildings, catalog)
+    return sights_of_boxes(box_grid(boxes, heights), sides, eyes, 1.0, RAYS)
 
 
 def _eyes(plans: Sequence[SitePlan], pieces: Sequence[Piece]) -> Floats:
