@@ -42,8 +42,8 @@ def part(name: str, quick: bool = False, seeds: int | None = None) -> list[Recor
         "default": lambda: site_scale.samples_records(many),
         "scale": lambda: site_scale.scale_records(site_scale.SIZES[: 2 if quick else 3]),
         "methods": lambda: site_methods.summary(site_methods.rows(many, sizes)),
-        "compounds": lambda: site_compounds.records(10 if quick else None),
-        "speed": lambda: site_speed.records(3 if quick else 9),
+        "compounds": lambda: site_compounds.compound_records(10 if quick else None),
+        "speed": lambda: site_speed.speed_records(3 if quick else 9),
     }
     return parts[name]()
 

@@ -96,7 +96,7 @@ def compare(site: Site, designed: Designed, seed: int = 0) -> Pair:
     return Pair(wishes, designed, theirs | none, ours, solution)
 
 
-def records(most: int | None = None) -> list[Row]:
+def compound_records(most: int | None = None) -> list[Row]:
     """The designer's layouts and ours over all compounds, figure by figure; a word without."""
     if not file().exists():
         told = {"case": "compounds: no site_reco_sample, set SCENEWRIGHT_DATA", "metric": "skipped"}

@@ -42,7 +42,7 @@ SECONDS = 1.0
 """What saliency of 100,000 triangles may take."""
 
 
-def records(runs: int) -> list[Row]:
+def speed_records(runs: int) -> list[Row]:
     """Steps, evaluations and saliency."""
     found = [dict(kind(size, runs)) for size in SIZES for kind in (bench_steps, bench_evaluations)]
     return found + bench_saliency(runs)

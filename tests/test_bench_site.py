@@ -101,7 +101,7 @@ def test_pieces_cut_by_tiles_are_one_building_again() -> None:
 @pytest.mark.realdata
 @pytest.mark.skipif(not HERE, reason="needs the compounds")
 def test_real_compounds_are_laid_out_anew() -> None:
-    records = site_compounds.records(6)
+    records = site_compounds.compound_records(6)
     found = {record["metric"]: record["ours"] for record in records}
     assert all(list(record) == KEYS for record in records)
     assert found["overlaps, sum"] == found["outside, sum"] == found["unreached, sum"] == 0
