@@ -131,6 +131,18 @@ def test_a_chair_pushed_into_a_table_is_drawn_out_until_its_back_is_clear() -> N
     assert drawn_out(low, table) is low
 
 
+def test_a_table_in_the_corner_of_a_sofa_is_pushed_out_and_rugs_lie_straight() -> None:
+    rows = (
+        ("corner_sofa", 0.0, 0.0, 0.0, 0.0, Size(2.4, 1.8, 0.8)),
+        ("coffee_table", 0.2, 0.6, 0.0, 0.1, Size(0.8, 0.5, 0.4)),
+        ("rug", 0.3, 1.0, 0.0, 0.8, Size(1.6, 1.2, 0.01)),
+    )
+    (one,) = found(furnished(rows, (2.5, 1.0)))
+    sofa, table, rug = one.case.members
+    assert table.y - sofa.y - 0.9 - 0.25 == pytest.approx(0.3, abs=0.06)
+    assert rug.heading == pytest.approx(pi / 2)
+
+
 def test_like_cases_of_several_homes_become_one_with_a_range() -> None:
     wider = (("double_bed", 0.0, 0.0, 0.0, 0.0, Size(1.66, 2.05, 0.6)), *BEDROOM[1:])
     rooms = [furnished(BEDROOM, name="a"), furnished(wider, name="b"),

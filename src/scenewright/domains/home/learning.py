@@ -26,6 +26,7 @@ from scenewright.domains.home.learning_space import (
     gap,
     local,
     on,
+    pushed_out,
     turned,
 )
 from scenewright.domains.home.learning_words import (
@@ -186,15 +187,16 @@ def _case(function: str, anchor: Piece, pieces: Sequence[Piece], room: Furnished
           catalog: Catalog) -> Group | None:  # fmt: skip
     """The pieces as a case in the group's frame, without what runs into something."""
     heading = _heading(anchor, room)
-    seated = [drawn_out(p, anchor) if p.category in SEATS else p for p in pieces]
-    kept = apart(anchor, seated, catalog)
+    clear = [_cleared(piece, anchor) for piece in pieces]
+    kept = apart(anchor, clear, catalog)
     kept.sort(key=lambda p: p.pose.z > TOP)
     members: list[Member] = []
     for piece in kept:
         x, y = turned(piece.pose.x - anchor.pose.x, piece.pose.y - anchor.pose.y, heading)
         turn = remainder(piece.pose.heading - heading, 2 * pi)
         quarter = round(turn / (pi / 2)) * pi / 2
-        turn = quarter if abs(turn - quarter) < STRAIGHT else turn
+        straight = abs(turn - quarter) < STRAIGHT or piece.category == "rug"
+        turn = quarter if straight else turn
         below = next((k for k, q in enumerate(kept) if q is not piece and on(piece, q)), -1)
         top = members[below].z + members[below].size.height if 0 <= below < len(members) else None
         category = function if function in ("desk",) and piece is anchor else piece.category
@@ -204,6 +206,15 @@ def _case(function: str, anchor: Piece, pieces: Sequence[Piece], room: Furnished
     if max(misfits(first.category, first.size)) > LIKELY:
         return None
     return boxed(function, _mended(members))
+
+
+def _cleared(piece: Piece, anchor: Piece) -> Piece:
+    """A seat drawn out of its table, a table out of the corner of an L-shaped sofa."""
+    if piece.category in SEATS:
+        return drawn_out(piece, anchor)
+    if anchor.category == "corner_sofa" and piece.category in ("coffee_table", "side_table"):
+        return pushed_out(piece, anchor)
+    return piece
 
 
 def _mended(members: list[Member]) -> list[Member]:

@@ -14,6 +14,7 @@ from scenewright.scene import Piece
 TOP = 0.15  # a thing this near to a piece's top stands on it, metres
 BACKED = 0.25  # a back nearer to a wall than this belongs to it, metres
 BACKREST = 0.06  # of a seat this much stays out of the table it is pushed under, metres
+LAP = 0.3  # between a sofa and a table moved out of its corner, metres
 STEP, STEPS = 0.02, 30  # how a seat is drawn out, metres
 OVERLAP = 0.004  # floor two pieces may share, square metres
 
@@ -75,6 +76,19 @@ def drawn_out(seat: Piece, table: Piece) -> Piece:
         if not rest.intersects(box):
             return tried
     return seat
+
+
+def pushed_out(piece: Piece, sofa: Piece) -> Piece:
+    """A piece moved ahead of a sofa until it is clear of the box round it, as far as a lap."""
+    box, c, s = footprint(sofa), cos(sofa.pose.heading), sin(sofa.pose.heading)
+    for step in range(3 * STEPS):
+        moved = piece.pose._replace(
+            x=piece.pose.x + step * STEP * c, y=piece.pose.y + step * STEP * s
+        )
+        tried = replace(piece, pose=moved)
+        if not footprint(tried).intersects(box) and gap(tried, sofa) >= (LAP if step else 0.0):
+            return tried
+    return piece
 
 
 def _ahead(ends: list[tuple[float, float]], c: float, s: float) -> shapely.Polygon:
