@@ -30,7 +30,7 @@ def arranged(
 ) -> None:  # fmt: skip
     """The table of rooms, what was left out, the referee's verdict and the files."""
     title = solution.brief.name + " (interrupted: best so far)" * was_interrupted
-    table = _table("room", "energy", "placed", title=title)
+    table = _table(_space_word(solution), "energy", "placed", title=title)
     table.columns[1].justify = "right"
     for space, name in _rooms(solution).items():
         energy = solution.energies.get(space)
@@ -133,7 +133,7 @@ def _used(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
 
 def explained(console: Console, solution: Solution) -> None:
     """Costs by room, item and term, dearest first; what the terms mean; what was left out."""
-    why = _table("room", "item", "term", "value", "weight", "cost", title="why")
+    why = _table(_space_word(solution), "item", "term", "value", "weight", "cost", title="why")
     for column in why.columns[3:]:
         column.justify = "right"
     rooms = _rooms(solution)
@@ -250,7 +250,15 @@ def _where(solution: Solution, space: str) -> str:
 
 
 def _counts(solution: Solution, space: str) -> Counter[str]:
-    return Counter(piece.category for piece in solution.pieces if piece.space == space)
+    """Pieces by category, buildings by their model."""
+    return Counter(
+        piece.function if piece.category == "building" else piece.category
+        for piece in solution.pieces if piece.space == space
+    )  # fmt: skip
+
+
+def _space_word(solution: Solution) -> str:
+    return "site" if solution.brief.domain == "site" else "room"
 
 
 def _placed(solution: Solution, space: str) -> str:
@@ -262,7 +270,7 @@ def _placed(solution: Solution, space: str) -> str:
 
 def _work(solution: Solution) -> str:
     pieces, rooms = len(solution.pieces), len(solution.brief.rooms or solution.brief.sites)
-    space = "site" if solution.brief.domain == "site" else "room"
+    space = _space_word(solution)
     return (
         f"{pieces} piece{'s' * (pieces != 1)} in {rooms} {space}{'s' * (rooms != 1)}, "
         f"{solution.seconds:.2f} s, {solution.evaluations:,} layouts looked at "
