@@ -87,9 +87,21 @@ def found_in(room: Furnished, catalog: Catalog) -> Iterator[Found]:
         for piece in members:
             free.remove(piece)
         function = _named(function, members, anchor, room)
-        case = _case(function, anchor, members, room, catalog) if function else None
-        if case and usable(case, catalog):
+        case = _usable(function, anchor, members, room, catalog) if function else None
+        if case:
             yield _found(case, anchor, room)
+
+
+def _usable(function: str, anchor: Piece, members: list[Piece], room: Furnished,
+            catalog: Catalog) -> Group | None:  # fmt: skip
+    """The case of the members, without the last of those on the floor until a person can use it."""
+    floor = [p for p in members if p is not anchor and p.pose.z <= TOP]
+    for count in range(len(floor) + 1):
+        left = [p for p in members if p not in floor[len(floor) - count :]]
+        case = _case(function, anchor, left, room, catalog)
+        if case and usable(case, catalog):
+            return case if _named(function, left, anchor, room) or count == 0 else None
+    return None
 
 
 def _rank(piece: Piece) -> tuple[int, float]:
@@ -111,6 +123,7 @@ def _members(anchor: Piece, function: str, free: Sequence[Piece], catalog: Catal
         members += _row(anchor, company, free)
     else:
         near = [p for p in free if p is not anchor and p.category in company.kinds]
+        near.sort(key=lambda p: company.kinds.index(p.category))
         members += [p for p in near if gap(p, anchor) < company.reach and _faces(p, anchor)]
     standing = tuple(members)
     for piece in free:
