@@ -252,3 +252,10 @@ def test_exit_codes_and_the_table(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert json.loads(capsys.readouterr().out)["totals"]["failed"] == 1
     assert run([*words, str(folder / "bad.json")]) == 2
     assert "bad.json" in capsys.readouterr().out
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="bounds a process as Linux does")
+def test_too_little_memory_is_told_as_such(tmp_path: Path) -> None:
+    (row,) = sw.batch("sample:home-flat", tmp_path / "out", steps=200, memory=0.06, limit=20)
+    assert row.status == FAILED
+    assert "allow more with --" in row.message

@@ -11,6 +11,7 @@ import os
 import signal
 import sys
 import time
+from errno import ENOMEM
 from pathlib import Path
 from threading import Thread
 from typing import Any, TextIO
@@ -72,11 +73,18 @@ def _row(order: dict[str, Any], options: Options, memory: float, parts: Path) ->
         return row._replace(seconds=round(time.perf_counter() - begun, 3))
     except InputError as error:
         told = str(error)
-    except MemoryError:
-        told = f"{source}: takes more than {memory:g} GiB of memory; allow more with --memory"
     except Exception as error:
-        told = f"{source}: a fault of ours, {type(error).__name__}: {error}"
+        told = f"a fault of ours, {type(error).__name__}: {error}"
+        if _starved(error):
+            told = f"takes more than {memory:g} GiB of memory; allow more with --memory"
+        told = f"{source}: {told}"
     return failed(source, time.perf_counter() - begun, told)
+
+
+def _starved(error: Exception) -> bool:
+    """Whether an error comes of having too little memory: threads need some too."""
+    number = getattr(error, "errno", None)
+    return isinstance(error, MemoryError) or number == ENOMEM or "new thread" in str(error)
 
 
 def _done(source: str, outputs: list[Path], options: Options, parts: Path) -> Row:
