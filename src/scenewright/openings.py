@@ -77,19 +77,21 @@ def _of_room(
         *((f"windows[{i}]", window) for i, window in enumerate(room.windows)),
     ]
     found = []
+    runs = [run for ring in (space.outline, *space.holes) for run in wall_runs(ring)]
     for which, opening in listed:
         place = f"{told} {which}"
         try:
-            found.append((place, _opening(brief, number, ids, faces, space, opening)))
+            found.append((place, _opening(brief, number, ids, faces, space, runs, opening)))
         except InputError as error:
             raise error.located(place=place) from None
     return found
 
 
 def _opening(
-    brief: Brief, number: int, ids: list[str], faces: Walls, space: Space, wish: Door | Window
-) -> Opening:
-    stretch = _stretch(space, wish, max(brief.wall_thickness, REACH))
+    brief: Brief, number: int, ids: list[str], faces: Walls, space: Space, runs: list[Points],
+    wish: Door | Window,
+) -> Opening:  # fmt: skip
+    stretch = _stretch(runs, wish, max(brief.wall_thickness, REACH))
     middle, along, width = _line(stretch)
     beyond, gap = _beyond(faces, number, middle, along)
     if isinstance(wish, Door) and wish.to is not None:
@@ -122,14 +124,13 @@ def _leaf(wish: Door | Window) -> tuple[OpeningKind, float, int, int]:
     return "door", 0.0, 1 if wish.hinge == "left" else -1, 1 if wish.swing == "in" else -1
 
 
-def _stretch(space: Space, wish: Door | Window, reach: float) -> Stretch:
-    """The best piece of wall for an opening: the nearest on which it fits.
+def _stretch(runs: list[Points], wish: Door | Window, reach: float) -> Stretch:
+    """The best piece of the walls ``runs`` for an opening: the nearest on which it fits.
 
     A wall is an edge with all that follow at less than 25 degrees, so a curved wall is one. The
     opening is slid along it by at most 0.3 m and narrowed by at most 0.1 m to fit.
     """
     at = np.array(wish.at)
-    runs = [run for ring in (space.outline, *space.holes) for run in wall_runs(ring)]
     away = [project(run, at) for run in runs]
     near = [(run, s, d) for run, (s, d) in zip(runs, away, strict=True) if d <= reach]
     if not near:
