@@ -160,7 +160,9 @@ class Brief(Model):
     ``outlines`` tells whether room outlines are the inner faces of walls or their centre lines
     (then rooms shrink by half of ``wall_thickness``). ``route_width`` is the width of the
     walking route every piece must be reached by (0.6 m in homes, 0.9 m in halls, as a wheelchair
-    needs); ``passage_width`` the least clear width between linked zones of a hall.
+    needs); ``passage_width`` the least clear width between linked zones of a hall. A home that is
+    ``accessible`` has routes of 0.9 m, room to turn in every room and free floor beside beds and
+    toilets.
     """
 
     format: Literal["scenewright/brief"] = "scenewright/brief"
@@ -180,6 +182,7 @@ class Brief(Model):
     outer_wall_thickness: Annotated[Number, Field(ge=0.02, le=2)] = 0.25
     route_width: Annotated[Number, Field(ge=0.3, le=3)] = 0.6
     passage_width: Annotated[Number, Field(ge=0.3, le=20)] = 1.2
+    accessible: Switch = False
 
     @model_validator(mode="before")
     @classmethod
@@ -188,6 +191,8 @@ class Brief(Model):
         domain = document.get("domain") if isinstance(document, dict) else None
         if domain == "hall":
             return {"route_width": ROUTE_WIDTHS["hall"], "name": "hall"} | document
+        if isinstance(document, dict) and document.get("accessible") is True:
+            return {"route_width": ROUTE_WIDTHS["hall"]} | document
         if domain == "site":
             return {"rooms": [], "name": "site", "sites": []} | document
         return document

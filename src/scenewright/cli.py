@@ -107,6 +107,7 @@ def arrange(
     steps: Annotated[int | None, typer.Option(help="Steps to solve for, instead.")] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same result.")] = 0,
     keep: Annotated[bool, typer.Option("--keep", help="Leave the furniture of a .sh3d.")] = False,
+    accessible: Annotated[bool, typer.Option(help="Room for wheelchairs.")] = False,
     catalogs: Annotated[
         list[str] | None,
         typer.Option("--catalog", metavar="PATH", help="Models of your own; may be repeated."),
@@ -132,7 +133,7 @@ def arrange(
     _check_budget(seconds, steps)
     request = cli_arrange.Request(
         sources[0], tuple(outputs or ()), preset, solver, seconds, steps, seed, keep,
-        alternatives, tuple(catalogs or ()), tuple(groups or ()),
+        alternatives, tuple(catalogs or ()), tuple(groups or ()), accessible,
     )  # fmt: skip
     terms = cli_batch.Terms(formats, jobs, memory, limit)
     if many:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from rich.console import Console
 
-from scenewright.brief import Brief
+from scenewright.brief import ROUTE_WIDTHS, Brief
 from scenewright.check import Report, check
 from scenewright.cli_progress import Watch, tell_if_cold, watching
 from scenewright.errors import InputError
@@ -36,6 +36,7 @@ class Request(NamedTuple):
     alternatives: int = 1
     catalogs: tuple[str, ...] = ()
     groups: tuple[str, ...] = ()
+    accessible: bool = False
 
 
 class Arranged(NamedTuple):
@@ -93,6 +94,8 @@ def prepared(request: Request, console: Console) -> Brief:
     brief = formats.read(
         request.source, keep=request.keep, catalogs=request.catalogs, groups=request.groups
     )
+    if request.accessible:
+        brief = made_accessible(brief)
     named("preset", request.preset, domains.presets(brief.domain))
     if request.solver is not None:
         named("solver", request.solver, domains.solvers(brief.domain))
@@ -100,6 +103,14 @@ def prepared(request: Request, console: Console) -> Brief:
         console.print("--keep has no effect: the file holds no furniture to keep", style="dim")
     tell_if_cold(console)
     return brief
+
+
+def made_accessible(brief: Brief) -> Brief:
+    """The brief of a home with room for wheelchairs and routes of at least 0.9 m."""
+    if brief.domain != "home":
+        raise InputError("--accessible is for homes", "leave it out; halls have room to turn told")
+    width = max(brief.route_width, ROUTE_WIDTHS["hall"])
+    return brief.model_copy(update={"accessible": True, "route_width": width})
 
 
 def check_outputs(outputs: Sequence[Path]) -> None:

@@ -73,6 +73,10 @@ def run(sources: Sequence[str], request: Request, terms: Terms, as_json: bool, q
         raise InputError("a batch writes into one folder", "give it with -o FOLDER")
     if request.alternatives > 1:
         raise InputError("--alternatives and --batch exclude each other", "give one of them")
+    if request.accessible:
+        raise InputError(
+            "--accessible and --batch exclude each other", 'say "accessible": true in the briefs'
+        )
     folder = request.outputs[0]
     formats = [f".{f.strip().removeprefix('.')}" for f in (terms.formats or ".json").split(",")]
     console = Console(stderr=True, quiet=quiet)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from scenewright.brief import Room
 from scenewright.catalog import Catalog
+from scenewright.check.accessible import Barriers, find_barriers
 from scenewright.check.bodies import Bodies, Rooms, bodies_of, rooms_of
 from scenewright.check.bounds import find_out_of_bounds, find_unsupported
 from scenewright.check.collisions import find_collisions
@@ -70,6 +71,11 @@ def check(
     halls, told = _halls(solution, bodies, rooms)
     verdict = _judged(solution, halls, bodies, grounds, walks, narrow)
     groups = [group for hall in halls for group in hall.groups]
+    barriers = Barriers([], [], {})
+    if solution.brief.accessible and solution.brief.domain == "home":
+        fixed = tuple(piece for piece in solution.pieces if piece.fixed)
+        given, _ = bodies_of(fixed, rooms, catalog or _shipped())
+        barriers = find_barriers(bodies, given, rooms, grounds, walks)
     findings = (
         *malformed,
         *told,
@@ -79,6 +85,7 @@ def check(
         *find_unreachable(bodies, rooms, grounds, walks, groups),
         *verdict.findings,
         *find_unsupported(bodies, rooms),
+        *barriers.findings,
     )
     figures = {
         "pieces": len(solution.pieces),
@@ -86,12 +93,13 @@ def check(
         "navigable_share": navigable_share(bodies, rooms, grounds),
         "reachable_share": reachable_share(bodies, rooms, grounds, narrow),
         "rooms": room_figures(bodies, rooms),
+        **barriers.figures,
     }
     if halls:
         figures["halls"] = verdict.figures
     lived_in = solution.brief.domain == "home"
     missing = find_incomplete(bodies, rooms) if lived_in else []
-    notes = (*find_doorless(bodies, rooms), *missing, *verdict.notes)
+    notes = (*find_doorless(bodies, rooms), *missing, *verdict.notes, *barriers.notes)
     return Report(findings, notes, figures)
 
 

@@ -19,6 +19,8 @@ KINDS = (
     "outside_zone",
     "floating",
     "sunk",
+    "no_turning",
+    "no_transfer",
     "blocked_path",
     "setback",
     "spacing",

@@ -43,6 +43,7 @@ from scenewright.formats.svg_shell import (
     tile_pattern,
     walls_mark,
 )  # fmt: skip
+from scenewright.formats.svg_turning import Turns, turning_mark, turning_of
 from scenewright.scene import Piece, Scene
 from scenewright.solution import Solution
 from scenewright.space import Level
@@ -70,6 +71,7 @@ class Paper(NamedTuple):
     catalog: Catalog
     sheet: sheets.Sheet
     symbols: Symbols
+    turns: Turns
 
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
@@ -81,11 +83,15 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
         svg_site.write(solution, path)
         return
     catalog = catalog_of(solution.brief.catalogs)
-    write_whole(path, plan(scene_of(solution), catalog, halls_of(solution)))
+    turns = turning_of(solution)
+    write_whole(path, plan(scene_of(solution), catalog, halls_of(solution), turns))
 
 
-def plan(scene: Scene, catalog: Catalog, halls: Halls | None = None) -> str:
-    """The SVG text of a scene's plan, with the zones, groups and tours of its halls."""
+def plan(
+    scene: Scene, catalog: Catalog, halls: Halls | None = None, turns: Turns | None = None
+) -> str:
+    """The SVG text of a scene's plan, with the zones, groups and tours of its halls, and where
+    wheelchairs turn."""
     found = [_storey(scene, level, catalog, halls) for level in scene.levels]
     storeys = [storey for storey in found if storey is not None]
     margins = [dimensions.margins(storey.chains) for storey in storeys]
@@ -98,7 +104,7 @@ def plan(scene: Scene, catalog: Catalog, halls: Halls | None = None) -> str:
     arranged = arrange((wide, high), (extra_wide, extra_high), rows)
     sheet, (room_wide, room_high) = arranged.sheet, arranged.room
     symbols = repeated(1000 / sheet.scale, scene.pieces, catalog)
-    paper = Paper(catalog, sheet, symbols)
+    paper = Paper(catalog, sheet, symbols, turns or {})
     summary = _summary(scene, halls)
     marks = [paper_defs(paper), sheets.sheet_mark(sheet, scene.name, summary)]
     spare = (room_wide - wide * 1000 / sheet.scale - extra_wide) / (len(storeys) + 1)
@@ -154,6 +160,7 @@ def _storey_mark(
         floors(view, part.spaces),
         floor_mark(view, halls, storey.walls, part.pieces) if halls else "",
         pieces_mark(view, part.pieces, paper.catalog, paper.symbols),
+        turning_mark(view, [paper.turns[s.id] for s in part.spaces if s.id in paper.turns]),
         walls_mark(view, (*part.walls, *partition_walls(part.pieces))),
         openings_mark(view, part.openings),
         doors_mark(view, part.openings, middle if halls else None),

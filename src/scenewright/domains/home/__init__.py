@@ -20,9 +20,9 @@ from scenewright.domains.home.own_library import libraries_of, taste_of
 from scenewright.domains.home.presets import PRESETS, Preset, preset_named
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
-from scenewright.domains.home.room import furnish
 from scenewright.domains.home.tasks import check_asks, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, varied
+from scenewright.domains.home.wheelchair import furnish_by_use, widened
 from scenewright.domains.home.yielding import yielded
 from scenewright.domains.standing import fixed_pieces
 from scenewright.plan import spaces
@@ -69,6 +69,8 @@ def solve(
     rooms = spaces(brief)
     catalog = catalog_of(brief.catalogs)
     libraries = libraries_of(brief, catalog)
+    if brief.accessible:
+        libraries = {taste: widened(library) for taste, library in libraries.items()}
     tasks = [
         task_of(
             brief, space, tuple(fixed_pieces(brief_room, space, catalog)), catalog,
@@ -112,7 +114,7 @@ def _run(
 def _furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
     if not wishes or (task.cancel is not None and task.cancel()):
         return Furnished(0.0, (), (), (), None, 0.0, 0)
-    return furnish(task, wishes, budget)
+    return furnish_by_use(task, wishes, budget)
 
 
 def _budget(

@@ -62,6 +62,7 @@ class Task(NamedTuple):
     seed: int
     cancel: Cancel | None
     library: Library = SHIPPED
+    accessible: bool = False
 
 
 class Placed(NamedTuple):

@@ -24,6 +24,7 @@ from scenewright.domains.home.attempt import (
 )
 from scenewright.domains.home.regroup import as_standing, misplaced
 from scenewright.domains.home.room import furnish
+from scenewright.domains.home.wheelchair import furnish_by_use
 from scenewright.scene import Piece
 from scenewright.solve import Budget
 from scenewright.solvers import SOLVERS
@@ -51,7 +52,7 @@ def rearranged(task: Task, groups: Sequence[Placed], budget: Budget) -> Rest:
     answer = _anew(task, freed, stay, budget._replace(steps=part))
     if not _trouble(answer):
         return Rest(stay, answer)
-    whole = furnish(task, tuple(g.wish for g in groups), budget)
+    whole = furnish_by_use(task, tuple(g.wish for g in groups), budget)
     evaluations = answer.evaluations + whole.evaluations
     if _trouble(whole) < _trouble(answer):
         return Rest((), whole._replace(evaluations=evaluations))

@@ -20,8 +20,8 @@ from scenewright.domains.home.own_library import libraries_of, taste_of
 from scenewright.domains.home.presets import preset_named
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.regroup import as_standing, misplaced, regrouped, settled
-from scenewright.domains.home.room import furnish
 from scenewright.domains.home.tasks import task_of, wishes_of
+from scenewright.domains.home.wheelchair import furnish_by_use, widened
 from scenewright.domains.home.yielding import yielded
 from scenewright.domains.standing import is_item, item_of
 from scenewright.plan import spaces
@@ -79,6 +79,7 @@ def _revised(
     firm = [p for p in here if p.fixed or p.group in groups or _plain(p)]
     catalog = catalog_of(solution.brief.catalogs)
     library = libraries_of(solution.brief, catalog)[taste_of(solution.brief, asked)]
+    library = widened(library) if solution.brief.accessible else library
     preset = preset_named(solution.preset)
 
     def task_with(fixed: list[Piece]) -> Task:
@@ -99,7 +100,7 @@ def _revised(
     wanted = wishes_of(asked, task, rooms, tuple(firm)) if again else tuple(g.wish for g in free)
     budget = Budget(threads=1, steps=(steps or preset.steps or 1000) * max(len(wanted), 1))
     if again:
-        rest = Rest((), furnish(task, wanted, budget) if wanted else _nothing())
+        rest = Rest((), furnish_by_use(task, wanted, budget) if wanted else _nothing())
     else:
         rest = rearranged(task, free, budget)
     return Revised(task, bare, held, rest, given_up)

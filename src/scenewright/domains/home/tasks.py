@@ -41,7 +41,7 @@ def task_of(
     task = Task(
         space, ground, fixed, catalog, preset, solver, brief.route_width,
         _use_width(shape, brief.route_width), frozenset(),
-        stream % 2**31, cancel, library,
+        stream % 2**31, cancel, library, brief.accessible,
     )  # fmt: skip
     return task._replace(tight=out_of_reach(task, ()))
 

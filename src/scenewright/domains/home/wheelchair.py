@@ -1,0 +1,215 @@
+"""Homes for wheelchairs: room to turn is kept, beds and toilets come with floor beside them.
+
+A circle of 1.5 m is reserved at a few places of a room, one after the other, and the best answer
+taken; groups of beds and toilets are cases with a strip of 0.9 m on one side.
+"""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.catalog import Group, Member
+from scenewright.domains.home.attempt import Furnished, Missing, Placed, Task, penalty
+from scenewright.domains.home.dress import SLACK, standing_of
+from scenewright.domains.home.edits import frame_of, laid_on
+from scenewright.domains.home.library import Library, cases, planted
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.room import furnish
+from scenewright.geometry.fit import COLLIDES, faults
+from scenewright.layout import corners
+from scenewright.scene import Piece
+from scenewright.solve import Budget
+
+Floats = NDArray[np.float64]
+
+TURN = 1.5  # the circle a wheelchair turns in, metres
+BESIDE = 0.9  # free floor beside a bed or toilet, metres
+ALONG = 1.2  # length of it along a bed, from its foot, metres
+SPARE = 0.03  # what is reserved more than needed, metres
+BEDS = ("double_bed", "single_bed")
+WIDENED = {"sleeping": "double_bed", "single": "single_bed", "toilet": "toilet"}
+INSTEAD = {"bunk": "single", "bath": "shower"}
+NO_TURN = 1500.0  # for a room in which one cannot turn
+NO_TRANSFER = 900.0  # for a bed or toilet one cannot get to
+APART = frozenset(("storage", "balcony", "other"))
+
+
+def widened(library: Library) -> Library:
+    """A library whose beds and toilets have a strip of free floor on one side."""
+    own = dict(library.own)
+    for function, category in WIDENED.items():
+        known = cases(function, library).groups
+        own[function] = planted(
+            tuple(wide for case in known for left in (True, False)
+                  for wide in _with_strip(case, category, left))
+        )  # fmt: skip
+    return library._replace(own=own)
+
+
+def _with_strip(case: Group, category: str, left: bool) -> list[Group]:
+    """A case with 0.9 m free on one side of its main piece, its companions kept in the strip's
+    head if they stand there."""
+    main = next((m for m in case.members if m.category == category), None)
+    if main is None:
+        return []
+    sign = -1.0 if left else 1.0
+    room = case.width / 2 - (sign * main.x + main.size.width / 2)
+    more = max(BESIDE + SPARE - room, 0.0)
+    moved = tuple(m._replace(x=m.x - sign * more / 2) for m in case.members)
+    wide = case._replace(width=case.width + more, members=moved)
+    return [wide] if _strip_free(wide, category, sign) else []
+
+
+def _strip_free(case: Group, category: str, sign: float) -> bool:
+    """Whether no other solid member of a case stands in the strip beside its main piece."""
+    main = next(m for m in case.members if m.category == category)
+    x0, x1, y0, y1 = _strip(main, sign)
+    return not any(_meets(m, x0, x1, y0, y1) for m in case.members if m is not main)
+
+
+def _meets(member: Member, x0: float, x1: float, y0: float, y1: float) -> bool:
+    if member.category in ("rug", "picture", "mirror") or member.on >= 0:
+        return False
+    w, d = member.size.width / 2 - SLACK, member.size.depth / 2 - SLACK
+    return bool(member.x - w < x1 and x0 < member.x + w and member.y - d < y1 and y0 < member.y + d)
+
+
+def _strip(main: Member, sign: float) -> tuple[float, float, float, float]:
+    """The strip in the group's frame: left, right, back, front."""
+    w, d = main.size.width / 2, main.size.depth
+    long = min(ALONG, d) if main.category in BEDS else d
+    inner, outer = main.x + sign * w, main.x + sign * (w + BESIDE)
+    return min(inner, outer), max(inner, outer), main.y + d / 2 - long, main.y + d / 2
+
+
+def furnish_by_use(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
+    """Furnish a room, with room to turn and to get to bed and toilet if the home is accessible."""
+    return for_wheelchairs(task, wishes, budget) if task.accessible else furnish(
+        task, wishes, budget
+    )  # fmt: skip
+
+
+def for_wheelchairs(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
+    """The best answer for a room with room to turn in it, if there is any place for that."""
+    wishes = _eased(wishes)
+    answers = [_freed(task, furnish(_reserved(task, spot), wishes, budget)) for spot in spots(task)]
+    if not answers or any(m.wish.core for m in min(answers, key=_score).missing):
+        plain = _freed(task, furnish(task, wishes, budget))
+        more = NO_TURN if answers else 0.0
+        answers.append(plain._replace(score=plain.score + more))
+    best = min(answers, key=_score)
+    told = tuple(m._replace(reason=_told(m.reason)) for m in best.missing)
+    return best._replace(missing=told, evaluations=sum(a.evaluations for a in answers))
+
+
+def _eased(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
+    """Wishes with what is easier to use in the place of what is not, unless both are wished."""
+    have = {w.group for w in wishes}
+    return tuple(
+        w._replace(group=INSTEAD[w.group])
+        if w.group in INSTEAD and INSTEAD[w.group] not in have and not w.required
+        else w
+        for w in wishes
+    )
+
+
+def _told(reason: str) -> str:
+    return reason.replace("before a door", "before a door or where a wheelchair turns")
+
+
+def _score(answer: Furnished) -> float:
+    return answer.score
+
+
+def spots(task: Task) -> list[tuple[float, float]]:
+    """Where a wheelchair might turn: in the middle, by the door, far from it; none if nowhere."""
+    space = task.space
+    if set(space.functions) & APART or not task.preset.exact:
+        return []
+    ground = task.ground
+    shape = shapely.Polygon(space.outline, list(space.holes))
+    solid = shapely.union_all(shapely.polygons(corners(ground.obstacles)))
+    free = shape.buffer(-TURN / 2 - SPARE / 2).difference(solid.buffer(TURN / 2 + SPARE / 2))
+    if free.is_empty:
+        return []
+    middle = shapely.Point(free.centroid)
+    door = shapely.Point(ground.doors[0, :2]) if len(ground.doors) else middle
+    reach = [shapely.Point(p) for p in shapely.get_coordinates(shapely.segmentize(free, 0.2))]
+    far = max(reach, key=lambda p: float(p.distance(door)))
+    near = [_nearest(free, p) for p in (middle, door, far)]
+    found: list[tuple[float, float]] = []
+    for at in near:
+        if all(np.hypot(at[0] - x, at[1] - y) > TURN / 3 for x, y in found):
+            found.append(at)
+    return found
+
+
+def _nearest(shape: shapely.Geometry, point: shapely.Point) -> tuple[float, float]:
+    at = shapely.get_coordinates(shapely.shortest_line(shape, point))[0]
+    return float(at[0]), float(at[1])
+
+
+def _reserved(task: Task, spot: tuple[float, float]) -> Task:
+    """The task with an octagon round the circle kept free: four boxes turned by an eighth."""
+    across = TURN + SPARE
+    side = across * (2**0.5 - 1)
+    boxes = np.array([(*spot, k * pi / 4, across, side) for k in range(4)])
+    ground = task.ground
+    kept = np.concatenate([ground.keep_free, boxes])
+    return task._replace(ground=ground._replace(keep_free=kept))
+
+
+def _freed(task: Task, answer: Furnished) -> Furnished:
+    """An answer less the welcome and usual groups that stand where one gets to bed or toilet."""
+    while True:
+        blocked = {p.id: _in_strips(task, answer, p) for p in _pieces(answer) if _main(p)}
+        shut = {i: names for i, names in blocked.items() if names is not None}
+        giving = [g for g in answer.placed if g.wish.rank > 0 and not any(map(_main, g.pieces))
+                  and any(q.id in names for q in g.pieces for names in shut.values())]  # fmt: skip
+        if not giving:
+            return answer._replace(score=answer.score + NO_TRANSFER * len(shut))
+        gone = max(giving, key=lambda g: g.wish.rank)
+        told = "it would stand where one gets from a wheelchair to bed or toilet"
+        answer = answer._replace(
+            placed=tuple(g for g in answer.placed if g is not gone),
+            missing=(*answer.missing, Missing(gone.wish, told)),
+            score=answer.score + penalty(gone.wish),
+        )
+
+
+def _main(piece: Piece) -> bool:
+    return piece.category in BEDS or piece.category == "toilet"
+
+
+def _pieces(answer: Furnished) -> tuple[Piece, ...]:
+    groups: tuple[Placed, ...] = answer.placed
+    return tuple(p for group in groups for p in group.pieces)
+
+
+def _in_strips(task: Task, answer: Furnished, piece: Piece) -> frozenset[str] | None:
+    """Ids of what stands in both strips beside a piece; ``None`` if one is free."""
+    flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
+    others = tuple(
+        p for p in (*task.fixed, *_pieces(answer))
+        if p.id != piece.id and p.on is None and p.category not in flat and p.pose.z < 2.0
+    )  # fmt: skip
+    standing = standing_of(others, flat)
+    main = Member(piece.category, 0, 0, 0, 0, piece.size)
+    found = []
+    for sign in (-1.0, 1.0):
+        x0, x1, y0, y1 = _strip(main, sign)
+        x, y, h = laid_on(((x0 + x1) / 2, (y0 + y1) / 2, 0.0), (0.0, 0.0, pi / 2), frame_of(piece))
+        box = np.array([[x, y, h + pi / 2, x1 - x0, y1 - y0]])
+        codes, offenders = faults(
+            box, np.array([[0.05, 2.0]]), np.zeros(1, bool), task.ground.edges,
+            np.zeros((0, 5)), np.zeros((0, 6)), standing.boxes, standing.spans, SLACK,
+        )  # fmt: skip
+        if codes[0] == 0:
+            return None
+        if codes[0] == COLLIDES:
+            found.append(others[int(offenders[0])].id)
+    return frozenset(found)
