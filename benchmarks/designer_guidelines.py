@@ -17,7 +17,7 @@ from benchmarks.designer_rooms import Seen
 from scenewright.assets import shipped
 from scenewright.domains.home.learned_targets import free_before
 from scenewright.domains.home.learning_space import footprint
-from scenewright.gates import gates
+from scenewright.gates import Gate, gates
 from scenewright.scene import Piece
 
 SOFAS = ("sofa", "corner_sofa", "loveseat")
@@ -217,10 +217,17 @@ def desk_light(room: Seen) -> float | None:
     """From the desk to the nearest window; a table in a bedroom is a desk."""
     tables = ("dining_table",) if "bedroom" in room.space.functions else ()
     desks = _of(room, (*DESKS, *tables))
-    panes = [shapely.Point(g.face) for g in gates(room.space) if g.opening.kind == "window"]
+    panes = [_pane(g) for g in gates(room.space) if g.opening.kind == "window"]
     if not desks or not panes:
         return None
     return max(float(min(shapely.distance(footprint(d), panes))) for d in desks)
+
+
+def _pane(gate: Gate) -> shapely.LineString:
+    """A window's breadth on the face of its wall."""
+    ux, uy, half = gate.opening.ux, gate.opening.uy, gate.opening.width / 2
+    x, y = gate.face
+    return shapely.LineString([(x - half * ux, y - half * uy), (x + half * ux, y + half * uy)])
 
 
 def windows(room: Seen) -> float | None:
@@ -228,11 +235,7 @@ def windows(room: Seen) -> float | None:
     panes = [g for g in gates(room.space) if g.opening.kind == "window"]
     covered, whole = 0.0, 0.0
     for pane in panes:
-        ux, uy, half = pane.opening.ux, pane.opening.uy, pane.opening.width / 2
-        x, y = pane.face
-        ends = [(x - half * ux, y - half * uy), (x + half * ux, y + half * uy)]
-        before = shapely.LineString(ends).buffer(WINDOW_DEPTH, cap_style="flat")
-        before = before.intersection(room.floor)
+        before = _pane(pane).buffer(WINDOW_DEPTH, cap_style="flat").intersection(room.floor)
         tall = [footprint(p) for p in standing(room) if p.size.height > pane.opening.sill + 0.04]
         covered += before.intersection(shapely.union_all(tall)).area
         whole += before.area

@@ -21,12 +21,12 @@ from scenewright.assets import shipped
 from scenewright.brief import Ask, Brief
 from scenewright.check import Report, check
 from scenewright.domains.home import solve
-from scenewright.domains.home.attempt import posed
+from scenewright.domains.home.attempt import floor_of
+from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.learning import Found, Furnished, found_in
-from scenewright.domains.home.library import SHIPPED
+from scenewright.domains.home.pose import problem_of
 from scenewright.domains.home.presets import PRESETS
-from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.tasks import task_of
+from scenewright.domains.home.programme import Wish, part_of
 from scenewright.domains.standing import fixed_pieces
 from scenewright.energy import explain
 from scenewright.formats import read
@@ -174,8 +174,13 @@ def _terms(
     groups = [group for group, count in shared.items() for _ in range(count)]
     if not groups:
         return {}
-    task = task_of(brief, space, stays, shipped(), SHIPPED, PRESETS["default"], "anneal", 0)
-    problem = posed(task, tuple(Wish(group, 1) for group in groups), task.ground)
+    taken = sum(p.size.width * p.size.depth for p in stays if p.size.height > 0.05)
+    whole = float(shapely.Polygon(space.outline, list(space.holes)).area)
+    ground = ground_of(space, stays, max(whole - taken, 0.1))
+    problem = problem_of(
+        ground, tuple(Wish(group, 1) for group in groups), PRESETS["default"].weights, False,
+        brief.route_width, part_of(space.functions, floor_of(ground)),
+    )  # fmt: skip
     chosen = [box for group, count in shared.items() for box in boxes.get(group, [])[:count]]
     costs: Counter[str] = Counter()
     for part in explain(problem, np.array(chosen)):

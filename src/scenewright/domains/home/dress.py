@@ -34,6 +34,7 @@ SLACK = 0.003
 BACKED = 0.03
 FLUSH = 0.04
 TRIED = 8
+OPEN = 0.4  # what belongs to a wall and has none this near behind it is left out, metres
 
 
 class Standing(NamedTuple):
@@ -128,6 +129,8 @@ def _try(
 ) -> Dressed | Refused:  # fmt: skip
     if not _leans(function, case, box, ground):
         return Refused("its closed end would stand in the open")
+    if GROUPS[function].back == 1 and not backed(box, ground.walls, OPEN):
+        return Refused("no wall is left for its back")
     boxes, spans, flat = world(case.members, box, catalog)
     codes, offenders = faults(
         boxes, spans, flat, ground.edges, ground.keep_free, ground.windows,

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import SHIPPED, Library, nearest
-from scenewright.domains.home.pose import RELATIONS, numbered, sizes_of
+from scenewright.domains.home.pose import RELATIONS, holds, numbered, sizes_of
 from scenewright.domains.home.programme import Wish
 from scenewright.problem import Ground, Items, Problem, empty_items
 
@@ -175,7 +175,7 @@ def _ties_between(parts: tuple[Parts, ...]) -> list[Tie]:
     starts = np.cumsum([0, *(len(p.placed) for p in parts)])
     ties = []
     for relation in RELATIONS:
-        if relation.first in groups and relation.second in groups:
+        if holds(relation, groups):
             i, j = groups.index(relation.first), groups.index(relation.second)
             a, b = parts[i], parts[j]
             deeper = [max(-p.case.members[p.anchor].y, 0.0) for p in (a, b)]

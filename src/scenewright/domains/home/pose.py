@@ -18,7 +18,8 @@ BECOMING = 0.6  # the least footprint of a group, as a share of the one wished f
 
 class Relation(NamedTuple):
     """Two groups that belong together: distance between their centres in metres, angle between
-    their headings, bearing of the second from the first's front (NaN: any) and weight."""
+    their headings, bearing of the second from the first's front (NaN: any) and weight; it does
+    not hold in a room that has ``unless`` too."""
 
     first: str
     second: str
@@ -26,11 +27,14 @@ class Relation(NamedTuple):
     angle: float
     bearing: float
     weight: float
+    unless: str = ""
 
 
 RELATIONS: tuple[Relation, ...] = (
     Relation("seating", "media", 2.5, np.pi, 0.0, 3.0),
     Relation("media", "seating", 2.5, np.pi, 0.0, 3.0),
+    Relation("sleeping", "media", 2.8, np.pi, 0.0, 2.0, "seating"),
+    Relation("media", "sleeping", 2.8, np.pi, 0.0, 2.0, "seating"),
     Relation("seating", "dining", 3.4, NAN, NAN, 0.3),
     Relation("kitchenette", "fridge", 1.2, 0.0, NAN, 1.0),
     Relation("kitchen", "counter", 1.9, NAN, NAN, 0.6),
@@ -109,7 +113,7 @@ def _relations(
 ) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
     pairs, targets, weights = [], [], []
     for relation in relations(library):
-        if relation.first in groups and relation.second in groups:
+        if holds(relation, groups):
             pairs.append((groups.index(relation.first), groups.index(relation.second)))
             targets.append((relation.distance, relation.angle, relation.bearing))
             weights.append(relation.weight)
@@ -118,6 +122,11 @@ def _relations(
         np.array(targets, np.float64).reshape(-1, 3),
         np.array(weights, np.float64),
     )
+
+
+def holds(relation: Relation, groups: list[str]) -> bool:
+    """Whether a relation is wanted in a room of these groups."""
+    return {relation.first, relation.second} <= set(groups) and relation.unless not in groups
 
 
 def numbered(groups: list[str]) -> list[str]:

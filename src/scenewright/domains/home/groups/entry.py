@@ -72,7 +72,7 @@ def console() -> Iterator[Group]:
 def storage() -> Iterator[Group]:
     """Storage shelving, 0.4 to 3.0 m long."""
     for width in (0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 2.0, 2.4, 3.0):
-        for depth in (0.2, 0.3, 0.4, 0.5):
+        for depth in (0.2, 0.3, 0.4):
             count = max(1, round(width / 1.0))
             each = width / count
             members = tuple(

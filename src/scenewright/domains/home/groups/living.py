@@ -9,6 +9,7 @@ from scenewright.catalog import Group, Member
 from scenewright.scene import Size
 
 SOFA_DEPTH, SOFA_HEIGHT = 0.9, 0.8
+OUT = 0.6  # how far an armchair is turned out of its corner, radians
 GAP = 0.62  # the way in between a sofa and the armchair beside its table, metres
 
 
@@ -125,12 +126,19 @@ def _picture_above(depth: float, x: float, over: float) -> Member:
 
 
 def reading() -> Iterator[Group]:
-    """An armchair with a floor lamp."""
-    members = (
-        Member("armchair", -0.22, 0, 0, 0, Size(0.78, 0.8, 0.85)),
-        Member("floor_lamp", 0.42, -0.18, 0, 0, Size(0.36, 0.36, 1.55)),
-    )
-    yield Group("reading", "armchair and floor lamp", 1.24, 0.82, members)
+    """An armchair with a floor lamp: square to the wall, or turned out of its corner."""
+    lamp, seat = Size(0.36, 0.36, 1.55), Size(0.78, 0.8, 0.85)
+    for side, name in ((1, ""), (-1, ", the lamp left")):
+        members = (
+            Member("armchair", -side * 0.22, 0, 0, 0, seat),
+            Member("floor_lamp", side * 0.42, -0.18, 0, 0, lamp),
+        )
+        yield Group("reading", f"armchair and floor lamp{name}", 1.24, 0.82, members)
+        members = (
+            Member("armchair", -side * 0.13, 0.03, 0, side * OUT, seat),
+            Member("floor_lamp", side * 0.5, -0.42, 0, 0, lamp),
+        )
+        yield Group("reading", f"armchair turned out, floor lamp{name}", 1.36, 1.2, members)
 
 
 def shelf() -> Iterator[Group]:
