@@ -32,6 +32,7 @@ LAYERS = (
         "brief_hall",
         "brief_catalog",
         "brief_site",
+        "brief_wishes",
         "document_faults",
         "solution",
         "problem",

@@ -29,6 +29,7 @@ from scenewright.brief_fields import (
 )
 from scenewright.brief_hall import Demand, Link, ZoneBrief
 from scenewright.brief_site import Site
+from scenewright.brief_wishes import WishBrief
 
 Function = Literal[
     "living", "dining", "kitchen", "bedroom", "double_bedroom", "single_bedroom",
@@ -114,7 +115,8 @@ class Room(Model):
 
     ``function`` may be several for an open plan; left out, it is read from ``name``.
     ``main_wall`` is the index of an outline edge as listed (0 joins the first two points).
-    ``ask`` replaces what the function and size would bring. ``style`` and ``colour`` are words
+    ``ask`` replaces what the function and size would bring, ``wishes`` add to it, take from it
+    or say where. ``style`` and ``colour`` are words
     that furniture of the brief's own catalogues should answer to; left out, the home's.
     Halls have ``zones``, ``links`` between them and ``demands`` instead of functions and asks,
     and ``people``, the most that may be inside at once.
@@ -132,6 +134,7 @@ class Room(Model):
     main_wall: Annotated[Whole, Field(ge=0)] | None = None
     fixed: Annotated[list[FixedItem], Field(max_length=2000)] = []
     ask: Annotated[list[Ask], Field(max_length=200)] | None = None
+    wishes: Annotated[list[WishBrief], Field(max_length=200)] = []
     style: Words = ""
     colour: Words = ""
     zones: Annotated[list[ZoneBrief], Field(max_length=200)] = []

@@ -83,6 +83,7 @@ def checked(console: Console, report: Report) -> None:
         console.print(Text(f"  and {len(report.findings) - MOST_FINDINGS} more"))
     for note in report.notes:
         console.print(Text(f"  note: {note.message}", "dim"))
+    _wishes(console, report)
     shares = report.figures.get("navigable_share", {})
     if isinstance(shares, Mapping) and shares:
         levels = [f" on level {level}" if len(shares) > 1 else "" for level in shares]
@@ -91,6 +92,13 @@ def checked(console: Console, report: Report) -> None:
         )
         console.print(Text(f"floor one can walk on: {told}", "dim"))
     _halls(console, report.figures.get("halls", {}))
+
+
+def _wishes(console: Console, report: Report) -> None:
+    """Which wishes of the household came true, and why the others did not."""
+    for told in report.figures.get("wishes", []):
+        mark = "fulfilled" if told["fulfilled"] else f"not fulfilled, {told['why']}"
+        console.print(Text(f"wish: {told['space']}: {told['wish']}: {mark}"))
 
 
 def _halls(console: Console, halls: Mapping[str, Mapping[str, Any]]) -> None:
@@ -148,6 +156,10 @@ def explained(console: Console, solution: Solution) -> None:
         rows = [{"site": rooms.get(t.space, t.space), "figure": t.term, "value": t.value}
                 for t in figures]  # fmt: skip
         table(console, rows, "figures")
+    if any(room.wishes for room in solution.brief.rooms):
+        from scenewright.check import check
+
+        _wishes(console, check(solution))
     for name, meaning in _meanings({term.term for term in (*felt, *figures)}, domain).items():
         console.print(Text(f"{name}: {meaning}", "dim"))
     _left_out(console, solution)
@@ -169,10 +181,14 @@ def _meanings(names: set[str], domain: str) -> dict[str, str]:
 
 def explained_document(solution: Solution) -> dict[str, Any]:
     """Energies, terms and what was left out, as plain values."""
+    from scenewright.check import check
+
+    wished = any(room.wishes for room in solution.brief.rooms)
     return {
         "energies": dict(solution.energies),
         "terms": [term._asdict() for term in solution.terms],
         "left_out": [entry._asdict() for entry in solution.left_out],
+        "wishes": check(solution).figures["wishes"] if wished else [],
     }
 
 

@@ -39,6 +39,7 @@ from scenewright.check.routes import (
 )
 from scenewright.check.site_figures import judge_sites
 from scenewright.check.site_notes import find_small
+from scenewright.check.wishes import wishes_told
 from scenewright.solution import Solution
 from scenewright.space import Space
 from scenewright.stock import catalog_of
@@ -97,6 +98,8 @@ def check(
     }
     if halls:
         figures["halls"] = verdict.figures
+    if any(room.wishes for room in solution.brief.rooms):
+        figures["wishes"] = wishes_told(bodies, rooms, solution.brief.rooms)
     lived_in = solution.brief.domain == "home"
     missing = find_incomplete(bodies, rooms) if lived_in else []
     notes = (*find_doorless(bodies, rooms), *missing, *verdict.notes, *barriers.notes)

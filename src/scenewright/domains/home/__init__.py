@@ -13,21 +13,21 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 from scenewright._version import __version__
-from scenewright.brief import Brief
+from scenewright.brief import Brief, Room
 from scenewright.domains.home.attempt import Furnished, Task
-from scenewright.domains.home.extras import extras
 from scenewright.domains.home.own_library import libraries_of, taste_of
 from scenewright.domains.home.presets import PRESETS, Preset, preset_named
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
-from scenewright.domains.home.tasks import check_asks, task_of, wishes_of
+from scenewright.domains.home.tasks import check_asks, completed, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, varied
 from scenewright.domains.home.wheelchair import furnish_by_use, widened
+from scenewright.domains.home.wishes import allowed, check_wishes, substituted
 from scenewright.domains.home.yielding import yielded
 from scenewright.domains.standing import fixed_pieces
 from scenewright.plan import spaces
 from scenewright.scene import Piece
-from scenewright.solution import Solution
+from scenewright.solution import LeftOut, Solution
 from scenewright.solve import Budget
 from scenewright.stock import catalog_of
 
@@ -68,13 +68,15 @@ def solve(
     check_asks(brief)
     rooms = spaces(brief)
     catalog = catalog_of(brief.catalogs)
+    check_wishes(brief, catalog)
     libraries = libraries_of(brief, catalog)
     if brief.accessible:
         libraries = {taste: widened(library) for taste, library in libraries.items()}
     tasks = [
         task_of(
-            brief, space, tuple(fixed_pieces(brief_room, space, catalog)), catalog,
-            libraries[taste_of(brief, brief_room)], chosen, named, seed, cancel,
+            brief, brief_room, space, tuple(fixed_pieces(brief_room, space, catalog)), catalog,
+            allowed(libraries[taste_of(brief, brief_room)], brief_room), chosen, named, seed,
+            cancel,
         )
         for brief_room, space in zip(brief.rooms, rooms, strict=True)
     ]  # fmt: skip
@@ -133,9 +135,9 @@ def _solution(
 ) -> Solution:  # fmt: skip
     pieces: list[Piece] = []
     for task, answer in zip(tasks, answers, strict=True):
-        placed = (*task.fixed, *(p for item in answer.placed for p in item.pieces))
-        more = extras(task.space, task.ground, placed, task.catalog) if task.preset.exact else ()
-        pieces += [*placed, *more]
+        pieces += completed(
+            task, (*task.fixed, *(p for item in answer.placed for p in item.pieces))
+        )
     pairs = list(zip(tasks, answers, strict=True))
     told = {task.space.id: terms(task, answer) for task, answer in pairs}
     return Solution(
@@ -143,7 +145,11 @@ def _solution(
         pieces=tuple(pieces),
         patches=tuple(p for task, answer in pairs for p in patches(task, answer)),
         terms=tuple(value for values in told.values() for value in values),
-        left_out=tuple(out for task, answer in pairs for out in left_out(task, answer)),
+        left_out=tuple(
+            out
+            for room, (task, answer) in zip(brief.rooms, pairs, strict=True)
+            for out in _left_out(room, task, answer)
+        ),
         energies={space: sum(value.cost for value in values) for space, values in told.items()},
         preset=preset,
         solver=tasks[0].solver,
@@ -153,3 +159,10 @@ def _solution(
         seconds=seconds,
         evaluations=sum(a.evaluations for a in answers),
     )
+
+
+def _left_out(room: Room, task: Task, answer: Furnished) -> list[LeftOut]:
+    """What is missing in a room, and what was asked for and has a substitute."""
+    told = left_out(task, answer)
+    standing = [p.function for p in task.fixed] + [p.wish.group for p in answer.placed]
+    return [*told, *substituted(room, task.space.id, standing, (out.what for out in told))]

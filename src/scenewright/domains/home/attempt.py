@@ -24,6 +24,7 @@ from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import Wish, part_of
 from scenewright.domains.home.tidy import tidied
 from scenewright.domains.home.ways import unreached
+from scenewright.domains.home.wishes import swayed
 from scenewright.energy import evaluate
 from scenewright.problem import Ground, Problem
 from scenewright.scene import Piece
@@ -48,7 +49,8 @@ class Task(NamedTuple):
     """All that does not change while one room is furnished.
 
     ``route_width`` is that of the way from door to door, ``use_width`` of the way to the pieces;
-    ``tight`` names the doors and fixed pieces no route reaches even while the room is empty."""
+    ``tight`` names the doors and fixed pieces no route reaches even while the room is empty;
+    ``forbidden`` are kinds of pieces the household will not have."""
 
     space: Space
     ground: Ground
@@ -63,6 +65,7 @@ class Task(NamedTuple):
     cancel: Cancel | None
     library: Library = SHIPPED
     accessible: bool = False
+    forbidden: frozenset[str] = frozenset()
 
 
 class Placed(NamedTuple):
@@ -106,10 +109,11 @@ def floor_of(ground: Ground) -> float:
 def posed(task: Task, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
     """The problem of placing wishes on a ground, by the task's preset."""
     preset = task.preset
-    return problem_of(
+    problem = problem_of(
         ground, wishes, preset.weights, preset.printed, task.route_width,
         part_of(task.space.functions, floor_of(task.ground)), task.library,
     )  # fmt: skip
+    return problem._replace(items=swayed(problem.items, wishes))
 
 
 def attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> Furnished:

@@ -12,10 +12,19 @@ from typing import NamedTuple
 from scenewright.space import Space
 
 
+class Sway(NamedTuple):
+    """Where a group is wished: how much by a window, in a corner, and near which groups."""
+
+    daylight: float = 0.0
+    corner: float = 0.0
+    near: tuple[str, ...] = ()
+
+
 class Wish(NamedTuple):
     """One group wished for: its function and rank; ``required`` if the user asked for it, then
     ``most`` may bound its width and depth; ``small`` if any of its cases will do, not only those
-    that become the room; ``core`` if it is what makes the function (the bed of a bedroom)."""
+    that become the room; ``core`` if it is what makes the function (the bed of a bedroom);
+    ``sway`` where the household would like it."""
 
     group: str
     rank: int
@@ -23,6 +32,7 @@ class Wish(NamedTuple):
     most: tuple[float, float] | None = None
     small: bool = False
     core: bool = False
+    sway: Sway = Sway()
 
 
 class Row(NamedTuple):
@@ -78,7 +88,7 @@ PROGRAMME: dict[str, tuple[Row, ...]] = {
         Row("shoes", 1, 1.5), Row("coats", 2, 4), Row("console", 2, 9),
         Row("plant", 2, 12),
     ),
-    "storage": (Row("storage", 0), Row("storage", 1, 2.2), Row("storage", 2, 7.5)),
+    "storage": (Row("storage", 0), Row("storage", 1, 2.2), Row("storage", 2, 4.5)),
     "balcony": (
         Row("terrace", 1, 3.5), Row("lounger", 1, 1.6, 3.5), Row("planter", 1, 3),
         Row("drying", 2, 6),

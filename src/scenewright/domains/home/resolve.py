@@ -13,15 +13,15 @@ from numpy.typing import NDArray
 from scenewright.brief import Brief
 from scenewright.domains.home.attempt import Furnished, Placed, Task
 from scenewright.domains.home.edits import Edited, Edits, edited, frame_of, laid_on, leads
-from scenewright.domains.home.extras import extras
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.least_change import Rest, rearranged
 from scenewright.domains.home.own_library import libraries_of, taste_of
 from scenewright.domains.home.presets import preset_named
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.regroup import as_standing, misplaced, regrouped, settled
-from scenewright.domains.home.tasks import task_of, wishes_of
+from scenewright.domains.home.tasks import completed, task_of, wishes_of
 from scenewright.domains.home.wheelchair import furnish_by_use, widened
+from scenewright.domains.home.wishes import allowed
 from scenewright.domains.home.yielding import yielded
 from scenewright.domains.standing import is_item, item_of
 from scenewright.plan import spaces
@@ -79,12 +79,12 @@ def _revised(
     firm = [p for p in here if p.fixed or p.group in groups or _plain(p)]
     catalog = catalog_of(solution.brief.catalogs)
     library = libraries_of(solution.brief, catalog)[taste_of(solution.brief, asked)]
-    library = widened(library) if solution.brief.accessible else library
+    library = allowed(widened(library) if solution.brief.accessible else library, asked)
     preset = preset_named(solution.preset)
 
     def task_with(fixed: list[Piece]) -> Task:
         return task_of(
-            solution.brief, space, tuple(fixed), catalog, library, preset, solution.solver,
+            solution.brief, asked, space, tuple(fixed), catalog, library, preset, solution.solver,
             solution.seed,
         )  # fmt: skip
 
@@ -208,11 +208,7 @@ def _pieces(revised: Revised) -> list[Piece]:
     """All that stands in a revised room, with lamps and curtains anew."""
     task = revised.task
     placed = (*task.fixed, *(p for g in revised.rest.answer.placed for p in g.pieces))
-    if not task.preset.exact:
-        return list(placed)
-    kept = {p.id for p in task.fixed}
-    more = extras(task.space, task.ground, placed, task.catalog)
-    return [*placed, *(p for p in more if p.id not in kept)]
+    return completed(task, placed)
 
 
 def _still(solution: Solution, space: str, answer: Furnished) -> list[LeftOut]:

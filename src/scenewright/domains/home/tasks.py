@@ -12,11 +12,13 @@ import shapely
 from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog
 from scenewright.domains.home.attempt import Task, floor_of, out_of_reach
+from scenewright.domains.home.extras import extras
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import Library
 from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import Wish, programme, resolved
+from scenewright.domains.home.wishes import granted
 from scenewright.errors import InputError
 from scenewright.plan import place
 from scenewright.scene import Piece
@@ -28,7 +30,7 @@ SIDEWAYS = 0.4  # the width of a person turned sideways, metres
 
 
 def task_of(
-    brief: Brief, space: Space, fixed: tuple[Piece, ...], catalog: Catalog,
+    brief: Brief, room: Room, space: Space, fixed: tuple[Piece, ...], catalog: Catalog,
     library: Library, preset: Preset, solver: str, seed: int, cancel: Cancel | None = None,
 ) -> Task:  # fmt: skip
     """One room as a task: the ground that ``fixed`` pieces leave, its stream of random numbers,
@@ -42,8 +44,20 @@ def task_of(
         space, ground, fixed, catalog, preset, solver, brief.route_width,
         _use_width(shape, brief.route_width), frozenset(),
         stream % 2**31, cancel, library, brief.accessible,
+        frozenset(w.what for w in room.wishes if w.forbid),
     )  # fmt: skip
     return task._replace(tight=out_of_reach(task, ()))
+
+
+def completed(task: Task, placed: tuple[Piece, ...]) -> list[Piece]:
+    """What is placed with the lamps and curtains that go with it."""
+    if not task.preset.exact:
+        return list(placed)
+    there = {p.id for p in placed}
+    more = extras(task.space, task.ground, placed, task.catalog)
+    return [
+        *placed, *(p for p in more if p.id not in there and p.category not in task.forbidden)
+    ]  # fmt: skip
 
 
 def _use_width(shape: shapely.Polygon, width: float) -> float:
@@ -65,13 +79,13 @@ def wishes_of(
             for ask in room.ask
             for _ in range(ask.count)
         )
-        return _less(asked, standing)
+        return granted(_less(asked, standing), room, task.library)
     others = frozenset(
         f for s in rooms if s.id != task.space.id for f in resolved(s.functions, 0.0)
     )
     have = frozenset(p.category for p in fixed)
     usual = programme(task.space, floor_of(task.ground), others, have)
-    return _less(usual, standing)
+    return granted(_less(usual, standing), room, task.library)
 
 
 def _less(wishes: tuple[Wish, ...], standing: Counter[str]) -> tuple[Wish, ...]:

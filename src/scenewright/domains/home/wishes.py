@@ -1,0 +1,175 @@
+"""What a household wishes for in a room: kept out, added to the programme, drawn to a place.
+
+Forbidden things are taken out of the programme and of the case library, so they cannot appear.
+Places are soft: they weigh in the search as daylight, corners and relations between groups do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
+
+import numpy as np
+
+from scenewright.brief import Brief, Room
+from scenewright.brief_wishes import WishBrief
+from scenewright.catalog import Catalog, Group, Member
+from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.library import Library, cases, planted
+from scenewright.domains.home.programme import Sway, Wish
+from scenewright.errors import InputError
+from scenewright.plan import place
+from scenewright.problem import Items
+from scenewright.solution import LeftOut
+
+DAYLIGHT = 12.0  # how much a group wants a window that is wished at one (a desk of itself: 1)
+CORNER = 6.0  # how much it wants a corner (a wardrobe of itself: 1)
+NEAR = 4.0  # weight of the relation to what it is to be near (sofa and television: 3)
+MAIN = {"media": "tv"}  # what a group is for though another piece makes its place
+PASSING = 0.3  # floor between two groups that are near each other, metres
+
+
+def check_wishes(brief: Brief, catalog: Catalog) -> None:
+    """Every name in a wish is that of a group or of a kind some group holds."""
+    known = [*GROUPS, *(c for c in catalog.kinds if c not in GROUPS)]
+    for number, room in enumerate(brief.rooms):
+        for k, wish in enumerate(room.wishes):
+            for key, name in (("what", wish.what), ("near", wish.near)):
+                if name is not None and name not in known:
+                    near = get_close_matches(name, known, 4, 0.5) or list(GROUPS)
+                    raise InputError(
+                        f"there is no furniture group or kind of piece '{name}'",
+                        f"use one of: {', '.join(near)}",
+                        place=place(brief, number, f"wishes[{k}].{key}"),
+                    )
+            if not wish.forbid and not groups_of(wish.what):
+                raise InputError(
+                    f"no furniture group holds a {wish.what}",
+                    'put it among the room\'s "fixed" items, or wish for a group: '
+                    "scenewright list groups", place=place(brief, number, f"wishes[{k}]"),
+                )  # fmt: skip
+
+
+def groups_of(name: str) -> tuple[str, ...]:
+    """The groups that a name means: its own, those it makes, else those that may hold it."""
+    if name in GROUPS:
+        return (name,)
+    made = tuple(g for g, kind in GROUPS.items() if name in kind.essential)
+    return made or tuple(g for g in GROUPS if any(_holds(c, name) for c in cases(g).groups))
+
+
+def _holds(case: Group, category: str) -> bool:
+    return any(member.category == category for member in case.members)
+
+
+def allowed(library: Library, room: Room) -> Library:
+    """A library without what is forbidden in a room, and with what is wanted where cases differ
+    in it."""
+    own = dict(library.own)
+    for wish in room.wishes:
+        if wish.what in GROUPS:
+            continue
+        for group in groups_of(wish.what):
+            known = own[group].groups if group in own else cases(group, library).groups
+            if wish.forbid:
+                left = tuple(c for case in known if (c := _without(case, wish.what)) is not None)
+            else:
+                left = tuple(case for case in known if _holds(case, wish.what))
+            if left and left != known:
+                own[group] = planted(left)
+    return library if own == library.own else library._replace(own=own)
+
+
+def _without(case: Group, category: str) -> Group | None:
+    """A case less the members of a category and what stands on them; None if it cannot do
+    without."""
+    if not _holds(case, category):
+        return case
+    if category == MAIN.get(case.function) or category in GROUPS[case.function].essential:
+        return None
+    kept: dict[int, int] = {}
+    members: list[Member] = []
+    for i, member in enumerate(case.members):
+        if member.category != category and (member.on < 0 or member.on in kept):
+            kept[i] = len(members)
+            members.append(member._replace(on=kept.get(member.on, -1)))
+    return case._replace(members=tuple(members))
+
+
+def barred(room: Room, library: Library) -> frozenset[str]:
+    """The groups that cannot stand in a room because of what is forbidden there."""
+    found = set()
+    for wish in (w for w in room.wishes if w.forbid):
+        if wish.what in GROUPS:
+            found.add(wish.what)
+        else:
+            found |= {
+                g for g in groups_of(wish.what)
+                if all(_without(c, wish.what) is None for c in cases(g, library).groups)
+            }  # fmt: skip
+    return frozenset(found)
+
+
+def granted(wishes: Sequence[Wish], room: Room, library: Library) -> tuple[Wish, ...]:
+    """A room's programme with the household's wishes: less what is barred, with what is wanted,
+    each drawn to its place."""
+    out = barred(room, library)
+    found = [wish for wish in wishes if wish.group not in out]
+    for asked in (w for w in room.wishes if not w.forbid):
+        groups = groups_of(asked.what)
+        if not any(wish.group in groups for wish in found):
+            found.append(Wish(groups[0], 0 if asked.required else 1, required=asked.required))
+        number = next(i for i, wish in enumerate(found) if wish.group in groups)
+        rank = 0 if asked.required else found[number].rank
+        found[number] = found[number]._replace(
+            sway=_sway(found[number].sway, asked), rank=rank,
+            required=asked.required or found[number].required,
+        )  # fmt: skip
+    return tuple(sorted(found, key=lambda w: (w.rank, not w.core)))
+
+
+def substituted(room: Room, space: str, placed: Iterable[str], told: Iterable[str]
+                ) -> list[LeftOut]:  # fmt: skip
+    """What is required and has only something else of its use in its place; ``placed`` are the
+    functions of groups, ``told`` those that are told as left out."""
+    known = {*placed, *told}
+    return [
+        LeftOut(space, groups[0], "only something smaller of its use fits", True)
+        for wish in room.wishes
+        if wish.required and not known.intersection(groups := groups_of(wish.what))
+    ]
+
+
+def _sway(sway: Sway, asked: WishBrief) -> Sway:
+    near = sway.near if asked.near is None else groups_of(asked.near)
+    return Sway(
+        DAYLIGHT if asked.by == "window" else sway.daylight,
+        CORNER if asked.by == "corner" else sway.corner,
+        near,
+    )
+
+
+def swayed(items: Items, wishes: Sequence[Wish]) -> Items:
+    """Items drawn to the places wished for."""
+    if not any(wish.sway != Sway() for wish in wishes):
+        return items
+    daylight = np.maximum(items.daylight, [w.sway.daylight for w in wishes])
+    nestle = np.maximum(items.nestle, [w.sway.corner for w in wishes])
+    pairs = list(_pairs(wishes))
+    apart = [float(items.low[i].min() + items.low[j].min()) / 2 + PASSING for i, j in pairs]
+    nan = float("nan")
+    return items._replace(
+        daylight=daylight, nestle=nestle,
+        pairs=np.concatenate([items.pairs, np.array(pairs, np.int64).reshape(-1, 2)]),
+        pair_targets=np.concatenate(
+            [items.pair_targets, np.array([(d, nan, nan) for d in apart]).reshape(-1, 3)]
+        ),
+        pair_weights=np.concatenate([items.pair_weights, np.full(len(pairs), NEAR)]),
+    )  # fmt: skip
+
+
+def _pairs(wishes: Sequence[Wish]) -> Iterable[tuple[int, int]]:
+    for i, wish in enumerate(wishes):
+        others = [j for j, w in enumerate(wishes) if j != i and w.group in wish.sway.near]
+        if others:
+            yield i, others[0]

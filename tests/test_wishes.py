@@ -1,0 +1,118 @@
+"""Wishes of a household: kept out, wanted, drawn to a place; told whether they came true."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from scenewright import cli_show
+from scenewright.brief import Brief
+from scenewright.check import check
+from scenewright.domains import home, resolve
+from scenewright.errors import InputError
+from scenewright.formats import solution_json
+from scenewright.formats.brief_json import loads
+from scenewright.scene import Piece, Pose, Size
+from scenewright.solution import Solution
+
+
+def room(function: str, *wishes: dict[str, Any], width: float = 6.0) -> Brief:
+    outline = [(0, 0), (width, 0), (width, 4.4), (0, 4.4)]
+    asked = {"id": "r", "function": function, "outline": outline, "wishes": list(wishes),
+             "doors": [{"at": (width - 0.8, 0), "width": 0.9}],
+             "windows": [{"at": (0, 2.2), "width": 1.6}]}  # fmt: skip
+    return Brief.model_validate({"rooms": [asked]})
+
+
+def solved(brief: Brief, seed: int = 0) -> Solution:
+    return home.solve(brief, seed=seed, steps=4000)
+
+
+def told(solution: Solution) -> list[bool]:
+    return [wish["fulfilled"] for wish in check(solution).figures["wishes"]]
+
+
+@pytest.mark.parametrize("what", ["tv", "media", "picture", "curtain", "rug"])
+def test_what_is_forbidden_is_not_there(what: str) -> None:
+    usual, without = solved(room("living")), solved(room("living", {"what": what, "forbid": True}))
+    assert any(what in (p.category, p.function) for p in usual.pieces)
+    assert not any(what in (p.category, p.function) for p in without.pieces)
+    assert not any(out.what == "media" and out.required for out in without.left_out)
+    assert told(without) == [True]
+    assert check(without).valid
+
+
+def test_what_is_forbidden_stays_away_when_a_room_is_furnished_again() -> None:
+    first = solved(room("living", {"what": "curtain", "forbid": True}))
+    again = resolve(first, again=["r"], seed=3)
+    assert not any(p.category == "curtain" for p in again.pieces)
+
+
+def test_what_is_wanted_comes_beside_the_usual() -> None:
+    solution = solved(room("double_bedroom", {"what": "desk", "required": True}))
+    assert {"sleeping", "wardrobe", "desk"} <= {p.function for p in solution.pieces}
+    crowded = solved(room("study", {"what": "sleeping", "required": True}, width=1.5))
+    assert told(crowded) == [False]
+    assert any(out.what == "sleeping" and out.required for out in crowded.left_out)
+
+
+@pytest.mark.parametrize(
+    "wish", [{"what": "chest", "by": "window"}, {"what": "desk", "near": "bed", "metres": 0.8}]
+)
+def test_places_draw(wish: dict[str, Any]) -> None:
+    wish = {key: "single_bed" if value == "bed" else value for key, value in wish.items()}
+    with_, without = 0, 0
+    for seed in range(4):
+        asked = room("single_bedroom", wish)
+        drawn = solved(asked, seed)
+        with_ += told(drawn)[0]
+        plain = solved(room("single_bedroom", {"what": wish["what"]}), seed)
+        without += told(replace(plain, brief=asked))[0]
+    assert with_ >= 3
+    assert with_ > without
+
+
+def test_wishes_are_measured() -> None:
+    desk = Piece("r/d", "desk", "", "r", Pose(0.4, 2.2, 0, 0.0), Size(1.2, 0.6, 0.75))
+    far = Piece("r/b", "bookcase", "", "r", Pose(5.0, 2.2, 0, 3.14), Size(0.8, 0.3, 2.0))
+    wishes: list[dict[str, Any]] = [
+        {"what": "desk", "by": "window"}, {"what": "bookcase", "by": "window"},
+        {"what": "desk", "near": "bookcase", "metres": 4.2},
+        {"what": "desk", "near": "bookcase", "metres": 4.0},
+        {"what": "desk", "by": "corner"}, {"what": "plant"}, {"what": "desk", "forbid": True},
+    ]  # fmt: skip
+    empty = Solution(room("study", *wishes), (), (), (), (), {}, "", "", 0, "", "", 0.0, 0)
+    assert told(replace(empty, pieces=(desk, far))) == [
+        True, False, True, False, False, False, False,
+    ]  # fmt: skip
+
+
+def test_explain_and_json_tell() -> None:
+    solution = solved(room("study", {"what": "desk", "by": "window"}))
+    document = cli_show.explained_document(solution)
+    assert document["wishes"][0]["wish"] == "desk by a window"
+    again = solution_json.loads(solution_json.dumps(solution))
+    assert cli_show.explained_document(again)["wishes"] == document["wishes"]
+
+
+@pytest.mark.parametrize(
+    ("wish", "fault"),
+    [
+        ({"what": "dsk"}, r"rooms\[0\] 'r' wishes\[0\].what: there is no .* 'dsk'; .*desk"),
+        ({"what": "desk", "near": "bedd"}, r"wishes\[0\].near: there is no .* 'bedd'"),
+        ({"what": "staircase"}, "no furniture group holds a staircase"),
+    ],
+)
+def test_unknown_names_are_told(wish: dict[str, Any], fault: str) -> None:
+    with pytest.raises(InputError, match=fault):
+        solved(room("study", wish))
+
+
+def test_a_forbidden_thing_has_no_place() -> None:
+    brief = room("study").model_dump_json().replace(
+        '"wishes":[]', '"wishes":[{"what":"tv","forbid":true,"by":"window"}]'
+    )  # fmt: skip
+    with pytest.raises(InputError, match="forbidden stands nowhere"):
+        loads(brief)
