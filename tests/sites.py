@@ -46,7 +46,9 @@ def quarter() -> tuple[Site, list[Piece]]:
             {"id": "rotunda", "name": "Rotunda", "outline": round_, "height": 18.0},
             {"id": "mill", "name": "Old mill", "at": (28, 82), "size": (20, 10, 14)},
         ],
-        "buildings": [{"model": "modern_residential", "count": 10, "floors": 6, "size": (24, 11, 18)}],
+        "buildings": [
+            {"model": "modern_residential", "count": 10, "floors": 6, "size": (24, 11, 18)},
+        ],
     })  # fmt: skip
     rows = [building(f"b{k}", 30, y, 30, 11, 18) for k, y in enumerate((14, 34, 54))]
     rows += [building(f"b{k + 3}", 92, y, 28, 11, 18) for k, y in enumerate((12, 28))]
