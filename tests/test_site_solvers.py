@@ -154,6 +154,15 @@ def test_of_two_too_near_each_other_one_stays() -> None:
     assert score(problem, boxes, np.array([True, False]))["left"] == 1.0
 
 
+@pytest.mark.parametrize(("short", "stay"), [(-0.01, 2), (0.005, 2), (0.03, 1)])
+def test_a_corner_may_lack_no_more_than_the_referee_lets_it(short: float, stay: int) -> None:
+    """A square stands with a corner ``short`` metres too near to the side of another."""
+    problem = example_site(2, 200.0)
+    apart = 5.0 + 5.0 * math.sqrt(2.0) + problem.spacing / 2 * (1.0 + math.sqrt(2.0)) - short
+    boxes = np.array([[20.0, 25.0, 0.0, 10.0, 10.0], [20.0 + apart, 25.0, math.pi / 4, 10, 10]])
+    assert standing(make_measure(problem), boxes).sum() == stay
+
+
 def test_genes_may_be_rated_from_outside() -> None:
     cells = make_cells(PROBLEM)
     solver = MatrixGenetic(cells, PROBLEM.buildings.quality)

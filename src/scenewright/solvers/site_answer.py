@@ -33,8 +33,8 @@ from scenewright.terms.site_measure import (
 from scenewright.terms.site_terms import QUALITY, SITE_TERMS, printed_ratio
 from scenewright.terms.site_value import OMEGA, make_worth, value_parts
 
-LOOSE = 0.01
-"""What a building may lie outside or too near, in square metres."""
+LOOSE = 1e-4
+"""What a building may lie outside or too near, in square metres: a right corner by a centimetre."""
 
 
 class Measure(NamedTuple):
