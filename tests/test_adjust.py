@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from math import cos, degrees, pi, sin
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,7 @@ from scenewright.check import check
 from scenewright.domains import home, resolve
 from scenewright.errors import InputError
 from scenewright.formats import read, solution_json
-from scenewright.scene import Piece
+from scenewright.scene import Piece, Pose, Size
 from scenewright.solution import Solution
 
 
@@ -28,20 +29,28 @@ def piece(solution: Solution, end: str) -> Piece:
     return next(p for p in solution.pieces if p.id.endswith(end))
 
 
+def ahead(moved: Piece) -> tuple[float, float]:
+    """A little before where a piece stands, off its wall."""
+    return moved.pose.x + 0.05 * cos(moved.pose.heading), moved.pose.y + 0.05 * sin(
+        moved.pose.heading
+    )
+
+
 def furniture(solution: Solution, *, outside: str = "") -> dict[str, tuple[float, ...]]:
     return {p.id: p.pose for p in solution.pieces if p.function != "light" and p.space != outside}
 
 
 def test_other_rooms_stay_and_the_moved_piece_stands_where_it_was_put(house: Solution) -> None:
     bed = piece(house, "bedroom/sleeping/double_bed")
-    x, y = bed.pose.x + 0.05, bed.pose.y - 0.1
+    x, y = ahead(bed)
     after = resolve(house, move={bed.id: (x, y, bed.pose.heading)})
     moved = piece(after, bed.id)
     assert moved.pose[:2] == pytest.approx((x, y), abs=1e-12)
     assert moved.fixed
     assert furniture(after, outside="bedroom") == furniture(house, outside="bedroom")
     lamp, was = (piece(s, "bedroom/sleeping/table_lamp") for s in (after, house))
-    assert (lamp.pose.x - was.pose.x, lamp.pose.y - was.pose.y) == pytest.approx((0.05, -0.1))
+    shift = (lamp.pose.x - was.pose.x, lamp.pose.y - was.pose.y)
+    assert shift == pytest.approx((x - bed.pose.x, y - bed.pose.y))
 
 
 def test_what_stands_in_the_way_makes_way(house: Solution) -> None:
@@ -80,6 +89,22 @@ def test_swapped_groups_exchange_places(house: Solution) -> None:
         assert np.cos(now.pose.heading - was.pose.heading) == pytest.approx(1.0)
         assert np.hypot(now.pose.x - was.pose.x, now.pose.y - was.pose.y) < 1.0
     assert check(after).valid, [f.message for f in check(after).findings]
+
+
+def test_unlike_groups_are_swapped_so_that_both_fit() -> None:
+    """A desk wider than the bunk whose corner it takes moves along, and the bunk makes room."""
+    outline = [(0, 0), (4, 0), (4, 3.4), (0, 3.4)]
+    room = {"id": "r", "function": "child_bedroom", "outline": outline,
+            "doors": [{"at": (3.4, 3.4), "width": 0.8}]}  # fmt: skip
+    empty = home.solve(Brief.model_validate({"rooms": [room | {"ask": []}]}), steps=100)
+    bunk = Piece("r/bunk/bunk_bed", "bunk_bed", "", "r", Pose(0.5, 1.03, 0, pi / 2),
+                 Size(1.0, 2.05, 1.65), "r/bunk", "bunk")  # fmt: skip
+    desk = Piece("r/kids_desk/kids_desk", "kids_desk", "", "r", Pose(1.61, 0.28, 0, pi / 2),
+                 Size(1.2, 0.55, 0.74), "r/kids_desk", "kids_desk")  # fmt: skip
+    after = resolve(replace(empty, pieces=(bunk, desk)), swap=[("bunk", "kids_desk")])
+    assert not [f.message for f in check(after).findings]
+    assert piece(after, desk.id).pose.x == pytest.approx(0.6, abs=0.06)
+    assert piece(after, bunk.id).pose.x > piece(after, desk.id).pose.x
 
 
 def test_a_room_again_keeps_what_is_locked(house: Solution) -> None:
@@ -149,8 +174,8 @@ def test_adjust_on_the_command_line(
     source, out = tmp_path / "home.json", tmp_path / "out.json"
     solution_json.write(house, source)
     bed = piece(house, "bedroom/sleeping/double_bed")
-    x, y = bed.pose.x, bed.pose.y - 0.1
-    told = f"bedroom/bed={x:.3f},{y:.3f},180"
+    x, y = ahead(bed)
+    told = f"bedroom/bed={x:.3f},{y:.3f},{degrees(bed.pose.heading):.3f}"
     assert cli.run(["adjust", str(source), "-o", str(out), "--move", told, "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
     assert bed.id in document["changed"]["moved"]

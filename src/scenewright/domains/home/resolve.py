@@ -133,10 +133,7 @@ def _mended(
 ) -> tuple[list[Piece], tuple[LeftOut, ...]]:
     """Fixed pieces without those of moved groups that cannot follow; what makes a group stays
     where the user put it, fitting or not. Swapped groups are put where they fit near by."""
-    for group in sorted(change.swapped & {p.group for p in firm}):
-        others = as_standing([p for p in firm if p.group != group], task.catalog)
-        there = settled(task, [p for p in firm if p.group == group], others)
-        firm = [*(p for p in firm if p.group != group), *there]
+    firm = _settled(task, firm, change.swapped & {p.group for p in firm})
     company = [p for p in firm if p.id in change.moved and p.function in GROUPS
                and p.category not in GROUPS[p.function].essential]  # fmt: skip
     others = as_standing([p for p in firm if p.id not in change.moved], task.catalog)
@@ -144,6 +141,18 @@ def _mended(
     told = tuple(LeftOut(task.space.id, p.category, why[p.id], False)
                  for p in company if p.id in why and p.on is None)  # fmt: skip
     return [p for p in firm if p.id not in why], told
+
+
+def _settled(task: Task, firm: list[Piece], swapped: frozenset[str]) -> list[Piece]:
+    """Fixed pieces with swapped groups put where they fit near by: each first as if the others
+    that are swapped were not there, then beside them."""
+    for ignored in (swapped, frozenset[str]()):
+        for group in sorted(swapped):
+            rest = [p for p in firm if p.group != group]
+            others = as_standing([p for p in rest if p.group not in ignored], task.catalog)
+            there = settled(task, [p for p in firm if p.group == group], others)
+            firm = [*rest, *there]
+    return firm
 
 
 def _yield(
