@@ -12,6 +12,7 @@ import numpy as np
 
 from scenewright.layout import corners
 from scenewright.site_problem import Floats, SiteProblem
+from scenewright.solvers.site_front import turned_in
 from scenewright.solvers.site_rim import rim
 from scenewright.solvers.site_strips import Rule, back, rows, turned
 
@@ -75,6 +76,7 @@ def laid(
     if form in ("peripheral", "mixed"):
         share = 0.5 if form == "mixed" else 1.0
         numbers, boxes = rim(edges, sizes, queue, max(rule.beside(), way), share)
+        boxes = turned_in(problem, boxes)
         waiting = [i for i in queue if i not in set(numbers)]
     if len(boxes):
         ahead = float(sizes[waiting, 2].max()) if waiting else 0.0

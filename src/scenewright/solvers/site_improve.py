@@ -19,6 +19,7 @@ from scenewright.site_problem import Flags, Floats, Ints, SiteProblem, sides_of
 from scenewright.solve import Watch
 from scenewright.solvers.site_exchange import Lists, Rule, Slots, exchange_all, fill_hours
 from scenewright.solvers.site_found import SiteFound
+from scenewright.solvers.site_front import blind
 from scenewright.terms.site_measure import (
     SitePrepared,
     SiteState,
@@ -177,7 +178,7 @@ def _allowed(
 
 def turns(problem: SiteProblem, boxes: Floats) -> Ints:
     """Turns (m, 3) by quarters to be tried: fronts stay about the preferred heading or as near to
-    it as they were, and do not turn away from the nearest way."""
+    it as they were, do not turn away from the nearest way, nor to a border without a way."""
     slot = np.repeat(np.arange(len(boxes)), 3)
     quarters = np.tile([1, 2, 3], len(boxes))
     before, after = boxes[slot, 2], boxes[slot, 2] + quarters * math.pi / 2
@@ -185,6 +186,9 @@ def turns(problem: SiteProblem, boxes: Floats) -> Ints:
     for wanted in (np.full(len(slot), problem.facing), _to_way(problem, boxes)[slot]):
         near = np.maximum(_off(before, wanted), LEEWAY) + 1e-6
         fit &= np.isnan(wanted) | (_off(after, wanted) <= near)
+    places = boxes[slot]
+    places[:, 2] = after
+    fit &= ~blind(problem, places) | (_off(after, np.full(len(slot), problem.facing)) <= LEEWAY)
     moves = np.column_stack([slot, slot, quarters])[fit]
     return np.ascontiguousarray(moves, np.int64)
 
