@@ -84,6 +84,17 @@ def _related(pairs: Ints, n: int) -> tuple[Ints, Ints]:
     return start, order // 2
 
 
+def _middle(ground: Ground) -> Floats:
+    """Centroid of the room, moments of the fixed pieces about it, their area, root of its area."""
+    edges, fixed = _fresh(ground.edges, 4), _fresh(ground.obstacles, 5)
+    cross = edges[:, 0] * edges[:, 3] - edges[:, 2] * edges[:, 1]
+    whole = max(float(cross.sum()), 1e-9)
+    x, y = cross @ (edges[:, :2] + edges[:, 2:]) / (3.0 * whole)
+    areas = fixed[:, 3] * fixed[:, 4]
+    moments = areas @ (fixed[:, :2] - np.array([x, y]))
+    return np.array([x, y, *moments, areas.sum(), math.sqrt(0.5 * whole)])
+
+
 def prepare(problem: Problem) -> Prepared:
     """Arrays and weights of a problem, ready for compiled code."""
     ground, items = problem.ground, problem.items
@@ -108,6 +119,7 @@ def prepare(problem: Problem) -> Prepared:
         related=related,
         weights=weights,
         bounds=bounds,
+        middle=_middle(ground),
         area=float(ground.area),
         normal=float(inward(main[0])) if len(main) else float("nan"),
         span=float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])),

@@ -17,6 +17,7 @@ from scenewright.terms.assemble import (
     Costs,
     Prepared,
     box_cost,
+    composed,
     make_costs,
     pair_cost,
     relation_cost,
@@ -107,7 +108,8 @@ def try_item(chain: Chain, p: Prepared, i: int, frame: Frame, limit: float) -> f
         own += value - old.relations[r]
         chain.relations[r] = value
     sums[0], sums[1] = shared, own
-    return whole_cost(shared, own, sums[2], sums[3], p)
+    energy = whole_cost(shared, own, sums[2], sums[3], p)
+    return energy + composed(chain.frames, i, frame, p)
 
 
 @inlined

@@ -15,11 +15,12 @@ from numpy.typing import NDArray
 
 from scenewright.geometry.boxes import Floats, Frame, common_area, read_frame, read_sides
 from scenewright.geometry.compiled import inlined
-from scenewright.terms import clearance, orientation, packing, relations
+from scenewright.terms import clearance, composition, orientation, packing, relations
 from scenewright.terms.table import (
     AGAINST_WALL,
     AGAINST_WALL_PRINTED,
     ALIGNMENT,
+    BALANCE,
     BOUNDARY,
     CLEAR_ITEMS,
     CLEAR_ROOM,
@@ -47,7 +48,8 @@ class Prepared(NamedTuple):
     ``limits`` (n, 4): least width and depth, greatest width and depth. ``pairs`` (p, 2) and
     ``targets`` (p, 4) with the weight last. ``related`` (2p,) lists the relations item i is in
     from ``related_start[i]`` to ``related_start[i + 1]``. ``normal`` is the main wall's inward
-    direction (NaN without one), ``span`` the diagonal of the bounds.
+    direction (NaN without one), ``span`` the diagonal of the bounds, ``middle`` (6,) as
+    :func:`scenewright.terms.composition.balance` takes it.
     """
 
     edges: Floats
@@ -64,6 +66,7 @@ class Prepared(NamedTuple):
     related: Ints
     weights: Floats
     bounds: Floats
+    middle: Floats
     area: float
     normal: float
     span: float
@@ -140,6 +143,14 @@ def whole_cost(shared: float, own: float, area: float, turn: float, p: Prepared)
     return energy
 
 
+@inlined
+def composed(frames: Floats, i: int, frame: Frame, p: Prepared) -> float:
+    """Weighted costs of how all items hang together, item ``i`` (-1: none) taken to ``frame``."""
+    if p.weights[BALANCE] == 0.0:
+        return 0.0
+    return p.weights[BALANCE] * composition.balance(frames, i, frame, p.middle)
+
+
 class Costs(NamedTuple):
     """All parts of a layout's energy but the route: of ``boxes`` (n, 4) as :func:`box_cost` gives
     them, ``pairs`` (n, n) symmetric, ``relations`` (r,), and the ``sums`` (4,) of the columns of
@@ -176,4 +187,5 @@ def measure(frames: Floats, p: Prepared, costs: Costs) -> float:
         costs.relations[r] = value
         own += value
     costs.sums[0], costs.sums[1], costs.sums[2], costs.sums[3] = shared, own, area, turn
-    return whole_cost(shared, own, area, turn, p)
+    nowhere = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return whole_cost(shared, own, area, turn, p) + composed(frames, -1, nowhere, p)

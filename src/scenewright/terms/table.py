@@ -18,8 +18,8 @@ from scenewright.terms.weights import vector_of
 (
     BOUNDARY, OVERLAP, KEEP_FREE, CORRIDORS, OBSTACLES, WINDOW, CLEAR_ROOM, CLEAR_ITEMS,
     MAIN_WALL, MAIN_WALL_PRINTED, AGAINST_WALL, AGAINST_WALL_PRINTED, ALIGNMENT, DAYLIGHT,
-    NESTLE, PAIRS, PAIRS_PRINTED, SIZE, WISH, ROUTE,
-) = range(20)  # fmt: skip
+    NESTLE, PAIRS, PAIRS_PRINTED, SIZE, WISH, ROUTE, BALANCE,
+) = range(21)  # fmt: skip
 
 
 class Term(NamedTuple):
@@ -89,6 +89,9 @@ TERMS: tuple[Term, ...] = (
          "relative deviation from the preferred size", OURS, "packing:wish"),
     Term("route", ROUTE, "repaired", "whole", False, 400,
          "items and doors that the walking route does not reach", OURS, "circulation:route"),
+    Term("balance", BALANCE, "repaired", "whole", False, 60,
+         "middle of all furniture off that of the room", "Merrell et al. 2011, as a share",
+         "composition:balance"),
 )  # fmt: skip
 
 
