@@ -34,6 +34,8 @@ SECONDS = 0.1
 SAMPLES = 32
 PILOT = 16
 HOT, COLD = 0.07, 5e-6
+AGREED, ALIKE = 3, 0.005
+"""So many chains whose bests differ by no more than this share have found the same."""
 
 
 class Stage(NamedTuple):
@@ -191,9 +193,20 @@ def _run_stages(setup: Setup, chains: Chains, budget: Budget) -> tuple[list[Chai
         else:
             pace = pace_by_clock(left * stage.share, rate / max(stage.chains, setup.threads))
         spent, stop = _run_stage(setup, chains, stage.first, pace, spent)
-        if stop:
+        if stop or (budget.seconds is None and agreed(chains.energies[:, 1])):
             break
     return ended, spent
+
+
+def agreed(energies: Floats) -> bool:
+    """Whether three chains came to the same lowest energy, each by itself: more work would find
+    nothing better, so in small rooms half of it is saved.
+
+    >>> agreed(np.array([250.3, 310.0, 250.0, 250.9])), agreed(np.array([250.0, 250.1]))
+    (True, False)
+    """
+    least = np.sort(energies)[:AGREED]
+    return len(least) == AGREED and bool(least[-1] - least[0] <= ALIKE * abs(least[0]))
 
 
 def boxes_of(frames: Floats) -> Floats:
