@@ -33,6 +33,13 @@ class Walls(NamedTuple):
     owner: Points
 
 
+class Runs(NamedTuple):
+    """The walls of a room as polylines, and the least and greatest x, y of each, ``(r, 4)``."""
+
+    lines: list[Points]
+    bounds: Points
+
+
 class Stretch(NamedTuple):
     """Where an opening lies on a room's outline: its two ends, inside on the left."""
 
@@ -77,7 +84,8 @@ def _of_room(
         *((f"windows[{i}]", window) for i, window in enumerate(room.windows)),
     ]
     found = []
-    runs = [run for ring in (space.outline, *space.holes) for run in wall_runs(ring)]
+    lines = [run for ring in (space.outline, *space.holes) for run in wall_runs(ring)]
+    runs = Runs(lines, np.array([[*run.min(0), *run.max(0)] for run in lines]))
     for which, opening in listed:
         place = f"{told} {which}"
         try:
@@ -88,7 +96,7 @@ def _of_room(
 
 
 def _opening(
-    brief: Brief, number: int, ids: list[str], faces: Walls, space: Space, runs: list[Points],
+    brief: Brief, number: int, ids: list[str], faces: Walls, space: Space, runs: Runs,
     wish: Door | Window,
 ) -> Opening:  # fmt: skip
     stretch = _stretch(runs, wish, max(brief.wall_thickness, REACH))
@@ -124,21 +132,19 @@ def _leaf(wish: Door | Window) -> tuple[OpeningKind, float, int, int]:
     return "door", 0.0, 1 if wish.hinge == "left" else -1, 1 if wish.swing == "in" else -1
 
 
-def _stretch(runs: list[Points], wish: Door | Window, reach: float) -> Stretch:
+def _stretch(runs: Runs, wish: Door | Window, reach: float) -> Stretch:
     """The best piece of the walls ``runs`` for an opening: the nearest on which it fits.
 
     A wall is an edge with all that follow at less than 25 degrees, so a curved wall is one. The
     opening is slid along it by at most 0.3 m and narrowed by at most 0.1 m to fit.
     """
     at = np.array(wish.at)
-    away = [project(run, at) for run in runs]
-    near = [(run, s, d) for run, (s, d) in zip(runs, away, strict=True) if d <= reach]
+    low, high = runs.bounds[:, :2] - reach, runs.bounds[:, 2:] + reach
+    beside = np.flatnonzero(((at >= low) & (at <= high)).all(axis=1))
+    away = [(runs.lines[i], *project(runs.lines[i], at)) for i in beside]
+    near = [row for row in away if row[2] <= reach]
     if not near:
-        raise InputError(
-            f"is off the wall: ({at[0]:g}, {at[1]:g}) is {min(d for _, d in away):.2f} m from the "
-            f"nearest wall of the room, at {_nearest_point(runs, away)}",
-            f"put it within {reach:g} m of a wall",
-        )
+        raise _off_the_wall(runs, at, reach)
     run, s, _ = min(near, key=lambda row: row[2] + _overhang(row[0], row[1], wish.width))
     return _fitted(run, s, wish.width)
 
@@ -171,11 +177,16 @@ def _line(stretch: Stretch) -> tuple[Points, Points, float]:
     return (stretch.start + stretch.end) / 2, along / width, width
 
 
-def _nearest_point(runs: list[Points], away: list[tuple[float, float]]) -> str:
-    best = min(range(len(runs)), key=lambda i: away[i][1])
-    lengths = run_lengths(runs[best])
-    x, y = (np.interp(away[best][0], lengths, runs[best][:, axis]) for axis in (0, 1))
-    return f"({x:.2f}, {y:.2f})"
+def _off_the_wall(runs: Runs, at: Points, reach: float) -> InputError:
+    away = [project(run, at) for run in runs.lines]
+    best = min(range(len(away)), key=lambda i: away[i][1])
+    run, (s, far) = runs.lines[best], away[best]
+    x, y = (np.interp(s, run_lengths(run), run[:, axis]) for axis in (0, 1))
+    return InputError(
+        f"is off the wall: ({at[0]:g}, {at[1]:g}) is {far:.2f} m from the nearest wall of the "
+        f"room, at ({x:.2f}, {y:.2f})",
+        f"put it within {reach:g} m of a wall",
+    )
 
 
 def _beyond(faces: Walls, number: int, middle: Points, along: Points) -> tuple[int | None, float]:

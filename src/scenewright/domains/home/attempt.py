@@ -137,7 +137,7 @@ def dressed(
 
     An answer that will not score below ``most`` is given up as soon as that shows: its score is
     infinite."""
-    placed, missing = _placed(task, wishes, problem.names, boxes, before)
+    placed, missing = _placed(task, wishes, problem.names, boxes, before, most)
     if sum(penalty(m.wish) for m in missing) >= most:
         return Furnished(math.inf, placed, missing, (), problem, energy, 0)
     if task.preset.exact and placed:
@@ -158,9 +158,10 @@ def _lost(placed: tuple[Placed, ...]) -> int:
 
 def _placed(
     task: Task, wishes: tuple[Wish, ...], names: tuple[str, ...], boxes: Floats,
-    before: tuple[Placed, ...],
+    before: tuple[Placed, ...], most: float = math.inf,
 ) -> tuple[tuple[Placed, ...], tuple[Missing, ...]]:  # fmt: skip
-    """Dress the patches one by one, in order, beside what was placed before."""
+    """Dress the patches one by one, in order, beside what was placed before; those after the one
+    with which ``most`` is missed are not looked at."""
     flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
     standing = standing_of((*task.fixed, *(q for p in before for q in p.pieces)), flat)
     placed, missing = list(before), []
@@ -173,6 +174,8 @@ def _placed(
         )  # fmt: skip
         if isinstance(worn, Refused):
             missing.append(Missing(wish, worn.reason))
+            if sum(penalty(m.wish) for m in missing) >= most:
+                break
             continue
         group = f"{task.space.id}/{name}"
         pieces = pieces_of(worn, task.space.id, group, wish.group, task.catalog)

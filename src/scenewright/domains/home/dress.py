@@ -7,6 +7,7 @@ windows and what stands already; what is not essential to the group gives way.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import chain, islice
 from typing import NamedTuple
 
@@ -97,7 +98,7 @@ def dress_patch(
     best: Dressed | None = None
     reason = Refused("no case of it is small enough for the free floor")
     known = cases(function, library)
-    smallest = known.groups[int(np.argmin(known.sizes.prod(-1)))]
+    smallest = known.groups[known.smallest]
     for case in chain(islice(each_fitting(function, box[3], box[4], library), TRIED), (smallest,)):
         drawn = _drawn_in(case, box, ground)
         tried = _try(function, case, drawn, ground, standing, catalog, height)
@@ -186,15 +187,22 @@ def world(
 ) -> tuple[Floats, Floats, NDArray[np.bool_]]:
     """Members of a group on a box as boxes ``(m, 5)``, underside and top ``(m, 2)``, and which
     are flat."""
-    local = np.array([(m.x, m.y, m.heading, m.size.width, m.size.depth) for m in members])
+    local, spans = _laid(members)
     cos, sin = np.cos(box[2]), np.sin(box[2])
     boxes = local.copy()
     boxes[:, 0] = box[0] + local[:, 0] * sin + local[:, 1] * cos
     boxes[:, 1] = box[1] - local[:, 0] * cos + local[:, 1] * sin
     boxes[:, 2] = box[2] + local[:, 2]
-    spans = np.array([(m.z, m.z + m.size.height) for m in members])
     flat = np.array([catalog.kinds[m.category].flat for m in members])
-    return boxes, spans, flat
+    return boxes, spans.copy(), flat
+
+
+@lru_cache(maxsize=4096)
+def _laid(members: tuple[Member, ...]) -> tuple[Floats, Floats]:
+    """Boxes of members in their group's frame ``(m, 5)``, underside and top ``(m, 2)``."""
+    local = np.array([(m.x, m.y, m.heading, m.size.width, m.size.depth) for m in members])
+    spans = np.array([(m.z, m.z + m.size.height) for m in members])
+    return local, spans
 
 
 def _supported(

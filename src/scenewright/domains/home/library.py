@@ -30,13 +30,15 @@ LARGER = 0.45
 class Cases(NamedTuple):
     """The cases of one function: groups, their (width, depth) as ``(n, 2)`` and its k-d tree;
     ``real`` tells which are made of a user's own models: these come first. ``areas`` are those of
-    the rooms learned cases were seen in, m² (NaN: not known)."""
+    the rooms learned cases were seen in, m² (NaN: not known). ``smallest`` is the index of the
+    case of the least footprint."""
 
     groups: tuple[Group, ...]
     sizes: NDArray[np.float64]
     tree: Node | None
     real: NDArray[np.bool_]
     areas: NDArray[np.float64]
+    smallest: int
 
 
 class Library(NamedTuple):
@@ -64,7 +66,8 @@ def planted(
     sizes = np.array([(g.width, g.depth) for g in groups])
     first = np.array(real or (False,) * len(groups))
     of_rooms = np.array(areas or (np.nan,) * len(groups))
-    return Cases(groups, sizes, plant(sizes.tolist()), first, of_rooms)
+    smallest = int(np.argmin(sizes.prod(-1)))
+    return Cases(groups, sizes, plant(sizes.tolist()), first, of_rooms, smallest)
 
 
 def cases(function: str, library: Library = SHIPPED) -> Cases:
