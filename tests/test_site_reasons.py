@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 from benchmarks.site_instances import example_site
 from typer.testing import CliRunner
 
@@ -40,14 +41,32 @@ def test_costs_of_terms_add_up_to_the_energy(solution: sw.Solution) -> None:
     assert {term.space for term in solution.terms} == set(solution.energies) == {"quarter"}
     assert sum(t.cost for t in solution.terms) == pytest.approx(solution.energies["quarter"])
     named = {term.term: term for term in solution.terms}
-    aims = {row.name for row in SITE_AIMS} - {"even"}
+    aims = {row.name for row in SITE_AIMS}
     assert set(named) == {row.name for row in SITE_TERMS} | aims | set(SITE_FIGURES)
     assert named["overlap"].value < 1e-4 > named["left"].value == 0.0
     assert 0.0 < named["seen"].value < 0.5
     assert 0.0 < named["sun"].value <= 8.0
     assert named["seen"].cost == pytest.approx(3.0 * (1.0 - named["seen"].value / 0.4))
+    assert 0.0 < named["even"].value < 1.0
+    assert named["even"].cost == pytest.approx(0.5 * named["even"].value)
     value = [named[name].value for name in ("use", "shown", "texture", "height")]
     assert named["value"].value == pytest.approx(np.dot(value, (0.2, 0.5, 0.1, 0.2)))
+
+
+def test_what_stands_round_the_middle_of_its_block_is_even_and_in_a_corner_it_is_not() -> None:
+    ground = example_site(3, 200.0).ground
+    first, last = ground.block_spans[int(np.argmax(ground.block_areas))]
+    edges = ground.block_edges[first:last]
+    floor = shapely.Polygon(edges[:, :2])
+    middle, size = np.array([floor.centroid.x, floor.centroid.y]), floor.area**0.5
+    problem = example_site(3, 200.0)
+    about = np.array([[-9.0, 0], [9.0, 0], [0.0, 0]]) + middle
+    boxes = np.column_stack([about, np.zeros(3), np.full((3, 2), 6.0)])
+    assert score(problem, boxes, np.ones(3, bool))["even"] == pytest.approx(0.0, abs=1e-9)
+    boxes[:, 0] += 10.0
+    told = score(problem, boxes, np.ones(3, bool))["even"]
+    assert told == pytest.approx(20.0 / size)
+    assert score(problem, boxes, np.zeros(3, bool))["even"] == 0.0
 
 
 def test_terms_are_saved_and_explained(solution: sw.Solution, tmp_path: Path) -> None:
@@ -55,7 +74,7 @@ def test_terms_are_saved_and_explained(solution: sw.Solution, tmp_path: Path) ->
     sw.write(solution, tmp_path / "site.json")
     told = CliRunner().invoke(app, ["explain", str(tmp_path / "site.json")])
     assert told.exit_code == 0, told.output
-    for word in ("seen", "walkers on the ways see", "F_eva", "generations", "hours of sun"):
+    for word in ("even", "seen", "walkers on the ways see", "F_eva", "generations", "hours of sun"):
         assert word in told.output
 
 

@@ -11,6 +11,7 @@ from scenewright.geometry.sun import open_hours, sun_hours, sun_path
 from scenewright.geometry.walker import sights_of_boxes
 from scenewright.site_problem import Flags, Floats, SiteProblem, sides_of
 from scenewright.solvers.site_block import Placed
+from scenewright.solvers.site_front import inside
 from scenewright.terms.site_terms import MUCH, read_site_aims
 
 FAR, NEAR = 150.0, 60.0
@@ -73,10 +74,35 @@ def lacking(problem: SiteProblem, about: Around, found: Placed) -> float:
     if weights[SUN]:
         cost += weights[SUN] * (1.0 - _sunny(about, found.boxes, heights))
     if weights[EVEN]:
-        area = found.boxes[:, 3] * found.boxes[:, 4]
-        off = (area[:, None] * found.boxes[:, :2]).sum(0) / area.sum() - about.middle
-        cost += weights[EVEN] * min(2.0 * float(np.hypot(*off)) / about.size, 1.0)
+        cost += weights[EVEN] * uneven(found.boxes, about.middle, about.size)
     return cost
+
+
+def uneven(boxes: Floats, middle: Floats, size: float) -> float:
+    """How far the middle of some boxes' ground lies off the ``middle`` (2,) of a block, in halves
+    of its ``size``, the root of its area in metres; at most 1.
+
+    >>> uneven(np.array([[3, 0, 0, 2, 2], [6, 0, 0, 2, 4.0]]), np.zeros(2), 20.0)
+    0.5
+    """
+    area = boxes[:, 3] * boxes[:, 4]
+    off = (area[:, None] * boxes[:, :2]).sum(0) / area.sum() - middle
+    return min(2.0 * float(np.hypot(*off)) / size, 1.0)
+
+
+def uneven_of(problem: SiteProblem, boxes: Floats) -> float:
+    """The mean of :func:`uneven` over the blocks of a site, by the ground that boxes (k, 5) take
+    in each; 0 without boxes in blocks."""
+    ground, sums, taken = problem.ground, 0.0, 0.0
+    for first, last in ground.block_spans.tolist():
+        edges = ground.block_edges[first:last]
+        own = boxes[inside(edges, boxes[:, :2])]
+        if len(own):
+            middle, area = _middle(edges)
+            share = float((own[:, 3] * own[:, 4]).sum())
+            sums += share * uneven(own, middle, area**0.5)
+            taken += share
+    return sums / taken if taken else 0.0
 
 
 def _sunny(about: Around, boxes: Floats, heights: Floats) -> float:

@@ -1,8 +1,8 @@
 """How any layout of a site is made to stand, scored, and answered with.
 
 Scores by name: every term, ``energy``, ``ratio`` of (5), and ``use``, ``shown``, ``texture``,
-``height`` and ``value`` of (22) in Zhang, Yang 2023; ours are ``sun``, hours on fronts, and
-``seen``, the quality that walkers see.
+``height`` and ``value`` of (22) in Zhang, Yang 2023; ours are ``sun``, hours on fronts,
+``seen``, the quality that walkers see, and ``even``, how far off the middle of blocks all stands.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from scenewright.geometry.compiled import compiled
 from scenewright.geometry.sun import sun_hours, sun_path
 from scenewright.geometry.walker import seen
 from scenewright.site_problem import Flags, Floats, Ints, SiteProblem, sides_of
+from scenewright.solvers.site_aims import uneven_of
 from scenewright.solvers.site_found import SiteFound
 from scenewright.terms.site_measure import (
     SitePrepared,
@@ -108,6 +109,7 @@ def score(problem: SiteProblem, boxes: Floats, present: Flags) -> dict[str, floa
     found["value"] = float(parts @ np.array(OMEGA))
     found["sun"] = sun_of(problem, boxes[present], problem.buildings.sizes[present, 2])
     found["seen"] = seen_of(problem, boxes[present], present)
+    found["even"] = uneven_of(problem, boxes[present])
     return found
 
 

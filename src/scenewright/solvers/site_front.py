@@ -22,7 +22,7 @@ def blind(problem: SiteProblem, boxes: Floats) -> Flags:
         return found
     front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], 1)
     door = boxes[:, :2] + 0.5 * boxes[:, 4:] * front
-    out = np.flatnonzero(~_inside(problem.ground.edges, door + AHEAD * front))
+    out = np.flatnonzero(~inside(problem.ground.edges, door + AHEAD * front))
     steps = np.arange(0.0, AHEAD + PACE, PACE)
     points = door[out, None] + steps[:, None] * front[out, None]
     found[out] = ~_on_ways(problem.ground.roads, points).any(1)
@@ -38,7 +38,7 @@ def turned_in(problem: SiteProblem, boxes: Floats) -> Floats:
     return turned
 
 
-def _inside(edges: Floats, points: Floats) -> Flags:
+def inside(edges: Floats, points: Floats) -> Flags:
     """Which of points (k, 2) lie in the ground of directed edges (e, 4), by crossings."""
     (ax, ay), (bx, by) = edges[:, :2].T, edges[:, 2:].T
     x, y = points[:, :1], points[:, 1:]

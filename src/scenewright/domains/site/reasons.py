@@ -32,11 +32,11 @@ def reasons(problem: SiteProblem, found: SiteFound, site: str) -> tuple[TermValu
         lacks = count - value if row.number == QUALITY else value
         rows.append(TermValue(site, "", row.name, value, weight, weight * lacks))
     best = float(open_hours([noon(problem)], sun_path(problem.latitude, problem.day))[0, 0])
-    lacking = {"seen": 1.0 - known["seen"] / MUCH, "sun": 1.0 - known["sun"] / max(best, 1e-9)}
+    lacking = {"seen": 1.0 - known["seen"] / MUCH, "sun": 1.0 - known["sun"] / max(best, 1e-9),
+               "even": known["even"]}  # fmt: skip
     for aim, weight in zip(SITE_AIMS, read_site_aims(problem.weights).tolist(), strict=True):
-        if aim.name in lacking:
-            cost = weight * max(lacking[aim.name], 0.0)
-            rows.append(TermValue(site, "", aim.name, known[aim.name], weight, cost))
+        cost = weight * max(lacking[aim.name], 0.0)
+        rows.append(TermValue(site, "", aim.name, known[aim.name], weight, cost))
     told = {name: known[name] for name in SITE_FIGURES if isfinite(known[name])}  # of none: inf
     rows += [TermValue(site, "", name, value, 0.0, 0.0) for name, value in told.items()]
     return tuple(rows)
