@@ -7,7 +7,7 @@ import pytest
 from scenewright.brief import Brief
 from scenewright.check import check
 from scenewright.domains import home
-from scenewright.domains.home import yielding
+from scenewright.domains.home import second_try, yielding
 
 
 def two_rooms(width: float, depth: float) -> Brief:
@@ -37,3 +37,16 @@ def test_what_bars_the_way_to_another_room_gives_way(
     before = home.solve(brief, seed=0, steps=2000)
     assert not check(before).valid
     assert {p.id for p in solution.pieces} < {p.id for p in before.pieces}
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_a_room_that_gave_up_what_it_is_for_is_tried_again(
+    seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    brief = two_rooms(2.0, 2.5)
+    solution = home.solve(brief, seed=seed, steps=1000)
+    assert check(solution).valid
+    monkeypatch.setattr(second_try, "WIDER", ())
+    once = home.solve(brief, seed=seed, steps=1000)
+    assert check(once).valid
+    assert sum(out.required for out in solution.left_out) < sum(o.required for o in once.left_out)

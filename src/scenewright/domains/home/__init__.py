@@ -11,6 +11,7 @@ import os
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 
 from scenewright._version import __version__
 from scenewright.brief import Brief, Room
@@ -19,6 +20,7 @@ from scenewright.domains.home.own_library import libraries_of, taste_of
 from scenewright.domains.home.presets import PRESETS, Preset, preset_named
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
+from scenewright.domains.home.second_try import tried_again
 from scenewright.domains.home.tasks import check_asks, completed, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, varied
 from scenewright.domains.home.wheelchair import furnish_by_use, widened
@@ -90,10 +92,12 @@ def solve(
     pool = min(threads, len(rooms))
     budgets = [_budget(each, chosen, named, len(w), pool * b / (sum(work) or 1), seconds, steps)
                for w, b in zip(wishes, work, strict=True)]  # fmt: skip
-    answers = _run([varied(task, variant) for task in tasks], wishes, budgets, pool, progress)
+    turned = [varied(task, variant) for task in tasks]
+    answers = _run(turned, wishes, budgets, pool, progress)
     if chosen.exact:
         standing = [task.fixed for task in tasks]
-        answers = yielded(standing, answers, rooms, catalog, brief.route_width)
+        opened = partial(yielded, standing, rooms=rooms, catalog=catalog, width=brief.route_width)
+        answers = tried_again(turned, wishes, budgets, answers, opened)
     return _solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
 
 

@@ -13,10 +13,10 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from scenewright.catalog import Catalog
-from scenewright.check.bodies import bodies_of, rooms_of
+from scenewright.check.bodies import Rooms, bodies_of, rooms_of
 from scenewright.check.reach import find_unreachable
 from scenewright.check.report import Finding
-from scenewright.check.routes import grounds_of, walk_in
+from scenewright.check.routes import Ground, grounds_of, walk_in
 from scenewright.domains.home.attempt import Furnished, Missing, Placed, penalty
 from scenewright.domains.home.groups import GROUPS
 from scenewright.scene import Piece
@@ -43,10 +43,12 @@ def yielded(
 ) -> list[Furnished]:  # fmt: skip
     """The answers for all rooms of a home without what bars a way or cannot be walked to;
     ``standing`` is what is to stay in each room."""
-    found = list(answers)
+    found, where = list(answers), rooms_of(rooms)
+    grounds = grounds_of(where, width)
     for _ in range(ROUNDS):
         placed = [(*here, *_pieces(a)) for here, a in zip(standing, found, strict=True)]
-        findings = _unreached(tuple(p for here in placed for p in here), rooms, catalog, width)
+        pieces = tuple(p for here in placed for p in here)
+        findings = _unreached(pieces, where, grounds, catalog, width)
         losses = {loss for finding in findings if (loss := _least(finding, found)) is not None}
         if not losses:
             break
@@ -56,12 +58,10 @@ def yielded(
 
 
 def _unreached(
-    pieces: tuple[Piece, ...], rooms: tuple[Space, ...], catalog: Catalog, width: float
+    pieces: tuple[Piece, ...], where: Rooms, grounds: list[Ground], catalog: Catalog, width: float
 ) -> list[Finding]:
     """What no route leads to, by the referee, but for what the brief came with."""
-    where = rooms_of(rooms)
     bodies, _ = bodies_of(pieces, where, catalog)
-    grounds = grounds_of(where, width)
     walks = [walk_in(bodies, ground, width / 2) for ground in grounds]
     return [found for found in find_unreachable(bodies, where, grounds, walks) if not found.given]
 
