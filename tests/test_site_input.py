@@ -114,6 +114,9 @@ FAULTS: dict[str, tuple[Ground, str]] = {
     "5000 roads that take all": (
         site(roads=[{"line": [[k * 0.024, -5], [k * 0.024, 90]], "width": 0.5}
                     for k in range(5000)]), "leave nothing to build on"),
+    "5000 roads across each other": (
+        site(roads=[{"line": [[k * 7919 % 120, -5], [k * 104729 % 120, 85.5]], "width": 0.5}
+                    for k in range(5000)]), "roads: the roads cross each other more than 20000"),
     "a latitude beyond the pole": (site(latitude=95), "sites[0].latitude: 95 is not possible"),
     "an id used twice": (stands(HERE | {"id": "a"}, HERE | {"id": "a"}), "the id 'a' is used"),
 }  # fmt: skip
@@ -227,6 +230,12 @@ FINE: dict[str, Ground] = {
     "a hole at the border": site(holes=[box(0, 10, 40, 40)]),
     "a jagged outline": site(outline=ring(1000, 80, 9.0)),
     "a road that crosses itself": road([0, 40], [120, 40], [60, 70], [60, 0]),
+    "forty roads across each other": site(
+        outline=box(0, 0, 1000, 800),
+        roads=[
+            {"line": [[k * 79 % 997, -5], [k * 47 % 991, 805]], "width": 0.5} for k in range(100)
+        ],
+    ),
     "a road there and back": road([0, 40], [120, 40], [0, 40], [120, 40]),
     "a landmark on a road": road([0, 40], [120, 40]) | {"landmarks": [HERE | {"at": [60, 40]}]},
     "a landmark above the limit": site(

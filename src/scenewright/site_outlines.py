@@ -21,6 +21,9 @@ GRID = 1e-4
 LEAST_AREA = 1.0
 MITRE = 2.0
 TOUCH = 0.02
+MOST_CROSSINGS = 20_000
+"""Roads may cross so often: every crossing costs time, and cities have a few for each road."""
+LOT = 64
 
 Corners = Sequence[tuple[float, float]] | Points
 
@@ -89,6 +92,26 @@ def way(line: Corners, width: float) -> tuple[Points, shapely.Polygon]:
         mitre_limit=MITRE,
     )  # fmt: skip
     return corners, area
+
+
+def crossings(lines_: Sequence[Points]) -> int:
+    """How often the straight pieces of lines (n, 2) cross, each other or themselves, counted until
+    there are more than :data:`MOST_CROSSINGS`; ends that touch do not count.
+
+    >>> crossings([np.array([(0, 0), (4, 4)]), np.array([(0, 4), (4, 0), (9, 0)])])
+    1
+    """
+    pieces = [np.stack([line[:-1], line[1:]], 1) for line in lines_]
+    if not pieces:
+        return 0
+    made = shapely.linestrings(np.concatenate(pieces))
+    tree, count = shapely.STRtree(made), 0
+    for first in range(0, len(made), LOT):
+        own, other = tree.query(made[first : first + LOT], predicate="crosses")
+        count += int((own + first < other).sum())
+        if count > MOST_CROSSINGS:
+            break
+    return count
 
 
 def kept_free(areas: Iterable[shapely.Geometry], distance: float) -> shapely.Geometry:

@@ -183,6 +183,11 @@ def _area(part: shapely.Polygon) -> Area:
 
 def _roads(site: Site, floor: shapely.Polygon, place: str) -> tuple[Way, ...]:
     found = []
+    if shapes.crossings([np.array(r.line) for r in site.roads]) > shapes.MOST_CROSSINGS:
+        raise InputError(
+            f"the roads cross each other more than {shapes.MOST_CROSSINGS} times",
+            "leave some out, or make several sites", place=f"{place} roads",
+        )  # fmt: skip
     shapely.prepare(floor)
     for number, name in enumerate(named(site.roads, "road", "roads", place)):
         road, told = site.roads[number], f"{place} roads[{number}]"
