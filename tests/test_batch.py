@@ -91,6 +91,36 @@ def test_a_key_changes_with_content_and_options_only(tmp_path: Path) -> None:
     assert orders_of([file], tmp_path / "out", OPTIONS)[0].key != first
 
 
+def test_a_key_changes_with_the_catalogues_a_brief_names(tmp_path: Path) -> None:
+    file, models = tmp_path / "in" / "a.json", tmp_path / "in" / "models"
+    models.mkdir(parents=True)
+    (models / "chair.obj").write_text("v 0 0 0")
+    (tmp_path / "own.groups.json").write_text("{}")
+    file.write_text(
+        json.dumps({**small(), "catalogs": ["models"], "groups": ["../own.groups.json"]})
+    )
+    plain = tmp_path / "in" / "b.json"
+    plain.write_text(json.dumps(small()))
+
+    def keys(options: Options = OPTIONS) -> list[str]:
+        return [order.key for order in orders_of([file, plain], tmp_path / "out", options)]
+
+    first = keys()
+    assert keys() == first
+    (models / "chair.obj").write_text("v 0 0 0 ")
+    second = keys()
+    assert second[0] != first[0]
+    assert second[1] == first[1]
+    (tmp_path / "own.groups.json").write_text("{ }")
+    third = keys()
+    assert third[0] != second[0]
+    assert third[1] == first[1]
+    further = OPTIONS._replace(catalogs=(str(models),))
+    fourth = keys(further)
+    (models / "table.obj").write_text("v 0 0 0")
+    assert not set(keys(further)) & set(fourth)
+
+
 def test_one_bad_file_stops_nobody_and_what_is_done_is_not_done_again(tmp_path: Path) -> None:
     folder, out = briefs(tmp_path / "in", 3), tmp_path / "out"
     (folder / "broken.json").write_text("{")

@@ -31,7 +31,9 @@ from scenewright.models.listing import Listed, listed, table_beside, table_of
 from scenewright.models.model import Model, Options, Skipped
 from scenewright.models.register import table_file, where
 
-__all__ = ["BUILDING", "ONLY_NAMED", "OWN", "Taken", "catalog_of", "named", "taken"]
+__all__ = [
+    "BUILDING", "ONLY_NAMED", "OWN", "Stamp", "Taken", "catalog_of", "named", "stamps_of", "taken",
+]  # fmt: skip
 
 OWN = "model:"
 """How the ids of assets begin that are models of a user's catalogues."""
@@ -61,7 +63,7 @@ def catalog_of(catalogs: Sequence[str | CatalogBrief]) -> Catalog:
     if not catalogs:
         return shipped()
     entries = tuple(entry_of(entry) for entry in catalogs)
-    return _stocked(entries, tuple(stamp for entry in entries for stamp in _stamps(entry)))
+    return _stocked(entries, tuple(stamp for entry in entries for stamp in stamps_of(entry)))
 
 
 def taken(entry: CatalogBrief) -> Taken:
@@ -185,8 +187,9 @@ def _broken(name: str) -> tuple[str, ...]:
     return (name, path.with_suffix("").as_posix(), path.stem) if path.name else (name,)
 
 
-def _stamps(entry: CatalogBrief) -> tuple[Stamp, ...]:
-    """Of a catalogue's files and of the tables that correct it."""
+def stamps_of(entry: CatalogBrief) -> tuple[Stamp, ...]:
+    """Name, time and size of a catalogue's files and of the tables that correct it: what is read
+    again once it changes."""
     path, table = _source(entry)
     beside = [table] if table else [path.with_name(f"{path.stem}.{name}") for name in SIDECARS]
     return tuple(_stamp(one) for one in (path, *beside))

@@ -6,10 +6,12 @@ import hashlib
 import os
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from functools import cache
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from scenewright._version import __version__
+from scenewright.batch.stamps import Look, look, named
 from scenewright.errors import InputError
 from scenewright.formats import SAMPLE, formats
 
@@ -60,9 +62,10 @@ def orders_of(
     found = _found(sources, out)
     if not found:
         raise InputError("there is nothing to do", "give files or folders that hold briefs")
+    once = cache(look)  # many files name one catalogue
     return tuple(
         Order(source, name, tuple(out / f"{name}{s}" for s in options.formats),
-              _key(source, options))
+              _key(source, options, once))
         for source, name in zip(found, _names(found), strict=True)
     )  # fmt: skip
 
@@ -120,10 +123,11 @@ def _names(found: dict[str, PurePosixPath]) -> list[str]:
     return names
 
 
-def _key(source: str, options: Options) -> str:
-    """A digest of a file's content, the options and the version; a file that cannot be read has
-    that of nothing."""
-    digest = hashlib.blake2b(repr((__version__, options)).encode(), digest_size=16)
+def _key(source: str, options: Options, stamps: Look) -> str:
+    """A digest of a file's content, of names, times and sizes of the catalogues it names, of the
+    options and the version; a file that cannot be read has that of nothing."""
+    beside = [stamps(path) for path in named(source, (*options.catalogs, *options.groups))]
+    digest = hashlib.blake2b(repr((__version__, options, beside)).encode(), digest_size=16)
     try:
         if not source.startswith(SAMPLE):
             with open(source, "rb") as file:
