@@ -33,6 +33,10 @@ FIGURES = (
     ("near", "1"), ("unreached", "1"), ("left_out", "share"), ("converged", "1"),
     ("settled", "1"), ("seconds", "s"), ("cpu", "s"),
 )  # fmt: skip
+MAIN = tuple(
+    row for row in FIGURES if row[0] in ("value", "seen", "sun", "valid", "left_out", "cpu")
+)
+"""Those that a quick run tells."""
 MEANS = ("valid", "overlaps", "outside", "near", "unreached", "left_out")
 """Figures that are means over the runs; all others are medians."""
 
@@ -97,7 +101,7 @@ def chosen(found: list[Row], **wanted: Any) -> list[Row]:
     return [row for row in found if all(row[name] == value for name, value in wanted.items())]
 
 
-def summary(found: list[Row]) -> list[Row]:
+def summary(found: list[Row], figures: tuple[tuple[str, str], ...] = FIGURES) -> list[Row]:
     """Records: our default against each other method, by scene, budget and figure."""
     records: list[Row] = []
     cases = dict.fromkeys((row["buildings"], row["equal"]) for row in found)
@@ -108,7 +112,7 @@ def summary(found: list[Row]) -> list[Row]:
                 ours, theirs = (chosen(mine, method=name) for name in ("default", method))
                 case = f"{size} buildings, equal {equal}"
                 records += [_record(case, name, unit, ours, theirs, method)
-                            for name, unit in FIGURES]  # fmt: skip
+                            for name, unit in figures]  # fmt: skip
     return records + falls(found)
 
 

@@ -47,6 +47,9 @@ def test_the_common_measure_sees_overlaps_and_what_is_left_out() -> None:
 def test_methods_tell_records() -> None:
     rows = site_methods.rows(1, (6, 15), ("evaluations",))
     records = site_methods.summary(rows)
+    short = site_methods.summary(rows, site_methods.MAIN)
+    assert 0 < len(short) < 0.5 * len(records)
+    assert all(row in records for row in short)
     assert {row["method"] for row in rows} == set(site_methods.METHODS)
     assert all(list(record) == KEYS for record in records)
     assert all(row["overlaps"] == row["outside"] == 0 for row in rows)

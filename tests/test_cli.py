@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import sys
 import threading
@@ -271,7 +272,8 @@ def test_benchmarks_are_found_from_the_checkout(
     folder.mkdir(parents=True)
     Path("benchmarks").mkdir()
     Path("benchmarks/__init__.py").touch()
-    record = {"case": "a", "metric": "time", "unit": "s", "ours": 1.0, "ratio": 2.0}
+    long = "a case that is told at such length that no narrow table holds it in one line of eighty"
+    record = {"case": long, "metric": "time", "unit": "s", "ours": 1.0, "ratio": 2.0}
     Path("benchmarks/tiny.py").write_text(
         f"def records(quick=False, progress=None):\n    progress(1.0, 'a')\n    return [{record}]\n"
     )
@@ -281,7 +283,8 @@ def test_benchmarks_are_found_from_the_checkout(
     assert cli.run(["bench", "tiny", "--json"]) == 0
     assert json.loads(capsys.readouterr().out) == [record]
     assert cli.run(["bench", "tiny"]) == 0
-    assert "time" in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert re.search(f"{long} +time", told), "in a file a row is a line"
     assert "use one of: tiny" in fault(capsys, "bench", "huge")
     sys.modules.pop("benchmarks.tiny", None)
     sys.modules.pop("benchmarks", None)

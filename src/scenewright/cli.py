@@ -222,7 +222,7 @@ def bench(
     if as_json:
         show.print_json(records)
     elif not quiet:
-        show.table(Console(), records, title=f"bench {name}")
+        show.table(show.wide(Console()), records, title=f"bench {name}")
     return 0
 
 

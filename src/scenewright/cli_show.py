@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 MOST_FINDINGS = 20
 MOST_BOTTLENECKS = 5
+WIDE = 150
+"""Columns of a file that a wide table is written to."""
 LEAST_COST = 0.005
 """What is less rounds to nothing."""
 
@@ -232,6 +234,11 @@ def table(console: Console, rows: Sequence[Mapping[str, Any]], title: str) -> No
     for row in rows:
         shown.add_row(*(Text(_cell(value)) for value in row.values()))
     console.print(shown)
+
+
+def wide(console: Console) -> Console:
+    """The console, or in a file or pipe one on which each row of a wide table is one line."""
+    return console if console.is_terminal else Console(width=max(console.width, WIDE))
 
 
 def _table(*columns: str, title: str) -> Table:
