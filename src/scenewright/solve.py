@@ -142,12 +142,12 @@ def distinct(
     ``boxes`` (P, n, 5), ``energies`` (P,); best first, at most ``keep``.
     """
     chosen: list[int] = []
-    for k in np.argsort(energies, kind="stable"):
-        gaps = boxes[chosen, :, :3] - boxes[k, :, :3]
+    left = np.argsort(energies, kind="stable")
+    while len(left) and len(chosen) < keep:
+        first, left = int(left[0]), left[1:]
+        gaps = boxes[left, :, :3] - boxes[first, :, :3]
         turned = np.abs((gaps[..., 2] + np.pi) % (2 * np.pi) - np.pi)
         near = (np.hypot(gaps[..., 0], gaps[..., 1]) <= apart) & (turned <= apart)
-        if not near.all(axis=1).any():
-            chosen.append(int(k))
-        if len(chosen) == keep:
-            break
+        chosen.append(first)
+        left = left[~near.all(axis=1)]
     return tuple(Layout(boxes[k].copy(), float(energies[k])) for k in chosen)

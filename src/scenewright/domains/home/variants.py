@@ -17,8 +17,8 @@ FIRMLY = 8.0  # how many times more a variant's main wall weighs
 
 def varied(task: Task, variant: int) -> Task:
     """The task arranged around the ``variant``-th of its long walls, from 1; 0: as it is."""
-    walls = long_walls(task)
-    if not variant or not len(walls) or not task.preset.exact:
+    walls = long_walls(task) if variant and task.preset.exact else ()
+    if not len(walls):
         return task
     chosen = walls[(variant - 1) % len(walls)]
     weights = task.preset.weights | {
