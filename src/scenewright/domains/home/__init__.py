@@ -56,7 +56,8 @@ def solve(
 ) -> Solution:
     """Furnish every room of a home.
 
-    The work is ``steps`` looked-at layouts for each item, or ``seconds`` for the whole home, else
+    The work is at most ``steps`` layouts looked at for each item (less where several starts agree;
+    more for a room tried again), or ``seconds`` for the whole home, else
     what the preset says, else what the solver does of itself. The same seed and steps give the
     same answer, whatever the number of ``threads`` (one for each processor, if not stated); each
     room has its own stream of random numbers.
