@@ -110,6 +110,7 @@ def test_limits() -> None:
 
 
 @pytest.mark.realdata
+@pytest.mark.usefixtures("real_data")
 def test_a_home() -> None:
     """Every room with groups is judged; all groups asked for stand, none with more faults than
     before, and by the energy ours is nearly always at least as good."""

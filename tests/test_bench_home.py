@@ -101,6 +101,7 @@ def test_tables_count_who_is_best_and_who_ours_beats():
 
 
 @pytest.mark.realdata
+@pytest.mark.usefixtures("real_data")
 def test_rooms_are_a_fixed_list_and_pieces_are_measured_as_patches():
     found = rooms(2)
     assert [case.name for case in found] == [

@@ -82,9 +82,11 @@ def _row(order: dict[str, Any], options: Options, memory: float, parts: Path) ->
 
 
 def _starved(error: Exception) -> bool:
-    """Whether an error comes of having too little memory: threads need some too."""
+    """Whether an error comes of having too little memory: threads need some too, and the
+    interpreter may fail without saying why."""
     number = getattr(error, "errno", None)
-    return isinstance(error, MemoryError) or number == ENOMEM or "new thread" in str(error)
+    unsaid = any(told in str(error) for told in ("new thread", "without exception set"))
+    return isinstance(error, MemoryError) or number == ENOMEM or unsaid
 
 
 def _done(source: str, outputs: list[Path], options: Options, parts: Path) -> Row:

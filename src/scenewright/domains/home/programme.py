@@ -88,7 +88,7 @@ PROGRAMME: dict[str, tuple[Row, ...]] = {
         Row("shoes", 1, 1.5), Row("coats", 2, 4), Row("console", 2, 9),
         Row("plant", 2, 12),
     ),
-    "storage": (Row("storage", 0), Row("storage", 1, 2.2), Row("storage", 2, 4.5)),
+    "storage": (Row("storage", 0), Row("storage", 1, 2.2), Row("storage", 2, 7.5)),
     "balcony": (
         Row("terrace", 1, 3.5), Row("lounger", 1, 1.6, 3.5), Row("planter", 1, 3),
         Row("drying", 2, 6),
