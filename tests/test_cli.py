@@ -257,7 +257,7 @@ def test_all_files_or_none(tmp_path: Path) -> None:
 def test_a_fault_of_ours_is_one_line_and_three(
     capsys: Captured, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(cli.show, "table", None)
+    monkeypatch.setattr(cli.tables, "table", None)
     assert "a fault of ours" in fault(capsys, "list", "formats", code=3)
     monkeypatch.setenv("SCENEWRIGHT_DEBUG", "1")
     with pytest.raises(TypeError):

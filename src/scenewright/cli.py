@@ -18,6 +18,7 @@ from rich.console import Console
 
 from scenewright import cli_adjust, cli_batch, cli_catalog
 from scenewright import cli_show as show
+from scenewright import cli_tables as tables
 from scenewright._version import __version__
 from scenewright.errors import InputError
 
@@ -146,7 +147,7 @@ def arrange(
     complete = not any(entry.required for entry in solution.left_out)
     code = 130 if interrupted else 0 if report.valid and complete else 1
     if as_json:
-        show.print_json(
+        tables.print_json(
             show.arranged_document(request.source, request.outputs, solution, report, code)
         )
     elif not quiet:
@@ -161,10 +162,10 @@ def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) ->
     plans, interrupted = cli_alternatives.arrange_all(request, console)
     code = 130 if interrupted else 0 if any(plan.complete for plan in plans) else 1
     if as_json:
-        show.print_json([cli_alternatives.document(request.source, plan) for plan in plans])
+        tables.print_json([cli_alternatives.document(request.source, plan) for plan in plans])
     elif not quiet:
         console = Console()
-        show.table(console, cli_alternatives.rows(plans), title="plans")
+        tables.table(console, cli_alternatives.rows(plans), title="plans")
         for told in filter(None, map(cli_alternatives.patterns, plans)):
             console.print(told, style="dim", markup=False)
         if len(plans) < request.alternatives and not interrupted:
@@ -184,7 +185,7 @@ def check(
 
     report = judge(solution_json.read(file))
     if as_json:
-        show.print_json({"file": str(file), **report.to_dict()})
+        tables.print_json({"file": str(file), **report.to_dict()})
     elif not quiet:
         show.checked(Console(), report)
     return 0 if report.valid else 1
@@ -200,7 +201,7 @@ def explain(
 
     solution = solution_json.read(file)
     if as_json:
-        show.print_json(show.explained_document(solution))
+        tables.print_json(show.explained_document(solution))
     else:
         show.explained(Console(), solution)
     return 0
@@ -220,9 +221,9 @@ def bench(
     with watching(Console(stderr=True), quiet) as watch:
         records = cli_bench.records(name, quick, watch.progress)
     if as_json:
-        show.print_json(records)
+        tables.print_json(records)
     elif not quiet:
-        show.table(show.wide(Console()), records, title=f"bench {name}")
+        tables.table(tables.wide(Console()), records, title=f"bench {name}")
     return 0
 
 
@@ -245,9 +246,9 @@ def view(
     request = cli_view.Request(tuple(models), output, measure, Options(up, front))
     viewed = cli_view.view(request, Console(stderr=True, quiet=quiet))
     if as_json:
-        show.print_json(cli_view.document(request, viewed))
+        tables.print_json(cli_view.document(request, viewed))
     elif not quiet:
-        show.table(Console(), cli_view.shown(viewed), title="models")
+        tables.table(Console(), cli_view.shown(viewed), title="models")
         for told in [*cli_view.told(viewed), f"wrote {output}"]:
             Console().print(told, style="dim", markup=False)
     return 1 if viewed.skipped else 0
@@ -265,9 +266,9 @@ def list_(
 
     rows = cli_lists.rows(what)
     if as_json:
-        show.print_json(rows)
+        tables.print_json(rows)
     else:
-        show.table(Console(), cli_lists.shown(what, rows), title=what)
+        tables.table(Console(), cli_lists.shown(what, rows), title=what)
     return 0
 
 
@@ -278,7 +279,7 @@ def schema(
     """Print the JSON Schema of an input file."""
     from scenewright import cli_lists
 
-    show.print_json(cli_lists.schema(what))
+    tables.print_json(cli_lists.schema(what))
     return 0
 
 

@@ -70,6 +70,7 @@ def adjust(
 def _run(request: Request, as_json: bool, quiet: bool) -> int:
     """Solve again, judge, write and tell; the exit code."""
     from scenewright import cli_show as show
+    from scenewright import cli_tables as tables
     from scenewright.check import check
     from scenewright.cli_arrange import check_outputs, write_together
     from scenewright.cli_progress import tell_if_cold, watching
@@ -88,7 +89,7 @@ def _run(request: Request, as_json: bool, quiet: bool) -> int:
     change = changed(before, solution)
     if as_json:
         shown = show.arranged_document(str(request.file), request.outputs, solution, report, code)
-        show.print_json(shown | {"changed": change})
+        tables.print_json(shown | {"changed": change})
     elif not quiet:
         show.adjusted(Console(), request.outputs, solution, report, change)
     return code

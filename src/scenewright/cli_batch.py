@@ -20,7 +20,7 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
-from scenewright import cli_show as show
+from scenewright import cli_tables as tables
 from scenewright.cli_progress import interrupts, tell_if_cold
 from scenewright.errors import InputError
 
@@ -122,9 +122,9 @@ def _tell(console: Console, rows: Sequence[Row], folder: Path, watch: Heard) -> 
     told.sort(key=lambda row: row.status != FAILED)
     lines = [{"file": row.file, "status": row.status, "message": _without(row)} for row in told]
     if lines:
-        show.table(console, lines[:MOST], title="files to look at")
+        tables.table(console, lines[:MOST], title="files to look at")
     counted = [{"files": status, "": count} for status, count in totals(rows).items() if count]
-    show.table(console, counted, title="batch")
+    tables.table(console, counted, title="batch")
     rate = watch.made / max(watch.seconds(), 1e-9)
     words = [f"{len(rows)} files in {folder}"]
     words += [f"{watch.made} in {watch.seconds():.0f} s, {rate:.1f} a second"] * bool(watch.made)

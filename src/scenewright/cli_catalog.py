@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.console import Console
 
-from scenewright import cli_show as show
+from scenewright import cli_tables as tables
 from scenewright.errors import InputError
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def add(
     register.register(called, path, csv_text(rows(found.models)))
     counts = _counts(found)
     if as_json:
-        show.print_json({"name": called, "table": str(folder / register.TABLE)} | counts)
+        tables.print_json({"name": called, "table": str(folder / register.TABLE)} | counts)
         return 0
     console = Console()
     console.print(f"{called}: {_summary(counts)}", markup=False)
@@ -76,9 +76,9 @@ def list_(as_json: Json = False) -> int:
         found.append({"name": name, "models": len(table), "usable": len(used),
                       "path": str(path), "there": path.exists()})  # fmt: skip
     if as_json:
-        show.print_json(found)
+        tables.print_json(found)
     elif found:
-        show.table(Console(), found, title="catalogues")
+        tables.table(Console(), found, title="catalogues")
     else:
         Console().print("none yet: scenewright catalog add PATH", style="dim")
     return 0
@@ -107,11 +107,11 @@ def show_(
     if output is not None:
         _write(models, output, console, as_json)
     if as_json:
-        show.print_json({"models": rows(models), "skipped": [s._asdict() for s in found.skipped]}
+        tables.print_json({"models": rows(models), "skipped": [s._asdict() for s in found.skipped]}
                    | _counts(found))  # fmt: skip
         return 0
     if output is None:
-        show.table(console, [_row(one) for one in models], title=catalogue)
+        tables.table(console, [_row(one) for one in models], title=catalogue)
         for one in found.skipped:
             console.print(f"skipped {one.name}: {one.reason}", style="dim", markup=False)
     console.print(_summary(_counts(found)), markup=False)
@@ -135,7 +135,7 @@ def learn(
                          file=homes[0])  # fmt: skip
     write(found, output)
     if as_json:
-        show.print_json(document(found))
+        tables.print_json(document(found))
         return 0
     table: dict[str, list[Any]] = {}
     for case in found.cases:
@@ -144,7 +144,7 @@ def learn(
              "homes": len({home for c in own for home in c.homes}),
              "holds": "; ".join(dict.fromkeys(c.case.name for c in own))}
             for name, own in table.items()]  # fmt: skip
-    show.table(Console(), rows, title="learned groups")
+    tables.table(Console(), rows, title="learned groups")
     told = f"{found.rooms} furnished rooms of {len(homes)} homes; wrote {output}"
     Console().print(told, style="dim", markup=False)
     return 0

@@ -1,18 +1,16 @@
-"""Tables a person reads and documents a machine reads; nothing here decides anything."""
+"""What people read and machines read of answers; nothing here decides anything."""
 
 from __future__ import annotations
 
-import json
-import sys
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rich import box
 from rich.console import Console
-from rich.table import Table
 from rich.text import Text
+
+from scenewright.cli_tables import bare, table
 
 if TYPE_CHECKING:
     from scenewright.check import Report
@@ -20,8 +18,6 @@ if TYPE_CHECKING:
 
 MOST_FINDINGS = 20
 MOST_BOTTLENECKS = 5
-WIDE = 150
-"""Columns of a file that a wide table is written to."""
 LEAST_COST = 0.005
 """What is less rounds to nothing."""
 
@@ -32,7 +28,7 @@ def arranged(
 ) -> None:  # fmt: skip
     """The table of rooms, what was left out, the referee's verdict and the files."""
     title = solution.brief.name + " (interrupted: best so far)" * was_interrupted
-    table = _table(_space_word(solution), "energy", "placed", title=title)
+    table = bare(_space_word(solution), "energy", "placed", title=title)
     table.columns[1].justify = "right"
     for space, name in _rooms(solution).items():
         energy = solution.energies.get(space)
@@ -143,7 +139,7 @@ def _used(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
 
 def explained(console: Console, solution: Solution) -> None:
     """Costs by room, item and term, dearest first; what the terms mean; what was left out."""
-    why = _table(_space_word(solution), "item", "term", "value", "weight", "cost", title="why")
+    why = bare(_space_word(solution), "item", "term", "value", "weight", "cost", title="why")
     for column in why.columns[3:]:
         column.justify = "right"
     rooms = _rooms(solution)
@@ -218,46 +214,6 @@ def arranged_document(
         "left_out": [entry._asdict() for entry in solution.left_out],
         "check": report.to_dict(),
     }
-
-
-def print_json(document: Any) -> None:
-    """One JSON document on the standard output."""
-    sys.stdout.write(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
-
-
-def table(console: Console, rows: Sequence[Mapping[str, Any]], title: str) -> None:
-    """Rows with the same keys as a table."""
-    if not rows:
-        console.print(f"no {title}")
-        return
-    shown = _table(*(key.replace("_", " ") for key in rows[0]), title=title)
-    for row in rows:
-        shown.add_row(*(Text(_cell(value)) for value in row.values()))
-    console.print(shown)
-
-
-def wide(console: Console) -> Console:
-    """The console, or in a file or pipe one on which each row of a wide table is one line."""
-    return console if console.is_terminal else Console(width=max(console.width, WIDE))
-
-
-def _table(*columns: str, title: str) -> Table:
-    made = Table(box=box.SIMPLE_HEAD, title=Text(title, "bold"), title_justify="left")
-    for column in columns:
-        made.add_column(column, overflow="fold")
-    return made
-
-
-def _cell(value: object) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else ""
-    if isinstance(value, float):
-        return f"{value:,.4g}" if abs(value) < 1e4 else f"{value:,.0f}"
-    if isinstance(value, Mapping):
-        return ", ".join(f"{key} {_cell(part)}" for key, part in value.items())
-    if isinstance(value, (list, tuple)):
-        return " × ".join(_cell(part) for part in value)
-    return "" if value is None else str(value)
 
 
 def _rooms(solution: Solution) -> dict[str, str]:

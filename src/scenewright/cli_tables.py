@@ -1,0 +1,57 @@
+"""Tables and documents on the terminal, whatever they tell."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from rich import box
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+WIDE = 150
+"""Columns of a file that a wide table is written to."""
+
+
+def print_json(document: Any) -> None:
+    """One JSON document on the standard output."""
+    sys.stdout.write(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
+
+
+def table(console: Console, rows: Sequence[Mapping[str, Any]], title: str) -> None:
+    """Rows with the same keys as a table."""
+    if not rows:
+        console.print(f"no {title}")
+        return
+    shown = bare(*(key.replace("_", " ") for key in rows[0]), title=title)
+    for row in rows:
+        shown.add_row(*(Text(_cell(value)) for value in row.values()))
+    console.print(shown)
+
+
+def wide(console: Console) -> Console:
+    """The console, or in a file or pipe one on which each row of a wide table is one line."""
+    return console if console.is_terminal else Console(width=max(console.width, WIDE))
+
+
+def bare(*columns: str, title: str) -> Table:
+    """A table without rows yet."""
+    made = Table(box=box.SIMPLE_HEAD, title=Text(title, "bold"), title_justify="left")
+    for column in columns:
+        made.add_column(column, overflow="fold")
+    return made
+
+
+def _cell(value: object) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else ""
+    if isinstance(value, float):
+        return f"{value:,.4g}" if abs(value) < 1e4 else f"{value:,.0f}"
+    if isinstance(value, Mapping):
+        return ", ".join(f"{key} {_cell(part)}" for key, part in value.items())
+    if isinstance(value, (list, tuple)):
+        return " × ".join(_cell(part) for part in value)
+    return "" if value is None else str(value)
