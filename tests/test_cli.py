@@ -254,6 +254,14 @@ def test_all_files_or_none(tmp_path: Path) -> None:
     assert sorted(os.listdir()) == ["home.json", "taken"]
 
 
+def test_what_a_file_cannot_hold_is_said_before_solving(
+    capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("scenewright.domains.solve", None)
+    told = fault(capsys, "arrange", "sample:home-studio", "-o", str(tmp_path / "a.cityjson"))
+    assert "only sites can be written as .cityjson" in told
+
+
 def test_a_fault_of_ours_is_one_line_and_three(
     capsys: Captured, monkeypatch: pytest.MonkeyPatch
 ) -> None:

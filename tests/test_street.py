@@ -103,6 +103,6 @@ def test_the_longest_suffix_wins(tmp_path: Path) -> None:
 
 
 def test_homes_have_no_street(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="street pictures are of sites"):
+    with pytest.raises(InputError, match=r"only sites can be written as \.street"):
         sw.write(flat_solution(), tmp_path / "flat.street.png")
     assert not list(tmp_path.iterdir())

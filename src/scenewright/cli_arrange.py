@@ -94,6 +94,8 @@ def prepared(request: Request, console: Console) -> Brief:
     brief = formats.read(
         request.source, keep=request.keep, catalogs=request.catalogs, groups=request.groups
     )
+    for path in request.outputs:
+        formats.writer(path, brief.domain)
     if request.accessible:
         brief = made_accessible(brief)
     named("preset", request.preset, domains.presets(brief.domain))

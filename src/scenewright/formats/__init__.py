@@ -26,12 +26,14 @@ SAMPLE = "sample:"
 
 
 class Format(NamedTuple):
-    """One row: the suffix, what it is, and the modules that read a brief or write a solution."""
+    """One row: the suffix, what it is, the modules that read a brief or write a solution, and the
+    only domain of which it holds solutions (empty: any)."""
 
     suffix: str
     about: str
     reader: str = ""
     writer: str = ""
+    domain: str = ""
 
 
 FORMATS = (
@@ -48,6 +50,7 @@ FORMATS = (
         "indoor map or site (OpenStreetMap, read), footprints of a site (written)",
         "scenewright.formats.geojson",
         "scenewright.formats.footprints_geojson",
+        "site",
     ),
     Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
     Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
@@ -56,12 +59,18 @@ FORMATS = (
         "city model: its buildings as landmarks (read), a site (written)",
         "scenewright.formats.site_cityjson",
         "scenewright.formats.cityjson",
+        "site",
     ),
     Format(
         ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"
     ),
     Format(".png", "picture from above", writer="scenewright.formats.png"),
-    Format(".street.png", "picture of a site at eye height", writer="scenewright.formats.street"),
+    Format(
+        ".street.png",
+        "picture of a site at eye height",
+        writer="scenewright.formats.street",
+        domain="site",
+    ),
 )
 
 
@@ -99,7 +108,7 @@ def read(
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write a solution in the format of the suffix of ``path``; missing folders are made."""
-    writing = writer(path)
+    writing = writer(path, solution.brief.domain)
     try:
         Path(path).parent.mkdir(parents=True, exist_ok=True)
         writing(solution, path)
@@ -109,9 +118,15 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
         ) from None
 
 
-def writer(path: str | os.PathLike[str]) -> Callable[[Solution, str | os.PathLike[str]], None]:
-    """The function that writes files named like ``path``; InputError if there is none."""
+def writer(
+    path: str | os.PathLike[str], domain: str = ""
+) -> Callable[[Solution, str | os.PathLike[str]], None]:
+    """The function that writes files named like ``path``; InputError if there is none, or if it
+    does not hold what is of ``domain``."""
     row = _row(path, "writer")
+    if domain and row.domain not in ("", domain):
+        raise InputError(f"only {row.domain}s can be written as {row.suffix}",
+                         "choose .glb, .svg or .json", file=str(path))  # fmt: skip
     write_function: Callable[[Solution, str | os.PathLike[str]], None] = _module(
         row.writer, path
     ).write

@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,7 +17,6 @@ from numpy.typing import NDArray
 
 from scenewright import authorship
 from scenewright.brief import Brief
-from scenewright.errors import InputError
 from scenewright.formats.site_shapes import Standing, standing
 from scenewright.outlines import ring, signed_area
 from scenewright.site_plan import plans_of
@@ -36,11 +34,6 @@ Vertices = dict[tuple[int, int, int], int]
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the city model of a solution to ``path``; the file appears whole or not at all."""
-    if solution.brief.domain != "site":
-        raise InputError(
-            f"only sites can be written as {Path(path).suffix}", "choose .glb, .svg or .json",
-            file=str(path),
-        )  # fmt: skip
     write_whole(path, json.dumps(document(solution), ensure_ascii=False) + "\n")
 
 

@@ -8,14 +8,12 @@ from __future__ import annotations
 
 import json
 import os
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from scenewright import authorship
 from scenewright.brief_site import Site
-from scenewright.errors import InputError
 from scenewright.formats.indoor_projection import Projection, coordinates_of, projection
 from scenewright.formats.site_shapes import Standing, standing
 from scenewright.site_plan import SitePlan, Way, plans_of
@@ -32,11 +30,6 @@ FIELDS = ("setback", "road_setback", "spacing", "sun_spacing", "floor_area_ratio
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the map of a solution to ``path``; the file appears whole or not at all."""
-    if solution.brief.domain != "site":
-        raise InputError(
-            f"only sites can be written as {Path(path).suffix}", "choose .glb, .svg or .json",
-            file=str(path),
-        )  # fmt: skip
     write_whole(path, json.dumps(document(solution), ensure_ascii=False) + "\n")
 
 

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog import Material
-from scenewright.errors import InputError
 from scenewright.formats.picture import Air, Pixels, render
 from scenewright.formats.stage import blocks_of, stage_of
 from scenewright.formats.street_spot import HORIZON, TALL, camera_of, standpoint
@@ -36,8 +35,6 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the street picture of a solution to ``path``; it appears whole or not at all."""
     from PIL import Image
 
-    if solution.brief.domain != "site":
-        raise InputError("street pictures are of sites only", "write a plain .png instead")
     with whole(path) as partial:
         Image.fromarray(picture(solution)).save(partial, format="png", compress_level=6)
 
