@@ -6,10 +6,10 @@ Each run is one row of plain values; :func:`summary` takes medians. Timings are 
 from __future__ import annotations
 
 import importlib.util
-import statistics
 from collections.abc import Callable
 from typing import Any
 
+from benchmarks.comparison import figure, record
 from benchmarks.hall_measure import energies_of, own_energy
 from scenewright.brief import Brief
 from scenewright.check import check
@@ -37,6 +37,7 @@ FIGURES = (
 )  # fmt: skip
 SHARES = ("valid", "overlaps", "outside", "narrow", "other", "left_out")
 """Figures that are means over the runs; all others are medians."""
+PRINTED = "paper, 1000 iterations"
 
 
 def halls() -> list[str]:
@@ -90,12 +91,6 @@ def rows(seeds: int, cases: list[str] | None = None, progress: Progress | None =
     return found
 
 
-def figure(rows_: list[Row], name: str) -> float:
-    """The mean of a share or count, the median of anything else."""
-    values = [float(row[name]) for row in rows_]
-    return statistics.mean(values) if name in SHARES else statistics.median(values)
-
-
 def summary(found: list[Row]) -> list[Row]:
     """Records: our default against each other method, by sample and figure."""
     records: list[Row] = []
@@ -105,18 +100,9 @@ def summary(found: list[Row]) -> list[Row]:
         for method in dict.fromkeys(row["method"] for row in mine):
             theirs = [row for row in mine if row["method"] == method]
             if method != "default":
-                records += [_record(case, name, unit, ours, theirs, method)
+                records += [record(case, name, unit, ours, theirs, method, SHARES)
                             for name, unit in FIGURES]  # fmt: skip
     return records
-
-
-def _record(case: str, name: str, unit: str, ours: list[Row], theirs: list[Row], by: str) -> Row:
-    a, b = figure(ours, name), figure(theirs, name)
-    return {
-        "case": case, "metric": name.replace("_", " "), "unit": unit, "ours": round(a, 4),
-        "baseline": round(b, 4), "baseline_name": by, "ratio": round(a / b, 4) if b else None,
-        "runs": len(ours),
-    }  # fmt: skip
 
 
 def quality(seeds: int, cases: list[str] | None = None) -> list[Row]:
@@ -146,7 +132,7 @@ def _quality(case: str, seeds: int) -> list[Row]:
         *_against_paper(case, "our solver, the paper's problem", "own_energy", runs["same"],
                         runs["paper"]),
         _count(case, f"valid in {LIMIT} s", sum(r["valid"] for r in runs["default"]), seeds),
-        _record(case, "seconds", "s", runs["default"], runs["paper"], "paper, 1000 iterations"),
+        record(case, "seconds", "s", runs["default"], runs["paper"], PRINTED, SHARES),
     ]  # fmt: skip
 
 
@@ -154,11 +140,11 @@ def _against_paper(
     case: str, what: str, name: str, ours: list[Row], theirs: list[Row]
 ) -> list[Row]:
     """Energies of runs against the paper's, their medians and seed by seed."""
-    bar = figure(theirs, name) * (1.0 + 1e-9)
+    bar = figure(theirs, name, SHARES) * (1.0 + 1e-9)
     better = sum(row[name] <= bar for row in ours)
     paired = sum(a[name] <= b[name] * (1.0 + 1e-9) for a, b in zip(ours, theirs, strict=True))
     return [
-        _record(case, name, "1", ours, theirs, "paper, 1000 iterations")
+        record(case, name, "1", ours, theirs, PRINTED, SHARES)
         | {"metric": f"energy in {LIMIT} s: {what}"},
         _count(case, f"no worse than the paper's median: {what}", better, len(ours)),
         _count(case, f"no worse than the paper seed by seed: {what}", paired, len(ours)),

@@ -9,11 +9,11 @@ within 1 % of the final one; ``settled`` is where its global search ended by (12
 
 from __future__ import annotations
 
-import statistics
 import time
 from collections.abc import Callable
 from typing import Any
 
+from benchmarks.comparison import figure, record
 from benchmarks.site_scenes import SIZES, Scene, judged, posed, scene_brief
 from scenewright.domains.site.presets import PRESETS
 from scenewright.solve import Budget
@@ -90,12 +90,6 @@ def rows(
     return found
 
 
-def figure(found: list[Row], name: str) -> float:
-    """The mean of a share or count, the median of anything else."""
-    values = [float(row[name]) for row in found]
-    return statistics.fmean(values) if name in MEANS else statistics.median(values)
-
-
 def chosen(found: list[Row], **wanted: Any) -> list[Row]:
     """The rows that have these values."""
     return [row for row in found if all(row[name] == value for name, value in wanted.items())]
@@ -111,7 +105,7 @@ def summary(found: list[Row], figures: tuple[tuple[str, str], ...] = FIGURES) ->
             if method != "default":
                 ours, theirs = (chosen(mine, method=name) for name in ("default", method))
                 case = f"{size} buildings, equal {equal}"
-                records += [_record(case, name, unit, ours, theirs, method)
+                records += [record(case, name, unit, ours, theirs, method, MEANS)
                             for name, unit in figures]  # fmt: skip
     return records + falls(found)
 
@@ -122,7 +116,8 @@ def falls(found: list[Row]) -> list[Row]:
     records = []
     for equal in dict.fromkeys(row["equal"] for row in found):
         for method in dict.fromkeys(row["method"] for row in found):
-            ends = [figure(chosen(found, buildings=size, method=method, equal=equal), "value")
+            mine = chosen(found, method=method, equal=equal)
+            ends = [figure(chosen(mine, buildings=size), "value", MEANS)
                     for size in (sizes[0], sizes[-1])]  # fmt: skip
             records.append({
                 "case": f"{method}, equal {equal}",
@@ -132,12 +127,3 @@ def falls(found: list[Row]) -> list[Row]:
                 "runs": len(found),
             })  # fmt: skip
     return records
-
-
-def _record(case: str, name: str, unit: str, ours: list[Row], theirs: list[Row], by: str) -> Row:
-    a, b = figure(ours, name), figure(theirs, name)
-    return {
-        "case": case, "metric": name.replace("_", " "), "unit": unit, "ours": round(a, 4),
-        "baseline": round(b, 4), "baseline_name": by, "ratio": round(a / b, 4) if b else None,
-        "runs": len(ours),
-    }  # fmt: skip

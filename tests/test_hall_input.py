@@ -6,15 +6,13 @@ from __future__ import annotations
 import json
 import os
 import re
-import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import scenewright
+from deadline import within
 from scenewright import cli
 from scenewright.brief import Brief
 from scenewright.check import check
@@ -158,22 +156,6 @@ ROOMS_BESIDE = {"two halls of one place": [hall()]}
 
 def document(name: str, room: Room) -> dict[str, Any]:
     return {"domain": "hall", "rooms": [*ROOMS_BESIDE.get(name, []), room]}
-
-
-@contextmanager
-def within(seconds: int) -> Iterator[None]:
-    """Fail if it takes longer."""
-
-    def late(*_: object) -> None:
-        raise AssertionError(f"takes more than {seconds} s")
-
-    before = signal.signal(signal.SIGALRM, late)
-    signal.alarm(seconds)
-    try:
-        yield
-    finally:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
 
 
 @pytest.mark.parametrize("name", FAULTS)

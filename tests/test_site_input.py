@@ -7,15 +7,13 @@ import json
 import math
 import os
 import re
-import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import scenewright
+from deadline import within
 from scenewright import cli
 from scenewright.brief import Brief
 from scenewright.check import check
@@ -121,22 +119,6 @@ FAULTS: dict[str, tuple[Ground, str]] = {
     "an id used twice": (stands(HERE | {"id": "a"}, HERE | {"id": "a"}), "the id 'a' is used"),
 }  # fmt: skip
 """What is wrong, the site, and what is told."""
-
-
-@contextmanager
-def within(seconds: int) -> Iterator[None]:
-    """Fail if it takes longer."""
-
-    def late(*_: object) -> None:
-        raise AssertionError(f"takes more than {seconds} s")
-
-    before = signal.signal(signal.SIGALRM, late)
-    signal.alarm(seconds)
-    try:
-        yield
-    finally:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
 
 
 def told_for(document: Any, name: str, capsys: pytest.CaptureFixture[str]) -> str:
