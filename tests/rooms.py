@@ -49,8 +49,15 @@ def full_problem(printed: bool = False) -> Problem:
         daylight=np.array([0.0, 0.0, 1.0, 0.5]),
         nestle=np.array([0.0, 0.0, 1.0, 0.0]),
         pairs=np.array([[0, 1], [0, 3], [2, 3]], np.int64),
-        pair_targets=np.array([[2.5, np.pi, 0.0], [1.2, np.nan, np.nan], [np.nan, np.pi / 2, 1.0]]),
+        pair_targets=np.array(
+            [[2.5, np.pi, 0.0], [1.2, np.nan, np.nan], [np.nan, np.pi / 2, 1.0]]
+        ),
         pair_weights=np.array([1.0, 0.5, 2.0]),
+        placed=np.array([2, 0, 2], np.int64),
+        places=np.array(
+            [[0, 2, 0, 0.5, 0, 0.1], [2, 3, 1.2, np.inf, 1, 0.2], [1, 3, 0, 0.2, -1, 0.1]]
+        ),
+        spots=np.array([[6, 1, 6, 2.5], [0, 2, 0, 2], [1, 5.5, 3, 5.5]], float),
     )
     names = ("seat", "screen", "shelf", "table")
     return Problem(room(), items, names, default_weights(printed), printed)
@@ -92,6 +99,7 @@ def turned_problem(problem: Problem, angle: float, shift) -> Problem:
         name: turned_segments(getattr(old, name), angle, shift)
         for name in ("edges", "walls", "main_wall")
     }
+    items = problem.items._replace(spots=turned_segments(problem.items.spots, angle, shift))
     corners = segments["edges"].reshape(-1, 2)
     bounds = np.concatenate([corners.min(axis=0), corners.max(axis=0)])
-    return problem._replace(ground=old._replace(**boxes, **segments, bounds=bounds))
+    return problem._replace(ground=old._replace(**boxes, **segments, bounds=bounds), items=items)

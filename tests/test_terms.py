@@ -6,11 +6,13 @@ from importlib import import_module
 
 import numpy as np
 import pytest
+import shapely
 
 from rooms import full_problem, random_layouts, ring, turned_boxes, turned_problem
 from scenewright.energy import energies_of, evaluate, explain, prepare, route_grid
 from scenewright.errors import InputError
 from scenewright.geometry.boxes import make_frame
+from scenewright.layout import corners
 from scenewright.terms import orientation, relations
 from scenewright.terms.table import TERMS, default_weights, read_weights
 
@@ -60,9 +62,10 @@ def test_term_does_not_care_about_the_order_of_items(row):
     arrays = {
         name: getattr(items, name)[order]
         for name in items._fields
-        if name not in ("pairs", "pair_targets", "pair_weights")
+        if name not in ("pairs", "pair_targets", "pair_weights", "placed", "places", "spots")
     }
-    renamed = items._replace(**arrays, pairs=np.argsort(order)[items.pairs])
+    place = np.argsort(order)
+    renamed = items._replace(**arrays, pairs=place[items.pairs], placed=place[items.placed])
     layouts = random_layouts(problem, 20)
     other = evaluate(problem._replace(items=renamed), layouts[:, order])
     assert other == pytest.approx(evaluate(problem, layouts), abs=1e-9)
@@ -126,6 +129,41 @@ def test_repaired_pair_knows_in_front_from_behind():
     assert relations.pair_printed(sofa, behind, 2.5, np.pi) == pytest.approx(0.0)
     assert relations.pair(sofa, ahead, 2.5, np.pi, 0.0) == pytest.approx(0.0)
     assert relations.pair(sofa, behind, 2.5, np.pi, 0.0) == pytest.approx(np.pi)
+
+
+def plain_distance(box, spot):
+    """Metres between a box (5,) and a segment (4,), exact."""
+    line = shapely.LineString(spot.reshape(2, 2))
+    line = line if line.length else shapely.Point(spot[:2])
+    return shapely.Polygon(corners(box[None])[0]).distance(line)
+
+
+def plain_miss(box, spot, back):
+    """Radians by which the look from a box's middle misses a segment, on a fine fan of points."""
+    points = spot[:2] + np.linspace(0, 1, 20001)[:, None] * (spot[2:] - spot[:2])
+    ways = np.arctan2(points[:, 1] - box[1], points[:, 0] - box[0]) - box[2] - np.pi * back
+    return np.abs((ways + np.pi) % (2 * np.pi) - np.pi).min()
+
+
+def test_places_agree_with_exact_shapes():
+    problem = full_problem()._replace(weights={"places": 1.0})
+    for layout in random_layouts(problem, 60):
+        plain = 0.0
+        for item, row in zip(problem.items.placed, problem.items.places, strict=True):
+            spots = problem.items.spots[int(row[0]) : int(row[1])]
+            far = min(plain_distance(layout[item], spot) for spot in spots)
+            miss = min(plain_miss(layout[item], spot, row[4] < 0) for spot in spots)
+            off = max(0.0, far - row[3]) + max(0.0, row[2] - far) + abs(row[4]) * miss
+            plain += row[5] * off
+        assert evaluate(problem, layout[None])[0] == pytest.approx(plain, abs=0.02)
+
+
+def test_a_distance_below_zero_is_the_least():
+    sofa, near = make_frame(0.0, 0.0, 0.0, 2.0, 1.0), make_frame(1.5, 0.0, 0.0, 1.0, 1.0)
+    nan = float("nan")
+    assert relations.pair_printed(sofa, near, -2.0, nan) == pytest.approx(0.5)
+    assert relations.pair_printed(sofa, near, -1.0, nan) == 0.0
+    assert relations.pair_printed(sofa, near, 1.0, nan) == pytest.approx(0.5)
 
 
 def test_nothing_asked_costs_nothing():

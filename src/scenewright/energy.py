@@ -103,6 +103,7 @@ def prepare(problem: Problem) -> Prepared:
     zoned = weights[CLEAR_ROOM] != 0.0 or weights[CLEAR_ITEMS] != 0.0
     reach = items.clear.max(axis=1, initial=0.0) * (1.0 if zoned else 0.0)
     pairs = np.array(items.pairs, np.int64, order="C").reshape(-1, 2)
+    placed = np.argsort(items.placed, kind="stable")
     start, related = _related(pairs, len(items.low))
     return Prepared(
         edges=_fresh(ground.edges, 4),
@@ -117,6 +118,9 @@ def prepare(problem: Problem) -> Prepared:
         targets=np.hstack([_fresh(items.pair_targets, 3), _fresh(items.pair_weights, 1)]),
         related_start=start,
         related=related,
+        place_start=np.searchsorted(items.placed[placed], np.arange(len(items.low) + 1)),
+        places=_fresh(items.places[placed], 6),
+        spots=_fresh(items.spots, 4),
         weights=weights,
         bounds=bounds,
         middle=_middle(ground),

@@ -54,8 +54,12 @@ class Items(NamedTuple):
     part; all other terms take the whole box. ``daylight`` (n,): how much it wants
     a window near, ``nestle`` (n,): how much it wants a side against something (a corner).
     ``pairs`` (p, 2): indices i, j of related items; ``pair_targets`` (p, 3): distance between
-    centres in metres, angle between headings, and bearing of j from the front of i (NaN: any);
-    ``pair_weights`` (p,).
+    centres in metres (below zero: at least as much), angle between headings, and bearing of j from
+    the front of i (NaN: any); ``pair_weights`` (p,).
+    ``placed`` (s,): indices of items that want a place; ``places`` (s, 6): the first of the
+    ``spots`` it may be at and the one after the last (one at least), least and greatest distance
+    in metres (inf: any), +1 to look at it, -1 to turn the back to it, 0 any heading, and weight.
+    ``spots`` (k, 4) are segments x0, y0, x1, y1 of the room.
     """
 
     low: Floats
@@ -72,6 +76,9 @@ class Items(NamedTuple):
     pairs: Ints
     pair_targets: Floats
     pair_weights: Floats
+    placed: Ints
+    places: Floats
+    spots: Floats
 
 
 class Problem(NamedTuple):
@@ -94,4 +101,5 @@ def empty_items(n: int) -> Items:
         back_to_wall=none.copy(), main_wall=none.copy(), clear=np.zeros((n, 4)),
         access=np.zeros((n, 4)), inset=np.zeros((n, 4)), daylight=none.copy(), nestle=none.copy(),
         pairs=np.zeros((0, 2), np.int64), pair_targets=np.zeros((0, 3)), pair_weights=np.zeros(0),
+        placed=np.zeros(0, np.int64), places=np.zeros((0, 6)), spots=np.zeros((0, 4)),
     )  # fmt: skip

@@ -39,12 +39,15 @@ def chosen(items: Items, order: list[int]) -> Items:
     """Some of the items, in the given order, with the relations among them."""
     place = {item: k for k, item in enumerate(order)}
     kept = [r for r, (i, j) in enumerate(items.pairs) if int(i) in place and int(j) in place]
-    whole = ("pairs", "pair_targets", "pair_weights")
+    whole = ("pairs", "pair_targets", "pair_weights", "placed", "places", "spots")
     arrays = {name: values[order] for name, values in items._asdict().items() if name not in whole}
     pairs = np.array([[place[int(i)], place[int(j)]] for i, j in items.pairs[kept]], np.int64)
+    here = [k for k, item in enumerate(items.placed) if int(item) in place]
     return Items(
         **arrays, pairs=pairs.reshape(-1, 2),
         pair_targets=items.pair_targets[kept], pair_weights=items.pair_weights[kept],
+        placed=np.array([place[int(items.placed[k])] for k in here], np.int64),
+        places=items.places[here], spots=items.spots,
     )  # fmt: skip
 
 
@@ -86,6 +89,7 @@ def with_partners(problem: Problem, i: int, boxes: Floats, standing: list[int]) 
         other = int(second) if first == i else int(first)
         if i not in (first, second) or other not in standing or math.isnan(far):
             continue
+        far = abs(far)
         box, turn = boxes[other], 0.0 if math.isnan(angle) else angle
         ways = 0.5 * np.pi * np.arange(4) if math.isnan(bearing) else [bearing]
         for way in ways:

@@ -136,7 +136,7 @@ def relate(frame: Frame, other: Frame, first: bool, target: Floats, stream: Stre
 
     ``first`` if this is the item the bearing is measured from. What is left open is drawn.
     """
-    distance = target[0] if not math.isnan(target[0]) else 1.0 + 2.0 * uniform(stream)
+    distance = abs(target[0]) if not math.isnan(target[0]) else 1.0 + 2.0 * uniform(stream)
     angle = target[1] if not math.isnan(target[1]) else QUARTER * int(4.0 * uniform(stream))
     bearing = target[2]
     if math.isnan(bearing):
@@ -150,6 +150,27 @@ def relate(frame: Frame, other: Frame, first: bool, target: Floats, stream: Stre
         2.0 * frame[4],
         2.0 * frame[5],
     )
+
+
+@inlined
+def visit(frame: Frame, i: int, p: Prepared, stream: Stream) -> Frame:
+    """Back to the wall at a spot the item wants to be at, or square to the room looking at it."""
+    row = p.places[p.place_start[i] + below(stream, p.place_start[i + 1] - p.place_start[i])]
+    if row[3] == math.inf and row[4] == 0.0:
+        return jump(frame, p.bounds, stream)
+    spot = p.spots[int(row[0]) + below(stream, int(row[1] - row[0]))]
+    part = uniform(stream)
+    x, y = spot[0] + part * (spot[2] - spot[0]), spot[1] + part * (spot[3] - spot[1])
+    if row[4] != 0.0:
+        ahead = math.atan2(y - frame[1], x - frame[0]) + (0.0 if row[4] > 0.0 else math.pi)
+        steps = 1.0 * math.floor((ahead - frame[7]) / QUARTER + 0.5)
+        heading = frame[7] + steps * QUARTER
+        return make_frame(frame[0], frame[1], heading, 2.0 * frame[4], 2.0 * frame[5])
+    wall = p.walls[max(nearest_segment(x, y, p.walls)[0], 0)]
+    dx, dy = wall[2] - wall[0], wall[3] - wall[1]
+    length = max(math.sqrt(dx * dx + dy * dy), 1e-9)
+    along = ((x - wall[0]) * dx + (y - wall[1]) * dy) / length
+    return at_wall(frame, wall, along + frame[4] * bell(stream))
 
 
 @inlined
@@ -175,4 +196,6 @@ def propose(frames: Floats, i: int, p: Prepared, heat: float, stream: Stream) ->
         return relate(frame, other, first, p.targets[r], stream)
     if kind < 0.95 and n > 1:
         return beside(frame, read_frame(frames, (i + 1 + below(stream, n - 1)) % n), stream)
+    if p.place_start[i + 1] > p.place_start[i] and p.walls.shape[0] > 0 and uniform(stream) < 0.7:
+        return visit(frame, i, p, stream)
     return jump(frame, p.bounds, stream)

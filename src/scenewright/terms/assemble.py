@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from scenewright.geometry.boxes import Floats, Frame, common_area, read_frame, read_sides
 from scenewright.geometry.compiled import inlined
-from scenewright.terms import clearance, composition, orientation, packing, relations
+from scenewright.terms import clearance, composition, orientation, packing, places, relations
 from scenewright.terms.table import (
     AGAINST_WALL,
     AGAINST_WALL_PRINTED,
@@ -31,6 +31,7 @@ from scenewright.terms.table import (
     OVERLAP,
     PAIRS,
     PAIRS_PRINTED,
+    PLACES,
     SIZE,
     WISH,
 )
@@ -47,7 +48,8 @@ class Prepared(NamedTuple):
     stick out.
     ``limits`` (n, 4): least width and depth, greatest width and depth. ``pairs`` (p, 2) and
     ``targets`` (p, 4) with the weight last. ``related`` (2p,) lists the relations item i is in
-    from ``related_start[i]`` to ``related_start[i + 1]``. ``normal`` is the main wall's inward
+    from ``related_start[i]`` to ``related_start[i + 1]``; ``places`` (s, 6) those it wants from
+    ``place_start[i]`` on, of the ``spots`` (k, 4). ``normal`` is the main wall's inward
     direction (NaN without one), ``span`` the diagonal of the bounds, ``middle`` (6,) as
     :func:`scenewright.terms.composition.balance` takes it.
     """
@@ -64,6 +66,9 @@ class Prepared(NamedTuple):
     targets: Floats
     related_start: Ints
     related: Ints
+    place_start: Ints
+    places: Floats
+    spots: Floats
     weights: Floats
     bounds: Floats
     middle: Floats
@@ -102,6 +107,8 @@ def box_cost(frame: Frame, i: int, p: Prepared, most: float) -> tuple[float, flo
         own += w[NESTLE] * snug * relations.nestle(frame, p.walls, p.zones)
     if w[WISH] != 0.0:
         own += w[WISH] * packing.wish(frame, p.traits[i, 5], p.traits[i, 6])
+    for k in range(p.place_start[i], p.place_start[i + 1]):
+        own += w[PLACES] * places.place(frame, k, p.places, p.spots)
     return shared, own, 4.0 * frame[4] * frame[5], turn
 
 

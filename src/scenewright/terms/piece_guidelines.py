@@ -135,7 +135,8 @@ def relation(p: Prepared, r: int, a: Frame, b: Frame) -> float:
     total = -ALIGNMENT * math.cos(4.0 * between)
     if not math.isnan(distance):
         far = math.sqrt(dx * dx + dy * dy)
-        total -= DISTANCE * within_range(far, (1.0 - LOOSE) * distance, (1.0 + LOOSE) * distance)
+        most = (1.0 + LOOSE) * distance if distance >= 0.0 else math.inf
+        total -= DISTANCE * within_range(far, (1.0 - LOOSE) * abs(distance), most)
     if not math.isnan(angle):
         total -= ANGLE * math.cos(abs(wrap(between)) - abs(wrap(angle)))
     if not math.isnan(bearing):

@@ -17,6 +17,12 @@ from scenewright.terms.orientation import FLUSH, gap
 from scenewright.terms.table import OBSTACLES, WINDOW
 
 
+@inlined
+def off_distance(distance: float, wanted: float) -> float:
+    """Metres off a wanted distance; one below zero is the least that is wanted (ours)."""
+    return abs(distance - wanted) if wanted >= 0.0 else max(-wanted - distance, 0.0)
+
+
 @compiled
 def pair_printed(a: Frame, b: Frame, distance: float, angle: float) -> float:
     """|d - d̄| + |θ - θ̄|: metres and radians off the wanted distance and angle; NaN: any.
@@ -26,7 +32,7 @@ def pair_printed(a: Frame, b: Frame, distance: float, angle: float) -> float:
     off = 0.0
     if not math.isnan(distance):
         dx, dy = b[0] - a[0], b[1] - a[1]
-        off += abs(math.sqrt(dx * dx + dy * dy) - distance)
+        off += off_distance(math.sqrt(dx * dx + dy * dy), distance)
     if not math.isnan(angle):
         off += abs(abs(wrap(b[7] - a[7])) - abs(wrap(angle)))
     return off

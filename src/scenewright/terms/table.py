@@ -18,8 +18,8 @@ from scenewright.terms.weights import vector_of
 (
     BOUNDARY, OVERLAP, KEEP_FREE, CORRIDORS, OBSTACLES, WINDOW, CLEAR_ROOM, CLEAR_ITEMS,
     MAIN_WALL, MAIN_WALL_PRINTED, AGAINST_WALL, AGAINST_WALL_PRINTED, ALIGNMENT, DAYLIGHT,
-    NESTLE, PAIRS, PAIRS_PRINTED, SIZE, WISH, ROUTE, BALANCE,
-) = range(21)  # fmt: skip
+    NESTLE, PAIRS, PAIRS_PRINTED, SIZE, WISH, ROUTE, BALANCE, PLACES,
+) = range(22)  # fmt: skip
 
 
 class Term(NamedTuple):
@@ -92,6 +92,8 @@ TERMS: tuple[Term, ...] = (
     Term("balance", BALANCE, "repaired", "whole", False, 60,
          "middle of all furniture off that of the room", "Merrell et al. 2011, as a share",
          "composition:balance"),
+    Term("places", PLACES, "repaired", "box", False, 110,
+         "too far from, too near to or not facing what it should", OURS, "places:place"),
 )  # fmt: skip
 
 
