@@ -179,6 +179,15 @@ def test_the_file_reads_back_as_it_was_written(tmp_path: Path) -> None:
     [
         ({"format": "other"}, "is no file of learned groups"),
         ({"distances": [["a", "b", float("nan"), 0, 0, 9]]}, "is no"),
+        ({"distances": [["a", "b", -1.0, 0, 0, 9]]}, "distances.0.2: "),
+        ({"distances": [["a", "b", 1.0, 0, 0, 9, [1, -2, 0]]]}, "distances.0.6.1: "),
+        ({"clearances": [["toilet", "front", float("nan"), 0.5, 3]]}, "clearances.0.2: "),
+        ({"clearances": [["toilet", "front", 0.5, 1e9, 3]]}, "clearances.0.3: "),
+        ({"clearances": [["toilet", "above", 0.5, 0.5, 3]]}, "clearances.0.1: "),
+        ({"clearances": [["toilet", "front", 0.5, 0.5, 10**12]]}, "clearances.0.4: "),
+        ({"shares": [["bedroom", 12.0, -0.2]]}, "shares.0.2: "),
+        ({"shares": [["bedroom", 0.0, 0.2]]}, "shares.0.1: "),
+        ({"shares": [["bedroom", float("inf"), 0.2]]}, "shares.0.1: "),
         ({"cases": [{"function": "bed", "name": "", "width": 1, "depth": 1, "members": [
             {"category": "double_bed", "x": 0, "y": 0, "size": [1, 1, 1]}]}]},
          "cases[0]: there is no group 'bed'"),

@@ -15,6 +15,7 @@ from functools import partial
 
 from scenewright._version import __version__
 from scenewright.brief import Brief, Room
+from scenewright.domains.home.amount import accustomed
 from scenewright.domains.home.attempt import Furnished, Task
 from scenewright.domains.home.own_library import libraries_of, taste_of
 from scenewright.domains.home.presets import PRESETS, Preset, preset_named
@@ -83,6 +84,7 @@ def solve(
         )
         for brief_room, space in zip(brief.rooms, rooms, strict=True)
     ]  # fmt: skip
+    tasks = [accustomed(*each, rooms) for each in zip(tasks, brief.rooms, strict=True)]
     wishes = [
         other_groups(wishes_of(brief_room, task, rooms, task.fixed), variant)
         for brief_room, task in zip(brief.rooms, tasks, strict=True)

@@ -50,7 +50,8 @@ class Task(NamedTuple):
 
     ``route_width`` is that of the way from door to door, ``use_width`` of the way to the pieces;
     ``tight`` names the doors and fixed pieces no route reaches even while the room is empty;
-    ``forbidden`` are kinds of pieces the household will not have."""
+    ``forbidden`` are kinds of pieces the household will not have; sizes are those of a room
+    ``amount`` times as large, and ``welcome`` the welcome groups (none: the usual)."""
 
     space: Space
     ground: Ground
@@ -66,6 +67,8 @@ class Task(NamedTuple):
     library: Library = SHIPPED
     accessible: bool = False
     forbidden: frozenset[str] = frozenset()
+    amount: float = 1.0
+    welcome: tuple[str, ...] | None = None
 
 
 class Placed(NamedTuple):
@@ -106,12 +109,17 @@ def floor_of(ground: Ground) -> float:
     return ground.area + float(ground.obstacles[:, 3:].prod(-1).sum())
 
 
+def furnished_as(task: Task) -> float:
+    """The area by which sizes are chosen, square metres."""
+    return part_of(task.space.functions, floor_of(task.ground) * task.amount)
+
+
 def posed(task: Task, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
     """The problem of placing wishes on a ground, by the task's preset."""
     preset = task.preset
     problem = problem_of(
         ground, wishes, preset.weights, preset.printed, task.route_width,
-        part_of(task.space.functions, floor_of(task.ground)), task.library,
+        furnished_as(task), task.library,
     )  # fmt: skip
     return problem._replace(items=swayed(problem.items, wishes))
 

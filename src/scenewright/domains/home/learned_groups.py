@@ -19,17 +19,14 @@ from scenewright.brief_fields import Coordinate, Heading, Height, Length, Model,
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned_cases import LearnedCase, merged
-from scenewright.domains.home.learned_targets import Clearance, Distance, Share, Targets, targets_of
+from scenewright.domains.home.learned_rows import Clearance, Distance, Share, Targets
+from scenewright.domains.home.learned_targets import targets_of
 from scenewright.domains.home.learning import Furnished, found_in
 from scenewright.errors import InputError
 from scenewright.scene import Size
 
 FORMAT = "scenewright/groups"
 MOST_BYTES = 32 * 2**20
-FARTHEST = 100.0
-"""Groups of one room are not further apart, metres."""
-LEAST_SEEN = 3
-"""Pairs of groups seen less often keep the usual distance."""
 
 Sides = tuple[Side, Side, Side]
 Text = Annotated[str, Field(max_length=200)]
@@ -87,11 +84,11 @@ class Learned(NamedTuple):
 @dataclass(frozen=True, eq=False)
 class Known:
     """What a brief uses of a file: cases by function, the middle of the room areas each was seen
-    in (NaN: not known), and distances between groups."""
+    in (NaN: not known), and statistics of the rooms."""
 
     cases: dict[str, tuple[Group, ...]]
     areas: dict[str, tuple[float, ...]]
-    distances: dict[tuple[str, str], float]
+    targets: Targets
 
 
 def learn(rooms: Sequence[Furnished], catalog: Catalog) -> Learned:
@@ -154,10 +151,6 @@ def _read(path: Path, changed: int, size: int) -> Known:
                          place=place[:80]) from None  # fmt: skip
     for number, case in enumerate(record.cases):
         _check(case, f"cases[{number}]", str(path))
-    for number, row in enumerate(record.distances):
-        if not 0.0 < row.median < FARTHEST:
-            raise InputError(f"{row.median} m is no distance in a room", "correct it",
-                             file=str(path), place=f"distances[{number}]")  # fmt: skip
     return _known(record)
 
 
@@ -188,9 +181,9 @@ def _known(record: GroupsRecord) -> Known:
         cases.setdefault(case.function, []).append(group)
         middle = float(np.mean(case.rooms)) if case.rooms else float("nan")
         areas.setdefault(case.function, []).append(middle)
-    distances = {(d.first, d.second): d.median for d in record.distances if d.seen >= LEAST_SEEN}
+    targets = Targets(tuple(record.distances), tuple(record.clearances), tuple(record.shares))
     return Known({name: tuple(own) for name, own in cases.items()},
-                 {name: tuple(own) for name, own in areas.items()}, distances)  # fmt: skip
+                 {name: tuple(own) for name, own in areas.items()}, targets)  # fmt: skip
 
 
 def _case(learned: LearnedCase) -> dict[str, Any]:

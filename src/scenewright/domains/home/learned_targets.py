@@ -4,93 +4,83 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
-from math import cos, hypot, sin
-from typing import NamedTuple
+from math import cos, hypot, pi, remainder, sin
 
 import numpy as np
 import shapely
 
 from scenewright.catalog import Catalog
+from scenewright.domains.home.learned_rows import (
+    SIDES,
+    Beside,
+    Clearance,
+    Distance,
+    Share,
+    Targets,
+)
 from scenewright.domains.home.learning import Found, Furnished
-from scenewright.domains.home.learning_space import footprint
-from scenewright.scene import Piece
+from scenewright.domains.home.learning_space import covered, footprint
+from scenewright.scene import Piece, Pose, Size
 
 HAIR = 0.02
 FARTHEST = 3.0
 """Free floor is looked for so far before a piece, in metres."""
 
 
-class Distance(NamedTuple):
-    """How far the middles of two groups of one room are apart: median and quartiles, metres."""
-
-    first: str
-    second: str
-    median: float
-    low: float
-    high: float
-    seen: int
-
-
-class Clearance(NamedTuple):
-    """Free floor before pieces of a category: least and median, metres (at most three)."""
-
-    category: str
-    least: float
-    median: float
-    seen: int
-
-
-class Share(NamedTuple):
-    """What share of a room of a function furniture covers: the room's area and the share."""
-
-    function: str
-    area: float
-    share: float
-
-
-class Targets(NamedTuple):
-    """Statistics of furnished rooms."""
-
-    distances: tuple[Distance, ...]
-    clearances: tuple[Clearance, ...]
-    shares: tuple[Share, ...]
-
-
 def targets_of(rooms: Sequence[Furnished], found: Sequence[Found], catalog: Catalog) -> Targets:
     """Statistics of rooms and of the groups found in them."""
-    return Targets(_distances(found), _clearances(rooms, catalog), tuple(_shares(rooms)))
+    return Targets(
+        _distances(found), _clearances(rooms, found, catalog), tuple(_shares(rooms, found))
+    )
 
 
 def _distances(found: Iterable[Found]) -> tuple[Distance, ...]:
     rooms: dict[tuple[str, str], list[Found]] = defaultdict(list)
     for one in found:
         rooms[one.home, one.room].append(one)
-    apart: dict[tuple[str, str], list[float]] = defaultdict(list)
+    pairs: dict[tuple[str, str], list[tuple[float, int]]] = defaultdict(list)
     for groups in rooms.values():
         for a in groups:
             for b in groups:
                 if a is not b:
                     away = hypot(a.box[0] - b.box[0], a.box[1] - b.box[1])
-                    apart[a.case.function, b.case.function].append(away)
-    return tuple(_distance(pair, away) for pair, away in sorted(apart.items()))
+                    turn = round(abs(remainder(a.box[2] - b.box[2], 2 * pi)) / (pi / 2))
+                    pairs[a.case.function, b.case.function].append((away, turn))
+    return tuple(_distance(pair, seen) for pair, seen in sorted(pairs.items()))
 
 
-def _distance(pair: tuple[str, str], away: list[float]) -> Distance:
-    low, middle, high = (float(np.quantile(away, q)) for q in (0.25, 0.5, 0.75))
-    return Distance(*pair, middle, low, high, len(away))
+def _distance(pair: tuple[str, str], seen: list[tuple[float, int]]) -> Distance:
+    apart, turned = [away for away, _ in seen], [turn for _, turn in seen]
+    low, middle, high = (float(np.quantile(apart, q)) for q in (0.25, 0.5, 0.75))
+    turns = turned.count(0), turned.count(1), turned.count(2)
+    return Distance(*pair, middle, low, high, len(seen), turns)
 
 
-def _clearances(rooms: Iterable[Furnished], catalog: Catalog) -> tuple[Clearance, ...]:
-    depths: dict[str, list[float]] = defaultdict(list)
+def _clearances(
+    rooms: Iterable[Furnished], found: Sequence[Found], catalog: Catalog
+) -> tuple[Clearance, ...]:
+    """Free floor round the boxes of groups; what stands in a box is no hindrance to it."""
+    depths: dict[tuple[str, Beside], list[float]] = defaultdict(list)
     for room in rooms:
         floor = shapely.Polygon(room.space.outline, list(room.space.holes))
-        standing = [p for p in room.pieces if _stands(p, catalog)]
-        for piece in standing:
-            if "front" in catalog.kinds[piece.category].access:
-                others = [footprint(p) for p in standing if p is not piece]
-                depths[piece.category].append(free_before(piece, others, floor))
-    return tuple(Clearance(kind, min(found), float(np.median(found)), len(found))
-                 for kind, found in sorted(depths.items()))  # fmt: skip
+        others = [footprint(p) for p in room.pieces if _stands(p, catalog)]
+        here = (one for one in found if (one.home, one.room) == (room.home, room.space.id))
+        for one in here:
+            for number, side in enumerate(SIDES):
+                free = free_before(_side(one, number), others, floor)
+                depths[one.case.function, side].append(free)
+    return tuple(
+        Clearance(*key, float(np.quantile(free, 0.25)), float(np.median(free)), len(free))
+        for key, free in sorted(depths.items())
+    )
+
+
+def _side(one: Found, number: int) -> Piece:
+    """A group's box as a piece that looks over one of its sides."""
+    x, y, heading = one.box
+    width, depth = one.case.width, one.case.depth
+    size = Size(width, depth, 1.0) if number % 2 == 0 else Size(depth, width, 1.0)
+    return Piece("", "", "", "", Pose(x, y, 0.0, heading + number * pi / 2), size)
 
 
 def free_before(piece: Piece, others: Sequence[shapely.Polygon], floor: shapely.Polygon) -> float:
@@ -108,13 +98,16 @@ def free_before(piece: Piece, others: Sequence[shapely.Polygon], floor: shapely.
     return free if free > HAIR + 1e-3 else 0.0
 
 
-def _shares(rooms: Iterable[Furnished]) -> Iterable[Share]:
+def _shares(rooms: Iterable[Furnished], found: Sequence[Found]) -> Iterable[Share]:
+    groups: dict[tuple[str, str], set[str]] = defaultdict(set)
+    for one in found:
+        groups[one.home, one.room].add(one.case.function)
     for room in rooms:
-        floor = shapely.Polygon(room.space.outline, list(room.space.holes))
-        low = [footprint(p) for p in room.pieces if p.pose.z < 0.05 and p.size.height > 0.05]
-        if low and room.space.functions:
-            share = shapely.union_all(low).intersection(floor).area / floor.area
-            yield Share(room.space.functions[0], float(floor.area), float(share))
+        area = float(shapely.Polygon(room.space.outline, list(room.space.holes)).area)
+        taken = covered(room.pieces)
+        if taken and room.space.functions:
+            here = tuple(sorted(groups[room.home, room.space.id]))
+            yield Share(room.space.functions[0], area, min(taken / area, 1.0), here)
 
 
 def _stands(piece: Piece, catalog: Catalog) -> bool:

@@ -105,6 +105,12 @@ def footprint(piece: Piece) -> shapely.Polygon:
     return shapely.Polygon([(piece.pose.x + x, piece.pose.y + y) for x, y in corners])
 
 
+def covered(pieces: Sequence[Piece]) -> float:
+    """The floor that pieces cover together, square metres; rugs and what hangs cover none."""
+    low = [footprint(p) for p in pieces if p.pose.z < 0.05 and p.size.height > 0.05]
+    return float(shapely.union_all(low).area)
+
+
 def apart(anchor: Piece, pieces: Sequence[Piece], catalog: Catalog) -> list[Piece]:
     """The pieces without those that run into the anchor or an earlier one."""
     kept: list[Piece] = []

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Group
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.habits import NONE, Habits
 from scenewright.geometry.kd_tree import Node, nearest_first, plant
 
 SLACK = 0.005
@@ -42,11 +43,11 @@ class Cases(NamedTuple):
 
 
 class Library(NamedTuple):
-    """Cases by function where they are not the shipped ones, and distances between groups, by
-    their two functions, where they are not the usual ones."""
+    """Cases by function where they are not the shipped ones, and what learned rooms tell of the
+    others' habits."""
 
     own: Mapping[str, Cases] = MappingProxyType({})
-    distances: Mapping[tuple[str, str], float] = MappingProxyType({})
+    habits: Habits = NONE
 
 
 SHIPPED = Library()

@@ -9,6 +9,7 @@ from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog, Group
 from scenewright.domains.home.furnishing import Taste, anchor_of, furnished, stock_of
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.habits import habits_of
 from scenewright.domains.home.learned_groups import Known, read
 from scenewright.domains.home.library import SHIPPED, Library, planted, shipped_cases
 
@@ -47,8 +48,7 @@ def library_of(catalog: Catalog, taste: Taste, learned: Learned = ()) -> Library
             own[name] = planted(cases, _first(cases, known))
         else:
             own[name] = planted(known, (), areas)
-    distances = {pair: away for one, _ in learned for pair, away in one.distances.items()}
-    return Library(own, distances)
+    return Library(own, habits_of(one.targets for one, _ in learned))
 
 
 def _known(name: str, learned: Learned) -> tuple[tuple[Group, ...], tuple[float, ...]]:

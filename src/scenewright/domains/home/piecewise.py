@@ -11,7 +11,7 @@ from scenewright.domains.home.attempt import (
     Missing,
     Placed,
     Task,
-    floor_of,
+    furnished_as,
     posed,
     scored,
 )
@@ -29,7 +29,7 @@ from scenewright.domains.home.dress import (
 )
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.pieces import Parts, as_laid, parts_of, posed_pieces
-from scenewright.domains.home.programme import Wish, part_of
+from scenewright.domains.home.programme import Wish
 from scenewright.geometry.fit import OUTSIDE, backed, faults
 from scenewright.solve import Budget
 from scenewright.solvers import SOLVERS
@@ -41,7 +41,7 @@ def piecewise(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished
     """Place all pieces of the wished groups at once; what then runs into something is left out,
     and a group with it if it is what makes it. Presets that are not exact leave all standing."""
     preset = task.preset
-    area = part_of(task.space.functions, floor_of(task.ground))
+    area = furnished_as(task)
     parts = tuple(parts_of(wish, area, task.catalog, task.library) for wish in wishes)
     problem = posed_pieces(
         task.ground, parts, task.catalog, preset.weights, preset.printed, task.route_width

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.domains.home import habits
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import SHIPPED, Library, cases, wished
 from scenewright.domains.home.programme import Wish
@@ -73,7 +74,9 @@ def items_of(wishes: tuple[Wish, ...], area: float, library: Library = SHIPPED) 
         low=rows([s[0] for s in sizes], 2), high=rows([s[1] for s in sizes], 2),
         wish=rows([s[2] for s in sizes], 2), height=column([k.height for k in kinds]),
         back_to_wall=column([k.back for k in kinds]), main_wall=column([k.main for k in kinds]),
-        clear=rows([k.clear for k in kinds], 4), access=rows([k.access for k in kinds], 4),
+        clear=rows([habits.clear(library.habits, w.group, k.clear)
+                    for w, k in zip(wishes, kinds, strict=True)], 4),
+        access=rows([k.access for k in kinds], 4),
         inset=rows([k.inset for k in kinds], 4), daylight=column([k.daylight for k in kinds]),
         nestle=column([k.nestle for k in kinds]),
         pairs=pairs, pair_targets=targets, pair_weights=weights,
@@ -101,9 +104,13 @@ def sizes_of(
 
 
 def relations(library: Library = SHIPPED) -> tuple[Relation, ...]:
-    """The relations between groups, at the distances of a library."""
+    """The relations between groups, at the distances and angles of a library."""
+    known = library.habits
     return tuple(
-        r._replace(distance=library.distances.get((r.first, r.second), r.distance))
+        r._replace(
+            distance=habits.distance(known, (r.first, r.second), r.distance),
+            angle=habits.angle(known, (r.first, r.second), r.angle),
+        )
         for r in RELATIONS
     )
 

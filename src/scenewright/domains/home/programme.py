@@ -120,6 +120,7 @@ STANDS_FOR: dict[str, tuple[str, ...]] = {
 }  # fmt: skip
 """Fixed pieces of these categories make a group unnecessary."""
 
+WELCOME = 2  # the rank of what is welcome
 DOUBLE_BEDROOM = 8.8
 SHARED = 0.15  # by how much the k-th further function of an open plan, times k, shrinks it
 CORE: dict[str, int] = {"bathroom": 5, "child_bedroom": 2, "washroom": 2}  # leading rows; else 1

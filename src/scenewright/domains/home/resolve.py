@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.brief import Brief
+from scenewright.domains.home.amount import accustomed
 from scenewright.domains.home.attempt import Furnished, Placed, Task
 from scenewright.domains.home.edits import Edited, Edits, edited, frame_of, laid_on, leads
 from scenewright.domains.home.groups import GROUPS
@@ -83,10 +84,11 @@ def _revised(
     preset = preset_named(solution.preset)
 
     def task_with(fixed: list[Piece]) -> Task:
-        return task_of(
+        task = task_of(
             solution.brief, asked, space, tuple(fixed), catalog, library, preset, solution.solver,
             solution.seed,
         )  # fmt: skip
+        return accustomed(task, asked, rooms)
 
     plain = [p for p in firm if p.function not in GROUPS]
     bare = task_with(plain)

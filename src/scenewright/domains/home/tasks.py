@@ -17,7 +17,7 @@ from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import Library
 from scenewright.domains.home.presets import Preset
-from scenewright.domains.home.programme import Wish, programme, resolved
+from scenewright.domains.home.programme import WELCOME, Wish, programme, resolved
 from scenewright.domains.home.wishes import granted
 from scenewright.errors import InputError
 from scenewright.plan import place
@@ -85,6 +85,9 @@ def wishes_of(
     )
     have = frozenset(p.category for p in fixed)
     usual = programme(task.space, floor_of(task.ground), others, have)
+    if task.welcome is not None:
+        usual = (*(w for w in usual if w.rank < WELCOME),
+                 *(Wish(group, WELCOME) for group in task.welcome))  # fmt: skip
     return granted(_less(usual, standing), room, task.library)
 
 

@@ -1,0 +1,96 @@
+"""How much a room is to hold, where learned rooms tell how much people put into such rooms.
+
+What makes a room and what is usual in it stays. Welcome groups are added, those most common in such
+rooms first, or left out, the least common first, while that brings the floor that all groups cover
+nearer to the learned share. Sizes follow the area of a room, so what is still missing is made up by
+choosing them as if the room were larger or smaller.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from scenewright.brief import Room
+from scenewright.catalog import Group
+from scenewright.domains.home import habits
+from scenewright.domains.home.attempt import Task, floor_of, furnished_as
+from scenewright.domains.home.learning_space import covered
+from scenewright.domains.home.library import wished
+from scenewright.domains.home.programme import PROGRAMME, STANDS_FOR, WELCOME, Wish
+from scenewright.domains.home.tasks import wishes_of
+from scenewright.scene import Piece, Pose
+from scenewright.space import Space
+
+FACTORS = tuple(sorted(np.geomspace(0.5, 2.0, 17).tolist(), key=lambda f: abs(np.log(f))))
+"""Areas that are tried, as parts of the room's, the nearest to it first."""
+SEEN = 0.5
+"""What fewer such rooms have is not welcome, as a share of them."""
+BESIDE = frozenset(row.group for rows in PROGRAMME.values() for row in rows if row.rank > 0)
+"""Groups that come beside what makes a room."""
+
+
+def accustomed(task: Task, room: Room, rooms: tuple[Space, ...]) -> Task:
+    """The task, to be furnished as much as people furnish such rooms; as it is where nothing was
+    learned of them."""
+    known, functions = task.library.habits, task.space.functions
+    if not known.shares or not functions or not task.preset.exact:
+        return task
+    usual = wishes_of(room, task, rooms, task.fixed)
+    wanted = habits.share(known, functions[0], floor_of(task.ground), expected(task, usual))
+    if room.ask is None:
+        task = task._replace(welcome=_welcome(task, usual, wanted))
+    wishes = wishes_of(room, task, rooms, task.fixed)
+
+    def off(factor: float) -> float:
+        return round(abs(expected(task._replace(amount=factor), wishes) - wanted), 3)
+
+    return task._replace(amount=min(FACTORS, key=off))
+
+
+def _welcome(task: Task, usual: tuple[Wish, ...], wanted: float) -> tuple[str, ...]:
+    """The welcome groups with which the room holds about as much as wanted."""
+    must = [wish for wish in usual if wish.rank < WELCOME]
+    chosen = [wish for wish in usual if wish.rank == WELCOME]
+    area = floor_of(task.ground)
+    common = habits.common(task.library.habits, task.space.functions[0], area,
+                           (wish.group for wish in usual))  # fmt: skip
+    have = {p.category for p in task.fixed}
+
+    def off(welcome: list[Wish]) -> float:
+        return abs(expected(task, (*must, *welcome)) - wanted)
+
+    for wish in sorted(chosen, key=lambda w: common[w.group]):
+        fewer = [w for w in chosen if w is not wish]
+        chosen = fewer if off(fewer) < off(chosen) else chosen
+    for group in sorted(common, key=lambda g: (-common[g], g)):
+        standing = have | {k for w in (*must, *chosen) for k in STANDS_FOR.get(w.group, ())}
+        named = group in BESIDE and not any(w.group == group for w in usual)
+        if named and common[group] >= SEEN and not standing & set(STANDS_FOR.get(group, ())):
+            more = [*chosen, Wish(group, WELCOME)]
+            chosen = more if off(more) < off(chosen) else chosen
+    return tuple(wish.group for wish in chosen)
+
+
+def expected(task: Task, wishes: tuple[Wish, ...]) -> float:
+    """The share of the floor that the groups wished for cover, with what stands already."""
+    area = furnished_as(task)
+    taken = covered(task.fixed) + sum(_taken(wish, area, task) for wish in wishes)
+    return float(taken / floor_of(task.ground))
+
+
+def _taken(wish: Wish, area: float, task: Task) -> float:
+    case = wished(wish.group, area, task.library)
+    most = wish.most
+    bound = min(case.width, most[0]) * min(case.depth, most[1]) if most else np.inf
+    return min(footing(case), float(bound))
+
+
+@lru_cache(maxsize=4096)
+def footing(case: Group) -> float:
+    """The floor that the members of a case cover, square metres."""
+    return covered([
+        Piece("", m.category, "", "", Pose(m.x, m.y, m.z, m.heading), m.size)
+        for m in case.members if m.on < 0
+    ])  # fmt: skip
