@@ -18,7 +18,7 @@ def ring(points):
 
 
 def room() -> Ground:
-    """An L-shaped room with a column, two doors, a window, a corridor and a fixed piece."""
+    """An L-shaped room with a column, doors, a window, a corridor, a slope and a fixed piece."""
     edges = np.concatenate([ring(OUTLINE), ring(COLUMN)])
     return Ground(
         edges=edges,
@@ -31,6 +31,7 @@ def room() -> Ground:
         main_wall=np.array([[6.0, 0.0, 6.0, 3.5]]),
         bounds=np.array([0.0, 0.0, 6.0, 5.5]),
         area=29.0 - 0.16,
+        slopes=np.array([[0.0, 0.0, 0.0, 1.0, 1.6, 1.4]]),
     )
 
 
@@ -100,6 +101,10 @@ def turned_problem(problem: Problem, angle: float, shift) -> Problem:
         for name in ("edges", "walls", "main_wall")
     }
     items = problem.items._replace(spots=turned_segments(problem.items.spots, angle, shift))
+    slopes = old.slopes.copy()
+    slopes[:, :2] = turned_points(slopes[:, :2], angle, shift)
+    slopes[:, 2:4] = turned_points(slopes[:, 2:4], angle, np.zeros(2))
     corners = segments["edges"].reshape(-1, 2)
     bounds = np.concatenate([corners.min(axis=0), corners.max(axis=0)])
-    return problem._replace(ground=old._replace(**boxes, **segments, bounds=bounds), items=items)
+    ground = old._replace(**boxes, **segments, bounds=bounds, slopes=slopes)
+    return problem._replace(ground=ground, items=items)

@@ -177,7 +177,7 @@ def refusal(path: Path | str) -> str:
     told = str(caught.value)
     assert "\n" not in told
     assert told.startswith(str(path))
-    assert len(told) < 400
+    assert len(told) < 600
     return told
 
 

@@ -29,6 +29,7 @@ from scenewright.brief_fields import (
 )
 from scenewright.brief_hall import Demand, Link, ZoneBrief
 from scenewright.brief_site import Site
+from scenewright.brief_slope import SlopeBrief
 from scenewright.brief_wishes import WishBrief
 
 Function = Literal[
@@ -115,6 +116,7 @@ class Room(Model):
 
     ``function`` may be several for an open plan; left out, it is read from ``name``.
     ``main_wall`` is the index of an outline edge as listed (0 joins the first two points).
+    ``slopes`` are the parts of the ceiling under a roof; the lowest at a point counts.
     ``ask`` replaces what the function and size would bring, ``wishes`` add to it, take from it
     or say where. ``style`` and ``colour`` are words
     that furniture of the brief's own catalogues should answer to; left out, the home's.
@@ -132,6 +134,7 @@ class Room(Model):
     doors: Annotated[list[Door], Field(max_length=200)] = []
     windows: Annotated[list[Window], Field(max_length=200)] = []
     main_wall: Annotated[Whole, Field(ge=0)] | None = None
+    slopes: Annotated[list[SlopeBrief], Field(max_length=20)] = []
     fixed: Annotated[list[FixedItem], Field(max_length=2000)] = []
     ask: Annotated[list[Ask], Field(max_length=200)] | None = None
     wishes: Annotated[list[WishBrief], Field(max_length=200)] = []

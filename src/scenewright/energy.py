@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from scenewright.ceiling import BENDING, low_floor, strips
 from scenewright.geometry.boxes import Floats, fill_frames, frames_of
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.paths import Bits, Grid, make_grid
@@ -22,6 +23,7 @@ from scenewright.terms.table import (
     KEEP_FREE,
     OBSTACLES,
     ROUTE,
+    SLOPE,
     TERMS,
     WINDOW,
     Term,
@@ -53,14 +55,17 @@ def _fresh(array: Floats, *shape: int) -> Floats:
     return np.array(array, dtype=np.float64, order="C").reshape(-1, *shape)
 
 
-def _zones(ground: Ground) -> Floats:
-    """Boxes to be kept free ``(k, 10)``: frame, term, the height it starts from."""
+def _zones(ground: Ground, tops: Floats) -> Floats:
+    """Boxes to be kept free ``(k, 10)``: frame, term, the height it starts from; the slopes are
+    cut for items as high as ``tops``."""
     windows = _fresh(ground.windows, 6)
+    low = strips(_fresh(ground.slopes, 6), tops, ground.bounds)
     kinds = (
         (KEEP_FREE, ground.keep_free, -np.inf),
         (CORRIDORS, ground.corridors, -np.inf),
         (OBSTACLES, ground.obstacles, -np.inf),
         (WINDOW, windows[:, :5], windows[:, 5]),
+        (SLOPE, low[:, :5], low[:, 5]),
     )
     zones = []
     for term, boxes, height in kinds:
@@ -108,7 +113,7 @@ def prepare(problem: Problem) -> Prepared:
     return Prepared(
         edges=_fresh(ground.edges, 4),
         walls=_fresh(ground.walls, 4),
-        zones=_zones(ground),
+        zones=_zones(ground, items.height),
         clear=_fresh(items.clear, 4),
         access=_fresh(items.access, 4),
         inset=_fresh(items.inset, 4),
@@ -136,9 +141,11 @@ def route_grid(problem: Problem, cell: float) -> Grid:
     wanted = problem.weights.get("route", 0.0) != 0.0
     doors = frames_of(_fresh(ground.doors if wanted else np.zeros((0, 5)), 5))
     bounds = _fresh(ground.bounds, 4)[0] * (1.0 if len(doors) else 0.0)
+    low = low_floor(_fresh(ground.slopes, 6), problem.route_width, ground.bounds, BENDING)
+    solid = np.concatenate([_fresh(ground.obstacles, 5), low])
     return make_grid(
-        _fresh(ground.edges, 4), frames_of(_fresh(ground.obstacles, 5)), doors, bounds,
-        float(cell), float(problem.route_width),
+        _fresh(ground.edges, 4), frames_of(solid), doors, bounds, float(cell),
+        float(problem.route_width),
     )  # fmt: skip
 
 

@@ -52,6 +52,28 @@ def edges(corners: Points) -> Points:
     return np.hstack([corners, np.roll(corners, -1, axis=0)])
 
 
+def edge_meant(
+    listed: Sequence[tuple[float, float]], number: int, corners: Points, what: str
+) -> int:
+    """The edge of a clean ring that lies nearest along edge ``number`` of the corners as
+    ``listed``; InputErrors call the number ``what``.
+
+    >>> edge_meant([(0, 0), (0, 3), (4, 3), (4, 0)], 1, ring([(0, 0), (4, 0), (4, 3), (0, 3)]), "")
+    2
+    """
+    if number >= len(listed):
+        raise InputError(
+            f"{what} is {number}, but the outline has edges 0 to {len(listed) - 1}",
+            "give the index of an edge",
+        )
+    start, end = np.array(listed[number]), np.array(listed[(number + 1) % len(listed)])
+    if np.hypot(*(end - start)) < SAME_POINT:
+        raise InputError(f"{what} {number} has no length", "give another edge")
+    lines = np.array([shapely.LineString(row.reshape(2, 2)) for row in edges(corners)])
+    meant = shapely.points(start + np.linspace(0.25, 0.75, 3)[:, None] * (end - start))
+    return int(np.argmin(shapely.distance(lines[:, None], meant).sum(1)))
+
+
 def polygon(
     outline: Sequence[tuple[float, float]] | Points,
     holes: Sequence[Sequence[tuple[float, float]] | Points] = (),

@@ -20,7 +20,7 @@ from scenewright.layout import corners
 from scenewright.openings import find_openings
 from scenewright.room_names import functions_from_name, sort_functions
 from scenewright.site_plan import named, plans_of
-from scenewright.space import Level, Points, Space
+from scenewright.space import Level, Points, Slope, Space
 
 DEFAULT_LEVEL = Level("0", "", 0.0, 2.6)
 OVERLAP = 0.02
@@ -57,6 +57,7 @@ def spaces(brief: Brief) -> tuple[Space, ...]:
     """
     if brief.domain == "site":
         return _grounds(brief)
+    _check_domain(brief)
     storeys = {level.id: level for level in levels(brief)}
     ids = room_ids(brief)
     floors = [_floor(room, number, brief) for number, room in enumerate(brief.rooms)]
@@ -72,6 +73,17 @@ def spaces(brief: Brief) -> tuple[Space, ...]:
         replace(space, openings=tuple(o for o in openings if space.id in o.spaces))
         for space in found
     )
+
+
+def _check_domain(brief: Brief) -> None:
+    """Slopes are known in homes only."""
+    for number, room in enumerate(brief.rooms if brief.domain != "home" else ()):
+        if room.slopes:
+            raise InputError(
+                f"has slopes, but the brief is of a {brief.domain}",
+                "leave them out; only homes have slopes",
+                place=place(brief, number),
+            )
 
 
 def _grounds(brief: Brief) -> tuple[Space, ...]:
@@ -159,6 +171,7 @@ def _space(
         holes=holes,
         height=room.height or level.height,
         main_wall=_main_wall(room, outline, told),
+        slopes=_slopes(room, outline, room.height or level.height, told),
     )
 
 
@@ -170,25 +183,29 @@ def _functions(room: Room) -> tuple[str, ...]:
 
 
 def _main_wall(room: Room, outline: Points, told: str) -> int | None:
-    """The edge of the cleaned outline that lies nearest along the edge meant in the brief."""
     if room.main_wall is None:
         return None
-    count = len(room.outline)
-    if room.main_wall >= count:
-        raise InputError(
-            f"main_wall is {room.main_wall}, but the outline has edges 0 to {count - 1}",
-            "give the index of an edge",
-            place=told,
-        )
-    start = np.array(room.outline[room.main_wall])
-    end = np.array(room.outline[(room.main_wall + 1) % count])
-    if np.hypot(*(end - start)) < outlines.SAME_POINT:
-        raise InputError(
-            f"main_wall {room.main_wall} has no length", "give another edge", place=told
-        )
-    lines = np.array([shapely.LineString(row.reshape(2, 2)) for row in outlines.edges(outline)])
-    meant = shapely.points(start + np.linspace(0.25, 0.75, 3)[:, None] * (end - start))
-    return int(np.argmin(shapely.distance(lines[:, None], meant).sum(1)))
+    try:
+        return outlines.edge_meant(room.outline, room.main_wall, outline, "main_wall")
+    except InputError as error:
+        raise error.located(place=told) from None
+
+
+def _slopes(room: Room, outline: Points, height: float, told: str) -> tuple[Slope, ...]:
+    """The slopes of a room by the edges of its cleaned outline."""
+    found = []
+    for number, wish in enumerate(room.slopes):
+        try:
+            if wish.knee > height:
+                raise InputError(
+                    f"its knee is {wish.knee:g} m high, above the ceiling at {height:g} m",
+                    "lower the knee or raise the room's height",
+                )
+            edge = outlines.edge_meant(room.outline, wish.edge, outline, "edge")
+        except InputError as error:
+            raise error.located(place=f"{told} slopes[{number}]") from None
+        found.append(Slope(edge, wish.knee, wish.pitch))
+    return tuple(found)
 
 
 def _check_overlaps(brief: Brief, found: list[Space], floors: list[shapely.Polygon]) -> None:

@@ -26,7 +26,8 @@ class Ground(NamedTuple):
     (o, 5): footprints of fixed pieces. ``windows`` (q, 6): box in front of the glass and the sill
     height. ``doors`` (d, 5): box of each way in, from the outer face of the wall to a little
     inside; routes start there. ``main_wall`` (m, 4) has one row or none. ``bounds`` (4,) is
-    x0, y0, x1, y1 and ``area`` the free area in square metres.
+    x0, y0, x1, y1 and ``area`` the free area in square metres. ``slopes`` (k, 6) are what lowers
+    the ceiling, as in :mod:`scenewright.ceiling`.
     """
 
     edges: Floats
@@ -39,6 +40,7 @@ class Ground(NamedTuple):
     main_wall: Floats
     bounds: Floats
     area: float
+    slopes: Floats = np.zeros((0, 6))
 
 
 class Items(NamedTuple):

@@ -7,7 +7,7 @@ inside is always on the left of a directed edge.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,6 +47,15 @@ class Opening:
     use: OpeningUse = "both"
 
 
+class Slope(NamedTuple):
+    """A ceiling that rises inwards from edge ``edge`` of the outline, from ``knee`` metres, by an
+    angle of ``pitch``; the flat ceiling ends it."""
+
+    edge: int
+    knee: float
+    pitch: float
+
+
 @dataclass(frozen=True, slots=True)
 class Space:
     """A room, hall or site to fill: outline, holes, openings, what it is for.
@@ -54,7 +63,8 @@ class Space:
     ``outline`` is ``(m, 2)`` counter-clockwise, each of ``holes`` ``(k, 2)`` clockwise: the inner
     faces of the walls. ``main_wall`` is the index of an outline edge (from vertex i to i + 1) or
     ``None``. ``functions`` are room functions such as ``living`` or ``bedroom``; an open-plan
-    room has several. ``height`` is floor to ceiling. ``openings`` are those that touch the space.
+    room has several. ``height`` is floor to ceiling, where no ``slopes`` are lower. ``openings``
+    are those that touch the space.
     """
 
     id: str
@@ -66,6 +76,7 @@ class Space:
     height: float = 2.6
     openings: tuple[Opening, ...] = field(default=())
     main_wall: int | None = None
+    slopes: tuple[Slope, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ from scenewright.catalog import Catalog
 from scenewright.check.accessible import Barriers, find_barriers
 from scenewright.check.bodies import Bodies, Rooms, bodies_of, rooms_of
 from scenewright.check.bounds import find_out_of_bounds, find_unsupported
+from scenewright.check.ceilings import find_through_slopes
 from scenewright.check.collisions import find_collisions
 from scenewright.check.complete import (
     ESSENTIALS,
@@ -82,6 +83,7 @@ def check(
         *told,
         *find_collisions(bodies, rooms.levels),
         *find_out_of_bounds(bodies, rooms),
+        *find_through_slopes(bodies, rooms),
         *find_blocked(bodies, rooms),
         *find_unreachable(bodies, rooms, grounds, walks, groups),
         *verdict.findings,

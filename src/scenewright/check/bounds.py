@@ -21,6 +21,7 @@ from scenewright.check.bodies import (
     Rooms,
     Shapes,
 )
+from scenewright.check.ceilings import ceiling_over
 from scenewright.check.report import Finding
 
 SUPPORT_GAP = 0.02
@@ -79,7 +80,7 @@ def _held(bodies: Bodies, rooms: Rooms) -> Flags:
     support = np.array([kind.support for kind in bodies.kinds])
     unknown = ~bodies.known
     declared = np.array([piece.on is not None for piece in bodies.pieces], bool)
-    ceiling = np.array([space.height for space in rooms.spaces])[bodies.room]
+    ceiling = ceiling_over(bodies, rooms)
     held: Flags = np.abs(bodies.low) <= SUPPORT_GAP
     held |= declared | _stacked(bodies)
     held |= ((support == "wall") | unknown) & (_wall_gap(bodies, rooms.shapes) <= WALL_GAP)

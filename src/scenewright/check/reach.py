@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Side
 from scenewright.check.bodies import Bodies, Floats, Rooms, Shape, Shapes
+from scenewright.check.ceilings import BENDING, HEADROOM, lower_than
 from scenewright.check.complete import inscribed_width
 from scenewright.check.halls import Members
 from scenewright.check.report import Finding
@@ -52,8 +53,9 @@ def find_unreachable(
     A room is reached if the centre of the route can come into it; a room no route could enter
     even empty is not judged. A piece with using sides (its kind's ``access``) is reached if the
     centre comes within half the route width and :data:`REACH` of one of them, straight before
-    it. Pieces of a room that is not reached are not told one by one, nor those of a group none of
-    whose pieces is reached (objects of a group whose kind names no side are reached from any).
+    it (:data:`BENDING` further where a slope makes one bend down). Pieces of a room that is not
+    reached are not told one by one, nor those of a group none of whose pieces is reached (objects
+    of a group whose kind names no side are reached from any).
     Seats that go under tables are pushed aside.
 
     No closet or toilet could be used if one had to walk about in it. So a *tight* room, nowhere
@@ -115,7 +117,7 @@ def _missed_pieces(
         if not rows:
             continue
         within = _with_doorways(rooms, ground, room)
-        shapes = [_before(bodies, i, walk.radius + REACH) for i in rows]
+        shapes = [_used_from(bodies, rooms, i, walk.radius + REACH) for i in rows]
         clipped: Shapes = shapely.intersection(np.array(shapes, object), within)
         far = ~shapely.intersects(walk.reached, clipped)
         sideways = np.array([i in grouped and _for_sitting(bodies, i) for i in rows], bool)
@@ -150,6 +152,14 @@ def _by_room(bodies: Bodies, groups: Sequence[Members]) -> dict[int, list[Member
 
 def _all_of(group: Members, shapes: dict[int, Shape]) -> Shape:
     return shapely.union_all([shapes[int(row)] for row in group.rows])
+
+
+def _used_from(bodies: Bodies, rooms: Rooms, i: int, depth: float) -> Shape:
+    """The boxes before the using sides of a piece; deeper if one has to bend down there."""
+    near, space = _before(bodies, i, depth), rooms.spaces[bodies.room[i]]
+    if not space.slopes or lower_than(space, near, HEADROOM).is_empty:
+        return near
+    return _before(bodies, i, depth + BENDING)
 
 
 def _before(bodies: Bodies, i: int, depth: float) -> Shape:

@@ -17,6 +17,7 @@ KINDS = (
     "unreachable_room",
     "narrow_passage",
     "outside_zone",
+    "through_slope",
     "floating",
     "sunk",
     "no_turning",

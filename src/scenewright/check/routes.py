@@ -16,6 +16,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.check.bodies import Bodies, Rooms, Shape, Shapes
+from scenewright.check.ceilings import HEADROOM, SHOULDERS, lower_than
 from scenewright.space import Opening
 
 ROBOT_RADIUS = 0.2
@@ -25,12 +26,14 @@ _SLACK = 0.01
 
 
 class Ground(NamedTuple):
-    """One group of rooms joined by doors: their numbers, the joined floor with its doorways, the
+    """One group of rooms joined by doors: their numbers, the joined floor with its doorways where
+    a person has room for the shoulders, the part of it too ``low`` for the head, the
     doorways of each room, the points where one comes in from outside (empty: not known; doors
     that are only exits do not count unless all are), and the doors to the ``outer`` world."""
 
     rooms: NDArray[np.int64]
     floor: Shape
+    low: Shape
     doorways: dict[int, list[Shape]]
     ways_in: Shapes
     outer: tuple[Opening, ...]
@@ -60,7 +63,7 @@ def navigable_share(bodies: Bodies, rooms: Rooms, grounds: list[Ground]) -> dict
     parts = {level: [0.0, 0.0] for level in rooms.levels}
     for ground in grounds:
         inside = np.flatnonzero(np.isin(bodies.room, ground.rooms) & bodies.underfoot)
-        free = _less(_eroded(ground.floor, ROBOT_RADIUS), _grown(bodies, inside, ROBOT_RADIUS))
+        free = _less(_open(ground, ROBOT_RADIUS), _grown(bodies, inside, ROBOT_RADIUS))
         areas = shapely.area(shapely.get_parts(free))
         total = parts[rooms.levels[rooms.level[ground.rooms[0]]]]
         total[0] += float(areas.max(initial=0.0))
@@ -110,7 +113,9 @@ def grounds_of(rooms: Rooms, route_width: float) -> list[Ground]:
         outer = tuple(o for o, a in near if len(a) == 1)
         entrances = [o for o in outer if o.use != "exit"] or outer
         points = np.array([shapely.points(o.x, o.y) for o in entrances], object)
-        grounds.append(Ground(members, floor, doorways, points, outer))
+        floor = shapely.difference(floor, _lower(rooms, members, SHOULDERS))
+        low = _lower(rooms, members, HEADROOM)
+        grounds.append(Ground(members, floor, low, doorways, points, outer))
     return grounds
 
 
@@ -155,7 +160,7 @@ def walk_in(bodies: Bodies, ground: Ground, radius: float) -> Walk:
     too tight even in the empty rooms.
     """
     blocking = blocking_in(bodies, ground.rooms)
-    bare, grown = _eroded(ground.floor, radius), _grown(bodies, blocking, radius)
+    bare, grown = _open(ground, radius), _grown(bodies, blocking, radius)
     free = _less(bare, grown)
     doors = shapely.multipoints(ground.ways_in) if len(ground.ways_in) else shapely.MultiPoint()
     start = shapely.buffer(doors, 2 * _SLACK)
@@ -168,7 +173,7 @@ def walk_in(bodies: Bodies, ground: Ground, radius: float) -> Walk:
 def room_for(bodies: Bodies, ground: Ground, radius: float) -> Shape:
     """Where the centre of a disc of ``radius`` metres may be in a ground, reached or not."""
     blocking = blocking_in(bodies, ground.rooms)
-    return _less(_eroded(ground.floor, radius), _grown(bodies, blocking, radius))
+    return _less(_open(ground, radius), _grown(bodies, blocking, radius))
 
 
 def blocking_in(bodies: Bodies, within: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -189,12 +194,21 @@ def squeeze_in(bodies: Bodies, ground: Ground, walk: Walk, within: Shape) -> Sha
     """Where a person comes who has walked to a narrow room by the route and goes on sideways, as
     a disc of 0.2 m: in the floor of the room and its doorways, and just before them."""
     near = shapely.intersection(ground.floor, shapely.buffer(within, 2 * walk.radius))
-    free = _less(_eroded(near, ROBOT_RADIUS), _grown(bodies, walk.blocking, ROBOT_RADIUS))
+    bare = _open(ground._replace(floor=near), ROBOT_RADIUS)
+    free = _less(bare, _grown(bodies, walk.blocking, ROBOT_RADIUS))
     return _joined(free, walk.reached)
 
 
-def _eroded(floor: Shape, radius: float) -> Shape:
-    return shapely.buffer(floor, -radius, quad_segs=8)
+def _open(ground: Ground, radius: float) -> Shape:
+    """Where the middle of a disc may be in the empty rooms, its head under the ceiling."""
+    bare = shapely.buffer(ground.floor, -radius, quad_segs=8)
+    return bare if ground.low.is_empty else shapely.difference(bare, ground.low)
+
+
+def _lower(rooms: Rooms, members: NDArray[np.int64], height: float) -> Shape:
+    """The floor of some rooms over which their slopes are lower than a height."""
+    sloped = [i for i in members if rooms.spaces[i].slopes]
+    return shapely.union_all([lower_than(rooms.spaces[i], rooms.shapes[i], height) for i in sloped])
 
 
 def _grown(bodies: Bodies, rows: NDArray[np.int64], radius: float) -> Shapes:

@@ -18,8 +18,8 @@ from scenewright.terms.weights import vector_of
 (
     BOUNDARY, OVERLAP, KEEP_FREE, CORRIDORS, OBSTACLES, WINDOW, CLEAR_ROOM, CLEAR_ITEMS,
     MAIN_WALL, MAIN_WALL_PRINTED, AGAINST_WALL, AGAINST_WALL_PRINTED, ALIGNMENT, DAYLIGHT,
-    NESTLE, PAIRS, PAIRS_PRINTED, SIZE, WISH, ROUTE, BALANCE, PLACES,
-) = range(22)  # fmt: skip
+    NESTLE, PAIRS, PAIRS_PRINTED, SIZE, WISH, ROUTE, BALANCE, PLACES, SLOPE,
+) = range(23)  # fmt: skip
 
 
 class Term(NamedTuple):
@@ -94,6 +94,8 @@ TERMS: tuple[Term, ...] = (
          "composition:balance"),
     Term("places", PLACES, "repaired", "box", False, 110,
          "too far from, too near to or not facing what it should", OURS, "places:place"),
+    Term("slope", SLOPE, "repaired", "box", True, 600,
+         "area of an item taller than the sloped ceiling there", OURS, "clearance:entered"),
 )  # fmt: skip
 
 

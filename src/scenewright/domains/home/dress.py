@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog, Group, Member
+from scenewright.ceiling import lowest
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import SHIPPED, Library, cases, each_fitting, nearest
 from scenewright.geometry.fit import (
@@ -31,6 +32,7 @@ from scenewright.scene import Piece, Pose
 
 Floats = NDArray[np.float64]
 
+UNDER_SLOPE = 5  # a code beside those of geometry.fit
 SLACK = 0.003
 BACKED = 0.03
 FLUSH = 0.04
@@ -137,7 +139,7 @@ def _try(
         boxes, spans, flat, ground.edges, ground.keep_free, ground.windows,
         standing.boxes, standing.spans, SLACK,
     )  # fmt: skip
-    codes = np.where((codes == 0) & (spans[:, 1] > height), OUTSIDE, codes)
+    codes = too_tall(boxes, spans, ground, height, codes)
     stands = _supported(case.members, codes == 0, boxes, ground, catalog)
     essential = essential_of(case)
     for i, member in enumerate(case.members):
@@ -148,6 +150,15 @@ def _try(
     if _MUST & {m.category for m in lost} or _without_table(case, lost):
         return Refused(why_not(lost[0], int(codes[stands.index(False)]), -1, standing))
     return Dressed(case, box, stands, heavy)
+
+
+def too_tall(
+    boxes: Floats, spans: Floats, ground: Ground, height: float, codes: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """The codes of boxes without fault changed to :data:`UNDER_SLOPE` where they rise above the
+    lowest ceiling over them; ``height`` is that of the flat ceiling."""
+    over = spans[:, 1] > lowest(boxes, ground.slopes, height) + 1e-9
+    return np.where((codes == 0) & over, UNDER_SLOPE if len(ground.slopes) else OUTSIDE, codes)
 
 
 def essential_of(case: Group) -> tuple[str, ...]:
@@ -229,6 +240,8 @@ def why_not(member: Member, code: int, offender: int, standing: Standing) -> str
         return (
             f"no place found: the {what} of {size.width:.2f} x {size.depth:.2f} m would stick out"
         )
+    if code == UNDER_SLOPE:
+        return f"no place found: the {what} of {member.size.height:.2f} m is too tall for the slope"
     if code == IN_ZONE:
         return f"no place found: the {what} would stand before a door"
     if code == AT_WINDOW:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.ceiling import planes
 from scenewright.gates import Gate, before, door_zone, edges_of, gates, throat
 from scenewright.problem import Ground
 from scenewright.scene import Piece
@@ -38,6 +39,7 @@ def ground_of(space: Space, fixed: tuple[Piece, ...], area: float) -> Ground:
         main_wall=_rows([] if main is None else [main], 4),
         bounds=np.array([x0, y0, x1, y1]),
         area=area,
+        slopes=planes(space),
     )
 
 

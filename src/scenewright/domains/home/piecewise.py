@@ -24,13 +24,14 @@ from scenewright.domains.home.dress import (
     joined,
     pieces_of,
     standing_of,
+    too_tall,
     why_not,
     world,
 )
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.pieces import Parts, as_laid, parts_of, posed_pieces
 from scenewright.domains.home.programme import Wish
-from scenewright.geometry.fit import OUTSIDE, backed, faults
+from scenewright.geometry.fit import backed, faults
 from scenewright.solve import Budget
 from scenewright.solvers import SOLVERS
 
@@ -107,8 +108,6 @@ def _fault(
     task: Task, category: str, box: Floats, span: Floats, flat: bool, standing: Standing
 ) -> tuple[int, int]:
     """What is wrong with a piece where it stands; what it may be pushed under is no obstacle."""
-    if span[1] > task.space.height:
-        return OUTSIDE, -1
     under = task.catalog.kinds[category].under
     open_ = np.array([name not in under for name in standing.names], bool)
     ground = task.ground
@@ -116,5 +115,6 @@ def _fault(
         box[None], span[None], np.array([flat]), ground.edges, ground.keep_free, ground.windows,
         standing.boxes[open_], standing.spans[open_], SLACK,
     )  # fmt: skip
+    codes = too_tall(box[None], span[None], ground, task.space.height, codes)
     offender = int(offenders[0])
     return int(codes[0]), int(np.flatnonzero(open_)[offender]) if codes[0] == 4 else offender

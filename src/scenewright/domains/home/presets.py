@@ -28,10 +28,10 @@ PAPER = {
 
 HOME = {
     "boundary": 8000.0, "overlap": 6000.0, "keep_free": 6000.0, "obstacles": 6000.0,
-    "window": 4000.0, "corridors": 150.0, "against_wall": 1000.0, "alignment": 400.0,
-    "main_wall": 70.0, "clear_room": 900.0, "clear_items": 900.0, "pairs": 110.0,
-    "daylight": 30.0, "nestle": 40.0, "wish": 200.0, "route": 900.0, "balance": 60.0,
-    "places": 110.0,
+    "window": 4000.0, "slope": 4000.0, "corridors": 150.0, "against_wall": 1000.0,
+    "alignment": 400.0, "main_wall": 70.0, "clear_room": 900.0, "clear_items": 900.0,
+    "pairs": 110.0, "daylight": 30.0, "nestle": 40.0, "wish": 200.0, "route": 900.0,
+    "balance": 60.0, "places": 110.0,
 }  # fmt: skip
 
 PRESETS: dict[str, Preset] = {

@@ -16,6 +16,7 @@ from scenewright.domains.home.dress import (
     Dressed,
     Standing,
     standing_of,
+    too_tall,
     why_not,
 )
 from scenewright.domains.home.edits import carried, leads, near_poses
@@ -106,6 +107,7 @@ def misplaced(task: Task, pieces: Sequence[Piece], standing: Standing) -> dict[s
         boxes, spans, np.array([k.flat for k in kinds]), ground.edges, ground.keep_free,
         ground.windows, standing.boxes, standing.spans, SLACK,
     )  # fmt: skip
+    codes = too_tall(boxes, spans, ground, task.space.height, codes)
     found: dict[str, str] = {}
     for i, (piece, kind) in enumerate(zip(pieces, kinds, strict=True)):
         code = int(codes[i])

@@ -11,6 +11,7 @@ import shapely
 
 from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog
+from scenewright.ceiling import living_area, planes
 from scenewright.domains.home.attempt import Task, floor_of, out_of_reach
 from scenewright.domains.home.extras import extras
 from scenewright.domains.home.ground import ground_of
@@ -37,7 +38,8 @@ def task_of(
     and what no route reaches even while the room is empty."""
     shape = shapely.Polygon(space.outline, list(space.holes))
     taken = sum(p.size.width * p.size.depth for p in fixed if p.size.height > 0.05)
-    area = max(float(shape.area) - taken, 0.1)
+    floor = living_area(shape, planes(space), space.height)
+    area = max(floor - taken, 0.1)
     stream = int(np.random.SeedSequence([seed, crc32(space.id.encode())]).generate_state(1)[0])
     ground = ground_of(space, fixed, area)
     task = Task(

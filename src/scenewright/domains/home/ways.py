@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog
+from scenewright.ceiling import BENDING, HEADROOM, low_floor, lowest
 from scenewright.geometry.boxes import frames_of, read_frame
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.paths import LOOK, Bits, Grid, flood, make_grid, sweep_box
@@ -27,21 +28,23 @@ def unreached(
 
     A piece is reached if a disc as wide as the route, having come from a door, can stand with its
     centre in front of one of the sides its kind is used from, at most half a route and
-    0.2 m away. Seats that push under a table are moved aside. ``door 2`` names a door that no
-    such route joins to the first.
+    0.2 m away (0.4 m more where one bends down under a slope), and the ceiling there is high
+    enough to walk. Seats that push under a table are moved aside. ``door 2`` names a door that
+    no such route joins to the first.
     """
     if len(ground.doors) == 0:
         return frozenset()
     solid = [_box(p) for p in pieces if _stands(p, catalog)]
+    low = low_floor(ground.slopes, width, ground.bounds)
     used = [p for p in pieces if catalog.kinds[p.category].access]
     zones, owner = [], []
     for i, piece in enumerate(used):
         for side in catalog.kinds[piece.category].access:
-            zones.append(_access(piece, SIDES.index(side), width / 2 + REACH))
+            zones.append(_used_from(piece, SIDES.index(side), width / 2 + REACH, ground.slopes))
             owner.append(i)
     reached, joined = reach(
-        ground.edges, _rows([*ground.obstacles.tolist(), *solid]), ground.doors, _rows(zones),
-        ground.bounds, CELL, width,
+        ground.edges, _rows([*ground.obstacles.tolist(), *solid, *low.tolist()]), ground.doors,
+        _rows(zones), ground.bounds, CELL, width,
     )  # fmt: skip
     found = np.zeros(len(used), bool)
     np.logical_or.at(found, np.array(owner, np.int64), reached)
@@ -85,6 +88,13 @@ def _stands(piece: Piece, catalog: Catalog) -> bool:
 def _box(piece: Piece) -> list[float]:
     pose, size = piece.pose, piece.size
     return [pose.x, pose.y, pose.heading, size.width, size.depth]
+
+
+def _used_from(piece: Piece, side: int, depth: float, slopes: Floats) -> list[float]:
+    """The box before one side of a piece; deeper if one has to bend down there."""
+    near = _access(piece, side, depth)
+    low = len(slopes) and lowest(np.array([near]), slopes, np.inf)[0] < HEADROOM
+    return _access(piece, side, depth + BENDING) if low else near
 
 
 def _access(piece: Piece, side: int, depth: float) -> list[float]:
