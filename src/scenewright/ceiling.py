@@ -104,8 +104,7 @@ def below(shape: shapely.Geometry, slopes: Floats, flat: float, height: float) -
     bounds = np.array(shape.bounds)
     low = [slope for slope in slopes if slope[4] < height]
     areas = [
-        _strip(slope, -_across(bounds), (height - slope[4]) / slope[5], bounds)
-        for slope in low
+        _strip(slope, -_across(bounds), (height - slope[4]) / slope[5], bounds) for slope in low
     ]
     boxes = shapely.polygons(corners(np.array(areas).reshape(-1, 5)))
     return shape.intersection(shapely.union_all(boxes))
