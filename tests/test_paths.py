@@ -11,7 +11,8 @@ import shapely
 from rooms import COLUMN, OUTLINE, full_problem, random_layouts, ring
 from scenewright.energy import evaluate, route_grid
 from scenewright.geometry.boxes import frames_of, make_frame
-from scenewright.geometry.paths import Grid, flood, make_grid, rounded_span
+from scenewright.geometry.flood import flood
+from scenewright.geometry.paths import Grid, make_grid, rounded_span
 from scenewright.layout import corners
 from scenewright.problem import Ground, Problem, empty_items
 
@@ -92,14 +93,14 @@ def test_route_agrees_with_the_reference():
     assert evaluate(problem, layouts, CELL).tolist() == wanted
 
 
-def test_flood_agrees_with_breadth_first_search_across_words():
-    rng = np.random.default_rng(1)
+@pytest.mark.parametrize("words", [1, 2, 3])
+def test_flood_agrees_with_breadth_first_search(words: int):
+    rng = np.random.default_rng(words)
     for _ in range(20):
-        free = rng.integers(0, 2**63, (30, 3), dtype=np.uint64) | rng.integers(
-            0, 2**63, (30, 3), dtype=np.uint64
-        )
+        free = rng.integers(0, 2**64, (2, 30, words), dtype=np.uint64)
+        free = free[0] | free[1]
         start = np.zeros_like(free)
-        start[rng.integers(30), rng.integers(3)] = np.uint64(2**40 + 1)
+        start[rng.integers(30), rng.integers(words)] = np.uint64(2**63 + 2**40 + 1)
         wanted = grown(unpacked(free), unpacked(start))
         flood(start, free)
         assert (unpacked(start) == wanted).all()

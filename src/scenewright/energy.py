@@ -10,7 +10,8 @@ import numpy as np
 from scenewright.ceiling import BENDING, low_floor, strips
 from scenewright.geometry.boxes import Floats, fill_frames, frames_of
 from scenewright.geometry.compiled import compiled
-from scenewright.geometry.paths import Bits, Grid, make_grid
+from scenewright.geometry.flood import Bits
+from scenewright.geometry.paths import Grid, make_grid
 from scenewright.layout import Layout
 from scenewright.problem import Ground, Items, Problem
 from scenewright.terms.assemble import Costs, Ints, Prepared, make_costs, measure

@@ -2,7 +2,7 @@
 
 A cell is free if a disc at its centre, half the route wide and half a cell more, touches nothing.
 The extra half cell makes it conservative: between two free neighbours the way is free as well.
-Rows are words of 64 cells, so a flood fill handles 64 cells at a time.
+Rows are words of 64 cells, filled by :mod:`.flood`.
 """
 
 from __future__ import annotations
@@ -11,14 +11,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scenewright.geometry.boxes import Floats, Frame, make_frame, part_of, read_frame
 from scenewright.geometry.compiled import compiled, inlined
+from scenewright.geometry.flood import NONE, Bits
 
-Bits = NDArray[np.uint64]
 ALL = np.uint64(0xFFFFFFFFFFFFFFFF)
-NONE = np.uint64(0)
 SQUARE = 1e-12
 # Plain integers would make numba compile each function once for every value.
 CLEAR, SET, LOOK = np.int64(0), np.int64(1), np.int64(2)
@@ -79,16 +77,19 @@ def word_mask(first: int, last: int, word: int) -> np.uint64:
 
 
 @inlined
-def sweep_span(
-    bits: Bits, row: int, low: float, high: float, x0: float, cell: float, task: np.int64
-) -> bool:
-    """Clear (0), set (1) or only look at (2) the cells of a row whose centres lie in [low, high];
-    true if one of them was set before."""
+def cells_within(low: float, high: float, x0: float, cell: float, most: int) -> tuple[int, int]:
+    """First and last of the ``most`` cells of a row whose centres lie in [low, high]."""
     if not (low <= high):
-        return False
-    met, count = False, bits.shape[1]
+        return 0, -1
     first = max(math.ceil((low - x0) / cell - 0.5), 0)
-    last = min(math.floor((high - x0) / cell - 0.5), 64 * count - 1)
+    return first, min(math.floor((high - x0) / cell - 0.5), most - 1)
+
+
+@inlined
+def sweep_cells(bits: Bits, row: int, first: int, last: int, task: np.int64) -> bool:
+    """Clear (0), set (1) or only look at (2) some cells of a row; true if one of them was set
+    before."""
+    met = False
     for k in range(first >> 6, (last >> 6) + 1 if last >= first else 0):
         mask = word_mask(first, last, k)
         met |= (bits[row, k] & mask) != NONE
@@ -102,85 +103,26 @@ def sweep_span(
 @inlined
 def sweep_box(bits: Bits, grid: Grid, frame: Frame, radius: float, task: np.int64) -> bool:
     """Clear (0), set (1) or only look at (2) the cells whose centres lie within ``radius`` of a
-    box; true if one of them was set before."""
-    tall = abs(frame[2]) * frame[4] + abs(frame[3]) * frame[5] + radius
-    first = math.floor((frame[1] - tall - grid.y0) / grid.cell - 0.5)
-    end = math.ceil((frame[1] + tall - grid.y0) / grid.cell + 0.5)
-    met = False
+    box; true if one of them was set before.
+
+    Between the ends of a box that stands square to the grid all rows are alike.
+    """
+    tall = abs(frame[2]) * frame[4] + abs(frame[3]) * frame[5]
+    square = min(abs(frame[2]), abs(frame[3])) < SQUARE
+    first = math.floor((frame[1] - tall - radius - grid.y0) / grid.cell - 0.5)
+    end = math.ceil((frame[1] + tall + radius - grid.y0) / grid.cell + 0.5)
+    met, known, a, b = False, False, 0, -1
     for row in range(max(first, 0), min(end, bits.shape[0])):
-        low, high = rounded_span(frame, radius, grid.y0 + (row + 0.5) * grid.cell)
-        met |= sweep_span(bits, row, low, high, grid.x0, grid.cell, task)
+        y = grid.y0 + (row + 0.5) * grid.cell
+        alike = square and abs(y - frame[1]) <= tall
+        if not (alike and known):
+            low, high = rounded_span(frame, radius, y)
+            a, b = cells_within(low, high, grid.x0, grid.cell, 64 * bits.shape[1])
+            known = alike
+        met |= sweep_cells(bits, row, a, b, task)
         if met and task == LOOK:
             break
     return met
-
-
-@inlined
-def spread(seed: np.uint64, free: np.uint64) -> np.uint64:
-    """Grow set bits both ways along the free bits of one word."""
-    up, down, up_free, down_free = seed, seed, free, free
-    for power in range(6):
-        step = np.uint64(1 << power)
-        up |= up_free & (up << step)
-        down |= down_free & (down >> step)
-        up_free &= up_free << step
-        down_free &= down_free >> step
-    return up | down
-
-
-@inlined
-def fill_row(reached: Bits, free: Bits, row: int, source: int) -> bool:
-    """Take over what is reached in the row ``source`` and grow it; true if anything was gained."""
-    gained = False
-    count = free.shape[1]
-    for turn in range(2 * count):
-        k = turn if turn < count else 2 * count - 1 - turn
-        seed = reached[row, k] | (reached[source, k] & free[row, k])
-        if k > 0:
-            seed |= (reached[row, k - 1] >> np.uint64(63)) & free[row, k]
-        if k + 1 < count:
-            seed |= (reached[row, k + 1] << np.uint64(63)) & free[row, k]
-        if seed != reached[row, k]:
-            reached[row, k] = spread(seed, free[row, k])
-            gained = True
-    return gained
-
-
-@compiled
-def flood(reached: Bits, free: Bits) -> None:
-    """Grow the set cells of ``reached`` over the free cells, four neighbours, in place.
-
-    Sweeps go down and up by turns, from the first to the last row that holds a set cell and on
-    for as long as they gain; the first that gains nothing is the last.
-    """
-    rows, first, last = free.shape[0], free.shape[0], -1
-    for row in range(rows):
-        for k in range(free.shape[1]):
-            seed = reached[row, k] & free[row, k]
-            if reached[row, k] != NONE:
-                reached[row, k] = spread(seed, free[row, k])
-            if seed != NONE:
-                first, last = min(first, row), row
-    for row in range(first, last + 1):
-        fill_row(reached, free, row, row)
-    gained, turn = last >= 0, 0
-    while gained or turn == 1:
-        gained = False
-        if turn % 2 == 0:
-            row = first + 1
-            while row < rows and (row <= last + 1):
-                grown = fill_row(reached, free, row, row - 1)
-                gained |= grown
-                last = max(last, row) if grown else last
-                row += 1
-        else:
-            row = last - 1
-            while row >= 0 and row >= first - 1:
-                grown = fill_row(reached, free, row, row + 1)
-                gained |= grown
-                first = min(first, row) if grown else first
-                row -= 1
-        turn += 1
 
 
 @inlined

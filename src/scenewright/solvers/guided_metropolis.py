@@ -13,7 +13,8 @@ import math
 from scenewright.encodings.patterns import SINGLE, WALL
 from scenewright.geometry.boxes import Floats, read_frame, read_sides
 from scenewright.geometry.compiled import compiled, inlined
-from scenewright.geometry.paths import CLEAR, Bits, Grid, sweep_box
+from scenewright.geometry.flood import Bits
+from scenewright.geometry.paths import CLEAR, Grid, sweep_box
 from scenewright.solvers.draws import Stream, below, uniform
 from scenewright.solvers.hall_moves import (
     change_pattern,

@@ -15,7 +15,8 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.encodings.patterns import WALL
-from scenewright.geometry.paths import Bits, Grid
+from scenewright.geometry.flood import Bits
+from scenewright.geometry.paths import Grid
 from scenewright.hall_energy import (
     kept_of,
     make_state,

@@ -18,7 +18,8 @@ import numpy as np
 from scenewright.energy import energies_of, prepare, route_grid
 from scenewright.geometry.boxes import Floats, Frame, frames_of, make_frame, read_frame
 from scenewright.geometry.compiled import compiled, inlined
-from scenewright.geometry.paths import Bits, Grid, make_grid
+from scenewright.geometry.flood import Bits
+from scenewright.geometry.paths import Grid, make_grid
 from scenewright.problem import Problem
 from scenewright.solve import Budget, Cancel, Found, Progress, Watch, distinct
 from scenewright.solvers.anneal import boxes_of, scatter

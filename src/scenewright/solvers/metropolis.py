@@ -10,7 +10,8 @@ import math
 
 from scenewright.geometry.boxes import Floats, read_frame
 from scenewright.geometry.compiled import compiled, inlined
-from scenewright.geometry.paths import Bits, Grid
+from scenewright.geometry.flood import Bits
+from scenewright.geometry.paths import Grid
 from scenewright.solvers.chain import Chain, commit, copy_rows, try_item, write_frame
 from scenewright.solvers.draws import Stream, below, uniform
 from scenewright.solvers.moves import from_back, propose

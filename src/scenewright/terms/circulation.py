@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from scenewright.geometry.boxes import Floats, Frame, Sides, beyond, part_of, read_frame, read_sides
 from scenewright.geometry.compiled import inlined
-from scenewright.geometry.paths import CLEAR, LOOK, Bits, Grid, flood, sweep_box
+from scenewright.geometry.flood import Bits, flood
+from scenewright.geometry.paths import CLEAR, LOOK, Grid, sweep_box
 
 REACH = 0.2
 

@@ -26,7 +26,8 @@ from scenewright.geometry.boxes import (
     wrap,
 )
 from scenewright.geometry.compiled import compiled, inlined
-from scenewright.geometry.paths import CLEAR, NONE, Bits, Grid, flood, sweep_box
+from scenewright.geometry.flood import NONE, Bits, flood
+from scenewright.geometry.paths import CLEAR, Grid, sweep_box
 from scenewright.terms import clearance
 from scenewright.terms.assemble import Prepared
 from scenewright.terms.guidelines import (

@@ -125,13 +125,16 @@ def posed(task: Task, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
 
 
 def attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> Furnished:
-    """One run of the solver; the best of its layouts once dressed."""
+    """One run of the solver; the best of its layouts once dressed. Those whose energy alone counts
+    more than the best's score are not looked at."""
     preset = task.preset
     problem = posed(task, wishes, task.ground)
     found = SOLVERS[task.solver].run(problem, budget, seed, cancel=task.cancel)
     first, *others = found.layouts[: LAYOUTS if preset.exact else 1]
     best = dressed(task, wishes, problem, first.boxes, first.energy)
     for layout in others:
+        if ENERGY * layout.energy >= best.score:
+            continue
         other = dressed(task, wishes, problem, layout.boxes, layout.energy, most=best.score)
         best = other if other.score < best.score else best
     return best._replace(evaluations=found.evaluations)

@@ -27,8 +27,8 @@ ROOMY = 4  # placed groups that make another try worth its time
 def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
     """The best answer found: all wishes at once; if that fails, what held and fallbacks for the
     rest; then, where only a way is missing, the same afresh; then the core alone; what is still
-    missing is tried in the room that is left. Presets that are not exact, and solvers that place
-    single pieces, try once."""
+    missing is tried in the room that is left. The same wishes are tried again only afresh. Presets
+    that are not exact, and solvers that place single pieces, try once."""
     if SOLVERS[task.solver].encoding == "pieces":
         return piecewise(task, wishes, budget)
     if not task.preset.exact:
@@ -37,12 +37,18 @@ def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
     if budget.seconds is not None and _sound(best):
         rest = budget._replace(seconds=budget.seconds * (1 - FIRST / ALL_SHARES))
         return _better(best, attempt(task, wishes, rest, task.seed + 1))
+    known = {_sorted(wishes)}
     for round_, fewer in enumerate(FEWER, 1):
         again = () if _sound(best) else fewer(best, wishes)
-        if again:
+        if again and (fewer is _afresh or _sorted(again) not in known):
+            known.add(_sorted(again))
             tried = attempt(task, again, _share(budget, AGAIN), task.seed + round_)
             best = _better(best, _reported(tried, wishes, best))
     return best if not best.missing else _filled(task, best, _share(budget, FILL))
+
+
+def _sorted(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
+    return tuple(sorted(wishes, key=repr))
 
 
 def _sound(answer: Furnished) -> bool:

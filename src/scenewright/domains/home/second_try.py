@@ -28,13 +28,15 @@ def tried_again(
     before: Sequence[Furnished], opened: Opened,
 ) -> list[Furnished]:  # fmt: skip
     """The answers for all rooms with their ways ``opened``, after further tries for each room
-    that gives up something essential for that; not where seconds are stated: these are spent."""
+    that gives up something essential for that, one where its own grid showed it; not where seconds
+    are stated: these are spent."""
     found = opened(before)
     for room, task in enumerate(tasks):
         wanted = _lacks(before[room])
         if task.ground.area < LEAST or budgets[room].seconds is not None:
             continue
-        for number, wider in enumerate(WIDER, 1):
+        tries = WIDER[:1] if before[room].unreached else WIDER
+        for number, wider in enumerate(tries, 1):
             if _lacks(found[room]) <= wanted or (task.cancel is not None and task.cancel()):
                 break
             other = furnish_by_use(_otherwise(task, number, wider), wishes[room], budgets[room])

@@ -9,7 +9,8 @@ from scenewright.catalog import Catalog
 from scenewright.ceiling import BENDING, HEADROOM, low_floor, lowest
 from scenewright.geometry.boxes import frames_of, read_frame
 from scenewright.geometry.compiled import compiled
-from scenewright.geometry.paths import LOOK, Bits, Grid, flood, make_grid, sweep_box
+from scenewright.geometry.flood import Bits, flood
+from scenewright.geometry.paths import LOOK, Grid, make_grid, sweep_box
 from scenewright.problem import Ground
 from scenewright.scene import Piece
 
