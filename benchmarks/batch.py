@@ -16,7 +16,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from benchmarks.r2v import data_dir
 from scenewright import batch, check, formats
 from scenewright.batch.table import FAILED, NOT_VALID
 from scenewright.domains import home
@@ -48,7 +47,7 @@ def briefs(folder: Path, most: int | None) -> list[Path]:
     """The flats as files, spread over the whole set if only so many are wanted."""
     from benchmarks.plans_r2v import adapt, raw_plans
 
-    plans = raw_plans(data_dir())
+    plans = raw_plans()
     folder.mkdir()
     files = []
     for raw in plans[:: max(len(plans) // (most or len(plans)), 1)][:most]:

@@ -16,7 +16,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from benchmarks.home_rooms import data_folder
+from benchmarks.real_data import data_files
 from scenewright.assets import shipped
 from scenewright.brief import Ask, Brief
 from scenewright.check import Report, check
@@ -83,7 +83,7 @@ class Home(NamedTuple):
 
 def files() -> list[Path]:
     """The furnished homes."""
-    return sorted((data_folder() / "furnished_homes_sh3d").glob("*.xml"))
+    return data_files("furnished_homes_sh3d", "*.xml")
 
 
 def furnish(path: Path, seed: int) -> Home:

@@ -1,6 +1,6 @@
 """Real malls and stations of ``indoor_osm``: every unit of at least 30 m² filled and judged.
 
-A unit is valid if the referee finds nothing in it. Data are found as in :mod:`.r2v`.
+A unit is valid if the referee finds nothing in it.
 """
 
 from __future__ import annotations
@@ -9,9 +9,10 @@ import time
 from collections import Counter
 from typing import Any
 
-from benchmarks.r2v import data_dir
+from benchmarks.real_data import data_files, data_set, skipped
 from scenewright.check import Report, check
 from scenewright.domains.hall import solve
+from scenewright.errors import InputError
 from scenewright.formats.indoor_geojson import read_report
 from scenewright.plan import room_ids
 from scenewright.solution import Solution
@@ -20,13 +21,13 @@ Row = dict[str, Any]
 
 
 def names() -> list[str]:
-    """The maps there are, by name; none if the data are not there."""
-    return sorted(path.stem for path in (data_dir() / "indoor_osm").glob("*.geojson"))
+    """The maps there are, by name."""
+    return [path.stem for path in data_files("indoor_osm", "*.geojson")]
 
 
 def rows(name: str, seed: int = 0) -> tuple[list[Row], Row]:
     """Every unit of a map that is to be filled, and the figures of the whole map."""
-    told = read_report(data_dir() / "indoor_osm" / f"{name}.geojson")
+    told = read_report(data_set(f"indoor_osm/{name}.geojson"))
     solution = solve(told.brief, seed=seed)
     begun = time.perf_counter()
     report = check(solution)
@@ -56,9 +57,14 @@ def unit(space: str, solution: Solution, report: Report) -> Row:
 
 
 def records(seed: int = 0, maps: list[str] | None = None) -> list[Row]:
-    """Records of every map: valid units, findings by kind, units that lack something, seconds."""
+    """Records of every map: valid units, findings by kind, units that lack something, seconds;
+    a word without the data."""
     found: list[Row] = []
-    for name in maps or names():
+    try:
+        maps = maps or names()
+    except InputError as fault:
+        return [skipped("malls", fault)]
+    for name in maps:
         units, whole = rows(name, seed)
         number = len(units)
         kinds = Counter(kind for one in units for kind in one["findings"])

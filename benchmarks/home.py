@@ -19,6 +19,8 @@ from typing import Any
 
 from benchmarks import home_methods
 from benchmarks.home_kernel import bench_kernel
+from benchmarks.plans_r2v import PLANS
+from benchmarks.real_data import data_set
 from benchmarks.shapely_home import bench_home
 from scenewright.check import check
 from scenewright.domains.home import solve
@@ -34,6 +36,9 @@ SUFFIXES = ("glb", "svg", "png", "json")
 def records(quick: bool = False, progress: Progress | None = None) -> list[Record]:
     """All records; ``quick`` leaves out the kernels against shapely and takes fewer runs."""
     runs = 2 if quick else 5
+    home_methods.instances()  # whatever is missing is told before an hour's work
+    if not quick:
+        data_set(PLANS)
     stages: list[tuple[str, Callable[[], list[Record]]]] = [
         ("sample homes", lambda: bench_samples(2 if quick else 20)),
         ("solving the demo", lambda: bench_solving(runs)),

@@ -6,11 +6,9 @@ for at least three groups is taken. So the list is fixed, and nobody picked it b
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from functools import cache
 from hashlib import sha256
-from pathlib import Path
 from typing import NamedTuple
 
 import shapely
@@ -41,12 +39,6 @@ class Case(NamedTuple):
     wishes: tuple[Wish, ...] = ()
 
 
-def data_folder() -> Path:
-    """The real data: ``SCENEWRIGHT_DATA``, default ../shared/data."""
-    given = os.environ.get("SCENEWRIGHT_DATA")
-    return Path(given) if given else Path(__file__).resolve().parents[2] / "shared" / "data"
-
-
 def _hash(name: str) -> str:
     return sha256(name.encode()).hexdigest()
 
@@ -55,7 +47,7 @@ def _hash(name: str) -> str:
 def rooms(count: int = 50) -> tuple[Case, ...]:
     """The first rooms of the list."""
     found: list[Case] = []
-    for raw in sorted(raw_plans(data_folder()), key=lambda plan: _hash(plan["id"])):
+    for raw in sorted(raw_plans(), key=lambda plan: _hash(plan["id"])):
         brief = adapt(raw).brief
         cases = sorted(cases_of(brief), key=lambda case: _hash(case.name)) if brief else []
         found += cases[:1]

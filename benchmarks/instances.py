@@ -6,26 +6,18 @@ A benchmark's format, not a shipped one: see the README beside the instances.
 from __future__ import annotations
 
 import json
-import os
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.real_data import instance
 from scenewright.problem import Ground, Problem, empty_items
 
 Floats = NDArray[np.float64]
 NAMES = (
     "boundary", "overlap", "keep_free", "main_wall", "against_wall", "pairs", "size",
 )  # fmt: skip
-
-
-def instances_folder() -> Path:
-    """Beside the real data: ``SCENEWRIGHT_DATA``/../instances, default ../shared/instances."""
-    data = os.environ.get("SCENEWRIGHT_DATA")
-    root = Path(__file__).resolve().parents[2] / "shared" / "data" if data is None else Path(data)
-    return root.parent / "instances"
 
 
 def _box(rectangle: Floats) -> list[float]:
@@ -58,7 +50,7 @@ def _ground(record: dict[str, Any]) -> Ground:
 
 def read_instance(name: str) -> Problem:
     """``living`` (3 patches) or ``big`` (20 rectangles), the paper's seven costs as printed."""
-    text = (instances_folder() / f"home-{name}.json").read_text(encoding="utf-8")
+    text = instance(f"home-{name}.json").read_text(encoding="utf-8")
     record = json.loads(text)
     low, high = np.array(record["low"], float), np.array(record["high"], float)
     targets = np.array(record["pair_target_distance_angle"], float)

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import json
 import re
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from benchmarks.real_data import data_set
 from scenewright import plan
 from scenewright.brief import Brief
 from scenewright.errors import InputError
@@ -23,6 +23,7 @@ from scenewright.errors import InputError
 Floats = NDArray[np.float64]
 Shape = Any
 
+PLANS = "floorplans_r2v/plans.json"
 WALL = 0.1
 LEAST_AREA = 0.3
 LEAST_WIDTH = 0.3
@@ -70,15 +71,9 @@ class Seat(NamedTuple):
         return float(np.hypot(*(self.end - self.start)))
 
 
-def load(data_dir: Path | str) -> list[Plan]:
-    """Every plan of ``floorplans_r2v/plans.json`` under the data folder, in the order listed."""
-    return [adapt(raw) for raw in raw_plans(data_dir)]
-
-
-def raw_plans(data_dir: Path | str) -> list[dict[str, Any]]:
-    """The plans as they are in the file."""
-    path = Path(data_dir) / "floorplans_r2v" / "plans.json"
-    raw: list[dict[str, Any]] = json.loads(path.read_text(encoding="utf-8"))
+def raw_plans() -> list[dict[str, Any]]:
+    """The plans as they are in the file, in the order listed."""
+    raw: list[dict[str, Any]] = json.loads(data_set(PLANS).read_text(encoding="utf-8"))
     return raw
 
 

@@ -17,6 +17,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from benchmarks.plans_r2v import PLANS, adapt, raw_plans
+from benchmarks.real_data import data_folder, data_set
+
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
 
@@ -28,11 +31,6 @@ AIM = 1_000_000 / 24 / 60
 """A million flats a day, in flats per minute."""
 
 
-def data_dir() -> Path:
-    """Where the real data are: ``SCENEWRIGHT_DATA``, else ``../shared/data``."""
-    return Path(os.environ.get("SCENEWRIGHT_DATA", "../shared/data"))
-
-
 def records(quick: bool = False, progress: Progress | None = None) -> list[Record]:
     """Furnish and check every flat (the first 40 if ``quick``) and tally."""
     return tally(run(QUICK if quick else None, progress))
@@ -42,8 +40,7 @@ def run(
     most: int | None = None, progress: Progress | None = None, folder: Path | None = None
 ) -> list[Record]:
     """One result for each flat, in any order; lines are kept in ``folder`` if given."""
-    if not (data_dir() / "floorplans_r2v" / "plans.json").exists():
-        raise FileNotFoundError(f"no floorplans_r2v in {data_dir()}: set SCENEWRIGHT_DATA")
+    data_set(PLANS)
     with tempfile.TemporaryDirectory() as spare:
         files = [(folder or Path(spare)) / f"r2v-{k}.jsonl" for k in range(WORKERS)]
         workers: list[subprocess.Popen[bytes] | None]
@@ -64,7 +61,7 @@ def run(
 def _start(file: Path, worker: int, most: int | None) -> subprocess.Popen[bytes]:
     command = [sys.executable, "-m", "benchmarks.r2v", str(file), str(worker), str(most or 0)]
     root = Path(__file__).resolve().parent.parent
-    environment = os.environ | {"SCENEWRIGHT_DATA": str(data_dir().resolve())}
+    environment = os.environ | {"SCENEWRIGHT_DATA": str(data_folder().resolve())}
     return subprocess.Popen(command, cwd=root, env=environment)
 
 
@@ -101,11 +98,10 @@ def _tell(files: list[Path], progress: Progress | None) -> None:
 
 def work(file: Path, worker: int, most: int) -> None:
     """Furnish and check this worker's share of the flats, a line begun and a line done for each."""
-    from benchmarks.plans_r2v import adapt, raw_plans
     from scenewright.check import check
     from scenewright.domains.home import solve
 
-    plans = raw_plans(data_dir())[: most or None]
+    plans = raw_plans()[: most or None]
     before = {row["index"] for row in _rows(file)}
     check(solve(next(p.brief for p in map(adapt, plans) if p.brief is not None), seed=0))
     for index in range(worker, len(plans), WORKERS):

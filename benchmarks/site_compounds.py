@@ -21,7 +21,7 @@ import numpy as np
 import shapely
 from shapely import affinity
 
-from benchmarks.r2v import data_dir
+from benchmarks.real_data import data_set, skipped
 from benchmarks.site_reco import STOREY, Designed, asked, compounds, sizes_of
 from scenewright.brief import Brief
 from scenewright.brief_site import Site
@@ -36,6 +36,7 @@ from scenewright.check.site_rules import (
 )
 from scenewright.check.site_sun import sampled, sun_hours
 from scenewright.domains.site import solve
+from scenewright.errors import InputError
 from scenewright.scene import Piece, Pose, Size
 from scenewright.site_fit import fits
 from scenewright.site_plan import site_plan
@@ -70,8 +71,8 @@ class Pair(NamedTuple):
 
 
 def file() -> Path:
-    """Where the compounds are if the data are there."""
-    return data_dir() / "site_reco_sample" / "reco_sample.json"
+    """Where the compounds are."""
+    return data_set("site_reco_sample/reco_sample.json")
 
 
 def pairs(most: int | None = None, seed: int = 0, **more: Any) -> list[Pair]:
@@ -98,10 +99,10 @@ def compare(site: Site, designed: Designed, seed: int = 0) -> Pair:
 
 def compound_records(most: int | None = None) -> list[Row]:
     """The designer's layouts and ours over all compounds, figure by figure; a word without."""
-    if not file().exists():
-        told = {"case": "compounds: no site_reco_sample, set SCENEWRIGHT_DATA", "metric": "skipped"}
-        return [told | dict.fromkeys(("unit", "ours", "baseline", "baseline_name", "ratio"))
-                | {"runs": 0}]  # fmt: skip
+    try:
+        file()
+    except InputError as fault:
+        return [skipped("compounds", fault)]
     found = pairs(most)
     built = sum(len(pair.designed.boxes) for pair in found)
     case = f"{len(found)} compounds, {built} buildings"

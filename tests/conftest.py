@@ -7,6 +7,7 @@ from pathlib import Path
 
 import hypothesis
 import pytest
+from benchmarks.real_data import data_folder
 
 from flat import flat_solution
 from scenewright.solution import Solution
@@ -29,7 +30,7 @@ def root() -> Path:
 @pytest.fixture(scope="session")
 def real_data() -> Path:
     """The folder of real data sets; the test is skipped where there is none."""
-    folder = Path(os.environ.get("SCENEWRIGHT_DATA", ROOT.parent / "shared" / "data"))
+    folder = data_folder()
     if not folder.is_dir():
         pytest.skip(f"no real data at {folder}: set SCENEWRIGHT_DATA")
     return folder

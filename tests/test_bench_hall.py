@@ -93,7 +93,7 @@ def test_growth_exponent() -> None:
 
 @pytest.mark.realdata
 @pytest.mark.slow
-@pytest.mark.skipif(not hall_malls.names(), reason="needs the indoor maps")
+@pytest.mark.usefixtures("real_data")
 def test_a_real_station_is_filled_unit_by_unit() -> None:
     records = hall_malls.records(maps=["apb"])
     assert all(list(record) == KEYS for record in records)

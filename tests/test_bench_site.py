@@ -16,7 +16,6 @@ from scenewright.geometry.saliency import saliency
 from scenewright.solvers.site_found import SiteFound
 
 KEYS = ["case", "metric", "unit", "ours", "baseline", "baseline_name", "ratio", "runs"]
-HERE = site_compounds.file().exists()
 
 
 def test_scenes_hold_what_they_say_at_one_density() -> None:
@@ -93,7 +92,7 @@ def test_designed_footprints_go_where_ours_stand() -> None:
 
 
 @pytest.mark.realdata
-@pytest.mark.skipif(not HERE, reason="needs the compounds")
+@pytest.mark.usefixtures("real_data")
 def test_pieces_cut_by_tiles_are_one_building_again() -> None:
     rows = compounds(site_compounds.file())
     buildings = [shape for _, designed in rows for shape in designed.footprints]
@@ -102,7 +101,7 @@ def test_pieces_cut_by_tiles_are_one_building_again() -> None:
 
 
 @pytest.mark.realdata
-@pytest.mark.skipif(not HERE, reason="needs the compounds")
+@pytest.mark.usefixtures("real_data")
 def test_real_compounds_are_laid_out_anew() -> None:
     records = site_compounds.compound_records(6)
     found = {record["metric"]: record["ours"] for record in records}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from benchmarks.plans_r2v import adapt, raw_plans
-from benchmarks.r2v import data_dir, tally
+from benchmarks.r2v import tally
 
 from scenewright import plan
 
@@ -83,10 +83,11 @@ def test_the_tally_counts_flats_and_rooms():
 
 
 @pytest.mark.realdata
+@pytest.mark.usefixtures("real_data")
 def test_real_flats_become_briefs_that_build():
-    if not (data_dir() / "floorplans_r2v" / "plans.json").exists():
-        pytest.skip(f"no floorplans_r2v in {data_dir()}: set SCENEWRIGHT_DATA")
-    for raw in raw_plans(data_dir())[::25]:
+    plans = raw_plans()
+    assert len(plans) > 800
+    for raw in plans[::25]:
         found = adapt(raw)
         assert found.brief is not None, (found.id, found.words)
         kept = len(found.brief.rooms)
