@@ -18,6 +18,7 @@ import pytest
 from rich.console import Console
 
 import scenewright
+from deadline import within
 from flat import flat_brief, flat_solution
 from scenewright import cli, cli_arrange, cli_bench
 from scenewright import cli_show as show
@@ -300,25 +301,23 @@ def test_benchmarks_are_found_from_the_checkout(
 
 @pytest.mark.skipif(os.name == "nt", reason="signals")
 def test_interrupting_keeps_the_best_so_far(capsys: Captured) -> None:
-    """Ctrl-C while solving for a minute ends soon and writes what was found."""
+    """Ctrl-C while solving for ten minutes ends soon and writes what was found."""
     before = signal.getsignal(signal.SIGINT)
-    sent: list[float] = []
 
     def interrupt() -> None:
         while signal.getsignal(signal.SIGINT) is before:
             time.sleep(0.01)
         time.sleep(0.5)
-        sent.append(time.monotonic())
         os.kill(os.getpid(), signal.SIGINT)
 
     thread = threading.Thread(target=interrupt, daemon=True)
     thread.start()
-    code = cli.run(["arrange", save_brief(), "-o", "home.json", "--seconds", "60"])
+    with within(120):
+        code = cli.run(["arrange", save_brief(), "-o", "home.json", "--seconds", "600"])
     thread.join()
     assert code == 130
     told = capsys.readouterr()
     assert told.err == "scenewright: interrupted: best so far written\n"
     assert "(interrupted: best so far)" in told.out
-    assert time.monotonic() - sent[0] < 20
     assert signal.getsignal(signal.SIGINT) is before
     assert solution_json.read("home.json").pieces

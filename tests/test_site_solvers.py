@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-import time
+import statistics
 
 import numpy as np
 import pytest
@@ -15,6 +15,7 @@ from benchmarks.site_instances import STYLES, example_site
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from deadline import within
 from scenewright.encodings.forms import FORMS
 from scenewright.errors import InputError
 from scenewright.site_problem import Buildings, SiteProblem
@@ -35,6 +36,8 @@ ROWS = list(SITE_SOLVERS.values())
 IDS = list(SITE_SOLVERS)
 SCORED = [row for row in ROWS if row.name != "fill"]
 """Solvers whose steps are layouts of the site and which score their answer."""
+LIMIT = 60
+"""Seconds after which a solver that was given one, or cancelled at once, hangs."""
 SCORED_IDS = [row.name for row in SCORED]
 
 
@@ -91,16 +94,19 @@ def test_scores_are_those_of_what_stands(row) -> None:
 
 @pytest.mark.parametrize("row", ROWS, ids=IDS)
 def test_seconds_progress_and_cancelling(row) -> None:
+    """The last share told is of the last look at the clock: on a busy machine one of three runs
+    may look late, but not all."""
     row.run(PROBLEM, Budget(seconds=0.1), 0)
-    shares: list[float] = []
-    begun = time.perf_counter()
-    row.run(PROBLEM, Budget(seconds=0.3), 0, lambda share, _best: shares.append(share))
-    assert time.perf_counter() - begun < 5.0
-    assert shares == sorted(shares)
-    assert row.name == "fill" or shares[-1] > 0.5
-    begun = time.perf_counter()
-    found = row.run(PROBLEM, Budget(seconds=60.0), 0, None, lambda: True)
-    assert time.perf_counter() - begun < 10.0
+    last = []
+    for seed in range(3):
+        shares: list[float] = []
+        with within(LIMIT):
+            row.run(PROBLEM, Budget(seconds=0.6), seed, lambda share, _: shares.append(share))  # noqa: B023
+        assert shares == sorted(shares)
+        last.append(shares[-1])
+    assert max(last) > 0.9
+    with within(LIMIT):
+        found = row.run(PROBLEM, Budget(seconds=600.0), 0, None, lambda: True)
     assert_stands(PROBLEM, found)
 
 
@@ -124,15 +130,20 @@ def test_more_buildings_than_there_is_room_for(row) -> None:
     assert_stands(problem, found)
 
 
+def scores(name: str, steps: int) -> list[dict[str, float]]:
+    """What a solver makes of thirty buildings with three seeds."""
+    problem, budget = example_site(30, 150.0), Budget(steps=steps)
+    return [SITE_SOLVERS[name].run(problem, budget, seed).score for seed in range(3)]
+
+
 def test_annealing_finds_what_chance_does_not() -> None:
-    problem = example_site(30, 150.0)
-    annealed = SITE_SOLVERS["sa"].run(problem, Budget(steps=100_000), 0).score
-    drawn = SITE_SOLVERS["random"].run(problem, Budget(steps=300), 0).score
-    assert annealed["energy"] < 0.9 * drawn["energy"]
-    assert annealed["left"] <= drawn["left"]
-    led = SITE_SOLVERS["vp"].run(problem, Budget(steps=2000), 0).score
-    assert led["facing"] < drawn["facing"]
-    assert led["value"] > SITE_SOLVERS["sga"].run(problem, Budget(steps=2000), 0).score["value"]
+    annealed, drawn = scores("sa", 100_000), scores("random", 300)
+    ratios = [a["energy"] / b["energy"] for a, b in zip(annealed, drawn, strict=True)]
+    assert statistics.median(ratios) < 0.7
+    assert all(a["left"] < b["left"] for a, b in zip(annealed, drawn, strict=True))
+    led, plain = scores("vp", 2000), scores("sga", 2000)
+    assert all(a["facing"] < b["facing"] for a, b in zip(led, drawn, strict=True))
+    assert all(a["value"] > b["value"] for a, b in zip(led, plain, strict=True))
 
 
 def test_annealing_starts_from_what_it_is_given() -> None:

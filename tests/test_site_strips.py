@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from scenewright.layout import corners
@@ -54,9 +54,12 @@ def test_free_spans_are_those_of_exact_polygons(
     assert (found[:, 1] - found[:, 0]).sum() == pytest.approx(open_x, abs=1e-4)
 
 
+@pytest.mark.parametrize("around", [True, False])
 @settings(max_examples=25, deadline=None)
-@given(st.integers(0, 10_000), st.floats(0.0, 8.0), st.booleans())
-def test_rims_and_rows_stand_inside_and_apart(seed: int, gap: float, around: bool) -> None:
+@given(seed=st.integers(0, 10_000), gap=st.floats(0.0, 8.0))
+@example(seed=9203, gap=0.08)  # neighbours whose corners meet at a bend
+@example(seed=4222, gap=0.035)
+def test_rims_and_rows_stand_inside_and_apart(around: bool, seed: int, gap: float) -> None:
     shape = block(seed)
     rng = np.random.default_rng(seed)
     sizes = rng.uniform([8, 8, 6], [30, 16, 40], (20, 3))
@@ -72,10 +75,11 @@ def test_rims_and_rows_stand_inside_and_apart(seed: int, gap: float, around: boo
         boxes = np.zeros((len(numbers), 5))
         boxes[:, 0], boxes[:, 1] = back(at[:, 0], at[:, 1], heading)
         boxes[:, 2], boxes[:, 3:] = heading, sizes[numbers, :2]
-    assert len(set(numbers)) == len(numbers) > 0
+    assume(numbers)  # the first of the queue fits nowhere along a few rims
+    assert len(set(numbers)) == len(numbers)
     shapes = shapely.polygons(corners(boxes))
     assert (shapely.area(shapely.difference(shapes, shape)) < 1e-4).all()
     for k in range(len(shapes)):
         others = np.delete(shapes, k)
         apart = shapely.distance(shapes[k], others).min(initial=np.inf)
-        assert apart >= gap / (2.0 if around else 1.0) - 1e-6 or apart >= gap - 0.1
+        assert apart >= gap - 1e-6

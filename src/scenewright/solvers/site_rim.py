@@ -20,6 +20,9 @@ SLACK = 1e-3
 """How far buildings stand behind the rim, in metres."""
 ROUNDING = 1e-5
 """Square metres."""
+HAIR = 1e-4
+"""Metres that buildings stand farther apart than asked for. Boxes that share less than its square
+overlap by less than it, so what rounding makes of touching ones leaves the whole gap."""
 STEP = 1.0
 """How far a building that does not fit is moved on, in metres."""
 
@@ -44,7 +47,7 @@ def rim(
 def set_along(edges: Floats, floors: Floats, gap: float, boxes: Floats, wide: Floats) -> int:
     """Set buildings of widths and depths ``floors`` (n, 2) in turn, as many as ``boxes`` (k, 5)
     holds, and say how many; ``wide`` (k, 8) is scratch for frames with half the gap around."""
-    count = 0
+    count, gap = 0, gap + HAIR
     for e in range(edges.shape[0]):
         x0, y0, x1, y1 = edges[e, 0], edges[e, 1], edges[e, 2], edges[e, 3]
         length = math.hypot(x1 - x0, y1 - y0)
@@ -74,7 +77,7 @@ def set_along(edges: Floats, floors: Floats, gap: float, boxes: Floats, wide: Fl
 def fits(frame: Frame, grown: Frame, edges: Floats, wide: Floats, count: int) -> bool:
     """Whether a building lies in the block and, with half the gap around, off the first others."""
     for k in range(count):
-        if common_area(grown, read_frame(wide, k)) >= SLACK:
+        if common_area(grown, read_frame(wide, k)) >= HAIR * HAIR:
             return False
     area = 4.0 * frame[4] * frame[5]
     return area_in_polygon(frame, edges) >= area - ROUNDING
