@@ -16,6 +16,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from benchmarks.comparison import ratio
 from scenewright import batch, check, formats
 from scenewright.batch.table import FAILED, NOT_VALID
 from scenewright.domains import home
@@ -147,9 +148,8 @@ def _timed(owner: Any, attribute: str, name: str, spent: dict[str, float]) -> An
 
 
 def _record(case: str, unit: str, ours: float, aim: float, runs: int) -> Record:
-    ratio = aim / max(ours, 1e-9) if unit == "ms/flat" else ours / aim
     return {
         "case": case, "metric": "share" if unit == "1" else "speed", "unit": unit,
         "ours": round(ours, 4), "baseline": round(aim, 4), "baseline_name": "aim",
-        "ratio": round(ratio, 4), "runs": runs,
+        "ratio": ratio(ours, aim, unit), "runs": runs,
     }  # fmt: skip

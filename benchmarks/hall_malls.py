@@ -9,6 +9,7 @@ import time
 from collections import Counter
 from typing import Any
 
+from benchmarks.comparison import ratio
 from benchmarks.real_data import data_files, data_set, skipped
 from scenewright.check import Report, check
 from scenewright.domains.hall import solve
@@ -84,7 +85,7 @@ def records(seed: int = 0, maps: list[str] | None = None) -> list[Row]:
 def _record(case: str, metric: str, ours: int, of: int, aim: float | None = None) -> Row:
     base = float(of) if aim is None else aim
     return {"case": case, "metric": metric, "unit": "1", "ours": float(ours), "baseline": base,
-            "baseline_name": "aim", "ratio": ours / base if base else None, "runs": of}  # fmt: skip
+            "baseline_name": "aim", "ratio": ratio(ours, base, "1"), "runs": of}  # fmt: skip
 
 
 def _seconds(case: str, metric: str, seconds: float) -> Row:

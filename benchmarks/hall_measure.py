@@ -185,7 +185,7 @@ def least_tree(gaps: Floats) -> list[tuple[int, int]]:
 def gaps_of(boxes: Floats) -> Floats:
     """μ of all pairs (n, n): distance along the line of centres, edge to edge.
 
-    >>> gaps_of(np.array([[0, 0, 0, 2, 1], [3, 0, 0, 2, 1.0]]))[0, 1]
+    >>> float(gaps_of(np.array([[0, 0, 0, 2, 1], [3, 0, 0, 2, 1.0]]))[0, 1])
     2.0
     """
     step = boxes[None, :, :2] - boxes[:, None, :2]

@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import home_methods
+from benchmarks.comparison import ratio
 from benchmarks.home_kernel import bench_kernel
 from benchmarks.plans_r2v import PLANS
 from benchmarks.real_data import data_set
@@ -94,9 +95,8 @@ def bench_process(runs: int) -> list[Record]:
 
 def _against(case: str, metric: str, unit: str, ours: float, aim: float, runs: int) -> Record:
     """A figure beside its aim; the ratio says how many times better than the aim it is."""
-    ratio = ours / aim if unit == "share" else aim / ours
     return Record(case=case, metric=metric, unit=unit, ours=ours, baseline=aim,
-                  baseline_name="aim", ratio=ratio, runs=runs)  # fmt: skip
+                  baseline_name="aim", ratio=ratio(ours, aim, unit), runs=runs)  # fmt: skip
 
 
 def _process(folder: Path) -> float:

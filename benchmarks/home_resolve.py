@@ -12,6 +12,7 @@ from collections.abc import Callable
 from math import cos, sin
 from typing import Any
 
+from benchmarks.comparison import ratio
 from scenewright.check import check
 from scenewright.domains import resolve, solve
 from scenewright.domains.home.edits import leads
@@ -81,6 +82,5 @@ def _timed(work: Callable[[], object]) -> float:
 def _record(
     case: str, metric: str, unit: str, ours: float, baseline: float, name: str, runs: int
 ) -> Record:
-    ratio = baseline / ours if unit == "s" else ours / baseline
     return {"case": case, "metric": metric, "unit": unit, "ours": ours, "baseline": baseline,
-            "baseline_name": name, "ratio": ratio, "runs": runs}  # fmt: skip
+            "baseline_name": name, "ratio": ratio(ours, baseline, unit), "runs": runs}  # fmt: skip

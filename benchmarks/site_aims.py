@@ -11,6 +11,7 @@ import statistics
 from collections.abc import Callable
 from typing import Any
 
+from benchmarks.comparison import ratio
 from benchmarks.site_scale import sites
 from scenewright.domains.site import problems
 from scenewright.formats import read
@@ -53,6 +54,6 @@ def records(quick: bool, progress: Callable[[float, str], None]) -> list[Record]
                 found.append({
                     "case": f"{name}, aim {aim}", "metric": metric, "unit": unit,
                     "ours": ours[metric], "baseline": none[metric], "baseline_name": "no aim",
-                    "ratio": ours[metric] / none[metric] if none[metric] else None, "runs": seeds,
+                    "ratio": ratio(ours[metric], none[metric], unit), "runs": seeds,
                 })  # fmt: skip
     return found

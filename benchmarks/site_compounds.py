@@ -21,6 +21,7 @@ import numpy as np
 import shapely
 from shapely import affinity
 
+from benchmarks.comparison import ratio
 from benchmarks.real_data import data_set, skipped
 from benchmarks.site_reco import STOREY, Designed, asked, compounds, sizes_of
 from scenewright.brief import Brief
@@ -124,7 +125,7 @@ def _record(case: str, found: list[Pair], name: str, unit: str, how: str) -> Row
     ours, theirs = (TOGETHER[how](values) for values in zip(*both, strict=True))
     return {"case": case, "metric": f"{name.replace('_', ' ')}, {how}", "unit": unit,
             "ours": round(ours, 4), "baseline": round(theirs, 4), "baseline_name": "designer",
-            "ratio": round(ours / theirs, 4) if theirs else None, "runs": len(both)}  # fmt: skip
+            "ratio": ratio(ours, theirs, unit), "runs": len(both)}  # fmt: skip
 
 
 def unplaceable(site: Site) -> int:

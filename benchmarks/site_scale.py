@@ -15,6 +15,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
+from benchmarks.comparison import ratio
 from benchmarks.hall_scale import growth
 from benchmarks.site_scenes import scene_brief
 from scenewright.brief import Brief
@@ -56,10 +57,10 @@ def run(brief: Brief, seed: int) -> Row:
     }  # fmt: skip
 
 
-def samples_records(seeds: int) -> list[Row]:
+def samples_records(seeds: int, names: list[str] | None = None) -> list[Row]:
     """Every sample with so many seeds: sums of what is wrong, medians of seconds."""
     found = []
-    for name in sites():
+    for name in names or sites():
         brief = read(name)
         run(brief, 0)
         rows = [run(brief, seed) for seed in range(seeds)]
@@ -109,7 +110,7 @@ def writing(solution: Any) -> float:
 
 
 def _record(case: str, metric: str, unit: str, ours: float, aim: float | None, runs: int) -> Row:
-    ratio = round(ours / aim, 4) if aim else None
+    """A figure beside its aim, if there is one, and how many times better than the aim it is."""
     return {"case": case, "metric": metric.replace("_", " "), "unit": unit, "ours": round(ours, 4),
-            "baseline": aim, "baseline_name": "" if aim is None else "aim", "ratio": ratio,
-            "runs": runs}  # fmt: skip
+            "baseline": aim, "baseline_name": "" if aim is None else "aim",
+            "ratio": ratio(ours, aim, unit), "runs": runs}  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import shapely
-from benchmarks import site_compounds, site_methods, site_scale, site_speed
+from benchmarks import comparison, site_compounds, site_methods, site_scale, site_speed
 from benchmarks.shapely_site import shapely_site, site_terms
 from benchmarks.site_instances import example_site
 from benchmarks.site_reco import Designed, compounds
@@ -53,6 +53,33 @@ def test_methods_tell_records() -> None:
     assert all(list(record) == KEYS for record in records)
     assert all(row["overlaps"] == row["outside"] == 0 for row in rows)
     assert site_methods.converged([3.0, -1.0, -2.0, -2.01]) == 3
+
+
+def test_falls_are_told_with_their_runs_and_no_share_of_nothing() -> None:
+    values = {("a", 6): (0.5, 0.6, 0.7), ("a", 15): (0.3,), ("b", 6): (0.0,), ("b", 15): (0.2,)}
+    rows = [{"method": method, "equal": "seconds", "buildings": size, "value": value}
+            for (method, size), found in values.items() for value in found]  # fmt: skip
+    a, b = site_methods.falls(rows)
+    assert (a["ours"], a["baseline"], a["ratio"], a["runs"]) == (0.3, 0.6, 0.5, 3)
+    assert (b["ours"], b["baseline"], b["ratio"], b["runs"]) == (0.2, 0.0, None, 1)
+
+
+def test_ratios_of_seconds_say_how_many_times_faster() -> None:
+    ours, theirs = ([{"seconds": s, "valid": v}] * 3 for s, v in ((0.5, 0.9), (2.0, 0.6)))
+    told = [comparison.record("case", name, unit, ours, theirs, "theirs", ("valid",))
+            for name, unit in (("seconds", "s"), ("valid", "share"))]  # fmt: skip
+    assert [row["ratio"] for row in told] == [4.0, 1.5]
+    assert [(row["ours"], row["baseline"]) for row in told] == [(0.5, 2.0), (0.9, 0.6)]
+    assert comparison.ratio(0.0, 1.0, "s") is comparison.ratio(1.0, 0.0, "1") is None
+
+
+def test_samples_stand_beside_their_aims() -> None:
+    records = site_scale.samples_records(1, ["sample:site-120"])
+    found = {row["metric"]: row for row in records}
+    took = found["seconds"]
+    assert took["baseline"] == site_scale.LIMIT
+    assert took["ratio"] == pytest.approx(site_scale.LIMIT / took["ours"], rel=1e-2)
+    assert found["valid"]["ratio"] == found["valid"]["ours"] == 1.0
 
 
 def test_growing_sites_tell_records() -> None:
