@@ -28,6 +28,7 @@ from scenewright.brief_fields import (
     Words,
 )
 from scenewright.brief_hall import Demand, Link, ZoneBrief
+from scenewright.brief_services import OutletBrief, RadiatorBrief
 from scenewright.brief_site import Site
 from scenewright.brief_slope import SlopeBrief
 from scenewright.brief_wishes import WishBrief
@@ -117,6 +118,7 @@ class Room(Model):
     ``function`` may be several for an open plan; left out, it is read from ``name``.
     ``main_wall`` is the index of an outline edge as listed (0 joins the first two points).
     ``slopes`` are the parts of the ceiling under a roof; the lowest at a point counts.
+    ``outlets`` are where things are connected, ``radiators`` what heats.
     ``ask`` replaces what the function and size would bring, ``wishes`` add to it, take from it
     or say where. ``style`` and ``colour`` are words
     that furniture of the brief's own catalogues should answer to; left out, the home's.
@@ -136,6 +138,8 @@ class Room(Model):
     main_wall: Annotated[Whole, Field(ge=0)] | None = None
     slopes: Annotated[list[SlopeBrief], Field(max_length=20)] = []
     fixed: Annotated[list[FixedItem], Field(max_length=2000)] = []
+    outlets: Annotated[list[OutletBrief], Field(max_length=200)] = []
+    radiators: Annotated[list[RadiatorBrief], Field(max_length=50)] = []
     ask: Annotated[list[Ask], Field(max_length=200)] | None = None
     wishes: Annotated[list[WishBrief], Field(max_length=200)] = []
     style: Words = ""

@@ -63,6 +63,7 @@ def _zones(ground: Ground, tops: Floats) -> Floats:
     low = strips(_fresh(ground.slopes, 6), tops, ground.bounds)
     kinds = (
         (KEEP_FREE, ground.keep_free, -np.inf),
+        (KEEP_FREE, ground.fronts, -np.inf),
         (CORRIDORS, ground.corridors, -np.inf),
         (OBSTACLES, ground.obstacles, -np.inf),
         (WINDOW, windows[:, :5], windows[:, 5]),

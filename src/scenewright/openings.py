@@ -84,8 +84,7 @@ def _of_room(
         *((f"windows[{i}]", window) for i, window in enumerate(room.windows)),
     ]
     found = []
-    lines = [run for ring in (space.outline, *space.holes) for run in wall_runs(ring)]
-    runs = Runs(lines, np.array([[*run.min(0), *run.max(0)] for run in lines]))
+    runs = runs_of(space)
     for which, opening in listed:
         place = f"{told} {which}"
         try:
@@ -95,12 +94,18 @@ def _of_room(
     return found
 
 
+def runs_of(space: Space) -> Runs:
+    """The walls and columns of a room."""
+    lines = [run for ring in (space.outline, *space.holes) for run in wall_runs(ring)]
+    return Runs(lines, np.array([[*run.min(0), *run.max(0)] for run in lines]))
+
+
 def _opening(
     brief: Brief, number: int, ids: list[str], faces: Walls, space: Space, runs: Runs,
     wish: Door | Window,
 ) -> Opening:  # fmt: skip
-    stretch = _stretch(runs, wish, max(brief.wall_thickness, REACH))
-    middle, along, width = _line(stretch)
+    stretch = stretch_of(runs, wish.at, wish.width, max(brief.wall_thickness, REACH))
+    middle, along, width = line_of(stretch)
     beyond, gap = _beyond(faces, number, middle, along)
     if isinstance(wish, Door) and wish.to is not None:
         beyond = _wished(wish.to, ids, beyond)
@@ -132,21 +137,22 @@ def _leaf(wish: Door | Window) -> tuple[OpeningKind, float, int, int]:
     return "door", 0.0, 1 if wish.hinge == "left" else -1, 1 if wish.swing == "in" else -1
 
 
-def _stretch(runs: Runs, wish: Door | Window, reach: float) -> Stretch:
-    """The best piece of the walls ``runs`` for an opening: the nearest on which it fits.
+def stretch_of(runs: Runs, place: tuple[float, float], width: float, reach: float) -> Stretch:
+    """The best piece of the walls ``runs`` for an opening or a radiator: the nearest on which it
+    fits.
 
-    A wall is an edge with all that follow at less than 25 degrees, so a curved wall is one. The
-    opening is slid along it by at most 0.3 m and narrowed by at most 0.1 m to fit.
+    A wall is an edge with all that follow at less than 25 degrees, so a curved wall is one. What
+    is put there is slid along it by at most 0.3 m and narrowed by at most 0.1 m to fit.
     """
-    at = np.array(wish.at)
+    at = np.array(place)
     low, high = runs.bounds[:, :2] - reach, runs.bounds[:, 2:] + reach
     beside = np.flatnonzero(((at >= low) & (at <= high)).all(axis=1))
     away = [(runs.lines[i], *project(runs.lines[i], at)) for i in beside]
     near = [row for row in away if row[2] <= reach]
     if not near:
         raise _off_the_wall(runs, at, reach)
-    run, s, _ = min(near, key=lambda row: row[2] + _overhang(row[0], row[1], wish.width))
-    return _fitted(run, s, wish.width)
+    run, s, _ = min(near, key=lambda row: row[2] + _overhang(row[0], row[1], width))
+    return _fitted(run, s, width)
 
 
 def _overhang(run: Points, s: float, width: float) -> float:
@@ -171,7 +177,8 @@ def _fitted(run: Points, s: float, width: float) -> Stretch:
     return Stretch(np.array(ends[0]), np.array(ends[1]))
 
 
-def _line(stretch: Stretch) -> tuple[Points, Points, float]:
+def line_of(stretch: Stretch) -> tuple[Points, Points, float]:
+    """The middle of a stretch, its unit direction and its length."""
     along = stretch.end - stretch.start
     width = float(np.hypot(*along))
     return (stretch.start + stretch.end) / 2, along / width, width

@@ -19,6 +19,7 @@ from scenewright.errors import InputError
 from scenewright.layout import corners
 from scenewright.openings import find_openings
 from scenewright.room_names import functions_from_name, sort_functions
+from scenewright.services import served
 from scenewright.site_plan import named, plans_of
 from scenewright.space import Level, Points, Slope, Space
 
@@ -69,9 +70,10 @@ def spaces(brief: Brief) -> tuple[Space, ...]:
     for number, room in enumerate(brief.rooms):
         _check_fixed(room, number, floors, brief)
     openings = find_openings(brief, tuple(found))
+    opened = [replace(s, openings=tuple(o for o in openings if s.id in o.spaces)) for s in found]
     return tuple(
-        replace(space, openings=tuple(o for o in openings if space.id in o.spaces))
-        for space in found
+        served(brief, room, space, place(brief, number))
+        for number, (room, space) in enumerate(zip(brief.rooms, opened, strict=True))
     )
 
 

@@ -27,7 +27,8 @@ class Ground(NamedTuple):
     height. ``doors`` (d, 5): box of each way in, from the outer face of the wall to a little
     inside; routes start there. ``main_wall`` (m, 4) has one row or none. ``bounds`` (4,) is
     x0, y0, x1, y1 and ``area`` the free area in square metres. ``slopes`` (k, 6) are what lowers
-    the ceiling, as in :mod:`scenewright.ceiling`.
+    the ceiling, as in :mod:`scenewright.ceiling`. ``fronts`` (r, 5): boxes before radiators in
+    which nothing is put, though one may walk there.
     """
 
     edges: Floats
@@ -41,6 +42,7 @@ class Ground(NamedTuple):
     bounds: Floats
     area: float
     slopes: Floats = np.zeros((0, 6))
+    fronts: Floats = np.zeros((0, 5))
 
 
 class Items(NamedTuple):

@@ -56,6 +56,32 @@ class Slope(NamedTuple):
     pitch: float
 
 
+class Outlet(NamedTuple):
+    """Where something is connected: its kind, the point of the wall it is at, the direction into
+    the room, and whether it must be used."""
+
+    id: str
+    kind: str
+    x: float
+    y: float
+    heading: float
+    required: bool = False
+
+
+class Radiator(NamedTuple):
+    """A radiator at a wall: the middle of its footprint, the direction into the room, its size,
+    and the height of its underside."""
+
+    id: str
+    x: float
+    y: float
+    heading: float
+    width: float
+    depth: float
+    height: float
+    z: float
+
+
 @dataclass(frozen=True, slots=True)
 class Space:
     """A room, hall or site to fill: outline, holes, openings, what it is for.
@@ -64,7 +90,7 @@ class Space:
     faces of the walls. ``main_wall`` is the index of an outline edge (from vertex i to i + 1) or
     ``None``. ``functions`` are room functions such as ``living`` or ``bedroom``; an open-plan
     room has several. ``height`` is floor to ceiling, where no ``slopes`` are lower. ``openings``
-    are those that touch the space.
+    are those that touch the space, ``outlets`` and ``radiators`` those at its walls.
     """
 
     id: str
@@ -77,6 +103,8 @@ class Space:
     openings: tuple[Opening, ...] = field(default=())
     main_wall: int | None = None
     slopes: tuple[Slope, ...] = ()
+    outlets: tuple[Outlet, ...] = ()
+    radiators: tuple[Radiator, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

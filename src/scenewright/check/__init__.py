@@ -27,6 +27,8 @@ from scenewright.check.complete import (
 from scenewright.check.hall_figures import Verdict, judge_halls
 from scenewright.check.halls import Hall, halls_of
 from scenewright.check.openings import find_blocked
+from scenewright.check.outlets import connections_of, connections_told
+from scenewright.check.radiators import find_shut_in
 from scenewright.check.reach import find_unreachable
 from scenewright.check.report import KINDS, Finding, Note, Report, count_by_kind
 from scenewright.check.routes import (
@@ -78,6 +80,7 @@ def check(
         fixed = tuple(piece for piece in solution.pieces if piece.fixed)
         given, _ = bodies_of(fixed, rooms, catalog or _shipped())
         barriers = find_barriers(bodies, given, rooms, grounds, walks)
+    unserved, unreached, connected = connections_told(connections_of(bodies, rooms), bodies, rooms)
     findings = (
         *malformed,
         *told,
@@ -85,6 +88,8 @@ def check(
         *find_out_of_bounds(bodies, rooms),
         *find_through_slopes(bodies, rooms),
         *find_blocked(bodies, rooms),
+        *find_shut_in(bodies, rooms),
+        *unserved,
         *find_unreachable(bodies, rooms, grounds, walks, groups),
         *verdict.findings,
         *find_unsupported(bodies, rooms),
@@ -102,9 +107,11 @@ def check(
         figures["halls"] = verdict.figures
     if any(room.wishes for room in solution.brief.rooms):
         figures["wishes"] = wishes_told(bodies, rooms, solution.brief.rooms)
+    if connected:
+        figures["outlets"] = connected
     lived_in = solution.brief.domain == "home"
     missing = find_incomplete(bodies, rooms) if lived_in else []
-    notes = (*find_doorless(bodies, rooms), *missing, *verdict.notes, *barriers.notes)
+    notes = (*find_doorless(bodies, rooms), *missing, *unreached, *verdict.notes, *barriers.notes)
     return Report(findings, notes, figures)
 
 

@@ -12,6 +12,8 @@ KINDS = (
     "out_of_bounds",
     "blocked_door",
     "blocked_window",
+    "blocked_radiator",
+    "unserved",
     "unreachable_piece",
     "unreachable_group",
     "unreachable_room",

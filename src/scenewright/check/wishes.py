@@ -1,4 +1,9 @@
-"""Which wishes of a household came true, measured on the final pieces."""
+"""Which wishes of a household came true, measured on the final pieces.
+
+Distances are between footprints, and from footprints to the face of the wall an opening is in. A
+thing faces another if some of that lies within :data:`SIGHT` of straight ahead of its middle; of a
+group the largest piece counts, and who sits at a desk looks over it.
+"""
 
 from __future__ import annotations
 
@@ -8,14 +13,20 @@ import numpy as np
 import shapely
 
 from scenewright.brief import Room
-from scenewright.brief_wishes import WishBrief
-from scenewright.check.bodies import Bodies, Rooms, Shape
+from scenewright.brief_wishes import OPENINGS, WishBrief
+from scenewright.check.bodies import Bodies, Indices, Rooms, Shape
+from scenewright.space import Opening
 
-WINDOW = 1.2
-"""What is nearer to a window than this stands by it, in metres."""
+NEAREST = {"window": 1.2, "door": 1.2, "wall": 0.3, "corner": 0.3}
+"""What is nearer than this stands by a window, by a door, at a wall, in a corner; metres."""
 
-CORNER = 0.3
-"""What is nearer to a corner of the room than this stands in it, in metres."""
+SIGHT = np.radians(30.0)
+"""What lies within this angle of straight ahead is faced."""
+
+_OVER = frozenset(("desk", "kids_desk", "vanity", "piano"))  # one sits before it, looking over it
+_FAR = 200.0
+_IN_WORDS = {"window": "by a window", "door": "by a door", "wall": "at a wall",
+             "corner": "in a corner"}  # fmt: skip
 
 
 def wishes_told(bodies: Bodies, rooms: Rooms, asked: list[Room]) -> list[dict[str, Any]]:
@@ -34,63 +45,117 @@ def in_words(wish: WishBrief) -> str:
 
     >>> in_words(WishBrief(what="desk", by="window", near="bookcase"))
     'desk by a window and within 1 m of bookcase'
+    >>> in_words(WishBrief(what="armchair", face="window", away_from="door"))
+    'armchair facing a window and at least 2 m away from a door'
     """
     if wish.forbid:
         return f"no {wish.what}".replace("_", " ")
-    places = []
-    if wish.by:
-        places.append("by a window" if wish.by == "window" else "in a corner")
+    places = [_IN_WORDS[wish.by]] if wish.by else []
+    if wish.face:
+        places.append(f"facing {_called(wish.face)}")
     if wish.near:
-        places.append(f"within {wish.metres:g} m of {wish.near}")
+        places.append(f"within {wish.within:g} m of {wish.near}")
+    if wish.away_from:
+        places.append(f"at least {wish.beyond:g} m away from {_called(wish.away_from)}")
     return f"{wish.what} {' and '.join(places)}".strip().replace("_", " ")
+
+
+def _called(name: str) -> str:
+    return f"a {name}" if name in OPENINGS else name
 
 
 def _why_not(bodies: Bodies, rooms: Rooms, room: int, wish: WishBrief) -> str:
     """Why a wish is not fulfilled; empty if it is."""
-    here = _shape(bodies, room, wish.what)
+    rows = _rows(bodies, room, wish.what)
     if wish.forbid:
-        return "" if here.is_empty else "it came with the brief"
-    if here.is_empty:
+        return "it came with the brief" if len(rows) else ""
+    if not len(rows):
         return "there is none in the room: it did not fit, or is left out"
-    if wish.by:
-        faults = _by_window(rooms, room, here) if wish.by == "window" else _cornered(
-            rooms, room, here
-        )  # fmt: skip
-        if faults:
-            return faults
-    if wish.near:
-        other = _shape(bodies, room, wish.near)
-        if other.is_empty:
-            return f"there is no {wish.near} in the room"
-        gap = float(shapely.distance(here, other))
-        if gap > wish.metres + 1e-6:
-            return f"it stands {gap:.2f} m away"
-    return ""
+    here = shapely.union_all(bodies.footprints[rows])
+    faults = [
+        _not_by(rooms, room, here, wish.by) if wish.by else "",
+        _not_facing(bodies, rooms, room, rows, wish.face) if wish.face else "",
+        _too_far(bodies, room, here, wish.near, wish.within) if wish.near else "",
+        _too_near(bodies, rooms, room, here, wish) if wish.away_from else "",
+    ]
+    return next(filter(None, faults), "")
 
 
-def _shape(bodies: Bodies, room: int, name: str) -> Shape:
-    """The footprints of a group or of the pieces of a kind, in a room."""
-    rows = [
+def _rows(bodies: Bodies, room: int, name: str) -> Indices:
+    """The pieces of a group or kind in a room."""
+    return np.array([
         i for i, piece in enumerate(bodies.pieces)
         if bodies.room[i] == room and name in (piece.category, piece.function)
         and not bodies.flat[i]
-    ]  # fmt: skip
-    return shapely.union_all(bodies.footprints[np.array(rows, np.int64)])
+    ], np.int64)  # fmt: skip
 
 
-def _by_window(rooms: Rooms, room: int, here: Shape) -> str:
-    windows = [o for o in rooms.spaces[room].openings if o.kind == "window"]
-    if not windows:
-        return "the room has no window"
-    gaps = []
-    for o in windows:
-        half = np.array([o.ux, o.uy]) * o.width / 2
-        ends = [np.array([o.x, o.y]) - half, np.array([o.x, o.y]) + half]
-        gaps.append(float(shapely.distance(here, shapely.LineString(ends))) - o.thickness / 2)
-    return "" if min(gaps) <= WINDOW else f"the nearest window is {min(gaps):.2f} m away"
+def _target(bodies: Bodies, rooms: Rooms, room: int, name: str) -> Shape:
+    """Openings of a room as lines on its walls' faces, or the footprints of a group or kind."""
+    if name not in OPENINGS:
+        return shapely.union_all(bodies.footprints[_rows(bodies, room, name)])
+    return _openings(rooms, room, name)
 
 
-def _cornered(rooms: Rooms, room: int, here: Shape) -> str:
-    corners = shapely.points(np.asarray(rooms.spaces[room].outline))
-    gap = float(shapely.distance(here, corners).min())
-    return "" if gap <= CORNER else f"the nearest corner is {gap:.2f} m away"
+def _openings(rooms: Rooms, room: int, kind: str) -> Shape:
+    return shapely.union_all([
+        _face(rooms, room, o) for o in rooms.spaces[room].openings
+        if (o.kind == "window") == (kind == "window")
+    ])  # fmt: skip
+
+
+def _face(rooms: Rooms, room: int, opening: Opening) -> Shape:
+    """An opening as a line on the face of its wall that looks into the room."""
+    middle, along = np.array([opening.x, opening.y]), np.array([opening.ux, opening.uy])
+    side = np.array([-along[1], along[0]]) * opening.thickness / 2
+    faces = [
+        shapely.LineString([m - along * opening.width / 2, m + along * opening.width / 2])
+        for m in (middle - side, middle + side)
+    ]
+    return min(faces, key=lambda f: float(shapely.distance(f.centroid, rooms.shapes[room])))
+
+
+def _not_by(rooms: Rooms, room: int, here: Shape, what: str) -> str:
+    outline = np.asarray(rooms.spaces[room].outline)
+    if what == "corner":
+        target = shapely.MultiPoint(outline)
+    elif what == "wall":
+        target = shapely.LinearRing(outline)
+    else:
+        target = _openings(rooms, room, what)
+    if target.is_empty:
+        return f"the room has no {what}"
+    gap = float(shapely.distance(here, target))
+    return "" if gap <= NEAREST[what] else f"the nearest {what} is {gap:.2f} m away"
+
+
+def _not_facing(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, name: str) -> str:
+    target = _target(bodies, rooms, room, name)
+    if target.is_empty:
+        return f"the room has no {name}" if name in OPENINGS else f"there is no {name} in the room"
+    i = int(rows[np.argmax(shapely.area(bodies.footprints[rows]))])
+    pose = bodies.pieces[i].pose
+    look = pose.heading + (np.pi if bodies.pieces[i].category in _OVER else 0.0)
+    eye = np.array([pose.x, pose.y])
+    seen = [eye] + [eye + _FAR * np.array([np.cos(look + a), np.sin(look + a)])
+                    for a in (-SIGHT, SIGHT)]  # fmt: skip
+    if shapely.intersects(shapely.Polygon(seen), target):
+        return ""
+    ways = shapely.get_coordinates(shapely.segmentize(target, 0.05)) - eye
+    off = np.abs((np.arctan2(ways[:, 1], ways[:, 0]) - look + np.pi) % (2 * np.pi) - np.pi)
+    return f"it looks {np.degrees(off.min()):.0f}° past"
+
+
+def _too_far(bodies: Bodies, room: int, here: Shape, name: str, metres: float) -> str:
+    other = shapely.union_all(bodies.footprints[_rows(bodies, room, name)])
+    if other.is_empty:
+        return f"there is no {name} in the room"
+    gap = float(shapely.distance(here, other))
+    return "" if gap <= metres + 1e-6 else f"it stands {gap:.2f} m away"
+
+
+def _too_near(bodies: Bodies, rooms: Rooms, room: int, here: Shape, wish: WishBrief) -> str:
+    """Nothing that is not there is too near."""
+    other = _target(bodies, rooms, room, str(wish.away_from))
+    gap = np.inf if other.is_empty else float(shapely.distance(here, other))
+    return "" if gap >= wish.beyond - 1e-6 else f"it stands only {gap:.2f} m away"

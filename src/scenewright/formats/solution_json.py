@@ -16,7 +16,7 @@ from typing import Any
 
 from scenewright import authorship
 from scenewright.brief import Brief, Room
-from scenewright.domains.standing import is_item, item_of
+from scenewright.domains.standing import is_item, is_radiator, item_of
 from scenewright.errors import InputError
 from scenewright.formats.catalog_paths import resolved
 from scenewright.formats.graph_record import graph_document, graph_of, tour_document, tour_of
@@ -140,6 +140,7 @@ def brief_of(document: object) -> Brief:
 
 
 def _room_with_locked(room: Room, here: list[Piece]) -> Room:
+    here = [piece for piece in here if not is_radiator(piece)]
     names = {item.id: item.name for item in room.fixed if item.id}
     groups = {p.group for p in here if p.fixed and p.function not in ("", "fixed", "light")}
     kept = [piece for piece in here if piece.fixed or piece.group in groups]

@@ -9,7 +9,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.brief import Room
 from scenewright.catalog import Catalog
+from scenewright.check.bodies import bodies_of, rooms_of
+from scenewright.check.outlets import connections_of
+from scenewright.check.wishes import wishes_told
 from scenewright.domains.home.dress import (
     Dressed,
     Refused,
@@ -19,6 +23,7 @@ from scenewright.domains.home.dress import (
     standing_of,
 )
 from scenewright.domains.home.library import SHIPPED, Library
+from scenewright.domains.home.places import placed as at_places
 from scenewright.domains.home.pose import problem_of
 from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import Wish, part_of
@@ -40,6 +45,7 @@ CORE = 3000.0  # for a missing core
 UNREACHED = 600.0  # for a group no route reaches
 BARRED = 1500.0  # for a door that nothing joins to the others
 LOST = 4.0
+UNHEARD = 30.0  # for a wish for a place, or an outlet, that what stands does not meet
 ENERGY = 0.05  # what a unit of energy counts beside the above
 DOOR = "door "
 LAYOUTS = 5  # how many of the solver's layouts are dressed
@@ -51,7 +57,8 @@ class Task(NamedTuple):
     ``route_width`` is that of the way from door to door, ``use_width`` of the way to the pieces;
     ``tight`` names the doors and fixed pieces no route reaches even while the room is empty;
     ``forbidden`` are kinds of pieces the household will not have; sizes are those of a room
-    ``amount`` times as large, and ``welcome`` the welcome groups (none: the usual)."""
+    ``amount`` times as large, and ``welcome`` the welcome groups (none: the usual); ``asked`` is
+    the room of the brief."""
 
     space: Space
     ground: Ground
@@ -69,6 +76,7 @@ class Task(NamedTuple):
     forbidden: frozenset[str] = frozenset()
     amount: float = 1.0
     welcome: tuple[str, ...] | None = None
+    asked: Room | None = None
 
 
 class Placed(NamedTuple):
@@ -121,7 +129,8 @@ def posed(task: Task, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
         ground, wishes, preset.weights, preset.printed, task.route_width,
         furnished_as(task), task.library,
     )  # fmt: skip
-    return problem._replace(items=swayed(problem.items, wishes))
+    items = at_places(problem.items, wishes, task.space, task.fixed, task.library)
+    return problem._replace(items=swayed(items, wishes))
 
 
 def attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> Furnished:
@@ -181,7 +190,7 @@ def _placed(
         name = wanted if wanted not in taken else f"{wanted}_{len(taken) + 1}"
         worn = dress_patch(
             wish.group, box, task.ground, standing, task.catalog, task.space.height,
-            task.preset.exact, task.library,
+            task.preset.exact, task.library, task.space.outlets,
         )  # fmt: skip
         if isinstance(worn, Refused):
             missing.append(Missing(wish, worn.reason))
@@ -210,11 +219,25 @@ def scored(
         sum(penalty(m.wish) for m in missing)
         + sum(BARRED if b.startswith(DOOR) else UNREACHED for b in blocked)
         + LOST * _lost(placed)
+        + UNHEARD * unheard(task, placed)
     )
     if score >= most:
         return Furnished(math.inf, placed, missing, blocked, problem, energy, 0)
     energy = _energy(task, placed, problem, energy)
     return Furnished(score + ENERGY * energy, placed, missing, blocked, problem, energy, 0)
+
+
+def unheard(task: Task, placed: tuple[Placed, ...]) -> int:
+    """How many of the places wished for, and of the outlets needed, what stands does not meet, as
+    the referee measures it."""
+    room = task.asked
+    if room is None or not (task.space.outlets or any(not w.forbid for w in room.wishes)):
+        return 0
+    where = rooms_of((task.space,))
+    pieces = (*task.fixed, *(p for item in placed for p in item.pieces))
+    bodies, _ = bodies_of(pieces, where, task.catalog)
+    wishes = sum(not told["fulfilled"] for told in wishes_told(bodies, where, [room]))
+    return wishes + sum(not each.reached for each in connections_of(bodies, where))
 
 
 def _energy(task: Task, placed: tuple[Placed, ...], asked: Problem, otherwise: float) -> float:

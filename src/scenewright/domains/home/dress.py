@@ -18,6 +18,8 @@ from scenewright.catalog import Catalog, Group, Member
 from scenewright.ceiling import lowest
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import SHIPPED, Library, cases, each_fitting, nearest
+from scenewright.domains.home.plugged import out_of_reach
+from scenewright.domains.standing import RADIATED, RADIATOR, is_radiator
 from scenewright.geometry.fit import (
     AT_WINDOW,
     COLLIDES,
@@ -29,6 +31,7 @@ from scenewright.geometry.fit import (
 )
 from scenewright.problem import Ground
 from scenewright.scene import Piece, Pose
+from scenewright.space import Outlet
 
 Floats = NDArray[np.float64]
 
@@ -51,12 +54,13 @@ class Standing(NamedTuple):
 
 class Dressed(NamedTuple):
     """A patch with its furniture: the case, the box it was drawn in to, which of its members
-    stand, and how many had to give way."""
+    stand, how many had to give way, and how many metres they are out of reach of outlets."""
 
     case: Group
     box: Floats
     stands: tuple[bool, ...]
     lost: int
+    far: float = 0.0
 
 
 class Refused(NamedTuple):
@@ -66,15 +70,22 @@ class Refused(NamedTuple):
 
 
 def standing_of(pieces: tuple[Piece, ...], flat: frozenset[str]) -> Standing:
-    """Pieces as something to keep clear of, without the flat ones."""
+    """Pieces as something to keep clear of, without the flat ones; radiators with the air before
+    them."""
     solid = [p for p in pieces if p.category not in flat]
-    boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in solid]
+    boxes = [_kept_clear(p) for p in solid]
     spans = [(p.pose.z, p.pose.z + p.size.height) for p in solid]
     return Standing(
         np.array(boxes, np.float64).reshape(-1, 5),
         np.array(spans, np.float64).reshape(-1, 2),
         tuple(p.category for p in solid),
     )
+
+
+def _kept_clear(piece: Piece) -> tuple[float, float, float, float, float]:
+    pose, size, more = piece.pose, piece.size, RADIATED if is_radiator(piece) else 0.0
+    x, y = pose.x + more / 2 * np.cos(pose.heading), pose.y + more / 2 * np.sin(pose.heading)
+    return float(x), float(y), pose.heading, size.width, size.depth + more
 
 
 def joined(standing: Standing, more: Standing) -> Standing:
@@ -89,8 +100,10 @@ def joined(standing: Standing, more: Standing) -> Standing:
 def dress_patch(
     function: str, box: Floats, ground: Ground, standing: Standing, catalog: Catalog,
     height: float, exact: bool = True, library: Library = SHIPPED,
+    outlets: tuple[Outlet, ...] = (),
 ) -> Dressed | Refused:  # fmt: skip
-    """The best case for a patch: fewest members lost, then nearest in size.
+    """The best case for a patch: fewest members lost, then least out of reach of the outlets, then
+    nearest in size.
 
     With ``exact`` false the nearest case is taken as the paper prints, fitting or not.
     """
@@ -104,13 +117,21 @@ def dress_patch(
     for case in chain(islice(each_fitting(function, box[3], box[4], library), TRIED), (smallest,)):
         drawn = _drawn_in(case, box, ground)
         tried = _try(function, case, drawn, ground, standing, catalog, height)
+        if outlets and isinstance(tried, Dressed):
+            boxes = world(case.members, drawn, catalog)[0]
+            tried = tried._replace(far=out_of_reach(case.members, boxes, outlets))
         if isinstance(tried, Refused):
             reason = tried
-        elif best is None or best.lost > tried.lost:
+        elif best is None or _worth(tried) < _worth(best):
             best = tried
-        if best is not None and best.lost == 0:
+        if best is not None and _worth(best) == (0, 0.0):
             break
     return best or reason
+
+
+def _worth(worn: Dressed) -> tuple[int, float]:
+    """What is wrong with a dressed patch; less is better."""
+    return worn.lost, worn.far
 
 
 def _drawn_in(case: Group, box: Floats, ground: Ground) -> Floats:
@@ -248,6 +269,8 @@ def why_not(member: Member, code: int, offender: int, standing: Standing) -> str
         return f"no place found: the {what} would stand before a window"
     if code == COLLIDES and offender >= 0:
         other = standing.names[offender].replace("_", " ")
+        if other == RADIATOR:
+            return f"no place found: the {what} would stand before a radiator"
         return f"no place found: the {what} would run into the {other}"
     return f"no place found for the {what}"
 

@@ -15,6 +15,7 @@ from typing import NamedTuple
 import shapely
 
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.standing import is_radiator
 from scenewright.errors import InputError
 from scenewright.scene import Piece, Pose
 from scenewright.solution import Patch
@@ -64,6 +65,8 @@ def edited(
         held = whole(named(tuple(now.values()), name), now.values())
         now |= {p.id: replace(p, fixed=True) for p in held}
     before, moved = dict(now), set()
+    for name in (*edits.move, *(name for pair in edits.swap for name in pair)):
+        _check_movable(named(pieces, name))
     for name, pose in edits.move.items():
         main = named(pieces, name)
         to = (pose[0], pose[1], pose[2] if len(pose) > 2 else main.pose.heading)
@@ -216,6 +219,13 @@ def _extent(room: Space | None) -> str:
         return "give a point inside a room"
     (x0, y0), (x1, y1) = room.outline.min(0), room.outline.max(0)
     return f"'{room.id}' lies within {x0:.2f} to {x1:.2f} and {y0:.2f} to {y1:.2f}"
+
+
+def _check_movable(piece: Piece) -> None:
+    if is_radiator(piece):
+        raise InputError(
+            f"'{piece.id}' belongs to the building", 'change it in the brief, under "radiators"'
+        )
 
 
 def _again(rooms: Sequence[Space], edits: Edits) -> set[str]:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.ceiling import planes
+from scenewright.domains.standing import RADIATED, is_radiator
 from scenewright.gates import Gate, before, door_zone, edges_of, gates, throat
 from scenewright.problem import Ground
 from scenewright.scene import Piece
@@ -32,7 +33,7 @@ def ground_of(space: Space, fixed: tuple[Piece, ...], area: float) -> Ground:
         edges=np.ascontiguousarray(edges_of(space)),
         walls=np.hstack([space.outline, np.roll(space.outline, -1, 0)]),
         keep_free=_rows([box for g in doors for box in door_zone(space, g)], 5),
-        corridors=_rows(_corridors(doors) + [_use(p) for p in fixed if _in_the_way(p)], 5),
+        corridors=_rows(_corridors(doors) + [_ahead(p, USE) for p in fixed if _used(p)], 5),
         obstacles=_rows([_footprint(p) for p in fixed if _in_the_way(p)], 5),
         windows=_rows(windows, 6),
         doors=_rows([throat(g) for g in doors], 5),
@@ -40,6 +41,7 @@ def ground_of(space: Space, fixed: tuple[Piece, ...], area: float) -> Ground:
         bounds=np.array([x0, y0, x1, y1]),
         area=area,
         slopes=planes(space),
+        fronts=_rows([_ahead(p, RADIATED) for p in fixed if is_radiator(p)], 5),
     )
 
 
@@ -79,11 +81,16 @@ def _corridors(doors: tuple[Gate, ...]) -> list[list[float]]:
     return found
 
 
-def _use(piece: Piece) -> list[float]:
-    """The floor before a fixed piece, better left free to use it."""
-    pose, out = piece.pose, (piece.size.depth + USE) / 2
+def _ahead(piece: Piece, depth: float) -> list[float]:
+    """The floor before a fixed piece: to use it, or what a radiator needs free."""
+    pose, out = piece.pose, (piece.size.depth + depth) / 2
     x, y = pose.x + out * np.cos(pose.heading), pose.y + out * np.sin(pose.heading)
-    return [float(x), float(y), pose.heading, piece.size.width, USE]
+    return [float(x), float(y), pose.heading, piece.size.width, depth]
+
+
+def _used(piece: Piece) -> bool:
+    """Whether a fixed piece is better left room to use it."""
+    return _in_the_way(piece) and not is_radiator(piece)
 
 
 def _in_the_way(piece: Piece) -> bool:

@@ -7,17 +7,30 @@ metres of free floor.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import inf
 from typing import NamedTuple
 
 from scenewright.space import Space
 
 
+class Draw(NamedTuple):
+    """What draws a group, or keeps it away: a ``window``, ``door`` or ``wall``, or groups and
+    kinds, from ``near`` to ``far`` metres off; ``facing`` 1 to look at it."""
+
+    to: tuple[str, ...]
+    near: float = 0.0
+    far: float = inf
+    facing: float = 0.0
+
+
 class Sway(NamedTuple):
-    """Where a group is wished: how much by a window, in a corner, and near which groups."""
+    """Where a group is wished: how much by a window, in a corner, near which groups, and what else
+    draws it."""
 
     daylight: float = 0.0
     corner: float = 0.0
     near: tuple[str, ...] = ()
+    draws: tuple[Draw, ...] = ()
 
 
 class Wish(NamedTuple):

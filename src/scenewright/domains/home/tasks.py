@@ -46,7 +46,7 @@ def task_of(
         space, ground, fixed, catalog, preset, solver, brief.route_width,
         _use_width(shape, brief.route_width), frozenset(),
         stream % 2**31, cancel, library, brief.accessible,
-        frozenset(w.what for w in room.wishes if w.forbid),
+        frozenset(w.what for w in room.wishes if w.forbid), asked=room,
     )  # fmt: skip
     return task._replace(tight=out_of_reach(task, ()))
 

@@ -24,7 +24,7 @@ def tidied(
 
     Only those that are ``new`` move; those without a wish to nestle stay where they are.
     """
-    zones = np.concatenate([ground.keep_free, ground.obstacles])
+    zones = np.concatenate([ground.keep_free, ground.obstacles, ground.fronts])
     square = boxes.copy()
     for i in map(int, np.flatnonzero(new)):
         before = square[i].copy()

@@ -12,11 +12,12 @@ from difflib import get_close_matches
 import numpy as np
 
 from scenewright.brief import Brief, Room
-from scenewright.brief_wishes import WishBrief
+from scenewright.brief_wishes import OPENINGS, WishBrief
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import Library, cases, planted
-from scenewright.domains.home.programme import Sway, Wish
+from scenewright.domains.home.places import BACKWARD, drawn_to
+from scenewright.domains.home.programme import Draw, Sway, Wish
 from scenewright.errors import InputError
 from scenewright.plan import place
 from scenewright.problem import Items
@@ -26,6 +27,7 @@ DAYLIGHT = 12.0  # how much a group wants a window that is wished at one (a desk
 CORNER = 6.0  # how much it wants a corner (a wardrobe of itself: 1)
 NEAR = 4.0  # weight of the relation to what it is to be near (sofa and television: 3)
 MAIN = {"media": "tv"}  # what a group is for though another piece makes its place
+BY = {"door": 0.8, "wall": 0.02}  # how near to a door or wall is by it, metres
 PASSING = 0.3  # floor between two groups that are near each other, metres
 
 
@@ -34,7 +36,10 @@ def check_wishes(brief: Brief, catalog: Catalog) -> None:
     known = [*GROUPS, *(c for c in catalog.kinds if c not in GROUPS)]
     for number, room in enumerate(brief.rooms):
         for k, wish in enumerate(room.wishes):
-            for key, name in (("what", wish.what), ("near", wish.near)):
+            named = {"what": wish.what, "near": wish.near}
+            others = {"face": wish.face, "away_from": wish.away_from}
+            named |= {key: name for key, name in others.items() if name not in OPENINGS}
+            for key, name in named.items():
                 if name is not None and name not in known:
                     near = get_close_matches(name, known, 4, 0.5) or list(GROUPS)
                     raise InputError(
@@ -146,7 +151,22 @@ def _sway(sway: Sway, asked: WishBrief) -> Sway:
         DAYLIGHT if asked.by == "window" else sway.daylight,
         CORNER if asked.by == "corner" else sway.corner,
         near,
+        (*sway.draws, *_draws(asked)),
     )
+
+
+def _draws(asked: WishBrief) -> Iterable[Draw]:
+    """What draws a wished group or keeps it away, as parts of the room and other groups."""
+    if asked.by in BY:
+        yield Draw((asked.by,), far=BY[asked.by])
+    if asked.near:
+        yield Draw((asked.near, *groups_of(asked.near)), far=asked.within)
+    for name, draw in (
+        (asked.face, Draw((), facing=1.0)), (asked.away_from, Draw((), near=asked.beyond)),
+    ):  # fmt: skip
+        if name:
+            meant = (name,) if name in OPENINGS else (name, *groups_of(name))
+            yield draw._replace(to=meant)
 
 
 def swayed(items: Items, wishes: Sequence[Wish]) -> Items:
@@ -156,13 +176,20 @@ def swayed(items: Items, wishes: Sequence[Wish]) -> Items:
     daylight = np.maximum(items.daylight, [w.sway.daylight for w in wishes])
     nestle = np.maximum(items.nestle, [w.sway.corner for w in wishes])
     pairs = list(_pairs(wishes))
-    apart = [float(items.low[i].min() + items.low[j].min()) / 2 + PASSING for i, j in pairs]
     nan = float("nan")
+    targets = [
+        (float(items.low[i].min() + items.low[j].min()) / 2 + PASSING, nan, nan) for i, j in pairs
+    ]
+    for i, j, draw in _between(wishes):
+        apart = draw.near + float(items.wish[i].mean() + items.wish[j].mean()) / 2
+        ahead = np.pi if wishes[i].group in BACKWARD else 0.0
+        pairs.append((i, j))
+        targets.append((-apart if draw.near else nan, nan, ahead if draw.facing else nan))
     return items._replace(
         daylight=daylight, nestle=nestle,
         pairs=np.concatenate([items.pairs, np.array(pairs, np.int64).reshape(-1, 2)]),
         pair_targets=np.concatenate(
-            [items.pair_targets, np.array([(d, nan, nan) for d in apart]).reshape(-1, 3)]
+            [items.pair_targets, np.array(targets, np.float64).reshape(-1, 3)]
         ),
         pair_weights=np.concatenate([items.pair_weights, np.full(len(pairs), NEAR)]),
     )  # fmt: skip
@@ -173,3 +200,12 @@ def _pairs(wishes: Sequence[Wish]) -> Iterable[tuple[int, int]]:
         others = [j for j, w in enumerate(wishes) if j != i and w.group in wish.sway.near]
         if others:
             yield i, others[0]
+
+
+def _between(wishes: Sequence[Wish]) -> Iterable[tuple[int, int, Draw]]:
+    """The wishes that keep a group away from another, or have it look there."""
+    for i, wish in enumerate(wishes):
+        for draw in drawn_to(wish):
+            others = [j for j, w in enumerate(wishes) if j != i and w.group in draw.to]
+            if others and (draw.near or draw.facing):
+                yield i, others[0], draw

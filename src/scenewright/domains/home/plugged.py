@@ -1,0 +1,35 @@
+"""How far the pieces of a case are from the outlets they need."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.assets.service_use import NEEDS
+from scenewright.catalog import Member
+from scenewright.space import Outlet
+
+Floats = NDArray[np.float64]
+
+
+def out_of_reach(members: Sequence[Member], boxes: Floats, outlets: Sequence[Outlet]) -> float:
+    """Metres, summed, by which leads and hoses of members standing on ``boxes`` (m, 5) are too
+    short for the nearest of the outlets; 0 for kinds of outlets the room does not list."""
+    total = 0.0
+    for member, box in zip(members, boxes, strict=True):
+        for need in NEEDS.get(member.category, ()):
+            at = np.array([(o.x, o.y) for o in outlets if o.kind == need.outlet])
+            if len(at):
+                total += max(float(_distances(at, box).min()) - need.reach, 0.0)
+    return total
+
+
+def _distances(points: Floats, box: Floats) -> Floats:
+    """Of points (k, 2) to a box (5,)."""
+    c, s = np.cos(box[2]), np.sin(box[2])
+    off = points - box[:2]
+    own = np.abs(np.stack([off[:, 0] * s - off[:, 1] * c, off[:, 0] * c + off[:, 1] * s], 1))
+    found: Floats = np.hypot(*np.maximum(own - box[3:] / 2, 0.0).T)
+    return found
