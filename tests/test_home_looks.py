@@ -10,9 +10,10 @@ import pytest
 from scenewright.assets import shipped
 from scenewright.brief import Ask, Brief, Room
 from scenewright.domains import home
-from scenewright.domains.home.dress import Refused, Standing, dress_patch
+from scenewright.domains.home.dress import Refused, dress_patch
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.library import cases, wished
+from scenewright.domains.home.obstacles import Standing
 from scenewright.domains.home.pose import RELATIONS, holds
 from scenewright.plan import spaces
 from scenewright.scene import Piece

@@ -14,15 +14,9 @@ from scenewright.catalog import Catalog
 from scenewright.check.bodies import bodies_of, rooms_of
 from scenewright.check.outlets import connections_of
 from scenewright.check.wishes import wishes_told
-from scenewright.domains.home.dress import (
-    Dressed,
-    Refused,
-    dress_patch,
-    joined,
-    pieces_of,
-    standing_of,
-)
+from scenewright.domains.home.dress import Dressed, Refused, dress_patch, pieces_of
 from scenewright.domains.home.library import SHIPPED, Library
+from scenewright.domains.home.obstacles import joined, standing_of
 from scenewright.domains.home.places import placed as at_places
 from scenewright.domains.home.pose import problem_of
 from scenewright.domains.home.presets import Preset

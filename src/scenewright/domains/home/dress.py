@@ -18,8 +18,9 @@ from scenewright.catalog import Catalog, Group, Member
 from scenewright.ceiling import lowest
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import SHIPPED, Library, cases, each_fitting, nearest
+from scenewright.domains.home.obstacles import Standing
 from scenewright.domains.home.plugged import out_of_reach
-from scenewright.domains.standing import RADIATED, RADIATOR, is_radiator
+from scenewright.domains.standing import RADIATOR
 from scenewright.geometry.fit import (
     AT_WINDOW,
     COLLIDES,
@@ -43,15 +44,6 @@ TRIED = 8
 OPEN = 0.4  # what belongs to a wall and has none this near behind it is left out, metres
 
 
-class Standing(NamedTuple):
-    """What stands in the room so far: boxes ``(o, 5)``, underside and top ``(o, 2)``, and what
-    each is called."""
-
-    boxes: Floats
-    spans: Floats
-    names: tuple[str, ...]
-
-
 class Dressed(NamedTuple):
     """A patch with its furniture: the case, the box it was drawn in to, which of its members
     stand, how many had to give way, and how many metres they are out of reach of outlets."""
@@ -67,34 +59,6 @@ class Refused(NamedTuple):
     """Why nothing could stand on a patch."""
 
     reason: str
-
-
-def standing_of(pieces: tuple[Piece, ...], flat: frozenset[str]) -> Standing:
-    """Pieces as something to keep clear of, without the flat ones; radiators with the air before
-    them."""
-    solid = [p for p in pieces if p.category not in flat]
-    boxes = [_kept_clear(p) for p in solid]
-    spans = [(p.pose.z, p.pose.z + p.size.height) for p in solid]
-    return Standing(
-        np.array(boxes, np.float64).reshape(-1, 5),
-        np.array(spans, np.float64).reshape(-1, 2),
-        tuple(p.category for p in solid),
-    )
-
-
-def _kept_clear(piece: Piece) -> tuple[float, float, float, float, float]:
-    pose, size, more = piece.pose, piece.size, RADIATED if is_radiator(piece) else 0.0
-    x, y = pose.x + more / 2 * np.cos(pose.heading), pose.y + more / 2 * np.sin(pose.heading)
-    return float(x), float(y), pose.heading, size.width, size.depth + more
-
-
-def joined(standing: Standing, more: Standing) -> Standing:
-    """Both together."""
-    return Standing(
-        np.concatenate([standing.boxes, more.boxes]),
-        np.concatenate([standing.spans, more.spans]),
-        standing.names + more.names,
-    )
 
 
 def dress_patch(

@@ -20,15 +20,13 @@ from scenewright.domains.home.dress import (
     SLACK,
     Dressed,
     Refused,
-    Standing,
-    joined,
     pieces_of,
-    standing_of,
     too_tall,
     why_not,
     world,
 )
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.obstacles import Standing, joined, standing_of
 from scenewright.domains.home.pieces import Parts, as_laid, parts_of, posed_pieces
 from scenewright.domains.home.programme import Wish
 from scenewright.geometry.fit import backed, faults
