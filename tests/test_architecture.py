@@ -58,6 +58,7 @@ LAYERS = (
         "room_names",
         "services",
         "shell",
+        "gables",
         "masonry",
         "joinery",
         "site_fit",

@@ -103,6 +103,8 @@ def below(shape: shapely.Geometry, slopes: Floats, flat: float, height: float) -
         return shape
     bounds = np.array(shape.bounds)
     low = [slope for slope in slopes if slope[4] < height]
+    if not low:
+        return shapely.Polygon()
     areas = [
         _strip(slope, -_across(bounds), (height - slope[4]) / slope[5], bounds) for slope in low
     ]
@@ -120,6 +122,11 @@ def living_area(shape: shapely.Geometry, slopes: Floats, flat: float) -> float:
     """
     halves = [below(shape, slopes, flat, limit).area for limit in (WHOLE, HALF)]
     return float(shape.area - sum(halves) / 2)
+
+
+def living_area_of(space: Space) -> float:
+    """The living area of a space, square metres."""
+    return living_area(shapely.Polygon(space.outline, space.holes), planes(space), space.height)
 
 
 def _inwards(points: Floats, slopes: Floats) -> Floats:

@@ -56,12 +56,15 @@ class Piece:
 
 @dataclass(frozen=True, slots=True)
 class Prism:
-    """A vertical prism over a simple polygon ``outline`` (n, 2), counter-clockwise, with holes."""
+    """A vertical prism over a simple polygon ``outline`` (n, 2), counter-clockwise, with holes.
+    Under a sloped ceiling its upper face is tilted: a + b x + c y high by ``tilt`` (3,), ``top``
+    at most."""
 
     outline: Points
     base: float
     top: float
     holes: tuple[Points, ...] = ()
+    tilt: Points | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from shapely.geometry.base import BaseGeometry
 
 from scenewright import masonry
 from scenewright.brief import Brief
+from scenewright.gables import Roof, roof_of, under_roofs
 from scenewright.plan import levels, spaces
 from scenewright.scene import Prism, Scene, Wall
 from scenewright.site_ground import surfaces
@@ -65,7 +66,8 @@ def shell(brief: Brief, spaces: Sequence[Space]) -> tuple[tuple[Wall, ...], tupl
         else:
             bodies = masonry.derived(brief, spaces, level.id)
         mine = [opening for opening in openings if opening.level == level.id]
-        walls += _cut(bodies, mine)
+        roofs = [roof_of(space) for space in spaces if space.level == level.id]
+        walls += _cut(bodies, mine, roofs)
     return tuple(walls), openings
 
 
@@ -80,8 +82,12 @@ def opening_box(opening: Opening, extra: float = 0.0) -> Polygon:
     )  # fmt: skip
 
 
-def _cut(bodies: Sequence[masonry.Masonry], openings: Sequence[Opening]) -> list[Wall]:
-    """Walls as prisms: the wall beside its openings, below their sills, above their heads."""
+def _cut(
+    bodies: Sequence[masonry.Masonry], openings: Sequence[Opening], roofs: Sequence[Roof]
+) -> list[Wall]:
+    """Walls as prisms: the wall beside its openings, below their sills, above their heads, all
+    under the ceilings of the rooms beside it."""
+    sloped = any(roof.sloped for roof in roofs)
     shapes = np.array([body.shape for body in bodies])
     tree = shapely.STRtree(shapes)
     near = [_cut_out(opening, shapes, tree) for opening in openings]
@@ -92,7 +98,9 @@ def _cut(bodies: Sequence[masonry.Masonry], openings: Sequence[Opening]) -> list
             for opening, (touched, region) in zip(openings, near, strict=True)
             if number in touched
         ]
-        walls.append(Wall(body.id, body.level, tuple(_prisms(body, holes))))
+        prisms = _prisms(body, holes)
+        prisms = under_roofs(prisms, roofs) if sloped else prisms
+        walls.append(Wall(body.id, body.level, tuple(prisms)))
     return walls
 
 

@@ -15,6 +15,7 @@ import shapely
 from scenewright import joinery
 from scenewright.assets.tints import tint_of, tinted
 from scenewright.catalog import Asset, Catalog, Material, Part
+from scenewright.gables import cut_off, height_at
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box, face_normals, prism, sheet
 from scenewright.scene import Piece, Prism, Scene, Size, Surface, Wall
@@ -176,11 +177,12 @@ def _wall(wall: Wall, cut: float | None) -> Thing:
     dark = top - 1e-6 if top > LOW else np.inf
     caps: list[Mesh] = []
     sides: list[Mesh] = []
-    for solid in wall.prisms:
+    for solid in (part for whole in wall.prisms for part in cut_off(whole, top)):
         if cut is None or solid.base < cut - 1e-6:
             side, cap = _open_prism(solid, min(solid.top, top))
             sides.append(side)
-            (caps if solid.top >= dark else sides).append(cap)
+            section = solid.top >= dark or solid.tilt is not None
+            (caps if section else sides).append(cap)
     parts = [Part(PLASTER, *merge(sides))] if sides else []
     parts += [Part(SECTION, *merge(caps))] if caps else []
     extras: dict[str, str | float] = {"category": "wall", "height": top}
@@ -194,6 +196,9 @@ def _open_prism(solid: Prism, top: float) -> tuple[Mesh, Mesh]:
     """The sides and underside of a prism, and its upper face."""
     vertices, faces = prism(solid.outline, solid.base, top, solid.holes)
     cap = sheet(solid.outline, solid.holes, top)
+    if solid.tilt is not None:
+        cap.vertices[:, 2] = height_at(solid.tilt, cap.vertices[:, :2])
+        vertices[len(cap.vertices) :, 2] = cap.vertices[:, 2]
     return Mesh(vertices, faces[len(cap.faces) :]), cap
 
 

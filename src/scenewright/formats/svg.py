@@ -15,6 +15,7 @@ from typing import NamedTuple
 from shapely import Geometry, Polygon, union_all
 
 from scenewright.catalog import Catalog
+from scenewright.ceiling import living_area_of
 from scenewright.formats import svg_dimensions as dimensions
 from scenewright.formats import svg_sheet as sheets
 from scenewright.formats import svg_site
@@ -43,6 +44,7 @@ from scenewright.formats.svg_shell import (
     tile_pattern,
     walls_mark,
 )  # fmt: skip
+from scenewright.formats.svg_slopes import low_lines, slopes_mark
 from scenewright.formats.svg_turning import Turns, turning_mark, turning_of
 from scenewright.scene import Piece, Scene
 from scenewright.solution import Solution
@@ -161,6 +163,7 @@ def _storey_mark(
         floor_mark(view, halls, storey.walls, part.pieces) if halls else "",
         pieces_mark(view, part.pieces, paper.catalog, paper.symbols),
         turning_mark(view, [paper.turns[s.id] for s in part.spaces if s.id in paper.turns]),
+        slopes_mark(view, part.spaces, union_all(_covered(part.pieces, paper.catalog))),
         walls_mark(view, (*part.walls, *partition_walls(part.pieces))),
         openings_mark(view, part.openings),
         doors_mark(view, part.openings, middle if halls else None),
@@ -179,6 +182,7 @@ def _labels(view: View, storey: Storey, catalog: Catalog) -> str:
     over = [s for opening in part.openings if (s := swing_square(opening)) is not None]
     if halls:
         over.append(route_of(halls).buffer(2.0 / view.scale))
+    over += [line for space in part.spaces for line in low_lines(view, space)]
     covered = union_all([*_covered(part.pieces, catalog), *over])
     spaces, halos = zip(*named, strict=True) if named else ((), ())
     return labels_mark(view, spaces, [covered] * len(named), halos)
@@ -200,8 +204,10 @@ def _flat(category: str, catalog: Catalog) -> bool:
 
 
 def _caption(storey: Storey, at: tuple[float, float]) -> str:
-    floor = area_words(sum(polygon_of(space).area for space in storey.scene.spaces))
-    level = storey.level
+    spaces, level = storey.scene.spaces, storey.level
+    floor = area_words(sum(polygon_of(space).area for space in spaces))
+    if any(space.slopes for space in spaces):
+        floor += f" · {area_words(sum(map(living_area_of, spaces)))} living area"
     height = f"{level.elevation:+.2f}" if level.elevation else "±0.00"
     return text(" · ".join([*level_name(level), height, floor]), at, 2.3, fill=INK)
 

@@ -57,14 +57,15 @@ def tile_pattern(view: View, size: float = 0.3) -> str:
 
 
 def cut_walls(walls: Sequence[Wall]) -> Geometry:
-    """The union of everything the cut goes through, in plan metres."""
-    cut = [p for wall in walls for p in wall.prisms if p.base < CUT_HEIGHT < p.top]
+    """The union of everything the cut goes through, and of knee walls, in plan metres."""
+    solid = [p for wall in walls for p in wall.prisms if p.base < CUT_HEIGHT]
+    cut = [p for p in solid if p.top > CUT_HEIGHT or p.tilt is not None]
     return union_all([_polygon(prism) for prism in cut])
 
 
 def low_walls(walls: Sequence[Wall]) -> Geometry:
     """What stands below the cut: parapets and the wall under windows."""
-    low = [p for wall in walls for p in wall.prisms if p.top <= CUT_HEIGHT]
+    low = [p for wall in walls for p in wall.prisms if p.top <= CUT_HEIGHT and p.tilt is None]
     return union_all([_polygon(prism) for prism in low])
 
 
