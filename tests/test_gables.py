@@ -1,4 +1,4 @@
-"""Walls under sloped ceilings: closed, as high as the ceiling beside them, cut level; plan lines."""
+"""Walls under slopes: closed, as high as the ceiling beside them, cut level; lines in plan."""
 
 from __future__ import annotations
 

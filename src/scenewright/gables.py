@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely import Polygon
 
 from scenewright.ceiling import planes
@@ -124,7 +125,7 @@ def _plane_at(cell: Polygon, beside: Sequence[Roof]) -> Points:
     return max(lowest, key=lambda plane: float(plane @ np.array([1.0, *point])))
 
 
-def _knee(roof: Roof, numbers: Points) -> Points:
+def _knee(roof: Roof, numbers: NDArray[np.intp]) -> Points:
     """Flat planes at the knees of some slopes: their planes less what they rise inwards."""
     slopes, inwards = roof.planes[numbers], roof.knees[numbers - 1]
     rises = np.hypot(slopes[:, 1], slopes[:, 2])[:, None]

@@ -1,4 +1,4 @@
-"""Sloped ceilings in plan: dashed lines where they are 1 m and 2 m high, as architects draw them."""
+"""Sloped ceilings in plan: dashed lines where they are 1 m and 2 m high."""
 
 from __future__ import annotations
 
