@@ -21,9 +21,9 @@ WEIGHTS = {
 
 
 def printed_problem():
-    """The paper's seven costs, with no zones but those of doors."""
-    problem, none = full_problem(printed=True), np.zeros((0, 5))
-    ground = problem.ground._replace(corridors=none, obstacles=none, windows=np.zeros((0, 6)))
+    """The paper's seven costs, with no zones but those of doors, under a level ceiling."""
+    problem, none, high = full_problem(printed=True), np.zeros((0, 5)), np.zeros((0, 6))
+    ground = problem.ground._replace(corridors=none, obstacles=none, windows=high, slopes=high)
     return problem._replace(ground=ground, weights=WEIGHTS)
 
 
@@ -111,7 +111,6 @@ def test_rooms_are_a_fixed_list_and_pieces_are_measured_as_patches():
     case = found[0]
     merrell = named("merrell")
     row = lay_out(merrell, case, Budget(steps=500, threads=1), 0)
-    assert 0.0 <= row["stand"] <= 1.0
-    assert row["energy"] > 0.0
+    assert 0.0 < row["stand"] <= 1.0
     still = Method("still", lambda p, *_: Ended(np.zeros((len(p.names), 5)), 0.0, 1))
     assert lay_out(still, case, Budget(steps=1), 0)["stand"] == 0.0

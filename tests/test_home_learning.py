@@ -239,7 +239,7 @@ def test_a_home_with_learned_groups_differs_and_is_valid(tmp_path: Path) -> None
     beds = [next(p for p in s.pieces if p.category == "double_bed") for s in (first, second)]
     assert beds[1].size == pytest.approx((1.6, 2.0, 0.5))
     assert beds[0].size != beds[1].size
-    assert cos(beds[1].pose.heading) ** 2 < 1.1
+    assert sin(2 * beds[1].pose.heading) == pytest.approx(0.0, abs=1e-6), "square to the walls"
 
 
 HOMES = ("2BedroomApartment", "3BedroomApartment", "Studio")

@@ -43,15 +43,15 @@ def test_a_model_stands_upright_on_the_middle_of_its_footprint(
 
 
 def test_the_front_comes_to_plus_y(tmp_path: Path) -> None:
-    """The corner furthest along the file's front is the furthest along ours."""
-    for front, corner in (("+z", 3), ("-z", 0), ("+x", 1)):
+    """The corner furthest along the file's front is the furthest along ours; where that front is
+    the other way, the furthest back."""
+    for front, corner in (("+z", 3), ("-z", 3), ("+x", 1), ("-x", 1)):
         model = load(put(tmp_path, "kit.obj", obj_text()), Options("", front))
         whole = body(model)
         lengths = sorted(np.linalg.norm(TETRAHEDRON - TETRAHEDRON[corner], axis=1))
-        foremost = whole.vertices[np.argmax(whole.vertices[:, 1])]
-        if np.sum(whole.vertices[:, 1] > whole.vertices[:, 1].max() - 1e-9) > 1:
-            continue
-        away = sorted(np.linalg.norm(whole.vertices - foremost, axis=1))
+        ahead = whole.vertices[:, 1] if front[0] == "+" else -whole.vertices[:, 1]
+        assert np.sum(ahead > ahead.max() - 1e-9) == 1
+        away = sorted(np.linalg.norm(whole.vertices - whole.vertices[np.argmax(ahead)], axis=1))
         assert away == pytest.approx(lengths)
 
 
