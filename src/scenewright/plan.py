@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 import shapely
@@ -56,6 +57,13 @@ def spaces(brief: Brief) -> tuple[Space, ...]:
     >>> space.id, space.functions, space.outline.tolist()[:2]
     ('bedroom-1', ('bedroom',), [[0.0, 0.0], [4.0, 0.0]])
     """
+    return _spaces(brief.model_dump_json())
+
+
+@lru_cache(maxsize=4)
+def _spaces(text: str) -> tuple[Space, ...]:
+    """The spaces of a brief by what it says: it is read, solved and checked in turn."""
+    brief = Brief.model_validate_json(text)
     if brief.domain == "site":
         return _grounds(brief)
     _check_domain(brief)

@@ -155,14 +155,14 @@ def dressed(
     if sum(penalty(m.wish) for m in missing) >= most:
         return Furnished(math.inf, placed, missing, (), problem, energy, 0)
     if task.preset.exact and placed:
-        names = tuple(p.name for p in placed)
-        settled = tidied(
-            tuple(p.wish.group for p in placed), np.array([p.dressed.box for p in placed]),
-            np.array([p not in before for p in placed]), task.ground,
-        )  # fmt: skip
-        again, lost = _placed(task, tuple(p.wish for p in placed), names, settled, ())
-        if not lost and _lost(again) <= _lost(placed):
-            placed = again
+        boxes = np.array([p.dressed.box for p in placed])
+        new = np.array([p not in before for p in placed])
+        settled = tidied(tuple(p.wish.group for p in placed), boxes, new, task.ground)
+        if not np.array_equal(settled, boxes):
+            names = tuple(p.name for p in placed)
+            again, lost = _placed(task, tuple(p.wish for p in placed), names, settled, ())
+            if not lost and _lost(again) <= _lost(placed):
+                placed = again
     return scored(task, placed, missing, problem, energy, most)
 
 

@@ -18,7 +18,7 @@ class Preset:
     solver: str = "anneal"
     printed: bool = False
     exact: bool = True
-    steps: int | None = 16_000
+    steps: int | None = 12_000
 
 
 PAPER = {
@@ -36,8 +36,8 @@ HOME = {
 
 PRESETS: dict[str, Preset] = {
     "default": Preset("our terms in repaired form, every piece checked", HOME),
-    "quick": Preset("the default with a quarter of the work", HOME, steps=4_000),
-    "fine": Preset("the default with eight times the work", HOME, steps=128_000),
+    "quick": Preset("the default with a third of the work", HOME, steps=4_000),
+    "fine": Preset("the default with eight times the work", HOME, steps=96_000),
     "paper": Preset(
         "Liu, Jiang, Mao, Wang 2017 as printed: seven costs, 40 x 100 GA, nearest case",
         PAPER, solver="paper-ga", printed=True, exact=False, steps=None,
