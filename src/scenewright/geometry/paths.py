@@ -77,26 +77,33 @@ def word_mask(first: int, last: int, word: int) -> np.uint64:
 
 
 @inlined
-def cells_within(low: float, high: float, x0: float, cell: float, most: int) -> tuple[int, int]:
-    """First and last of the ``most`` cells of a row whose centres lie in [low, high]."""
+def cells_within(low: float, high: float, x0: float, scale: float, most: int) -> tuple[int, int]:
+    """First and last of the ``most`` cells of a row whose centres lie in [low, high]; ``scale`` of
+    them make a metre."""
     if not (low <= high):
         return 0, -1
-    first = max(math.ceil((low - x0) / cell - 0.5), 0)
-    return first, min(math.floor((high - x0) / cell - 0.5), most - 1)
+    first = max(math.ceil((low - x0) * scale - 0.5), 0)
+    return first, min(math.floor((high - x0) * scale - 0.5), most - 1)
+
+
+@inlined
+def sweep_word(bits: Bits, row: int, k: int, mask: np.uint64, task: np.int64) -> bool:
+    """Clear (0), set (1) or only look at (2) some cells of a word; true if one of them was set
+    before."""
+    before = bits[row, k]
+    if task == CLEAR:
+        bits[row, k] = before & ~mask
+    elif task == SET:
+        bits[row, k] = before | mask
+    return (before & mask) != NONE
 
 
 @inlined
 def sweep_cells(bits: Bits, row: int, first: int, last: int, task: np.int64) -> bool:
-    """Clear (0), set (1) or only look at (2) some cells of a row; true if one of them was set
-    before."""
+    """The same for the cells of a row from ``first`` to ``last``."""
     met = False
     for k in range(first >> 6, (last >> 6) + 1 if last >= first else 0):
-        mask = word_mask(first, last, k)
-        met |= (bits[row, k] & mask) != NONE
-        if task == CLEAR:
-            bits[row, k] &= ~mask
-        elif task == SET:
-            bits[row, k] |= mask
+        met |= sweep_word(bits, row, k, word_mask(first, last, k), task)
     return met
 
 
@@ -111,15 +118,19 @@ def sweep_box(bits: Bits, grid: Grid, frame: Frame, radius: float, task: np.int6
     square = min(abs(frame[2]), abs(frame[3])) < SQUARE
     first = math.floor((frame[1] - tall - radius - grid.y0) / grid.cell - 0.5)
     end = math.ceil((frame[1] + tall + radius - grid.y0) / grid.cell + 0.5)
-    met, known, a, b = False, False, 0, -1
+    met, known, a, b, mask, narrow = False, False, 0, -1, NONE, bits.shape[1] == 1
+    scale = 1.0 / grid.cell
     for row in range(max(first, 0), min(end, bits.shape[0])):
         y = grid.y0 + (row + 0.5) * grid.cell
         alike = square and abs(y - frame[1]) <= tall
         if not (alike and known):
             low, high = rounded_span(frame, radius, y)
-            a, b = cells_within(low, high, grid.x0, grid.cell, 64 * bits.shape[1])
-            known = alike
-        met |= sweep_cells(bits, row, a, b, task)
+            a, b = cells_within(low, high, grid.x0, scale, 64 * bits.shape[1])
+            mask, known = word_mask(a, b, 0), alike
+        if narrow:
+            met |= sweep_word(bits, row, 0, mask, task)
+        else:
+            met |= sweep_cells(bits, row, a, b, task)
         if met and task == LOOK:
             break
     return met
