@@ -25,6 +25,10 @@ HOME: Json = {
          "doors": [{"at": [1.7, 1], "width": 0.9, "swing": "in", "hinge": "left", "to": "wc"}],
          "windows": [{"at": [3, 3], "width": 1.2, "sill": 0.9, "height": 1.2}],
          "fixed": [{"category": "wardrobe", "at": [4.5, 2.6], "size": [0.8, 0.6, 2], "heading": 0}],
+         "outlets": [{"at": [5, 1], "kind": "power", "required": True}],
+         "radiators": [{"at": [3, 3], "width": 1.0, "height": 0.6, "depth": 0.1, "z": 0.1}],
+         "wishes": [{"what": "desk", "face": "window", "away_from": "door", "metres": 1.5},
+                    {"what": "wardrobe", "by": "wall", "near": "single_bed"}],
          "ask": [{"group": "single", "count": 1, "required": True}]},
     ],
 }  # fmt: skip

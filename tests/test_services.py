@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from io import StringIO
 from typing import Any
 
 import numpy as np
 import pytest
+from rich.console import Console
 
+from scenewright import cli_show
+from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.check import Report, check
-from scenewright.domains import home, resolve
+from scenewright.domains import home, resolve, solve
 from scenewright.errors import InputError
-from scenewright.formats import solution_json
+from scenewright.formats import solution_json, svg
 from scenewright.formats.brief_json import loads
 from scenewright.plan import spaces
 from scenewright.scene import Piece, Pose, Size
+from scenewright.shell import scene_of
 from scenewright.solution import Solution
 
 
@@ -110,6 +115,20 @@ def test_distances_to_outlets_are_told() -> None:
     assert "outlets" not in holding(room(), TV).figures
 
 
+def test_explain_tells_of_outlets() -> None:
+    brief = room(outlets=[{"at": (1.0, 4.4), "kind": "power"}, {"at": (6, 3.9), "kind": "antenna"}])
+    solution = home.solve(brief, steps=500)
+    document = cli_show.explained_document(solution)
+    assert document["outlets"] == check(solution).figures["outlets"] != []
+    assert "wishes" not in check(solution).figures
+    written = StringIO()
+    cli_show.explained(Console(file=written, width=200), solution)
+    far = [told for told in document["outlets"] if not told["within"]]
+    told = f"outlets: {len(document['outlets']) - len(far)} of {len(document['outlets'])} leads"
+    assert told in written.getvalue()
+    assert all(each["piece"] in written.getvalue() for each in far)
+
+
 def within(solution: Solution, brief: Brief) -> float:
     figures = check(replace(solution, brief=brief)).figures["outlets"]
     return float(np.mean([f["within"] for f in figures]))
@@ -182,3 +201,30 @@ def test_hostile_services_are_told_in_a_line(text: str, fault: str) -> None:
     with pytest.raises(InputError, match=fault) as caught:
         loads(start + text + "}]}")
     assert "\n" not in str(caught.value)
+
+
+def test_plans_draw_outlets_and_radiators() -> None:
+    brief = room(**UNDER_WINDOW, outlets=[
+        {"at": (3, 4.4), "kind": kind, "required": kind == "water"}
+        for kind in ("power", "antenna", "data", "water")
+    ])  # fmt: skip
+    solution = home.solve(brief, steps=500)
+    drawn = svg.plan(scene_of(solution), shipped())
+    titles = ("power outlet", "antenna outlet", "data outlet", "water outlet, required", "Radiator")
+    assert all(f"<title>{told}" in drawn for told in titles)
+    without = svg.plan(scene_of(home.solve(room(), steps=500)), shipped())
+    assert "outlet" not in without
+
+
+def test_homes_for_wheelchairs_and_halls_take_them_too() -> None:
+    brief = room(**UNDER_WINDOW, outlets=[{"at": (6, 2), "kind": "power"}])
+    accessible = Brief.model_validate(brief.model_dump() | {"accessible": True, "route_width": 0.9})
+    assert check(home.solve(accessible, steps=1000)).valid
+    hall = {"domain": "hall", "rooms": [{
+        "name": "Hall", "outline": [(0, 0), (12, 0), (12, 9), (0, 9)],
+        "doors": [{"at": (6, 0), "width": 2}], "radiators": [{"at": (0, 4), "width": 2}],
+        "outlets": [{"at": (12, 4), "kind": "power"}],
+        "demands": [{"category": "showcase", "count": 4}]}]}  # fmt: skip
+    solution = solve(Brief.model_validate(hall), steps=2000)
+    assert sum(p.category == "radiator" for p in solution.pieces) == 1
+    assert check(solution).valid

@@ -99,6 +99,19 @@ def _wishes(console: Console, report: Report) -> None:
         console.print(Text(f"wish: {told['space']}: {told['wish']}: {mark}"))
 
 
+def _outlets(console: Console, report: Report) -> None:
+    """How many pieces that need an outlet have one within reach, and which have not."""
+    found = report.figures.get("outlets", [])
+    if found:
+        near = sum(told["within"] for told in found)
+        console.print(
+            Text(f"outlets: {near} of {len(found)} leads, hoses and pipes are long enough")
+        )
+    for told in (told for told in found if not told["within"]):
+        much = f"{told['metres']:.2f} m, within {told['reach']:g} m"
+        console.print(Text(f"  {told['piece']}: {told['outlet']} at {much} wanted"))
+
+
 def _halls(console: Console, halls: Mapping[str, Mapping[str, Any]]) -> None:
     """The figures of halls as two tables, then where their tours are narrow."""
     if not halls:
@@ -154,10 +167,12 @@ def explained(console: Console, solution: Solution) -> None:
         rows = [{"site": rooms.get(t.space, t.space), "figure": t.term, "value": t.value}
                 for t in figures]  # fmt: skip
         table(console, rows, "figures")
-    if any(room.wishes for room in solution.brief.rooms):
+    if any(room.wishes or room.outlets for room in solution.brief.rooms):
         from scenewright.check import check
 
-        _wishes(console, check(solution))
+        report = check(solution)
+        _wishes(console, report)
+        _outlets(console, report)
     for name, meaning in _meanings({term.term for term in (*felt, *figures)}, domain).items():
         console.print(Text(f"{name}: {meaning}", "dim"))
     _left_out(console, solution)
@@ -181,12 +196,14 @@ def explained_document(solution: Solution) -> dict[str, Any]:
     """Energies, terms and what was left out, as plain values."""
     from scenewright.check import check
 
-    wished = any(room.wishes for room in solution.brief.rooms)
+    wished = any(room.wishes or room.outlets for room in solution.brief.rooms)
+    figures = check(solution).figures if wished else {}
     return {
         "energies": dict(solution.energies),
         "terms": [term._asdict() for term in solution.terms],
         "left_out": [entry._asdict() for entry in solution.left_out],
-        "wishes": check(solution).figures["wishes"] if wished else [],
+        "wishes": figures.get("wishes", []),
+        "outlets": figures.get("outlets", []),
     }
 
 

@@ -34,6 +34,7 @@ from scenewright.formats.svg_halls import (
 from scenewright.formats.svg_labels import area_words, labels_mark, polygon_of
 from scenewright.formats.svg_legend import arrange, legend_mark
 from scenewright.formats.svg_marks import INK, View, clean, group, tag, text
+from scenewright.formats.svg_outlets import outlets_mark
 from scenewright.formats.svg_pieces import Symbols, footprint, hangs, pieces_mark, repeated
 from scenewright.formats.svg_shell import (
     cut_walls,
@@ -166,6 +167,7 @@ def _storey_mark(
         slopes_mark(view, part.spaces, union_all(_covered(part.pieces, paper.catalog))),
         walls_mark(view, (*part.walls, *partition_walls(part.pieces))),
         openings_mark(view, part.openings),
+        outlets_mark(view, part.spaces),
         doors_mark(view, part.openings, middle if halls else None),
         ways_mark(view, halls, storey.solid) if halls else "",
         _labels(view, storey, paper.catalog),

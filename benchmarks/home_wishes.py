@@ -1,0 +1,81 @@
+"""What hearing wishes and outlets is worth: the share that is met, heard against ignored.
+
+The sample with radiators, outlets and wishes is solved as it is, and with its outlets left out and
+its wishes for places reduced to the things wished for; both are judged by the whole brief.
+``scenewright bench home_wishes``; twenty seeds.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+from benchmarks.comparison import ratio
+from scenewright.brief import Brief, Room
+from scenewright.brief_wishes import WishBrief
+from scenewright.check import check
+from scenewright.domains import solve
+from scenewright.formats import read
+from scenewright.solution import Solution
+
+Record = dict[str, Any]
+HOME = "sample:home-services"
+SEEDS = 20
+PLACES = ("by", "near", "face", "away_from")
+
+
+def records(quick: bool, progress: Callable[[float, str], None] | None = None) -> list[Record]:
+    """The share of wishes met by kind, of pieces within reach by kind of outlet, of valid homes."""
+    brief, seeds = read(HOME), 3 if quick else SEEDS
+    plain = ignoring(brief)
+    ours: list[Counter[str]] = []
+    theirs: list[Counter[str]] = []
+    for seed in range(seeds):
+        if progress:
+            progress(seed / seeds, f"seed {seed}")
+        ours.append(met(brief, solve(brief, seed=seed)))
+        theirs.append(met(brief, solve(plain, seed=seed)))
+    heard, ignored = (sum(found, Counter[str]()) for found in (ours, theirs))
+    kinds = sorted({key.removeprefix("of ") for key in heard})
+    return [_record(kind, heard, ignored, seeds) for kind in kinds]
+
+
+def ignoring(brief: Brief) -> Brief:
+    """The brief without outlets, its wishes without places."""
+    return brief.model_copy(update={"rooms": [_plain(room) for room in brief.rooms]})
+
+
+def _plain(room: Room) -> Room:
+    wishes = [wish.model_copy(update=dict.fromkeys(PLACES)) for wish in room.wishes]
+    return room.model_copy(update={"outlets": [], "wishes": wishes})
+
+
+def met(brief: Brief, solution: Solution) -> Counter[str]:
+    """How many of each kind are met, and ``of`` how many, by the whole brief."""
+    report = check(replace(solution, brief=brief))
+    found = Counter({"homes valid": int(report.valid), "of homes valid": 1})
+    wishes = [wish for room in brief.rooms for wish in room.wishes]
+    for wish, told in zip(wishes, report.figures["wishes"], strict=True):
+        for kind in _kinds(wish):
+            found[kind] += told["fulfilled"]
+            found[f"of {kind}"] += 1
+    for each in report.figures["outlets"]:
+        found[f"{each['outlet']} within reach"] += each["within"]
+        found[f"of {each['outlet']} within reach"] += 1
+    return found
+
+
+def _kinds(wish: WishBrief) -> Iterator[str]:
+    for place in PLACES:
+        if getattr(wish, place):
+            yield f"wish {place.replace('_', ' ')}"
+
+
+def _record(kind: str, heard: Counter[str], ignored: Counter[str], seeds: int) -> Record:
+    ours, base = (found[kind] / max(found[f"of {kind}"], 1) for found in (heard, ignored))
+    return {
+        "case": HOME, "metric": kind, "unit": "share", "ours": ours, "baseline": base,
+        "baseline_name": "ignored", "ratio": ratio(ours, base, "share"), "runs": seeds,
+    }  # fmt: skip
