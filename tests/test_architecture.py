@@ -59,6 +59,7 @@ LAYERS = (
         "services",
         "shell",
         "gables",
+        "heads",
         "masonry",
         "joinery",
         "site_fit",

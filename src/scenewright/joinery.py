@@ -34,13 +34,16 @@ THRESHOLD = Material("threshold", (0.62, 0.55, 0.47), roughness=0.6)
 
 
 def parts(opening: Opening) -> tuple[Part, ...]:
-    """What fills one opening, by its kind and how its leaf moves.
+    """What fills one opening, by its kind and how its leaf moves; nothing in a slope, as ceilings
+    are not drawn.
 
     >>> from scenewright.space import Opening
     >>> door = Opening("d", "door", "0", 0, 0, 1, 0, 0.9, 0.12, 0.0, 2.05, hinge=1, swing=1)
     >>> [part.material.name for part in parts(door)]
     ['threshold', 'joinery white', 'door oak', 'brushed steel']
     """
+    if opening.roof is not None:
+        return ()
     if opening.kind == "window":
         return _window(opening)
     if opening.kind == "passage":

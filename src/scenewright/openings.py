@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright import outlines
+from scenewright import heads, outlines
 from scenewright.brief import Brief, Door, Window
 from scenewright.errors import InputError
 from scenewright.outlines import project, run_lengths, wall_runs
@@ -113,18 +113,15 @@ def _opening(
     thickness = max(thickness, THINNEST_WALL)
     centre = middle + thickness / 2 * np.array([along[1], -along[0]])
     kind, sill, hinge, swing = _leaf(wish)
-    if sill >= space.height:
-        raise InputError(
-            f"its sill is at {sill:g} m, above the ceiling at {space.height:g} m", "lower the sill"
-        )
+    head, roof = heads.heads_of(space, stretch.start, stretch.end, wish)
     return Opening(
         id=wish.id, kind=kind, level=space.level,
         x=round(float(centre[0]), 9), y=round(float(centre[1]), 9),
         ux=float(along[0]), uy=float(along[1]),
         width=round(width, 9), thickness=round(float(thickness), 9),
-        sill=sill, head=min(sill + wish.height, space.height), hinge=hinge, swing=swing,
+        sill=sill, head=head, hinge=hinge, swing=swing,
         spaces=(space.id,) if beyond is None else (space.id, ids[beyond]),
-        use=wish.use if isinstance(wish, Door) else "both",
+        use=wish.use if isinstance(wish, Door) else "both", roof=roof,
     )  # fmt: skip
 
 

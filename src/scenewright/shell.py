@@ -65,7 +65,7 @@ def shell(brief: Brief, spaces: Sequence[Space]) -> tuple[tuple[Wall, ...], tupl
             bodies = masonry.given(brief, level.id, level.height, storeys[0].id)
         else:
             bodies = masonry.derived(brief, spaces, level.id)
-        mine = [opening for opening in openings if opening.level == level.id]
+        mine = [o for o in openings if o.level == level.id and o.roof is None]
         roofs = [roof_of(space) for space in spaces if space.level == level.id]
         walls += _cut(bodies, mine, roofs)
     return tuple(walls), openings

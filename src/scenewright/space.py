@@ -27,7 +27,8 @@ class Opening:
     ``0`` no leaf (sliding door, passage, window). ``swing`` tells the side the leaf opens to:
     ``+1`` left, ``-1`` right, ``0`` not at all.
     ``spaces`` are the ids of the spaces it touches, one (outside beyond) or two. ``use`` tells
-    which way visitors go through it, seen from the first of the spaces.
+    which way visitors go through it, seen from the first of the spaces. A window in a slope has
+    ``roof``: how far inwards of the wall's inner face its lower and upper edges lie.
     """
 
     id: str
@@ -45,6 +46,7 @@ class Opening:
     swing: int = 0
     spaces: tuple[str, ...] = ()
     use: OpeningUse = "both"
+    roof: tuple[float, float] | None = None
 
 
 class Slope(NamedTuple):

@@ -85,7 +85,7 @@ def find_blocked(bodies: Bodies, rooms: Rooms) -> list[Finding]:
 
 def _zones_of(rooms: Rooms, room: int) -> list[Zone]:
     zones = []
-    for opening in rooms.spaces[room].openings:
+    for opening in (o for o in rooms.spaces[room].openings if o.roof is None):
         inward = _inward(opening, rooms.shapes[room])
         box = _box(opening, inward, rooms.shapes[room])
         if opening.kind == "window":

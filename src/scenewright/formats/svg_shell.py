@@ -111,6 +111,8 @@ def swing_square(opening: Opening) -> Polygon | None:
 
 
 def _opening(view: View, opening: Opening) -> str:
+    if opening.roof is not None:
+        return _roof_window(view, opening, *opening.roof)
     if opening.kind == "window":
         return _window(view, opening)
     half, face = opening.width / 2, opening.thickness / 2
@@ -151,6 +153,23 @@ def _window(view: View, opening: Opening) -> str:
     panes = [line(to_paper(view, pane), stroke_width=FINE) for pane in glass]
     ends = [shape([to_paper(view, box)], stroke_width=FINE) for box in boxes]
     return group([whole, *ends, *panes])
+
+
+def _roof_window(view: View, opening: Opening, near: float, far: float) -> str:
+    """A window overhead, in a slope: dashed, with its diagonals; the room is on the left."""
+    box = to_paper(view, _overhead(opening, near, far))
+    frame = shape([box], stroke_width=LINE, stroke_dasharray="1 0.7")
+    return group([frame, *(line(box[k::2], stroke_width=FINE, stroke=GREY) for k in (0, 1))])
+
+
+def _overhead(opening: Opening, near: float, far: float) -> Corner:
+    half, face = opening.width / 2, opening.thickness / 2
+    return _box(opening, -half, half, face + near, face + far)
+
+
+def roof_windows(openings: Sequence[Opening]) -> list[Polygon]:
+    """The windows in slopes, in plan metres."""
+    return [Polygon(_overhead(o, *o.roof)) for o in openings if o.roof is not None]
 
 
 def _door(view: View, opening: Opening) -> str:

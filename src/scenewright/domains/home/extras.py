@@ -105,7 +105,7 @@ def _curtains(
     found: list[Piece] = []
     for gate in gates(space):
         opening = gate.opening
-        outer = opening.kind == "window" and len(opening.spaces) == 1
+        outer = opening.kind == "window" and len(opening.spaces) == 1 and opening.roof is None
         if not outer or opening.width < 0.6 or _cooked_at(gate, pieces):
             continue
         for piece in _sizes(space, ground, gate, catalog, len(found)):

@@ -66,6 +66,10 @@ def _distance(point: Floats, walls: Floats) -> Floats:
 
 
 def _window(gate: Gate) -> list[float]:
+    if gate.opening.roof is not None:
+        near, far = gate.opening.roof
+        under = gate._replace(face=gate.face + near * gate.inward)
+        return [*before(under, gate.opening.width, far - near), gate.opening.sill + 0.04]
     return [*before(gate, gate.opening.width, WINDOW_DEPTH), gate.opening.sill + 0.04]
 
 
