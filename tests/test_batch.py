@@ -156,7 +156,7 @@ def test_one_bad_file_stops_nobody_and_what_is_done_is_not_done_again(tmp_path: 
 def test_a_batch_killed_five_times_loses_and_doubles_nothing(tmp_path: Path) -> None:
     folder, out, whole = briefs(tmp_path / "in", 24), tmp_path / "out", tmp_path / "whole"
     sw.batch(folder, whole, jobs=2, steps=200)
-    draw = random.Random(1)
+    draw, alive, was_done = random.Random(1), 0, []
     for _ in range(5):
         process = subprocess.Popen([sys.executable, "-c", PROGRAM, str(folder), str(out)])
         done = len(read(out)) if out.exists() else 0
@@ -166,11 +166,17 @@ def test_a_batch_killed_five_times_loses_and_doubles_nothing(tmp_path: Path) -> 
             if process.poll() is not None:
                 break
         time.sleep(0.05 * draw.random())
+        alive += process.poll() is None
         process.send_signal(signal.SIGKILL)
         process.wait()
+        assert len(read(out)) >= done
         for scene in read(out).values():
             assert scene["pieces"]
-    rows = sw.batch(folder, out, jobs=2, steps=200)
+    assert alive >= 3, "hardly anything was killed"
+    kept = len(read(out))
+    rows = sw.batch(folder, out, jobs=2, steps=200,
+                    progress=lambda _row, _done, _total, was: was_done.append(was))  # fmt: skip
+    assert sum(was_done) >= kept - alive, "each kill undoes one file at most"
     assert [row.status for row in rows] == [COMPLETE] * 24
     assert len({row.file for row in rows}) == 24
     assert read(out) == read(whole)
@@ -179,17 +185,19 @@ def test_a_batch_killed_five_times_loses_and_doubles_nothing(tmp_path: Path) -> 
 
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="finds workers by /proc")
 def test_killed_workers_lose_and_double_nothing(tmp_path: Path) -> None:
-    folder, told = briefs(tmp_path / "in", 8), []
+    folder, told, killed = briefs(tmp_path / "in", 8), [], []
 
     def heard(row: Row, done: int, total: int, was: bool) -> None:
         told.append(row)
         if done == 2:
-            for worker in workers(os.getpid()):
+            killed.extend(workers(os.getpid()))
+            for worker in killed:
                 os.kill(worker, signal.SIGKILL)
 
     rows = sw.batch(folder, tmp_path / "out", jobs=2, steps=200, progress=heard)
     assert [row.status for row in rows] == [COMPLETE] * 8
     assert len(told) == 8
+    assert len(killed) == 2
     assert workers(os.getpid()) == []
 
 
