@@ -16,7 +16,7 @@ from scenewright.check import check
 from scenewright.domains import home, resolve
 from scenewright.errors import InputError
 from scenewright.formats import read, solution_json
-from scenewright.scene import Piece, Pose, Size
+from scenewright.scene import STAIRS, Piece, Pose, Size
 from scenewright.solution import Solution
 
 
@@ -76,8 +76,7 @@ def test_nothing_changes_without_edits_or_need(house: Solution) -> None:
     assert after.energies == pytest.approx(house.energies)
     locked = resolve(house, lock=[chest.id])
     assert piece(locked, chest.id).fixed
-    stairs = piece(house, "stairs")
-    free = [p if p.id == stairs.id else replace(p, fixed=False) for p in locked.pieces]
+    free = [p if p.function == STAIRS else replace(p, fixed=False) for p in locked.pieces]
     assert free == list(house.pieces)
 
 

@@ -31,6 +31,7 @@ from scenewright.brief_hall import Demand, Link, ZoneBrief
 from scenewright.brief_services import OutletBrief, RadiatorBrief
 from scenewright.brief_site import Site
 from scenewright.brief_slope import SlopeBrief
+from scenewright.brief_stairs import StairsBrief
 from scenewright.brief_wishes import WishBrief
 
 Function = Literal[
@@ -164,8 +165,9 @@ class WallBrief(Model):
 class Brief(Model):
     """A home, hall or site (later also a village): what there is and how it is to be judged.
 
-    Homes and halls have ``rooms`` on ``levels``, sites have ``sites``. ``catalogs`` are models
-    of the user's own: folders, libraries or files, relative to the brief's file.
+    Homes and halls have ``rooms`` on ``levels``, and ``stairs`` between these; sites have
+    ``sites``. ``catalogs`` are models of the user's own: folders, libraries or files, relative to
+    the brief's file.
 
     ``outlines`` tells whether room outlines are the inner faces of walls or their centre lines
     (then rooms shrink by half of ``wall_thickness``). ``route_width`` is the width of the
@@ -184,6 +186,7 @@ class Brief(Model):
     style: Words = ""
     colour: Words = ""
     levels: Annotated[list[LevelBrief], Field(max_length=200)] = []
+    stairs: Annotated[list[StairsBrief], Field(max_length=200)] = []
     rooms: Annotated[list[Room], Field(max_length=10_000)]
     sites: Annotated[list[Site], Field(max_length=100)] = []
     walls: Annotated[list[WallBrief], Field(max_length=50_000)] = []

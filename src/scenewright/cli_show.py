@@ -246,10 +246,12 @@ def _where(solution: Solution, space: str) -> str:
 
 
 def _counts(solution: Solution, space: str) -> Counter[str]:
-    """Pieces by category, buildings by their model."""
+    """Pieces by category, buildings by their model; stairs belong to the building."""
+    from scenewright.scene import STAIRS
+
     return Counter(
         piece.function if piece.category == "building" else piece.category
-        for piece in solution.pieces if piece.space == space
+        for piece in solution.pieces if piece.space == space and piece.function != STAIRS
     )  # fmt: skip
 
 

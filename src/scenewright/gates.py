@@ -11,10 +11,11 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.space import Opening, Space
+from scenewright.space import Opening, Space, StairEnd
 
 Floats = NDArray[np.float64]
 
+LANDING = 0.7  # kept free before stairs, metres
 THRESHOLD = 0.5  # kept free before a door, metres
 PASSAGE, SHARE = 0.9, 0.6  # kept free of a wide opening at least: metres, share of its width
 WIDE = 1.2  # openings without a leaf wider than this need not stay free in full, metres
@@ -122,6 +123,13 @@ def _span(shape: shapely.Geometry, face: Floats, way: Floats) -> tuple[float, fl
         return None
     along = (shapely.get_coordinates(shape) - face) @ way
     return float(along.min()), float(along.max())
+
+
+def landing(end: StairEnd) -> list[float]:
+    """The floor before the foot or head of stairs, from where one comes and goes."""
+    out = LANDING / 2
+    return [end.x + out * np.cos(end.heading), end.y + out * np.sin(end.heading), end.heading,
+            end.width, LANDING]  # fmt: skip
 
 
 def throat(gate: Gate) -> list[float]:

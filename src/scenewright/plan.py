@@ -23,6 +23,7 @@ from scenewright.room_names import functions_from_name, sort_functions
 from scenewright.services import served
 from scenewright.site_plan import named, plans_of
 from scenewright.space import Level, Points, Slope, Space
+from scenewright.stairwells import with_stairs
 
 DEFAULT_LEVEL = Level("0", "", 0.0, 2.6)
 OVERLAP = 0.02
@@ -79,9 +80,10 @@ def _spaces(text: str) -> tuple[Space, ...]:
         _check_fixed(room, number, floors, brief)
     openings = find_openings(brief, tuple(found))
     opened = [replace(s, openings=tuple(o for o in openings if s.id in o.spaces)) for s in found]
+    joined = with_stairs(brief, opened, levels(brief))
     return tuple(
         served(brief, room, space, place(brief, number))
-        for number, (room, space) in enumerate(zip(brief.rooms, opened, strict=True))
+        for number, (room, space) in enumerate(zip(brief.rooms, joined, strict=True))
     )
 
 

@@ -12,6 +12,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from scenewright.space import Level, Opening, Points, Space
+from scenewright.stairs import Stairs
+
+STAIRS = "stairs"
+"""The function of pieces that stand for what stairs take of a floor."""
 
 
 class Pose(NamedTuple):
@@ -91,7 +95,7 @@ class Surface(NamedTuple):
 @dataclass(frozen=True, slots=True)
 class Scene:
     """Everything that is drawn: the shell (levels, spaces, walls, openings), what lies on open
-    ground, and the pieces."""
+    ground, the pieces, and the stairs."""
 
     name: str
     levels: tuple[Level, ...]
@@ -100,3 +104,4 @@ class Scene:
     openings: tuple[Opening, ...]
     pieces: tuple[Piece, ...]
     surfaces: tuple[Surface, ...] = ()
+    stairs: tuple[Stairs, ...] = ()

@@ -22,6 +22,7 @@ from scenewright.site_ground import surfaces
 from scenewright.site_plan import plans_of
 from scenewright.solution import Solution
 from scenewright.space import Opening, Points, Space
+from scenewright.stairwells import stairs_of
 
 REACH = 0.25
 """How far beyond its stated thickness an opening is cut, in metres, where the wall goes on."""
@@ -36,6 +37,7 @@ def scene_of(solution: Solution) -> Scene:
     return Scene(
         solution.brief.name, levels(solution.brief), rooms, walls, openings, solution.pieces,
         surfaces(plans_of(solution.brief), solution.pieces),
+        stairs_of(solution.brief, levels(solution.brief)),
     )  # fmt: skip
 
 

@@ -84,6 +84,29 @@ class Radiator(NamedTuple):
     z: float
 
 
+class StairEnd(NamedTuple):
+    """Where one steps on or off stairs: their id, ``foot`` or ``head``, the middle of the edge,
+    the way one looks when stepping off, the width; ``arrival`` if people come to this level so."""
+
+    stairs: str
+    kind: str
+    x: float
+    y: float
+    heading: float
+    width: float
+    arrival: bool
+
+
+class StairPart(NamedTuple):
+    """What stairs take of a floor: id and category of the piece that stands for it, its box
+    (x, y, heading, width, depth) and its height; an open well as high as its railing."""
+
+    id: str
+    category: str
+    box: tuple[float, ...]
+    height: float
+
+
 @dataclass(frozen=True, slots=True)
 class Space:
     """A room, hall or site to fill: outline, holes, openings, what it is for.
@@ -92,7 +115,8 @@ class Space:
     faces of the walls. ``main_wall`` is the index of an outline edge (from vertex i to i + 1) or
     ``None``. ``functions`` are room functions such as ``living`` or ``bedroom``; an open-plan
     room has several. ``height`` is floor to ceiling, where no ``slopes`` are lower. ``openings``
-    are those that touch the space, ``outlets`` and ``radiators`` those at its walls.
+    are those that touch the space, ``outlets`` and ``radiators`` those at its walls, ``stairs``
+    the ends of stairs in it, ``stair_parts`` what they take of its floor.
     """
 
     id: str
@@ -107,6 +131,8 @@ class Space:
     slopes: tuple[Slope, ...] = ()
     outlets: tuple[Outlet, ...] = ()
     radiators: tuple[Radiator, ...] = ()
+    stairs: tuple[StairEnd, ...] = ()
+    stair_parts: tuple[StairPart, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

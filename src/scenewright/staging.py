@@ -14,14 +14,17 @@ import shapely
 
 from scenewright import joinery
 from scenewright.assets.tints import tint_of, tinted
-from scenewright.catalog import Asset, Catalog, Material, Part
+from scenewright.catalog import Asset, Catalog, Part
+from scenewright.finishes import CONCRETE, PLASTER, SECTION, SURFACES, UNKNOWN, floor_of
 from scenewright.gables import cut_off, height_at
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box, face_normals, prism, sheet
-from scenewright.scene import Piece, Prism, Scene, Size, Surface, Wall
+from scenewright.masonry import polygons
+from scenewright.scene import STAIRS, Piece, Prism, Scene, Size, Surface, Wall
 from scenewright.space import Level, Opening, Space
+from scenewright.stair_parts import flight_parts, railing_parts, wells
 
-ThingKind = Literal["slab", "space", "surface", "wall", "opening", "piece"]
+ThingKind = Literal["slab", "space", "surface", "wall", "opening", "stairs", "piece"]
 
 SLAB = 0.22
 """Thickness in metres of the slab drawn under each level."""
@@ -30,31 +33,8 @@ SKIN = 0.012
 LOW = 1.2
 """Walls up to this height, in metres, are parapets: their tops are not drawn as a section."""
 
-PLASTER = Material("wall plaster", (0.955, 0.945, 0.925), roughness=0.95)
-SECTION = Material("wall top", (0.30, 0.31, 0.33), roughness=0.9)
-CONCRETE = Material("slab concrete", (0.74, 0.73, 0.71), roughness=0.95)
-UNKNOWN = Material("plain", (0.75, 0.74, 0.72), roughness=0.9)
-WOOD_FLOOR = Material("oak floor", (0.73, 0.62, 0.50), roughness=0.55)
-STONE_FLOOR = Material("stone floor", (0.83, 0.81, 0.77), roughness=0.5)
-TILE_FLOOR = Material("tile floor", (0.80, 0.82, 0.82), roughness=0.3)
-DECK_FLOOR = Material("deck floor", (0.64, 0.58, 0.51), roughness=0.8)
-GRASS = Material("grass", (0.50, 0.58, 0.37), roughness=1.0)
-PLAIN_FLOOR = Material("screed floor", (0.78, 0.77, 0.74), roughness=0.85)
-
-SURFACES: dict[str, Material] = {
-    "asphalt": Material("asphalt", (0.36, 0.37, 0.38), roughness=0.95),
-    "pavement": Material("pavement", (0.72, 0.71, 0.68), roughness=0.95),
-    "path": Material("gravel path", (0.70, 0.65, 0.56), roughness=1.0),
-    "walk": Material("garden walk", (0.70, 0.68, 0.63), roughness=0.95),
-    "marking": Material("road marking", (0.93, 0.93, 0.91), roughness=0.9),
-}
-"""What lies on open ground, by kind."""
-
-FLOORS: dict[str, Material] = {
-    "kitchen": STONE_FLOOR, "hall": STONE_FLOOR, "bathroom": TILE_FLOOR, "toilet": TILE_FLOOR,
-    "washroom": TILE_FLOOR, "balcony": DECK_FLOOR, "storage": PLAIN_FLOOR, "site": GRASS,
-}  # fmt: skip
-"""Floor finish by a room's first function; all others are oak."""
+SEEN = 1.3
+"""How far down one sees stairs through their well in a picture, metres."""
 
 
 class Thing(NamedTuple):
@@ -84,7 +64,8 @@ def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[Th
     found: list[Thing] = []
     for level in scene.levels:
         found += _slab(scene, level)
-        found += [_floor(space) for space in scene.spaces if space.level == level.id]
+        well = wells(scene.stairs, level.id)
+        found += [_floor(space, well) for space in scene.spaces if space.level == level.id]
         found += [
             _surface(s, level.id)
             for s in scene.surfaces
@@ -93,7 +74,9 @@ def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[Th
         walls = (_wall(wall, cut) for wall in scene.walls if wall.level == level.id)
         found += [wall for wall in walls if wall.parts]
         found += [_opening(o, cut) for o in scene.openings if o.level == level.id]
-        pieces = (p for p in scene.pieces if level_of.get(p.space, first) == level.id)
+        found += _stairs(scene, level, cut)
+        pieces = (p for p in scene.pieces if level_of.get(p.space, first) == level.id
+                  and p.function != STAIRS)  # fmt: skip
         staged = (_piece(piece, level.id, catalog, cut) for piece in pieces)
         found += [piece for piece in staged if piece.parts or cut is None]
     return tuple(_named(found))
@@ -111,15 +94,6 @@ def asset_of(piece: Piece, catalog: Catalog) -> Asset | None:
     return catalog.assets.get(piece.asset) or catalog.choose(piece.category, piece.size)
 
 
-def floor_of(space: Space) -> Material:
-    """The floor finish of a space by its functions.
-
-    >>> floor_of(Space("a", "", ("kitchen",), "0", np.zeros((3, 2)))).name
-    'stone floor'
-    """
-    return FLOORS.get(space.functions[0] if space.functions else "", WOOD_FLOOR)
-
-
 def _slab(scene: Scene, level: Level) -> Iterator[Thing]:
     """One plate under all rooms and walls of a level."""
     prisms = [p for wall in scene.walls if wall.level == level.id for p in wall.prisms]
@@ -130,15 +104,37 @@ def _slab(scene: Scene, level: Level) -> Iterator[Thing]:
         for o in scene.openings if o.level == level.id
     ]  # fmt: skip
     region = shapely.union_all([shape.buffer(0.002, join_style="mitre") for shape in shapes])
-    meshes = []
-    for part in shapely.get_parts(region):
-        ordered = shapely.orient_polygons(part.simplify(0.003))
-        rings = [shapely.get_coordinates(r)[:-1] for r in (ordered.exterior, *ordered.interiors)]
-        meshes.append(prism(rings[0], -SLAB, -SKIN, rings[1:]))
+    region = region.difference(wells(scene.stairs, level.id))
+    meshes = [_flat(part.simplify(0.003), -SLAB, -SKIN) for part in polygons(region)]
     if meshes:
         name = f"slab of {level.name or level.id or 'the floor'}"
         plate = Part(CONCRETE, *merge(meshes))
         yield Thing(name, "slab", level.id, "", name, (plate,), (0, 0, 0), 0.0, {})
+
+
+def _flat(shape: shapely.Polygon, base: float, top: float) -> Mesh:
+    ordered = shapely.orient_polygons(shape)
+    rings = [shapely.get_coordinates(r)[:-1] for r in (ordered.exterior, *ordered.interiors)]
+    return prism(rings[0], base, top, rings[1:])
+
+
+def _stairs(scene: Scene, level: Level, cut: float | None) -> Iterator[Thing]:
+    """Stairs up from a level, and railings round the wells in its floor; in a cut picture, where
+    levels stand side by side, also what is seen of stairs through the well."""
+    floors = [shapely.Polygon(s.outline, s.holes) for s in scene.spaces if s.level == level.id]
+    for one in scene.stairs:
+        made = []
+        if one.level == level.id:
+            made.append((one.id, flight_parts(one), 0.0))
+        if one.upper == level.id:
+            made.append((f"{one.id} railing", railing_parts(one, floors), 0.0))
+            rise = one.rises * one.rise
+            if cut is not None:
+                made.append((f"{one.id} below", flight_parts(one, rise - SEEN), -rise))
+        facts: dict[str, str | float] = {"category": "staircase", "label": one.name}
+        for name, parts, z in made:
+            if parts:
+                yield Thing(name, "stairs", level.id, "", name, parts, (0, 0, z), 0.0, facts)
 
 
 def _corners(opening: Opening) -> Floats:
@@ -146,9 +142,11 @@ def _corners(opening: Opening) -> Floats:
     return np.array([[-half, -face, 0], [half, -face, 0], [half, face, 0], [-half, face, 0]])
 
 
-def _floor(space: Space) -> Thing:
-    mesh = prism(space.outline, -SKIN, 0.0, space.holes)
-    area = shapely.Polygon(space.outline, space.holes).area
+def _floor(space: Space, well: shapely.Geometry) -> Thing:
+    whole = shapely.Polygon(space.outline, space.holes)
+    area, mesh = whole.area, prism(space.outline, -SKIN, 0.0, space.holes)
+    if whole.intersects(well):
+        mesh = merge([_flat(part, -SKIN, 0.0) for part in polygons(whole.difference(well))])
     extras: dict[str, str | float] = {
         "function": ", ".join(space.functions), "category": "space", "label": space.name,
         "area": round(area, 3), "height": space.height,

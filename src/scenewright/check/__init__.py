@@ -8,7 +8,7 @@ ours differ the module of the test says how.
 
 from __future__ import annotations
 
-from scenewright.brief import Room
+from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog
 from scenewright.check.accessible import Barriers, find_barriers
 from scenewright.check.bodies import Bodies, Rooms, bodies_of, rooms_of
@@ -42,6 +42,7 @@ from scenewright.check.routes import (
 )
 from scenewright.check.site_figures import judge_sites
 from scenewright.check.site_notes import find_small
+from scenewright.check.stairs import find_blocked_stairs, find_cut_off
 from scenewright.check.wishes import wishes_told
 from scenewright.solution import Solution
 from scenewright.space import Space
@@ -90,6 +91,7 @@ def check(
         *find_blocked(bodies, rooms),
         *find_shut_in(bodies, rooms),
         *unserved,
+        *find_blocked_stairs(bodies, rooms),
         *find_unreachable(bodies, rooms, grounds, walks, groups),
         *verdict.findings,
         *find_unsupported(bodies, rooms),
@@ -109,10 +111,15 @@ def check(
         figures["wishes"] = wishes_told(bodies, rooms, solution.brief.rooms)
     if connected:
         figures["outlets"] = connected
-    lived_in = solution.brief.domain == "home"
-    missing = find_incomplete(bodies, rooms) if lived_in else []
-    notes = (*find_doorless(bodies, rooms), *missing, *unreached, *verdict.notes, *barriers.notes)
+    missing = _missing(solution.brief, bodies, rooms)
+    notes = (*missing, *unreached, *verdict.notes, *barriers.notes)
     return Report(findings, notes, figures)
+
+
+def _missing(brief: Brief, bodies: Bodies, rooms: Rooms) -> list[Note]:
+    """Ways into rooms and to levels that are missing, and what rooms of homes lack."""
+    found = [*find_doorless(bodies, rooms), *find_cut_off(brief, bodies, rooms)]
+    return [*found, *find_incomplete(bodies, rooms)] if brief.domain == "home" else found
 
 
 def _of_sites(solution: Solution) -> Report:

@@ -146,11 +146,11 @@ def find_doorless(bodies: Bodies, rooms: Rooms) -> list[Note]:
     Rooms of function ``other`` (shafts, voids) and balconies, often stepped onto through a
     window, are left out, and those reached by a staircase in them.
     """
-    stairs = {p.space for p in bodies.pieces if p.category == "staircase"}
+    stairs = with_stairs(bodies, rooms)
     notes = []
     for space, shape in zip(rooms.spaces, rooms.shapes, strict=True):
         joined = any(opening.kind != "window" for opening in space.openings)
-        if joined or space.id in stairs or not _lived_in(space.functions, shape):
+        if joined or space.id in stairs or not lived_in(space.functions, shape):
             continue
         functions = ", ".join(space.functions)
         told = f"{space.id} ({functions}, {shape.area:.1f} m²) has no door: nobody can enter it"
@@ -158,7 +158,13 @@ def find_doorless(bodies: Bodies, rooms: Rooms) -> list[Note]:
     return notes
 
 
-def _lived_in(functions: tuple[str, ...], shape: Shape) -> bool:
+def with_stairs(bodies: Bodies, rooms: Rooms) -> set[str]:
+    """The ids of the rooms that stairs lead into or out of."""
+    known = {space.id for space in rooms.spaces if space.stairs}
+    return known | {p.space for p in bodies.pieces if p.category == "staircase"}
+
+
+def lived_in(functions: tuple[str, ...], shape: Shape) -> bool:
     """Whether a room is there for people and large enough for the first of its functions."""
     if not functions or set(functions) & {"other", "balcony"}:
         return False

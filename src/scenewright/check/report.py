@@ -14,6 +14,7 @@ KINDS = (
     "blocked_window",
     "blocked_radiator",
     "unserved",
+    "blocked_stairs",
     "unreachable_piece",
     "unreachable_group",
     "unreachable_room",

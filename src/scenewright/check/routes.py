@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from scenewright.check.bodies import Bodies, Rooms, Shape, Shapes
 from scenewright.check.ceilings import HEADROOM, SHOULDERS, lower_than
-from scenewright.space import Opening
+from scenewright.space import Opening, StairEnd
 
 ROBOT_RADIUS = 0.2
 """Radius of the robot whose navigable share is told (SceneEval), and of a person sideways."""
@@ -28,8 +28,9 @@ _SLACK = 0.01
 class Ground(NamedTuple):
     """One group of rooms joined by doors: their numbers, the joined floor with its doorways where
     a person has room for the shoulders, the part of it too ``low`` for the head, the
-    doorways of each room, the points where one comes in from outside (empty: not known; doors
-    that are only exits do not count unless all are), and the doors to the ``outer`` world."""
+    doorways of each room, the points where one comes in from outside, or to another level by
+    stairs (empty: not known; doors that are only exits do not count unless all are), and the
+    doors to the ``outer`` world."""
 
     rooms: NDArray[np.int64]
     floor: Shape
@@ -84,6 +85,7 @@ def reachable_share(
     """
     parts = {level: [0.0, 0.0] for level in rooms.levels}
     stairs = {piece.space for piece in bodies.pieces if piece.category == "staircase"}
+    stairs |= {space.id for space in rooms.spaces if space.stairs}
     for ground, walk in zip(grounds, walks, strict=True):
         inside = shapely.union_all(rooms.shapes[ground.rooms])
         total = parts[rooms.levels[rooms.level[ground.rooms[0]]]]
@@ -112,11 +114,20 @@ def grounds_of(rooms: Rooms, route_width: float) -> list[Ground]:
         floor = shapely.union_all([*rooms.shapes[members], *(way for _, _, way in ways)])
         outer = tuple(o for o, a in near if len(a) == 1)
         entrances = [o for o in outer if o.use != "exit"] or outer
-        points = np.array([shapely.points(o.x, o.y) for o in entrances], object)
+        doorsteps = [shapely.points(o.x, o.y) for o in entrances]
+        arrivals = [_before(end, route_width) for room in members
+                    for end in rooms.spaces[room].stairs if end.arrival]  # fmt: skip
+        points = np.array(arrivals or doorsteps, object)
         floor = shapely.difference(floor, _lower(rooms, members, SHOULDERS))
         low = _lower(rooms, members, HEADROOM)
         grounds.append(Ground(members, floor, low, doorways, points, outer))
     return grounds
+
+
+def _before(end: StairEnd, route_width: float) -> Shape:
+    """Where the middle of a route is that has just left stairs."""
+    away = route_width / 2 + _SLACK
+    return shapely.points(end.x + away * np.cos(end.heading), end.y + away * np.sin(end.heading))
 
 
 def _components(n: int, links: list[tuple[int, int]]) -> NDArray[np.int64]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scenewright.brief import FixedItem, Room
 from scenewright.catalog import Catalog
-from scenewright.scene import Piece, Pose, Size
+from scenewright.scene import STAIRS, Piece, Pose, Size
 from scenewright.space import Radiator, Space
 
 RADIATOR = "radiator"
@@ -31,7 +33,19 @@ def fixed_pieces(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
                 on=item.on if item.on in known else None, fixed=True,
             )
         )  # fmt: skip
-    return found
+    return [*found, *stair_pieces(space)]
+
+
+def stair_pieces(space: Space) -> Iterator[Piece]:
+    """What stairs take of a space, as pieces that nobody moves; stairs are drawn with the
+    building."""
+    for part in space.stair_parts:
+        x, y, heading, width, depth = part.box
+        yield Piece(
+            id=part.id, category=part.category, asset="", space=space.id,
+            pose=Pose(x, y, 0.0, heading), size=Size(width, depth, part.height),
+            group=f"{space.id}/fixed", function=STAIRS, fixed=True,
+        )  # fmt: skip
 
 
 def _radiator(radiator: Radiator, space: Space, catalog: Catalog) -> Piece:

@@ -22,7 +22,7 @@ from scenewright.formats.catalog_paths import resolved
 from scenewright.formats.graph_record import graph_document, graph_of, tour_document, tour_of
 from scenewright.formats.solution_record import FORMAT, PieceRecord, checked
 from scenewright.plan import room_ids
-from scenewright.scene import Piece, Pose, Size
+from scenewright.scene import STAIRS, Piece, Pose, Size
 from scenewright.solution import LeftOut, Patch, Solution, TermValue
 from scenewright.stock import catalog_of
 from scenewright.whole_file import write_whole
@@ -143,7 +143,7 @@ def _room_with_locked(room: Room, here: list[Piece]) -> Room:
     here = [piece for piece in here if not is_radiator(piece)]
     names = {item.id: item.name for item in room.fixed if item.id}
     groups = {p.group for p in here if p.fixed and p.function not in ("", "fixed", "light")}
-    kept = [piece for piece in here if piece.fixed or piece.group in groups]
+    kept = [p for p in here if (p.fixed or p.group in groups) and p.function != STAIRS]
     locked = [item_of(piece, names.get(piece.id, "")) for piece in kept]
     unplaced = [item for item in room.fixed if not any(is_item(item, piece) for piece in here)]
     return room.model_copy(update={"fixed": [*locked, *unplaced]})

@@ -47,6 +47,7 @@ from scenewright.formats.svg_shell import (
     walls_mark,
 )  # fmt: skip
 from scenewright.formats.svg_slopes import low_lines, slopes_mark
+from scenewright.formats.svg_stairs import stairs_mark
 from scenewright.formats.svg_turning import Turns, turning_mark, turning_of
 from scenewright.scene import Piece, Scene
 from scenewright.solution import Solution
@@ -131,7 +132,7 @@ def _storey(scene: Scene, level: Level, catalog: Catalog, halls: Halls | None) -
     part = Scene(
         scene.name, (level,), spaces, walls,
         tuple(opening for opening in scene.openings if opening.level == level.id),
-        tuple(piece for piece in scene.pieces if piece.space in ids),
+        tuple(piece for piece in scene.pieces if piece.space in ids), (), scene.stairs,
     )  # fmt: skip
     drawn = [Polygon(prism.outline) for wall in walls for prism in wall.prisms]
     everything = union_all([*drawn, *(polygon_of(space) for space in spaces)])
@@ -163,6 +164,7 @@ def _storey_mark(
     marks = [
         floors(view, part.spaces),
         floor_mark(view, halls, storey.walls, part.pieces) if halls else "",
+        stairs_mark(view, part.stairs, storey.level.id, part.spaces),
         pieces_mark(view, part.pieces, paper.catalog, paper.symbols),
         turning_mark(view, [paper.turns[s.id] for s in part.spaces if s.id in paper.turns]),
         slopes_mark(

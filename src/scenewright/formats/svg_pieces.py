@@ -26,7 +26,7 @@ from scenewright.formats.svg_marks import (
     to_paper,
 )  # fmt: skip
 from scenewright.formats.svg_shell import CUT_HEIGHT
-from scenewright.scene import Piece, Pose
+from scenewright.scene import STAIRS, Piece, Pose
 from scenewright.space import Points
 
 SEAT_HEIGHT = 0.45
@@ -71,8 +71,9 @@ def repeated(scale: float, pieces: Sequence[Piece], catalog: Catalog) -> Symbols
 
 def drawn(piece: Piece, kinds: dict[str, Kind]) -> bool:
     """Whether the plan shows a piece by a symbol: what hangs from the ceiling is left to the
-    ceiling plan, partitions are drawn with the walls."""
-    return _support(piece, kinds) != "ceiling" and piece.category != "partition"
+    ceiling plan, partitions and stairs are drawn with the walls."""
+    drawn_with_walls = piece.category == "partition" or piece.function == STAIRS
+    return _support(piece, kinds) != "ceiling" and not drawn_with_walls
 
 
 def pieces_mark(

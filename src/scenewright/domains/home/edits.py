@@ -17,7 +17,7 @@ import shapely
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.standing import is_radiator
 from scenewright.errors import InputError
-from scenewright.scene import Piece, Pose
+from scenewright.scene import STAIRS, Piece, Pose
 from scenewright.solution import Patch
 from scenewright.space import Space
 
@@ -69,6 +69,8 @@ def edited(
         _check_movable(named(pieces, name))
     for name, pose in edits.move.items():
         main = named(pieces, name)
+        if main.function == STAIRS:
+            raise InputError(f"'{main.id}' is of the building", "move the stairs in the brief")
         to = (pose[0], pose[1], pose[2] if len(pose) > 2 else main.pose.heading)
         there = _room_at(main, to, rooms)
         for p in carried(taken_along(main, before.values()), frame_of(main), to, there):

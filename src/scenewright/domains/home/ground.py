@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from scenewright.ceiling import planes
 from scenewright.domains.standing import RADIATED, is_radiator
-from scenewright.gates import Gate, before, door_zone, edges_of, gates, throat
+from scenewright.gates import Gate, before, door_zone, edges_of, gates, landing, throat
 from scenewright.problem import Ground
 from scenewright.scene import Piece
 from scenewright.space import Space
@@ -32,11 +32,13 @@ def ground_of(space: Space, fixed: tuple[Piece, ...], area: float) -> Ground:
     return Ground(
         edges=np.ascontiguousarray(edges_of(space)),
         walls=np.hstack([space.outline, np.roll(space.outline, -1, 0)]),
-        keep_free=_rows([box for g in doors for box in door_zone(space, g)], 5),
+        keep_free=_rows(
+            [*(box for g in doors for box in door_zone(space, g)), *map(landing, space.stairs)], 5
+        ),
         corridors=_rows(_corridors(doors) + [_ahead(p, USE) for p in fixed if _used(p)], 5),
         obstacles=_rows([_footprint(p) for p in fixed if _in_the_way(p)], 5),
         windows=_rows(windows, 6),
-        doors=_rows([throat(g) for g in doors], 5),
+        doors=_rows([*map(throat, doors), *map(landing, space.stairs)], 5),
         main_wall=_rows([] if main is None else [main], 4),
         bounds=np.array([x0, y0, x1, y1]),
         area=area,

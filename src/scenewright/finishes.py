@@ -1,0 +1,42 @@
+"""Finishes of floors, walls and open ground: what a space is covered with by its functions."""
+
+from __future__ import annotations
+
+from scenewright.catalog import Material
+from scenewright.space import Space
+
+PLASTER = Material("wall plaster", (0.955, 0.945, 0.925), roughness=0.95)
+SECTION = Material("wall top", (0.30, 0.31, 0.33), roughness=0.9)
+CONCRETE = Material("slab concrete", (0.74, 0.73, 0.71), roughness=0.95)
+UNKNOWN = Material("plain", (0.75, 0.74, 0.72), roughness=0.9)
+WOOD_FLOOR = Material("oak floor", (0.73, 0.62, 0.50), roughness=0.55)
+STONE_FLOOR = Material("stone floor", (0.83, 0.81, 0.77), roughness=0.5)
+TILE_FLOOR = Material("tile floor", (0.80, 0.82, 0.82), roughness=0.3)
+DECK_FLOOR = Material("deck floor", (0.64, 0.58, 0.51), roughness=0.8)
+GRASS = Material("grass", (0.50, 0.58, 0.37), roughness=1.0)
+PLAIN_FLOOR = Material("screed floor", (0.78, 0.77, 0.74), roughness=0.85)
+
+SURFACES: dict[str, Material] = {
+    "asphalt": Material("asphalt", (0.36, 0.37, 0.38), roughness=0.95),
+    "pavement": Material("pavement", (0.72, 0.71, 0.68), roughness=0.95),
+    "path": Material("gravel path", (0.70, 0.65, 0.56), roughness=1.0),
+    "walk": Material("garden walk", (0.70, 0.68, 0.63), roughness=0.95),
+    "marking": Material("road marking", (0.93, 0.93, 0.91), roughness=0.9),
+}
+"""What lies on open ground, by kind."""
+
+FLOORS: dict[str, Material] = {
+    "kitchen": STONE_FLOOR, "hall": STONE_FLOOR, "bathroom": TILE_FLOOR, "toilet": TILE_FLOOR,
+    "washroom": TILE_FLOOR, "balcony": DECK_FLOOR, "storage": PLAIN_FLOOR, "site": GRASS,
+}  # fmt: skip
+"""Floor finish by a room's first function; all others are oak."""
+
+
+def floor_of(space: Space) -> Material:
+    """The floor finish of a space by its functions.
+
+    >>> import numpy as np
+    >>> floor_of(Space("a", "", ("kitchen",), "0", np.zeros((3, 2)))).name
+    'stone floor'
+    """
+    return FLOORS.get(space.functions[0] if space.functions else "", WOOD_FLOOR)
