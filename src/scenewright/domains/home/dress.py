@@ -142,6 +142,8 @@ def too_tall(
 ) -> NDArray[np.int64]:
     """The codes of boxes without fault changed to :data:`UNDER_SLOPE` where they rise above the
     lowest ceiling over them; ``height`` is that of the flat ceiling."""
+    if not len(ground.slopes) and spans[:, 1].max() <= height:
+        return codes
     over = spans[:, 1] > lowest(boxes, ground.slopes, height) + 1e-9
     return np.where((codes == 0) & over, UNDER_SLOPE if len(ground.slopes) else OUTSIDE, codes)
 
