@@ -62,20 +62,17 @@ def _zones(ground: Ground, tops: Floats) -> Floats:
     windows = _fresh(ground.windows, 6)
     low = strips(_fresh(ground.slopes, 6), tops, ground.bounds)
     kinds = (
-        (KEEP_FREE, ground.keep_free, -np.inf),
-        (KEEP_FREE, ground.fronts, -np.inf),
-        (CORRIDORS, ground.corridors, -np.inf),
-        (OBSTACLES, ground.obstacles, -np.inf),
-        (WINDOW, windows[:, :5], windows[:, 5]),
-        (SLOPE, low[:, :5], low[:, 5]),
-    )
-    zones = []
-    for term, boxes, height in kinds:
-        frames = frames_of(_fresh(boxes, 5))
-        rows = np.empty((len(frames), 10))
-        rows[:, :8], rows[:, 8], rows[:, 9] = frames, term, height
-        zones.append(rows)
-    return np.concatenate(zones)
+        (KEEP_FREE, ground.keep_free), (KEEP_FREE, ground.fronts),
+        (CORRIDORS, ground.corridors), (OBSTACLES, ground.obstacles),
+        (WINDOW, windows[:, :5]), (SLOPE, low[:, :5]),
+    )  # fmt: skip
+    boxes = np.concatenate([_fresh(boxes, 5) for _, boxes in kinds])
+    zones = np.empty((len(boxes), 10))
+    zones[:, :8], zones[:, 9] = frames_of(boxes), -np.inf
+    zones[:, 8] = np.repeat([term for term, _ in kinds], [len(boxes) for _, boxes in kinds])
+    glass = len(boxes) - len(windows) - len(low)
+    zones[glass:, 9] = np.concatenate([windows[:, 5], low[:, 5]])
+    return zones
 
 
 def _traits(items: Items, reach: Floats, role: Floats) -> Floats:

@@ -103,31 +103,24 @@ def sizes_of(
     return tuple(low), tuple(high), tuple(ideal)
 
 
-def relations(library: Library = SHIPPED) -> tuple[Relation, ...]:
-    """The relations between groups, at the distances and angles of a library."""
-    known = library.habits
-    return tuple(
-        r._replace(
-            distance=habits.distance(known, (r.first, r.second), r.distance),
-            angle=habits.angle(known, (r.first, r.second), r.angle),
-        )
-        for r in RELATIONS
-    )
-
-
 def _relations(
     groups: list[str], library: Library
 ) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
-    pairs, targets, weights = [], [], []
-    for relation in relations(library):
-        if holds(relation, groups):
-            pairs.append((groups.index(relation.first), groups.index(relation.second)))
-            targets.append((relation.distance, relation.angle, relation.bearing))
-            weights.append(relation.weight)
+    """The relations between groups that stand, at the distances and angles of a library."""
+    held = [r for r in RELATIONS if holds(r, groups)]
+    pairs = [(groups.index(r.first), groups.index(r.second)) for r in held]
+    targets = [
+        (
+            habits.distance(library.habits, (r.first, r.second), r.distance),
+            habits.angle(library.habits, (r.first, r.second), r.angle),
+            r.bearing,
+        )
+        for r in held
+    ]
     return (
         np.array(pairs, np.int64).reshape(-1, 2),
         np.array(targets, np.float64).reshape(-1, 3),
-        np.array(weights, np.float64),
+        np.array([r.weight for r in held], np.float64),
     )
 
 
