@@ -28,7 +28,7 @@ def set_square(
     >>> bed = np.array([[1.5, 1.04, 1.55, 1.0, 2.0]])
     >>> yes = np.array([True])
     >>> set_square(bed, yes, yes, room, room, np.zeros((0, 5)))[0].round(3).tolist()
-    [1.5, 1.0, 1.571, 1.0, 2.0]
+    [1.479, 1.0, 1.571, 1.0, 2.0]
     """
     found = boxes.copy()
     _set_square(found, boxes, new, backs, walls, edges, zones)
