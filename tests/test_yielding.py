@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import pytest
 
+from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.check import check
 from scenewright.domains import home
-from scenewright.domains.home import second_try, yielding
-from scenewright.domains.home.attempt import Furnished, Missing
-from scenewright.scene import Piece
+from scenewright.domains.home import yielding
+from scenewright.domains.home.attempt import Furnished, Missing, Task
+from scenewright.domains.home.library import SHIPPED
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.second_try import tried_again
+from scenewright.domains.home.tasks import task_of, wishes_of
+from scenewright.domains.home.wheelchair import furnish_by_use
+from scenewright.plan import spaces
+from scenewright.solve import Budget
 
 
 def two_rooms(width: float, depth: float) -> Brief:
@@ -44,25 +51,45 @@ def test_what_bars_the_way_to_another_room_gives_way(
     assert {p.id for p in solution.pieces} < {p.id for p in before.pieces}
 
 
-def test_a_room_that_gave_up_what_it_is_for_is_tried_again(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """The first answer is said to bar a way with all it holds."""
-    walks: list[int] = []
+def test_a_room_that_gave_up_what_it_is_for_is_tried_again() -> None:
+    """Of a bedroom all is given up at first, so it is furnished anew; then nothing bars a way."""
+    (task,), (wishes,) = furnishing(bedroom_alone())
+    budget = Budget(threads=1, steps=4000)
+    first = furnish_by_use(task, wishes, budget)
+    asked: list[Furnished] = []
 
-    def barred_once(
-        standing: Sequence[tuple[Piece, ...]], answers: Sequence[Furnished], **told: Any
-    ) -> list[Furnished]:
-        walks.append(len(answers))
-        if len(walks) > 1:
-            return yielding.yielded(standing, answers, **told)
-        lost = [tuple(Missing(p.wish, "it bars the way") for p in a.placed) for a in answers]
-        return [a._replace(placed=(), missing=m) for a, m in zip(answers, lost, strict=True)]
+    def barred_once(answers: Sequence[Furnished]) -> list[Furnished]:
+        asked.extend(answers)
+        return [given_up(answers[0])] if len(asked) == 1 else list(answers)
 
-    monkeypatch.setattr(home, "yielded", barred_once)
-    solution = home.solve(two_rooms(4.0, 3.6), steps=2000)
-    assert any(piece.category == "single_bed" for piece in solution.pieces)
-    assert check(solution).valid
-    monkeypatch.setattr(second_try, "WIDER", ())
-    walks.clear()
-    assert not home.solve(two_rooms(4.0, 3.6), steps=2000).patches
+    (answer,) = tried_again([task], [wishes], [budget], [first], barred_once)
+    assert len(asked) == 2
+    assert asked[0] is first
+    assert any(p.wish.core for p in answer.placed)
+    assert answer.placed != first.placed
+    barred = tried_again([task], [wishes], [budget], [first], lambda a: [given_up(a[0])])
+    assert barred == [given_up(first)]
+    timed = budget._replace(seconds=0.1)
+    asked.clear()
+    assert tried_again([task], [wishes], [timed], [first], barred_once) == [given_up(first)]
+
+
+def given_up(answer: Furnished) -> Furnished:
+    """An answer without all it holds."""
+    lost = tuple(Missing(placed.wish, "it bars the way") for placed in answer.placed)
+    return answer._replace(placed=(), missing=lost)
+
+
+def bedroom_alone() -> Brief:
+    return Brief(rooms=two_rooms(4.0, 3.6).rooms[:1])
+
+
+def furnishing(brief: Brief) -> tuple[list[Task], list[tuple[Wish, ...]]]:
+    """The rooms of a brief as tasks, and what each is wished to hold."""
+    catalog, rooms = shipped(), spaces(brief)
+    tasks = [
+        task_of(brief, room, space, (), catalog, SHIPPED, PRESETS["default"], "anneal", 0)
+        for room, space in zip(brief.rooms, rooms, strict=True)
+    ]
+    wishes = [wishes_of(r, t, rooms, ()) for r, t in zip(brief.rooms, tasks, strict=True)]
+    return tasks, wishes

@@ -70,7 +70,7 @@ def drawn_out(seat: Piece, table: Piece) -> Piece:
     for step in range(STEPS):
         moved = seat.pose._replace(x=seat.pose.x - step * STEP * c, y=seat.pose.y - step * STEP * s)
         tried = replace(seat, pose=moved)
-        w = seat.size.width / 2
+        w = seat.size.width  # wider than the seat, so that no slivers are left beside it
         ends = [(moved.x + c * rear + k * s * w, moved.y + s * rear - k * c * w) for k in (-1, 1)]
         rest = footprint(tried).difference(_ahead(ends, c, s))
         if not rest.intersects(box):
