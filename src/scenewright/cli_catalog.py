@@ -145,8 +145,8 @@ def learn(
              "holds": "; ".join(dict.fromkeys(c.case.name for c in own))}
             for name, own in table.items()]  # fmt: skip
     tables.table(Console(), rows, title="learned groups")
-    rooms, files = "s" * (found.rooms != 1), "s" * (len(homes) != 1)
-    told = f"{found.rooms} furnished room{rooms} of {len(homes)} home{files}; wrote {output}"
+    several, files = "s" * (found.rooms != 1), "s" * (len(homes) != 1)
+    told = f"{found.rooms} furnished room{several} of {len(homes)} home{files}; wrote {output}"
     Console().print(told, style="dim", markup=False)
     return 0
 
