@@ -31,15 +31,16 @@ def spread(seed: np.uint64, free: np.uint64) -> np.uint64:
 @inlined
 def fill_row(reached: Bits, free: Bits, row: int, source: int) -> bool:
     """Take over what is reached in the row ``source`` and grow it; true if anything was gained."""
-    gained = False
-    count = free.shape[1]
-    for turn in range(2 * count - 1):
-        k = turn if turn < count else 2 * count - 2 - turn
+    gained, count = False, free.shape[1]
+    for k in range(count):
         seed = reached[row, k] | (reached[source, k] & free[row, k])
         if k > 0:
             seed |= (reached[row, k - 1] >> np.uint64(63)) & free[row, k]
-        if k + 1 < count:
-            seed |= (reached[row, k + 1] << np.uint64(63)) & free[row, k]
+        if seed != reached[row, k]:
+            reached[row, k] = spread(seed, free[row, k])
+            gained = True
+    for k in range(count - 2, -1, -1):
+        seed = reached[row, k] | ((reached[row, k + 1] << np.uint64(63)) & free[row, k])
         if seed != reached[row, k]:
             reached[row, k] = spread(seed, free[row, k])
             gained = True
