@@ -40,6 +40,8 @@ Cancel = Callable[[], bool]
 __all__ = ["PRESETS", "solve"]
 
 MOST_THREADS = 16
+MANY = 9
+"""Items from which on a room takes more steps for each: they are in one another's way."""
 
 
 def solve(
@@ -133,7 +135,9 @@ def _budget(
     if seconds is not None:
         return least._replace(seconds=seconds * share)
     each = steps or (preset.steps if solver == preset.solver else None)
-    return least if each is None else least._replace(steps=each * max(items, 1))
+    if each is None:
+        return least
+    return least._replace(steps=int(each * max(items, 1) * max(items / MANY, 1.0)))
 
 
 def _solution(

@@ -15,10 +15,11 @@ from scenewright.check.bodies import bodies_of, rooms_of
 from scenewright.check.outlets import connections_of
 from scenewright.check.wishes import wishes_told
 from scenewright.domains.home.dress import Dressed, Refused, dress_patch, pieces_of
+from scenewright.domains.home.high_walls import raised
 from scenewright.domains.home.library import SHIPPED, Library
 from scenewright.domains.home.obstacles import joined, standing_of
 from scenewright.domains.home.places import placed as at_places
-from scenewright.domains.home.pose import problem_of
+from scenewright.domains.home.pose import firm, problem_of
 from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import Wish, part_of
 from scenewright.domains.home.tidy import tidied
@@ -123,8 +124,10 @@ def posed(task: Task, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
         ground, wishes, preset.weights, preset.printed, task.route_width,
         furnished_as(task), task.library,
     )  # fmt: skip
-    items = at_places(problem.items, wishes, task.space, task.fixed, task.library)
-    return problem._replace(items=swayed(items, wishes))
+    items = problem.items if preset.printed else raised(problem.items, wishes, ground)
+    items = at_places(items, wishes, task.space, task.fixed, task.library)
+    weights = preset.weights if preset.printed else firm(preset.weights, items)
+    return problem._replace(items=swayed(items, wishes), weights=weights)
 
 
 def attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> Furnished:

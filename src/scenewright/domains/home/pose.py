@@ -12,15 +12,17 @@ from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import SHIPPED, Library, cases, wished
 from scenewright.domains.home.programme import Wish
 from scenewright.problem import Ground, Items, Problem, empty_items
+from scenewright.terms.table import TERMS
 
 NAN = float("nan")
+USUAL = 16.0  # area of all furniture from which areas do not count less, square metres
 BECOMING = 0.6  # the least footprint of a group, as a share of the one wished for
 
 
 class Relation(NamedTuple):
     """Two groups that belong together: distance between their centres in metres, angle between
     their headings, bearing of the second from the first's front (NaN: any) and weight; it does
-    not hold in a room that has ``unless`` too."""
+    not hold in a room that has ``unless`` too, nor in one without any of ``within``, if stated."""
 
     first: str
     second: str
@@ -29,8 +31,10 @@ class Relation(NamedTuple):
     bearing: float
     weight: float
     unless: str = ""
+    within: tuple[str, ...] = ()
 
 
+COOKING = ("kitchen", "kitchenette")
 RELATIONS: tuple[Relation, ...] = (
     Relation("seating", "media", 2.5, np.pi, 0.0, 3.0),
     Relation("media", "seating", 2.5, np.pi, 0.0, 3.0),
@@ -42,6 +46,9 @@ RELATIONS: tuple[Relation, ...] = (
     Relation("kitchen", "dining", 2.4, NAN, NAN, 0.3),
     Relation("kitchen", "island", 1.9, NAN, 0.0, 2.0),
     Relation("sleeping", "vanity", 2.6, NAN, NAN, 0.1),
+    Relation("sleeping", "wardrobe", 2.4, NAN, NAN, 0.6, within=COOKING),
+    Relation("seating", "sleeping", 5.5, NAN, NAN, 0.4, within=COOKING),
+    Relation("desk", "shelf", 1.8, NAN, NAN, 0.3, within=COOKING),
 )
 
 
@@ -56,6 +63,22 @@ def problem_of(
         ground, items_of(wishes, area, library), tuple(numbered(groups)), weights, printed,
         route_width,
     )  # fmt: skip
+
+
+def firm(weights: dict[str, float], items: Items) -> dict[str, float]:
+    """Weights for a room of these items: what counts areas counts a square metre as much as in a
+    room with :data:`USUAL` square metres of furniture.
+
+    Such terms are divided by the area of all items (Liu et al. 2017), so in an open plan with
+    thrice as much furniture a shelf before a door would weigh a third, but a relation as ever.
+
+    >>> items = empty_items(2)._replace(wish=np.array([[6.0, 4.0], [4.0, 2.0]]))
+    >>> firm({"keep_free": 100.0, "pairs": 10.0}, items)
+    {'keep_free': 200.0, 'pairs': 10.0}
+    """
+    share = max(float(np.nansum(items.wish.prod(-1))) / USUAL, 1.0)
+    areas = {row.name for row in TERMS if row.per_area}
+    return {name: w * share if name in areas else w for name, w in weights.items()}
 
 
 def items_of(wishes: tuple[Wish, ...], area: float, library: Library = SHIPPED) -> Items:
@@ -126,7 +149,8 @@ def _relations(
 
 def holds(relation: Relation, groups: list[str]) -> bool:
     """Whether a relation is wanted in a room of these groups."""
-    return {relation.first, relation.second} <= set(groups) and relation.unless not in groups
+    both = {relation.first, relation.second} <= set(groups) and relation.unless not in groups
+    return both and (not relation.within or any(g in groups for g in relation.within))
 
 
 def numbered(groups: list[str]) -> list[str]:

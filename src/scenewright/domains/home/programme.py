@@ -134,6 +134,11 @@ STANDS_FOR: dict[str, tuple[str, ...]] = {
 """Fixed pieces of these categories make a group unnecessary."""
 
 WELCOME = 2  # the rank of what is welcome
+BEDS = ("sleeping", "single", "bunk")
+PRIVATE = Sway(draws=(Draw(("door",), near=3.0),))
+ROOMY = 40.0
+"""A bed in a room of so many square metres that is also lived or cooked in is away from doors."""
+
 DOUBLE_BEDROOM = 8.8
 SHARED = 0.15  # by how much the k-th further function of an open plan, times k, shrinks it
 CORE: dict[str, int] = {"bathroom": 5, "child_bedroom": 2, "washroom": 2}  # leading rows; else 1
@@ -168,10 +173,16 @@ def programme(
     there is no dining room. ``have`` are the categories that stand there already.
     """
     functions = resolved(space.functions, area)
+    shared = area >= ROOMY and bool({"living", "kitchen"} & set(functions))
     area = part_of(functions, area)
     avoid = set(functions) | {f"home:{f}" for f in home}
     wishes = [
-        Wish(row.group, row.rank, core=row.rank == 0 and number < CORE.get(function, 1))
+        Wish(
+            row.group,
+            row.rank,
+            core=row.rank == 0 and number < CORE.get(function, 1),
+            sway=PRIVATE if row.group in BEDS and shared else Sway(),
+        )
         for function in functions
         for number, row in enumerate(PROGRAMME[function])
         if row.least <= area < row.below

@@ -11,6 +11,8 @@ from scenewright.scene import Size
 SOFA_DEPTH, SOFA_HEIGHT = 0.9, 0.8
 OUT = 0.6  # how far an armchair is turned out of its corner, radians
 GAP = 0.62  # the way in between a sofa and the armchair beside its table, metres
+BETWEEN = 0.68  # the same where armchairs on both sides leave no other way, metres
+STEP_IN = 0.4  # how far a sofa reaches beyond its table at each end, so that one gets to it, metres
 
 
 def media() -> Iterator[Group]:
@@ -36,9 +38,10 @@ def seating() -> Iterator[Group]:
         if sofa <= 1.8:
             yield _compact(sofa)
         yield _sofa_and_table(sofa, lamps=0)
-        yield _sofa_and_table(sofa, lamps=1)
-        yield _sofa_and_table(sofa, lamps=2)
+        if sofa >= 1.6:
+            yield _sofa_and_table(sofa, lamps=1)
         if sofa >= 1.8:
+            yield _sofa_and_table(sofa, lamps=2)
             yield _one_armchair(sofa)
         if sofa >= 2.0:
             yield _two_armchairs(sofa)
@@ -52,6 +55,11 @@ def _sofa(width: float, depth: float, x: float = 0.0) -> Member:
 def _table(width: float, depth: float, x: float = 0.0, deep: float = 0.55) -> Member:
     y = -depth / 2 + SOFA_DEPTH + 0.35 + deep / 2
     return Member("coffee_table", x, y, 0, 0, Size(width, deep, 0.4))
+
+
+def _beside_legs(share: float, sofa: float) -> float:
+    """Width of a table before a sofa: a share of it that leaves a step in at each end."""
+    return min(share * sofa, sofa - 2 * STEP_IN)
 
 
 def _rug(width: float, depth: float, x: float = 0.0) -> Member:
@@ -71,14 +79,22 @@ def _alone(sofa: float) -> Group:
 
 def _compact(sofa: float) -> Group:
     depth = SOFA_DEPTH + 0.35 + 0.42
-    members = (_rug(sofa, depth), _sofa(sofa, depth), _table(0.45 * sofa, depth, deep=0.4))
+    members = (
+        _rug(sofa, depth),
+        _sofa(sofa, depth),
+        _table(_beside_legs(0.45, sofa), depth, deep=0.4),
+    )
     return Group("seating", f"{sofa:.1f} m sofa, small table", sofa, depth, members)
 
 
 def _sofa_and_table(sofa: float, lamps: int) -> Group:
     width, depth = sofa + 0.5 * lamps, 1.95
     x = -0.25 if lamps == 1 else 0.0
-    members = [_rug(sofa, depth, x), _sofa(sofa, depth, x), _table(0.55 * sofa, depth, x)]
+    members = [
+        _rug(sofa, depth, x),
+        _sofa(sofa, depth, x),
+        _table(_beside_legs(0.55, sofa), depth, x),
+    ]
     for sign in (1, -1)[:lamps]:
         side = len(members)
         at = x + sign * (sofa / 2 + 0.26)
@@ -92,7 +108,7 @@ def _sofa_and_table(sofa: float, lamps: int) -> Group:
 
 
 def _armchair(x: float, depth: float, heading: float) -> Member:
-    y = -depth / 2 + SOFA_DEPTH + GAP + 0.39
+    y = depth / 2 - 0.41
     return Member("armchair", x, y, 0, heading, Size(0.78, 0.8, 0.85))
 
 
@@ -109,7 +125,7 @@ def _one_armchair(sofa: float) -> Group:
 
 
 def _two_armchairs(sofa: float) -> Group:
-    table, depth = 0.5 * sofa, SOFA_DEPTH + GAP + 0.8
+    table, depth = 0.5 * sofa, SOFA_DEPTH + BETWEEN + 0.8
     reach = table / 2 + 0.3 + 0.8
     width = 2 * max(reach, sofa / 2)
     members = (
