@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -90,6 +91,84 @@ def test_wishes_are_measured() -> None:
     ]  # fmt: skip
 
 
+def piece(category: str, x: float, y: float, turn: float, size: Size) -> Piece:
+    return Piece(f"r/{category}", category, "", "r", Pose(x, y, 0, turn), size)
+
+
+@pytest.mark.parametrize(
+    ("wish", "fulfilled"),
+    [
+        ({"what": "armchair", "face": "window"}, True),
+        ({"what": "armchair", "face": "door"}, False),
+        ({"what": "armchair", "face": "bookcase"}, False),
+        ({"what": "bookcase", "face": "armchair"}, True),
+        ({"what": "desk", "face": "window"}, False),
+        ({"what": "desk", "face": "door"}, True),
+        ({"what": "armchair", "away_from": "window", "metres": 2.5}, True),
+        ({"what": "armchair", "away_from": "window", "metres": 2.7}, False),
+        ({"what": "armchair", "away_from": "door"}, True),
+        ({"what": "bookcase", "away_from": "door"}, False),
+        ({"what": "bookcase", "away_from": "armchair", "metres": 2.1}, True),
+        ({"what": "bookcase", "away_from": "armchair", "metres": 2.3}, False),
+        ({"what": "bookcase", "away_from": "piano"}, True),
+        ({"what": "bookcase", "face": "piano"}, False),
+        ({"what": "chest_of_drawers", "by": "door"}, True),
+        ({"what": "bookcase", "by": "door"}, False),
+        ({"what": "armchair", "by": "door"}, False),
+        ({"what": "bookcase", "by": "wall"}, True),
+        ({"what": "armchair", "by": "wall"}, False),
+    ],
+)
+def test_places_are_measured(wish: dict[str, Any], fulfilled: bool) -> None:
+    """A room with its window in the west and its door in the south-east corner."""
+    stands = (
+        piece("armchair", 3.0, 2.2, math.pi, Size(0.8, 0.8, 0.85)),
+        piece("bookcase", 5.8, 2.2, math.pi, Size(0.8, 0.4, 2.0)),
+        piece("desk", 5.2, 3.8, math.pi / 2, Size(1.2, 0.6, 0.75)),
+        piece("chest_of_drawers", 4.0, 0.3, math.pi / 2, Size(0.8, 0.5, 0.9)),
+    )
+    empty = Solution(room("study", wish), (), (), (), (), {}, "", "", 0, "", "", 0.0, 0)
+    assert told(replace(empty, pieces=stands)) == [fulfilled]
+
+
+@pytest.mark.parametrize(
+    ("function", "wish"),
+    [
+        ("living", {"what": "sideboard", "by": "door"}),
+        ("living", {"what": "dining", "by": "wall"}),
+        ("single_bedroom", {"what": "desk", "face": "window"}),
+        ("double_bedroom", {"what": "double_bed", "face": "window"}),
+        ("living", {"what": "tv", "away_from": "window", "metres": 3.0}),
+        ("double_bedroom", {"what": "chest", "away_from": "wardrobe"}),
+        ("living", {"what": "armchair", "face": "tv"}),
+    ],
+)
+def test_new_places_draw(function: str, wish: dict[str, Any]) -> None:
+    heard, ignored = 0, 0
+    for seed in range(5):
+        asked = room(function, wish)
+        heard += told(solved(asked, seed))[0]
+        plain = solved(room(function, {"what": wish["what"]}), seed)
+        ignored += told(replace(plain, brief=asked))[0]
+    assert heard >= 3
+    assert heard > ignored
+
+
+def test_a_fixed_piece_draws_too() -> None:
+    piano = {"category": "piano", "at": [5.6, 3.4], "heading": math.pi, "size": [1.5, 0.6, 1.2]}
+    near, far = 0, 0
+    for seed in range(4):
+        asked, plain = (
+            Brief.model_validate({"rooms": [room("living", wish).rooms[0].model_dump() | {
+                "fixed": [piano]}]})
+            for wish in ({"what": "bookcase", "near": "piano"}, {"what": "bookcase"})
+        )  # fmt: skip
+        near += told(solved(asked, seed))[0]
+        far += told(replace(solved(plain, seed), brief=asked))[0]
+    assert near >= 3
+    assert near > far
+
+
 def test_explain_and_json_tell() -> None:
     solution = solved(room("study", {"what": "desk", "by": "window"}))
     document = cli_show.explained_document(solution)
@@ -103,6 +182,8 @@ def test_explain_and_json_tell() -> None:
     [
         ({"what": "dsk"}, r"rooms\[0\] 'r' wishes\[0\].what: there is no .* 'dsk'; .*desk"),
         ({"what": "desk", "near": "bedd"}, r"wishes\[0\].near: there is no .* 'bedd'"),
+        ({"what": "desk", "face": "windw"}, r"wishes\[0\].face: there is no .* 'windw'"),
+        ({"what": "desk", "away_from": "wall"}, r"wishes\[0\].away_from: there is no .* 'wall'"),
         ({"what": "staircase"}, "no furniture group holds a staircase"),
     ],
 )

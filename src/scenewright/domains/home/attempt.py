@@ -11,10 +11,8 @@ from numpy.typing import NDArray
 
 from scenewright.brief import Room
 from scenewright.catalog import Catalog
-from scenewright.check.bodies import bodies_of, rooms_of
-from scenewright.check.outlets import connections_of
-from scenewright.check.wishes import wishes_told
 from scenewright.domains.home.dress import Dressed, Refused, dress_patch, pieces_of
+from scenewright.domains.home.heard import unheard
 from scenewright.domains.home.high_walls import raised
 from scenewright.domains.home.library import SHIPPED, Library
 from scenewright.domains.home.obstacles import joined, standing_of
@@ -91,7 +89,8 @@ class Missing(NamedTuple):
 
 
 class Furnished(NamedTuple):
-    """One answer for a room; the lower ``score`` the better."""
+    """One answer for a room; the lower ``score`` the better. ``unheard`` counts the wishes for
+    places and the outlets it does not meet."""
 
     score: float
     placed: tuple[Placed, ...]
@@ -100,6 +99,7 @@ class Furnished(NamedTuple):
     problem: Problem | None
     energy: float
     evaluations: int
+    unheard: int = 0
 
 
 def penalty(wish: Wish) -> float:
@@ -212,29 +212,19 @@ def scored(
     if task.preset.exact:
         placed, gone, blocked = _opened(task, placed)
         missing = (*missing, *gone)
+    standing = (*task.fixed, *(p for item in placed for p in item.pieces))
+    deaf = unheard(task.asked, task.space, standing, task.catalog)
     score = (
         sum(penalty(m.wish) for m in missing)
         + sum(BARRED if b.startswith(DOOR) else UNREACHED for b in blocked)
         + LOST * _lost(placed)
-        + UNHEARD * unheard(task, placed)
+        + UNHEARD * deaf
     )
     if score >= most:
         return Furnished(math.inf, placed, missing, blocked, problem, energy, 0)
     energy = _energy(task, placed, problem, energy)
-    return Furnished(score + ENERGY * energy, placed, missing, blocked, problem, energy, 0)
-
-
-def unheard(task: Task, placed: tuple[Placed, ...]) -> int:
-    """How many of the places wished for, and of the outlets needed, what stands does not meet, as
-    the referee measures it."""
-    room = task.asked
-    if room is None or not (task.space.outlets or any(not w.forbid for w in room.wishes)):
-        return 0
-    where = rooms_of((task.space,))
-    pieces = (*task.fixed, *(p for item in placed for p in item.pieces))
-    bodies, _ = bodies_of(pieces, where, task.catalog)
-    wishes = sum(not told["fulfilled"] for told in wishes_told(bodies, where, [room]))
-    return wishes + sum(not each.reached for each in connections_of(bodies, where))
+    total = score + ENERGY * energy
+    return Furnished(total, placed, missing, blocked, problem, energy, 0, deaf)
 
 
 def _energy(task: Task, placed: tuple[Placed, ...], asked: Problem, otherwise: float) -> float:

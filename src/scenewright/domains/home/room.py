@@ -21,14 +21,16 @@ from scenewright.solvers import SOLVERS
 FIRST, AGAIN, FILL = 0.5, 0.3, 0.2  # shares of a room's work: first, each later try, the rest
 INSTEAD = 200.0  # what it costs to take a fallback
 FILLS = 6  # layouts tried when filling up
+HEARING = 2  # further tries of a room that does not meet a wish for a place, or an outlet
 ROOMY = 4  # placed groups that make another try worth its time
 
 
 def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
     """The best answer found: all wishes at once; if that fails, what held and fallbacks for the
     rest; then, where only a way is missing, the same afresh; then the core alone; what is still
-    missing is tried in the room that is left. The same wishes are tried again only afresh. Presets
-    that are not exact, and solvers that place single pieces, try once."""
+    missing is tried in the room that is left. The same wishes are tried again only afresh, or
+    because a place that is wished for is not met. Presets that are not exact, and solvers that
+    place single pieces, try once."""
     if SOLVERS[task.solver].encoding == "pieces":
         return piecewise(task, wishes, budget)
     if not task.preset.exact:
@@ -43,6 +45,11 @@ def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
         if again and (fewer is _afresh or _sorted(again) not in known):
             known.add(_sorted(again))
             tried = attempt(task, again, _share(budget, AGAIN), task.seed + round_)
+            best = _better(best, _reported(tried, wishes, best))
+    for round_ in range(HEARING if budget.seconds is None else 0):
+        if best.unheard:
+            seed = task.seed + len(FEWER) + 1 + round_
+            tried = attempt(task, wishes, _share(budget, AGAIN), seed)
             best = _better(best, _reported(tried, wishes, best))
     return best if not best.missing else _filled(task, best, _share(budget, FILL))
 

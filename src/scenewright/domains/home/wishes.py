@@ -28,7 +28,7 @@ CORNER = 6.0  # how much it wants a corner (a wardrobe of itself: 1)
 NEAR = 4.0  # weight of the relation to what it is to be near (sofa and television: 3)
 MAIN = {"media": "tv"}  # what a group is for though another piece makes its place
 BY = {"door": 0.8, "wall": 0.02}  # how near to a door or wall is by it, metres
-PASSING = 0.3  # floor between two groups that are near each other, metres
+PASSING = 0.1  # between two groups that are near each other, side by side, metres
 
 
 def check_wishes(brief: Brief, catalog: Catalog) -> None:
@@ -178,7 +178,7 @@ def swayed(items: Items, wishes: Sequence[Wish]) -> Items:
     pairs = list(_pairs(wishes))
     nan = float("nan")
     targets = [
-        (float(items.low[i].min() + items.low[j].min()) / 2 + PASSING, nan, nan) for i, j in pairs
+        (float(items.wish[i, 0] + items.wish[j, 0]) / 2 + PASSING, nan, nan) for i, j in pairs
     ]
     for i, j, draw in _between(wishes):
         apart = draw.near + float(items.wish[i].mean() + items.wish[j].mean()) / 2

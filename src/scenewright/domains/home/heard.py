@@ -1,0 +1,24 @@
+"""Which wishes for places came true, and which outlets are within reach, while rooms are dressed.
+
+Told by the referee's own measures, as nothing else says what a wish means.
+"""
+
+from __future__ import annotations
+
+from scenewright.brief import Room
+from scenewright.catalog import Catalog
+from scenewright.check.bodies import bodies_of, rooms_of
+from scenewright.check.outlets import connections_of
+from scenewright.check.wishes import wishes_told
+from scenewright.scene import Piece
+from scenewright.space import Space
+
+
+def unheard(room: Room | None, space: Space, pieces: tuple[Piece, ...], catalog: Catalog) -> int:
+    """How many of a room's wishes for things, and of the outlets needed, ``pieces`` do not meet."""
+    if room is None or not (space.outlets or any(not wish.forbid for wish in room.wishes)):
+        return 0
+    where = rooms_of((space,))
+    bodies, _ = bodies_of(pieces, where, catalog)
+    wishes = sum(not told["fulfilled"] for told in wishes_told(bodies, where, [room]))
+    return wishes + sum(not each.reached for each in connections_of(bodies, where))
