@@ -15,10 +15,16 @@ from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.check import Report, check
 from scenewright.domains import home, resolve, solve
+from scenewright.domains.home.dress import Refused, dress_patch
+from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.obstacles import standing_of
+from scenewright.domains.standing import fixed_pieces
+from scenewright.energy import evaluate
 from scenewright.errors import InputError
 from scenewright.formats import solution_json, svg
 from scenewright.formats.brief_json import loads
 from scenewright.plan import spaces
+from scenewright.problem import Problem, empty_items
 from scenewright.scene import Piece, Pose, Size
 from scenewright.shell import scene_of
 from scenewright.solution import Solution
@@ -69,6 +75,23 @@ def test_what_is_closed_keeps_clear_of_radiators(seed: int) -> None:
     assert check(solution).valid
     curtains = [p for p in solution.pieces if p.category == "curtain"]
     assert all(p.pose.z >= 0.7 for p in curtains)
+
+
+def test_search_and_dressing_keep_the_floor_before_radiators_free() -> None:
+    space = spaces(room(**UNDER_WINDOW))[0]
+    fixed = tuple(fixed_pieces(room(**UNDER_WINDOW).rooms[0], space, shipped()))
+    ground = ground_of(space, fixed, 20.0)
+    assert ground.fronts == pytest.approx(np.array([[0.2, 2.2, 0.0, 1.2, 0.2]]))
+    problem = Problem(ground, empty_items(1), ("bed",), {"keep_free": 1.0})
+    boxes = np.array([[[0.7, 2.2, 0.0, 1.0, 1.0]], [[0.81, 2.2, 0.0, 1.0, 1.0]]])
+    assert evaluate(problem, boxes) == pytest.approx([0.1, 0.0])
+    patch = np.array([0.35, 2.2, 0.0, 1.0, 0.45])
+    worn = dress_patch(
+        "chest", patch, ground._replace(windows=np.zeros((0, 6))),
+        standing_of(fixed, frozenset()), shipped(), 2.6,
+    )  # fmt: skip
+    assert isinstance(worn, Refused)
+    assert worn.reason.endswith("would stand before a radiator")
 
 
 @pytest.mark.parametrize(
