@@ -13,12 +13,16 @@ from rooms import OUTLINE, full_problem, random_layouts
 from scenewright import ceiling
 from scenewright.brief import Brief
 from scenewright.domains import home
+from scenewright.domains.home import tasks, wheelchair
+from scenewright.domains.home.library import SHIPPED
+from scenewright.domains.home.presets import PRESETS
 from scenewright.energy import evaluate, explain
 from scenewright.errors import InputError
 from scenewright.formats import brief_json, read, solution_json
 from scenewright.layout import corners
 from scenewright.plan import spaces
 from scenewright.space import Slope, Space
+from scenewright.stock import catalog_of
 
 QUARTER = math.pi / 4
 
@@ -186,3 +190,17 @@ def test_slopes_survive_saving_and_solving_again() -> None:
     assert brief_json.loads(brief_json.dumps(brief)) == brief
     locked = brief_json.loads(solution_json.dumps(solution))
     assert [room.slopes for room in locked.rooms] == [room.slopes for room in brief.rooms]
+
+
+def test_wheelchairs_turn_where_the_ceiling_lets_them() -> None:
+    brief = read("sample:home-attic").model_copy(update={"accessible": True})
+    rooms = spaces(brief)
+    for room, space in zip(brief.rooms, rooms, strict=True):
+        task = tasks.task_of(
+            brief, room, space, (), catalog_of([]), SHIPPED, PRESETS["default"], "anneal", 0
+        )
+        for spot in wheelchair.spots(task):
+            ring = np.array(spot) + 0.75 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1], [0, 0]])
+            over = ceiling.heights(ring, ceiling.planes(space), space.height)
+            assert over.min() >= 1.5 - 1e-6
+            assert over[-1] >= 2.0 - 1e-6

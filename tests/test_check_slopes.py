@@ -68,6 +68,13 @@ def test_one_bends_down_to_what_is_under_a_slope_but_does_not_walk_there() -> No
     assert judge(aside).valid
 
 
+def test_a_room_is_expected_to_hold_what_fits_where_one_can_stand() -> None:
+    bedroom = room(outline=rectangle(0, 0, 3, 2.4), functions=("bedroom",), height=2.5)
+    assert {note.missing for note in judge(spaces=(bedroom,)).notes} == {"bed", "wardrobe"}
+    low = replace(bedroom, slopes=(Slope(2, 0.2, 0.7),))
+    assert judge(spaces=(low,)).notes == ()
+
+
 def test_no_route_leads_through_a_low_part_of_a_room() -> None:
     two = rectangle(0, 0, 8, 3)
     doors = (door(0.6, -0.05), door(7.4, -0.05, id="other"))

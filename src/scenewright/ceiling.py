@@ -29,6 +29,8 @@ WHOLE, HALF = 2.0, 1.0  # from which height floor counts as living area, metres
 
 def planes(space: Space) -> Floats:
     """The slopes of a space as rows ``(k, 6)``."""
+    if not space.slopes:
+        return np.zeros((0, 6))
     start = np.array([space.outline[slope.edge] for slope in space.slopes]).reshape(-1, 2)
     after = [space.outline[(slope.edge + 1) % len(space.outline)] for slope in space.slopes]
     along = np.array(after).reshape(-1, 2) - start

@@ -12,7 +12,9 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import Bodies, Rooms, Shape
+from scenewright.check.ceilings import SHOULDERS, lower_than
 from scenewright.check.report import Note
+from scenewright.space import Space
 
 
 class Need(NamedTuple):
@@ -110,6 +112,12 @@ def inscribed_width(shape: Shape) -> float:
     return 2 * float(shapely.length(shapely.maximum_inscribed_circle(shape, tolerance=0.005)))
 
 
+def under_ceiling(space: Space, shape: Shape) -> Shape:
+    """The part of a room's floor in which one can stand at least stooping, its ceiling
+    :data:`SHOULDERS` high."""
+    return shapely.difference(shape, lower_than(space, shape, SHOULDERS))
+
+
 def expected(functions: tuple[str, ...], shape: Shape) -> tuple[str, ...]:
     """The functions among ``functions`` whose essentials a room of this shape should hold.
 
@@ -130,7 +138,7 @@ def find_incomplete(bodies: Bodies, rooms: Rooms) -> list[Note]:
     notes: list[Note] = []
     for i, space in enumerate(rooms.spaces):
         held = [bodies.pieces[k].category for k in np.flatnonzero(bodies.room == i)]
-        for function in expected(space.functions, rooms.shapes[i]):
+        for function in expected(space.functions, under_ceiling(space, rooms.shapes[i])):
             room = f"{space.id} ({function}, {rooms.shapes[i].area:.1f} m²)"
             notes += [
                 Note(space.id, function, need.name, f"{room} has no {need.name}")

@@ -13,6 +13,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.catalog import Group, Member
+from scenewright.ceiling import low_floor
 from scenewright.domains.home.attempt import Furnished, Missing, Placed, Task, penalty
 from scenewright.domains.home.dress import SLACK
 from scenewright.domains.home.edits import frame_of, laid_on
@@ -133,7 +134,8 @@ def spots(task: Task) -> list[tuple[float, float]]:
         return []
     ground = task.ground
     shape = shapely.Polygon(space.outline, list(space.holes))
-    solid = shapely.union_all(shapely.polygons(corners(ground.obstacles)))
+    low = low_floor(ground.slopes, TURN, ground.bounds)
+    solid = shapely.union_all(shapely.polygons(corners(np.concatenate([ground.obstacles, low]))))
     free = shape.buffer(-TURN / 2 - SPARE / 2).difference(solid.buffer(TURN / 2 + SPARE / 2))
     if free.is_empty:
         return []
