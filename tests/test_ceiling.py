@@ -12,6 +12,7 @@ import shapely
 from rooms import OUTLINE, full_problem, random_layouts
 from scenewright import ceiling
 from scenewright.brief import Brief
+from scenewright.check import check
 from scenewright.domains import home
 from scenewright.domains.home import tasks, wheelchair
 from scenewright.domains.home.library import SHIPPED
@@ -204,3 +205,30 @@ def test_wheelchairs_turn_where_the_ceiling_lets_them() -> None:
             over = ceiling.heights(ring, ceiling.planes(space), space.height)
             assert over.min() >= 1.5 - 1e-6
             assert over[-1] >= 2.0 - 1e-6
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_low_floor_is_where_no_route_can_pass(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    space = attic((Slope(0, float(random.uniform(0, 1.9)), float(random.uniform(0.2, 1.5))),))
+    slopes, width = ceiling.planes(space), float(random.uniform(0.4, 1.5))
+    low = ceiling.low_floor(slopes, width, np.array([0.0, 0.0, 6.0, 5.5]))
+    grown = shapely.union_all(shapely.polygons(corners(low))).buffer(width / 2)
+    for y in np.linspace(width / 2 + 0.01, 5, 60):
+        nearest = slow_height(space, 3.0, float(y) - width / 2)
+        passes = slow_height(space, 3.0, float(y)) >= 2.0 and nearest >= 1.5
+        edge = shapely.Point(3.0, y).distance(grown.boundary) < 1e-3 if len(low) else False
+        assert edge or passes != shapely.intersects_xy(grown, 3.0, float(y))
+
+
+def test_a_lamp_over_a_table_hangs_from_the_slope() -> None:
+    table = {"category": "dining_table", "at": [2.0, 1.6], "size": [1.4, 0.9, 0.75]}
+    room = {
+        "name": "Dining room", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]], "ask": [],
+        "slopes": [{"edge": 0, "knee": 1.0, "pitch": QUARTER}], "doors": [{"at": [4, 3.2]}],
+        "fixed": [table | {"group": "a", "function": "dining"}],
+    }  # fmt: skip
+    solution = home.solve(Brief.model_validate({"rooms": [room]}), steps=50)
+    (lamp,) = [p for p in solution.pieces if p.category == "pendant_lamp"]
+    assert lamp.pose.z + lamp.size.height == pytest.approx(1.0 + 1.6 - 0.22)
+    assert check(solution).valid
