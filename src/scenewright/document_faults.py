@@ -75,7 +75,8 @@ def _wanted(kind: str, loc: tuple[int | str, ...], given: Any, limits: Any, erro
     if kind in KINDS:
         asked = "ask" in loc[-2:-1] and isinstance(given, str)
         return f'write {{"group": {_shown(given)}}}' if asked else f"give {KINDS[kind]}"
-    expected = str(error["msg"]).replace("Input should be", "it should be")
+    told = str(error["msg"]).removeprefix("Value error, ")
+    expected = told.replace("Input should be", "it should be")
     in_metres = kind.startswith(("less_than", "greater_than")) and "size" in loc
     return expected[:1].lower() + expected[1:] + f" ({METRES})" * in_metres
 
