@@ -103,7 +103,8 @@ def _slab(scene: Scene, level: Level) -> Iterator[Thing]:
         shapely.Polygon(joinery.placed(o, _corners(o))[:, :2])
         for o in scene.openings if o.level == level.id
     ]  # fmt: skip
-    region = shapely.union_all([shape.buffer(0.002, join_style="mitre") for shape in shapes])
+    with np.errstate(divide="ignore", invalid="ignore"):  # at needles, which have no mitre
+        region = shapely.union_all(shapely.buffer(shapes, 0.002, join_style="mitre"))
     region = region.difference(wells(scene.stairs, level.id))
     meshes = [_flat(part.simplify(0.003), -SLAB, -SKIN) for part in polygons(region)]
     if meshes:
