@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from scenewright.brief import Room
 from scenewright.catalog import Catalog
 from scenewright.domains.home.dress import Dressed, Refused, dress_patch, pieces_of
+from scenewright.domains.home.facing import faced
 from scenewright.domains.home.heard import unheard
 from scenewright.domains.home.high_walls import raised
 from scenewright.domains.home.library import SHIPPED, Library
@@ -150,23 +151,31 @@ def dressed(
     task: Task, wishes: tuple[Wish, ...], problem: Problem, boxes: Floats, energy: float,
     before: tuple[Placed, ...] = (), most: float = math.inf,
 ) -> Furnished:  # fmt: skip
-    """Dress a layout; then once more with the patches pushed together.
-
-    An answer that will not score below ``most`` is given up as soon as that shows: its score is
-    infinite."""
+    """Dress a layout; then with the patches pushed together, and with the screen before the seat.
+    An answer that will not score below ``most`` is given up as soon as that shows."""
     placed, missing = _placed(task, wishes, problem.names, boxes, before, most)
     if sum(penalty(m.wish) for m in missing) >= most:
         return Furnished(math.inf, placed, missing, (), problem, energy, 0)
     if task.preset.exact and placed:
-        boxes = np.array([p.dressed.box for p in placed])
         new = np.array([p not in before for p in placed])
-        settled = tidied(tuple(p.wish.group for p in placed), boxes, new, task.ground)
-        if not np.array_equal(settled, boxes):
-            names = tuple(p.name for p in placed)
-            again, lost = _placed(task, tuple(p.wish for p in placed), names, settled, ())
-            if not lost and _lost(again) <= _lost(placed):
-                placed = again
+        groups = tuple(p.wish.group for p in placed)
+        placed = _again(task, placed, tidied(groups, _boxes(placed), new, task.ground))
+        cases = [p.dressed.case for p in placed]
+        placed = _again(task, placed, faced(cases, _boxes(placed), new, task.ground))
     return scored(task, placed, missing, problem, energy, most)
+
+
+def _again(task: Task, placed: tuple[Placed, ...], boxes: Floats) -> tuple[Placed, ...]:
+    """The same groups dressed on other boxes; as they were where something would be lost."""
+    if np.array_equal(boxes, _boxes(placed)):
+        return placed
+    names = tuple(p.name for p in placed)
+    again, lost = _placed(task, tuple(p.wish for p in placed), names, boxes, ())
+    return again if not lost and _lost(again) <= _lost(placed) else placed
+
+
+def _boxes(placed: tuple[Placed, ...]) -> Floats:
+    return np.array([p.dressed.box for p in placed])
 
 
 def _lost(placed: tuple[Placed, ...]) -> int:

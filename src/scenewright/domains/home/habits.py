@@ -75,8 +75,8 @@ def shrunk(learned: float, usual: float, seen: float) -> float:
 
 
 def distance(habits: Habits, pair: tuple[str, str], usual: float) -> float:
-    """The distance between the middles of two groups, metres."""
-    for row in habits.distances.get(pair, ()):
+    """The distance between the middles of two groups, metres; NaN stays NaN (any)."""
+    for row in () if isnan(usual) else habits.distances.get(pair, ()):
         usual = shrunk(row.median, usual, row.seen)
     return usual
 
