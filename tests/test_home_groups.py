@@ -117,3 +117,24 @@ def test_every_function_has_something_essential_in_a_good_room(function: str) ->
     wishes = programme(Space("r", "", (function,), "0", outline), 12.0, frozenset())
     assert wishes[0].rank == 0
     assert [w.rank for w in wishes] == sorted(w.rank for w in wishes)
+
+
+@pytest.mark.parametrize("function", ["kitchen", "kitchenette"])
+def test_worktop_lies_on_both_sides_of_a_hob(function: str):
+    for case in cases(function).groups:
+        units = sorted((m.x, m) for m in case.members if m.z == 0)
+        row = [m.category for _, m in units]
+        hob = row.index("hob_cabinet")
+        wide = next(m.size.width for _, m in units if m.category == "hob_cabinet")
+        left = units[hob][1].x - wide / 2 + case.width / 2
+        spare = min(left, case.width - wide - left)
+        assert abs(hob - row.index("fridge")) > 1 if "fridge" in row else True
+        if case.width - 0.6 * ("fridge" in row) >= 1.8:
+            assert spare >= 0.3 - 1e-6, case.name
+
+
+def test_units_of_a_kitchen_fill_its_run():
+    for case in cases("kitchenette").groups:
+        widths = [m.size.width for m in case.members if m.z == 0]
+        assert sum(widths) == pytest.approx(case.width)
+        assert min(widths) >= 0.3 - 1e-6

@@ -12,6 +12,7 @@ from scenewright.scene import Size
 UNIT_DEPTH, WORKTOP = 0.6, 0.9
 FRIDGE = Size(0.6, 0.64, 1.9)
 WALL_CABINET_BASE = 1.45
+BEYOND = 0.3  # worktop between a hob and the end of its run, metres
 Unit = tuple[str, float]
 
 
@@ -56,7 +57,11 @@ def island() -> Iterator[Group]:
 
 
 def _sequence(length: float) -> list[Unit]:
-    """Units of a run of the given length from the fridge on: worktop, sink, worktop, hob."""
+    """Units of a run of the given length from the fridge on: worktop, sink, worktop, hob, worktop.
+
+    Beyond the hob lie at least 0.3 m of worktop, as kitchen planners ask, wherever that leaves
+    0.3 m or a dishwasher between it and the sink.
+    """
     sink = 0.8 if length >= 2.4 else 0.6 if length >= 1.199 else length / 2
     hob = 0.6 if length >= 1.199 else length / 2
     rest = length - sink - hob
@@ -65,11 +70,18 @@ def _sequence(length: float) -> list[Unit]:
     washer: list[Unit] = [("dishwasher", 0.6)] if rest >= 0.9 else []
     rest -= 0.6 * len(washer)
     before = _fill(rest * 0.3) if rest >= 1.2 else []
-    after = _fill(rest * 0.2) if rest >= 1.8 else []
+    after = _fill(_beyond(rest, bool(washer)))
     used = sum(w for _, w in before + after)
     return [
         *before, ("sink_cabinet", sink), *washer, *_fill(rest - used), ("hob_cabinet", hob), *after,
     ]  # fmt: skip
+
+
+def _beyond(rest: float, washer: bool) -> float:
+    """How much of the worktop lies beyond the hob; all of it if too little for two units."""
+    if rest < BEYOND - 1e-9 if washer else rest < 2 * BEYOND - 1e-9:
+        return 0.0
+    return rest if rest < 2 * BEYOND - 1e-9 else max(BEYOND, 0.2 * rest if rest >= 1.8 else 0.0)
 
 
 def _fill(length: float) -> list[Unit]:
