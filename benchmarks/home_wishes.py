@@ -14,7 +14,7 @@ from typing import Any
 
 from benchmarks.comparison import ratio
 from scenewright.brief import Brief, Room
-from scenewright.brief_wishes import WishBrief
+from scenewright.brief.wishes import WishBrief
 from scenewright.check import check
 from scenewright.domains import solve
 from scenewright.formats import read

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scenewright.assets.hall_use import hall_use
 from scenewright.assets.sizes import SIZES
 from scenewright.brief import Brief, Room
-from scenewright.brief_hall import Demand
+from scenewright.brief.hall import Demand
 from scenewright.domains import solve
 from scenewright.encodings.patterns import PATTERNS
 from scenewright.encodings.patterns.expand import expand, seed

@@ -25,7 +25,7 @@ from benchmarks.comparison import ratio
 from benchmarks.real_data import data_set, skipped
 from benchmarks.site_reco import STOREY, Designed, asked, compounds, sizes_of
 from scenewright.brief import Brief
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.check.site_access import find_unreachable, reached
 from scenewright.check.site_bodies import Bodies, bodies_of, grounds_of
 from scenewright.check.site_figures import SOUTHERLY
@@ -39,8 +39,8 @@ from scenewright.check.site_sun import sampled, sun_hours
 from scenewright.domains.site import solve
 from scenewright.errors import InputError
 from scenewright.scene import Piece, Pose, Size
-from scenewright.site_fit import fits
-from scenewright.site_plan import site_plan
+from scenewright.site.fit import fits
+from scenewright.site.plan import site_plan
 from scenewright.solution import Solution
 
 Row = dict[str, Any]

@@ -23,9 +23,9 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.errors import InputError
-from scenewright.site_plan import SitePlan, site_plan
+from scenewright.site.plan import SitePlan, site_plan
 
 Floats = NDArray[np.float64]
 STOREY, TOUCH, LEAST, LONGEST, TILT = 3.0, 0.02, 1.0, 400.0, 0.01

@@ -24,7 +24,7 @@ from scenewright.domains.site import problems
 from scenewright.domains.site.dress import buildings, landmarks
 from scenewright.domains.site.presets import PRESETS
 from scenewright.domains.site.wanted import Wanted, wanted
-from scenewright.site_plan import SitePlan, site_plan
+from scenewright.site.plan import SitePlan, site_plan
 from scenewright.site_problem import SiteProblem
 from scenewright.solvers.site_answer import score
 from scenewright.solvers.site_found import SiteFound

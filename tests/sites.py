@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from scenewright.brief import Brief
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.scene import Piece, Pose, Size
 from scenewright.solution import Solution
 

@@ -29,15 +29,7 @@ LAYERS = (
         "layout",
         "ceiling",
         "brief",
-        "brief_fields",
-        "brief_hall",
-        "brief_catalog",
-        "brief_services",
-        "brief_site",
-        "brief_slope",
-        "brief_stairs",
         "stairs",
-        "brief_wishes",
         "document_faults",
         "solution",
         "problem",
@@ -46,13 +38,12 @@ LAYERS = (
     },
     {
         "plan",
+        "site",
+        "building",
         "gates",
         "zones",
         "zone_wishes",
         "zoning",
-        "zoning_cuts",
-        "zoning_search",
-        "zoning_trees",
         "borders",
         "demands",
         "outlines",
@@ -60,20 +51,7 @@ LAYERS = (
         "room_names",
         "services",
         "shell",
-        "gables",
-        "heads",
-        "stairwells",
-        "stair_parts",
-        "masonry",
-        "joinery",
-        "site_fit",
-        "site_models",
-        "site_ground",
-        "site_walks",
-        "site_outlines",
-        "site_plan",
         "staging",
-        "finishes",
         "appearance",
         "assets",
         "models",
@@ -88,7 +66,7 @@ LAYERS = (
     {"batch"},
     {"scenewright", "cli", "__main__"},
 )
-"""Top-level modules from the ground up; ``cli_arrange`` and the like belong to ``cli``."""
+"""Top-level modules and packages from the ground up."""
 
 BANNED = {"utils", "util", "helpers", "helper", "common", "manager", "base", "misc", "tools"}
 JUDGED = {"terms", "encodings", "energy", "hall_energy", "solve", "solvers", "geometry", "domains"}
@@ -97,10 +75,7 @@ HEAVY = ("numpy", "numba", "shapely", "trimesh", "embreex", "scipy", "pydantic")
 
 def room_of(module: str) -> str:
     """The top-level room a dotted module name lies in."""
-    parts = module.split(".")
-    return parts[1].partition("_")[0] if parts[1:] and parts[1].startswith("cli") else (
-        parts[1] if parts[1:] else parts[0]
-    )  # fmt: skip
+    return module.split(".")[:2][-1]
 
 
 def module_of(file: Path) -> str:

@@ -11,7 +11,7 @@ from benchmarks.site_instances import example_site
 from benchmarks.site_reco import Designed, compounds
 from benchmarks.site_scenes import SIZES, judged, posed, scene_brief
 
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.geometry.saliency import saliency
 from scenewright.solvers.site_found import SiteFound
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from scenewright.assets import shipped
-from scenewright.brief_catalog import CatalogBrief, entry_of
+from scenewright.brief.catalog import CatalogBrief, entry_of
 from scenewright.catalog import Material, Part
 from scenewright.errors import InputError
 from scenewright.geometry.prisms import box

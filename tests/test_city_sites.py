@@ -18,7 +18,7 @@ from scenewright.formats.road_areas import pieces
 from scenewright.formats.site_cityjson import read_report
 from scenewright.scene import Scene
 from scenewright.shell import scene_of
-from scenewright.site_plan import plans_of
+from scenewright.site.plan import plans_of
 from scenewright.staging import placed, things
 from scenewright.stock import catalog_of
 

@@ -20,9 +20,11 @@ from rich.console import Console
 import scenewright
 from deadline import within
 from flat import flat_brief, flat_solution
-from scenewright import cli, cli_arrange, cli_bench
-from scenewright import cli_show as show
-from scenewright.cli_progress import Watch
+from scenewright import cli
+from scenewright.cli import arrange as cli_arrange
+from scenewright.cli import bench as cli_bench
+from scenewright.cli import show
+from scenewright.cli.progress import Watch
 from scenewright.errors import InputError
 from scenewright.formats import brief_json, solution_json
 from scenewright.solution import LeftOut, Solution, TermValue

@@ -11,7 +11,7 @@ from benchmarks.appearance import ranking
 
 from scenewright import cli
 from scenewright.appearance import shipped_facts
-from scenewright.brief_hall import Demand, ZoneBrief
+from scenewright.brief.hall import Demand, ZoneBrief
 from scenewright.check import KINDS
 from scenewright.domains.hall.presets import PRESETS as HALL_PRESETS
 from scenewright.domains.home.presets import PRESETS

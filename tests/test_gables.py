@@ -9,11 +9,11 @@ import pytest
 import shapely
 
 from scenewright.brief import Brief
+from scenewright.building.gables import height_at
 from scenewright.catalog import Part
 from scenewright.ceiling import heights, planes
 from scenewright.formats import svg
 from scenewright.formats.svg_slopes import contours
-from scenewright.gables import height_at
 from scenewright.geometry.mesh import volume
 from scenewright.plan import levels, spaces
 from scenewright.scene import Prism, Scene

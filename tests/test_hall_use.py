@@ -16,7 +16,7 @@ from scenewright.assets.hall_use import ELSE_CLEARANCE, ELSE_PATTERNS, USE, hall
 from scenewright.assets.kinds import KINDS
 from scenewright.assets.objects import Stuff
 from scenewright.assets.wares import goods, levels_of, volumes
-from scenewright.brief_hall import PatternName
+from scenewright.brief.hall import PatternName
 from scenewright.scene import Size
 
 SIDES = ("front", "left", "back", "right")

@@ -12,7 +12,7 @@ import pytest
 from scenewright import formats
 from scenewright.assets import shipped
 from scenewright.brief import Brief, Room
-from scenewright.brief_catalog import GroupsBrief
+from scenewright.brief.catalog import GroupsBrief
 from scenewright.catalog import Member
 from scenewright.check import check
 from scenewright.domains import home

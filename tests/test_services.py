@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from scenewright import cli_show
 from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.check import Report, check
+from scenewright.cli import show as cli_show
 from scenewright.domains import home, resolve, solve
 from scenewright.domains.home.dress import Refused, dress_patch
 from scenewright.domains.home.ground import ground_of

@@ -14,10 +14,10 @@ from shapely import Polygon
 
 from scenewright import formats
 from scenewright.brief import Brief
+from scenewright.building.joinery import parts, placed
 from scenewright.geometry import rays
 from scenewright.geometry.mesh import merge, volume
 from scenewright.geometry.prisms import corner_normals, face_normals, prism, triangles
-from scenewright.joinery import parts, placed
 from scenewright.plan import spaces
 from scenewright.scene import Wall
 from scenewright.shell import opening_box, shell

@@ -21,7 +21,7 @@ from scenewright.formats import read, solution_json, write
 from scenewright.formats.affordable import affordable
 from scenewright.models.licences import terms_of
 from scenewright.shell import scene_of
-from scenewright.site_plan import plans_of
+from scenewright.site.plan import plans_of
 from scenewright.solution import Solution
 from scenewright.staging import things
 from scenewright.stock import catalog_of, named

@@ -14,7 +14,7 @@ from scenewright.errors import InputError
 from scenewright.formats import cityjson, footprints_geojson, read
 from scenewright.formats.indoor_features import collection
 from scenewright.formats.site_geojson import report
-from scenewright.site_plan import site_plan
+from scenewright.site.plan import site_plan
 from sites import answer, building, quarter, site
 
 LON, LAT = 11.5, 49.5

@@ -16,8 +16,8 @@ from scenewright.brief import Brief
 from scenewright.formats.glb import encoded
 from scenewright.layout import corners
 from scenewright.shell import scene_of
-from scenewright.site_plan import plans_of
-from scenewright.site_walks import CLEAR, walks
+from scenewright.site.plan import plans_of
+from scenewright.site.walks import CLEAR, walks
 from scenewright.solution import Solution
 
 CROSSING = [

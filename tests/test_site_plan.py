@@ -9,11 +9,11 @@ import pytest
 import shapely
 from benchmarks.site_reco import asked, compounds
 
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.errors import InputError
 from scenewright.layout import corners
-from scenewright.site_fit import corners_of, fits, main_direction
-from scenewright.site_plan import site_plan, site_plans
+from scenewright.site.fit import corners_of, fits, main_direction
+from scenewright.site.plan import site_plan, site_plans
 
 FIELD = [(0, 0), (100, 0), (100, 60), (0, 60)]
 

@@ -15,7 +15,7 @@ from scenewright.check import check
 from scenewright.check.site_figures import judge_sites
 from scenewright.domains.site import solve
 from scenewright.domains.site.reached import reached
-from scenewright.site_plan import site_plan
+from scenewright.site.plan import site_plan
 
 SOUTH = -math.pi / 2
 

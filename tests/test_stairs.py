@@ -15,7 +15,8 @@ import shapely
 
 from scenewright import formats
 from scenewright.brief import Brief
-from scenewright.brief_stairs import StairsBrief
+from scenewright.brief.stairs import StairsBrief
+from scenewright.building.stair_parts import flight_parts, railing_lines, well_of
 from scenewright.check import check
 from scenewright.domains import home, resolve
 from scenewright.errors import InputError
@@ -26,7 +27,6 @@ from scenewright.scene import STAIRS, Piece, Pose, Size
 from scenewright.shell import scene_of
 from scenewright.solution import Solution
 from scenewright.staging import things
-from scenewright.stair_parts import flight_parts, railing_lines, well_of
 from scenewright.stairs import Stairs, built
 from scenewright.stock import catalog_of
 

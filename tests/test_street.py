@@ -21,7 +21,7 @@ from scenewright.geometry.walker import sights_of_boxes
 from scenewright.geometry.walker_meshes import best_spot, best_spots
 from scenewright.layout import corners
 from scenewright.shell import scene_of
-from scenewright.site_plan import plans_of
+from scenewright.site.plan import plans_of
 from scenewright.solution import Solution
 from scenewright.stock import catalog_of
 

@@ -12,7 +12,7 @@ from deadline import within
 from scenewright.formats import svg_site, svg_site_marks
 from scenewright.formats.site_views import views_of
 from scenewright.formats.svg_site_marks import FAULT, HATCH, tint
-from scenewright.site_plan import plans_of
+from scenewright.site.plan import plans_of
 from sites import answer, building, field, quarter, site
 
 SVG = "{http://www.w3.org/2000/svg}"

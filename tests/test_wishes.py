@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from scenewright import cli_show
 from scenewright.brief import Brief
 from scenewright.check import check
+from scenewright.cli import show as cli_show
 from scenewright.domains import home, resolve
 from scenewright.errors import InputError
 from scenewright.formats import solution_json

@@ -19,8 +19,8 @@ from scenewright.plan import spaces
 from scenewright.scene_graph import Zone, ZoneLink
 from scenewright.space import Points, Space
 from scenewright.zoning import ZoneWish, proposals, propose
-from scenewright.zoning_cuts import area_below, cut, frame_of
-from scenewright.zoning_trees import every_tree, leaves
+from scenewright.zoning.cuts import area_below, cut, frame_of
+from scenewright.zoning.trees import every_tree, leaves
 
 GRID = 1e-8
 ELL = [[0, 0], [20, 0], [20, 8], [9, 8], [9, 18], [0, 18]]

@@ -10,7 +10,7 @@ from scenewright.assets import shipped
 from scenewright.assets.hall_use import hall_use
 from scenewright.assets.sizes import SIZES
 from scenewright.brief import Brief
-from scenewright.brief_hall import Demand, Sizes
+from scenewright.brief.hall import Demand, Sizes
 from scenewright.errors import InputError
 from scenewright.plan import place
 from scenewright.space import Space

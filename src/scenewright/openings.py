@@ -11,8 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright import heads, outlines
+from scenewright import outlines
 from scenewright.brief import Brief, Door, Window
+from scenewright.building import heads
 from scenewright.errors import InputError
 from scenewright.outlines import project, run_lengths, wall_runs
 from scenewright.space import Opening, OpeningKind, Points, Space

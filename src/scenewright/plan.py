@@ -16,14 +16,14 @@ import shapely
 
 from scenewright import outlines
 from scenewright.brief import Brief, Room
+from scenewright.building.stairwells import with_stairs
 from scenewright.errors import InputError
 from scenewright.layout import corners
 from scenewright.openings import find_openings
 from scenewright.room_names import functions_from_name, sort_functions
 from scenewright.services import served
-from scenewright.site_plan import named, plans_of
+from scenewright.site.plan import named, plans_of
 from scenewright.space import Level, Points, Slope, Space
-from scenewright.stairwells import with_stairs
 
 DEFAULT_LEVEL = Level("0", "", 0.0, 2.6)
 OVERLAP = 0.02

@@ -8,7 +8,7 @@ from math import atan2
 import numpy as np
 
 from scenewright.brief import Brief, Room
-from scenewright.brief_services import OutletBrief, RadiatorBrief
+from scenewright.brief.services import OutletBrief, RadiatorBrief
 from scenewright.errors import InputError
 from scenewright.openings import REACH, Runs, line_of, runs_of, stretch_of
 from scenewright.space import Opening, Outlet, Radiator, Space

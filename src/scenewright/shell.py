@@ -13,16 +13,16 @@ import shapely
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from scenewright import masonry
 from scenewright.brief import Brief
-from scenewright.gables import Roof, roof_of, under_roofs
+from scenewright.building import masonry
+from scenewright.building.gables import Roof, roof_of, under_roofs
+from scenewright.building.stairwells import stairs_of
 from scenewright.plan import levels, spaces
 from scenewright.scene import Prism, Scene, Wall
-from scenewright.site_ground import surfaces
-from scenewright.site_plan import plans_of
+from scenewright.site.ground import surfaces
+from scenewright.site.plan import plans_of
 from scenewright.solution import Solution
 from scenewright.space import Opening, Points, Space
-from scenewright.stairwells import stairs_of
 
 REACH = 0.25
 """How far beyond its stated thickness an opening is cut, in metres, where the wall goes on."""
@@ -45,7 +45,7 @@ def shell(brief: Brief, spaces: Sequence[Space]) -> tuple[tuple[Wall, ...], tupl
     """Walls of all levels, cut by their openings, and the openings, each listed once.
 
     Walls are those of the brief if it lists any, else they are found from the rooms
-    (:mod:`scenewright.masonry`). Heights are above the level's floor.
+    (:mod:`scenewright.building.masonry`). Heights are above the level's floor.
 
     >>> from scenewright.plan import spaces
     >>> brief = Brief.model_validate({"rooms": [{"id": "a",

@@ -12,17 +12,17 @@ from typing import Literal, NamedTuple
 import numpy as np
 import shapely
 
-from scenewright import joinery
 from scenewright.assets.tints import tint_of, tinted
+from scenewright.building import joinery
+from scenewright.building.finishes import CONCRETE, PLASTER, SECTION, SURFACES, UNKNOWN, floor_of
+from scenewright.building.gables import cut_off, height_at
+from scenewright.building.masonry import polygons
+from scenewright.building.stair_parts import flight_parts, railing_parts, wells
 from scenewright.catalog import Asset, Catalog, Part
-from scenewright.finishes import CONCRETE, PLASTER, SECTION, SURFACES, UNKNOWN, floor_of
-from scenewright.gables import cut_off, height_at
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box, face_normals, prism, sheet
-from scenewright.masonry import polygons
 from scenewright.scene import STAIRS, Piece, Prism, Scene, Size, Surface, Wall
 from scenewright.space import Level, Opening, Space
-from scenewright.stair_parts import flight_parts, railing_parts, wells
 
 ThingKind = Literal["slab", "space", "surface", "wall", "opening", "stairs", "piece"]
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.brief_stairs import StairsBrief
+from scenewright.brief.stairs import StairsBrief
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from scenewright._version import __version__
 from scenewright.assets import shipped
-from scenewright.brief_catalog import CatalogBrief, entry_of
+from scenewright.brief.catalog import CatalogBrief, entry_of
 from scenewright.catalog import Asset, Catalog
 from scenewright.errors import InputError
 from scenewright.models import MOST_IN_ALL, SIDECARS, LibraryReport, report, suffixes

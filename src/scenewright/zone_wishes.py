@@ -9,7 +9,7 @@ import shapely
 
 from scenewright.borders import floor_of
 from scenewright.brief import Brief, Room
-from scenewright.brief_hall import ZoneBrief
+from scenewright.brief.hall import ZoneBrief
 from scenewright.demands import floor_needed
 from scenewright.errors import InputError
 from scenewright.plan import place

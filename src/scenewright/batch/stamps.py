@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from scenewright.brief_catalog import CatalogBrief
+from scenewright.brief.catalog import CatalogBrief
 from scenewright.errors import InputError
 from scenewright.formats.catalog_paths import NAMED, absolute, resolved
 from scenewright.stock import Stamp, stamps_of

@@ -11,12 +11,12 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.catalog import Catalog
 from scenewright.check.bodies import Flags, Floats, Shape, Shapes
 from scenewright.check.report import Finding
 from scenewright.scene import Piece
-from scenewright.site_plan import SitePlan, site_plans
+from scenewright.site.plan import SitePlan, site_plans
 
 LARGEST = 1e5
 

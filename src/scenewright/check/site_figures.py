@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import shapely
 
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.catalog import Catalog
 from scenewright.check.bodies import Flags, Floats
 from scenewright.check.report import Finding

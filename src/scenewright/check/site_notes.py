@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.catalog import Catalog
 from scenewright.check.report import Note
-from scenewright.site_plan import site_plans
+from scenewright.site.plan import site_plans
 from scenewright.stock import OWN
 
 SMALL = 2.0

@@ -13,7 +13,7 @@ import numpy as np
 import shapely
 
 from scenewright.brief import Room
-from scenewright.brief_wishes import OPENINGS, WishBrief
+from scenewright.brief.wishes import OPENINGS, WishBrief
 from scenewright.check.bodies import Bodies, Indices, Rooms, Shape
 from scenewright.space import Opening
 

@@ -19,7 +19,7 @@ from scenewright import authorship
 from scenewright.brief import Brief
 from scenewright.formats.site_shapes import Standing, standing
 from scenewright.outlines import ring, signed_area
-from scenewright.site_plan import plans_of
+from scenewright.site.plan import plans_of
 from scenewright.solution import Solution
 from scenewright.space import Points
 from scenewright.stock import catalog_of

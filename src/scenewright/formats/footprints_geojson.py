@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 
 from scenewright import authorship
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.formats.indoor_projection import Projection, coordinates_of, projection
 from scenewright.formats.site_shapes import Standing, standing
-from scenewright.site_plan import SitePlan, Way, plans_of
+from scenewright.site.plan import SitePlan, Way, plans_of
 from scenewright.solution import Solution
 from scenewright.space import Points
 from scenewright.stock import catalog_of

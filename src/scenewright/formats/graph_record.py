@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field
 
-from scenewright.brief_fields import Coordinate, Heading, Model, Number, Outline, Point, Whole
+from scenewright.brief.fields import Coordinate, Heading, Model, Number, Outline, Point, Whole
 from scenewright.scene_graph import (
     Layer,
     Part,

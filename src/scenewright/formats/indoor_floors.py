@@ -15,7 +15,7 @@ import numpy as np
 import shapely
 
 from scenewright import outlines
-from scenewright.brief_hall import Demand
+from scenewright.brief.hall import Demand
 from scenewright.domains.hall.programme import shop_kind, shop_programme
 from scenewright.errors import InputError
 from scenewright.formats.indoor_features import Feature, Skipped, levels_of

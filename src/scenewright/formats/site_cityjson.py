@@ -23,7 +23,7 @@ from scenewright.models.cityjson import City, city_of, parts_at, roots_of, turn_
 from scenewright.models.files import MEBIBYTE, json_of, whole
 from scenewright.models.model import Skipped, clean
 from scenewright.outlines import rings
-from scenewright.site_outlines import GRID, polygons
+from scenewright.site.outlines import GRID, polygons
 from scenewright.stock import OWN
 
 MOST_BYTES = 128 * MEBIBYTE

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.scene import Piece
-from scenewright.site_fit import corners_of
-from scenewright.site_plan import SitePlan
+from scenewright.site.fit import corners_of
+from scenewright.site.plan import SitePlan
 from scenewright.solution import Solution
 from scenewright.space import Points
 

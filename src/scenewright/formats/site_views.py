@@ -9,7 +9,7 @@ import numpy as np
 from scenewright.formats.site_shown import shown
 from scenewright.geometry.walker import eyes_along, seen
 from scenewright.scene import Piece
-from scenewright.site_plan import SitePlan
+from scenewright.site.plan import SitePlan
 from scenewright.solution import Solution
 from scenewright.space import Points
 from scenewright.stock import catalog_of

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError
 
 from scenewright.brief import Brief
-from scenewright.brief_fields import Coordinate, Heading, Length, Model, Number, Switch, Whole
+from scenewright.brief.fields import Coordinate, Heading, Length, Model, Number, Switch, Whole
 from scenewright.document_faults import told
 from scenewright.errors import InputError
 from scenewright.formats.graph_record import GraphRecord, TourRecord

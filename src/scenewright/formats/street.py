@@ -16,7 +16,7 @@ from scenewright.formats.picture import Air, Pixels, render
 from scenewright.formats.stage import blocks_of, stage_of
 from scenewright.formats.street_spot import HORIZON, TALL, camera_of, standpoint
 from scenewright.shell import scene_of
-from scenewright.site_plan import plans_of
+from scenewright.site.plan import plans_of
 from scenewright.solution import Solution
 from scenewright.stock import catalog_of
 from scenewright.whole_file import whole

@@ -25,8 +25,8 @@ from scenewright.geometry.walker import Sights, sights_of_boxes
 from scenewright.geometry.walker_meshes import best_spots
 from scenewright.layout import corners
 from scenewright.scene import Piece
-from scenewright.site_ground import kerb
-from scenewright.site_plan import SitePlan, Way
+from scenewright.site.ground import kerb
+from scenewright.site.plan import SitePlan, Way
 
 ANGLE = float(np.deg2rad(75.0))
 """How wide a street picture is."""

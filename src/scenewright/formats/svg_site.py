@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.check.report import Finding
 from scenewright.check.site_figures import judge_sites
 from scenewright.formats import svg_sheet as sheets
@@ -25,8 +25,8 @@ from scenewright.formats.site_views import Views, views_of
 from scenewright.formats.svg_legend import Row, arrange, legend_mark
 from scenewright.formats.svg_marks import View, clean, group, tag, text
 from scenewright.scene import Piece
-from scenewright.site_plan import SitePlan, plans_of
-from scenewright.site_walks import Walk, walks
+from scenewright.site.plan import SitePlan, plans_of
+from scenewright.site.walks import Walk, walks
 from scenewright.solution import Solution
 from scenewright.space import Points
 from scenewright.stock import catalog_of

@@ -27,7 +27,7 @@ from scenewright.formats.svg_marks import (
     to_paper,
 )  # fmt: skip
 from scenewright.scene import Piece
-from scenewright.site_plan import SitePlan, Way
+from scenewright.site.plan import SitePlan, Way
 from scenewright.space import Points
 
 GROUND, ASPHALT, PAVING, LEAF, FAULT = "#f1f4ea", "#d9d9d6", "#ece3d0", "#bcd6a8", "#d1121f"

@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scenewright.building.stair_parts import railing_lines, well_of
 from scenewright.formats.svg_labels import polygon_of
 from scenewright.formats.svg_marks import (
     FINE,
@@ -26,7 +27,6 @@ from scenewright.formats.svg_marks import (
 )
 from scenewright.formats.svg_shell import CUT_HEIGHT
 from scenewright.space import Space
-from scenewright.stair_parts import railing_lines, well_of
 from scenewright.stairs import Stairs, Tread, told
 
 Floats = NDArray[np.float64]

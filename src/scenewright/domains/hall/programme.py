@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
-from scenewright.brief_hall import Demand, PatternName
+from scenewright.brief.hall import Demand, PatternName
 
 UTILISATION = 0.52
 """Share of the floor that footprints and clearances may take together, at most."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from scenewright.assets.hall_use import hall_use
 from scenewright.brief import Brief
-from scenewright.brief_hall import Demand
+from scenewright.brief.hall import Demand
 from scenewright.demands import ids_of, sizes_of
 from scenewright.scene import Piece, Size
 

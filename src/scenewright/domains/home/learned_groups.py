@@ -15,7 +15,7 @@ import numpy as np
 from pydantic import Field, ValidationError
 
 from scenewright.assets import shipped
-from scenewright.brief_fields import Coordinate, Heading, Height, Length, Model, Number, Side, Whole
+from scenewright.brief.fields import Coordinate, Heading, Height, Length, Model, Number, Side, Whole
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned_cases import LearnedCase, merged

@@ -12,7 +12,7 @@ from difflib import get_close_matches
 import numpy as np
 
 from scenewright.brief import Brief, Room
-from scenewright.brief_wishes import OPENINGS, WishBrief
+from scenewright.brief.wishes import OPENINGS, WishBrief
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import Library, cases, planted

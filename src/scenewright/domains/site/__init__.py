@@ -17,7 +17,7 @@ import numpy as np
 from scenewright._version import __version__
 from scenewright.appearance import facts
 from scenewright.brief import Brief
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.catalog import Catalog
 from scenewright.domains.site.dress import buildings, landmark_assets, landmarks
 from scenewright.domains.site.green import green
@@ -28,7 +28,7 @@ from scenewright.domains.site.reasons import reasons
 from scenewright.domains.site.wanted import Wanted, wanted
 from scenewright.errors import InputError
 from scenewright.scene import Piece
-from scenewright.site_plan import SitePlan, site_plans
+from scenewright.site.plan import SitePlan, site_plans
 from scenewright.site_problem import Flags, SiteProblem
 from scenewright.solution import LeftOut, Solution, TermValue
 from scenewright.solve import Budget

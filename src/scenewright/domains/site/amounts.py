@@ -5,12 +5,12 @@ from __future__ import annotations
 from itertools import takewhile
 from math import sqrt
 
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.catalog import Asset, Catalog
 from scenewright.errors import InputError
 from scenewright.models.words import ASIDE, tokens_of
-from scenewright.site_fit import fits
-from scenewright.site_plan import SitePlan
+from scenewright.site.fit import fits
+from scenewright.site.plan import SitePlan
 from scenewright.stock import BUILDING, ONLY_NAMED, OWN
 
 STOREY = 3.0

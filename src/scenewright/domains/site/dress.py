@@ -8,7 +8,7 @@ from scenewright.assets import shipped
 from scenewright.catalog import Asset, Catalog
 from scenewright.domains.site.wanted import Wanted
 from scenewright.scene import Piece, Pose, Size
-from scenewright.site_plan import SitePlan
+from scenewright.site.plan import SitePlan
 from scenewright.site_problem import Flags, Floats
 
 

@@ -15,10 +15,10 @@ import shapely
 from scenewright.catalog import Asset, Catalog
 from scenewright.layout import corners
 from scenewright.scene import Piece, Pose, Size
-from scenewright.site_ground import kerb
-from scenewright.site_plan import SitePlan, Way
+from scenewright.site.ground import kerb
+from scenewright.site.plan import SitePlan, Way
+from scenewright.site.walks import walks
 from scenewright.site_problem import Floats
-from scenewright.site_walks import walks
 
 TREES = 900
 """Most trees of a site."""

@@ -8,10 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.appearance import PLAIN, Facts, Measure, qualities
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.domains.site.wanted import Wanted
 from scenewright.outlines import edges
-from scenewright.site_plan import SitePlan
+from scenewright.site.plan import SitePlan
 from scenewright.site_problem import Buildings, Floats, SiteGround, SiteProblem
 from scenewright.space import Points
 

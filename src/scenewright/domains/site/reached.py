@@ -10,7 +10,7 @@ import numpy as np
 import shapely
 
 from scenewright.layout import corners
-from scenewright.site_plan import SitePlan
+from scenewright.site.plan import SitePlan
 from scenewright.site_problem import Flags, Floats
 
 ARRIVE, SLACK, ROUND = 1.95, 0.008, 8

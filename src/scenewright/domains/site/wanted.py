@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from scenewright.brief_site import Building, Site
+from scenewright.brief.site import Building, Site
 from scenewright.catalog import Asset, Catalog
 from scenewright.domains.site.amounts import STOREY, amounts
 from scenewright.errors import InputError
 from scenewright.scene import Size
-from scenewright.site_plan import SitePlan
+from scenewright.site.plan import SitePlan
 from scenewright.stock import OWN
 
 MOST = 20_000

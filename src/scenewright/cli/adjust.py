@@ -69,11 +69,10 @@ def adjust(
 
 def _run(request: Request, as_json: bool, quiet: bool) -> int:
     """Solve again, judge, write and tell; the exit code."""
-    from scenewright import cli_show as show
-    from scenewright import cli_tables as tables
     from scenewright.check import check
-    from scenewright.cli_arrange import check_outputs, write_together
-    from scenewright.cli_progress import tell_if_cold, watching
+    from scenewright.cli import show, tables
+    from scenewright.cli.arrange import check_outputs, write_together
+    from scenewright.cli.progress import tell_if_cold, watching
     from scenewright.formats import solution_json
 
     check_outputs(request.outputs)

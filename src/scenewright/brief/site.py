@@ -12,7 +12,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from scenewright.brief_fields import (
+from scenewright.brief.fields import (
     Clearance,
     Coordinate,
     Heading,

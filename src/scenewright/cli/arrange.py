@@ -13,7 +13,7 @@ from rich.console import Console
 
 from scenewright.brief import ROUTE_WIDTHS, Brief
 from scenewright.check import Report, check
-from scenewright.cli_progress import Watch, tell_if_cold, watching
+from scenewright.cli.progress import Watch, tell_if_cold, watching
 from scenewright.errors import InputError
 from scenewright.solution import Solution
 

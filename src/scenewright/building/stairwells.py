@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from scenewright.brief import Brief
-from scenewright.brief_stairs import StairsBrief
+from scenewright.brief.stairs import StairsBrief
 from scenewright.errors import InputError
 from scenewright.layout import corners
 from scenewright.space import Level, Space, StairEnd, StairPart

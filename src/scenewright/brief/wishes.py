@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from scenewright.brief_fields import Model, Number, Switch
+from scenewright.brief.fields import Model, Number, Switch
 
 Name = Annotated[str, Field(min_length=1, max_length=80)]
 

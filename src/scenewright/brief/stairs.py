@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from scenewright.brief_fields import Heading, Model, Number, Point
+from scenewright.brief.fields import Heading, Model, Number, Point
 
 Name = Annotated[str, Field(max_length=80)]
 

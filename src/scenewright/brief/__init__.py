@@ -2,7 +2,7 @@
 
 A brief is a small JSON document (``scenewright schema brief`` prints its JSON Schema). Lengths
 are metres, angles radians counter-clockwise from +x, plans seen from above with y to the north.
-What only halls know (zones, links, demands) is in :mod:`scenewright.brief_hall`.
+What only halls know (zones, links, demands) is in :mod:`scenewright.brief.hall`.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticKnownError
 
-from scenewright.brief_catalog import CatalogEntry, GroupsEntry
-from scenewright.brief_fields import (
+from scenewright.brief.catalog import CatalogEntry, GroupsEntry
+from scenewright.brief.fields import (
     Coordinate,
     Heading,
     Height,
@@ -27,12 +27,12 @@ from scenewright.brief_fields import (
     Whole,
     Words,
 )
-from scenewright.brief_hall import Demand, Link, ZoneBrief
-from scenewright.brief_services import OutletBrief, RadiatorBrief
-from scenewright.brief_site import Site
-from scenewright.brief_slope import SlopeBrief
-from scenewright.brief_stairs import StairsBrief
-from scenewright.brief_wishes import WishBrief
+from scenewright.brief.hall import Demand, Link, ZoneBrief
+from scenewright.brief.services import OutletBrief, RadiatorBrief
+from scenewright.brief.site import Site
+from scenewright.brief.slope import SlopeBrief
+from scenewright.brief.stairs import StairsBrief
+from scenewright.brief.wishes import WishBrief
 
 Function = Literal[
     "living", "dining", "kitchen", "bedroom", "double_bedroom", "single_bedroom",

@@ -8,12 +8,12 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from scenewright import site_outlines as shapes
-from scenewright.brief_site import Building, Landmark
+from scenewright.brief.site import Building, Landmark
 from scenewright.catalog import Catalog
 from scenewright.errors import InputError
 from scenewright.outlines import rings
-from scenewright.site_fit import corners_of
+from scenewright.site import outlines as shapes
+from scenewright.site.fit import corners_of
 from scenewright.space import Points
 from scenewright.stock import BUILDING, OWN, named
 

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from scenewright.brief_fields import Height, Model, Number, Whole
+from scenewright.brief.fields import Height, Model, Number, Whole
 
 
 class SlopeBrief(Model):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.console import Console
 
-from scenewright import cli_tables as tables
+from scenewright.cli import tables
 from scenewright.errors import InputError
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def add(
     as_json: Json = False,
 ) -> int:
     """Register a catalogue: remember where it is and what each of its models is taken for."""
-    from scenewright.brief_catalog import entry_of
+    from scenewright.brief.catalog import entry_of
     from scenewright.models import register
     from scenewright.models.listing import csv_text, rows
     from scenewright.stock import taken
@@ -94,7 +94,7 @@ def show_(
     as_json: Json = False,
 ) -> int:
     """Show what each model of a catalogue is taken for, as a table or a sheet of pictures."""
-    from scenewright.brief_catalog import entry_of
+    from scenewright.brief.catalog import entry_of
     from scenewright.models.listing import rows
     from scenewright.stock import taken
 
@@ -168,7 +168,7 @@ def _furnished(home: str) -> list[Any]:
 
 def _write(models: Sequence[Listed], output: Path, console: Console, quiet: bool) -> None:
     """The sheet of pictures or the table."""
-    from scenewright.cli_view import Request, Sitter, portrayed, told
+    from scenewright.cli.view import Request, Sitter, portrayed, told
     from scenewright.models.as_asset import lighter
     from scenewright.models.listing import csv_text, rows
     from scenewright.models.model import Options

@@ -12,9 +12,9 @@ import shapely
 
 from scenewright.outlines import rings
 from scenewright.scene import Piece, Surface
-from scenewright.site_outlines import GRID, MITRE
-from scenewright.site_plan import SitePlan, Way
-from scenewright.site_walks import walks
+from scenewright.site.outlines import GRID, MITRE
+from scenewright.site.plan import SitePlan, Way
+from scenewright.site.walks import walks
 from scenewright.space import Points
 
 HEIGHTS = {"asphalt": 0.03, "marking": 0.035, "walk": 0.04, "path": 0.05, "pavement": 0.12}

@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from scenewright.brief_fields import Clearance, Model, Number, Outline, Side, Switch, Whole
+from scenewright.brief.fields import Clearance, Model, Number, Outline, Side, Switch, Whole
 
 PatternName = Literal[
     "chain", "radiation", "circulation", "fan", "grid", "mixture", "wall", "single"

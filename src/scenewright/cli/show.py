@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rich.console import Console
 from rich.text import Text
 
-from scenewright.cli_tables import bare, table
+from scenewright.cli.tables import bare, table
 
 if TYPE_CHECKING:
     from scenewright.check import Report

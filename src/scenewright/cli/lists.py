@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from scenewright.cli_arrange import named
+from scenewright.cli.arrange import named
 
 Row = dict[str, Any]
 

@@ -8,7 +8,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from scenewright.cli_arrange import named
+from scenewright.cli.arrange import named
 from scenewright.errors import InputError
 
 Record = dict[str, Any]

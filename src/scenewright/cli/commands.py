@@ -16,15 +16,16 @@ from typing import Annotated, Any, cast
 import typer
 from rich.console import Console
 
-from scenewright import cli_adjust, cli_batch, cli_catalog
-from scenewright import cli_show as show
-from scenewright import cli_tables as tables
 from scenewright._version import __version__
+from scenewright.cli import adjust as cli_adjust
+from scenewright.cli import batch as cli_batch
+from scenewright.cli import catalog as cli_catalog
+from scenewright.cli import show, tables
 from scenewright.errors import InputError
 
 app = typer.Typer(
     name="scenewright",
-    help="Automatic 3D scene layout: furnished homes, laid-out halls.",
+    help="Automatic 3D scene layout: furnished homes, halls, groups of buildings.",
     add_completion=False,
     pretty_exceptions_enable=False,
     no_args_is_help=True,
@@ -129,7 +130,7 @@ def arrange(
     quiet: QuietOption = False,
 ) -> int:
     """Furnish a home or lay out a hall: read INPUT, solve it, write every OUT by its suffix."""
-    from scenewright import cli_arrange
+    from scenewright.cli import arrange as cli_arrange
 
     _check_budget(seconds, steps)
     request = cli_arrange.Request(
@@ -157,7 +158,7 @@ def arrange(
 
 def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) -> int:
     """Several plans, ranked, each with its numbers and its files."""
-    from scenewright import cli_alternatives
+    from scenewright.cli import alternatives as cli_alternatives
 
     plans, interrupted = cli_alternatives.arrange_all(request, console)
     code = 130 if interrupted else 0 if any(plan.complete for plan in plans) else 1
@@ -215,8 +216,8 @@ def bench(
     quiet: QuietOption = False,
 ) -> int:
     """Measure against the baselines (needs a source checkout)."""
-    from scenewright import cli_bench
-    from scenewright.cli_progress import watching
+    from scenewright.cli import bench as cli_bench
+    from scenewright.cli.progress import watching
 
     with watching(Console(stderr=True), quiet) as watch:
         records = cli_bench.records(name, quick, watch.progress)
@@ -240,7 +241,7 @@ def view(
     quiet: QuietOption = False,
 ) -> int:
     """Draw models from their best views, plain and coloured by saliency, on one sheet."""
-    from scenewright import cli_view
+    from scenewright.cli import view as cli_view
     from scenewright.models.model import Options
 
     request = cli_view.Request(tuple(models), output, measure, Options(up, front))
@@ -262,7 +263,7 @@ def list_(
     as_json: JsonOption = False,
 ) -> int:
     """List what there is: solvers, terms, patterns, presets, formats, groups, assets, samples."""
-    from scenewright import cli_lists
+    from scenewright.cli import lists as cli_lists
 
     rows = cli_lists.rows(what)
     if as_json:
@@ -277,7 +278,7 @@ def schema(
     what: Annotated[str, typer.Argument(help="brief or solution.")] = "brief",
 ) -> int:
     """Print the JSON Schema of an input file."""
-    from scenewright import cli_lists
+    from scenewright.cli import lists as cli_lists
 
     tables.print_json(cli_lists.schema(what))
     return 0

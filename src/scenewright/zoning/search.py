@@ -14,7 +14,7 @@ import numpy as np
 import shapely
 
 from scenewright.space import Points
-from scenewright.zoning_trees import (
+from scenewright.zoning.trees import (
     Cuts,
     Forest,
     Piece,

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from scenewright.brief_fields import Model, Number, Point, Switch
+from scenewright.brief.fields import Model, Number, Point, Switch
 
 OutletKind = Literal["power", "antenna", "data", "water"]
 

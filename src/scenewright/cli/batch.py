@@ -20,13 +20,13 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
-from scenewright import cli_tables as tables
-from scenewright.cli_progress import interrupts, tell_if_cold
+from scenewright.cli import tables
+from scenewright.cli.progress import interrupts, tell_if_cold
 from scenewright.errors import InputError
 
 if TYPE_CHECKING:
     from scenewright.batch import Row
-    from scenewright.cli_arrange import Request
+    from scenewright.cli.arrange import Request
 
 BatchOption = Annotated[
     bool, typer.Option("--batch", help="Many files and folders into one folder, -o DIR.")

@@ -18,8 +18,8 @@ from scenewright.borders import border_lengths, floor_of, shared_borders, zone_o
 from scenewright.errors import InputError
 from scenewright.scene_graph import Zone, ZoneLink
 from scenewright.space import Space
-from scenewright.zoning_cuts import GRID, Frame, frame_of, into, out_of
-from scenewright.zoning_search import Ground, ranked
+from scenewright.zoning.cuts import GRID, Frame, frame_of, into, out_of
+from scenewright.zoning.search import Ground, ranked
 
 LEAST_ZONE = 1.0
 MARGIN = 1e-3

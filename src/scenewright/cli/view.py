@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 from rich.console import Console
 
 from scenewright.catalog import Part
-from scenewright.cli_arrange import named
-from scenewright.cli_progress import Watch, tell_if_cold, watching
+from scenewright.cli.arrange import named
+from scenewright.cli.progress import Watch, tell_if_cold, watching
 from scenewright.errors import InputError
 from scenewright.formats.portrait import Portrait, portrait
 from scenewright.formats.portrait_sheet import MOST, sheet, side_of, write

@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 
 from rich.console import Console
 
-from scenewright import cli_show as show
 from scenewright.check import Report, check
-from scenewright.cli_arrange import Request, prepared, write_together
-from scenewright.cli_progress import watching
+from scenewright.cli import show
+from scenewright.cli.arrange import Request, prepared, write_together
+from scenewright.cli.progress import watching
 from scenewright.errors import InputError
 from scenewright.solution import Solution
 

@@ -56,8 +56,8 @@ def fits(plan: Grounds, width: float, depth: float) -> bool:
     """Whether a box fits in some block of a plan, at the directions of its longest edges or a
     multiple of 7.5 degrees to its principal direction (exact for each of these).
 
-    >>> from scenewright.brief_site import Site
-    >>> from scenewright.site_plan import site_plan
+    >>> from scenewright.brief.site import Site
+    >>> from scenewright.site.plan import site_plan
     >>> plan = site_plan(Site(outline=[(0, 0), (40, 0), (40, 20), (0, 20)], setback=3))
     >>> fits(plan, 14, 34), fits(plan, 14, 35)
     (True, False)

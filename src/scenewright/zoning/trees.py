@@ -15,7 +15,7 @@ import numpy as np
 import shapely
 
 from scenewright.space import Points
-from scenewright.zoning_cuts import cut
+from scenewright.zoning.cuts import cut
 
 Tree = int | tuple[int, "Tree", "Tree"]
 Forest = tuple["Tree", ...]

@@ -14,14 +14,14 @@ from typing import NamedTuple, Protocol
 import numpy as np
 import shapely
 
-from scenewright import site_outlines as shapes
 from scenewright.brief import Brief
-from scenewright.brief_site import Site
+from scenewright.brief.site import Site
 from scenewright.catalog import Catalog
 from scenewright.errors import InputError
 from scenewright.outlines import rings
-from scenewright.site_fit import main_direction
-from scenewright.site_models import Standing, building_models, landmarks_of
+from scenewright.site import outlines as shapes
+from scenewright.site.fit import main_direction
+from scenewright.site.models import Standing, building_models, landmarks_of
 from scenewright.space import Points
 from scenewright.stock import catalog_of
 

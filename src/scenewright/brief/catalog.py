@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from scenewright.brief_fields import Model, Number, Switch
+from scenewright.brief.fields import Model, Number, Switch
 
 Direction = Literal["", "+x", "-x", "+y", "-y", "+z", "-z"]
 PathText = Annotated[str, Field(min_length=1, max_length=4096)]

@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 
 from scenewright.layout import corners
 from scenewright.scene import Piece
-from scenewright.site_plan import SitePlan
+from scenewright.site.plan import SitePlan
 from scenewright.space import Points
 
 AHEAD = (2.5, 6.0, 10.0)

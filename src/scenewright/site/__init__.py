@@ -1,0 +1,1 @@
+"""Sites: the valid ground of a brief, what fits on it, and what lies on it."""
