@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 import scenewright as sw
 from scenewright.appearance import shipped_facts
-from scenewright.cli import app
+from scenewright.cli.commands import app
 from scenewright.domains.site import problems
 from scenewright.domains.site.presets import PRESETS
 from scenewright.formats import solution_json
