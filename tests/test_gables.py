@@ -121,3 +121,20 @@ def test_plans_show_where_the_ceiling_is_one_and_two_metres_high() -> None:
     assert text.count("2.0 m<") >= 2
     assert text.count("1.0 m<") >= 1
     assert "living area" in text
+
+
+def test_many_slopes_make_no_more_parts_than_show() -> None:
+    """The prisms are the cells of the lowest planes, however many planes lie above these."""
+    walls = np.random.default_rng(0)
+    slopes = [{"edge": int(walls.integers(4)), "knee": float(walls.uniform(0.3, 2.0)),
+               "pitch": float(walls.uniform(0.1, 1.5))} for _ in range(20)]  # fmt: skip
+    brief = Brief.model_validate({"rooms": [ROOM | {"height": 10.0, "slopes": slopes,
+                                                    "windows": [], "doors": []}]})  # fmt: skip
+    scene = scene_of(brief)
+    assert len(prisms_of(scene)) < 60
+    (room,) = scene.spaces
+    for prism in prisms_of(scene):
+        inside = np.array(shapely.Polygon(prism.outline).representative_point().coords)
+        assert prism.tilt is not None
+        assert height_at(prism.tilt, inside) == pytest.approx(
+            heights(inside, planes(room), room.height))  # fmt: skip

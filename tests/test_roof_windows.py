@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -96,3 +97,22 @@ def test_a_roof_window_is_drawn_and_has_neither_hole_nor_curtain() -> None:
     dashed = 'stroke-dasharray="1 0.7"'
     drawn = [svg.plan(s, catalog_of([])).count(dashed) for s in (scene, plain)]
     assert drawn[0] == drawn[1] + 1
+
+
+def test_a_door_ends_below_the_slope_of_the_room_it_leads_to() -> None:
+    def head(knee: float, listed: int) -> float:
+        door = {"at": [1, 2.06], "height": 2.1, "to": ["hall", "attic"][1 - listed]}
+        slope = {"edge": 0, "knee": knee, "pitch": 0.5}
+        rooms: list[dict[str, Any]] = [
+            {"id": "hall", "outline": [[0, 0], [4, 0], [4, 2], [0, 2]]},
+            {"id": "attic", "outline": [[0, 2.12], [4, 2.12], [4, 6], [0, 6]], "slopes": [slope]},
+        ]
+        rooms[listed]["doors"] = [door]
+        (opening,) = spaces(Brief.model_validate({"rooms": rooms}))[listed].openings
+        return opening.head
+
+    for listed in (0, 1):
+        assert head(1.8, listed) == pytest.approx(1.8)
+        assert head(2.3, listed) == pytest.approx(2.1)
+        with pytest.raises(InputError, match="the slope over it is only"):
+            head(0.6, listed)

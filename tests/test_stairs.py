@@ -221,6 +221,77 @@ def test_a_level_without_stairs_is_noted(furnished: Solution) -> None:
     assert notes == ["no stairs lead to the level 1"]
 
 
+def test_the_referee_knows_of_stairs_that_no_piece_stands_for(furnished: Solution) -> None:
+    for thing in (
+        piece("chest_of_drawers", "hall", 0.6, 3.0, 0.8, 0.4),
+        piece("wardrobe", "landing", 0.6, 3.0, 0.8, 0.6),
+    ):
+        report = check(replace(furnished, pieces=(thing,)))
+        (found,) = report.of("blocked_stairs")
+        assert not report.valid
+        assert found.other.startswith("stairs")
+    beside = piece("wardrobe", "landing", 1.5, 3.0, 0.8, 0.6)
+    assert not check(replace(furnished, pieces=(beside,))).of("blocked_stairs")
+
+
+def storeys(**more: Any) -> dict[str, Any]:
+    """The house with a second upper floor over the first."""
+    rooms = house()["rooms"]
+    top = rooms[1] | {"id": "top", "level": "2"}
+    third = {"id": "2", "elevation": 2 * HEIGHT, "height": 2.5}
+    return house(levels=[*house()["levels"], third], rooms=[*rooms, top]) | more
+
+
+def test_stairs_do_not_say_that_the_level_above_theirs_is_reached() -> None:
+    solved = home.solve(Brief.model_validate(storeys()), steps=50)
+    notes = [note.message for note in check(solved).notes if note.missing == "stairs"]
+    assert notes == ["no stairs lead to the level 2"]
+
+
+def test_stairs_go_through_no_room_of_a_level_between() -> None:
+    long = [house()["stairs"][0] | {"to": "2", "at": [0.6, 0.8], "going": 0.15}]
+    with pytest.raises(InputError, match="goes through 'landing' of the level '1'"):
+        spaces(Brief.model_validate(storeys(stairs=long)))
+    rooms = storeys()["rooms"]
+    rooms[1]["outline"] = [[1.2, 0], [4, 0], [4, 6.5], [1.2, 6.5]]
+    around = spaces(Brief.model_validate(storeys(stairs=long, rooms=rooms)))
+    assert [space.id for space in around if space.stairs] == ["hall", "top"]
+
+
+def test_a_well_over_two_rooms_is_kept_free_in_both() -> None:
+    rooms = house()["rooms"]
+    rooms[1]["outline"] = [[0, 3.4], [4, 3.4], [4, 6.5], [0, 6.5]]
+    rooms[2] |= {"outline": [[0, 0], [4, 0], [4, 3.28], [0, 3.28]],
+                 "doors": [{"at": [3.0, 3.28], "to": "landing"}]}  # fmt: skip
+    _, landing, bed = spaces(brief(rooms=rooms))
+    (own,), (other,) = landing.stair_parts, bed.stair_parts
+    assert (own.id, own.category) == ("stairs/well", "staircase")
+    assert other.category == "obstacle"
+    well = (1.2 + 3 * 0.22, 1.2 + 16 * 0.22)
+    assert (own.box[1] - own.box[4] / 2, own.box[1] + own.box[4] / 2) == pytest.approx(
+        (3.4, well[1]))  # fmt: skip
+    assert (other.box[1] - other.box[4] / 2, other.box[1] + other.box[4] / 2) == pytest.approx(
+        (well[0], 3.28))  # fmt: skip
+
+
+def test_a_room_that_is_all_well_has_no_floor() -> None:
+    rooms = house()["rooms"]
+    shaft = {"id": "void", "function": "other", "level": "1",
+             "outline": [[0.15, 1.87], [1.05, 1.87], [1.05, 4.72], [0.15, 4.72]]}  # fmt: skip
+    rooms[1]["outline"] = [[0, 4.84], [1.17, 4.84], [1.17, 0], [4, 0], [4, 6.5], [0, 6.5]]
+    solved = home.solve(brief(rooms=[*rooms, shaft]), steps=50)
+    floors = [t.name for t in things(scene_of(solved), catalog_of([])) if t.kind == "space"]
+    assert floors == ["hall", "landing", "bed"]
+
+
+def test_stairs_share_no_id_with_what_stands() -> None:
+    rooms = house()["rooms"]
+    rooms[0]["fixed"] = [{"id": "stairs", "category": "wardrobe", "at": [3.5, 5],
+                          "heading": 0.0, "size": [1.0, 0.6, 2.0]}]  # fmt: skip
+    with pytest.raises(InputError, match="the id 'stairs' is used twice"):
+        spaces(brief(rooms=rooms))
+
+
 def test_saved_homes_keep_their_stairs_once(furnished: Solution, tmp_path: Path) -> None:
     file = tmp_path / "home.json"
     solution_json.write(furnished, file)

@@ -50,14 +50,13 @@ class Stretch(NamedTuple):
 
 def find_openings(brief: Brief, spaces: tuple[Space, ...]) -> tuple[Opening, ...]:
     """One opening for every door and window of the brief; those listed twice are merged."""
-    ids = [space.id for space in spaces]
     found: list[Opening] = []
     for level in dict.fromkeys(space.level for space in spaces):
         faces = _faces(spaces, level)
         mine: list[tuple[str, Opening]] = []
         for number, space in enumerate(spaces):
             if space.level == level:
-                mine += _of_room(brief, number, ids, faces, space)
+                mine += _of_room(brief, number, spaces, faces)
         found += _merged(mine)
     return _named(found)
 
@@ -76,9 +75,9 @@ def _faces(spaces: tuple[Space, ...], level: str) -> Walls:
 
 
 def _of_room(
-    brief: Brief, number: int, ids: list[str], faces: Walls, space: Space
+    brief: Brief, number: int, spaces: tuple[Space, ...], faces: Walls
 ) -> list[tuple[str, Opening]]:
-    room = brief.rooms[number]
+    room, space, by_id = brief.rooms[number], spaces[number], {s.id: s for s in spaces}
     told = f"rooms[{number}] '{room.name or space.id}'"
     listed: list[tuple[str, Door | Window]] = [
         *((f"doors[{i}]", door) for i, door in enumerate(room.doors)),
@@ -89,7 +88,8 @@ def _of_room(
     for which, opening in listed:
         place = f"{told} {which}"
         try:
-            found.append((place, _opening(brief, number, ids, faces, space, runs, opening)))
+            made = _opening(brief, number, list(by_id), faces, space, runs, opening)
+            found.append((place, heads.under_other(made, by_id[made.spaces[-1]], opening)))
         except InputError as error:
             raise error.located(place=place) from None
     return found

@@ -65,7 +65,8 @@ def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[Th
     for level in scene.levels:
         found += _slab(scene, level)
         well = wells(scene.stairs, level.id)
-        found += [_floor(space, well) for space in scene.spaces if space.level == level.id]
+        rooms = (_floor(space, well) for space in scene.spaces if space.level == level.id)
+        found += [floor for floor in rooms if floor.parts]
         found += [
             _surface(s, level.id)
             for s in scene.surfaces
@@ -145,16 +146,16 @@ def _corners(opening: Opening) -> Floats:
 
 def _floor(space: Space, well: shapely.Geometry) -> Thing:
     whole = shapely.Polygon(space.outline, space.holes)
-    area, mesh = whole.area, prism(space.outline, -SKIN, 0.0, space.holes)
+    area, meshes = whole.area, [prism(space.outline, -SKIN, 0.0, space.holes)]
     if whole.intersects(well):
-        mesh = merge([_flat(part, -SKIN, 0.0) for part in polygons(whole.difference(well))])
+        meshes = [_flat(part, -SKIN, 0.0) for part in polygons(whole.difference(well))]
     extras: dict[str, str | float] = {
         "function": ", ".join(space.functions), "category": "space", "label": space.name,
         "area": round(area, 3), "height": space.height,
     }  # fmt: skip
-    part = Part(floor_of(space), *mesh)
+    parts = (Part(floor_of(space), *merge(meshes)),) if meshes else ()
     return Thing(
-        space.id, "space", space.level, space.id, ("space", space.id), (part,), (0, 0, 0), 0.0,
+        space.id, "space", space.level, space.id, ("space", space.id), parts, (0, 0, 0), 0.0,
         extras,
     )  # fmt: skip
 

@@ -1,14 +1,14 @@
 """Walls under sloped ceilings: knee walls end low, gable walls follow the slope.
 
 A wall reaches the highest ceiling of the rooms beside it. Each room's ceiling is the least of some
-planes, so lines where two planes are equally high, and those of the knee walls, part a wall in plan
-into cells with one plane over each: prisms with a tilted top.
+planes. So a wall in plan is parted by the lines of the knee walls, then into the cells over which
+each plane is the lowest, and these where another room's ceiling is as high: prisms with a tilted
+top.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +23,12 @@ from scenewright.space import Points, Space
 BESIDE = 0.08
 """How near a room must be to a wall to say how high it is, in metres."""
 CRUMB = 1e-6
+SAME = 1e-9
+"""Planes of which no coefficient differs by more than this are one."""
 _FAR = 1e3
+
+
+Cell = tuple[Polygon, Points]
 
 
 class Roof(NamedTuple):
@@ -54,8 +59,8 @@ def under_roofs(prisms: Sequence[Prism], roofs: Sequence[Roof]) -> list[Prism]:
         shape = Polygon(solid.outline, solid.holes)
         beside = [roof for roof in roofs if roof.floor.distance(shape) < BESIDE]
         if any(roof.sloped for roof in beside):
-            for cell in _cells(shape, _lines(beside)):
-                found += _raised(cell, _plane_at(cell, beside), solid)
+            for cell, plane in _highest(shape, beside):
+                found += _raised(cell, plane, solid)
         else:
             found.append(solid)
     return found
@@ -79,19 +84,55 @@ def height_at(tilt: Points, points: Points) -> Points:
     return np.asarray(tilt[0] + points @ tilt[1:])
 
 
-def _lines(beside: Sequence[Roof]) -> list[Points]:
-    """Where planes meet, as a + b x + c y = 0."""
-    every = np.vstack([roof.planes for roof in beside])
-    meetings = [a - b for a, b in combinations(every, 2)]
-    knees = [row for roof in beside for row in roof.knees]
-    return [row for row in (*meetings, *knees) if np.hypot(*row[1:]) > 1e-9]
-
-
-def _cells(shape: Polygon, lines: Sequence[Points]) -> list[Polygon]:
-    cells = [shape]
-    for line in lines:
-        cells = [part for cell in cells for side in (line, -line) for part in _clip(cell, side)]
+def _highest(shape: Polygon, beside: Sequence[Roof]) -> list[Cell]:
+    """A shape in cells with the plane over each: the highest of the rooms' ceilings."""
+    first, *others = beside
+    cells = _lowest(shape, first)
+    for roof in others:
+        both = [(part, one, other) for cell, one in cells for part, other in _lowest(cell, roof)]
+        cells = [found for part, one, other in both for found in _higher(part, one, other)]
     return cells
+
+
+def _higher(shape: Polygon, one: Points, other: Points) -> list[Cell]:
+    if np.abs(one - other).max() < SAME:
+        return [(shape, one)]
+    return [(part, plane) for plane, side in ((one, one - other), (other, other - one))
+            for part in _clip(shape, side)]  # fmt: skip
+
+
+def _lowest(shape: Polygon, roof: Roof) -> list[Cell]:
+    """A shape in cells with the plane of one roof that is the lowest over each."""
+    cells = [shape]
+    for line in _distinct(roof.knees):
+        cells = [part for cell in cells for side in (line, -line) for part in _clip(cell, side)]
+    found = []
+    for cell in cells:
+        planes = _distinct(_planes_over(cell, roof))
+        for plane in planes:
+            parts = [cell]
+            for other in planes:
+                if other is not plane:
+                    parts = [left for part in parts for left in _clip(part, other - plane)]
+            found += [(part, plane) for part in parts]
+    return found
+
+
+def _planes_over(cell: Polygon, roof: Roof) -> Points:
+    """The planes of a roof over a cell that no line of a knee wall parts."""
+    point = np.array([1.0, *cell.representative_point().coords[0]])
+    low, at_knee = roof.planes.copy(), np.flatnonzero(roof.knees @ point < 0) + 1
+    low[at_knee] = _knee(roof, at_knee)
+    return low
+
+
+def _distinct(rows: Points) -> list[Points]:
+    """Rows without those equal to an earlier one."""
+    found: list[Points] = []
+    for row in rows:
+        if all(np.abs(row - other).max() >= SAME for other in found):
+            found.append(row)
+    return found
 
 
 def _clip(shape: Polygon, side: Points) -> list[Polygon]:
@@ -110,19 +151,6 @@ def _clip(shape: Polygon, side: Points) -> list[Polygon]:
                     foot + along])  # fmt: skip
     parts = shapely.get_parts(shape.intersection(half))
     return [part for part in parts if isinstance(part, Polygon) and part.area > CRUMB]
-
-
-def _plane_at(cell: Polygon, beside: Sequence[Roof]) -> Points:
-    """The plane over a cell: the highest of the rooms' ceilings, each the lowest of its planes."""
-    point = np.array(cell.representative_point().coords[0])
-    lowest = []
-    for roof in beside:
-        beyond = roof.knees @ np.array([1.0, *point])
-        low = roof.planes.copy()
-        at_knee = np.flatnonzero(beyond < 0) + 1
-        low[at_knee] = _knee(roof, at_knee)
-        lowest.append(low[int(np.argmin(low @ np.array([1.0, *point])))])
-    return max(lowest, key=lambda plane: float(plane @ np.array([1.0, *point])))
 
 
 def _knee(roof: Roof, numbers: NDArray[np.intp]) -> Points:

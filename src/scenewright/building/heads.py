@@ -6,12 +6,14 @@ it, its ``height`` measured along the slope, as makers state it.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from scenewright.brief import Door, Window
 from scenewright.ceiling import SHOULDERS, heights, planes
 from scenewright.errors import InputError
-from scenewright.space import Points, Slope, Space
+from scenewright.space import Opening, Points, Slope, Space
 
 ON = 0.02
 """How near to a slope's wall a window lies that may be in the slope, in metres."""
@@ -32,14 +34,33 @@ def heads_of(space: Space, start: Points, end: Points, wish: Door | Window) -> H
             if np.abs(off).max() < ON and sill >= slope.knee - 1e-9:
                 return _in_slope(space, slope, (start + end) / 2, row[2:4], wish)
     over = float(heights(np.stack([start, end]), planes(space), space.height).min())
+    head = _cut_to(over, sill, sill + wish.height)
+    if space.slopes:
+        _check_cut(wish, sill, head)
+    return head, None
+
+
+def under_other(opening: Opening, other: Space, wish: Door | Window) -> Opening:
+    """An opening that ends below the slopes of the room it leads to, too."""
+    if not other.slopes or other.id == opening.spaces[0]:
+        return opening
+    along = np.array([opening.ux, opening.uy])
+    face = opening.thickness / 2 * np.array([along[1], -along[0]]) + (opening.x, opening.y)
+    ends = face + np.array([[-0.5], [0.5]]) * opening.width * along
+    over = float(heights(ends, planes(other), other.height).min())
+    head = _cut_to(over, opening.sill, opening.head)
+    if head < opening.head:
+        _check_cut(wish, opening.sill, head)
+    return replace(opening, head=head)
+
+
+def _cut_to(over: float, sill: float, head: float) -> float:
+    """The head of an opening under a ceiling."""
     if sill >= over:
         raise InputError(
             f"its sill is at {sill:g} m, above the ceiling at {over:g} m", "lower the sill"
         )
-    head = min(sill + wish.height, over)
-    if space.slopes:
-        _check_cut(wish, sill, head)
-    return head, None
+    return min(head, over)
 
 
 def _check_cut(wish: Door | Window, sill: float, head: float) -> None:

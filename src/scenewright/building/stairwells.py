@@ -7,21 +7,26 @@ from dataclasses import replace
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from scenewright.brief import Brief
 from scenewright.brief.stairs import StairsBrief
 from scenewright.errors import InputError
 from scenewright.layout import corners
 from scenewright.space import Level, Space, StairEnd, StairPart
-from scenewright.stairs import Box, End, Stairs, built
+from scenewright.stairs import FLOOR, HEADROOM, Box, End, Stairs, built
+
+Floats = NDArray[np.float64]
 
 LOWEST, HIGHEST = 0.3, 8.0
 """Between what differences of height stairs are made, metres."""
 BEYOND = 0.35
 """Floor that one needs where one steps off, metres."""
 RAILING = 0.9
-HERE = 0.5
-"""Share of a part that must lie in a room to be of it."""
+SLIVER = 0.05
+"""What stairs take of a room is left out where it is narrower than this, metres."""
+WHOLE = 0.999
+"""A part of which this share lies in a room is not cut to it."""
 BASEMENT = -0.5
 """Levels lower than this are not entered from outside if others are, metres."""
 
@@ -76,8 +81,11 @@ def with_stairs(
     rise = {s.id: height[s.upper] - height[s.level] for s in found}
     ends: list[list[StairEnd]] = [[] for _ in spaces]
     parts: list[list[StairPart]] = [[] for _ in spaces]
+    taken = {item.id for room in brief.rooms for item in room.fixed}
     for number, stairs in enumerate(found):
         place = f"stairs[{number}] '{stairs.name or stairs.id}'"
+        _check_between(stairs, spaces, floors, height, place)
+        entries: dict[str, int] = {}
         for kind, end, level in (("foot", stairs.foot, stairs.level),
                                  ("head", stairs.head, stairs.upper)):  # fmt: skip
             room = _room_of(end, level, spaces, floors)
@@ -89,9 +97,17 @@ def with_stairs(
                 )  # fmt: skip
             arrival = height[level] > entered if kind == "head" else height[level] < entered
             ends[room].append(StairEnd(stairs.id, kind, *end, arrival))
-        for level, boxes, kind in ((stairs.level, stairs.taken, "staircase"),
-                                   (stairs.upper, stairs.open, "stairwell")):  # fmt: skip
-            for room, part in _parts(stairs, boxes, kind, rise[stairs.id], level, spaces, floors):
+            entries[kind] = room
+        for kind, level in (("foot", stairs.level), ("head", stairs.upper)):
+            own = [floor if space.level == level else shapely.Polygon()
+                   for space, floor in zip(spaces, floors, strict=True)]  # fmt: skip
+            most = rise[stairs.id] if kind == "foot" else RAILING
+            tall = [min(most, space.height) for space in spaces]
+            for room, part in _parts(stairs, kind, entries[kind], own, tall):
+                if part.id in taken:
+                    raise InputError(f"the id '{part.id}' is used twice",
+                                     "give the stairs another id", place=place)  # fmt: skip
+                taken.add(part.id)
                 parts[room].append(part)
     return tuple(
         replace(space, stairs=tuple(e), stair_parts=tuple(p))
@@ -100,25 +116,60 @@ def with_stairs(
 
 
 def _parts(
-    stairs: Stairs, boxes: Sequence[Box], kind: str, rise: float, level: str,
-    spaces: Sequence[Space], floors: Sequence[shapely.Polygon],
+    stairs: Stairs, kind: str, entry: int, floors: Sequence[shapely.Polygon],
+    tall: Sequence[float],
 ) -> Iterator[tuple[int, StairPart]]:  # fmt: skip
-    """What stairs take of the floors of a level, where rooms have not been drawn round it; the
-    first box holds the foot, the last the head."""
-    main = 0 if kind == "staircase" else len(boxes) - 1
-    name = stairs.id if kind == "staircase" else f"{stairs.id}/well"
+    """What stairs take of the ``floors`` of a level, cut where rooms part, and nothing where rooms
+    have been drawn round it. The first box holds the foot, the last the head: in the room of the
+    ``entry`` (else the one with most of it) that part is the staircase one steps onto."""
+    boxes = stairs.taken if kind == "foot" else stairs.open
+    main = 0 if kind == "foot" else len(boxes) - 1
+    name = stairs.id if kind == "foot" else f"{stairs.id}/well"
     for k, box in enumerate(boxes):
-        shape = shapely.Polygon(corners(np.array([box]))[0])
-        shared = [
-            floor.intersection(shape).area if space.level == level else 0.0
-            for space, floor in zip(spaces, floors, strict=True)
-        ]
-        room = int(np.argmax(shared))
-        if shared[room] > HERE * shape.area:
-            part = name if k == main else f"{name}/{k + 1}"
-            category = "staircase" if k == main else "obstacle"
-            tall = min(rise, spaces[room].height) if kind == "staircase" else RAILING
-            yield room, StairPart(part, category, tuple(box), tall)
+        inside = shapely.intersection(np.array(floors), shapely.Polygon(_outline(box)))
+        cut = {int(i): _cut_to(inside[i], box) for i in np.argsort(-shapely.area(inside))
+               if inside[i].area > 0.0}  # fmt: skip
+        here = {room: part for room, part in cut.items() if min(part[3:]) > SLIVER}
+        first = entry if entry in here else next(iter(here), -1)
+        for room, part in here.items():
+            told = name if k == main else f"{name}/{k + 1}"
+            category = "staircase" if k == main and room == first else "obstacle"
+            told += "" if room == first else f"/room-{room + 1}"
+            yield room, StairPart(told, category, tuple(part), tall[room])
+
+
+def _outline(box: Box) -> Floats:
+    return corners(np.array([box]))[0]
+
+
+def _cut_to(shape: shapely.Geometry, box: Box) -> Box:
+    """The least box with the heading of another round what of it lies in a room."""
+    if shape.area > WHOLE * box.width * box.depth:
+        return box
+    ahead = np.array([np.cos(box.heading), np.sin(box.heading)])
+    axes = np.array([[ahead[1], -ahead[0]], ahead])
+    points = shapely.get_coordinates(shape) @ axes.T
+    low, high = points.min(0), points.max(0)
+    x, y = ((low + high) / 2 @ axes).tolist()
+    return Box(x, y, box.heading, *(high - low).tolist())
+
+
+def _check_between(
+    stairs: Stairs, spaces: Sequence[Space], floors: Sequence[shapely.Polygon],
+    height: dict[str, float], place: str,
+) -> None:  # fmt: skip
+    """No room of a level between may lie where the stairs go through it."""
+    low, high = height[stairs.level], height[stairs.upper]
+    for space, floor in zip(spaces, floors, strict=True):
+        if not low < height[space.level] < high:
+            continue
+        met = height[space.level] - low - FLOOR - HEADROOM
+        through = [shapely.Polygon(t.outline) for t in stairs.treads if t.height > met]
+        if floor.intersection(shapely.union_all(through)).area > SLIVER:
+            raise InputError(
+                f"goes through '{space.id}' of the level '{space.level}'",
+                "let the stairs end on that level, or draw the room round them", place=place,
+            )  # fmt: skip
 
 
 def _room_of(

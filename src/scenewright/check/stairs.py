@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 import shapely
 
@@ -9,26 +11,67 @@ from scenewright.brief import Brief
 from scenewright.check.bodies import HEAD_HEIGHT, TOLERANCE, Bodies, Rooms, Shape
 from scenewright.check.complete import lived_in, with_stairs
 from scenewright.check.report import Finding, Note
-from scenewright.space import StairEnd
+from scenewright.scene import STAIRS
+from scenewright.space import StairEnd, StairPart
 
 LANDING = 0.6
 """Depth of the floor that is to be free before the foot and the head of stairs, in metres."""
 
 
 def find_blocked_stairs(bodies: Bodies, rooms: Rooms) -> list[Finding]:
-    """A finding for every piece that stands before the foot or head of stairs by more than 1 cm."""
-    found = []
+    """A finding for every piece that stands before the foot or head of stairs by more than 1 cm, or
+    on the stairs or in their well."""
+    found = _on_stairs(bodies, rooms)
     for number, space in enumerate(rooms.spaces):
         for end in space.stairs:
             zone = shapely.intersection(_landing(end), rooms.shapes[number])
-            level = bodies.level == rooms.level[number]
-            solid = ~bodies.flat & ~bodies.soft & (bodies.low < HEAD_HEIGHT)
-            rows = np.flatnonzero(level & solid)
-            shared = shapely.intersection(bodies.footprints[rows], zone.buffer(-TOLERANCE))
-            for row, shape in zip(rows.tolist(), shared.tolist(), strict=True):
-                if shape.area > 0.0:
-                    found.append(_finding(bodies, rooms, number, end, row, shape))
+            for row, shape in _standing(bodies, rooms, number, zone, HEAD_HEIGHT):
+                found.append(_finding(bodies, rooms, number, end, row, shape))
     return found
+
+
+def _on_stairs(bodies: Bodies, rooms: Rooms) -> list[Finding]:
+    """Pieces on stairs or in wells that no piece of the answer stands for (where one does, it is a
+    collision)."""
+    found = []
+    for number, space in enumerate(rooms.spaces):
+        for part in space.stair_parts:
+            zone = _outline(part)
+            if any(p.id == part.id and p.space == space.id and zone.buffer(TOLERANCE).covers(shape)
+                   and shape.buffer(TOLERANCE).covers(zone)
+                   for p, shape in zip(bodies.pieces, bodies.footprints, strict=True)):  # fmt: skip
+                continue
+            for row, shape in _standing(bodies, rooms, number, zone, part.height):
+                piece = bodies.pieces[row]
+                told = f"{piece.id} stands where {part.id} is ({shape.area:.2f} m²)"
+                found.append(
+                    Finding("blocked_stairs", space.level, space.id, piece.id, part.id, told,
+                            0.0, round(float(shape.area), 4), piece.fixed)
+                )  # fmt: skip
+    return found
+
+
+def _standing(
+    bodies: Bodies, rooms: Rooms, room: int, zone: Shape, height: float
+) -> Iterator[tuple[int, Shape]]:
+    """The rows of solid pieces of a room's level, lower than a height, that reach more than 1 cm
+    into a zone, and what they take of it."""
+    solid = ~bodies.flat & ~bodies.soft & (bodies.low < height)
+    rows = np.flatnonzero(solid & (bodies.level == rooms.level[room]))
+    shared = shapely.intersection(bodies.footprints[rows], zone.buffer(-TOLERANCE))
+    for row, shape in zip(rows.tolist(), shared.tolist(), strict=True):
+        if shape.area > 0.0:
+            yield row, shape
+
+
+def _outline(part: StairPart) -> Shape:
+    """The floor a part of stairs takes."""
+    x, y, heading, width, depth = part.box
+    ahead = np.array([np.cos(heading), np.sin(heading)])
+    front, side = ahead * depth / 2, np.array([-ahead[1], ahead[0]]) * width / 2
+    middle = np.array([x, y])
+    return shapely.Polygon([middle - front - side, middle + front - side, middle + front + side,
+                            middle - front + side])  # fmt: skip
 
 
 def _landing(end: StairEnd) -> Shape:
@@ -74,11 +117,11 @@ def find_cut_off(brief: Brief, bodies: Bodies, rooms: Rooms) -> list[Note]:
 
 
 def _above(bodies: Bodies, level_of: dict[str, str], height: dict[str, float]) -> set[str]:
-    """The levels next above staircases that stand as fixed items."""
+    """The levels next above staircases that stand as fixed items, not as parts of stairs."""
     found = set()
     for piece in bodies.pieces:
         low = height.get(level_of.get(piece.space, ""))
-        if piece.category == "staircase" and low is not None:
+        if piece.category == "staircase" and piece.function != STAIRS and low is not None:
             above = [name for name, tall in height.items() if tall > low]
             found |= {min(above, key=height.__getitem__)} if above else set()
     return found
