@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import ast
+import re
 import subprocess
 import sys
+import tomllib
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
@@ -223,6 +225,24 @@ def test_no_import_cycle_between_layers_of_one_floor() -> None:
         for room in free:
             del uses[room]
     assert order[-1] == "__main__"
+
+
+NAMED = {"pillow": "PIL", "mapbox-earcut": "mapbox_earcut"}
+"""Packages imported by another name than they are installed by."""
+
+
+@pytest.mark.parametrize("file", FILES, ids=NAMES)
+def test_only_packages_a_user_has_are_imported(file: Path) -> None:
+    """What pyproject.toml lists for everybody, or for the extra of more solvers."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    listed = [*project["dependencies"], *project["optional-dependencies"]["solve"]]
+    names = [re.split("[<>=!~ ;\\[]", line)[0] for line in listed]
+    known = {NAMED.get(name, name) for name in names} | sys.stdlib_module_names | {"scenewright"}
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        heads = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+        if isinstance(node, ast.ImportFrom):
+            heads.append(node.module or "")
+        assert {head.split(".")[0] for head in heads} <= known, f"{file.name} imports {heads}"
 
 
 def test_layers_name_only_what_exists_or_is_planned() -> None:

@@ -13,6 +13,7 @@ import pytest
 import trimesh
 
 from flat import flat_brief, flat_solution
+from scenewright import read, solve
 from scenewright.assets import shipped
 from scenewright.catalog import Material, Part
 from scenewright.formats.glb import document_of, encoded, surface, write
@@ -21,6 +22,8 @@ from scenewright.geometry.prisms import box, corner_normals, prism
 from scenewright.layout import corners
 from scenewright.scene import Piece, Pose, Scene, Size
 from scenewright.shell import scene_of
+from scenewright.staging import things
+from scenewright.stock import catalog_of
 
 GREY = Material("grey", (0.5, 0.5, 0.5))
 COMPONENTS = {5126: np.float32, 5123: np.uint16, 5125: np.uint32}
@@ -184,3 +187,15 @@ def test_the_file_is_the_same_each_time_and_leaves_nothing_beside_it(tmp_path: P
     write(flat_solution(), second)
     assert first.read_bytes() == second.read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.glb", "b.glb"]
+
+
+@pytest.mark.parametrize("sample", ["home-house", "home-attic", "hall-shop", "site-courtyards"])
+def test_everything_of_a_scene_is_in_the_file(sample: str) -> None:
+    solution = solve(read(f"sample:{sample}"), steps=50)
+    scene, catalog = scene_of(solution), catalog_of(solution.brief.catalogs)
+    nodes = {node["name"]: node for node in document_of(scene, catalog)[0]["nodes"]}
+    found = things(scene, catalog)
+    assert {thing.name for thing in found} <= set(nodes)
+    assert all("mesh" in nodes[thing.name] for thing in found if thing.parts)
+    if sample == "home-house":
+        assert {"stairs", "stairs railing"} <= {thing.name for thing in found}

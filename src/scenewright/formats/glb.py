@@ -125,13 +125,13 @@ def _tree(scene: Scene, found: Sequence[Thing]) -> list[Json]:
 def _storey(
     nodes: list[Json], top: int, found: Sequence[Thing], taken: set[str], name: str
 ) -> None:
-    """One level's branch: slab, spaces with their pieces, walls, openings."""
+    """One level's branch: slab, spaces with their pieces, walls, openings, stairs."""
     rooms: dict[str, int] = {}
     for thing in found:
         if thing.kind in ("slab", "space"):
             index = _add(nodes, top, _node(thing))
             rooms[thing.space] = index
-    for kind, label in (("wall", "walls"), ("opening", "openings")):
+    for kind, label in (("wall", "walls"), ("opening", "openings"), ("stairs", "stairs")):
         mine = [thing for thing in found if thing.kind == kind]
         if mine:
             branch = _add(nodes, top, {"name": _free(f"{label} of {name}", taken)})

@@ -12,7 +12,6 @@ from typing import TypeAlias
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from scenewright.layout import corners
 from scenewright.scene import Piece
@@ -45,6 +44,15 @@ def walks(plan: SitePlan, buildings: Sequence[Piece]) -> tuple[Walk, ...]:
     return tuple(found[i] for i in sorted(found))
 
 
+def _nearest(places: Points) -> list[list[int]]:
+    """For each place the nearest to it within reach of a walk, itself first."""
+    points = shapely.points(places)
+    one, other = shapely.STRtree(points).query(points, predicate="dwithin", distance=LONGEST)
+    order = np.lexsort((other, np.hypot(*(places[one] - places[other]).T), one))
+    parts = np.split(other[order], np.cumsum(np.bincount(one, minlength=len(places)))[:-1])
+    return [part[:NEIGHBOURS].tolist() for part in parts]
+
+
 def _lay(
     buildings: Sequence[Piece], ahead: float, streets: shapely.Geometry, taken: shapely.STRtree,
     floor: shapely.Polygon, found: dict[int, Walk],
@@ -56,12 +64,12 @@ def _lay(
     first = shapely.linestrings(np.stack([doors, knees], 1))
     within = shapely.covers(floor, first) & shapely.covers(floor, direct)
     through = within & _free(taken, direct) & (away <= LONGEST)
-    near = cKDTree(knees).query(knees, k=min(NEIGHBOURS, len(knees)))[1].reshape(len(knees), -1)
+    near = _nearest(knees)
     for i in (int(i) for i in np.argsort(away, kind="stable") if int(i) not in found):
         if through[i]:
             found[i] = _line(doors[i], knees[i], shapely.get_coordinates(direct[i])[-1])
             continue
-        bends = [shapely.get_coordinates(found[j])[1] for j in near[i].tolist() if j in found]
+        bends = [shapely.get_coordinates(found[j])[1] for j in near[i] if j in found]
         ways = [Walk([knees[i], bend]) for bend in bends]
         for bend, way, there in zip(bends, ways, _free(taken, ways), strict=True):
             inside = there and floor.covers(first[i]) and floor.covers(way)
