@@ -302,6 +302,8 @@ def test_saved_homes_keep_their_stairs_once(furnished: Solution, tmp_path: Path)
     assert [p.id for p in second.pieces if p.function == STAIRS] == ["stairs", "stairs/well"]
     with pytest.raises(InputError, match="of the building"):
         resolve(furnished, move={"stairs": (2.0, 3.0)})
+    with pytest.raises(InputError, match="of the building"):
+        resolve(furnished, swap=[("bed/wardrobe", "stairs")])
 
 
 def test_they_are_drawn_on_both_plans(furnished: Solution) -> None:

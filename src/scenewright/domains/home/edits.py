@@ -69,8 +69,6 @@ def edited(
         _check_movable(named(pieces, name))
     for name, pose in edits.move.items():
         main = named(pieces, name)
-        if main.function == STAIRS:
-            raise InputError(f"'{main.id}' is of the building", "move the stairs in the brief")
         to = (pose[0], pose[1], pose[2] if len(pose) > 2 else main.pose.heading)
         there = _room_at(main, to, rooms)
         for p in carried(taken_along(main, before.values()), frame_of(main), to, there):
@@ -224,6 +222,8 @@ def _extent(room: Space | None) -> str:
 
 
 def _check_movable(piece: Piece) -> None:
+    if piece.function == STAIRS:
+        raise InputError(f"'{piece.id}' is of the building", "move the stairs in the brief")
     if is_radiator(piece):
         raise InputError(
             f"'{piece.id}' belongs to the building", 'change it in the brief, under "radiators"'
