@@ -52,6 +52,20 @@ def test_what_is_forbidden_stays_away_when_a_room_is_furnished_again() -> None:
     assert not any(p.category == "curtain" for p in again.pieces)
 
 
+def test_what_is_wished_and_stands_already_does_not_come_twice() -> None:
+    wishes = ({"what": "double_bed", "away_from": "door"}, {"what": "desk", "by": "window"})
+    first = solved(room("double_bedroom", *wishes))
+    again = resolve(first, lock=["bed", "desk"], again=["r"], seed=3)
+    kinds = [piece.category for piece in again.pieces]
+    assert [kinds.count(kind) for kind in ("double_bed", "desk", "office_chair")] == [1, 1, 1]
+    bed = {"category": "double_bed", "at": [3, 1.0], "size": [1.6, 2.0, 0.5], "heading": 1.5708}
+    brief = room("double_bedroom", *wishes)
+    fixed = Brief.model_validate(
+        {"rooms": [{**brief.rooms[0].model_dump(exclude_defaults=True), "fixed": [bed]}]}
+    )
+    assert [p.category for p in solved(fixed).pieces].count("double_bed") == 1
+
+
 def test_what_is_wanted_comes_beside_the_usual() -> None:
     solution = solved(room("double_bedroom", {"what": "desk", "required": True}))
     assert {"sleeping", "wardrobe", "desk"} <= {p.function for p in solution.pieces}

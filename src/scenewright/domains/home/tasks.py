@@ -18,7 +18,7 @@ from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.library import Library
 from scenewright.domains.home.presets import Preset
-from scenewright.domains.home.programme import WELCOME, Wish, programme, resolved
+from scenewright.domains.home.programme import STANDS_FOR, WELCOME, Wish, programme, resolved
 from scenewright.domains.home.wishes import granted
 from scenewright.errors import InputError
 from scenewright.plan import place
@@ -75,22 +75,24 @@ def wishes_of(
     already stands there."""
     groups = {p.group: p.function for p in fixed if p.function in GROUPS}
     standing = Counter(groups.values())
+    have = frozenset(p.category for p in fixed)
+    instead = {group for group, kinds in STANDS_FOR.items() if have.intersection(kinds)}
+    there = have | standing.keys() | instead
     if room.ask is not None:
         asked = tuple(
             Wish(ask.group, 0 if ask.required else 1, required=ask.required, most=ask.size)
             for ask in room.ask
             for _ in range(ask.count)
         )
-        return granted(_less(asked, standing), room, task.library)
+        return granted(_less(asked, standing), room, task.library, there)
     others = frozenset(
         f for s in rooms if s.id != task.space.id for f in resolved(s.functions, 0.0)
     )
-    have = frozenset(p.category for p in fixed)
     usual = programme(task.space, floor_of(task.ground), others, have)
     if task.welcome is not None:
         usual = (*(w for w in usual if w.rank < WELCOME),
                  *(Wish(group, WELCOME) for group in task.welcome))  # fmt: skip
-    return granted(_less(usual, standing), room, task.library)
+    return granted(_less(usual, standing), room, task.library, there)
 
 
 def _less(wishes: tuple[Wish, ...], standing: Counter[str]) -> tuple[Wish, ...]:

@@ -115,14 +115,18 @@ def barred(room: Room, library: Library) -> frozenset[str]:
     return frozenset(found)
 
 
-def granted(wishes: Sequence[Wish], room: Room, library: Library) -> tuple[Wish, ...]:
-    """A room's programme with the household's wishes: less what is barred, with what is wanted,
-    each drawn to its place."""
+def granted(
+    wishes: Sequence[Wish], room: Room, library: Library, there: frozenset[str] = frozenset()
+) -> tuple[Wish, ...]:
+    """A room's programme with the household's wishes: less what is barred, with what is wanted and
+    not ``there`` already (groups and kinds of pieces), each drawn to its place."""
     out = barred(room, library)
     found = [wish for wish in wishes if wish.group not in out]
     for asked in (w for w in room.wishes if not w.forbid):
         groups = groups_of(asked.what)
         if not any(wish.group in groups for wish in found):
+            if there.intersection((asked.what, *groups)):
+                continue
             found.append(Wish(groups[0], 0 if asked.required else 1, required=asked.required))
         number = next(i for i, wish in enumerate(found) if wish.group in groups)
         rank = 0 if asked.required else found[number].rank
