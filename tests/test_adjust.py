@@ -16,6 +16,7 @@ from scenewright.check import check
 from scenewright.domains import home, resolve
 from scenewright.errors import InputError
 from scenewright.formats import read, solution_json
+from scenewright.plan import spaces
 from scenewright.scene import STAIRS, Piece, Pose, Size
 from scenewright.solution import Solution
 
@@ -126,6 +127,14 @@ def test_a_piece_may_change_rooms_but_not_leave_the_home(house: Solution) -> Non
     assert piece(after, chair.id).space == "living"
     with pytest.raises(InputError, match=r"cannot stand at \(40, 2\).*'study' lies within"):
         resolve(house, move={chair.id: (40.0, 2.0)})
+    bed = next(p for p in house.pieces if p.category == "double_bed")
+    x0, y0 = next(r for r in spaces(house.brief) if r.id == bed.space).outline.min(0)
+    with pytest.raises(InputError, match=r"would stick 0\.\d\d m out of its room"):
+        resolve(house, move={bed.id: (x0 + 0.5, y0 + 0.5, 0.0)})
+    hall = next(r for r in spaces(house.brief) if r.stair_parts)
+    shelf = next(p for p in house.pieces if p.space == hall.id and p.function == "shoes")
+    with pytest.raises(InputError, match="would stand in the stairs"):
+        resolve(house, move={shelf.id: hall.stair_parts[0].box[:2]})
 
 
 @pytest.mark.parametrize(

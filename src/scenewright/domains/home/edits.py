@@ -12,11 +12,13 @@ from difflib import get_close_matches
 from math import cos, hypot, pi, sin
 from typing import NamedTuple
 
+import numpy as np
 import shapely
 
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.standing import is_radiator
 from scenewright.errors import InputError
+from scenewright.layout import corners
 from scenewright.scene import STAIRS, Piece, Pose
 from scenewright.solution import Patch
 from scenewright.space import Space
@@ -25,6 +27,7 @@ Frame = tuple[float, float, float]
 MOST = 6  # names listed in a message
 NUDGE = 0.05  # step of the search for where a swapped group fits, metres
 NUDGES = 12
+STICKS_OUT = 0.1  # how far a piece put by hand may stick out of its room, metres
 
 
 class Edits(NamedTuple):
@@ -207,11 +210,30 @@ def _room_at(piece: Piece, to: Frame, rooms: Sequence[Space]) -> str:
     here = [r for r in rooms if r.level == level.get(piece.space)]
     for room in sorted(here, key=lambda r: r.id != piece.space):
         if shapely.Polygon(room.outline, list(room.holes)).covers(point):
+            _check_inside(piece, to, room)
             return room.id
     raise InputError(
         f"'{piece.id}' cannot stand at ({to[0]:g}, {to[1]:g}): no room of its level is there",
         _extent(next((r for r in here if r.id == piece.space), None)),
     )
+
+
+def _check_inside(piece: Piece, to: Frame, room: Space) -> None:
+    """A piece put by hand lies on the floor of its room: in no wall, and on no stairs."""
+    box = shapely.Polygon(corners(np.array([[*to, piece.size.width, piece.size.depth]]))[0])
+    floor = shapely.Polygon(room.outline, list(room.holes))
+    out = max(floor.distance(shapely.Point(c)) for c in shapely.get_coordinates(box))
+    told = f"'{piece.id}' of {piece.size.width:.2f} x {piece.size.depth:.2f} m"
+    if out > STICKS_OUT:
+        raise InputError(
+            f"{told} at ({to[0]:g}, {to[1]:g}) would stick {out:.2f} m out of its room",
+            f"turn it or give a point further inside; {_extent(room)}",
+        )
+    if len(room.stair_parts):
+        taken = corners(np.array([part.box for part in room.stair_parts]))
+        if shapely.union_all(shapely.polygons(taken)).intersection(box).area > STICKS_OUT**2:
+            raise InputError(f"{told} at ({to[0]:g}, {to[1]:g}) would stand in the stairs",
+                             "give a point beside them")  # fmt: skip
 
 
 def _extent(room: Space | None) -> str:
