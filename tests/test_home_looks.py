@@ -107,6 +107,8 @@ def test_a_screen_is_put_before_its_seat_where_it_can_stand() -> None:
     assert free - boxes[:2] == pytest.approx(np.array([[0] * 5, [-0.3, 0, 0, 0, 0]]))
     held = faced((seating, media, wardrobe), boxes, new, ground)
     assert held[:, 0] - boxes[:, 0] == pytest.approx([0.3, 0.0, 0.0])
+    warm = ground._replace(fronts=np.array([[1.8, 3.8, -pi / 2, 0.2, 0.4]]))
+    assert faced((seating, media), boxes[:2], new[:2], warm)[0, 0] == pytest.approx(2.8)
     kept = faced((seating, media, wardrobe), boxes, np.zeros(3, bool), ground)
     assert np.array_equal(kept, boxes)
 

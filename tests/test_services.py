@@ -197,11 +197,38 @@ def test_radiators_are_not_moved_by_hand() -> None:
         ({"radiators": [{"at": (5.2, 0)}]}, r"radiators\[0\]: stands before r-door-1"),
         ({"radiators": [{"at": (3, 0), "z": 2.0, "height": 1.0}]}, "ceiling"),
         ({"radiators": [{"at": (3, 0), "width": 9.0}]}, "9 m wide"),
+        ({"radiators": [{"at": (3, 4.4)}], "slopes": [{"edge": 2, "knee": 0.6, "pitch": 0.7}]},
+         r"radiators\[0\]: rises to 0.7 m, but the ceiling there is at 0.6 m"),
+        ({"radiators": [{"at": (1, 0), "id": "a"}, {"at": (3, 0), "id": "a"}]},
+         r"radiators\[1\]: the id 'a' is used twice"),
+        ({"radiators": [{"at": (3, 0), "id": "a"}],
+          "fixed": [{"category": "chair", "at": (3, 2), "size": (0.5, 0.5, 0.9), "id": "a"}]},
+         r"radiators\[0\]: the id 'a' is used twice"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_is_told(services: dict[str, Any], fault: str) -> None:
     with pytest.raises(InputError, match=fault):
         spaces(room(**services))
+
+
+def test_radiators_are_never_named_alike() -> None:
+    space = spaces(room(radiators=[{"at": (0, 1)}, {"at": (0, 3), "id": "r/radiator_1"}]))[0]
+    assert [radiator.id for radiator in space.radiators] == ["r/radiator_2", "r/radiator_1"]
+
+
+def test_a_radiator_under_a_slope_ends_below_it() -> None:
+    slopes = [{"edge": 2, "knee": 0.7, "pitch": 0.7}]
+    assert spaces(room(radiators=[{"at": (3, 4.4)}], slopes=slopes))[0].radiators
+
+
+def test_what_the_brief_puts_out_of_reach_is_not_tried_for_again() -> None:
+    """A television that stands where no lead reaches will not be mended by furnishing anew."""
+    standing = [{"category": "tv", "at": (5.9, 3), "heading": np.pi, "size": (1.2, 0.1, 0.7)}]
+    plain = home.solve(room(fixed=standing), steps=300, seed=3)
+    asked = room(fixed=standing, outlets=[{"at": (0.5, 4.4), "kind": "power"}])
+    far = home.solve(asked, steps=300, seed=3)
+    assert [f["within"] for f in check(far).figures["outlets"]] == [False]
+    assert far.evaluations == plain.evaluations
 
 
 POWER = '{"at":[0,1],"kind":"power"}'
@@ -214,7 +241,8 @@ POWER = '{"at":[0,1],"kind":"power"}'
         ('"outlets":[{"at":[0,NaN],"kind":"power"}]', "NaN"),
         (f'"outlets":[{",".join([POWER] * 10_000)}]', "at most 200"),
         ('"radiators":[{"at":[0,1],"depth":-1}]', "depth"),
-        ('"wishes":[{"what":"sofa","face":"sofa"}]', "cannot face or keep away from itself"),
+        ('"wishes":[{"what":"sofa","face":"sofa"}]', "cannot face, be near or keep away"),
+        ('"wishes":[{"what":"plant","near":"plant"}]', "cannot face, be near or keep away"),
         ('"wishes":[{"what":"tv","face":"door","forbid":true}]', "forbidden stands nowhere"),
         ('"wishes":[{"what":"tv","near":"bed","away_from":"door"}]', "two wishes"),
     ],

@@ -12,6 +12,10 @@ from scenewright.brief import Brief
 from scenewright.check import check
 from scenewright.cli import show as cli_show
 from scenewright.domains import home, resolve
+from scenewright.domains.home.library import SHIPPED
+from scenewright.domains.home.pose import items_of
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.wishes import granted, swayed
 from scenewright.errors import InputError
 from scenewright.formats import solution_json
 from scenewright.formats.brief_json import loads
@@ -166,6 +170,38 @@ def test_new_places_draw(function: str, wish: dict[str, Any]) -> None:
         ignored += told(replace(plain, brief=asked))[0]
     assert heard >= 3
     assert heard > ignored
+
+
+def test_nothing_is_near_itself() -> None:
+    """A sofa belongs to its seating, but it is what stands beside it that counts."""
+    alone = piece("sofa", 3.0, 2.0, 0.0, Size(2.0, 0.9, 0.8))
+    alone = replace(alone, function="seating")
+    table = replace(piece("coffee_table", 3.0, 3.8, 0.0, Size(0.6, 0.6, 0.4)), function="seating")
+    asked = room("living", {"what": "sofa", "near": "seating"}, {"what": "sofa", "face": "seating"},
+                 {"what": "sofa", "away_from": "seating", "metres": 0.5})  # fmt: skip
+    empty = home.solve(asked, steps=1)
+    assert told(replace(empty, pieces=(alone,))) == [False, False, True]
+    assert told(replace(empty, pieces=(alone, table))) == [True, False, True]
+
+
+def test_what_is_forbidden_and_wanted_is_told_truly() -> None:
+    asked = room("living", {"what": "plant", "forbid": True}, {"what": "plant", "by": "window"})
+    figures = check(solved(asked)).figures["wishes"]
+    assert [w["why"] for w in figures if not w["fulfilled"]] == [
+        "what else is wished for or asked for brings it"
+    ]
+
+
+def test_every_wish_to_be_near_something_draws() -> None:
+    """Two wishes of one thing: the first counts as much as the second, said twice as much as
+    once."""
+    asked = [{"what": "bookcase", "near": near} for near in ("media", "plant", "plant")]
+    wishes = (Wish("media", 0), Wish("plant", 1), Wish("shelf", 1))
+    wanted = granted(wishes, room("living", *asked).rooms[0], SHIPPED)
+    names = [wish.group for wish in wanted]
+    items = items_of(wanted, 24.0)
+    pairs = swayed(items, wanted).pairs[len(items.pairs) :]
+    assert [(names[i], names[j]) for i, j in pairs] == [("shelf", "media"), ("shelf", "plant")]
 
 
 def test_a_fixed_piece_draws_too() -> None:

@@ -70,6 +70,7 @@ def _spaces(text: str) -> tuple[Space, ...]:
     _check_domain(brief)
     storeys = {level.id: level for level in levels(brief)}
     ids = room_ids(brief)
+    _check_ids(brief)
     floors = [_floor(room, number, brief) for number, room in enumerate(brief.rooms)]
     found = [
         _space(room, number, ids[number], floors[number], storeys)
@@ -235,6 +236,22 @@ def _check_overlaps(brief: Brief, found: list[Space], floors: list[shapely.Polyg
                 "move one of them or cut it out of the other",
                 place=place(brief, second),
             )
+
+
+def _check_ids(brief: Brief) -> None:
+    """What stands in rooms has an id of its own, where it has one: files name pieces by them."""
+    seen: set[str] = set()
+    for number, room in enumerate(brief.rooms):
+        told = [(f"fixed[{index}]", item.id) for index, item in enumerate(room.fixed)]
+        told += [(f"radiators[{k}]", radiator.id) for k, radiator in enumerate(room.radiators)]
+        for which, name in told:
+            if name in seen:
+                raise InputError(
+                    f"the id '{name[:80]}' is used twice",
+                    "give everything that stands in a room its own id",
+                    place=place(brief, number, which),
+                )
+            seen |= {name} - {""}
 
 
 def _check_fixed(room: Room, number: int, floors: list[shapely.Polygon], brief: Brief) -> None:

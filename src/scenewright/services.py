@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
+from itertools import count
 from math import atan2
 
 import numpy as np
 
 from scenewright.brief import Brief, Room
 from scenewright.brief.services import OutletBrief, RadiatorBrief
+from scenewright.ceiling import lowest, planes
 from scenewright.errors import InputError
 from scenewright.openings import REACH, Runs, line_of, runs_of, stretch_of
 from scenewright.space import Opening, Outlet, Radiator, Space
 
 PLATE = 0.08
 """Width of what an outlet takes of its wall, in metres."""
+LEVEL = 1e-6
+"""What is higher by no more is as high, in metres."""
 
 
 def served(brief: Brief, room: Room, space: Space, told: str) -> Space:
@@ -22,6 +27,7 @@ def served(brief: Brief, room: Room, space: Space, told: str) -> Space:
     if not room.outlets and not room.radiators:
         return space
     runs, reach = runs_of(space), max(brief.wall_thickness, REACH)
+    names = _names(brief, space)
     listed: list[tuple[str, OutletBrief | RadiatorBrief]] = [
         *((f"outlets[{k}]", outlet) for k, outlet in enumerate(room.outlets)),
         *((f"radiators[{k}]", radiator) for k, radiator in enumerate(room.radiators)),
@@ -33,11 +39,18 @@ def served(brief: Brief, room: Room, space: Space, told: str) -> Space:
             if isinstance(wish, OutletBrief):
                 outlets.append(_outlet(runs, wish, reach))
             else:
-                name = wish.id or f"{space.id}/radiator_{len(radiators) + 1}"
-                radiators.append(_radiator(runs, wish, name, space, reach))
+                radiators.append(_radiator(runs, wish, wish.id or next(names), space, reach))
         except InputError as error:
             raise error.located(place=f"{told} {which}") from None
     return replace(space, outlets=tuple(outlets), radiators=tuple(radiators))
+
+
+def _names(brief: Brief, space: Space) -> Iterator[str]:
+    """Names for radiators without one, none of which the brief gives to something else."""
+    given = {item.id for room in brief.rooms for item in room.fixed}
+    given |= {radiator.id for room in brief.rooms for radiator in room.radiators}
+    names = (f"{space.id}/radiator_{number}" for number in count(1))
+    return (name for name in names if name not in given)
 
 
 def _outlet(runs: Runs, wish: OutletBrief, reach: float) -> Outlet:
@@ -52,16 +65,14 @@ def _radiator(runs: Runs, wish: RadiatorBrief, name: str, space: Space, reach: f
     for opening in space.openings:
         if opening.kind != "window" and _before(opening, middle, along, width):
             raise InputError(f"stands before {opening.id}", "move it along the wall")
-    if wish.z + wish.height > space.height:
+    x, y = (middle + np.array([-along[1], along[0]]) * wish.depth / 2).tolist()
+    box = np.array([[x, y, heading := atan2(along[0], -along[1]), width, wish.depth]])
+    ceiling, top = float(lowest(box, planes(space), space.height)[0]), wish.z + wish.height
+    if top > ceiling + LEVEL:
         raise InputError(
-            f"is {wish.z + wish.height:g} m high, but the ceiling is at {space.height:g} m",
-            "make it lower",
+            f"rises to {top:g} m, but the ceiling there is at {ceiling:.4g} m", "make it lower"
         )
-    x, y = middle + np.array([-along[1], along[0]]) * wish.depth / 2
-    return Radiator(
-        name, float(x), float(y), atan2(along[0], -along[1]),
-        width, wish.depth, wish.height, wish.z,
-    )  # fmt: skip
+    return Radiator(name, x, y, heading, width, wish.depth, wish.height, wish.z)
 
 
 def _before(

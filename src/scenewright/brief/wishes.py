@@ -41,8 +41,8 @@ class WishBrief(Model):
             raise ValueError(
                 "what is forbidden stands nowhere; say either forbid or where it is to stand"
             )
-        if self.what in (self.face, self.away_from):
-            raise ValueError("a thing cannot face or keep away from itself; name another")
+        if self.what in (self.face, self.near, self.away_from):
+            raise ValueError("a thing cannot face, be near or keep away from itself; name another")
         if self.near and self.away_from:
             raise ValueError("near and away_from share their metres; make two wishes of it")
         return self

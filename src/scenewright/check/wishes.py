@@ -68,15 +68,15 @@ def _why_not(bodies: Bodies, rooms: Rooms, room: int, wish: WishBrief) -> str:
     """Why a wish is not fulfilled; empty if it is."""
     rows = _rows(bodies, room, wish.what)
     if wish.forbid:
-        return "it came with the brief" if len(rows) else ""
+        return _why_there(bodies, rows)
     if not len(rows):
         return "there is none in the room: it did not fit, or is left out"
     here = shapely.union_all(bodies.footprints[rows])
     faults = [
         _not_by(rooms, room, here, wish.by) if wish.by else "",
         _not_facing(bodies, rooms, room, rows, wish.face) if wish.face else "",
-        _too_far(bodies, room, here, wish.near, wish.within) if wish.near else "",
-        _too_near(bodies, rooms, room, here, wish) if wish.away_from else "",
+        _too_far(bodies, rooms, room, rows, wish) if wish.near else "",
+        _too_near(bodies, rooms, room, rows, wish) if wish.away_from else "",
     ]
     return next(filter(None, faults), "")
 
@@ -90,11 +90,24 @@ def _rows(bodies: Bodies, room: int, name: str) -> Indices:
     ], np.int64)  # fmt: skip
 
 
-def _target(bodies: Bodies, rooms: Rooms, room: int, name: str) -> Shape:
-    """Openings of a room as lines on its walls' faces, or the footprints of a group or kind."""
+def _why_there(bodies: Bodies, rows: Indices) -> str:
+    """Why something forbidden stands in a room; empty if nothing does."""
+    if not len(rows):
+        return ""
+    given = all(bodies.pieces[i].fixed for i in rows)
+    return "it came with the brief" if given else "what else is wished for or asked for brings it"
+
+
+def _target(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, name: str) -> Shape:
+    """Openings of a room as lines on its walls' faces, or the footprints of a group or kind,
+    less the ``rows`` that are to stand by it: nothing is near itself."""
     if name not in OPENINGS:
-        return shapely.union_all(bodies.footprints[_rows(bodies, room, name)])
+        return shapely.union_all(bodies.footprints[np.setdiff1d(_rows(bodies, room, name), rows)])
     return _openings(rooms, room, name)
+
+
+def _none(name: str) -> str:
+    return f"the room has no {name}" if name in OPENINGS else f"there is no {name} in the room"
 
 
 def _openings(rooms: Rooms, room: int, kind: str) -> Shape:
@@ -130,9 +143,9 @@ def _not_by(rooms: Rooms, room: int, here: Shape, what: str) -> str:
 
 
 def _not_facing(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, name: str) -> str:
-    target = _target(bodies, rooms, room, name)
+    target = _target(bodies, rooms, room, rows, name)
     if target.is_empty:
-        return f"the room has no {name}" if name in OPENINGS else f"there is no {name} in the room"
+        return _none(name)
     i = int(rows[np.argmax(shapely.area(bodies.footprints[rows]))])
     pose = bodies.pieces[i].pose
     look = pose.heading + (np.pi if bodies.pieces[i].category in _OVER else 0.0)
@@ -146,16 +159,17 @@ def _not_facing(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, name: st
     return f"it looks {np.degrees(off.min()):.0f}° past"
 
 
-def _too_far(bodies: Bodies, room: int, here: Shape, name: str, metres: float) -> str:
-    other = shapely.union_all(bodies.footprints[_rows(bodies, room, name)])
+def _too_far(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, wish: WishBrief) -> str:
+    other = _target(bodies, rooms, room, rows, str(wish.near))
     if other.is_empty:
-        return f"there is no {name} in the room"
-    gap = float(shapely.distance(here, other))
-    return "" if gap <= metres + 1e-6 else f"it stands {gap:.2f} m away"
+        return _none(str(wish.near))
+    gap = float(shapely.distance(shapely.union_all(bodies.footprints[rows]), other))
+    return "" if gap <= wish.within + 1e-6 else f"it stands {gap:.2f} m away"
 
 
-def _too_near(bodies: Bodies, rooms: Rooms, room: int, here: Shape, wish: WishBrief) -> str:
+def _too_near(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, wish: WishBrief) -> str:
     """Nothing that is not there is too near."""
-    other = _target(bodies, rooms, room, str(wish.away_from))
+    other = _target(bodies, rooms, room, rows, str(wish.away_from))
+    here = shapely.union_all(bodies.footprints[rows])
     gap = np.inf if other.is_empty else float(shapely.distance(here, other))
     return "" if gap >= wish.beyond - 1e-6 else f"it stands only {gap:.2f} m away"

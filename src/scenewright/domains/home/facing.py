@@ -42,7 +42,7 @@ def faced(cases: Sequence[Group], boxes: Floats, new: NDArray[np.bool_], ground:
     off = _off(cases[seat], boxes[seat], boxes[screen])
     if not ENOUGH < abs(off) <= OFF:
         return boxes
-    zones = np.concatenate([ground.keep_free, ground.obstacles])
+    zones = np.concatenate([ground.keep_free, ground.obstacles, ground.fronts])
     heading = boxes[seat, 2]
     side = np.array([sin(heading), -cos(heading)])
     for share in SHARES:

@@ -15,10 +15,16 @@ from scenewright.space import Space
 
 
 def unheard(room: Room | None, space: Space, pieces: tuple[Piece, ...], catalog: Catalog) -> int:
-    """How many of a room's wishes for things, and of the outlets needed, ``pieces`` do not meet."""
+    """How many of a room's wishes for things, and of the outlets needed, ``pieces`` do not meet.
+
+    What the brief puts out of reach itself is not counted: nothing will mend it.
+    """
     if room is None or not (space.outlets or any(not wish.forbid for wish in room.wishes)):
         return 0
     where = rooms_of((space,))
     bodies, _ = bodies_of(pieces, where, catalog)
-    wishes = sum(not told["fulfilled"] for told in wishes_told(bodies, where, [room]))
-    return wishes + sum(not each.reached for each in connections_of(bodies, where))
+    told = zip(room.wishes, wishes_told(bodies, where, [room]), strict=True)
+    return sum(not wish.forbid and not answer["fulfilled"] for wish, answer in told) + sum(
+        not each.reached and not bodies.pieces[each.piece].fixed
+        for each in connections_of(bodies, where)
+    )

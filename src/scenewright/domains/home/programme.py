@@ -24,12 +24,10 @@ class Draw(NamedTuple):
 
 
 class Sway(NamedTuple):
-    """Where a group is wished: how much by a window, in a corner, near which groups, and what else
-    draws it."""
+    """Where a group is wished: how much by a window, in a corner, and what else draws it."""
 
     daylight: float = 0.0
     corner: float = 0.0
-    near: tuple[str, ...] = ()
     draws: tuple[Draw, ...] = ()
 
 

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
+from math import inf
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scenewright.brief import Brief, Room
 from scenewright.brief.wishes import OPENINGS, WishBrief
@@ -22,6 +24,8 @@ from scenewright.errors import InputError
 from scenewright.plan import place
 from scenewright.problem import Items
 from scenewright.solution import LeftOut
+
+Floats = NDArray[np.float64]
 
 DAYLIGHT = 12.0  # how much a group wants a window that is wished at one (a desk of itself: 1)
 CORNER = 6.0  # how much it wants a corner (a wardrobe of itself: 1)
@@ -150,12 +154,11 @@ def substituted(room: Room, space: str, placed: Iterable[str], told: Iterable[st
 
 
 def _sway(sway: Sway, asked: WishBrief) -> Sway:
-    near = sway.near if asked.near is None else groups_of(asked.near)
+    draws = (draw for draw in _draws(asked) if draw not in sway.draws)
     return Sway(
         DAYLIGHT if asked.by == "window" else sway.daylight,
         CORNER if asked.by == "corner" else sway.corner,
-        near,
-        (*sway.draws, *_draws(asked)),
+        (*sway.draws, *draws),
     )
 
 
@@ -179,16 +182,9 @@ def swayed(items: Items, wishes: Sequence[Wish]) -> Items:
         return items
     daylight = np.maximum(items.daylight, [w.sway.daylight for w in wishes])
     nestle = np.maximum(items.nestle, [w.sway.corner for w in wishes])
-    pairs = list(_pairs(wishes))
-    nan = float("nan")
-    targets = [
-        (float(items.wish[i, 0] + items.wish[j, 0]) / 2 + PASSING, nan, nan) for i, j in pairs
-    ]
-    for i, j, draw in _between(wishes):
-        apart = draw.near + float(items.wish[i].mean() + items.wish[j].mean()) / 2
-        ahead = np.pi if wishes[i].group in BACKWARD else 0.0
-        pairs.append((i, j))
-        targets.append((-apart if draw.near else nan, nan, ahead if draw.facing else nan))
+    drawn = list(_between(wishes))
+    pairs = [(i, j) for i, j, _ in drawn]
+    targets = [_target(draw, wishes[i].group, items.wish[i], items.wish[j]) for i, j, draw in drawn]
     return items._replace(
         daylight=daylight, nestle=nestle,
         pairs=np.concatenate([items.pairs, np.array(pairs, np.int64).reshape(-1, 2)]),
@@ -199,17 +195,21 @@ def swayed(items: Items, wishes: Sequence[Wish]) -> Items:
     )  # fmt: skip
 
 
-def _pairs(wishes: Sequence[Wish]) -> Iterable[tuple[int, int]]:
-    for i, wish in enumerate(wishes):
-        others = [j for j, w in enumerate(wishes) if j != i and w.group in wish.sway.near]
-        if others:
-            yield i, others[0]
+def _target(draw: Draw, group: str, own: Floats, other: Floats) -> tuple[float, float, float]:
+    """What a draw to another group means for the relation of both, of their wished sizes (2,):
+    side by side, apart (below zero: at least so far), or looking at it."""
+    nan = float("nan")
+    if draw.far < inf:
+        return float(own[0] + other[0]) / 2 + PASSING, nan, nan
+    apart = draw.near + float(own.mean() + other.mean()) / 2
+    ahead = np.pi if group in BACKWARD else 0.0
+    return -apart if draw.near else nan, nan, ahead if draw.facing else nan
 
 
 def _between(wishes: Sequence[Wish]) -> Iterable[tuple[int, int, Draw]]:
-    """The wishes that keep a group away from another, or have it look there."""
+    """The wishes that draw a group to another, keep it away or have it look there."""
     for i, wish in enumerate(wishes):
         for draw in drawn_to(wish):
             others = [j for j, w in enumerate(wishes) if j != i and w.group in draw.to]
-            if others and (draw.near or draw.facing):
+            if others:
                 yield i, others[0], draw
