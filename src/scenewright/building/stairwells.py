@@ -76,6 +76,7 @@ def with_stairs(
     if not found:
         return tuple(spaces)
     floors = [shapely.Polygon(space.outline, space.holes) for space in spaces]
+    tree = shapely.STRtree(floors)
     entered = _entered(spaces, storeys)
     height = {level.id: level.elevation for level in storeys}
     rise = {s.id: height[s.upper] - height[s.level] for s in found}
@@ -99,11 +100,10 @@ def with_stairs(
             ends[room].append(StairEnd(stairs.id, kind, *end, arrival))
             entries[kind] = room
         for kind, level in (("foot", stairs.level), ("head", stairs.upper)):
-            own = [floor if space.level == level else shapely.Polygon()
-                   for space, floor in zip(spaces, floors, strict=True)]  # fmt: skip
+            own = np.array([space.level == level for space in spaces])
             most = rise[stairs.id] if kind == "foot" else RAILING
             tall = [min(most, space.height) for space in spaces]
-            for room, part in _parts(stairs, kind, entries[kind], own, tall):
+            for room, part in _parts(stairs, kind, entries[kind], tree, own, tall):
                 if part.id in taken:
                     raise InputError(f"the id '{part.id}' is used twice",
                                      "give the stairs another id", place=place)  # fmt: skip
@@ -116,19 +116,23 @@ def with_stairs(
 
 
 def _parts(
-    stairs: Stairs, kind: str, entry: int, floors: Sequence[shapely.Polygon],
+    stairs: Stairs, kind: str, entry: int, floors: shapely.STRtree, own: NDArray[np.bool_],
     tall: Sequence[float],
 ) -> Iterator[tuple[int, StairPart]]:  # fmt: skip
-    """What stairs take of the ``floors`` of a level, cut where rooms part, and nothing where rooms
-    have been drawn round it. The first box holds the foot, the last the head: in the room of the
-    ``entry`` (else the one with most of it) that part is the staircase one steps onto."""
+    """What stairs take of the ``floors`` of their ``own`` level, cut where rooms part, and nothing
+    where rooms have been drawn round it. The first box holds the foot, the last the head: in the
+    room of the ``entry`` (else the one with most of it) that part is the staircase one steps onto.
+    """
     boxes = stairs.taken if kind == "foot" else stairs.open
     main = 0 if kind == "foot" else len(boxes) - 1
     name = stairs.id if kind == "foot" else f"{stairs.id}/well"
     for k, box in enumerate(boxes):
-        inside = shapely.intersection(np.array(floors), shapely.Polygon(_outline(box)))
-        cut = {int(i): _cut_to(inside[i], box) for i in np.argsort(-shapely.area(inside))
-               if inside[i].area > 0.0}  # fmt: skip
+        shape = shapely.Polygon(_outline(box))
+        near = np.sort(floors.query(shape))
+        near = near[own[near]]
+        inside = shapely.intersection(floors.geometries[near], shape)
+        order = np.argsort(-shapely.area(inside), kind="stable")
+        cut = {int(near[i]): _cut_to(inside[i], box) for i in order if inside[i].area > 0.0}
         here = {room: part for room, part in cut.items() if min(part[3:]) > SLIVER}
         first = entry if entry in here else next(iter(here), -1)
         for room, part in here.items():

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import shapely
 from numpy.typing import NDArray
+from shapely.ops import substring
 
 from scenewright.building.stair_parts import railing_lines, well_of
 from scenewright.formats.svg_labels import polygon_of
@@ -105,7 +106,7 @@ def _walked(stairs: Stairs, tread: Tread) -> float:
 def _along(stairs: Stairs, share: float, start: float = 0.0) -> Floats:
     """The line one walks, from one share of its length to another."""
     walk = shapely.LineString(stairs.walk)
-    part = shapely.ops.substring(walk, start, max(share, start + 0.15), normalized=True)
+    part = substring(walk, start, max(share, start + 0.15), normalized=True)
     return np.asarray(shapely.get_coordinates(part), np.float64)
 
 
