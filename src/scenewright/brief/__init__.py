@@ -108,7 +108,7 @@ class Ask(Model):
 
     group: str
     count: Annotated[Whole, Field(ge=1, le=50)] = 1
-    size: tuple[Length, Length] | None = None
+    size: tuple[Side, Side] | None = None
     required: Switch = True
 
 

@@ -15,14 +15,16 @@ from functools import partial
 
 from scenewright._version import __version__
 from scenewright.brief import Brief, Room
+from scenewright.catalog import Catalog
 from scenewright.domains.home.amount import accustomed
+from scenewright.domains.home.asked import check_asks, check_possible
 from scenewright.domains.home.attempt import Furnished, Task
 from scenewright.domains.home.own_library import libraries_of, taste_of
 from scenewright.domains.home.presets import PRESETS, Preset, preset_named
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.second_try import tried_again
-from scenewright.domains.home.tasks import check_asks, completed, task_of, wishes_of
+from scenewright.domains.home.tasks import completed, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, varied
 from scenewright.domains.home.wheelchair import furnish_by_use, widened
 from scenewright.domains.home.wishes import allowed, check_wishes, substituted
@@ -32,6 +34,7 @@ from scenewright.plan import spaces
 from scenewright.scene import Piece
 from scenewright.solution import LeftOut, Solution
 from scenewright.solve import Budget
+from scenewright.space import Space
 from scenewright.stock import catalog_of
 
 Progress = Callable[[float, str], None]
@@ -75,17 +78,7 @@ def solve(
     rooms = spaces(brief)
     catalog = catalog_of(brief.catalogs)
     check_wishes(brief, catalog)
-    libraries = libraries_of(brief, catalog)
-    if brief.accessible:
-        libraries = {taste: widened(library) for taste, library in libraries.items()}
-    tasks = [
-        task_of(
-            brief, brief_room, space, tuple(fixed_pieces(brief_room, space, catalog)), catalog,
-            allowed(libraries[taste_of(brief, brief_room)], brief_room), chosen, named, seed,
-            cancel,
-        )
-        for brief_room, space in zip(brief.rooms, rooms, strict=True)
-    ]  # fmt: skip
+    tasks = _tasks(brief, rooms, catalog, chosen, named, seed, cancel)
     tasks = [accustomed(*each, rooms) for each in zip(tasks, brief.rooms, strict=True)]
     wishes = [
         other_groups(wishes_of(brief_room, task, rooms, task.fixed), variant)
@@ -104,6 +97,25 @@ def solve(
         opened = partial(yielded, standing, rooms=rooms, catalog=catalog, width=brief.route_width)
         answers = tried_again(turned, wishes, budgets, answers, opened)
     return _solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
+
+
+def _tasks(
+    brief: Brief, rooms: tuple[Space, ...], catalog: Catalog, preset: Preset, solver: str,
+    seed: int, cancel: Cancel | None,
+) -> list[Task]:  # fmt: skip
+    """Every room as a task, with the library that its wishes and asks leave."""
+    libraries = libraries_of(brief, catalog)
+    if brief.accessible:
+        libraries = {taste: widened(library) for taste, library in libraries.items()}
+    own = [allowed(libraries[taste_of(brief, room)], room) for room in brief.rooms]
+    check_possible(brief, own)
+    return [
+        task_of(
+            brief, room, space, tuple(fixed_pieces(room, space, catalog)), catalog, library,
+            preset, solver, seed, cancel,
+        )
+        for room, space, library in zip(brief.rooms, rooms, own, strict=True)
+    ]  # fmt: skip
 
 
 def _run(

@@ -71,6 +71,13 @@ def planted(
     return Cases(groups, sizes, plant(sizes.tolist()), first, of_rooms, smallest)
 
 
+def those(known: Cases, chosen: NDArray[np.bool_]) -> Cases:
+    """Some of the cases, at least one, with all that is known of them."""
+    groups = tuple(group for group, stays in zip(known.groups, chosen, strict=True) if stays)
+    real, areas = known.real[chosen].tolist(), known.areas[chosen].tolist()
+    return planted(groups, tuple(real), tuple(areas))
+
+
 def cases(function: str, library: Library = SHIPPED) -> Cases:
     """All cases of a group function."""
     return library.own.get(function) or shipped_cases(function)

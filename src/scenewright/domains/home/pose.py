@@ -117,14 +117,16 @@ def sizes_of(
     """Least, greatest and wished (width, depth): the least is that of the smallest real case
     that becomes the room (of any case if the wish may be small)."""
     known = cases(wish.group, library)
-    found = known.sizes
-    goal = wished(wish.group, area, library)
-    if not wish.small:
-        found = found[known.real] if known.real.any() else found
-        found = found[found.prod(-1) >= BECOMING * goal.width * goal.depth]
+    found, real = known.sizes, known.real
     if wish.most is not None:
         fits = (found <= np.array(wish.most) + 1e-9).all(-1)
-        found = found[fits] if fits.any() else found[[int(np.argmin(found.prod(-1)))]]
+        fits = fits if fits.any() else np.arange(len(found)) == known.smallest
+        found, real = found[fits], real[fits]
+    goal = wished(wish.group, area, library)
+    if not wish.small:
+        found = found[real] if real.any() else found
+        footprints = found.prod(-1)
+        found = found[footprints >= BECOMING * min(goal.width * goal.depth, footprints.max())]
     low = found[int(np.argmin(found.prod(-1)))]
     high = np.maximum(found.max(0), low)
     ideal = np.clip([goal.width, goal.depth], low, high)

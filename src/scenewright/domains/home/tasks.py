@@ -12,6 +12,7 @@ import shapely
 from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog
 from scenewright.ceiling import living_area, planes
+from scenewright.domains.home.asked import sized
 from scenewright.domains.home.attempt import Task, floor_of, out_of_reach
 from scenewright.domains.home.extras import extras
 from scenewright.domains.home.ground import ground_of
@@ -20,8 +21,6 @@ from scenewright.domains.home.library import Library
 from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import STANDS_FOR, WELCOME, Wish, programme, resolved
 from scenewright.domains.home.wishes import granted
-from scenewright.errors import InputError
-from scenewright.plan import place
 from scenewright.scene import Piece
 from scenewright.space import Space
 
@@ -45,7 +44,7 @@ def task_of(
     task = Task(
         space, ground, fixed, catalog, preset, solver, brief.route_width,
         _use_width(shape, brief.route_width), frozenset(),
-        stream % 2**31, cancel, library, brief.accessible,
+        stream % 2**31, cancel, sized(library, room), brief.accessible,
         frozenset(w.what for w in room.wishes if w.forbid), asked=room,
     )  # fmt: skip
     return task._replace(tight=out_of_reach(task, ()))
@@ -104,14 +103,3 @@ def _less(wishes: tuple[Wish, ...], standing: Counter[str]) -> tuple[Wish, ...]:
         else:
             kept.append(wish)
     return tuple(kept)
-
-
-def check_asks(brief: Brief) -> None:
-    """Every group that is asked for is known."""
-    for number, room in enumerate(brief.rooms):
-        for k, ask in enumerate(room.ask or ()):
-            if ask.group not in GROUPS:
-                raise InputError(
-                    f"there is no furniture group '{ask.group}'",
-                    "use one of: " + ", ".join(GROUPS), place=place(brief, number, f"ask[{k}]"),
-                )  # fmt: skip

@@ -107,16 +107,17 @@ def _without(case: Group, category: str) -> Group | None:
 
 def barred(room: Room, library: Library) -> frozenset[str]:
     """The groups that cannot stand in a room because of what is forbidden there."""
-    found = set()
-    for wish in (w for w in room.wishes if w.forbid):
-        if wish.what in GROUPS:
-            found.add(wish.what)
-        else:
-            found |= {
-                g for g in groups_of(wish.what)
-                if all(_without(c, wish.what) is None for c in cases(g, library).groups)
-            }  # fmt: skip
-    return frozenset(found)
+    return frozenset(g for w in room.wishes if w.forbid for g in barred_by(w.what, library))
+
+
+def barred_by(what: str, library: Library) -> frozenset[str]:
+    """The groups that cannot stand where a group or kind of piece is forbidden."""
+    if what in GROUPS:
+        return frozenset((what,))
+    return frozenset(
+        g for g in groups_of(what)
+        if all(_without(c, what) is None for c in cases(g, library).groups)
+    )  # fmt: skip
 
 
 def granted(
