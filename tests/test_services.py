@@ -12,12 +12,14 @@ from rich.console import Console
 
 from scenewright.assets import shipped
 from scenewright.brief import Brief
+from scenewright.catalog import Member
 from scenewright.check import Report, check
 from scenewright.cli import show as cli_show
 from scenewright.domains import home, resolve, solve
 from scenewright.domains.home.dress import Refused, dress_patch
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.obstacles import standing_of
+from scenewright.domains.home.plugged import out_of_reach
 from scenewright.domains.standing import fixed_pieces
 from scenewright.energy import evaluate
 from scenewright.errors import InputError
@@ -28,6 +30,7 @@ from scenewright.problem import Problem, empty_items
 from scenewright.scene import Piece, Pose, Size
 from scenewright.shell import scene_of
 from scenewright.solution import Solution
+from scenewright.space import Outlet
 
 
 def room(function: str = "living", width: float = 6.0, **services: Any) -> Brief:
@@ -155,6 +158,16 @@ def test_explain_tells_of_outlets() -> None:
 def within(solution: Solution, brief: Brief) -> float:
     figures = check(replace(solution, brief=brief)).figures["outlets"]
     return float(np.mean([f["within"] for f in figures]))
+
+
+@pytest.mark.parametrize(("at", "metres"), [((3.0, 1.0), 0.0), ((3.0, 3.0), 1.1), ((5, 0.2), 0.0)])
+def test_leads_too_short_are_measured(at: tuple[float, float], metres: float) -> None:
+    """A television of 1.2 by 0.2 m whose lead reaches 1.5 m; no antenna is listed, so none
+    counts."""
+    tv = Member("tv", 0.0, 0.0, 0.0, 0.0, Size(1.2, 0.2, 0.7))
+    box = np.array([[3.0, 0.3, np.pi / 2, 1.2, 0.2]])
+    outlet = Outlet("", "power", *at, 0.0, False)
+    assert out_of_reach([tv], box, [outlet]) == pytest.approx(metres)
 
 
 def test_outlets_draw() -> None:

@@ -8,17 +8,23 @@ from typing import Any
 
 import pytest
 
+from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.check import check
 from scenewright.cli import show as cli_show
 from scenewright.domains import home, resolve
+from scenewright.domains.home.attempt import UNHEARD, posed, scored
 from scenewright.domains.home.library import SHIPPED
 from scenewright.domains.home.pose import items_of
+from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.tasks import task_of
 from scenewright.domains.home.wishes import granted, swayed
+from scenewright.domains.standing import fixed_pieces
 from scenewright.errors import InputError
 from scenewright.formats import solution_json
 from scenewright.formats.brief_json import loads
+from scenewright.plan import spaces
 from scenewright.scene import Piece, Pose, Size
 from scenewright.solution import Solution
 
@@ -184,14 +190,6 @@ def test_nothing_is_near_itself() -> None:
     assert told(replace(empty, pieces=(alone, table))) == [True, False, True]
 
 
-def test_what_is_forbidden_and_wanted_is_told_truly() -> None:
-    asked = room("living", {"what": "plant", "forbid": True}, {"what": "plant", "by": "window"})
-    figures = check(solved(asked)).figures["wishes"]
-    assert [w["why"] for w in figures if not w["fulfilled"]] == [
-        "what else is wished for or asked for brings it"
-    ]
-
-
 def test_every_wish_to_be_near_something_draws() -> None:
     """Two wishes of one thing: the first counts as much as the second, said twice as much as
     once."""
@@ -202,6 +200,20 @@ def test_every_wish_to_be_near_something_draws() -> None:
     items = items_of(wanted, 24.0)
     pairs = swayed(items, wanted).pairs[len(items.pairs) :]
     assert [(names[i], names[j]) for i, j in pairs] == [("shelf", "media"), ("shelf", "plant")]
+
+
+@pytest.mark.parametrize(("x", "deaf"), [(0.6, 0), (4.0, 1)])
+def test_layouts_that_meet_a_wish_score_better(x: float, deaf: int) -> None:
+    """A plant that stands by the window, or far from it, and nothing else."""
+    plant = {"category": "potted_tree", "at": (x, 2.2), "size": (0.4, 0.4, 1.5),
+             "function": "plant"}  # fmt: skip
+    brief = room("living", {"what": "plant", "by": "window"})
+    brief = Brief.model_validate({"rooms": [brief.rooms[0].model_dump() | {"fixed": [plant]}]})
+    asked, space = brief.rooms[0], spaces(brief)[0]
+    standing = tuple(fixed_pieces(asked, space, shipped()))
+    task = task_of(brief, asked, space, standing, shipped(), SHIPPED, PRESETS["default"], "", 0)
+    told = scored(task, (), (), posed(task, (), task.ground), 0.0)
+    assert (told.unheard, told.score) == (deaf, deaf * UNHEARD)
 
 
 def test_a_fixed_piece_draws_too() -> None:
