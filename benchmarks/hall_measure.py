@@ -67,7 +67,7 @@ class Posed(NamedTuple):
 def posed(brief: Brief, seed: int = 0, printed: bool = False) -> Posed:
     """The first hall of a brief ready to be solved, by the paper's preset if ``printed``."""
     hall = hall_in(brief, 0, None)
-    wishes = wanted(brief, 0, ())
+    wishes = wanted(brief, 0, (), shipped())
     weights = PAPER if printed else OURS
     return Posed(hall, wishes, fit(hall, wishes, weights, shipped(), seed, printed))
 
@@ -91,11 +91,12 @@ def hall_in(brief: Brief, number: int, solution: Solution | None) -> Hall:
 def energies_of(solution: Solution, number: int = 0) -> Energies:
     """The four energies of a hall of a solution, by the measure of this module."""
     hall = hall_in(solution.brief, number, solution)
-    wishes = wanted(solution.brief, number, ())
+    wishes = wanted(solution.brief, number, (), shipped())
     placed = _placed(solution, hall, wishes)
     held = [_with_sizes(wish, placed, k) for k, wish in enumerate(wishes)]
     problem = pose(hall, held, _units(placed), (), dict(PAPER), shipped())
     boxes = _boxes([piece for pieces in placed.values() for piece in pieces])
+    boxes[:, 3:] = problem.units.sizes
     p, s, _ = measured(problem, HallLayout(_single(problem), boxes, 0.0, 0.0, 0.0, loose=True))
     proportion, pairs = _proportion(problem, boxes)
     least = len(p.spans) * space_cost(0.0, 1.0) + 0.5 * pairs
@@ -135,7 +136,7 @@ def _units(placed: _Placed) -> list[Unit]:
 
 def _with_sizes(wish: Wanted, placed: _Placed, number: int) -> Wanted:
     sizes = [p.size for (demand, _), pieces in placed.items() if demand == number for p in pieces]
-    return wish._replace(sizes=tuple(sizes))
+    return wish._replace(sizes=tuple(s._replace(depth=s.depth + 2 * wish.chairs) for s in sizes))
 
 
 def _boxes(pieces: list[Piece]) -> Floats:

@@ -59,7 +59,7 @@ def posed(brief: Brief, preset: str = "default", seed: int = 0) -> Posed:
     space = spaces(brief)[0]
     plan = zones_of(brief, 0, space)
     found = hall_of(space, plan, borders_of(plan, space), (), brief.route_width)
-    wishes = wanted(brief, 0, ())
+    wishes = wanted(brief, 0, (), shipped())
     row = PRESETS[preset]
     return Posed(found, wishes, fit(found, wishes, row.weights, shipped(), seed, row.whole))
 
@@ -310,7 +310,7 @@ def test_walls_are_as_long_as_the_paper_says() -> None:
     demand = {"id": "art", "category": "wall_exhibit", "count": 14, "size": [1.2, 0.1, 1.5],
               "zone": "east"}  # fmt: skip
     needed = 15 * 1.0 + 14 * 1.2
-    wishes = wanted(two_zones(demand), 0, ())
+    wishes = wanted(two_zones(demand), 0, (), shipped())
     assert wall_needed(wishes[0], 14, True) == pytest.approx(needed)
     assert wall_needed(wishes[0], 14, False) < needed
     windows = [{"at": [x, 10], "width": 2.0, "sill": 1.0} for x in (11.5, 14.0, 16.5, 18.9)]

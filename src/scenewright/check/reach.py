@@ -61,7 +61,7 @@ def find_unreachable(
     No closet or toilet could be used if one had to walk about in it. So a *tight* room, nowhere
     as wide as two routes or closed to the route by a narrow doorway even while empty, is reached
     if its doorway is, and within it a person goes on sideways; and so one does to a seat of a
-    group, along its row.
+    group, along its row, and to one at a table of a group, past the chairs beside it.
     """
     found: list[Finding] = []
     placed = _by_room(bodies, groups)
@@ -120,7 +120,8 @@ def _missed_pieces(
         shapes = [_used_from(bodies, rooms, i, walk.radius + REACH) for i in rows]
         clipped: Shapes = shapely.intersection(np.array(shapes, object), within)
         far = ~shapely.intersects(walk.reached, clipped)
-        sideways = np.array([i in grouped and _for_sitting(bodies, i) for i in rows], bool)
+        names = {group.id for group in groups}
+        sideways = np.array([_seat_of(bodies, i, grouped, names) for i in rows], bool)
         sideways |= bool(far.any()) and _tight(rooms, room, walk)
         if (far & sideways).any():
             near = squeeze_in(bodies, ground, walk, within)
@@ -137,8 +138,11 @@ def _missed_pieces(
     return missed
 
 
-def _for_sitting(bodies: Bodies, row: int) -> bool:
-    return any(word in bodies.pieces[row].category for word in _SEATS)
+def _seat_of(bodies: Bodies, row: int, grouped: set[int], groups: set[str]) -> bool:
+    """Whether a piece is a seat of a group, or stands at a table of one."""
+    piece = bodies.pieces[row]
+    mine = row in grouped or piece.group in groups
+    return mine and any(word in piece.category for word in _SEATS)
 
 
 def _by_room(bodies: Bodies, groups: Sequence[Members]) -> dict[int, list[Members]]:

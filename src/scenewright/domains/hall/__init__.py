@@ -164,7 +164,7 @@ def _lay(
 ) -> Laid:
     hall, preset = task.hall, task.preset
     locked = tuple(piece for piece in hall.fixed if piece.function not in ("", "fixed"))
-    wishes = leaning(wanted(brief, task.number, locked), task.lean)
+    wishes = leaning(wanted(brief, task.number, locked, catalog), task.lean)
     fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.whole)
     if not fitted.units:
         missing = left_out(hall, wishes, fitted.units)

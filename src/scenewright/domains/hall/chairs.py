@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from typing import NamedTuple
 
 from scenewright.catalog import Catalog
@@ -24,6 +25,15 @@ COMPANY = {
     "dining_table": Company("dining_chair", 0.65, 0.1),
 }
 TOUCH = 1e-4
+
+
+def out_of_table(category: str, asked: Collection[str], catalog: Catalog) -> float:
+    """How far the chairs that come with a table stand out before and behind it, in metres; 0 for
+    what has none, or where chairs are ``asked`` for by themselves."""
+    company = COMPANY.get(category)
+    if company is None or company.category in asked:
+        return 0.0
+    return catalog.of(company.category)[0].usual[1] - company.tuck
 
 
 def with_chairs(pieces: tuple[Piece, ...], others: tuple[Piece, ...], catalog: Catalog

@@ -35,7 +35,7 @@ def dressed(
         wish = wishes[unit.demand]
         for number, size in enumerate(wish.sizes[unit.first : unit.last], 1):
             low = min(size.height, hall.space.height)
-            fitted = Size(size.width, size.depth, low)
+            fitted = Size(size.width, round(size.depth - 2 * wish.chairs, 9), low)
             asset = catalog.choose(wish.category, fitted)
             x, y, heading = (float(v) for v in boxes[row, :3])
             pieces.append(

@@ -160,9 +160,10 @@ def _reason(
     if max(over) > 0.0:
         size = absent[int(np.argmax(over))]
         what = "no wall" if wish.at_wall else "no place"
+        company = " with its chairs" if wish.chairs else ""
         return (
-            f"{what} in {where} is large enough for one of {size.width:g} by {size.depth:g} m: "
-            f"{max(over):.2f} m are missing"
+            f"{what} in {where} is large enough for one of {size.width:g} by {size.depth:g} m"
+            f"{company}: {max(over):.2f} m are missing"
         )
     if wish.at_wall:
         length = sum(size.width for size in absent)

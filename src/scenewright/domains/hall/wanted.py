@@ -10,10 +10,14 @@ import numpy as np
 from scenewright.assets.hall_use import hall_use
 from scenewright.brief import Brief
 from scenewright.brief.hall import Demand
+from scenewright.catalog import Catalog
 from scenewright.demands import ids_of, sizes_of
+from scenewright.domains.hall.chairs import out_of_table
 from scenewright.scene import Piece, Size
 
 MIXTURE_FROM = 6
+SEATWAY = 0.45
+"""Free floor to get to a chair from behind, in metres (Neufert)."""
 SPECTATORS, SHOWS = ("auditorium_seat",), ("stage", "screen", "lectern")
 """What looks, unless told otherwise, at what."""
 
@@ -21,7 +25,10 @@ SPECTATORS, SHOWS = ("auditorium_seat",), ("stage", "screen", "lectern")
 class Wanted(NamedTuple):
     """One demand: its id, what to call it, the sizes of its objects, the free depth at front,
     left, back and right of each, the patterns it may take, the zones it may go to (empty: any),
-    the id of the demand it looks at (empty: none) and whether leaving it out is a failure."""
+    the id of the demand it looks at (empty: none) and whether leaving it out is a failure.
+
+    Tables that bring chairs are placed with them: ``sizes`` are those of the floor they take
+    together, ``chairs`` metres of it before and behind each table."""
 
     id: str
     name: str
@@ -32,6 +39,7 @@ class Wanted(NamedTuple):
     zones: tuple[str, ...]
     facing: str
     required: bool
+    chairs: float = 0.0
 
     @property
     def at_wall(self) -> bool:
@@ -39,16 +47,18 @@ class Wanted(NamedTuple):
         return self.patterns == ("wall",)
 
 
-def wanted(brief: Brief, number: int, locked: tuple[Piece, ...]) -> list[Wanted]:
+def wanted(brief: Brief, number: int, locked: tuple[Piece, ...], catalog: Catalog) -> list[Wanted]:
     """The demands of room ``number`` less what stands there ``locked`` already."""
     room = brief.rooms[number]
     ids = ids_of(room.demands)
+    asked = {demand.category for demand in room.demands}
     found = []
     for demand, name in zip(room.demands, ids, strict=True):
         filled = _filled(demand, name)
         sizes = _less(filled.sizes, [piece.size for piece in locked if piece.function == name])
         if sizes:
-            found.append(filled._replace(sizes=sizes))
+            chairs = out_of_table(demand.category, asked, catalog)
+            found.append(_with_chairs(filled._replace(sizes=sizes), chairs))
     shows = [wish.id for wish in found if wish.category in SHOWS]
     return [
         wish._replace(facing=wish.facing or shows[0])
@@ -56,6 +66,17 @@ def wanted(brief: Brief, number: int, locked: tuple[Piece, ...]) -> list[Wanted]
         else wish
         for wish in found
     ]
+
+
+def _with_chairs(wish: Wanted, chairs: float) -> Wanted:
+    """Tables with their chairs as one footprint. Clearances are measured from the table, so the
+    chairs stand on them; a seatway stays behind the chairs."""
+    if not chairs:
+        return wish
+    front, left, back, right = wish.clearance
+    front, back = (max(depth - chairs, min(depth, SEATWAY)) for depth in (front, back))
+    sizes = tuple(size._replace(depth=size.depth + 2 * chairs) for size in wish.sizes)
+    return wish._replace(sizes=sizes, clearance=(front, left, back, right), chairs=chairs)
 
 
 def _less(sizes: tuple[Size, ...], there: list[Size]) -> tuple[Size, ...]:
