@@ -144,7 +144,7 @@ def test_a_piece_may_change_rooms_but_not_leave_the_home(house: Solution) -> Non
         ({"lock": ["bed"]}, "'bed' may be any of 3 pieces; say which: .*double_bed"),
         ({"again": ["kitchn"]}, "no room 'kitchn'; use one of: kitchen"),
         ({"swap": [("living/sofa", "living/coffee_table")]}, "are of one group"),
-        ({"unlock": ["stairs"]}, "belongs to no furniture group"),
+        ({"unlock": ["stairs"]}, "is of the building; move the stairs in the brief"),
     ],
 )
 def test_what_cannot_be_meant_is_told(house: Solution, edits: dict, told: str) -> None:  # type: ignore[type-arg]

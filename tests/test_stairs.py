@@ -351,3 +351,10 @@ def test_levels_of_the_sample_are_joined() -> None:
     sample = formats.read("sample:home-house")
     assert [s.level for s in spaces(sample) if s.stairs] == ["0", "1"]
     assert len(levels(sample)) == 2
+
+
+def test_sites_have_no_stairs() -> None:
+    site = {"outline": [[0, 0], [60, 0], [60, 40], [0, 40]]}
+    stairs = [{"at": [1, 1], "heading": 0}]
+    with pytest.raises(InputError, match="sites have no levels"):
+        spaces(Brief.model_validate({"domain": "site", "sites": [site], "stairs": stairs}))

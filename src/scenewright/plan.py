@@ -101,6 +101,11 @@ def _check_domain(brief: Brief) -> None:
 
 def _grounds(brief: Brief) -> tuple[Space, ...]:
     """The sites of a brief: open ground without walls."""
+    if brief.stairs:
+        raise InputError(
+            "has stairs, but the brief is of a site", "leave them out; sites have no levels",
+            place="stairs",
+        )  # fmt: skip
     level = levels(brief)[0].id
     return tuple(
         Space(plan.id, plan.name, ("site",), level, plan.outline, plan.holes, SKY)

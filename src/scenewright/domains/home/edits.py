@@ -58,6 +58,7 @@ def edited(
     now = {piece.id: piece for piece in pieces}
     for name in edits.unlock:
         main = named(tuple(now.values()), name)
+        _check_movable(main)
         if main.function not in GROUPS:
             raise InputError(
                 f"'{main.id}' belongs to no furniture group and cannot be placed anew",
@@ -65,6 +66,7 @@ def edited(
             )
         now |= {p.id: replace(p, fixed=False) for p in whole(main, now.values())}
     for name in edits.lock:
+        _check_movable(named(tuple(now.values()), name))
         held = whole(named(tuple(now.values()), name), now.values())
         now |= {p.id: replace(p, fixed=True) for p in held}
     before, moved = dict(now), set()
