@@ -120,7 +120,7 @@ BAD_JSON = {
     ),
     "a sofa in centimetres": (
         one_room(fixed=[{"category": "sofa", "at": [1, 1], "size": [200, 1, 0.8]}]),
-        "fixed[0].size[0]: 200 is not possible; it should be less than or equal to 30 (lengths",
+        "fixed[0].size[0]: 200 is not possible; it should be at most 30 (lengths",
     ),
     "a number in quotes": (door(width="0.9"), 'doors[0].width: "0.9" is not possible; give a num'),
     "yes for true": (
@@ -128,6 +128,20 @@ BAD_JSON = {
         'ask[0].required: "yes" is not possible; give true or false',
     ),
     "a wish in short": (one_room(ask=["desk"]), 'ask[0]: "desk" is not possible; write {"group": '),
+    "a misspelt key": (
+        one_room().replace('"outline"', '"outlin"'),
+        'rooms[0].outlin: is not a known key (and 1 more); did you mean "outline"?',
+    ),
+    "a key far from any": (one_room(zzz=1), "rooms[0].zzz: is not a known key; correct its spell"),
+    "a misspelt key of a catalogue": (
+        json.dumps({"catalogs": [{"path": "x", "scal": 2}], "rooms": [ROOM]}),
+        'catalogs[0].scal: is not a known key; did you mean "scale"?',
+    ),
+    "a door in centimetres": (door(width=90), "it should be at most 20 (lengths are metres)"),
+    "a catalogue by number": (
+        json.dumps({"catalogs": [3], "rooms": [ROOM]}),
+        "catalogs[0]: 3 is not possible; give a text in quotes",
+    ),
     "two corners": (one_room(outline=[[0, 0], [4, 0]]), "outline: needs at least 3 corners, has 2"),
     "three coordinates": (
         one_room(outline=[[0, 0], [4, 0, 1], [4, 4]]),
@@ -205,7 +219,8 @@ def test_bad_xml_is_told_in_one_line(tmp_path: Path, name: str, suffix: str) -> 
 def test_files_that_are_not_there_or_not_files(tmp_path: Path) -> None:
     (tmp_path / "folder.json").mkdir()
     assert "no such file" in refusal(tmp_path / "none.json")
-    assert "is not a file" in refusal(tmp_path / "folder.json")
+    assert "is a folder; add --batch" in refusal(tmp_path / "folder.json")
+    assert "is a folder; add --batch" in refusal(tmp_path)
     assert "'.dwg' files cannot be read; use one of: .json, .sh3d, .xml" in refusal("flat.dwg")
     assert "no suffix" in refusal("flat")
     assert "use one of: sample:hall-" in refusal("sample:castle")

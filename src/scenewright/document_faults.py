@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import difflib
 import json
+from collections.abc import Sequence
 from math import tau
 from typing import Any
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from scenewright.errors import InputError
 
 RADIANS = "headings are radians, -6.283 to 6.283: 1.5708 is a quarter turn"
 METRES = "lengths are metres"
+LENGTHS = frozenset((
+    "at", "clearance", "depth", "elevation", "end", "going", "height", "holes", "knee", "length",
+    "metres", "outer_wall_thickness", "outline", "passage_width", "route_width", "sill", "size",
+    "sizes", "start", "thickness", "wall_thickness", "width", "z",
+))  # fmt: skip
+"""Keys under which numbers are metres."""
 KINDS = {
     "string_type": "a text in quotes",
     "float_type": "a number, without quotes",
@@ -26,20 +34,62 @@ KINDS = {
     "finite_number": "a finite number",
 }
 """What is wanted in place of a value of the wrong kind."""
+PLAINLY = {"less than or equal to": "at most", "greater than or equal to": "at least",
+           "greater than": "more than", "String should have": "it should have"}  # fmt: skip
 
 
-def told(error: ValidationError) -> InputError:
+def told(error: ValidationError, model: type[BaseModel] | None = None) -> InputError:
     """The first error of a model in our words, and how many more there are.
 
-    Where a value may be one or a list there is an error for each reading: the deepest counts.
+    Where a value may be one or a list there is an error for each reading: the deepest counts. A key
+    that is not known comes before all else, with the nearest that the ``model`` knows there: what
+    is missing is most often misspelt.
     """
     errors = error.errors(include_url=False)
+    errors.sort(key=lambda one: one["type"] != "extra_forbidden")
     places = [_place(one["loc"]) for one in errors]
-    twins = [i for i, place in enumerate(places) if place.startswith(places[0])]
+    twins = [
+        i
+        for i, place in enumerate(places)
+        if _within(place, places[0]) or _within(places[0], place)
+    ]
     best = max(twins, key=lambda i: len(places[i]))
     fault, remedy = _fault(errors[best])
+    if errors[best]["type"] == "extra_forbidden" and model is not None:
+        remedy = _respelt(errors[best]["loc"], model.model_json_schema()) or remedy
     more = len(errors) - len(twins)
     return InputError(fault + f" (and {more} more)" * bool(more), remedy, place=places[best])
+
+
+def _within(place: str, other: str) -> bool:
+    return place == other or place.startswith((f"{other}.", f"{other}["))
+
+
+def _respelt(loc: tuple[int | str, ...], schema: dict[str, Any]) -> str:
+    """What an unknown key was most likely meant to be; empty if nothing is like it.
+
+    >>> _respelt(("rooms", 0, "outlin"), {"properties": {"rooms": {"items": {"$ref": "#/$defs/R"}}},
+    ...                                   "$defs": {"R": {"properties": {"outline": {}}}}})
+    'did you mean "outline"?'
+    """
+    keys = _keys(loc[:-1], schema, schema["$defs"])
+    near = difflib.get_close_matches(str(loc[-1]), keys, 1, 0.6)
+    return f'did you mean "{near[0]}"?' if near else ""
+
+
+def _keys(loc: Sequence[int | str], schema: dict[str, Any], defs: dict[str, Any]) -> list[str]:
+    """The keys known at a place below a schema."""
+    if "$ref" in schema:
+        return _keys(loc, defs[schema["$ref"].rpartition("/")[2]], defs)
+    if "anyOf" in schema:
+        named = loc[1:] if loc and isinstance(loc[0], str) else loc
+        ways = [(way, where) for way in schema["anyOf"] for where in dict.fromkeys((loc, named))]
+        return [key for way, where in ways for key in _keys(where, way, defs)]
+    if not loc:
+        return list(schema.get("properties", ()))
+    below = schema.get("items") if isinstance(loc[0], int) else None
+    below = below or schema.get("properties", {}).get(loc[0], {})
+    return _keys(loc[1:], below, defs)
 
 
 def _fault(error: Any) -> tuple[str, str]:
@@ -77,7 +127,10 @@ def _wanted(kind: str, loc: tuple[int | str, ...], given: Any, limits: Any, erro
         return f'write {{"group": {_shown(given)}}}' if asked else f"give {KINDS[kind]}"
     told = str(error["msg"]).removeprefix("Value error, ")
     expected = told.replace("Input should be", "it should be")
-    in_metres = kind.startswith(("less_than", "greater_than")) and "size" in loc
+    for words, plainly in PLAINLY.items():
+        expected = expected.replace(words, plainly)
+    in_metres = kind.startswith("less_than") and not LENGTHS.isdisjoint(loc[-3:])
+    in_metres |= kind.startswith("greater_than") and "size" in loc
     return expected[:1].lower() + expected[1:] + f" ({METRES})" * in_metres
 
 
@@ -92,6 +145,6 @@ def _place(where: tuple[int | str, ...]) -> str:
     for part in where:
         if isinstance(part, int):
             path += f"[{part}]"
-        elif "[" not in part:
+        elif "[" not in part and part != "constrained-str" and not part.endswith("Brief"):
             path += f".{part}"
     return path.removeprefix(".")

@@ -129,9 +129,20 @@ def functions_from_name(name: str) -> tuple[str, ...]:
     >>> functions_from_name("Cuisine ouverte / salon"), functions_from_name("主卧")
     (('kitchen', 'living'), ('double_bedroom',))
     """
-    parts = re.split(r"[/+&,;()|·・、]|\b(?:and|et|und)\b|\s[-–]\s", _plain(name))
-    found = [functions for part in parts for functions in _of_part(part)]
-    return sort_functions(found)
+    return sort_functions(functions for part in _parts(name) for functions in _of_part(part))
+
+
+def _parts(name: str) -> list[str]:
+    return re.split(r"[/+&,;()|·・、]|\b(?:and|et|und)\b|\s[-–]\s", _plain(name))
+
+
+def says_nothing(name: str) -> bool:
+    """Whether a room's name tells nothing of its use.
+
+    >>> says_nothing("Zzyzx"), says_nothing("Garage"), says_nothing("Kitchen")
+    (True, False, False)
+    """
+    return not any(map(_of_part, _parts(name)))
 
 
 def sort_functions(functions: Iterable[str]) -> tuple[str, ...]:

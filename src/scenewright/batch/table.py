@@ -24,7 +24,7 @@ class Row(NamedTuple):
 
     ``status`` is ``complete`` (all that is essential or asked for stands, and valid), ``left
     out`` (valid, but something of that is not there), ``not valid`` (a rule is broken) or
-    ``failed`` (nothing was written; ``message`` says why). ``left_out`` counts what is essential
+    ``failed`` (nothing was written); ``message`` says why. ``left_out`` counts what is essential
     or asked for and not there, ``violations`` broken rules.
     """
 

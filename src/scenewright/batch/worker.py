@@ -97,6 +97,7 @@ def _done(source: str, outputs: list[Path], options: Options, parts: Path) -> Ro
     brief = formats.read(
         source, keep=options.keep, catalogs=options.catalogs, groups=options.groups
     )
+    formats.check_kept(source, outputs)
     try:
         solution = domains.solve(
             brief, preset=options.preset, solver=options.solver, seconds=options.seconds,
@@ -111,12 +112,13 @@ def _done(source: str, outputs: list[Path], options: Options, parts: Path) -> Ro
     for part, path in zip(written, outputs, strict=True):
         path.parent.mkdir(parents=True, exist_ok=True)
         os.replace(part, path)
-    missing = sum(out.required for out in solution.left_out)
+    missing = [out for out in solution.left_out if out.required]
     broken = sum(not found.given for found in report.findings)
     status = NOT_VALID if not report.valid else LEFT_OUT if missing else COMPLETE
-    told = "" if report.valid else next(f.message for f in report.findings if not f.given)
+    first = next((f.message for f in report.findings if not f.given), "")
+    told = first or "; ".join(f"{out.space}: {out.what}: {out.reason}" for out in missing)
     names = tuple(str(path) for path in outputs)
-    return Row(source, status, 0.0, len(solution.pieces), missing, broken, told, names)
+    return Row(source, status, 0.0, len(solution.pieces), len(missing), broken, told, names)
 
 
 def _write(solution: Any, part: Path, path: Path) -> None:

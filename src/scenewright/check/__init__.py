@@ -21,6 +21,7 @@ from scenewright.check.complete import (
     expected,
     find_doorless,
     find_incomplete,
+    find_unknown,
     inscribed_width,
     room_figures,
 )
@@ -119,7 +120,12 @@ def check(
 def _missing(brief: Brief, bodies: Bodies, rooms: Rooms) -> list[Note]:
     """Ways into rooms and to levels that are missing, and what rooms of homes lack."""
     found = [*find_doorless(bodies, rooms), *find_cut_off(brief, bodies, rooms)]
-    return [*found, *find_incomplete(bodies, rooms)] if brief.domain == "home" else found
+    if brief.domain != "home":
+        return found
+    from scenewright.plan import room_ids
+
+    unknown = find_unknown(dict(zip(room_ids(brief), brief.rooms, strict=True)), bodies, rooms)
+    return [*found, *find_incomplete(bodies, rooms), *unknown]
 
 
 def _of_sites(solution: Solution) -> Report:

@@ -6,14 +6,17 @@ our own table, after the rooms people actually live in; it judges categories onl
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
 
+from scenewright.brief import Room
 from scenewright.check.bodies import Bodies, Rooms, Shape
 from scenewright.check.ceilings import SHOULDERS, lower_than
 from scenewright.check.report import Note
+from scenewright.room_names import says_nothing
 from scenewright.space import Space
 
 
@@ -145,6 +148,23 @@ def find_incomplete(bodies: Bodies, rooms: Rooms) -> list[Note]:
                 for need in ESSENTIALS[function]
                 if sum(category in need.categories for category in held) < need.least
             ]
+    return notes
+
+
+def find_unknown(asked: Mapping[str, Room], bodies: Bodies, rooms: Rooms) -> list[Note]:
+    """A note for each room that stands empty because neither the brief nor its name says what it
+    is for; shafts and other small ones are left out."""
+    notes = []
+    for i, space in enumerate(rooms.spaces):
+        room = asked.get(space.id)
+        if room is None or room.function or room.ask is not None or not says_nothing(room.name):
+            continue
+        held = [bodies.pieces[k].function for k in np.flatnonzero(bodies.room == i)]
+        least, shape = USABLE["hall"], rooms.shapes[i]
+        small = shape.area < least.area or inscribed_width(shape) < least.width
+        if not (small or any(function != "light" for function in held)):
+            said = f"{space.id} ({shape.area:.1f} m²) is left empty: its use is not known; "
+            notes.append(Note(space.id, "other", "a use", said + 'give it a "function"'))
     return notes
 
 

@@ -168,8 +168,10 @@ def _too_far(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, wish: WishB
 
 
 def _too_near(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, wish: WishBrief) -> str:
-    """Nothing that is not there is too near."""
+    """No piece that is not there is too near; an opening that is not there is a slip."""
     other = _target(bodies, rooms, room, rows, str(wish.away_from))
+    if other.is_empty and wish.away_from in OPENINGS:
+        return f"the room has no {wish.away_from}"
     here = shapely.union_all(bodies.footprints[rows])
     gap = np.inf if other.is_empty else float(shapely.distance(here, other))
     return "" if gap >= wish.beyond - 1e-6 else f"it stands only {gap:.2f} m away"

@@ -34,9 +34,11 @@ def arrange_all(request: Request, console: Console) -> tuple[list[Plan], bool]:
 
     ``plan.svg`` becomes ``plan-1.svg``, ``plan-2.svg`` …; all files appear together.
     """
-    from scenewright import domains
+    from scenewright import domains, formats
 
     brief = prepared(request, console)
+    every = [numbered(path, k + 1) for path in request.outputs for k in range(request.alternatives)]
+    formats.check_kept(request.source, every)
     with watching(console, console.quiet) as watch:
         try:
             found = domains.alternatives(

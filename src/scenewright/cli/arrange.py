@@ -94,6 +94,7 @@ def prepared(request: Request, console: Console) -> Brief:
     brief = formats.read(
         request.source, keep=request.keep, catalogs=request.catalogs, groups=request.groups
     )
+    formats.check_kept(request.source, request.outputs)
     for path in request.outputs:
         formats.writer(path, brief.domain)
     if request.accessible:

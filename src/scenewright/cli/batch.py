@@ -97,6 +97,8 @@ def run(sources: Sequence[str], request: Request, terms: Terms, as_json: bool, q
         sys.stdout.write(json.dumps(told, indent=2, ensure_ascii=False) + "\n")
     elif not quiet:
         _tell(Console(), rows, folder, watch)
+    else:
+        sys.stderr.writelines(f"scenewright: {line}\n" for line in _failures(rows))
     if code == 130:
         told_so_far = f"interrupted after {len(rows)} of {watch.total} files"
         sys.stderr.write(f"scenewright: {told_so_far}; say the same again to go on\n")
@@ -106,6 +108,13 @@ def run(sources: Sequence[str], request: Request, terms: Terms, as_json: bool, q
 def _code(rows: Sequence[Row]) -> int:
     states = {row.status for row in rows}
     return 0 if states == {"complete"} else 2 if states == {"failed"} else 1
+
+
+def _failures(rows: Sequence[Row]) -> list[str]:
+    """A line for each file that came to nothing."""
+    from scenewright.batch.table import FAILED
+
+    return [f"{row.file}: {_without(row)}" for row in rows if row.status == FAILED]
 
 
 def _document(rows: Sequence[Row]) -> dict[str, object]:

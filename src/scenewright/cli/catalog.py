@@ -24,6 +24,8 @@ app = typer.Typer(
 
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document only.")]
 Named = Annotated[str, typer.Argument(metavar="CATALOGUE", help="A path or a registered name.")]
+FURNISHED = (".sh3d", ".xml")
+"""Homes that tell how they are furnished, by suffix."""
 SHOWN = ("id", "category", "front", "size", "sure", "colour", "author", "why")
 
 
@@ -111,7 +113,7 @@ def show_(
                    | _counts(found))  # fmt: skip
         return 0
     if output is None:
-        tables.table(console, [_row(one) for one in models], title=catalogue)
+        tables.table(console, [_row(one) for one in models], title=catalogue, whole=("id",))
         for one in found.skipped:
             console.print(f"skipped {one.name}: {one.reason}", style="dim", markup=False)
     console.print(_summary(_counts(found)), markup=False)
@@ -128,6 +130,10 @@ def learn(
     from scenewright.assets import shipped
     from scenewright.domains.home.learned_groups import document, learn, write
 
+    for home in homes:
+        if not home.lower().endswith(FURNISHED):
+            remedy = f"give files of Sweet Home 3D: {' or '.join(FURNISHED)}"
+            raise InputError("is no furnished home to learn from", remedy, file=home)
     rooms = [room for home in homes for room in _furnished(home)]
     found = learn(rooms, shipped())
     if not found.cases:

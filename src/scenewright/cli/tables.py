@@ -8,10 +8,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rich import box
+from rich.cells import cell_len
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+OTHERS = 90
+"""Columns left to the rest of a table of which some is on one line."""
 WIDE = 150
 """Columns of a file that a wide table is written to."""
 
@@ -21,15 +24,23 @@ def print_json(document: Any) -> None:
     sys.stdout.write(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
 
 
-def table(console: Console, rows: Sequence[Mapping[str, Any]], title: str) -> None:
-    """Rows with the same keys as a table."""
+def table(
+    console: Console, rows: Sequence[Mapping[str, Any]], title: str, whole: Sequence[str] = ()
+) -> None:
+    """Rows with the same keys as a table; what stands under the keys ``whole`` is on one line, so
+    that it can be copied."""
     if not rows:
         console.print(f"no {title}")
         return
     shown = bare(*(key.replace("_", " ") for key in rows[0]), title=title)
     for row in rows:
         shown.add_row(*(Text(_cell(value)) for value in row.values()))
-    console.print(shown)
+    for key, column in zip(rows[0], shown.columns, strict=True):
+        if key in whole:
+            column.no_wrap, column.min_width = True, max(cell_len(_cell(row[key])) for row in rows)
+    needed = OTHERS + sum(column.min_width or 0 for column in shown.columns)
+    narrow = bool(whole) and console.width < needed
+    (Console(width=needed, file=console.file) if narrow else console).print(shown)
 
 
 def wide(console: Console) -> Console:

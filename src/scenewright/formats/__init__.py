@@ -133,6 +133,21 @@ def writer(
     return write_function
 
 
+def check_kept(source: str | os.PathLike[str], outputs: Sequence[str | os.PathLike[str]]) -> None:
+    """No output is the file that is read, by whatever name; only a saved solution, which is a brief
+    as well, may be replaced by another."""
+    from scenewright.formats import brief_json
+
+    for path in outputs:
+        try:
+            same = Path(path).samefile(source)
+        except OSError:
+            continue
+        if same and not brief_json.holds_solution(Path(source)):
+            raise InputError("is the file that is read, which the result would replace",
+                             "give -o another name", file=str(path))  # fmt: skip
+
+
 def suffix_of(path: str | os.PathLike[str]) -> str:
     """The suffix by which a file's format is found, as it is written there.
 
@@ -170,12 +185,13 @@ def _read(source: str | os.PathLike[str], keep: bool) -> Brief:
         return _sample(str(source))
     if f"{SAMPLE}{source}" in samples() and not Path(source).exists():
         raise InputError("is the name of a sample", f"say {SAMPLE}{source}")
-    row = _row(source, "reader")
     path = Path(source)
-    if not path.exists():
+    row = _row(source, "reader") if not path.is_dir() else None
+    if row is not None and not path.exists():
         raise InputError("there is no such file", "check the path")
-    if not path.is_file():
-        raise InputError("is not a file", "give the file itself")
+    if row is None or not path.is_file():
+        remedy = "add --batch for all in it" if path.is_dir() else "give the file itself"
+        raise InputError("is a folder" if path.is_dir() else "is not a file", remedy)
     try:
         brief: Brief = _module(row.reader, source).read(path, keep=keep)
     except OSError as error:

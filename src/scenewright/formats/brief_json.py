@@ -55,7 +55,15 @@ def _brief(raw: dict[str, Any], folder: Path) -> Brief:
     try:
         return Brief.model_validate(document)
     except ValidationError as error:
-        raise told(error) from None
+        raise told(error, Brief) from None
+
+
+def holds_solution(path: Path) -> bool:
+    """Whether a file is a saved solution."""
+    try:
+        return _document(path.read_bytes()).get("format") == SOLUTION
+    except InputError:
+        return False
 
 
 def dumps(brief: Brief) -> str:

@@ -17,6 +17,7 @@ from pydantic import ValidationError
 
 from scenewright import outlines
 from scenewright.brief import Brief, LevelBrief, WallBrief
+from scenewright.document_faults import told
 from scenewright.errors import InputError
 from scenewright.formats.sh3d_archive import home_xml
 from scenewright.formats.sh3d_floors import Floor, floors
@@ -63,9 +64,7 @@ def brief_of(home: Home, keep: bool = False) -> Brief:
             "outer_wall_thickness": _usual_thickness(home, 0.25, np.max),
         })  # fmt: skip
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        place = ".".join(str(part) for part in first["loc"])
-        raise InputError(f"is out of range: {first['msg']}", "correct it", place=place) from None
+        raise told(error) from None
 
 
 def _rooms(home: Home, level: HomeLevel, keep: bool) -> list[dict[str, Any]]:

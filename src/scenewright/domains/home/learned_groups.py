@@ -17,6 +17,7 @@ from pydantic import Field, ValidationError
 from scenewright.assets import shipped
 from scenewright.brief.fields import Coordinate, Heading, Height, Length, Model, Number, Side, Whole
 from scenewright.catalog import Catalog, Group, Member
+from scenewright.document_faults import told as told_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned_cases import LearnedCase, merged
 from scenewright.domains.home.learned_rows import Clearance, Distance, Share, Targets
@@ -144,11 +145,10 @@ def _read(path: Path, changed: int, size: int) -> Known:
     try:
         record = GroupsRecord.model_validate_json(path.read_bytes())
     except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(step) for step in first["loc"])
-        raise InputError(f"is no file of learned groups: {first['msg']}",
+        fault = told_of(error)
+        raise InputError(f"is no file of learned groups: {fault.fault}",
                          "make it with scenewright catalog learn", file=str(path),
-                         place=place[:80]) from None  # fmt: skip
+                         place=fault.place) from None  # fmt: skip
     for number, case in enumerate(record.cases):
         _check(case, f"cases[{number}]", str(path))
     return _known(record)
