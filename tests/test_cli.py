@@ -77,7 +77,7 @@ def save_brief(**changes: Any) -> str:
         (["arrange", "sample:nowhere"], "sample:home-flat"),
         (["arrange", "missing.json"], "missing.json: there is no such file"),
         (["arrange", "plan.dwg"], "use one of: .json"),
-        (["arrange", "."], "suffix"),
+        (["arrange", "."], "is a folder; add --batch"),
         (["check", "missing.json"], "missing.json: there is no such file; check the path"),
         (["check", "home.glb"], "home.glb: is no solution; give a solution .json"),
         (["explain", "missing.json"], "missing.json"),
