@@ -64,6 +64,13 @@ def test_chairs_stand_in_their_zone(long: float) -> None:
     assert scenewright.check(found).valid
 
 
+def test_the_tour_goes_round_chairs() -> None:
+    found = scenewright.solve(cafe({"category": "info_desk"}), seed=0)
+    tour = scenewright.check(found).figures["halls"]["cafe"]["tour"]
+    assert tour["least_width"] > 0.8
+    assert not tour["groups_missed"]
+
+
 def test_a_table_keeps_its_size_and_asks_for_floor_with_its_chairs() -> None:
     """The floor is the box round table and chairs; clearances are counted from the table."""
     brief = cafe(size=[1.6, 0.9, 0.74], clearance=[1.2, 0.3, 0.6, 0.3])

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 MOST_FINDINGS = 20
 MOST_BOTTLENECKS = 5
+MEASURED = "widths are twice the way from the tour's line to what is nearest; plans tell whole gaps"
 LEAST_COST = 0.005
 """What is less rounds to nothing."""
 
@@ -126,6 +127,8 @@ def _halls(console: Console, halls: Mapping[str, Mapping[str, Any]]) -> None:
         for name, figures in first.items()
         for place in figures["tour"].get("bottlenecks", [])
     ]
+    if places:
+        console.print(Text(f"  {MEASURED}", "dim"))
     for _, told in sorted(places)[:MOST_BOTTLENECKS]:
         console.print(Text(told, "dim"))
 

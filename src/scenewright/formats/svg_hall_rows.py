@@ -101,7 +101,7 @@ def _route_rows(
         wanted = f"{halls.passage:.2f} m"
         told = f"{narrow[0].width:.2f} m (wanted {wanted})" if narrow else f"{wanted} or more"
         rows.append(Row("route", f"{lead}{length(tour):.0f} m{stops}"))
-        rows.append(Row("plain", "Least clear width", told))
+        rows.append(Row("plain", "Narrowest gap", told))
     return rows
 
 

@@ -19,7 +19,8 @@ import numpy as np
 from scenewright._version import __version__
 from scenewright.brief import Brief
 from scenewright.catalog import Catalog
-from scenewright.domains.hall.chairs import with_chairs
+from scenewright.domains.hall.chairs import grown, with_chairs
+from scenewright.domains.hall.desks import turned
 from scenewright.domains.hall.dress import dressed, kept_groups, partitions, placed_groups
 from scenewright.domains.hall.fit import fit
 from scenewright.domains.hall.pose import Hall, hall_of
@@ -177,7 +178,7 @@ def _lay(
                     task.budget.steps is not None)  # fmt: skip
     fitted, found = searched(search, fitted, progress, cancel)
     missing = left_out(hall, wishes, fitted.units)
-    best = found.layouts[0]
+    best = turned(hall, wishes, fitted.units, fitted.problem, found.layouts[0])
     p, s, lost = measured(fitted.problem, best)
     objects = dressed(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)
     walls = partitions(hall, fitted.problem, best.kept, catalog)
@@ -188,7 +189,9 @@ def _lay(
     )
     parts = parts_of(fitted.problem, p, s, lost)
     graph = SceneGraph(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
-    every = (*hall.fixed, *walls, *objects)
+    out = {wish.id: wish.chairs for wish in wishes}
+    seated = (grown(piece, out[piece.function]) for piece in objects)
+    every = (*hall.fixed, *walls, *seated)
     way = tour(hall.space, every, graph, catalog, hall.route)
     return Laid((*walls, *objects, *chairs), groups, graph.partitions, parts, missing,
                 sum(part.cost for part in parts), found.evaluations, way)  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
+from dataclasses import replace
 from typing import NamedTuple
 
 from scenewright.catalog import Catalog
@@ -34,6 +35,12 @@ def out_of_table(category: str, asked: Collection[str], catalog: Catalog) -> flo
     if company is None or company.category in asked:
         return 0.0
     return catalog.of(company.category)[0].usual[1] - company.tuck
+
+
+def grown(table: Piece, out: float) -> Piece:
+    """A table as large as the floor it takes with chairs that stand ``out`` metres before and
+    behind it: nobody walks between them."""
+    return replace(table, size=table.size._replace(depth=table.size.depth + 2 * out))
 
 
 def with_chairs(pieces: tuple[Piece, ...], others: tuple[Piece, ...], catalog: Catalog

@@ -45,7 +45,7 @@ def tour(
     have no stop.
     """
     floor = find_floor(space, pieces, catalog, width)
-    entrances, exits = _ways_in(space), _ways_out(space)
+    entrances, exits = ways_in(space), _ways_out(space)
     entrances = [door for door in entrances if math.isfinite(floor.slow.flat[_cell(floor, door)])]
     if not entrances:
         return None
@@ -68,7 +68,7 @@ def tour(
     return Tour(space.id, points, 2 * distances(points, floor.solids), stops)
 
 
-def _ways_in(space: Space) -> list[Opening]:
+def ways_in(space: Space) -> list[Opening]:
     """The doors visitors may come in by, the main entrance first."""
     return _ranked(space, "entrance", "exit")
 

@@ -1,0 +1,57 @@
+"""Desks at which visitors are served look into their zone and to the entrance."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import shapely
+
+from scenewright.domains.hall.assign import Unit
+from scenewright.domains.hall.pose import Hall
+from scenewright.domains.hall.tour import ways_in
+from scenewright.domains.hall.wanted import Wanted
+from scenewright.encodings.patterns import SINGLE
+from scenewright.hall_problem import Floats, HallProblem
+from scenewright.solvers.hall_found import HallLayout, measured
+
+SERVING = ("info_desk", "counter", "checkout")
+
+
+def turned(
+    hall: Hall, wishes: list[Wanted], units: list[Unit], problem: HallProblem, layout: HallLayout
+) -> HallLayout:
+    """A layout with desks that stand by themselves turned half round where their front looks away
+    from visitors, unless the route would then miss more. Their footprints stay."""
+    desks = [
+        number
+        for number, unit in enumerate(units)
+        if wishes[unit.demand].category in SERVING
+        and not wishes[unit.demand].facing
+        and int(layout.kept.rows[number, 0]) == SINGLE
+        and unit.last - unit.first == 1
+    ]
+    for number in desks if not layout.loose else []:
+        row = int(problem.units.spans[number, 0])
+        if _welcome(hall, units[number].zone, layout.boxes[row]) < 0.0:
+            other = _half_round(layout, number, row)
+            if measured(problem, other)[2] <= measured(problem, layout)[2]:
+                layout = other
+    return layout
+
+
+def _welcome(hall: Hall, zone: int, box: Floats) -> float:
+    """Cosines of the angles between a front and the ways to the middle of its zone and to the
+    entrance, summed: -2 to 2."""
+    middle = shapely.Polygon(hall.plan.zones[zone].outline).centroid
+    points = [(middle.x, middle.y), *((door.x, door.y) for door in ways_in(hall.space)[:1])]
+    way = np.array(points) - box[:2]
+    way = way / np.maximum(np.hypot(*way.T), 1e-9)[:, None]
+    return float((way @ (math.cos(box[2]), math.sin(box[2]))).sum())
+
+
+def _half_round(layout: HallLayout, unit: int, row: int) -> HallLayout:
+    pose, boxes = layout.kept.pose.copy(), layout.boxes.copy()
+    pose[unit, 2] += math.pi
+    boxes[row, 2] += math.pi
+    return layout._replace(kept=layout.kept._replace(pose=pose), boxes=boxes)
