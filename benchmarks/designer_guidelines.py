@@ -15,8 +15,8 @@ import shapely
 
 from benchmarks.designer_rooms import Seen
 from scenewright.assets import shipped
-from scenewright.domains.home.learned_targets import free_before
-from scenewright.domains.home.learning_space import footprint
+from scenewright.domains.home.learned.space import footprint
+from scenewright.domains.home.learned.targets import free_before
 from scenewright.gates import Gate, gates
 from scenewright.scene import Piece
 

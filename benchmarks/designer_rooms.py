@@ -1,7 +1,8 @@
 """Rooms that a designer furnished and we furnish anew: emptied, with the same groups asked for.
 
 Six example homes of Sweet Home 3D. What is built in there stays in both; the groups of the rest are
-found as :mod:`scenewright.domains.home.learning` finds them and asked for in the emptied rooms.
+found as :mod:`scenewright.domains.home.learned.learning` finds them and asked for in the emptied
+rooms.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from scenewright.check import Report, check
 from scenewright.domains.home import solve
 from scenewright.domains.home.attempt import floor_of
 from scenewright.domains.home.ground import ground_of
-from scenewright.domains.home.learning import Found, Furnished, found_in
+from scenewright.domains.home.learned.learning import Found, Furnished, found_in
 from scenewright.domains.home.pose import problem_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish, part_of

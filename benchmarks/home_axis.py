@@ -18,7 +18,8 @@ import numpy as np
 from benchmarks.plans_r2v import adapt, raw_plans
 from scenewright.brief import Brief
 from scenewright.domains import solve
-from scenewright.domains.home import facing, pose
+from scenewright.domains.home import pose
+from scenewright.domains.home.dressing import facing
 from scenewright.scene import Piece
 from scenewright.solution import Solution
 

@@ -20,10 +20,10 @@ from benchmarks.designer_rooms import files
 from scenewright.assets import shipped
 from scenewright.check import check
 from scenewright.domains import solve
-from scenewright.domains.home.learned_groups import Learned, learn, write
-from scenewright.domains.home.learned_rows import Targets
-from scenewright.domains.home.learned_targets import targets_of
-from scenewright.domains.home.learning import Furnished, found_in
+from scenewright.domains.home.learned.groups import Learned, learn, write
+from scenewright.domains.home.learned.learning import Furnished, found_in
+from scenewright.domains.home.learned.rows import Targets
+from scenewright.domains.home.learned.targets import targets_of
 from scenewright.domains.standing import fixed_pieces
 from scenewright.formats import read
 from scenewright.plan import spaces

@@ -22,7 +22,7 @@ from benchmarks.home_rooms import Case, rooms
 from benchmarks.instances import read_instance
 from benchmarks.shapely_home import INSTANCES
 from scenewright.domains.home.attempt import Furnished, dressed, posed, scored
-from scenewright.domains.home.pieces import as_laid
+from scenewright.domains.home.dressing.pieces import as_laid
 from scenewright.domains.home.piecewise import laid_out
 from scenewright.energy import evaluate
 from scenewright.problem import Problem

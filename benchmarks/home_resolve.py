@@ -15,7 +15,7 @@ from typing import Any
 from benchmarks.comparison import ratio
 from scenewright.check import check
 from scenewright.domains import resolve, solve
-from scenewright.domains.home.edits import leads
+from scenewright.domains.home.changes.edits import leads
 from scenewright.formats import read
 from scenewright.scene import Piece
 from scenewright.solution import Solution

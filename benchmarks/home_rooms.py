@@ -17,8 +17,8 @@ from benchmarks.plans_r2v import adapt, raw_plans
 from scenewright.assets import shipped
 from scenewright.brief import Brief
 from scenewright.domains.home.attempt import Task, floor_of, posed
+from scenewright.domains.home.dressing.pieces import Parts, parts_of, posed_pieces
 from scenewright.domains.home.ground import ground_of
-from scenewright.domains.home.pieces import Parts, parts_of, posed_pieces
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish, part_of, programme, resolved
 from scenewright.plan import spaces

@@ -8,8 +8,8 @@ import pytest
 
 from scenewright.brief import Brief
 from scenewright.domains import home
+from scenewright.domains.home.cases.library import SHIPPED, cases, planted, those
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import SHIPPED, cases, planted, those
 from scenewright.errors import InputError
 from scenewright.formats.brief_json import loads
 

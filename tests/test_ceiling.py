@@ -15,7 +15,7 @@ from scenewright.brief import Brief
 from scenewright.check import check
 from scenewright.domains import home
 from scenewright.domains.home import tasks, wheelchair
-from scenewright.domains.home.library import SHIPPED
+from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.presets import PRESETS
 from scenewright.energy import evaluate, explain
 from scenewright.errors import InputError

@@ -10,10 +10,10 @@ from scenewright.assets import shipped
 from scenewright.catalog import Group, Member
 from scenewright.check import check
 from scenewright.domains.home import solve
-from scenewright.domains.home.dress import world
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.dressing.dress import world
+from scenewright.domains.home.dressing.pieces import Parts, as_laid, parts_of, posed_pieces
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import cases
-from scenewright.domains.home.pieces import Parts, as_laid, parts_of, posed_pieces
 from scenewright.domains.home.programme import Wish
 from scenewright.formats import read
 from scenewright.geometry.boxes import frames_of

@@ -18,11 +18,11 @@ from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.check import check
 from scenewright.domains import home
-from scenewright.domains.home.furnishing import Taste, anchor_of
+from scenewright.domains.home.cases.furnishing import Taste, anchor_of
+from scenewright.domains.home.cases.library import SHIPPED, cases, fitting, planted
+from scenewright.domains.home.cases.own_library import library_of, taste_of
+from scenewright.domains.home.cases.refit import RAISED, Chosen, reach, refitted
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import SHIPPED, cases, fitting, planted
-from scenewright.domains.home.own_library import library_of, taste_of
-from scenewright.domains.home.refit import RAISED, Chosen, reach, refitted
 from scenewright.scene import Size
 from scenewright.solution import Solution
 from scenewright.stock import OWN, catalog_of

@@ -12,8 +12,8 @@ from shapely import Polygon
 
 from scenewright.assets import shipped
 from scenewright.catalog import Group, Member
+from scenewright.domains.home.cases.library import cases, fitting, nearest, wished
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import cases, fitting, nearest, wished
 from scenewright.domains.home.programme import ALSO, FALLBACK, PROGRAMME, programme
 from scenewright.layout import corners
 from scenewright.space import Space

@@ -13,12 +13,12 @@ from scenewright.assets import shipped
 from scenewright.brief import Brief, Room
 from scenewright.check import check
 from scenewright.domains import home
-from scenewright.domains.home import habits
-from scenewright.domains.home.habits import MOST, TRUST, habits_of
-from scenewright.domains.home.learned_groups import Learned, write
-from scenewright.domains.home.learned_rows import Beside, Clearance, Distance, Share, Targets
-from scenewright.domains.home.learned_targets import targets_of
-from scenewright.domains.home.learning import Furnished, found_in
+from scenewright.domains.home.learned import habits
+from scenewright.domains.home.learned.groups import Learned, write
+from scenewright.domains.home.learned.habits import MOST, TRUST, habits_of
+from scenewright.domains.home.learned.learning import Furnished, found_in
+from scenewright.domains.home.learned.rows import Beside, Clearance, Distance, Share, Targets
+from scenewright.domains.home.learned.targets import targets_of
 from scenewright.plan import spaces
 from scenewright.solution import Solution
 

@@ -16,16 +16,16 @@ from scenewright.brief.catalog import GroupsBrief
 from scenewright.catalog import Member
 from scenewright.check import check
 from scenewright.domains import home
-from scenewright.domains.home.furnishing import Taste
+from scenewright.domains.home.cases.furnishing import Taste
+from scenewright.domains.home.cases.library import cases, wished
+from scenewright.domains.home.cases.own_library import library_of
+from scenewright.domains.home.cases.trial import usable
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.learned_cases import merged
-from scenewright.domains.home.learned_groups import Learned, document, learn, read, write
-from scenewright.domains.home.learning import Found, Furnished, boxed, found_in
-from scenewright.domains.home.learning_space import drawn_out, footprint
-from scenewright.domains.home.learning_words import ANCHORS, COMPANIONS
-from scenewright.domains.home.library import cases, wished
-from scenewright.domains.home.own_library import library_of
-from scenewright.domains.home.trial import usable
+from scenewright.domains.home.learned.cases import merged
+from scenewright.domains.home.learned.groups import Learned, document, learn, read, write
+from scenewright.domains.home.learned.learning import Found, Furnished, boxed, found_in
+from scenewright.domains.home.learned.space import drawn_out, footprint
+from scenewright.domains.home.learned.words import ANCHORS, COMPANIONS
 from scenewright.domains.standing import fixed_pieces
 from scenewright.errors import InputError
 from scenewright.plan import spaces

@@ -12,11 +12,11 @@ from scenewright.assets import shipped
 from scenewright.brief import Ask, Brief, Room
 from scenewright.catalog import Group, Member
 from scenewright.domains import home
-from scenewright.domains.home.dress import Refused, dress_patch
-from scenewright.domains.home.facing import faced
+from scenewright.domains.home.cases.library import cases, wished
+from scenewright.domains.home.dressing.dress import Refused, dress_patch
+from scenewright.domains.home.dressing.facing import faced
+from scenewright.domains.home.dressing.obstacles import Standing
 from scenewright.domains.home.ground import ground_of
-from scenewright.domains.home.library import cases, wished
-from scenewright.domains.home.obstacles import Standing
 from scenewright.domains.home.pose import RELATIONS, holds
 from scenewright.plan import spaces
 from scenewright.scene import Piece, Size

@@ -10,11 +10,11 @@ import pytest
 import scenewright as sw
 from scenewright.brief import Brief
 from scenewright.catalog import Group
-from scenewright.domains.home.dress import Dressed, pieces_of
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.dressing.dress import Dressed, pieces_of
+from scenewright.domains.home.dressing.high_walls import free_stretch
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.high_walls import free_stretch
-from scenewright.domains.home.library import cases
 from scenewright.domains.home.pose import RELATIONS, firm, holds, items_of
 from scenewright.domains.home.presets import HOME
 from scenewright.domains.home.programme import Wish

@@ -16,10 +16,10 @@ from scenewright.catalog import Member
 from scenewright.check import Report, check
 from scenewright.cli import show as cli_show
 from scenewright.domains import home, resolve, solve
-from scenewright.domains.home.dress import Refused, dress_patch
+from scenewright.domains.home.dressing.dress import Refused, dress_patch
+from scenewright.domains.home.dressing.obstacles import standing_of
 from scenewright.domains.home.ground import ground_of
-from scenewright.domains.home.obstacles import standing_of
-from scenewright.domains.home.plugged import out_of_reach
+from scenewright.domains.home.wished.plugged import out_of_reach
 from scenewright.domains.standing import fixed_pieces
 from scenewright.energy import evaluate
 from scenewright.errors import InputError

@@ -14,12 +14,12 @@ from scenewright.check import check
 from scenewright.cli import show as cli_show
 from scenewright.domains import home, resolve
 from scenewright.domains.home.attempt import UNHEARD, posed, scored
-from scenewright.domains.home.library import SHIPPED
+from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.pose import items_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.tasks import task_of
-from scenewright.domains.home.wishes import granted, swayed
+from scenewright.domains.home.wished.wishes import granted, swayed
 from scenewright.domains.standing import fixed_pieces
 from scenewright.errors import InputError
 from scenewright.formats import solution_json

@@ -12,7 +12,7 @@ from scenewright.check import check
 from scenewright.domains import home
 from scenewright.domains.home import yielding
 from scenewright.domains.home.attempt import Furnished, Missing, Task
-from scenewright.domains.home.library import SHIPPED
+from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.second_try import tried_again

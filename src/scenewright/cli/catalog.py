@@ -128,7 +128,7 @@ def learn(
 ) -> int:
     """Learn furniture groups from furnished homes: what stands together, how, in which sizes."""
     from scenewright.assets import shipped
-    from scenewright.domains.home.learned_groups import document, learn, write
+    from scenewright.domains.home.learned.groups import document, learn, write
 
     for home in homes:
         if not home.lower().endswith(FURNISHED):
@@ -161,7 +161,7 @@ def _furnished(home: str) -> list[Any]:
     """The rooms of a home as furnished."""
     from scenewright import formats
     from scenewright.assets import shipped
-    from scenewright.domains.home.learning import Furnished
+    from scenewright.domains.home.learned.learning import Furnished
     from scenewright.domains.standing import fixed_pieces
     from scenewright.plan import spaces
 

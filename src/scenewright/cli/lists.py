@@ -99,8 +99,8 @@ def _assets() -> list[Row]:
 
 def _groups() -> list[Row]:
     """What ``ask`` may name; sizes are width and depth of the cases of least and most floor."""
+    from scenewright.domains.home.cases.library import cases
     from scenewright.domains.home.groups import GROUPS
-    from scenewright.domains.home.library import cases
 
     rows = []
     for name, kind in GROUPS.items():

@@ -111,8 +111,8 @@ def resolve(
             f"a {solution.brief.domain} cannot be solved again in part",
             'set "fixed": true on what is to stay and arrange the file again',
         )
-    from scenewright.domains.home.edits import Edits
-    from scenewright.domains.home.resolve import resolve as of_home
+    from scenewright.domains.home.changes.edits import Edits
+    from scenewright.domains.home.changes.resolve import resolve as of_home
 
     edits = Edits(move or {}, tuple(swap), tuple(lock), tuple(unlock), tuple(again))
     return of_home(solution, edits, steps=steps, seed=seed)

@@ -16,10 +16,10 @@ from functools import partial
 from scenewright._version import __version__
 from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog
-from scenewright.domains.home.amount import accustomed
 from scenewright.domains.home.asked import check_asks, check_possible
 from scenewright.domains.home.attempt import Furnished, Task
-from scenewright.domains.home.own_library import libraries_of, taste_of
+from scenewright.domains.home.cases.own_library import libraries_of, taste_of
+from scenewright.domains.home.learned.amount import accustomed
 from scenewright.domains.home.presets import PRESETS, Preset, preset_named
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
@@ -27,7 +27,7 @@ from scenewright.domains.home.second_try import tried_again
 from scenewright.domains.home.tasks import completed, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, varied
 from scenewright.domains.home.wheelchair import furnish_by_use, widened
-from scenewright.domains.home.wishes import allowed, check_wishes, substituted
+from scenewright.domains.home.wished.wishes import allowed, check_wishes, substituted
 from scenewright.domains.home.yielding import yielded
 from scenewright.domains.standing import fixed_pieces
 from scenewright.plan import spaces

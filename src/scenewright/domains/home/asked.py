@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.brief import Brief, Room
+from scenewright.domains.home.cases.library import Library, cases, those
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import Library, cases, those
-from scenewright.domains.home.wishes import barred_by, groups_of
+from scenewright.domains.home.wished.wishes import barred_by, groups_of
 from scenewright.errors import InputError
 from scenewright.plan import place
 

@@ -11,19 +11,19 @@ from numpy.typing import NDArray
 
 from scenewright.brief import Room
 from scenewright.catalog import Catalog
-from scenewright.domains.home.dress import Dressed, Refused, dress_patch, pieces_of
-from scenewright.domains.home.facing import faced
-from scenewright.domains.home.heard import unheard
-from scenewright.domains.home.high_walls import raised
-from scenewright.domains.home.library import SHIPPED, Library
-from scenewright.domains.home.obstacles import joined, standing_of
-from scenewright.domains.home.places import placed as at_places
+from scenewright.domains.home.cases.library import SHIPPED, Library
+from scenewright.domains.home.dressing.dress import Dressed, Refused, dress_patch, pieces_of
+from scenewright.domains.home.dressing.facing import faced
+from scenewright.domains.home.dressing.high_walls import raised
+from scenewright.domains.home.dressing.obstacles import joined, standing_of
+from scenewright.domains.home.dressing.tidy import tidied
 from scenewright.domains.home.pose import firm, problem_of
 from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import Wish, part_of
-from scenewright.domains.home.tidy import tidied
 from scenewright.domains.home.ways import unreached
-from scenewright.domains.home.wishes import swayed
+from scenewright.domains.home.wished.heard import unheard
+from scenewright.domains.home.wished.places import placed as at_places
+from scenewright.domains.home.wished.wishes import swayed
 from scenewright.energy import evaluate
 from scenewright.problem import Ground, Problem
 from scenewright.scene import Piece

@@ -15,7 +15,7 @@ from scenewright.domains.home.attempt import (
     posed,
     scored,
 )
-from scenewright.domains.home.dress import (
+from scenewright.domains.home.dressing.dress import (
     BACKED,
     SLACK,
     Dressed,
@@ -25,9 +25,9 @@ from scenewright.domains.home.dress import (
     why_not,
     world,
 )
+from scenewright.domains.home.dressing.obstacles import Standing, joined, standing_of
+from scenewright.domains.home.dressing.pieces import Parts, as_laid, parts_of, posed_pieces
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.obstacles import Standing, joined, standing_of
-from scenewright.domains.home.pieces import Parts, as_laid, parts_of, posed_pieces
 from scenewright.domains.home.programme import Wish
 from scenewright.geometry.fit import backed, faults
 from scenewright.solve import Budget

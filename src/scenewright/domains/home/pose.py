@@ -7,9 +7,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.home import habits
+from scenewright.domains.home.cases.library import SHIPPED, Library, cases, wished
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import SHIPPED, Library, cases, wished
+from scenewright.domains.home.learned import habits
 from scenewright.domains.home.programme import Wish
 from scenewright.problem import Ground, Items, Problem, empty_items
 from scenewright.terms.table import TERMS

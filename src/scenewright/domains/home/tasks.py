@@ -14,13 +14,13 @@ from scenewright.catalog import Catalog
 from scenewright.ceiling import living_area, planes
 from scenewright.domains.home.asked import sized
 from scenewright.domains.home.attempt import Task, floor_of, out_of_reach
-from scenewright.domains.home.extras import extras
+from scenewright.domains.home.cases.library import Library
+from scenewright.domains.home.dressing.extras import extras
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import Library
 from scenewright.domains.home.presets import Preset
 from scenewright.domains.home.programme import STANDS_FOR, WELCOME, Wish, programme, resolved
-from scenewright.domains.home.wishes import granted
+from scenewright.domains.home.wished.wishes import granted
 from scenewright.scene import Piece
 from scenewright.space import Space
 

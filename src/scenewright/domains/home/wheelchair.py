@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from scenewright.catalog import Group, Member
 from scenewright.ceiling import low_floor
 from scenewright.domains.home.attempt import Furnished, Missing, Placed, Task, penalty
-from scenewright.domains.home.dress import SLACK
-from scenewright.domains.home.edits import frame_of, laid_on
-from scenewright.domains.home.library import Library, cases, planted
-from scenewright.domains.home.obstacles import standing_of
+from scenewright.domains.home.cases.library import Library, cases, planted
+from scenewright.domains.home.changes.edits import frame_of, laid_on
+from scenewright.domains.home.dressing.dress import SLACK
+from scenewright.domains.home.dressing.obstacles import standing_of
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.room import furnish
 from scenewright.geometry.fit import COLLIDES, faults

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.ceiling import lowest
+from scenewright.domains.home.cases.library import SHIPPED, Library, cases, each_fitting, nearest
+from scenewright.domains.home.dressing.obstacles import Standing
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import SHIPPED, Library, cases, each_fitting, nearest
-from scenewright.domains.home.obstacles import Standing
-from scenewright.domains.home.plugged import out_of_reach
+from scenewright.domains.home.wished.plugged import out_of_reach
 from scenewright.domains.standing import RADIATOR
 from scenewright.geometry.fit import (
     AT_WINDOW,

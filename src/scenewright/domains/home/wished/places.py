@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.assets.service_use import NEEDS
-from scenewright.domains.home.library import Library, cases
+from scenewright.domains.home.cases.library import Library, cases
 from scenewright.domains.home.programme import Draw, Wish
 from scenewright.gates import gates
 from scenewright.layout import corners

@@ -10,7 +10,8 @@ import numpy as np
 import shapely
 
 from scenewright.catalog import Catalog
-from scenewright.domains.home.learned_rows import (
+from scenewright.domains.home.learned.learning import Found, Furnished
+from scenewright.domains.home.learned.rows import (
     SIDES,
     Beside,
     Clearance,
@@ -18,8 +19,7 @@ from scenewright.domains.home.learned_rows import (
     Share,
     Targets,
 )
-from scenewright.domains.home.learning import Found, Furnished
-from scenewright.domains.home.learning_space import covered, footprint
+from scenewright.domains.home.learned.space import covered, footprint
 from scenewright.scene import Piece, Pose, Size
 
 HAIR = 0.02

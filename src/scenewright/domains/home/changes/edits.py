@@ -258,7 +258,8 @@ def _again(rooms: Sequence[Space], edits: Edits) -> set[str]:
     known = {room.name: room.id for room in rooms} | {room.id: room.id for room in rooms}
     for name in edits.again:
         if name not in known:
-            near = get_close_matches(name, known, MOST, 0.5) or [room.id for room in rooms][:20]
+            found = [known[n] for n in get_close_matches(name, known, MOST, 0.5)]
+            near = dict.fromkeys(found or [room.id for room in rooms][:20])
             raise InputError(f"there is no room '{name}'", f"use one of: {', '.join(near)}")
     return {known[name] for name in edits.again}
 

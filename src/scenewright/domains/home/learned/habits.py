@@ -17,7 +17,7 @@ from math import exp, isnan, log, pi
 from typing import NamedTuple
 
 from scenewright.domains.home.groups import Sides
-from scenewright.domains.home.learned_rows import SIDES, Clearance, Distance, Share, Targets
+from scenewright.domains.home.learned.rows import SIDES, Clearance, Distance, Share, Targets
 
 TRUST = 5.0
 """k: how many sights the usual value is worth."""

@@ -14,10 +14,10 @@ import numpy as np
 
 from scenewright.brief import Room
 from scenewright.catalog import Group
-from scenewright.domains.home import habits
 from scenewright.domains.home.attempt import Task, floor_of, furnished_as
-from scenewright.domains.home.learning_space import covered
-from scenewright.domains.home.library import wished
+from scenewright.domains.home.cases.library import wished
+from scenewright.domains.home.learned import habits
+from scenewright.domains.home.learned.space import covered
 from scenewright.domains.home.programme import PROGRAMME, STANDS_FOR, WELCOME, Wish
 from scenewright.domains.home.tasks import wishes_of
 from scenewright.scene import Piece, Pose

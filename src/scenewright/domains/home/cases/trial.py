@@ -8,7 +8,7 @@ import numpy as np
 
 from scenewright.brief import Brief, Door, Room
 from scenewright.catalog import Catalog, Group
-from scenewright.domains.home.dress import Dressed, pieces_of
+from scenewright.domains.home.dressing.dress import Dressed, pieces_of
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.ways import unreached
@@ -25,7 +25,7 @@ def usable(case: Group, catalog: Catalog, route: float = 0.6) -> bool:
     with its back at the wall if it belongs there.
 
     >>> from scenewright.assets import shipped
-    >>> from scenewright.domains.home.library import cases
+    >>> from scenewright.domains.home.cases.library import cases
     >>> usable(cases("dining").groups[3], shipped())
     True
     """

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.domains.home.attempt import Placed, Task
-from scenewright.domains.home.dress import BACKED, SLACK, Dressed, too_tall, why_not
-from scenewright.domains.home.edits import carried, leads, near_poses
+from scenewright.domains.home.changes.edits import carried, leads, near_poses
+from scenewright.domains.home.dressing.dress import BACKED, SLACK, Dressed, too_tall, why_not
+from scenewright.domains.home.dressing.obstacles import Standing, standing_of
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.obstacles import Standing, standing_of
 from scenewright.domains.home.programme import FALLBACK, Wish
 from scenewright.geometry.fit import OUTSIDE, backed, faults
 from scenewright.layout import corners

@@ -22,7 +22,7 @@ from scenewright.domains.home.attempt import (
     penalty,
     posed,
 )
-from scenewright.domains.home.regroup import as_standing, misplaced
+from scenewright.domains.home.changes.regroup import as_standing, misplaced
 from scenewright.domains.home.room import furnish
 from scenewright.domains.home.wheelchair import furnish_by_use
 from scenewright.scene import Piece

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog, Group, Member
+from scenewright.domains.home.cases.library import SHIPPED, Library, nearest
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import SHIPPED, Library, nearest
 from scenewright.domains.home.pose import RELATIONS, holds, numbered, sizes_of
 from scenewright.domains.home.programme import Wish
 from scenewright.problem import Ground, Items, Problem, empty_items

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog import Group
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.habits import NONE, Habits
+from scenewright.domains.home.learned.habits import NONE, Habits
 from scenewright.geometry.kd_tree import Node, nearest_first, plant
 
 SLACK = 0.005

@@ -17,7 +17,8 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.catalog import Catalog, Group, Member
-from scenewright.domains.home.learning_space import (
+from scenewright.domains.home.cases.trial import usable
+from scenewright.domains.home.learned.space import (
     BACKED,
     TOP,
     above,
@@ -29,7 +30,7 @@ from scenewright.domains.home.learning_space import (
     pushed_out,
     turned,
 )
-from scenewright.domains.home.learning_words import (
+from scenewright.domains.home.learned.words import (
     ABOVE,
     ANCHORS,
     COMPANIONS,
@@ -38,7 +39,6 @@ from scenewright.domains.home.learning_words import (
     SEATS,
     Company,
 )
-from scenewright.domains.home.trial import usable
 from scenewright.models.furniture import LIKELY, misfits
 from scenewright.scene import Piece, Size
 from scenewright.space import Space

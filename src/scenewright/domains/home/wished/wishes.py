@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from scenewright.brief import Brief, Room
 from scenewright.brief.wishes import OPENINGS, WishBrief
 from scenewright.catalog import Catalog, Group, Member
+from scenewright.domains.home.cases.library import Library, cases, planted
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.library import Library, cases, planted
-from scenewright.domains.home.places import BACKWARD, drawn_to
 from scenewright.domains.home.programme import Draw, Sway, Wish
+from scenewright.domains.home.wished.places import BACKWARD, drawn_to
 from scenewright.errors import InputError
 from scenewright.plan import place
 from scenewright.problem import Items

@@ -11,18 +11,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.brief import Brief
-from scenewright.domains.home.amount import accustomed
 from scenewright.domains.home.attempt import Furnished, Placed, Task
-from scenewright.domains.home.edits import Edited, Edits, edited, frame_of, laid_on, leads
+from scenewright.domains.home.cases.own_library import libraries_of, taste_of
+from scenewright.domains.home.changes.edits import Edited, Edits, edited, frame_of, laid_on, leads
+from scenewright.domains.home.changes.least_change import Rest, rearranged
+from scenewright.domains.home.changes.regroup import as_standing, misplaced, regrouped, settled
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.least_change import Rest, rearranged
-from scenewright.domains.home.own_library import libraries_of, taste_of
+from scenewright.domains.home.learned.amount import accustomed
 from scenewright.domains.home.presets import preset_named
 from scenewright.domains.home.reasons import left_out, patches, terms
-from scenewright.domains.home.regroup import as_standing, misplaced, regrouped, settled
 from scenewright.domains.home.tasks import completed, task_of, wishes_of
 from scenewright.domains.home.wheelchair import furnish_by_use, widened
-from scenewright.domains.home.wishes import allowed
+from scenewright.domains.home.wished.wishes import allowed
 from scenewright.domains.home.yielding import yielded
 from scenewright.domains.standing import is_item, item_of
 from scenewright.plan import spaces

@@ -7,8 +7,8 @@ import shapely
 
 from scenewright.catalog import Catalog
 from scenewright.ceiling import below, lowest
-from scenewright.domains.home.furnishing import nearest_own
-from scenewright.domains.home.obstacles import joined, standing_of
+from scenewright.domains.home.cases.furnishing import nearest_own
+from scenewright.domains.home.dressing.obstacles import joined, standing_of
 from scenewright.gates import Gate, gates
 from scenewright.geometry.fit import faults
 from scenewright.problem import Ground

@@ -7,11 +7,11 @@ from pathlib import Path
 
 from scenewright.brief import Brief, Room
 from scenewright.catalog import Catalog, Group
-from scenewright.domains.home.furnishing import Taste, anchor_of, furnished, stock_of
+from scenewright.domains.home.cases.furnishing import Taste, anchor_of, furnished, stock_of
+from scenewright.domains.home.cases.library import SHIPPED, Library, planted, shipped_cases
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.habits import habits_of
-from scenewright.domains.home.learned_groups import Known, read
-from scenewright.domains.home.library import SHIPPED, Library, planted, shipped_cases
+from scenewright.domains.home.learned.groups import Known, read
+from scenewright.domains.home.learned.habits import habits_of
 
 Learned = tuple[tuple[Known, bool], ...]
 """Files of learned groups, and whether each is used beside the shipped ones."""

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 from scenewright.assets.sizes import SIZES
 from scenewright.catalog import Asset, Catalog, Group, Member
+from scenewright.domains.home.cases.refit import Chosen, refitted
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.refit import Chosen, refitted
 from scenewright.scene import Size
 from scenewright.stock import OWN
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog import Group
-from scenewright.domains.home.learning import Found
+from scenewright.domains.home.learned.learning import Found
 
 Floats = NDArray[np.float64]
 

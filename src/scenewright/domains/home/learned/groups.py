@@ -19,10 +19,10 @@ from scenewright.brief.fields import Coordinate, Heading, Height, Length, Model,
 from scenewright.catalog import Catalog, Group, Member
 from scenewright.document_faults import told as told_of
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.learned_cases import LearnedCase, merged
-from scenewright.domains.home.learned_rows import Clearance, Distance, Share, Targets
-from scenewright.domains.home.learned_targets import targets_of
-from scenewright.domains.home.learning import Furnished, found_in
+from scenewright.domains.home.learned.cases import LearnedCase, merged
+from scenewright.domains.home.learned.learning import Furnished, found_in
+from scenewright.domains.home.learned.rows import Clearance, Distance, Share, Targets
+from scenewright.domains.home.learned.targets import targets_of
 from scenewright.errors import InputError
 from scenewright.scene import Size
 

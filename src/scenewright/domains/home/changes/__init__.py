@@ -1,0 +1,1 @@
+"""Homes changed by hand and solved again where that touches."""

@@ -1,0 +1,1 @@
+"""Furniture on patches: cases tried piece by piece, put straight, with lamps and curtains."""

@@ -1,0 +1,1 @@
+"""What furnished homes teach: groups of furniture, distances, free floor, how much."""

@@ -1,0 +1,1 @@
+"""What a household wishes: things, places, outlets within reach; whether it was heard."""
