@@ -32,6 +32,19 @@ HOME: Json = {
          "ask": [{"group": "single", "count": 1, "required": True}]},
     ],
 }  # fmt: skip
+ATTIC: Json = {
+    "name": "attic",
+    "levels": [{"id": "0", "elevation": 0, "height": 2.6}, {"id": "1", "elevation": 2.9}],
+    "rooms": [
+        {"id": "hall", "level": "0", "outline": [[0, 0], [5, 0], [5, 4], [0, 4]],
+         "function": "hall", "doors": [{"at": [4.4, 0], "width": 0.9}]},
+        {"id": "up", "level": "1", "outline": [[0, 0], [5, 0], [5, 6], [0, 6]], "function": "study",
+         "windows": [{"at": [2.5, 6], "width": 0.8, "sill": 1.2, "height": 1.0}],
+         "slopes": [{"edge": 2, "knee": 0.9, "pitch": 0.7}]},
+    ],
+    "stairs": [{"at": [0.6, 0.8], "heading": 1.5708, "level": "0", "to": "1", "shape": "quarter",
+                "turn": "right", "width": 0.9, "going": 0.26}],
+}  # fmt: skip
 HALL: Json = {
     "domain": "hall",
     "rooms": [
@@ -80,7 +93,8 @@ CITY: Json = {
                  [0, 0, 6000], [0, 9000, 6000], [9000, 9000, 6000], [9000, 0, 6000]],
 }  # fmt: skip
 DOCUMENTS: dict[str, tuple[str, Json]] = {
-    "home": (".json", HOME), "hall": (".json", HALL), "site": (".json", SITE),
+    "home": (".json", HOME), "attic": (".json", ATTIC), "hall": (".json", HALL),
+    "site": (".json", SITE),
     "indoor": (".geojson", MAP), "land": (".geojson", LAND), "city": (".cityjson", CITY),
 }  # fmt: skip
 """Sound documents by name, each with the suffix it is read by."""

@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from judged_rooms import SOUTH, door, judge, kinds, piece, rectangle, room
+from scenewright.gates import door_zone, gates
 
 
 @pytest.mark.parametrize(("y", "found"), [(1.0, set()), (0.991, set()), (0.98, {"blocked_door"})])
@@ -63,3 +64,14 @@ def test_nothing_tall_before_the_glass(height, y, found):
     assert bool(report.of("blocked_window")) == found
     curtain = piece("curtain", 2, 2.95, 1.2, 0.1, 2.3, heading=SOUTH)
     assert judge(curtain, spaces=(lit,)).valid
+
+
+@pytest.mark.parametrize(("y", "thickness"), [(-0.05, 0.1), (0.01, 0.02), (-0.01, 0.02)])
+def test_what_the_search_keeps_free_is_enough(y, thickness):
+    """Also where rooms touch without a wall, and the passage is a little off their edge."""
+    opening = door(2.0, y, kind="passage", width=1.5, thickness=thickness)
+    space = room(openings=(opening,))
+    kept = door_zone(space, gates(space)[0])[0]
+    end = kept[1] + kept[4] / 2
+    assert not judge(piece("box", 2.0, end + 0.5, 3.0), spaces=(space,)).of("blocked_door")
+    assert judge(piece("box", 2.0, end + 0.48, 3.0), spaces=(space,)).of("blocked_door")

@@ -19,6 +19,7 @@ LANDING = 0.7  # kept free before stairs, metres
 THRESHOLD = 0.5  # kept free before a door, metres
 PASSAGE, SHARE = 0.9, 0.6  # kept free of a wide opening at least: metres, share of its width
 WIDE = 1.2  # openings without a leaf wider than this need not stay free in full, metres
+HAIR = 0.001  # what an opening reaches into a room by rounding, metres
 QUARTER = 0.71  # a little over the cosine of 45 degrees
 
 
@@ -63,10 +64,19 @@ def door_zone(space: Space, gate: Gate) -> list[list[float]]:
     depth = min(THRESHOLD, 0.5 * room_depth(space, gate))
     wide = opening.hinge == 0 and opening.width > WIDE
     kept = max(PASSAGE, SHARE * opening.width) if wide else opening.width
-    zones = [before(gate, kept, depth)]
+    zones = [before(gate, kept, depth + _beyond_face(gate))]
     if opening.hinge and opening.swing and _opens_here(gate):
         zones += _sweep(gate)
     return zones
+
+
+def _beyond_face(gate: Gate) -> float:
+    """How far an opening itself reaches into the room, metres: where rooms touch without a wall
+    between them, it may lie a little off their common edge."""
+    opening = gate.opening
+    x, y = opening.x - gate.face[0], opening.y - gate.face[1]
+    off = float(x * gate.inward[0] + y * gate.inward[1]) + opening.thickness / 2
+    return off if off > HAIR else 0.0
 
 
 def _sweep(gate: Gate) -> list[list[float]]:
