@@ -7,17 +7,18 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from scenewright import appearance
-from scenewright.appearance import Facts
-from scenewright.assets import shipped
+from scenewright.catalog import appearance
+from scenewright.catalog.appearance import Facts
+from scenewright.catalog.assets import shipped
 
 TABLE = Path(appearance.__file__).with_name("appearance.csv")
 
 
 def styles() -> dict[str, Facts]:
     """The facts of every shipped building, computed anew."""
-    return {asset.id: appearance.facts_of(asset.mesh(asset.usual))
-            for asset in shipped().of("building")}  # fmt: skip
+    return {
+        asset.id: appearance.facts_of(asset.mesh(asset.usual)) for asset in shipped().of("building")
+    }
 
 
 def ranking(rows: dict[str, Facts]) -> list[str]:

@@ -12,15 +12,15 @@ import resource
 import tempfile
 import time
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 from benchmarks.comparison import ratio
 from scenewright import batch, check, formats
 from scenewright.batch.table import FAILED, NOT_VALID
-from scenewright.domains import home
-from scenewright.solvers import SolverRow
+from scenewright.domains.home import solving as home
+from scenewright.domains.home.solvers import SolverRow
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
@@ -33,15 +33,13 @@ PROFILED, QUICK = 100, 60
 STEPS = ("read", "pose", "solve", "dress", "ways", "tell", "check", "write")
 
 
-def records(quick: bool = False, progress: Progress | None = None) -> list[Record]:
+def records(quick: bool = False, progress: Progress | None = None) -> Iterator[Record]:
     """Throughput, validity and the path of one flat, for the presets ``quick`` and ``default``."""
-    found: list[Record] = []
     with tempfile.TemporaryDirectory() as spare:
         files = briefs(Path(spare) / "in", QUICK if quick else None)
         for preset in PRESETS:
-            found += profile(files[: QUICK // 3 if quick else PROFILED], preset)
-            found += throughput(files, Path(spare) / preset, preset, progress)
-    return found
+            yield from profile(files[: QUICK // 3 if quick else PROFILED], preset)
+            yield from throughput(files, Path(spare) / preset, preset, progress)
 
 
 def briefs(folder: Path, most: int | None) -> list[Path]:
@@ -76,10 +74,11 @@ def throughput(
     valid = sum(row.status not in (NOT_VALID, FAILED) for row in rows) / count
     return [
         _record(f"{preset}: {WORKERS} workers, clock", "flats/s", count / clock, AIM, count),
-        _record(f"{preset}: {WORKERS} cores, processor", "flats/s", WORKERS * count / spent, AIM,
-                count),
+        _record(
+            f"{preset}: {WORKERS} cores, processor", "flats/s", WORKERS * count / spent, AIM, count
+        ),
         _record(f"{preset}: valid scenes", "1", valid, 1.0, count),
-    ]  # fmt: skip
+    ]
 
 
 def profile(files: list[Path], preset: str) -> list[Record]:
@@ -95,8 +94,10 @@ def profile(files: list[Path], preset: str) -> list[Record]:
         "ways": [(home, "yielded")],
         "tell": [(home, "_solution")],
     }
-    kept = {name: [_timed(owner, attribute, name, spent) for owner, attribute in parts]
-            for name, parts in steps.items()}  # fmt: skip
+    kept = {
+        name: [_timed(owner, attribute, name, spent) for owner, attribute in parts]
+        for name, parts in steps.items()
+    }
     try:
         for file in (files[0], *files):
             if file is files[0]:
@@ -110,8 +111,10 @@ def profile(files: list[Path], preset: str) -> list[Record]:
     spent["dress"] = spent.pop("furnish") - spent["solve"] - spent["ways"]
     spent["pose"] = whole - sum(spent[step] for step in ("solve", "dress", "ways", "tell"))
     count, aim = len(files), 1000.0 * WORKERS / AIM
-    found = [_record(f"{preset}: {step}", "ms/flat", 1000 * spent[step] / count, aim, count)
-             for step in STEPS]  # fmt: skip
+    found = [
+        _record(f"{preset}: {step}", "ms/flat", 1000 * spent[step] / count, aim, count)
+        for step in STEPS
+    ]
     total = 1000 * sum(spent.values()) / count
     return [*found, _record(f"{preset}: all steps", "ms/flat", total, aim, count)]
 
@@ -149,7 +152,12 @@ def _timed(owner: Any, attribute: str, name: str, spent: dict[str, float]) -> An
 
 def _record(case: str, unit: str, ours: float, aim: float, runs: int) -> Record:
     return {
-        "case": case, "metric": "share" if unit == "1" else "speed", "unit": unit,
-        "ours": round(ours, 4), "baseline": round(aim, 4), "baseline_name": "aim",
-        "ratio": ratio(ours, aim, unit), "runs": runs,
-    }  # fmt: skip
+        "case": case,
+        "metric": "share" if unit == "1" else "speed",
+        "unit": unit,
+        "ours": round(ours, 4),
+        "baseline": round(aim, 4),
+        "baseline_name": "aim",
+        "ratio": ratio(ours, aim, unit),
+        "runs": runs,
+    }

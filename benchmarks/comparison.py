@@ -33,13 +33,25 @@ def figure(rows: list[Row], name: str, means: Collection[str]) -> float:
 
 
 def record(
-    case: str, name: str, unit: str, ours: list[Row], theirs: list[Row], by: str,
+    case: str,
+    name: str,
+    unit: str,
+    ours: list[Row],
+    theirs: list[Row],
+    by: str,
     means: Collection[str],
-) -> Row:  # fmt: skip
-    """One figure of ours and of the method called ``by``, and their :func:`ratio`."""
+) -> Row:
+    """One figure of ours and of the method called ``by``, and their :func:`ratio`; ``runs`` is of
+    both, or of ours, and the name of the method tells its own."""
+    by = by if len(theirs) == len(ours) else f"{by}, {len(theirs)} runs"
     a, b = figure(ours, name, means), figure(theirs, name, means)
     return {
-        "case": case, "metric": name.replace("_", " "), "unit": unit, "ours": round(a, 4),
-        "baseline": round(b, 4), "baseline_name": by, "ratio": ratio(a, b, unit),
+        "case": case,
+        "metric": name.replace("_", " "),
+        "unit": unit,
+        "ours": round(a, 4),
+        "baseline": round(b, 4),
+        "baseline_name": by,
+        "ratio": ratio(a, b, unit),
         "runs": len(ours),
-    }  # fmt: skip
+    }

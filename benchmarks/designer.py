@@ -17,7 +17,8 @@ import numpy as np
 from benchmarks.designer_guidelines import GUIDELINES, Guideline
 from benchmarks.designer_rooms import Home, Pair, files, furnish
 from benchmarks.designer_sheet import sheet
-from scenewright.whole_file import write_whole
+from benchmarks.stages import tally
+from scenewright.core.atomic_file import write_atomically
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
@@ -25,12 +26,18 @@ NEAR = 0.5
 """Energies that differ by less are equal."""
 
 
-def records(quick: bool = False, progress: Progress | None = None) -> list[Record]:
+def records(quick: bool = False, progress: Progress | None = None) -> Iterator[Record]:
     """Rooms where ours is at least as good beside those where the designer's is; ``quick`` takes
     two homes."""
-    pairs = [pair for home in homes(2 if quick else 6, progress) for pair in home.rooms]
-    return [_record("energy", *_energy(pairs)),
-            *(_record(row.name, *_kept(row, pairs)) for row in GUIDELINES)]  # fmt: skip
+    return tally(homes(2 if quick else 6, progress), _tally)
+
+
+def _tally(furnished: list[Home]) -> list[Record]:
+    pairs = [pair for home in furnished for pair in home.rooms]
+    return [
+        _record("energy", *_energy(pairs)),
+        *(_record(row.name, *_kept(row, pairs)) for row in GUIDELINES),
+    ]
 
 
 def homes(count: int, progress: Progress | None = None, seed: int = 0) -> Iterator[Home]:
@@ -45,15 +52,23 @@ def homes(count: int, progress: Progress | None = None, seed: int = 0) -> Iterat
 def _record(name: str, ours: int, theirs: int, count: int) -> Record:
     """How often each is at least as good as the other."""
     return Record(
-        case="at least as good", metric=name, unit="rooms", ours=ours,
-        baseline=theirs, baseline_name="designer", ratio=round(ours / max(theirs, 1), 2),
+        case="at least as good",
+        metric=name,
+        unit="rooms",
+        ours=ours,
+        baseline=theirs,
+        baseline_name="designer",
+        ratio=round(ours / max(theirs, 1), 2),
         runs=count,
-    )  # fmt: skip
+    )
 
 
 def _energy(pairs: list[Pair]) -> tuple[int, int, int]:
-    both = [(sum(p.our_terms.values()), sum(p.designer_terms.values()))
-            for p in pairs if p.our_terms and p.designer_terms]  # fmt: skip
+    both = [
+        (sum(p.our_terms.values()), sum(p.designer_terms.values()))
+        for p in pairs
+        if p.our_terms and p.designer_terms
+    ]
     return (sum(a <= b + NEAR for a, b in both), sum(b <= a + NEAR for a, b in both), len(both))
 
 
@@ -85,21 +100,27 @@ def lines(pairs: list[Pair]) -> Iterator[str]:
         found = values(row, pairs)
         ours, theirs, count = _kept(row, pairs)
         middle = [float(np.median([v[k] for v in found])) if found else 0.0 for k in (1, 2)]
-        yield (f"| {row.name}: {row.doc} | {row.low:g} – {row.high:g} {row.unit} | {row.source} "
-               f"| {count} | {ours} | {theirs} | {middle[0]:.2f} | {middle[1]:.2f} |")  # fmt: skip
+        yield (
+            f"| {row.name}: {row.doc} | {row.low:g} – {row.high:g} {row.unit} | {row.source} "
+            f"| {count} | {ours} | {theirs} | {middle[0]:.2f} | {middle[1]:.2f} |"
+        )
     ours, theirs, count = _energy(pairs)
     yield f"| energy of the groups both hold | | | {count} | {ours} | {theirs} | | |"
     yield "\nWhere the designer's is better, ours against theirs:\n"
     for row in GUIDELINES:
-        worse = [f"{_name(pair)} {a:.2f} / {b:.2f}" for pair, a, b in values(row, pairs)
-                 if row.missed(a) > row.missed(b) + row.slack]  # fmt: skip
+        worse = [
+            f"{_name(pair)} {a:.2f} / {b:.2f}"
+            for pair, a, b in values(row, pairs)
+            if row.missed(a) > row.missed(b) + row.slack
+        ]
         if worse:
             yield f"* {row.name}: {'; '.join(worse)}"
     yield "\n| term | rooms where the designer's costs less | mean cost ours | mean designer's |"
     yield "|---|---|---|---|"
     for term in sorted({name for p in pairs for name in (*p.our_terms, *p.designer_terms)}):
-        costs = np.array([[t.get(term, 0.0) for t in (p.our_terms, p.designer_terms)]
-                          for p in pairs])  # fmt: skip
+        costs = np.array(
+            [[t.get(term, 0.0) for t in (p.our_terms, p.designer_terms)] for p in pairs]
+        )
         less = int((costs[:, 1] < costs[:, 0] - NEAR).sum())
         yield f"| {term} | {less} | {costs[:, 0].mean():.1f} | {costs[:, 1].mean():.1f} |"
 
@@ -115,7 +136,7 @@ def main(folder: Path | None) -> None:
         pairs += home.rooms
         if folder:
             folder.mkdir(parents=True, exist_ok=True)
-            write_whole(folder / f"{home.name}.svg", sheet(home))
+            write_atomically(folder / f"{home.name}.svg", sheet(home))
     print("\n".join(lines(pairs)))
 
 

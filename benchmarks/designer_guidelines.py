@@ -14,18 +14,26 @@ import numpy as np
 import shapely
 
 from benchmarks.designer_rooms import Seen
-from scenewright.assets import shipped
+from scenewright.building.door_approach import DoorApproach, gates
+from scenewright.catalog.assets import shipped
+from scenewright.core.scene import Piece
 from scenewright.domains.home.learned.space import footprint
 from scenewright.domains.home.learned.targets import free_before
-from scenewright.gates import Gate, gates
-from scenewright.scene import Piece
 
 SOFAS = ("sofa", "corner_sofa", "loveseat")
 SEATS = (*SOFAS, "armchair")
 BEDS = ("double_bed", "single_bed", "bunk_bed")
 DESKS = ("desk", "kids_desk")
-STORES = ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf",
-          "shoe_cabinet", *BEDS)  # fmt: skip
+STORES = (
+    "wardrobe",
+    "chest_of_drawers",
+    "bookcase",
+    "sideboard",
+    "shelf_unit",
+    "storage_shelf",
+    "shoe_cabinet",
+    *BEDS,
+)
 KITCHEN = ("sink_cabinet", "hob_cabinet", "fridge")
 WIDTHS = np.arange(0.3, 1.0001, 0.05)  # of ways that are tried, metres
 TURNED = np.deg2rad(5.0)  # a piece further off the walls' directions is askew
@@ -55,8 +63,14 @@ class Guideline(NamedTuple):
 def standing(room: Seen) -> list[Piece]:
     """What stands on the floor and is not flat."""
     kinds = shipped().kinds
-    return [p for p in room.pieces if p.pose.z < 0.05 and p.size.height > 0.05
-            and kinds[p.category].support == "floor" and not kinds[p.category].flat]  # fmt: skip
+    return [
+        p
+        for p in room.pieces
+        if p.pose.z < 0.05
+        and p.size.height > 0.05
+        and kinds[p.category].support == "floor"
+        and not kinds[p.category].flat
+    ]
 
 
 def _of(room: Seen, kinds: Iterable[str]) -> list[Piece]:
@@ -91,13 +105,15 @@ def route(room: Seen) -> float | None:
     return float(WIDTHS[max(low - 1, 0)])
 
 
-def _joins(room: Seen, shapes: list[shapely.Polygon], goals: list[shapely.Geometry],
-           radius: float) -> bool:  # fmt: skip
+def _joins(
+    room: Seen, shapes: list[shapely.Polygon], goals: list[shapely.Geometry], radius: float
+) -> bool:
     """Whether a disc can go from each goal to each other."""
     taken = shapely.union_all(shapely.buffer(shapes, radius, quad_segs=4))
     free = shapely.buffer(room.floor, -radius, quad_segs=4).difference(taken)
-    near = np.array([shapely.distance(part, goals) < radius + 0.15
-                     for part in shapely.get_parts(free)])  # fmt: skip
+    near = np.array(
+        [shapely.distance(part, goals) < radius + 0.15 for part in shapely.get_parts(free)]
+    )
     return bool(len(near)) and bool(near.all(1).any())
 
 
@@ -106,19 +122,32 @@ def open_floor(room: Seen) -> float | None:
     free = room.floor.difference(shapely.union_all([footprint(p) for p in standing(room)]))
     if free.is_empty:
         return 0.0
-    return 2 * max(float(shapely.maximum_inscribed_circle(part, tolerance=0.02).length)
-                   for part in shapely.get_parts(free))  # fmt: skip
+    return 2 * max(
+        float(shapely.maximum_inscribed_circle(part, tolerance=0.02).length)
+        for part in shapely.get_parts(free)
+    )
 
 
 def clearance(room: Seen) -> float | None:
     """Free floor before cupboards, desks and appliances as a share of what using them takes."""
     kinds, pieces = shipped().kinds, standing(room)
     shares = [
-        min(free_before(p, [footprint(q) for q in pieces if q is not p
-                            and p.category not in kinds[q.category].under], room.floor)
-            / kinds[p.category].reach, 1.0)
-        for p in pieces if kinds[p.category].access == ("front",) and p.category not in SEATS
-    ]  # fmt: skip
+        min(
+            free_before(
+                p,
+                [
+                    footprint(q)
+                    for q in pieces
+                    if q is not p and p.category not in kinds[q.category].under
+                ],
+                room.floor,
+            )
+            / kinds[p.category].reach,
+            1.0,
+        )
+        for p in pieces
+        if kinds[p.category].access == ("front",) and p.category not in SEATS
+    ]
     return float(np.mean(shares)) if shares else None
 
 
@@ -167,8 +196,9 @@ def conversation(room: Seen) -> float | None:
 def focal_point(room: Seen) -> float | None:
     """Share of the seats that look within 45 degrees at screen, fire or coffee table."""
     seats = _of(room, SEATS)
-    points = next((found for kind in ("tv", "fireplace", "coffee_table")
-                   if (found := _of(room, (kind,)))), [])  # fmt: skip
+    points = next(
+        (found for kind in ("tv", "fireplace", "coffee_table") if (found := _of(room, (kind,)))), []
+    )
     if not seats or not points:
         return None
     x, y = points[0].pose.x, points[0].pose.y
@@ -204,8 +234,9 @@ def backs(room: Seen) -> float | None:
 
 def _back(piece: Piece) -> shapely.Point:
     away = piece.size.depth / 2
-    return shapely.Point(piece.pose.x - away * cos(piece.pose.heading),
-                         piece.pose.y - away * sin(piece.pose.heading))  # fmt: skip
+    return shapely.Point(
+        piece.pose.x - away * cos(piece.pose.heading), piece.pose.y - away * sin(piece.pose.heading)
+    )
 
 
 def furnished(room: Seen) -> float | None:
@@ -223,7 +254,7 @@ def desk_light(room: Seen) -> float | None:
     return max(float(min(shapely.distance(footprint(d), panes))) for d in desks)
 
 
-def _pane(gate: Gate) -> shapely.LineString:
+def _pane(gate: DoorApproach) -> shapely.LineString:
     """A window's breadth on the face of its wall."""
     ux, uy, half = gate.opening.ux, gate.opening.uy, gate.opening.width / 2
     x, y = gate.face
@@ -249,8 +280,9 @@ def _sleeper(room: Seen) -> tuple[Piece, shapely.Point, list[shapely.Point]] | N
     if not beds or not doors:
         return None
     bed, up = beds[0], beds[0].size.depth / 2 - 0.3
-    head = shapely.Point(bed.pose.x - up * cos(bed.pose.heading),
-                         bed.pose.y - up * sin(bed.pose.heading))  # fmt: skip
+    head = shapely.Point(
+        bed.pose.x - up * cos(bed.pose.heading), bed.pose.y - up * sin(bed.pose.heading)
+    )
     return bed, head, doors
 
 
@@ -262,9 +294,10 @@ def door_in_sight(room: Seen) -> float | None:
     bed, head, doors = found
     door = min(doors, key=head.distance)
     line = shapely.LineString([head, door])
-    hidden = any(p.size.height > TALL and p is not bed
-                 and footprint(p).intersection(line).length > 0.1
-                 for p in standing(room))  # fmt: skip
+    hidden = any(
+        p.size.height > TALL and p is not bed and footprint(p).intersection(line).length > 0.1
+        for p in standing(room)
+    )
     way = atan2(door.y - head.y, door.x - head.x)
     return 180.0 if hidden else degrees(abs(remainder(way - bed.pose.heading, 2 * pi)))
 
@@ -292,38 +325,152 @@ MERRELL = "Merrell et al. 2011"
 SLEEP = "Spörrle & Stich 2010"
 GUIDELINES: tuple[Guideline, ...] = (
     Guideline("faults", "faults", 0, 0, 0.0, faults, "what the referee finds", "scenewright check"),
-    Guideline("route", "m", 0.6, inf, 0.03, route,
-              "widest way to all doors and things", "route width of a brief"),
-    Guideline("open floor", "m", 1.2, inf, 0.05, open_floor,
-              "largest circle of free floor", "DIN 18040-2, 1.2 m without a wheelchair"),
-    Guideline("clearance", "share", 1, 1, 0.03, clearance,
-              "free floor before cupboards, desks, appliances", "reach of the table of kinds"),
-    Guideline("windows", "share", 0, 0, 0.02, windows,
-              "floor before windows under tall things", "ours"),
-    Guideline("backs", "share", 1, 1, 0.02, backs,
-              "cupboards, shelves, beds with the back at a wall", "Liu et al. 2017, C5"),
-    Guideline("alignment", "share", 1, 1, 0.02, alignment,
-              "pieces parallel or square to walls", MERRELL),
-    Guideline("balance", "share", 0, 0, 0.02, balance,
-              "middle of the furniture off that of the room", MERRELL),
-    Guideline("furnished", "share", 0.40, 0.55, 0.03, furnished,
-              "floor that groups cover", "Liu et al. 2017, C7"),
-    Guideline("viewing distance", "widths", 1.4, 3.4, 0.2, viewing_distance,
-              "main seat to screen, by its width", "picture seen under 40 to 17 degrees"),
-    Guideline("screen axis", "degrees", 0, 15, 3.0, off_axis,
-              "main seat off the middle before the screen", "ours"),
-    Guideline("seat axis", "degrees", 0, 15, 3.0, turned_away,
-              "screen off the middle before the main seat", "ours"),
-    Guideline("conversation", "m", 1.2, 2.4, 0.1, conversation,
-              "seat to nearest seat", f"{MERRELL}, 4 to 8 feet"),
-    Guideline("focal point", "share", 1, 1, 0.02, focal_point,
-              "seats that look at screen, fire or table", MERRELL),
+    Guideline(
+        "route",
+        "m",
+        0.6,
+        inf,
+        0.03,
+        route,
+        "widest way to all doors and things",
+        "route width of a brief",
+    ),
+    Guideline(
+        "open floor",
+        "m",
+        1.2,
+        inf,
+        0.05,
+        open_floor,
+        "largest circle of free floor",
+        "DIN 18040-2, 1.2 m without a wheelchair",
+    ),
+    Guideline(
+        "clearance",
+        "share",
+        1,
+        1,
+        0.03,
+        clearance,
+        "free floor before cupboards, desks, appliances",
+        "reach of the table of kinds",
+    ),
+    Guideline(
+        "windows", "share", 0, 0, 0.02, windows, "floor before windows under tall things", "ours"
+    ),
+    Guideline(
+        "backs",
+        "share",
+        1,
+        1,
+        0.02,
+        backs,
+        "cupboards, shelves, beds with the back at a wall",
+        "Liu et al. 2017, C5",
+    ),
+    Guideline(
+        "alignment", "share", 1, 1, 0.02, alignment, "pieces parallel or square to walls", MERRELL
+    ),
+    Guideline(
+        "balance",
+        "share",
+        0,
+        0,
+        0.02,
+        balance,
+        "middle of the furniture off that of the room",
+        MERRELL,
+    ),
+    Guideline(
+        "furnished",
+        "share",
+        0.40,
+        0.55,
+        0.03,
+        furnished,
+        "floor that groups cover",
+        "Liu et al. 2017, C7",
+    ),
+    Guideline(
+        "viewing distance",
+        "widths",
+        1.4,
+        3.4,
+        0.2,
+        viewing_distance,
+        "main seat to screen, by its width",
+        "picture seen under 40 to 17 degrees",
+    ),
+    Guideline(
+        "screen axis",
+        "degrees",
+        0,
+        15,
+        3.0,
+        off_axis,
+        "main seat off the middle before the screen",
+        "ours",
+    ),
+    Guideline(
+        "seat axis",
+        "degrees",
+        0,
+        15,
+        3.0,
+        turned_away,
+        "screen off the middle before the main seat",
+        "ours",
+    ),
+    Guideline(
+        "conversation",
+        "m",
+        1.2,
+        2.4,
+        0.1,
+        conversation,
+        "seat to nearest seat",
+        f"{MERRELL}, 4 to 8 feet",
+    ),
+    Guideline(
+        "focal point",
+        "share",
+        1,
+        1,
+        0.02,
+        focal_point,
+        "seats that look at screen, fire or table",
+        MERRELL,
+    ),
     Guideline("desk light", "m", 0, 1.0, 0.1, desk_light, "desk to window", "ours"),
-    Guideline("door in sight", "degrees", 0, 90, 5.0, door_in_sight,
-              "door off the front of one lying in bed", SLEEP),
-    Guideline("away from door", "share", 1, 1, 0.05, away_from_door,
-              "pillow to door, of the farthest there is", SLEEP),
-    Guideline("work triangle", "m", 3.6, 7.9, 0.1, work_triangle,
-              "sink, hob, fridge and back", "NKBA, 12 to 26 feet"),
-)  # fmt: skip
+    Guideline(
+        "door in sight",
+        "degrees",
+        0,
+        90,
+        5.0,
+        door_in_sight,
+        "door off the front of one lying in bed",
+        SLEEP,
+    ),
+    Guideline(
+        "away from door",
+        "share",
+        1,
+        1,
+        0.05,
+        away_from_door,
+        "pillow to door, of the farthest there is",
+        SLEEP,
+    ),
+    Guideline(
+        "work triangle",
+        "m",
+        3.6,
+        7.9,
+        0.1,
+        work_triangle,
+        "sink, hob, fridge and back",
+        "NKBA, 12 to 26 feet",
+    ),
+)
 """Every guideline that is measured, with limits and source."""

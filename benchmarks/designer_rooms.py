@@ -18,34 +18,39 @@ import shapely
 from numpy.typing import NDArray
 
 from benchmarks.real_data import data_files
-from scenewright.assets import shipped
-from scenewright.brief import Ask, Brief
-from scenewright.check import Report, check
-from scenewright.domains.home import solve
+from scenewright.building.plan import spaces
+from scenewright.building.standing import fixed_pieces
+from scenewright.catalog.assets import shipped
+from scenewright.check.report import Report
+from scenewright.core.brief import Ask, Brief
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Patch, Solution
+from scenewright.core.space import Space
+from scenewright.domains import check
 from scenewright.domains.home.attempt import floor_of
+from scenewright.domains.home.build_problem import build_problem
+from scenewright.domains.home.energy import explain
 from scenewright.domains.home.ground import ground_of
-from scenewright.domains.home.learned.learning import Found, Furnished, found_in
-from scenewright.domains.home.pose import problem_of
+from scenewright.domains.home.learned.learning import FurnishedSpace, GroupOccurrence, found_in
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish, part_of
-from scenewright.domains.standing import fixed_pieces
-from scenewright.energy import explain
+from scenewright.domains.home.solving import solve
 from scenewright.formats import read
-from scenewright.plan import spaces
-from scenewright.scene import Piece
-from scenewright.solution import Patch, Solution
-from scenewright.space import Space
 
 Floats = NDArray[np.float64]
 
 BEDS = ("sleeping", "single", "bunk")
 ALSO: tuple[tuple[str, str, tuple[str, ...]], ...] = (
-    ("double_bed", "sleeping", BEDS), ("bunk_bed", "bunk", BEDS), ("single_bed", "single", BEDS),
-    ("hob_cabinet", "kitchenette", ("kitchen", "kitchenette")), ("tv", "media", ("media",)),
-    ("sofa", "seating", ("seating",)), ("corner_sofa", "seating", ("seating",)),
+    ("double_bed", "sleeping", BEDS),
+    ("bunk_bed", "bunk", BEDS),
+    ("single_bed", "single", BEDS),
+    ("hob_cabinet", "kitchenette", ("kitchen", "kitchenette")),
+    ("tv", "media", ("media",)),
+    ("sofa", "seating", ("seating",)),
+    ("corner_sofa", "seating", ("seating",)),
     ("dining_table", "dining_wall", ("dining", "dining_wall", "desk")),
     ("round_table", "dining_wall", ("dining", "dining_wall", "desk")),
-)  # fmt: skip
+)
 """A piece, and the group asked for where it stands in no group that was found (designers let
 chairs stand where nobody could sit down), unless one of the last was."""
 
@@ -91,37 +96,48 @@ def furnish(path: Path, seed: int) -> Home:
     """A home as it was and as we furnish it with the same groups."""
     full, bare = read(path, keep=True), read(path)
     homes = list(spaces(bare))
-    stood = {s.id: tuple(fixed_pieces(room, s, shipped()))
-             for s, room in zip(homes, full.rooms, strict=True)}  # fmt: skip
-    stays = {s.id: tuple(fixed_pieces(room, s, shipped()))
-             for s, room in zip(homes, bare.rooms, strict=True)}  # fmt: skip
+    stood = {
+        s.id: tuple(fixed_pieces(room, s, shipped()))
+        for s, room in zip(homes, full.rooms, strict=True)
+    }
+    stays = {
+        s.id: tuple(fixed_pieces(room, s, shipped()))
+        for s, room in zip(homes, bare.rooms, strict=True)
+    }
     found = {s.id: _found(path.stem, s, stood[s.id], stays[s.id]) for s in homes}
     asks = {s.id: _asked(found[s.id], stood[s.id]) for s in homes}
-    brief = bare.model_copy(update={"rooms": [
-        room.model_copy(update={"ask": asks[s.id]})
-        for s, room in zip(homes, bare.rooms, strict=True)
-    ]})  # fmt: skip
+    brief = bare.model_copy(
+        update={
+            "rooms": [
+                room.model_copy(update={"ask": asks[s.id]})
+                for s, room in zip(homes, bare.rooms, strict=True)
+            ]
+        }
+    )
     ours = solve(brief, seed=seed)
     was = replace(
-        ours, brief=full, pieces=tuple(p for pieces in stood.values() for p in pieces),
+        ours,
+        brief=full,
+        pieces=tuple(p for pieces in stood.values() for p in pieces),
         patches=tuple(patch for s in homes for patch in _patches(s, found[s.id])),
-    )  # fmt: skip
+    )
     reports = check(was), check(ours)
-    rooms = tuple(_pair(path.stem, brief, s, stays[s.id], (was, ours), reports)
-                  for s in homes if asks[s.id])  # fmt: skip
+    rooms = tuple(
+        _pair(path.stem, brief, s, stays[s.id], (was, ours), reports) for s in homes if asks[s.id]
+    )
     return Home(path.stem, was, ours, rooms)
 
 
 def _found(
     home: str, space: Space, stood: Sequence[Piece], stays: Sequence[Piece]
-) -> tuple[Found, ...]:
+) -> tuple[GroupOccurrence, ...]:
     """The groups of a room among what does not stay."""
     left = {(p.category, p.pose) for p in stays}
     free = tuple(p for p in stood if (p.category, p.pose) not in left)
-    return tuple(found_in(Furnished(home, space, free), shipped()))
+    return tuple(found_in(FurnishedSpace(home, space, free), shipped()))
 
 
-def _asked(found: Sequence[Found], stood: Sequence[Piece]) -> list[Ask]:
+def _asked(found: Sequence[GroupOccurrence], stood: Sequence[Piece]) -> list[Ask]:
     """The groups found, those of which none usable was, and one seating for several armchairs."""
     counts = Counter(one.case.function for one in found)
     kinds = Counter(p.category for p in stood)
@@ -133,16 +149,20 @@ def _asked(found: Sequence[Found], stood: Sequence[Piece]) -> list[Ask]:
     return [Ask(group=name, count=n, required=True) for name, n in counts.items() if n]
 
 
-def _patches(space: Space, found: Sequence[Found]) -> Iterator[Patch]:
+def _patches(space: Space, found: Sequence[GroupOccurrence]) -> Iterator[Patch]:
     for k, one in enumerate(found):
         box = (*one.box, one.case.width, one.case.depth)
         yield Patch(f"{space.id}/{one.case.function}_{k}", space.id, one.case.function, box)
 
 
 def _pair(
-    home: str, brief: Brief, space: Space, stays: tuple[Piece, ...],
-    solutions: tuple[Solution, Solution], reports: tuple[Report, Report],
-) -> Pair:  # fmt: skip
+    home: str,
+    brief: Brief,
+    space: Space,
+    stays: tuple[Piece, ...],
+    solutions: tuple[Solution, Solution],
+    reports: tuple[Report, Report],
+) -> Pair:
     was, ours = (_seen(space, s, r) for s, r in zip(solutions, reports, strict=True))
     theirs, mine = (_boxes(space, s) for s in solutions)
     shared = {f: min(len(boxes), len(mine.get(f, []))) for f, boxes in theirs.items()}
@@ -168,9 +188,12 @@ def _boxes(space: Space, solution: Solution) -> dict[str, list[tuple[float, ...]
 
 
 def _terms(
-    brief: Brief, space: Space, stays: tuple[Piece, ...], shared: dict[str, int],
+    brief: Brief,
+    space: Space,
+    stays: tuple[Piece, ...],
+    shared: dict[str, int],
     boxes: dict[str, list[tuple[float, ...]]],
-) -> dict[str, float]:  # fmt: skip
+) -> dict[str, float]:
     """Cost by term of the groups both layouts hold, as one problem with the same wishes."""
     groups = [group for group, count in shared.items() for _ in range(count)]
     if not groups:
@@ -178,10 +201,14 @@ def _terms(
     taken = sum(p.size.width * p.size.depth for p in stays if p.size.height > 0.05)
     whole = float(shapely.Polygon(space.outline, list(space.holes)).area)
     ground = ground_of(space, stays, max(whole - taken, 0.1))
-    problem = problem_of(
-        ground, tuple(Wish(group, 1) for group in groups), PRESETS["default"].weights, False,
-        brief.route_width, part_of(space.functions, floor_of(ground)),
-    )  # fmt: skip
+    problem = build_problem(
+        ground,
+        tuple(Wish(group, 1) for group in groups),
+        PRESETS["default"].weights,
+        False,
+        brief.route_width,
+        part_of(space.functions, floor_of(ground)),
+    )
     chosen = [box for group, count in shared.items() for box in boxes.get(group, [])[:count]]
     costs: Counter[str] = Counter()
     for part in explain(problem, np.array(chosen)):

@@ -6,10 +6,10 @@ import re
 from dataclasses import replace
 
 from benchmarks.designer_rooms import Home
-from scenewright.assets import shipped
-from scenewright.formats import svg
-from scenewright.shell import scene_of
-from scenewright.solution import Solution
+from scenewright.catalog.assets import shipped
+from scenewright.core.solution import Solution
+from scenewright.domains import scene_of
+from scenewright.drawing import rooms
 
 _HEAD = re.compile(r'<svg [^>]*?width="([\d.]+)mm" height="([\d.]+)mm"', re.DOTALL)
 _NAMES = re.compile(r'(\bid="|href="#|url\(#)')
@@ -17,8 +17,10 @@ _NAMES = re.compile(r'(\bid="|href="#|url\(#)')
 
 def sheet(home: Home) -> str:
     """The SVG text of a home's two plans."""
-    plans = [_plan(home.designer, f"{home.name} · designer", "a-"),
-             _plan(home.ours, f"{home.name} · Scenewright", "b-")]  # fmt: skip
+    plans = [
+        _plan(home.designer, f"{home.name} · designer", "a-"),
+        _plan(home.ours, f"{home.name} · Scenewright", "b-"),
+    ]
     wide, high = sum(w for _, w, _ in plans), max(h for _, _, h in plans)
     body, left = [], 0.0
     for text, width, height in plans:
@@ -35,12 +37,13 @@ def sheet(home: Home) -> str:
 
 def _plan(solution: Solution, name: str, prefix: str) -> tuple[str, float, float]:
     """A plan to stand within another, names of its own, and its width and height in millimetres."""
-    text = svg.plan(replace(scene_of(solution), name=name), shipped())
+    text = rooms.plan(replace(scene_of(solution), name=name), shipped())
     text = text[text.index("<svg ") :]
     found = _HEAD.search(text)
     if found is None:
         raise AssertionError("a plan tells its size in millimetres")
     width, height = found.groups()
-    text = text.replace(f'width="{width}mm" height="{height}mm"',
-                        f'width="{width}" height="{height}"', 1)  # fmt: skip
+    text = text.replace(
+        f'width="{width}mm" height="{height}mm"', f'width="{width}" height="{height}"', 1
+    )
     return _NAMES.sub(rf"\g<1>{prefix}", text), float(width), float(height)

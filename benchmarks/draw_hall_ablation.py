@@ -15,9 +15,9 @@ import shapely
 from PIL import Image, ImageDraw, ImageFont
 
 from benchmarks.hall_ablation import FIGURES, HALL, VARIANTS, Ablated, ablated
-from scenewright.brief import Brief
-from scenewright.hall_problem import Floats, HallProblem
-from scenewright.layout import corners
+from scenewright.core.brief import Brief
+from scenewright.core.layout import corners
+from scenewright.domains.hall.problem import Floats, HallProblem
 
 SEEDS, SOLVER = 20, "anneal"
 FINE = 3
@@ -50,8 +50,9 @@ def panel(without: str) -> Image.Image:
     """One plan with its caption."""
     found = usual(without)
     title, told = TITLES[without]
-    below = told.format(found.figures[FIGURES[without][0]]) if told else OTHERS.format(
-        **found.figures)  # fmt: skip
+    below = (
+        told.format(found.figures[FIGURES[without][0]]) if told else OTHERS.format(**found.figures)
+    )
     height = round(float(found.problem.ground.bounds[3]) * METRE) + TOP + 6
     image = Image.new("RGB", (PANEL * FINE, height * FINE), "white")
     draw = ImageDraw.Draw(image)
@@ -103,8 +104,16 @@ def grown(problem: HallProblem, boxes: Floats) -> Floats:
     x, y, heading, width, depth = boxes.T
     ahead, aside = (front - back) / 2, (left - right) / 2
     cos, sin = np.cos(heading), np.sin(heading)
-    return np.stack([x + cos * ahead - sin * aside, y + sin * ahead + cos * aside, heading,
-                     width + left + right, depth + front + back], 1)  # fmt: skip
+    return np.stack(
+        [
+            x + cos * ahead - sin * aside,
+            y + sin * ahead + cos * aside,
+            heading,
+            width + left + right,
+            depth + front + back,
+        ],
+        1,
+    )
 
 
 def _ring(problem: HallProblem, zone: int) -> Floats:
@@ -115,8 +124,10 @@ def _ring(problem: HallProblem, zone: int) -> Floats:
 def _at(problem: HallProblem, points: Floats) -> list[tuple[float, float]]:
     """Metres to dots: y goes down, the hall stands below its caption."""
     x0, _, _, y1 = problem.ground.bounds
-    return [(FINE * (4 + METRE * float(x - x0)), FINE * (TOP + METRE * float(y1 - y)))
-            for x, y in points]  # fmt: skip
+    return [
+        (FINE * (4 + METRE * float(x - x0)), FINE * (TOP + METRE * float(y1 - y)))
+        for x, y in points
+    ]
 
 
 if __name__ == "__main__":

@@ -15,21 +15,27 @@ from typing import Any
 import numpy as np
 
 from benchmarks.site_methods import BUDGETS, EVALUATIONS, SECONDS, chosen, rows
-from scenewright.formats.svg_marks import GREY, INK, PALE, group, line, number, shape, tag, text
+from scenewright.drawing.marks import GREY, INK, PALE, group, line, number, shape, tag, text
 
 Row = dict[str, Any]
 FONT = "Helvetica, Arial, 'DejaVu Sans', sans-serif"
 COLOURS = {
-    "default": ("ours", "#0b6e4f"), "paper": ("the paper's", "#8c1d18"),
-    "vp": ("vp, repaired", "#d9602b"), "sga": ("sga", "#d99000"),
-    "sa": ("sa", "#0064a8"), "sa-free": ("sa-free", "#6aa5cf"), "pso": ("pso", "#8a4fa3"),
+    "default": ("ours", "#0b6e4f"),
+    "paper": ("the paper's", "#8c1d18"),
+    "vp": ("vp, repaired", "#d9602b"),
+    "sga": ("sga", "#d99000"),
+    "sa": ("sa", "#0064a8"),
+    "sa-free": ("sa-free", "#6aa5cf"),
+    "pso": ("pso", "#8a4fa3"),
     "random": ("random", "#6d7278"),
-}  # fmt: skip
+}
 """The methods drawn, their names on the sheet and colours; other presets of ours lie on ours."""
 PANELS = (
-    ("value", "F_eva (22)", 1.0), ("left_out", "buildings left out", 100.0),
-    ("seen", "quality seen along the ways", 1.0), ("sun", "hours of winter sun on fronts", 1.0),
-)  # fmt: skip
+    ("value", "F_eva (22)", 1.0),
+    ("left_out", "buildings left out", 100.0),
+    ("seen", "quality seen along the ways", 1.0),
+    ("sun", "hours of winter sun on fronts", 1.0),
+)
 """Figure, title, and what it is multiplied by (100: per cent)."""
 WIDE, HIGH, LEFT, TOP, GAP, NAMES = 62.0, 50.0, 11.0, 17.0, 15.0, 24.0
 """Millimetres: of a panel, before and above the first, between panels, for names at the right."""
@@ -52,36 +58,63 @@ def sheet(found: list[Row]) -> str:
     height = TOP + len(BUDGETS) * (HIGH + GAP) - GAP + 6.0
     seeds = len({row["seed"] for row in found})
     told = f"Scenes of 6 to 120 buildings, {seeds} seeds: medians and quartiles"
-    marks = [tag("rect", width=width, height=height, fill="#ffffff"),
-             text(told, (LEFT, 5.0), 3.6, text_anchor="start", font_weight="bold")]  # fmt: skip
+    marks = [
+        tag("rect", width=width, height=height, fill="#ffffff"),
+        text(told, (LEFT, 5.0), 3.6, text_anchor="start", font_weight="bold"),
+    ]
     names = {"evaluations": f"{EVALUATIONS} evaluations", "seconds": f"{SECONDS:g} s each"}
     for j, equal in enumerate(BUDGETS):
         for k, panel in enumerate(PANELS):
             corner = (LEFT + k * (WIDE + GAP), TOP + j * (HIGH + GAP))
             marks.append(_panel(found, equal, panel, corner, k == len(PANELS) - 1))
-        marks.append(text(names[equal], (LEFT, TOP + j * (HIGH + GAP) - 6.2), 2.9,
-                          text_anchor="start", fill=GREY))  # fmt: skip
+        marks.append(
+            text(
+                names[equal],
+                (LEFT, TOP + j * (HIGH + GAP) - 6.2),
+                2.9,
+                text_anchor="start",
+                fill=GREY,
+            )
+        )
     return tag(
-        "svg", "\n".join(marks), xmlns="http://www.w3.org/2000/svg", version="1.1",
-        width=f"{width:g}mm", height=f"{height:g}mm", viewBox=f"0 0 {width:g} {height:g}",
-        font_family=FONT, fill=INK,
-    )  # fmt: skip
+        "svg",
+        "\n".join(marks),
+        xmlns="http://www.w3.org/2000/svg",
+        version="1.1",
+        width=f"{width:g}mm",
+        height=f"{height:g}mm",
+        viewBox=f"0 0 {width:g} {height:g}",
+        font_family=FONT,
+        fill=INK,
+    )
 
 
 def _panel(
-    found: list[Row], equal: str, panel: tuple[str, str, float], corner: tuple[float, float],
+    found: list[Row],
+    equal: str,
+    panel: tuple[str, str, float],
+    corner: tuple[float, float],
     named: bool,
-) -> str:  # fmt: skip
+) -> str:
     """One figure of all methods over the size of the scene."""
     name, words, times = panel
     sizes = sorted({row["buildings"] for row in found})
     curves = {
-        method: times * np.array([
-            np.percentile([row[name] for row in chosen(found, equal=equal, method=method,
-                                                       buildings=size)], (25, 50, 75))
-            for size in sizes
-        ]) for method in COLOURS
-    }  # fmt: skip
+        method: times
+        * np.array(
+            [
+                np.percentile(
+                    [
+                        row[name]
+                        for row in chosen(found, equal=equal, method=method, buildings=size)
+                    ],
+                    (25, 50, 75),
+                )
+                for size in sizes
+            ]
+        )
+        for method in COLOURS
+    }
     every = times * np.array([row[name] for row in found if row["method"] in COLOURS])
     step = _step(float(np.percentile(every, 98)))
     top = step * np.ceil(max(float(c.max()) for c in curves.values()) / step)
@@ -94,17 +127,26 @@ def _panel(
     marks = [text(title, (corner[0], corner[1] - 2.4), 2.9, text_anchor="start")]
     for value in np.arange(0.0, top + step / 2, step):
         y = float(paper(value))
-        marks += [line([(corner[0], y), (corner[0] + WIDE, y)], stroke=PALE, stroke_width=0.15),
-                  text(number(float(value)), (corner[0] - 1.2, y), 2.3, text_anchor="end",
-                       fill=GREY)]  # fmt: skip
-    marks += [text(str(size), (at, corner[1] + HIGH + 2.6), 2.3, fill=GREY)
-              for size, at in zip(sizes, x, strict=True)]  # fmt: skip
+        marks += [
+            line([(corner[0], y), (corner[0] + WIDE, y)], stroke=PALE, stroke_width=0.15),
+            text(number(float(value)), (corner[0] - 1.2, y), 2.3, text_anchor="end", fill=GREY),
+        ]
+    marks += [
+        text(str(size), (at, corner[1] + HIGH + 2.6), 2.3, fill=GREY)
+        for size, at in zip(sizes, x, strict=True)
+    ]
     for method, (_, colour) in reversed(COLOURS.items()):
         low, middle, high = (paper(row) for row in curves[method].T)
         band = np.concatenate([np.stack([x, low], 1), np.stack([x, high], 1)[::-1]])
-        marks += [shape([band], fill=colour, fill_opacity=0.13),
-                  line(np.stack([x, middle], 1), stroke=colour, fill="none",
-                       stroke_width=0.75 if method == "default" else 0.4)]  # fmt: skip
+        marks += [
+            shape([band], fill=colour, fill_opacity=0.13),
+            line(
+                np.stack([x, middle], 1),
+                stroke=colour,
+                fill="none",
+                stroke_width=0.75 if method == "default" else 0.4,
+            ),
+        ]
     if named:
         ends = {method: float(paper(curve[-1, 1])) for method, curve in curves.items()}
         marks += _names(ends, corner[0] + WIDE + 1.5)
@@ -125,10 +167,16 @@ def _names(ends: dict[str, float], x: float) -> list[str]:
     for k in range(1, len(places)):
         places[k] = max(places[k], places[k - 1] + 3.2)
     return [
-        text(COLOURS[method][0], (x, place), 2.7, text_anchor="start", fill=COLOURS[method][1],
-             font_weight="bold" if method == "default" else "normal")
+        text(
+            COLOURS[method][0],
+            (x, place),
+            2.7,
+            text_anchor="start",
+            fill=COLOURS[method][1],
+            font_weight="bold" if method == "default" else "normal",
+        )
         for method, place in zip(order, places, strict=True)
-    ]  # fmt: skip
+    ]
 
 
 if __name__ == "__main__":

@@ -8,11 +8,13 @@ halls of up to 2000 objects (:mod:`.hall_scale`) and real malls (:mod:`.hall_mal
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 from benchmarks import hall_ablation, hall_malls, hall_methods, hall_scale
 from benchmarks.shapely_hall_steps import bench_evaluations, bench_steps
+from benchmarks.stages import Stage, run_stages
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
@@ -21,24 +23,26 @@ SAMPLE_SIZED = (1.0, 2.0)
 """Scales of the hall of :mod:`.hall_instances`: 38 and about 75 objects, as the samples."""
 
 
-def records(quick: bool = False, progress: Progress | None = None) -> list[Record]:
+def records(quick: bool = False, progress: Progress | None = None) -> Iterator[Record]:
     """All records; ``quick`` takes two seeds, halls of up to 100 objects and no malls."""
     seeds = 2 if quick else 20
-    stages: list[tuple[str, Callable[[], list[Record]]]] = [
-        ("methods", lambda: hall_methods.summary(hall_methods.rows(seeds))),
-        ("time to quality", lambda: hall_methods.quality(seeds)),
+    stages: list[Stage] = [
+        *((f"methods, {case}", partial(_methods, seeds, case)) for case in hall_methods.halls()),
+        *(
+            (f"time to quality, {case}", partial(hall_methods.quality, seeds, [case]))
+            for case in hall_methods.halls()
+        ),
         ("steps", lambda: bench_speed(2 if quick else 5)),
         ("ablation", lambda: bench_ablation(seeds)),
         ("scale", lambda: bench_scale(quick)),
     ]
     if not quick:
         stages.append(("malls", hall_malls.records))
-    found: list[Record] = []
-    for number, (name, stage) in enumerate(stages):
-        if progress:
-            progress(number / len(stages), name)
-        found += stage()
-    return found
+    yield from run_stages(stages, progress)
+
+
+def _methods(seeds: int, case: str) -> list[Record]:
+    return hall_methods.summary(hall_methods.rows(seeds, [case]))
 
 
 def bench_speed(runs: int) -> list[Record]:

@@ -13,42 +13,67 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from benchmarks.hall_measure import gaps_of, posed
-from scenewright.brief import Brief
-from scenewright.encodings.patterns import NUMBER, SINGLE, WALL
-from scenewright.hall_energy import make_state, prepare
-from scenewright.hall_problem import Floats, HallProblem
-from scenewright.solve import Budget
-from scenewright.solvers.guided_metropolis import bring_back
-from scenewright.solvers.hall_chains import anneal_hall, gd_mh
-from scenewright.solvers.hall_found import HallLayout
-from scenewright.terms.hall_measure import passage
-from scenewright.terms.hall_state import Prepared, State, make_scratch
-from scenewright.terms.hall_terms import NEAR, PRINTED
+from scenewright.core.brief import Brief
+from scenewright.domains.hall.energy import make_state, prepare
+from scenewright.domains.hall.patterns import NUMBER, SINGLE, WALL
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.solvers.chains import anneal_hall, gd_mh
+from scenewright.domains.hall.solvers.guided_metropolis import bring_back
+from scenewright.domains.hall.solvers.outcome import HallLayout
+from scenewright.domains.hall.terms.measure import passage
+from scenewright.domains.hall.terms.state import PreparedHall, State, make_scratch
+from scenewright.domains.hall.terms.table import NEAR, PRINTED
+from scenewright.engine.solve import Budget
 
 Row = dict[str, Any]
 CASE = "crowded lobby, roomy gallery"
 HALL = {
-    "format": "scenewright/brief", "version": 1, "domain": "hall", "name": CASE,
-    "rooms": [{
-        "id": "hall", "height": 4.0,
-        "outline": [[0, 0], [10, 0], [10, 5], [24, 5], [24, 14], [10, 14], [10, 9], [0, 9]],
-        "doors": [{"id": "entrance", "at": [0, 2.0], "width": 1.8, "swing": "out"}],
-        "zones": [
-            {"id": "lobby", "outline": [[0, 0], [10, 0], [10, 9], [0, 9]]},
-            {"id": "gallery", "outline": [[10, 5], [24, 5], [24, 14], [10, 14]]},
-        ],
-        "links": [{"between": ["lobby", "gallery"], "width": 2.4}],
-        "demands": [
-            {"id": "tables", "category": "display_table", "count": 6, "zone": "lobby",
-             "size": [1.4, 0.8, 0.9], "clearance": 0.6, "patterns": ["grid", "chain"]},
-            {"id": "desk", "category": "info_desk", "zone": "lobby"},
-            {"id": "cases", "category": "showcase", "count": 6, "zone": "gallery",
-             "clearance": 0.5, "patterns": ["grid", "chain", "radiation"]},
-            {"id": "busts", "category": "plinth", "count": 4, "zone": "gallery",
-             "clearance": 0.5, "patterns": ["grid", "chain"]},
-        ],
-    }],
-}  # fmt: skip
+    "format": "scenewright/brief",
+    "version": 1,
+    "domain": "hall",
+    "name": CASE,
+    "rooms": [
+        {
+            "id": "hall",
+            "height": 4.0,
+            "outline": [[0, 0], [10, 0], [10, 5], [24, 5], [24, 14], [10, 14], [10, 9], [0, 9]],
+            "doors": [{"id": "entrance", "at": [0, 2.0], "width": 1.8, "swing": "out"}],
+            "zones": [
+                {"id": "lobby", "outline": [[0, 0], [10, 0], [10, 9], [0, 9]]},
+                {"id": "gallery", "outline": [[10, 5], [24, 5], [24, 14], [10, 14]]},
+            ],
+            "links": [{"between": ["lobby", "gallery"], "width": 2.4}],
+            "demands": [
+                {
+                    "id": "tables",
+                    "category": "display_table",
+                    "count": 6,
+                    "zone": "lobby",
+                    "size": [1.4, 0.8, 0.9],
+                    "clearance": 0.6,
+                    "patterns": ["grid", "chain"],
+                },
+                {"id": "desk", "category": "info_desk", "zone": "lobby"},
+                {
+                    "id": "cases",
+                    "category": "showcase",
+                    "count": 6,
+                    "zone": "gallery",
+                    "clearance": 0.5,
+                    "patterns": ["grid", "chain", "radiation"],
+                },
+                {
+                    "id": "busts",
+                    "category": "plinth",
+                    "count": 4,
+                    "zone": "gallery",
+                    "clearance": 0.5,
+                    "patterns": ["grid", "chain"],
+                },
+            ],
+        }
+    ],
+}
 """A hall in which all four failures have room: a small full zone with a narrow way into a large
 one that holds little."""
 STEPS = 24_000
@@ -99,7 +124,7 @@ def figures_of(problem: HallProblem, layout: HallLayout) -> dict[str, float]:
     }
 
 
-def widest_gap(p: Prepared, s: State, boxes: Floats, unit: int) -> float:
+def widest_gap(p: PreparedHall, s: State, boxes: Floats, unit: int) -> float:
     """max μ / μ_max over the neighbours of a unit; 0 for single objects and rows at walls."""
     if s.code[unit] in (SINGLE, WALL):
         return 0.0
@@ -136,9 +161,16 @@ def summary(found: list[Row]) -> list[Row]:
             full = [row[figure] for row in mine if row["without"] == "all"]
             lost = [row[figure] for row in mine if row["without"] == name]
             a, b = statistics.median(full), statistics.median(lost)
-            records.append({
-                "case": f"{mine[0]['case']} by {solver}", "metric": told, "unit": "1", "ours": a,
-                "baseline": b, "baseline_name": f"without {name}", "ratio": b / a if a else None,
-                "runs": len(full),
-            })  # fmt: skip
+            records.append(
+                {
+                    "case": f"{mine[0]['case']} by {solver}",
+                    "metric": told,
+                    "unit": "1",
+                    "ours": a,
+                    "baseline": b,
+                    "baseline_name": f"without {name}",
+                    "ratio": b / a if a else None,
+                    "runs": len(full),
+                }
+            )
     return records

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.encodings.patterns import PATTERNS
-from scenewright.hall_problem import HallGround, HallProblem, Units
+from scenewright.domains.hall.patterns import PATTERNS
+from scenewright.domains.hall.problem import HallGround, HallProblem, Units
 
 Floats = NDArray[np.float64]
 PAPER = {"space": 1.0, "fill": 1.0, "access": 1.0, "proportion": 1.0}
@@ -36,8 +36,15 @@ def ground(size: float = 1.0) -> HallGround:
     west = np.vstack([ring([(0, 0), (12, 0), (12, 14), (0, 14)]), column])
     east = ring([(12, 0), (24, 0), (24, 10), (20, 14), (12, 14)])
     hall = np.vstack([ring([(0, 0), (24, 0), (24, 10), (20, 14), (0, 14)]), column])
-    walls = [(12, 14, 0, 14, 0, 0), (0, 4, 0, 0, 0, 0), (0, 0, 12, 0, 0, 1), (12, 0, 24, 0, 1, 0),
-             (24, 0, 24, 10, 1, 1), (24, 10, 20, 14, 1, 1), (20, 14, 12, 14, 1, 1)]  # fmt: skip
+    walls = [
+        (12, 14, 0, 14, 0, 0),
+        (0, 4, 0, 0, 0, 0),
+        (0, 0, 12, 0, 0, 1),
+        (12, 0, 24, 0, 1, 0),
+        (24, 0, 24, 10, 1, 1),
+        (24, 10, 20, 14, 1, 1),
+        (20, 14, 12, 14, 1, 1),
+    ]
     scale = np.array([size, size, size, size, 1.0])
     border = np.array([[12.0, 0.0, 12.0, 14.0, 0.0]]) * scale
     columns = np.array([size, size, size, size, 1.0, 1.0])
@@ -71,8 +78,11 @@ GROUPS: tuple[tuple[str, int, float, float, tuple[float, float, float, float], i
 
 def units(counts: Sequence[int]) -> Units:
     """The groups with so many objects each."""
-    sizes = [(width, depth) for (_, _, width, depth, _, _), n in zip(GROUPS, counts, strict=True)
-             for _ in range(n)]  # fmt: skip
+    sizes = [
+        (width, depth)
+        for (_, _, width, depth, _, _), n in zip(GROUPS, counts, strict=True)
+        for _ in range(n)
+    ]
     clear = [row[4] for row, n in zip(GROUPS, counts, strict=True) for _ in range(n)]
     ends = np.cumsum(counts)
     choices = np.ones((len(counts), len(PATTERNS)), np.int64)
@@ -81,10 +91,15 @@ def units(counts: Sequence[int]) -> Units:
     choices[[1, 4]] = 0
     choices[1, codes["wall"]] = choices[4, codes["single"]] = 1
     return Units(
-        np.array(sizes), np.array(clear), np.tile(np.array([1, 0, 0, 0]), (len(sizes), 1)),
-        np.column_stack([ends - counts, ends]), np.array([row[5] for row in GROUPS]), choices,
-        np.arange(len(counts)), np.full(len(counts), -1),
-    )  # fmt: skip
+        np.array(sizes),
+        np.array(clear),
+        np.tile(np.array([1, 0, 0, 0]), (len(sizes), 1)),
+        np.column_stack([ends - counts, ends]),
+        np.array([row[5] for row in GROUPS]),
+        choices,
+        np.arange(len(counts)),
+        np.full(len(counts), -1),
+    )
 
 
 def example_hall(scale: float = 1.0) -> HallProblem:

@@ -11,12 +11,13 @@ from typing import Any
 
 from benchmarks.comparison import ratio
 from benchmarks.real_data import data_files, data_set, skipped
-from scenewright.check import Report, check
-from scenewright.domains.hall import solve
-from scenewright.errors import InputError
-from scenewright.formats.indoor_geojson import read_report
-from scenewright.plan import room_ids
-from scenewright.solution import Solution
+from scenewright.building.plan import room_ids
+from scenewright.check.report import Report
+from scenewright.core.errors import InputError
+from scenewright.core.solution import Solution
+from scenewright.domains import check
+from scenewright.domains.hall.indoor.geojson import read_report
+from scenewright.domains.hall.solving import solve
 
 Row = dict[str, Any]
 
@@ -39,8 +40,14 @@ def rows(name: str, seed: int = 0) -> tuple[list[Row], Row]:
         if room.demands
     ]
     units = [unit(space, solution, report) for space in ids]
-    whole = {"map": name, "rooms": len(told.brief.rooms), "units": told.units,
-             "filled": told.filled, "solving": solution.seconds, "judging": judged}  # fmt: skip
+    whole = {
+        "map": name,
+        "rooms": len(told.brief.rooms),
+        "units": told.units,
+        "filled": told.filled,
+        "solving": solution.seconds,
+        "judging": judged,
+    }
     return units, whole
 
 
@@ -49,12 +56,13 @@ def unit(space: str, solution: Solution, report: Report) -> Row:
     found = [f for f in report.findings if f.space == space and not f.given]
     left = [out for out in solution.left_out if out.space == space]
     return {
-        "space": space, "pieces": sum(piece.space == space for piece in solution.pieces),
+        "space": space,
+        "pieces": sum(piece.space == space for piece in solution.pieces),
         "area": report.figures["rooms"].get(space, {}).get("area"),
         "findings": dict(Counter(finding.kind for finding in found)),
         "told": [finding.message for finding in found][:3],
         "left_out": [f"{out.what}: {out.reason}" for out in left],
-    }  # fmt: skip
+    }
 
 
 def records(seed: int = 0, maps: list[str] | None = None) -> list[Row]:
@@ -71,23 +79,45 @@ def records(seed: int = 0, maps: list[str] | None = None) -> list[Row]:
         kinds = Counter(kind for one in units for kind in one["findings"])
         found += [
             _record(name, "valid units", number - sum(bool(u["findings"]) for u in units), number),
-            _record(name, "units with nothing left out",
-                    number - sum(bool(u["left_out"]) for u in units), number),
+            _record(
+                name,
+                "units with nothing left out",
+                number - sum(bool(u["left_out"]) for u in units),
+                number,
+            ),
             _record(name, "units with pieces", sum(u["pieces"] > 0 for u in units), number),
-            *(_record(name, f"units with {kind.replace('_', ' ')}", n, number, 0.0)
-              for kind, n in sorted(kinds.items())),
+            *(
+                _record(name, f"units with {kind.replace('_', ' ')}", n, number, 0.0)
+                for kind, n in sorted(kinds.items())
+            ),
             _seconds(name, "solving", whole["solving"]),
             _seconds(name, "judging", whole["judging"]),
-        ]  # fmt: skip
+        ]
     return found
 
 
 def _record(case: str, metric: str, ours: int, of: int, aim: float | None = None) -> Row:
     base = float(of) if aim is None else aim
-    return {"case": case, "metric": metric, "unit": "1", "ours": float(ours), "baseline": base,
-            "baseline_name": "aim", "ratio": ratio(ours, base, "1"), "runs": of}  # fmt: skip
+    return {
+        "case": case,
+        "metric": metric,
+        "unit": "1",
+        "ours": float(ours),
+        "baseline": base,
+        "baseline_name": "aim",
+        "ratio": ratio(ours, base, "1"),
+        "runs": of,
+    }
 
 
 def _seconds(case: str, metric: str, seconds: float) -> Row:
-    return {"case": case, "metric": metric, "unit": "s", "ours": seconds, "baseline": None,
-            "baseline_name": "", "ratio": None, "runs": 1}  # fmt: skip
+    return {
+        "case": case,
+        "metric": metric,
+        "unit": "s",
+        "ours": seconds,
+        "baseline": None,
+        "baseline_name": "",
+        "ratio": None,
+        "runs": 1,
+    }

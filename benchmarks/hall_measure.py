@@ -12,23 +12,23 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright import plan
-from scenewright.assets import shipped
-from scenewright.brief import Brief
+from scenewright.building import plan
+from scenewright.building.standing import fixed_pieces
+from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Brief
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
 from scenewright.domains.hall.assign import Unit
+from scenewright.domains.hall.build_problem import HallContext, build_problem, hall_of
+from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted, fit
-from scenewright.domains.hall.pose import Hall, hall_of, pose
+from scenewright.domains.hall.holdings import HallDemand, collect_demands
+from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.presets import OURS, PAPER
-from scenewright.domains.hall.wanted import Wanted, wanted
-from scenewright.domains.standing import fixed_pieces
-from scenewright.encodings.patterns import SINGLE
-from scenewright.hall_energy import capacity
-from scenewright.hall_problem import Floats, HallProblem
-from scenewright.scene import Piece
-from scenewright.solution import Solution
-from scenewright.solvers.hall_found import HallLayout, measured
-from scenewright.terms.hall_state import Kept
-from scenewright.terms.hall_terms import (
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.solvers.outcome import HallLayout, measure_layout
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.terms.table import (
     ACCESS,
     FILL,
     NEAR,
@@ -37,7 +37,7 @@ from scenewright.terms.hall_terms import (
     proportion_cost,
     space_cost,
 )
-from scenewright.zones import HallPlan, borders_of, zones_of
+from scenewright.domains.hall.zones import HallPlan, borders_of, zones_of
 
 
 class Energies(NamedTuple):
@@ -59,26 +59,26 @@ class Energies(NamedTuple):
 class Posed(NamedTuple):
     """A hall of a brief, what it is to hold, and the problem with its first layout."""
 
-    hall: Hall
-    wishes: list[Wanted]
+    hall: HallContext
+    wishes: list[HallDemand]
     fitted: Fitted
 
 
 def posed(brief: Brief, seed: int = 0, printed: bool = False) -> Posed:
     """The first hall of a brief ready to be solved, by the paper's preset if ``printed``."""
     hall = hall_in(brief, 0, None)
-    wishes = wanted(brief, 0, (), shipped())
+    wishes = collect_demands(brief, 0, (), shipped())
     weights = PAPER if printed else OURS
     return Posed(hall, wishes, fit(hall, wishes, weights, shipped(), seed, printed))
 
 
-def hall_in(brief: Brief, number: int, solution: Solution | None) -> Hall:
+def hall_in(brief: Brief, number: int, solution: Solution | None) -> HallContext:
     """A hall of a brief, with the zones and generated walls of a solution if there is one."""
     space = plan.spaces(brief)[number]
     fixed = list(fixed_pieces(brief.rooms[number], space, shipped()))
     zones = zones_of(brief, number, space)
-    if solution is not None and solution.graph is not None:
-        graph = solution.graph
+    if solution is not None and solution.detail is not None:
+        graph = solution.detail.layout
         built = {piece.id: piece for piece in solution.pieces}
         fixed += [built[name] for name in graph.partitions if built[name].space == space.id]
         zones = HallPlan(
@@ -91,13 +91,15 @@ def hall_in(brief: Brief, number: int, solution: Solution | None) -> Hall:
 def energies_of(solution: Solution, number: int = 0) -> Energies:
     """The four energies of a hall of a solution, by the measure of this module."""
     hall = hall_in(solution.brief, number, solution)
-    wishes = wanted(solution.brief, number, (), shipped())
+    wishes = collect_demands(solution.brief, number, (), shipped())
     placed = _placed(solution, hall, wishes)
     held = [_with_sizes(wish, placed, k) for k, wish in enumerate(wishes)]
-    problem = pose(hall, held, _units(placed), (), dict(PAPER), shipped())
+    problem = build_problem(hall, held, _units(placed), (), dict(PAPER), shipped())
     boxes = _boxes([piece for pieces in placed.values() for piece in pieces])
     boxes[:, 3:] = problem.units.sizes
-    p, s, _ = measured(problem, HallLayout(_single(problem), boxes, 0.0, 0.0, 0.0, loose=True))
+    p, s, _ = measure_layout(
+        problem, HallLayout(_single(problem), boxes, 0.0, 0.0, 0.0, loose=True)
+    )
     proportion, pairs = _proportion(problem, boxes)
     least = len(p.spans) * space_cost(0.0, 1.0) + 0.5 * pairs
     space, fill, access = (float(s.costs[term].sum()) for term in (SPACE, FILL, ACCESS))
@@ -112,13 +114,13 @@ def own_energy(solution: Solution) -> float:
 _Placed = dict[tuple[int, int], list[Piece]]
 
 
-def _placed(solution: Solution, hall: Hall, wishes: list[Wanted]) -> _Placed:
+def _placed(solution: Solution, hall: HallContext, wishes: list[HallDemand]) -> _Placed:
     """Pieces by number of their demand and of their zone, in order."""
-    assert solution.graph is not None
+    assert solution.detail is not None
     numbers = {wish.id: k for k, wish in enumerate(wishes)}
     pieces = {piece.id: piece for piece in solution.pieces}
     placed: _Placed = {}
-    for group in solution.graph.groups:
+    for group in solution.detail.layout.groups:
         if group.space == hall.space.id:
             key = numbers[group.demand], hall.names.index(group.zone)
             placed.setdefault(key, []).extend(pieces[name] for name in group.objects)
@@ -134,7 +136,7 @@ def _units(placed: _Placed) -> list[Unit]:
     return units
 
 
-def _with_sizes(wish: Wanted, placed: _Placed, number: int) -> Wanted:
+def _with_sizes(wish: HallDemand, placed: _Placed, number: int) -> HallDemand:
     sizes = [p.size for (demand, _), pieces in placed.items() if demand == number for p in pieces]
     return wish._replace(sizes=tuple(s._replace(depth=s.depth + 2 * wish.chairs) for s in sizes))
 

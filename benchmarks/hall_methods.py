@@ -11,11 +11,11 @@ from typing import Any
 
 from benchmarks.comparison import figure, record
 from benchmarks.hall_measure import energies_of, own_energy
-from scenewright.brief import Brief
-from scenewright.check import check
-from scenewright.domains.hall import solve
+from scenewright.core.brief import Brief
+from scenewright.core.solution import Solution
+from scenewright.domains import check
+from scenewright.domains.hall.solving import solve
 from scenewright.formats import read, samples
-from scenewright.solution import Solution
 
 Row = dict[str, Any]
 Progress = Callable[[float, str], None]
@@ -31,10 +31,19 @@ METHODS: dict[str, dict[str, Any]] = {
 LIMIT = 0.5
 """Seconds our default gets against the paper's 1000 iterations."""
 FIGURES = (
-    ("valid", "share"), ("overlaps", "1"), ("outside", "1"), ("narrow", "1"), ("other", "1"),
-    ("left_out", "1"), ("aesthetic", "1"), ("uniformity", "1"), ("circulation", "m"),
-    ("energy", "1"), ("own_energy", "1"), ("seconds", "s"),
-)  # fmt: skip
+    ("valid", "share"),
+    ("overlaps", "1"),
+    ("outside", "1"),
+    ("narrow", "1"),
+    ("other", "1"),
+    ("left_out", "1"),
+    ("aesthetic", "1"),
+    ("uniformity", "1"),
+    ("circulation", "m"),
+    ("energy", "1"),
+    ("own_energy", "1"),
+    ("seconds", "s"),
+)
 SHARES = ("valid", "overlaps", "outside", "narrow", "other", "left_out")
 """Figures that are means over the runs; all others are medians."""
 PRINTED = "paper, 1000 iterations"
@@ -55,16 +64,26 @@ def judged(solution: Solution) -> Row:
     figures = next(iter(report.figures["halls"].values()))
     energies = energies_of(solution)
     return {
-        "valid": float(report.valid), "overlaps": overlaps, "outside": outside, "narrow": narrow,
+        "valid": float(report.valid),
+        "overlaps": overlaps,
+        "outside": outside,
+        "narrow": narrow,
         "other": len(kinds) - outside - narrow - overlaps,
         "left_out": len(solution.left_out),
-        "aesthetic": figures["aesthetic"], "uniformity": figures["uniformity"],
+        "aesthetic": figures["aesthetic"],
+        "uniformity": figures["uniformity"],
         "circulation": figures["circulation"],
-        "energy": energies.total, "least": energies.least, "space": energies.space,
-        "fill": energies.fill, "access": energies.access, "proportion": energies.proportion,
-        "own_energy": own_energy(solution), "pieces": len(solution.pieces),
-        "seconds": solution.seconds, "told": [finding.message for finding in found][:6],
-    }  # fmt: skip
+        "energy": energies.total,
+        "least": energies.least,
+        "space": energies.space,
+        "fill": energies.fill,
+        "access": energies.access,
+        "proportion": energies.proportion,
+        "own_energy": own_energy(solution),
+        "pieces": len(solution.pieces),
+        "seconds": solution.seconds,
+        "told": [finding.message for finding in found][:6],
+    }
 
 
 def run(name: str, method: str, seed: int, brief: Brief | None = None, **more: Any) -> Row:
@@ -100,8 +119,9 @@ def summary(found: list[Row]) -> list[Row]:
         for method in dict.fromkeys(row["method"] for row in mine):
             theirs = [row for row in mine if row["method"] == method]
             if method != "default":
-                records += [record(case, name, unit, ours, theirs, method, SHARES)
-                            for name, unit in FIGURES]  # fmt: skip
+                records += [
+                    record(case, name, unit, ours, theirs, method, SHARES) for name, unit in FIGURES
+                ]
     return records
 
 
@@ -129,11 +149,12 @@ def _quality(case: str, seeds: int) -> list[Row]:
     return [
         *_against_paper(case, "default, common measure", "energy", runs["default"], runs["paper"]),
         *_against_paper(case, "default, own groups", "own_energy", runs["default"], runs["paper"]),
-        *_against_paper(case, "our solver, the paper's problem", "own_energy", runs["same"],
-                        runs["paper"]),
+        *_against_paper(
+            case, "our solver, the paper's problem", "own_energy", runs["same"], runs["paper"]
+        ),
         _count(case, f"valid in {LIMIT} s", sum(r["valid"] for r in runs["default"]), seeds),
         record(case, "seconds", "s", runs["default"], runs["paper"], PRINTED, SHARES),
-    ]  # fmt: skip
+    ]
 
 
 def _against_paper(
@@ -152,5 +173,13 @@ def _against_paper(
 
 
 def _count(case: str, metric: str, number: float, of: int) -> Row:
-    return {"case": case, "metric": metric, "unit": "1", "ours": float(number), "baseline": of,
-            "baseline_name": "all", "ratio": number / of, "runs": of}  # fmt: skip
+    return {
+        "case": case,
+        "metric": metric,
+        "unit": "1",
+        "ours": float(number),
+        "baseline": of,
+        "baseline_name": "all",
+        "ratio": number / of,
+        "runs": of,
+    }

@@ -14,13 +14,13 @@ from typing import Any
 import numpy as np
 
 from benchmarks.hall_measure import posed
-from scenewright.brief import Brief
-from scenewright.check import check
-from scenewright.domains.hall import solve
-from scenewright.hall_problem import HallProblem
-from scenewright.solvers.draws import streams
-from scenewright.solvers.hall_chains import COLD, FREE, advance, begin_chain
-from scenewright.terms.hall_state import Kept
+from scenewright.core.brief import Brief
+from scenewright.domains import check
+from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.solvers.chains import COLD, FREE, advance, begin_chain
+from scenewright.domains.hall.solving import solve
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.engine.draws import streams
 
 Row = dict[str, Any]
 SIZES = (20, 100, 500, 2000)
@@ -51,9 +51,16 @@ def scaled_brief(objects: int) -> Brief:
         if 0 in (i, j) or i == columns - 1 or j == rows - 1:
             outer.append(f"z{k}")
     benches, left = round(3 * share * number), objects - sum(d["count"] for d in demands)
-    demands += [{"id": "benches", "category": "bench", "count": benches},
-                {"id": "pictures", "category": "wall_exhibit", "count": left - benches,
-                 "place": "wall", "zone": outer}]  # fmt: skip
+    demands += [
+        {"id": "benches", "category": "bench", "count": benches},
+        {
+            "id": "pictures",
+            "category": "wall_exhibit",
+            "count": left - benches,
+            "place": "wall",
+            "zone": outer,
+        },
+    ]
     room = _room(columns * width, rows * depth) | {"zones": zones, "demands": demands}
     told = {"domain": "hall", "name": f"{objects} objects", "rooms": [room]}
     return Brief.model_validate({"format": "scenewright/brief", "version": 1} | told)
@@ -99,11 +106,16 @@ def rows(sizes: tuple[int, ...] = SIZES, runs: int = 3, steps: int = 2000) -> li
             first = time.perf_counter() - begun
             bare = ready.problem._replace(weights={**ready.problem.weights, "reach": 0.0})
             found.append(
-                {"objects": objects, "seed": seed, "units": len(ready.units), "first layout": first,
-                 "step": step_seconds(ready.problem, ready.start, steps),
-                 "step without the route": step_seconds(bare, ready.start, steps)}
+                {
+                    "objects": objects,
+                    "seed": seed,
+                    "units": len(ready.units),
+                    "first layout": first,
+                    "step": step_seconds(ready.problem, ready.start, steps),
+                    "step without the route": step_seconds(bare, ready.start, steps),
+                }
                 | _plan(brief, seed)
-            )  # fmt: skip
+            )
     return found
 
 
@@ -113,10 +125,13 @@ def _plan(brief: Brief, seed: int) -> Row:
     report = check(solution)
     found = [finding for finding in report.findings if not finding.given]
     return {
-        "plan": solution.seconds, "judging": time.perf_counter() - begun, "valid": not found,
-        "left out": len(solution.left_out), "evaluations": solution.evaluations,
+        "plan": solution.seconds,
+        "judging": time.perf_counter() - begun,
+        "valid": not found,
+        "left out": len(solution.left_out),
+        "evaluations": solution.evaluations,
         "told": [finding.message for finding in found][:6],
-    }  # fmt: skip
+    }
 
 
 def growth(sizes: list[float], values: list[float]) -> float:
@@ -145,11 +160,21 @@ def summary(found: list[Row]) -> list[Row]:
         mine = [row for row in found if row["objects"] == size]
         good = [row["valid"] and row["plan"] <= LIMIT for row in mine]
         share = sum(good) / len(good)
-        records.append(_record(f"{size} objects", f"valid within {LIMIT:.0f} s", "share", share,
-                               len(mine)) | {"baseline": 1.0, "ratio": share})  # fmt: skip
+        records.append(
+            _record(f"{size} objects", f"valid within {LIMIT:.0f} s", "share", share, len(mine))
+            | {"baseline": 1.0, "ratio": share}
+        )
     return records
 
 
 def _record(case: str, metric: str, unit: str, ours: float, runs: int) -> Row:
-    return {"case": case, "metric": metric, "unit": unit, "ours": ours, "baseline": None,
-            "baseline_name": "aim", "ratio": None, "runs": runs}  # fmt: skip
+    return {
+        "case": case,
+        "metric": metric,
+        "unit": unit,
+        "ours": ours,
+        "baseline": None,
+        "baseline_name": "aim",
+        "ratio": None,
+        "runs": runs,
+    }

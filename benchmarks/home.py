@@ -1,8 +1,10 @@
 """The home benchmark: kernels against shapely and C, sample homes, the whole process, all methods.
 
-``scenewright bench home``. Figures of speed are medians of several runs in this process or of
-whole processes; where nothing else does the same work the baseline is the aim stated for it. The
-tables of all methods are printed in full by ``python -m benchmarks.home_methods``.
+``scenewright bench home`` takes a few minutes; ``--full`` also gives the methods a whole second
+and takes more seeds and rooms, for most of an hour. Figures of speed are medians of several runs in
+this process or of whole processes, ``runs`` of them; where nothing else does the same work the
+baseline is the aim stated for it. The tables of all methods are printed in full by
+``python -m benchmarks.home_methods``.
 """
 
 from __future__ import annotations
@@ -13,9 +15,9 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from benchmarks import home_methods
 from benchmarks.comparison import ratio
@@ -23,8 +25,9 @@ from benchmarks.home_kernel import bench_kernel
 from benchmarks.plans_r2v import PLANS
 from benchmarks.real_data import data_set
 from benchmarks.shapely_home import bench_home
-from scenewright.check import check
-from scenewright.domains.home import solve
+from benchmarks.stages import Stage, run_stages
+from scenewright.domains import check
+from scenewright.domains.home.solving import solve
 from scenewright.formats import read, samples
 
 Record = dict[str, Any]
@@ -34,41 +37,55 @@ DEMO = "sample:home-flat"
 SUFFIXES = ("glb", "svg", "png", "json")
 
 
-def records(quick: bool = False, progress: Progress | None = None) -> list[Record]:
-    """All records; ``quick`` leaves out the kernels against shapely and takes fewer runs."""
-    runs = 2 if quick else 5
+class Extent(NamedTuple):
+    """How much is measured: runs of what is timed, seeds of each sample, seeds of each method on
+    the instances, real rooms, and the budgets of methods."""
+
+    runs: int
+    sample_seeds: int
+    method_seeds: int
+    rooms: int
+    budgets: tuple[str, ...]
+
+
+QUICK = Extent(2, 2, 2, 0, ("4000 layouts",))
+USUAL = Extent(5, 5, 5, 10, ("4000 layouts", "0.1 s"))
+FULL = Extent(5, 20, 10, 50, tuple(home_methods.BUDGETS))
+
+
+def records(
+    quick: bool = False, progress: Progress | None = None, full: bool = False
+) -> Iterator[Record]:
+    """All records; ``quick`` leaves out the kernels against shapely and real rooms."""
+    extent = QUICK if quick else FULL if full else USUAL
     home_methods.instances()  # whatever is missing is told before an hour's work
-    if not quick:
+    if extent.rooms:
         data_set(PLANS)
-    stages: list[tuple[str, Callable[[], list[Record]]]] = [
-        ("sample homes", lambda: bench_samples(2 if quick else 20)),
-        ("solving the demo", lambda: bench_solving(runs)),
-        ("whole process", lambda: bench_process(runs)),
+    stages: list[Stage] = [
+        ("solving the demo", lambda: bench_solving(extent.runs)),
+        ("whole process", lambda: bench_process(extent.runs)),
+        ("sample homes", lambda: bench_samples(extent.sample_seeds)),
     ]
-    if quick:
-        stages.append(("methods", lambda: home_methods.records(2, 0, ("4000 layouts",))))
-    else:
-        stages.insert(0, ("kernels and solvers", lambda: [dict(row) for row in bench_home()]))
-        stages.insert(1, ("kernels against C", lambda: [dict(row) for row in bench_kernel()]))
-        stages.append(("methods", lambda: home_methods.records(10, 50)))
-    found: list[Record] = []
-    for number, (name, stage) in enumerate(stages):
-        if progress:
-            progress(number / len(stages), name)
-        found += stage()
-    return found
+    if not quick:
+        stages.insert(0, ("kernels against C", lambda: map(dict, bench_kernel())))
+        stages.append(("kernels and solvers", lambda: map(dict, bench_home(extent.runs))))
+    stages.append(("methods", lambda: bench_methods(extent)))
+    return run_stages(stages, progress)
 
 
-def bench_samples(seeds: int) -> list[Record]:
+def bench_methods(extent: Extent) -> Iterable[Record]:
+    """All methods on the instances and on real rooms."""
+    return home_methods.records(extent.method_seeds, extent.rooms, extent.budgets)
+
+
+def bench_samples(seeds: int) -> Iterator[Record]:
     """Share of sample homes, over seeds, that the referee calls valid, and that are complete."""
-    found = []
     for name in (name for name in samples() if name.startswith("sample:home-")):
         reports = [check(solve(read(name), seed=seed)) for seed in range(seeds)]
         valid = sum(r.valid for r in reports) / seeds
         complete = sum(not r.notes for r in reports) / seeds
-        found.append(_against(name, "valid homes", "share", valid, 1.0, seeds))
-        found.append(_against(name, "complete homes", "share", complete, 1.0, seeds))
-    return found
+        yield _against(name, "valid homes", "share", valid, 1.0, seeds)
+        yield _against(name, "complete homes", "share", complete, 1.0, seeds)
 
 
 def bench_solving(runs: int) -> list[Record]:
@@ -95,8 +112,16 @@ def bench_process(runs: int) -> list[Record]:
 
 def _against(case: str, metric: str, unit: str, ours: float, aim: float, runs: int) -> Record:
     """A figure beside its aim; the ratio says how many times better than the aim it is."""
-    return Record(case=case, metric=metric, unit=unit, ours=ours, baseline=aim,
-                  baseline_name="aim", ratio=ratio(ours, aim, unit), runs=runs)  # fmt: skip
+    return Record(
+        case=case,
+        metric=metric,
+        unit=unit,
+        ours=ours,
+        baseline=aim,
+        baseline_name="aim",
+        ratio=ratio(ours, aim, unit),
+        runs=runs,
+    )
 
 
 def _process(folder: Path) -> float:

@@ -16,12 +16,12 @@ from typing import Any
 import numpy as np
 
 from benchmarks.plans_r2v import adapt, raw_plans
-from scenewright.brief import Brief
+from scenewright.core.brief import Brief
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
 from scenewright.domains import solve
-from scenewright.domains.home import pose
-from scenewright.domains.home.dressing import facing
-from scenewright.scene import Piece
-from scenewright.solution import Solution
+from scenewright.domains.home import build_problem as pose
+from scenewright.domains.home.furnishing import facing
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
@@ -47,11 +47,18 @@ def records(quick: bool = False, progress: Progress | None = None) -> list[Recor
     finally:
         pose.RELATIONS, facing.OFF = usual, off
     return [
-        Record(case="living rooms", metric=name, unit=unit, ours=round(value, 3),
-               baseline=round(theirs[name][0], 3), baseline_name="one relation",
-               ratio=round(value / theirs[name][0], 2) if theirs[name][0] else 1.0, runs=count)
+        Record(
+            case="living rooms",
+            metric=name,
+            unit=unit,
+            ours=round(value, 3),
+            baseline=round(theirs[name][0], 3),
+            baseline_name="one relation",
+            ratio=round(value / theirs[name][0], 2) if theirs[name][0] else 1.0,
+            runs=count,
+        )
         for name, (value, unit, count) in ours.items()
-    ]  # fmt: skip
+    ]
 
 
 def flats(count: int) -> Iterator[Brief]:

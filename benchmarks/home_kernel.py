@@ -11,6 +11,7 @@ import ctypes
 import shutil
 import statistics
 import subprocess
+import sys
 import tempfile
 import time
 from collections.abc import Callable
@@ -22,10 +23,10 @@ from numpy.typing import NDArray
 
 from benchmarks.instances import read_instance
 from benchmarks.shapely_home import INSTANCES, Record, draw
-from scenewright.energy import fill_energies, prepare, route_grid
-from scenewright.problem import Problem
-from scenewright.terms.assemble import make_costs
-from scenewright.terms.table import (
+from scenewright.domains.home.energy import fill_energies, prepare, route_grid
+from scenewright.domains.home.problem import Problem
+from scenewright.domains.home.terms.assemble import make_costs
+from scenewright.domains.home.terms.table import (
     AGAINST_WALL_PRINTED,
     BOUNDARY,
     KEEP_FREE,
@@ -38,8 +39,15 @@ from scenewright.terms.table import (
 Floats = NDArray[np.float64]
 SOURCE = Path(__file__).with_name("kernel.c")
 FLAGS = ("-O3", "-march=native", "-shared", "-fPIC")
-WEIGHTS = (BOUNDARY, OVERLAP, KEEP_FREE, MAIN_WALL_PRINTED, AGAINST_WALL_PRINTED, PAIRS_PRINTED,
-           SIZE)  # fmt: skip
+WEIGHTS = (
+    BOUNDARY,
+    OVERLAP,
+    KEEP_FREE,
+    MAIN_WALL_PRINTED,
+    AGAINST_WALL_PRINTED,
+    PAIRS_PRINTED,
+    SIZE,
+)
 POPULATION = 40
 ALIKE = 1e-9
 
@@ -48,11 +56,13 @@ class Room(ctypes.Structure):
     """The structure of the same name in ``kernel.c``."""
 
     _fields_ = (
-        *((name, ctypes.c_void_p) for name in
-          ("edges", "walls", "zones", "back", "role", "targets", "weights", "pairs")),
+        *(
+            (name, ctypes.c_void_p)
+            for name in ("edges", "walls", "zones", "back", "role", "targets", "weights", "pairs")
+        ),
         *((name, ctypes.c_double) for name in ("area", "normal")),
         *((name, ctypes.c_longlong) for name in ("edges_", "walls_", "zones_", "items_", "pairs_")),
-    )  # fmt: skip
+    )
 
 
 class Kernel(NamedTuple):
@@ -80,15 +90,26 @@ def in_c(library: Any, problem: Problem) -> Kernel:
     weights, n = np.ascontiguousarray(p.weights[list(WEIGHTS)]), len(p.limits)
     arrays = (p.edges, p.walls, zones, traits[0], traits[1], p.targets, weights, p.pairs)
     frames = np.empty((n, 8))
-    room = Room(*(a.ctypes.data for a in arrays), p.area, p.normal, len(p.edges), len(p.walls),
-                len(zones), n, len(p.pairs))  # fmt: skip
+    room = Room(
+        *(a.ctypes.data for a in arrays),
+        p.area,
+        p.normal,
+        len(p.edges),
+        len(p.walls),
+        len(zones),
+        n,
+        len(p.pairs),
+    )
     pointer = ctypes.c_void_p
 
     def fill(population: Floats, found: Floats) -> None:
         library.energies(
-            ctypes.byref(room), pointer(population.ctypes.data), ctypes.c_longlong(len(found)),
-            pointer(frames.ctypes.data), pointer(found.ctypes.data),
-        )  # fmt: skip
+            ctypes.byref(room),
+            pointer(population.ctypes.data),
+            ctypes.c_longlong(len(found)),
+            pointer(frames.ctypes.data),
+            pointer(found.ctypes.data),
+        )
 
     return Kernel(fill, (library, room, arrays, frames))
 
@@ -125,16 +146,22 @@ def compare(library: Any, name: str, runs: int, repeats: int = 200) -> Record:
     other.fill(population, b)
     if not np.allclose(a, b, rtol=ALIKE, atol=0.0):
         raise AssertionError(f"{name}: energies differ by {np.abs(a / b - 1.0).max():.1e}")
-    taken = [(seconds(mine, population, a, repeats), seconds(other, population, b, repeats))
-             for _ in range(runs)]  # fmt: skip
+    taken = [
+        (seconds(mine, population, a, repeats), seconds(other, population, b, repeats))
+        for _ in range(runs)
+    ]
     made = POPULATION * repeats
     ratio = statistics.median(theirs / ours_ for ours_, theirs in taken)
     return Record(
-        case=name, metric="evaluations, one thread", unit="1/s",
+        case=name,
+        metric="evaluations, one thread",
+        unit="1/s",
         ours=made / statistics.median(t[0] for t in taken),
         baseline=made / statistics.median(t[1] for t in taken),
-        baseline_name=f"the same loops in C, {' '.join(FLAGS[:2])}", ratio=ratio, runs=runs,
-    )  # fmt: skip
+        baseline_name=f"the same loops in C, {' '.join(FLAGS[:2])}",
+        ratio=ratio,
+        runs=runs,
+    )
 
 
 def bench_kernel(runs: int = 15) -> list[Record]:
@@ -142,12 +169,14 @@ def bench_kernel(runs: int = 15) -> list[Record]:
     with tempfile.TemporaryDirectory() as folder:
         library = compile_c(Path(folder))
         if library is None:
-            print("no C compiler (cc) here: kernels are not compared with C")
+            sys.stderr.write("no C compiler (cc) here: kernels are not compared with C\n")
             return []
         return [compare(library, name, runs) for name in INSTANCES]
 
 
 if __name__ == "__main__":
     for row in bench_kernel():
-        print(f"{row['case']:7} ours {row['ours']:12.0f}/s  C {row['baseline']:12.0f}/s"
-              f"  ratio {row['ratio']:.2f}")  # fmt: skip
+        print(
+            f"{row['case']:7} ours {row['ours']:12.0f}/s  C {row['baseline']:12.0f}/s"
+            f"  ratio {row['ratio']:.2f}"
+        )

@@ -21,13 +21,18 @@ from benchmarks.home_peers import Ended, peers
 from benchmarks.home_rooms import Case, rooms
 from benchmarks.instances import read_instance
 from benchmarks.shapely_home import INSTANCES
-from scenewright.domains.home.attempt import Furnished, dressed, posed, scored
-from scenewright.domains.home.dressing.pieces import as_laid
-from scenewright.domains.home.piecewise import laid_out
-from scenewright.energy import evaluate
-from scenewright.problem import Problem
-from scenewright.solve import Budget
-from scenewright.solvers import SOLVERS
+from scenewright.domains.home.attempt import (
+    RoomAnswer,
+    build_task_problem,
+    furnish_layout,
+    score_answer,
+)
+from scenewright.domains.home.energy import evaluate
+from scenewright.domains.home.furnishing.pieces import as_laid
+from scenewright.domains.home.piecewise import lay_out_parts
+from scenewright.domains.home.problem import Problem
+from scenewright.domains.home.solvers import SOLVERS
+from scenewright.engine.solve import Budget
 
 Floats = NDArray[np.float64]
 Row = dict[str, Any]
@@ -92,8 +97,14 @@ def lay_out(method: Method, case: Case, budget: Budget, seed: int) -> Row:
             boxes[k] = as_laid(part, ended.boxes[first : first + len(part.placed)])[1]
             first += len(part.placed)
     energy = float(evaluate(case.problem, boxes[None])[0])
-    row = {"case": case.name, "method": method.name, "seed": seed, "energy": energy,
-           "seconds": taken, "layouts": ended.evaluations}  # fmt: skip
+    row = {
+        "case": case.name,
+        "method": method.name,
+        "seed": seed,
+        "energy": energy,
+        "seconds": taken,
+        "layouts": ended.evaluations,
+    }
     return row | (_standing(method, case, ended.boxes, energy) if case.task else {})
 
 
@@ -106,13 +117,15 @@ def _standing(method: Method, case: Case, boxes: Floats, energy: float) -> Row:
     return {"stand": share, "whole": float(not essential and not answer.unreached)}
 
 
-def _furnished(method: Method, case: Case, boxes: Floats, energy: float) -> Furnished:
+def _furnished(method: Method, case: Case, boxes: Floats, energy: float) -> RoomAnswer:
     task = case.task
     assert task is not None
     if not method.pieces:
-        return dressed(task, case.wishes, case.problem, boxes, energy)
-    placed, missing = laid_out(task, case.parts, boxes)
-    return scored(task, placed, missing, posed(task, case.wishes, task.ground), energy)
+        return furnish_layout(task, case.wishes, case.problem, boxes, energy)
+    placed, missing = lay_out_parts(task, case.parts, boxes)
+    return score_answer(
+        task, placed, missing, build_task_problem(task, case.wishes, task.ground), energy
+    )
 
 
 def rows(cases: tuple[Case, ...], budget: str, seeds: int, chosen: tuple[Method, ...]) -> list[Row]:
@@ -144,14 +157,20 @@ def table(found: list[Row], group: str) -> list[Row]:
             theirs = [row for row in mine if row["method"] == method]
             low, middle, high = quartiles([row["energy"] for row in theirs])
             line = {
-                "case": group, "budget": budget, "method": method, "lower": low,
-                "median": middle, "upper": high, "runs": len(theirs),
+                "case": group,
+                "budget": budget,
+                "method": method,
+                "lower": low,
+                "median": middle,
+                "upper": high,
+                "runs": len(theirs),
                 "best": sum(row["energy"] <= best[_key(row)] * (1 + 1e-9) for row in theirs),
-                "ours as good": sum(ours[_key(row)] <= row["energy"] * (1 + 1e-9)
-                                    for row in theirs),
+                "ours as good": sum(
+                    ours[_key(row)] <= row["energy"] * (1 + 1e-9) for row in theirs
+                ),
                 "layouts": statistics.median(row["layouts"] for row in theirs),
                 "seconds": statistics.median(row["seconds"] for row in theirs),
-            }  # fmt: skip
+            }
             for key in ("stand", "whole"):
                 if key in theirs[0]:
                     line[key] = statistics.fmean(row[key] for row in theirs)
@@ -171,9 +190,11 @@ def _least(found: list[Row]) -> dict[tuple[str, int], float]:
 
 
 def tables(
-    seeds: int, count: int, budgets: tuple[str, ...] = tuple(BUDGETS),
+    seeds: int,
+    count: int,
+    budgets: tuple[str, ...] = tuple(BUDGETS),
     progress: Progress | None = None,
-) -> Iterator[list[Row]]:  # fmt: skip
+) -> Iterator[list[Row]]:
     """One table after the other: each instance over the seeds, the rooms once each."""
     chosen, real = methods(), rooms(count) if count else ()
     jobs: list[tuple[str, tuple[Case, ...], int, str]] = [
@@ -189,21 +210,24 @@ def tables(
         yield table(rows(cases, budget, times, chosen), name)
 
 
-def records(seeds: int, count: int, budgets: tuple[str, ...] = tuple(BUDGETS)) -> list[Row]:
+def records(seeds: int, count: int, budgets: tuple[str, ...] = tuple(BUDGETS)) -> Iterator[Row]:
     """As the other benchmarks tell it: our median energy against each method's."""
-    told = [row for rows_ in tables(seeds, count, budgets) for row in rows_]
-    ours = {(row["case"], row["budget"]): row for row in told if row["method"] == OURS}
-    return [
-        {
-            "case": row["case"], "metric": f"energy, {row['budget']}", "unit": "energy",
-            "ours": round(ours[row["case"], row["budget"]]["median"], 2),
-            "baseline": round(row["median"], 2), "baseline_name": row["method"],
-            "ratio": round(row["median"] / ours[row["case"], row["budget"]]["median"], 2),
-            "runs": row["runs"],
+    for told in tables(seeds, count, budgets):
+        ours = {
+            (row["case"], row["budget"]): row["median"] for row in told if row["method"] == OURS
         }
-        for row in told
-        if row["method"] != OURS
-    ]  # fmt: skip
+        for row in (row for row in told if row["method"] != OURS):
+            own = ours[row["case"], row["budget"]]
+            yield {
+                "case": row["case"],
+                "metric": f"energy, {row['budget']}",
+                "unit": "energy",
+                "ours": round(own, 2),
+                "baseline": round(row["median"], 2),
+                "baseline_name": row["method"],
+                "ratio": round(row["median"] / own, 2),
+                "runs": row["runs"],
+            }
 
 
 def lines(told: list[Row]) -> list[str]:
@@ -218,10 +242,14 @@ def lines(told: list[Row]) -> list[str]:
         out += ["| " + " | ".join(head) + " |", "|---" * len(head) + "|"]
         for row in sorted(mine, key=lambda r: float(r["median"])):
             cells = [
-                row["method"], f"{row['median']:.4g}", f"{row['lower']:.4g} – {row['upper']:.4g}",
-                str(row["best"]), f"{row['ours as good']} of {row['runs']}",
-                f"{row['layouts']:.0f}", f"{row['seconds']:.3f}",
-            ]  # fmt: skip
+                row["method"],
+                f"{row['median']:.4g}",
+                f"{row['lower']:.4g} – {row['upper']:.4g}",
+                str(row["best"]),
+                f"{row['ours as good']} of {row['runs']}",
+                f"{row['layouts']:.0f}",
+                f"{row['seconds']:.3f}",
+            ]
             if more:
                 cells += [f"{row['stand']:.0%}", f"{row['whole']:.0%}"]
             out.append("| " + " | ".join(cells) + " |")

@@ -9,6 +9,7 @@ by default (CMA-ES starts again with twice the population when it stops). They n
 from __future__ import annotations
 
 import importlib.util
+import sys
 import time
 from collections.abc import Callable
 from contextlib import suppress
@@ -17,10 +18,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.encodings.boxes import gene_bounds, to_boxes
-from scenewright.energy import energies_of, prepare, route_grid
-from scenewright.problem import Problem
-from scenewright.solve import Budget
+from scenewright.domains.home.encodings.boxes import gene_bounds, to_boxes
+from scenewright.domains.home.energy import energies_of, prepare, route_grid
+from scenewright.domains.home.problem import Problem
+from scenewright.engine.solve import Budget
 
 Floats = NDArray[np.float64]
 POPULATION = 40
@@ -74,10 +75,16 @@ def differential_evolution(objective: Objective, seed: int) -> None:
 
     m = len(objective.low)
     optimize.differential_evolution(
-        lambda genes: objective(genes.T), [(0.0, 1.0)] * m, rng=np.random.default_rng(seed),
-        popsize=-(-POPULATION // m), maxiter=ENDLESS, polish=False, vectorized=True,
-        updating="deferred", tol=0.0,
-    )  # fmt: skip
+        lambda genes: objective(genes.T),
+        [(0.0, 1.0)] * m,
+        rng=np.random.default_rng(seed),
+        popsize=-(-POPULATION // m),
+        maxiter=ENDLESS,
+        polish=False,
+        vectorized=True,
+        updating="deferred",
+        tol=0.0,
+    )
 
 
 def cma_es(objective: Objective, seed: int) -> None:
@@ -187,5 +194,6 @@ def peers() -> tuple[Peer, ...]:
     found = tuple(p for p in PEERS if importlib.util.find_spec(p.package) is not None)
     absent = [p.name for p in PEERS if p not in found]
     if absent:
-        print(f"left out, as the extra 'peers' is not installed: {', '.join(absent)}")
+        told = f"left out, as the extra 'peers' is not installed: {', '.join(absent)}"
+        sys.stderr.write(told + "\n")
     return found

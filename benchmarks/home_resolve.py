@@ -8,38 +8,36 @@ from __future__ import annotations
 
 import statistics
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from math import cos, sin
 from typing import Any
 
 from benchmarks.comparison import ratio
-from scenewright.check import check
-from scenewright.domains import resolve, solve
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.domains import check, resolve, solve
 from scenewright.domains.home.changes.edits import leads
 from scenewright.formats import read
-from scenewright.scene import Piece
-from scenewright.solution import Solution
 
 Record = dict[str, Any]
 HOMES = ("sample:home-flat", "sample:home-house")
 ASIDE = 0.3
 AIM = 0.1
+WHOLE_RUNS = 3
 
 
-def records(quick: bool, progress: Callable[[float, str], None] | None = None) -> list[Record]:
+def records(quick: bool, progress: Callable[[float, str], None] | None = None) -> Iterator[Record]:
     """Seconds of solving again, share of the answers that are valid, for every home."""
-    found: list[Record] = []
     for number, name in enumerate(HOMES):
         if progress:
             progress(number / len(HOMES), name)
-        found += _of_home(name, quick)
-    return found
+        yield from _of_home(name, quick)
 
 
 def _of_home(name: str, quick: bool) -> list[Record]:
     brief = read(name)
     solve(brief)
-    whole = [_timed(lambda: solve(brief, seed=0)) for _ in range(3)]
+    whole = [_timed(lambda: solve(brief, seed=0)) for _ in range(WHOLE_RUNS)]
     home = solve(brief, seed=0)
     movable = [p for p in home.pieces if leads(p) and not p.fixed][:: 4 if quick else 1]
     again, valid = [], 0
@@ -55,11 +53,26 @@ def _of_home(name: str, quick: bool) -> list[Record]:
     slow = sorted(again)[int(0.9 * (runs - 1))]
     base = statistics.median(whole)
     return [
-        _record(name, "solving again after one move", "s", took, base, "solving all", runs),
+        _record(
+            name,
+            "solving again after one move",
+            "s",
+            took,
+            base,
+            f"solving all, {WHOLE_RUNS} runs",
+            runs,
+        ),
         _record(name, "the same, nine in ten", "s", slow, AIM, "aim", runs),
-        _record(name, "answers in which nothing but the moved is wrong", "share",
-                valid / runs, 1.0, "aim", runs),
-    ]  # fmt: skip
+        _record(
+            name,
+            "answers in which nothing but the moved is wrong",
+            "share",
+            valid / runs,
+            1.0,
+            "aim",
+            runs,
+        ),
+    ]
 
 
 def _aside(piece: Piece) -> tuple[float, float]:
@@ -82,5 +95,13 @@ def _timed(work: Callable[[], object]) -> float:
 def _record(
     case: str, metric: str, unit: str, ours: float, baseline: float, name: str, runs: int
 ) -> Record:
-    return {"case": case, "metric": metric, "unit": unit, "ours": ours, "baseline": baseline,
-            "baseline_name": name, "ratio": ratio(ours, baseline, unit), "runs": runs}  # fmt: skip
+    return {
+        "case": case,
+        "metric": metric,
+        "unit": unit,
+        "ours": ours,
+        "baseline": baseline,
+        "baseline_name": name,
+        "ratio": ratio(ours, baseline, unit),
+        "runs": runs,
+    }

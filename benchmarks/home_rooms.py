@@ -14,15 +14,15 @@ from typing import NamedTuple
 import shapely
 
 from benchmarks.plans_r2v import adapt, raw_plans
-from scenewright.assets import shipped
-from scenewright.brief import Brief
-from scenewright.domains.home.attempt import Task, floor_of, posed
-from scenewright.domains.home.dressing.pieces import Parts, parts_of, posed_pieces
+from scenewright.building.plan import spaces
+from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Brief
+from scenewright.domains.home.attempt import RoomTask, build_task_problem, floor_of
+from scenewright.domains.home.furnishing.pieces import Parts, parts_of, posed_pieces
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.presets import PRESETS
-from scenewright.domains.home.programme import Wish, part_of, programme, resolved
-from scenewright.plan import spaces
-from scenewright.problem import Problem
+from scenewright.domains.home.problem import Problem
+from scenewright.domains.home.programme import Wish, part_of, programme, resolve_bedrooms
 
 LEAST = 3
 
@@ -35,7 +35,7 @@ class Case(NamedTuple):
     problem: Problem
     pieces: Problem
     parts: tuple[Parts, ...] = ()
-    task: Task | None = None
+    task: RoomTask | None = None
     wishes: tuple[Wish, ...] = ()
 
 
@@ -62,10 +62,22 @@ def cases_of(brief: Brief) -> Iterator[Case]:
     for space in spaces_:
         area = float(shapely.Polygon(space.outline, list(space.holes)).area)
         ground = ground_of(space, (), area)
-        task = Task(space, ground, (), catalog, preset, "anneal", brief.route_width,
-                    brief.route_width, frozenset(), 0, None)  # fmt: skip
-        others = frozenset(f for s in spaces_ if s.id != space.id
-                           for f in resolved(s.functions, 0.0))  # fmt: skip
+        task = RoomTask(
+            space,
+            ground,
+            (),
+            catalog,
+            preset,
+            "anneal",
+            brief.route_width,
+            brief.route_width,
+            frozenset(),
+            0,
+            None,
+        )
+        others = frozenset(
+            f for s in spaces_ if s.id != space.id for f in resolve_bedrooms(s.functions, 0.0)
+        )
         wishes = programme(space, area, others)
         if len(wishes) < LEAST:
             continue
@@ -73,4 +85,4 @@ def cases_of(brief: Brief) -> Iterator[Case]:
         parts = tuple(parts_of(wish, part, catalog) for wish in wishes)
         pieces = posed_pieces(ground, parts, catalog, preset.weights, False, brief.route_width)
         name = f"{brief.name}/{space.id}"
-        yield Case(name, posed(task, wishes, ground), pieces, parts, task, wishes)
+        yield Case(name, build_task_problem(task, wishes, ground), pieces, parts, task, wishes)

@@ -13,12 +13,12 @@ from dataclasses import replace
 from typing import Any
 
 from benchmarks.comparison import ratio
-from scenewright.brief import Brief, Room
-from scenewright.brief.wishes import WishBrief
-from scenewright.check import check
-from scenewright.domains import solve
+from benchmarks.stages import tally
+from scenewright.core.brief import Brief, Room
+from scenewright.core.brief.wishes import WishBrief
+from scenewright.core.solution import Solution
+from scenewright.domains import check, solve
 from scenewright.formats import read
-from scenewright.solution import Solution
 
 Record = dict[str, Any]
 HOME = "sample:home-services"
@@ -26,20 +26,25 @@ SEEDS = 20
 PLACES = ("by", "near", "face", "away_from")
 
 
-def records(quick: bool, progress: Callable[[float, str], None] | None = None) -> list[Record]:
+def records(quick: bool, progress: Callable[[float, str], None] | None = None) -> Iterator[Record]:
     """The share of wishes met by kind, of pieces within reach by kind of outlet, of valid homes."""
     brief, seeds = read(HOME), 3 if quick else SEEDS
     plain = ignoring(brief)
-    ours: list[Counter[str]] = []
-    theirs: list[Counter[str]] = []
-    for seed in range(seeds):
-        if progress:
-            progress(seed / seeds, f"seed {seed}")
-        ours.append(met(brief, solve(brief, seed=seed)))
-        theirs.append(met(brief, solve(plain, seed=seed)))
-    heard, ignored = (sum(found, Counter[str]()) for found in (ours, theirs))
+
+    def runs() -> Iterator[tuple[Counter[str], Counter[str]]]:
+        for seed in range(seeds):
+            if progress:
+                progress(seed / seeds, f"seed {seed}")
+            ours, theirs = (solve(asked, seed=seed) for asked in (brief, plain))
+            yield met(brief, ours), met(brief, theirs)
+
+    return tally(runs(), _told)
+
+
+def _told(runs: list[tuple[Counter[str], Counter[str]]]) -> list[Record]:
+    heard, ignored = (sum(found, Counter[str]()) for found in zip(*runs, strict=True))
     kinds = sorted({key.removeprefix("of ") for key in heard})
-    return [_record(kind, heard, ignored, seeds) for kind in kinds]
+    return [_record(kind, heard, ignored, len(runs)) for kind in kinds]
 
 
 def ignoring(brief: Brief) -> Brief:
@@ -76,6 +81,12 @@ def _kinds(wish: WishBrief) -> Iterator[str]:
 def _record(kind: str, heard: Counter[str], ignored: Counter[str], seeds: int) -> Record:
     ours, base = (found[kind] / max(found[f"of {kind}"], 1) for found in (heard, ignored))
     return {
-        "case": HOME, "metric": kind, "unit": "share", "ours": ours, "baseline": base,
-        "baseline_name": "ignored", "ratio": ratio(ours, base, "share"), "runs": seeds,
-    }  # fmt: skip
+        "case": HOME,
+        "metric": kind,
+        "unit": "share",
+        "ours": ours,
+        "baseline": base,
+        "baseline_name": "ignored",
+        "ratio": ratio(ours, base, "share"),
+        "runs": seeds,
+    }

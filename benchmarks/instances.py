@@ -12,12 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.real_data import instance
-from scenewright.problem import Ground, Problem, empty_items
+from scenewright.domains.home.problem import Ground, Problem, empty_items
 
 Floats = NDArray[np.float64]
-NAMES = (
-    "boundary", "overlap", "keep_free", "main_wall", "against_wall", "pairs", "size",
-)  # fmt: skip
+NAMES = ("boundary", "overlap", "keep_free", "main_wall", "against_wall", "pairs", "size")
 
 
 def _box(rectangle: Floats) -> list[float]:

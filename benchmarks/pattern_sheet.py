@@ -14,20 +14,20 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.assets.hall_use import hall_use
-from scenewright.assets.sizes import SIZES
-from scenewright.brief import Brief, Room
-from scenewright.brief.hall import Demand
+from scenewright.catalog.kinds import SIZES, hall_use
+from scenewright.core.brief import Brief, Room
+from scenewright.core.brief.zones import Demand
+from scenewright.core.layout import corners
 from scenewright.domains import solve
-from scenewright.encodings.patterns import PATTERNS
-from scenewright.encodings.patterns.expand import expand, seed
-from scenewright.formats.svg_marks import (
+from scenewright.domains.hall.patterns import PATTERNS
+from scenewright.domains.hall.patterns.expand import expand, seed
+from scenewright.drawing.marks import (
     GREY,
     INK,
     LINE,
     OUTLINE,
     POCHE,
-    View,
+    PaperView,
     arrow_head,
     group,
     line,
@@ -36,7 +36,6 @@ from scenewright.formats.svg_marks import (
     text,
     to_paper,
 )
-from scenewright.layout import corners
 
 Floats = NDArray[np.float64]
 
@@ -100,8 +99,9 @@ def grown(boxes: Floats, category: str) -> Floats:
     c, s = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
     ahead, aside = (front - back) / 2, (right - left) / 2
     middles = boxes[:, :2] + np.column_stack([ahead * c + aside * s, ahead * s - aside * c])
-    return np.column_stack([middles, boxes[:, 2], boxes[:, 3] + left + right,
-                            boxes[:, 4] + front + back])  # fmt: skip
+    return np.column_stack(
+        [middles, boxes[:, 2], boxes[:, 3] + left + right, boxes[:, 4] + front + back]
+    )
 
 
 def drawn(name: str, x: float, y: float, wide: float) -> str:
@@ -114,26 +114,30 @@ def drawn(name: str, x: float, y: float, wide: float) -> str:
         reach = np.vstack([reach, apex(boxes)])
     middle = np.zeros(2) if name == "wall" else (reach.min(0) + reach.max(0)) / 2
     centre = x + wide / 2, y + (HEAD + CELL[1]) / 2
-    view = View(SCALE, centre[0] - SCALE * middle[0], centre[1] + SCALE * middle[1])
+    view = PaperView(SCALE, centre[0] - SCALE * middle[0], centre[1] + SCALE * middle[1])
     marks = [
         text(name, (centre[0], y + 7.0), 4.6, font_weight="bold"),
         text(PATTERNS[name].about, (centre[0], y + 12.6), 2.7, fill=GREY),
         text(example.told, (centre[0], y + 16.8), 2.7, fill=GREY),
         group(shape([ring], fill=ALLEY, fill_opacity=0.55) for ring in rings(view, clear)),
-        group((shape([ring]) for ring in rings(view, boxes)), fill="#ffffff", stroke=INK,
-              stroke_width=LINE),
+        group(
+            (shape([ring]) for ring in rings(view, boxes)),
+            fill="#ffffff",
+            stroke=INK,
+            stroke_width=LINE,
+        ),
         group(front_marks(view, boxes), fill=FRONT),
         around(name, view, boxes),
-    ]  # fmt: skip
+    ]
     return group(marks)
 
 
-def rings(view: View, boxes: Floats) -> Iterable[Floats]:
+def rings(view: PaperView, boxes: Floats) -> Iterable[Floats]:
     """Corners of boxes (n, 5) on paper."""
     return list(to_paper(view, corners(boxes)))
 
 
-def front_marks(view: View, boxes: Floats) -> list[str]:
+def front_marks(view: PaperView, boxes: Floats) -> list[str]:
     """A small arrow head at the front of every object."""
     marks = []
     for x, y, heading, _, depth in boxes:
@@ -143,7 +147,7 @@ def front_marks(view: View, boxes: Floats) -> list[str]:
     return marks
 
 
-def around(name: str, view: View, boxes: Floats) -> str:
+def around(name: str, view: PaperView, boxes: Floats) -> str:
     """What a pattern refers to: the walls of a row, the apex of a fan, the centre of rings."""
     if name == "wall":
         ring = np.array(ROOM) - np.array(ROOM[2]) / 2
@@ -151,8 +155,9 @@ def around(name: str, view: View, boxes: Floats) -> str:
     if name == FAN:
         at = apex(boxes)
         ends = [boxes[0, :2], at, boxes[int(np.flatnonzero(np.diff(boxes[:, 2]) < 0)[0]), :2]]
-        return line(to_paper(view, ends), fill="none", stroke=GREY, stroke_width=0.2,
-                    stroke_dasharray="1 1")  # fmt: skip
+        return line(
+            to_paper(view, ends), fill="none", stroke=GREY, stroke_width=0.2, stroke_dasharray="1 1"
+        )
     return ""
 
 
@@ -168,14 +173,16 @@ def key(y: float) -> str:
     """What the colours mean, and the scale."""
     bar = np.array([[10.0, y], [10.0 + 2 * SCALE, y]])
     words = "wish for free floor (clearance); where two overlap, two objects share it"
-    return group([
-        line(bar, stroke=INK, stroke_width=OUTLINE, fill="none"),
-        text("2 m", (10.0 + SCALE, y - 2.5), 2.7),
-        tag("rect", x=42.0, y=y - 2.2, width=7.0, height=4.0, fill=ALLEY),
-        text(words, (52.0, y), 2.9, text_anchor="start"),
-        shape([arrow_head((178.0, y - 1.4), (0.0, -1.0), 2.6)], fill=FRONT),
-        text("front", (182.0, y), 2.9, text_anchor="start"),
-    ])  # fmt: skip
+    return group(
+        [
+            line(bar, stroke=INK, stroke_width=OUTLINE, fill="none"),
+            text("2 m", (10.0 + SCALE, y - 2.5), 2.7),
+            tag("rect", x=42.0, y=y - 2.2, width=7.0, height=4.0, fill=ALLEY),
+            text(words, (52.0, y), 2.9, text_anchor="start"),
+            shape([arrow_head((178.0, y - 1.4), (0.0, -1.0), 2.6)], fill=FRONT),
+            text("front", (182.0, y), 2.9, text_anchor="start"),
+        ]
+    )
 
 
 def sheet() -> str:
@@ -189,11 +196,19 @@ def sheet() -> str:
             x += wide
     height = len(ROWS) * CELL[1] + 12.0
     paper = tag("rect", width=width, height=height, fill="#ffffff")
-    return tag(
-        "svg", "\n".join([paper, *cells, key(height - 7.0)]), xmlns="http://www.w3.org/2000/svg",
-        viewBox=f"0 0 {width:g} {height:g}", width=f"{3 * width:g}", height=f"{3 * height:g}",
-        font_family="Helvetica, Arial, 'DejaVu Sans', sans-serif", fill=INK,
-    ) + "\n"  # fmt: skip
+    return (
+        tag(
+            "svg",
+            "\n".join([paper, *cells, key(height - 7.0)]),
+            xmlns="http://www.w3.org/2000/svg",
+            viewBox=f"0 0 {width:g} {height:g}",
+            width=f"{3 * width:g}",
+            height=f"{3 * height:g}",
+            font_family="Helvetica, Arial, 'DejaVu Sans', sans-serif",
+            fill=INK,
+        )
+        + "\n"
+    )
 
 
 if __name__ == "__main__":

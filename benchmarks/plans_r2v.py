@@ -16,9 +16,9 @@ import shapely
 from numpy.typing import NDArray
 
 from benchmarks.real_data import data_set
-from scenewright import plan
-from scenewright.brief import Brief
-from scenewright.errors import InputError
+from scenewright.building import plan
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
 
 Floats = NDArray[np.float64]
 Shape = Any
@@ -33,10 +33,18 @@ LEAF = 1.0  # no single leaf is wider than this, metres: such doors slide
 CRAMPED = 3.0  # wet rooms below this many square metres have doors that open out
 
 FUNCTIONS = {
-    "bedroom": "bedroom", "living_room": "living", "kitchen": "kitchen", "bathroom": "bathroom",
-    "restroom": "toilet", "washing_room": "washroom", "balcony": "balcony", "entrance": "hall",
-    "corridor": "hall", "closet": "storage", "PS": "other",
-}  # fmt: skip
+    "bedroom": "bedroom",
+    "living_room": "living",
+    "kitchen": "kitchen",
+    "bathroom": "bathroom",
+    "restroom": "toilet",
+    "washing_room": "washroom",
+    "balcony": "balcony",
+    "entrance": "hall",
+    "corridor": "hall",
+    "closet": "storage",
+    "PS": "other",
+}
 _SLIDING = {"balcony", "storage", "other"}
 _OPEN = {"living", "dining", "kitchen", "hall"}
 
@@ -85,8 +93,9 @@ def adapt(raw: dict[str, Any]) -> Plan:
         return Plan(raw["id"], None, (*words, "no room is left"))
     rooms = [_room(face, number) for number, face in enumerate(faces)]
     _open(rooms, faces, raw["openings"], words)
-    brief = _built({"name": raw["id"], "outlines": "centre", "wall_thickness": WALL,
-                    "rooms": rooms}, words)  # fmt: skip
+    brief = _built(
+        {"name": raw["id"], "outlines": "centre", "wall_thickness": WALL, "rooms": rooms}, words
+    )
     return Plan(raw["id"], brief, tuple(words))
 
 
@@ -95,10 +104,14 @@ def _room(face: Face, number: int) -> dict[str, Any]:
     rings = [face.shape.exterior, *face.shape.interiors]
     outline, *holes = [[(round(x, 4), round(y, 4)) for x, y in ring.coords[:-1]] for ring in rings]
     return {
-        "id": f"{number}-{face.functions[0]}", "name": " + ".join(face.functions),
-        "function": list(face.functions), "outline": outline, "holes": holes,
-        "doors": [], "windows": [],
-    }  # fmt: skip
+        "id": f"{number}-{face.functions[0]}",
+        "name": " + ".join(face.functions),
+        "function": list(face.functions),
+        "outline": outline,
+        "holes": holes,
+        "doors": [],
+        "windows": [],
+    }
 
 
 def _faces(rooms: list[dict[str, Any]], words: list[str]) -> list[Face]:

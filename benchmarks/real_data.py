@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 from typing import Any
 
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
 
 Row = dict[str, Any]
 

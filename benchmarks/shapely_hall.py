@@ -17,7 +17,7 @@ import shapely.affinity
 from numpy.typing import NDArray
 
 from benchmarks.shapely_home import rectangle
-from scenewright.hall_problem import HallProblem
+from scenewright.domains.hall.problem import HallProblem
 
 Floats = NDArray[np.float64]
 TAU, EPSILON, NEAR, CELL = 0.05, 1.5, 1.0, 0.05
@@ -45,8 +45,15 @@ def grown(box: Floats, clear: Floats) -> Floats:
     front, left, back, right = clear
     ahead, aside = (front - back) / 2, (left - right) / 2
     cos, sin = math.cos(heading), math.sin(heading)
-    return np.array([x + cos * ahead - sin * aside, y + sin * ahead + cos * aside, heading,
-                     width + left + right, depth + front + back])  # fmt: skip
+    return np.array(
+        [
+            x + cos * ahead - sin * aside,
+            y + sin * ahead + cos * aside,
+            heading,
+            width + left + right,
+            depth + front + back,
+        ]
+    )
 
 
 def polygon(edges: Floats) -> Any:
@@ -197,12 +204,15 @@ class ShapelyHall:
         and one meets a solid. A move that makes any of them positive is refused."""
         zones = [self.zones[self.units.zones[unit]] for unit in self.owner]
         return {
-            "outside": max((s.difference(z).area for s, z in zip(shapes, zones, strict=True)),
-                           default=0.0),
-            "overlap": max((a.intersection(b).area for k, a in enumerate(shapes)
-                            for b in shapes[:k]), default=0.0),
+            "outside": max(
+                (s.difference(z).area for s, z in zip(shapes, zones, strict=True)), default=0.0
+            ),
+            "overlap": max(
+                (a.intersection(b).area for k, a in enumerate(shapes) for b in shapes[:k]),
+                default=0.0,
+            ),
             "blocked": max((a.intersection(b).area for a in shapes for b in solids), default=0.0),
-        }  # fmt: skip
+        }
 
     def energies(
         self, boxes: Floats, laid: Sequence[Laid], partitions: Floats, judged: bool = True
@@ -227,10 +237,7 @@ class ShapelyHall:
 
 
 def energies(
-    problem: HallProblem,
-    boxes: Floats,
-    laid: Sequence[Laid],
-    partitions: Floats,
+    problem: HallProblem, boxes: Floats, laid: Sequence[Laid], partitions: Floats
 ) -> dict[str, float]:
     """Every part of the energy of one layout.
 

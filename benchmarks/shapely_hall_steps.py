@@ -17,14 +17,14 @@ from numpy.typing import NDArray
 from benchmarks.hall_instances import example_hall
 from benchmarks.shapely_hall import Laid, ShapelyHall
 from benchmarks.shapely_home import BASELINE, Record, rate, record, rectangle
-from scenewright.encodings.patterns import NUMBER, PATTERNS
-from scenewright.hall_energy import prepare
-from scenewright.hall_problem import HallProblem
-from scenewright.solve import Budget
-from scenewright.solvers.draws import streams
-from scenewright.solvers.hall_chains import begin_chain, first_layout, gd_mh, layout_of
-from scenewright.terms.hall_state import Kept
-from scenewright.terms.hall_whole import measure_all
+from scenewright.domains.hall.energy import prepare
+from scenewright.domains.hall.patterns import NUMBER, PATTERNS
+from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.solvers.chains import begin_chain, first_layout, gd_mh, layout_of
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.terms.whole import measure_all
+from scenewright.engine.draws import streams
+from scenewright.engine.solve import Budget
 
 Floats = NDArray[np.float64]
 RATE, ITERATIONS = 0.1, 1000
@@ -80,10 +80,12 @@ def place(problem: HallProblem, unit: int, group: Group) -> Floats:
     if group.pattern == "wall":
         return place_row(problem, unit, group, sizes)
     cos, sin = math.cos(group.heading), math.sin(group.heading)
-    return np.array([
-        (group.x + sin * x + cos * y, group.y - cos * x + sin * y, group.heading + turn, w, d)
-        for (x, y, turn), (w, d) in zip(local_places(group, sizes), sizes, strict=True)
-    ])  # fmt: skip
+    return np.array(
+        [
+            (group.x + sin * x + cos * y, group.y - cos * x + sin * y, group.heading + turn, w, d)
+            for (x, y, turn), (w, d) in zip(local_places(group, sizes), sizes, strict=True)
+        ]
+    )
 
 
 def place_row(problem: HallProblem, unit: int, group: Group, sizes: Floats) -> Floats:
@@ -98,8 +100,15 @@ def place_row(problem: HallProblem, unit: int, group: Group, sizes: Floats) -> F
         x0, y0, x1, y1 = walls[k][:4]
         ux, uy = (x1 - x0) / lengths[k], (y1 - y0) / lengths[k]
         along, off = t + width / 2, depth / 2 + 0.003
-        rows.append((x0 + ux * along - uy * off, y0 + uy * along + ux * off,
-                     math.atan2(ux, -uy), width, depth))  # fmt: skip
+        rows.append(
+            (
+                x0 + ux * along - uy * off,
+                y0 + uy * along + ux * off,
+                math.atan2(ux, -uy),
+                width,
+                depth,
+            )
+        )
         t += width + group.along
     return np.array(rows)
 
@@ -145,8 +154,9 @@ def draw_hall(problem: HallProblem, shapely_hall: ShapelyHall, seed: int) -> Hal
     """Groups at random, the largest first, each until it breaks no rule (or 500 times)."""
     rng, groups = np.random.default_rng(seed), {}
     areas = problem.units.sizes.prod(axis=1)
-    order = sorted(range(len(problem.units.spans)),
-                   key=lambda u: -areas[slice(*problem.units.spans[u])].sum())  # fmt: skip
+    order = sorted(
+        range(len(problem.units.spans)), key=lambda u: -areas[slice(*problem.units.spans[u])].sum()
+    )
     solids = shapely_hall.obstacles + shapely_hall.keep_free
     standing = list(solids)
     for unit in order:
@@ -180,8 +190,9 @@ def move(
     if kind < 0.05:
         groups[unit] = draw_group(problem, unit, rng)
     elif name != "space" or kind < 0.4:
-        groups[unit] = group._replace(along=max(group.along + step, 0.0),
-                                      across=max(group.across + step, 0.0))  # fmt: skip
+        groups[unit] = group._replace(
+            along=max(group.along + step, 0.0), across=max(group.across + step, 0.0)
+        )
     elif kind < 0.8:
         groups[unit] = group._replace(
             x=group.x + rng.normal(0, size), y=group.y + rng.normal(0, size)
@@ -201,9 +212,17 @@ def move_partition(
     length = math.hypot(x1 - x0, y1 - y0)
     low, high = np.sort(rng.uniform(0.0, 1.0, 2))
     middle = (low + high) / 2
-    return np.array([[x0 + (x1 - x0) * middle, y0 + (y1 - y0) * middle,
-                      math.atan2(x1 - x0, y0 - y1), (high - low) * length,
-                      problem.ground.thickness]])  # fmt: skip
+    return np.array(
+        [
+            [
+                x0 + (x1 - x0) * middle,
+                y0 + (y1 - y0) * middle,
+                math.atan2(x1 - x0, y0 - y1),
+                (high - low) * length,
+                problem.ground.thickness,
+            ]
+        ]
+    )
 
 
 def metropolis(
@@ -235,8 +254,9 @@ def bench_steps(scale: float, runs: int = 3) -> Record:
     start, _ = first_layout(problem, np.zeros((len(problem.ground.hosts), 2)), 0)
     steps = 20_000
     gd_mh(problem, start, Budget(steps=100), 0)
-    ours = [rate(lambda: gd_mh(problem, start, Budget(steps=steps), 0), steps, 1)
-            for _ in range(runs)]  # fmt: skip
+    ours = [
+        rate(lambda: gd_mh(problem, start, Budget(steps=steps), 0), steps, 1) for _ in range(runs)
+    ]
     theirs = [metropolis(problem, 1, 100)[2] for _ in range(runs)]
     case = f"hall of {len(problem.units.sizes)} objects"
     return record(case, "GD-MH steps, one thread", "1/s", ours, theirs, BASELINE)
@@ -252,8 +272,9 @@ def bench_evaluations(scale: float, runs: int = 3) -> Record:
     assert np.isclose(slow_parts["total"], chain.tally[0])
     measure = partial(measure_all, chain.p, chain.s, chain.work)
     ours = [rate(measure, 1, 2000) for _ in range(runs)]
-    theirs = [rate(partial(slow.energies, boxes, laid, np.zeros((0, 5))), 1, 3)
-              for _ in range(runs)]  # fmt: skip
+    theirs = [
+        rate(partial(slow.energies, boxes, laid, np.zeros((0, 5))), 1, 3) for _ in range(runs)
+    ]
     case = f"hall of {len(problem.units.sizes)} objects"
     return record(case, "whole energies, one thread", "1/s", ours, theirs, BASELINE)
 

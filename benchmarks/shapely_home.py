@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 from shapely import affinity
 
 from benchmarks.instances import read_instance
-from scenewright.encodings.boxes import gene_bounds, to_boxes
-from scenewright.energy import energies_of, evaluate, prepare, route_grid
-from scenewright.problem import Problem
-from scenewright.solve import Budget, Watch, run_population
-from scenewright.solvers import SOLVERS
-from scenewright.solvers.anneal import anneal
-from scenewright.solvers.genetic import GENERATIONS, PaperGenetic
+from scenewright.domains.home.encodings.boxes import gene_bounds, to_boxes
+from scenewright.domains.home.energy import energies_of, evaluate, prepare, route_grid
+from scenewright.domains.home.problem import Problem
+from scenewright.domains.home.solvers import SOLVERS
+from scenewright.domains.home.solvers.anneal import anneal
+from scenewright.engine.genetic import GENERATIONS, PaperGenetic
+from scenewright.engine.solve import Budget, BudgetWatch, run_population
 
 Floats = NDArray[np.float64]
 INSTANCES = ("living", "big")
@@ -44,14 +44,29 @@ class Record(TypedDict):
 
 
 def record(
-    case: str, metric: str, unit: str, ours: list[float], baseline: list[float], name: str,
+    case: str,
+    metric: str,
+    unit: str,
+    ours: list[float],
+    baseline: list[float],
+    name: str,
     statistic: Callable[[list[float]], float] = statistics.median,
-) -> Record:  # fmt: skip
-    """Medians (or means) of the runs and their ratio, the greater over the less."""
+) -> Record:
+    """Medians (or means) of the runs and their ratio, the greater over the less; ``runs`` is of
+    both, or of ours, and the name of the baseline tells its own."""
+    name = name if len(baseline) == len(ours) else f"{name}, {len(baseline)} runs"
     a, b = float(statistic(ours)), float(statistic(baseline))
     ratio = a / b if unit.endswith("/s") else b / a
-    return Record(case=case, metric=metric, unit=unit, ours=a, baseline=b, baseline_name=name,
-                  ratio=ratio, runs=len(ours))  # fmt: skip
+    return Record(
+        case=case,
+        metric=metric,
+        unit=unit,
+        ours=a,
+        baseline=b,
+        baseline_name=name,
+        ratio=ratio,
+        runs=len(ours),
+    )
 
 
 def rectangle(box: Floats) -> Any:
@@ -157,8 +172,10 @@ def bench_steps(name: str, runs: int) -> Record:
     """Annealing steps a second on one thread, against whole evaluations on shapely."""
     problem = read_instance(name)
     home, population = ShapelyHome(problem), draw(problem, 5, 0)
-    ours = [rate(lambda: anneal(problem, Budget(steps=200_000), 0, threads=1), 200_000, 1)
-            for _ in range(runs)]  # fmt: skip
+    ours = [
+        rate(lambda: anneal(problem, Budget(steps=200_000), 0, threads=1), 200_000, 1)
+        for _ in range(runs)
+    ]
     theirs = [rate(lambda: home.costs(population), 5, 2) for _ in range(runs)]
     return record(name, "annealing steps, one thread", "1/s", ours, theirs, BASELINE)
 
@@ -168,10 +185,14 @@ def shapely_ga(problem: Problem, seed: int) -> tuple[float, float]:
     begun, home = time.perf_counter(), ShapelyHome(problem)
     low, high = gene_bounds(problem)
     _, costs, _ = run_population(
-        PaperGenetic(), lambda genes: home.costs(to_boxes(genes.reshape(-1, len(low), 5))),
-        low.ravel(), high.ravel(), np.random.default_rng(seed), Watch(Budget(), None, None),
+        PaperGenetic(),
+        lambda genes: home.costs(to_boxes(genes.reshape(-1, len(low), 5))),
+        low.ravel(),
+        high.ravel(),
+        np.random.default_rng(seed),
+        BudgetWatch(Budget(), None, None),
         GENERATIONS,
-    )  # fmt: skip
+    )
     return float(costs[0]), time.perf_counter() - begun
 
 
@@ -194,8 +215,15 @@ def bench_cost(name: str, seeds: int) -> Record:
     default, paper = SOLVERS["anneal"], SOLVERS["paper-ga"]
     ours = [default.run(problem, Budget(seconds=0.1), s).layouts[0].energy for s in range(seeds)]
     theirs = [paper.run(problem, Budget(), s).layouts[0].energy for s in range(seeds)]
-    return record(name, "final cost, default in 0.1 s", "cost", ours, theirs,
-                  "paper's GA, 40 x 100", statistics.fmean)  # fmt: skip
+    return record(
+        name,
+        "final cost, default in 0.1 s",
+        "cost",
+        ours,
+        theirs,
+        "paper's GA, 40 x 100",
+        statistics.fmean,
+    )
 
 
 def bench_home(runs: int = 5, seeds: int = 20) -> list[Record]:

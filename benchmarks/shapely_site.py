@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from benchmarks.shapely_hall import polygon
 from benchmarks.shapely_home import rectangle
-from scenewright.site_problem import SiteProblem
+from scenewright.domains.site.problem import SiteProblem
 
 Floats = NDArray[np.float64]
 

@@ -12,26 +12,23 @@ from __future__ import annotations
 
 import argparse
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 from benchmarks import site_compounds, site_methods, site_scale, site_speed
 from benchmarks.site_scenes import SIZES
+from benchmarks.stages import run_stages
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
 PARTS = ("default", "scale", "methods", "compounds", "speed")
 
 
-def records(quick: bool = False, progress: Progress | None = None) -> list[Record]:
+def records(quick: bool = False, progress: Progress | None = None) -> Iterator[Record]:
     """All records; ``quick`` takes two seeds, scenes of up to 30 buildings, sites of up to 1000
     and ten compounds, and tells six figures of each method."""
-    found: list[Record] = []
-    for number, name in enumerate(PARTS):
-        if progress:
-            progress(number / len(PARTS), name)
-        found += part(name, quick)
-    return found
+    yield from run_stages([(name, partial(part, name, quick)) for name in PARTS], progress)
 
 
 def part(name: str, quick: bool = False, seeds: int | None = None) -> list[Record]:

@@ -8,18 +8,18 @@ Medians over seeds on the shipped samples; the baseline is the same filling with
 from __future__ import annotations
 
 import statistics
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from benchmarks.comparison import ratio
 from benchmarks.site_scale import sites
-from scenewright.domains.site import problems
+from scenewright.domains.site.problem import SiteProblem
+from scenewright.domains.site.solvers import SITE_SOLVERS
+from scenewright.domains.site.solvers.answer import score
+from scenewright.domains.site.solving import problems
+from scenewright.domains.site.terms.table import SITE_AIMS
+from scenewright.engine.solve import Budget
 from scenewright.formats import read
-from scenewright.site_problem import SiteProblem
-from scenewright.solve import Budget
-from scenewright.solvers.site_answer import score
-from scenewright.solvers.sites import SITE_SOLVERS
-from scenewright.terms.site_terms import SITE_AIMS
 
 Record = dict[str, Any]
 NONE = {row.name: 0.0 for row in SITE_AIMS}
@@ -39,10 +39,10 @@ def medians(problem: SiteProblem, weights: dict[str, float], seeds: int) -> dict
     return {name: statistics.median(row[name] for row in rows) for name in METRICS}
 
 
-def records(quick: bool, progress: Callable[[float, str], None]) -> list[Record]:
+def records(quick: bool, progress: Callable[[float, str], None]) -> Iterator[Record]:
     """One record for each sample, aim and metric."""
     variants = {row.name: NONE | {row.name: row.weight} for row in SITE_AIMS} | {"all": {}}
-    found, names = [], sites()[: 1 if quick else None]
+    names = sites()[: 1 if quick else None]
     seeds = 3 if quick else 9
     for number, name in enumerate(names):
         progress(number / len(names), name)
@@ -51,9 +51,13 @@ def records(quick: bool, progress: Callable[[float, str], None]) -> list[Record]
         for aim, weights in variants.items():
             ours = medians(problem, weights, seeds)
             for metric, unit in METRICS.items():
-                found.append({
-                    "case": f"{name}, aim {aim}", "metric": metric, "unit": unit,
-                    "ours": ours[metric], "baseline": none[metric], "baseline_name": "no aim",
-                    "ratio": ratio(ours[metric], none[metric], unit), "runs": seeds,
-                })  # fmt: skip
-    return found
+                yield {
+                    "case": f"{name}, aim {aim}",
+                    "metric": metric,
+                    "unit": unit,
+                    "ours": ours[metric],
+                    "baseline": none[metric],
+                    "baseline_name": "no aim",
+                    "ratio": ratio(ours[metric], none[metric], unit),
+                    "runs": seeds,
+                }

@@ -24,24 +24,24 @@ from shapely import affinity
 from benchmarks.comparison import ratio
 from benchmarks.real_data import data_set, skipped
 from benchmarks.site_reco import STOREY, Designed, asked, compounds, sizes_of
-from scenewright.brief import Brief
-from scenewright.brief.site import Site
-from scenewright.check.site_access import find_unreachable, reached
-from scenewright.check.site_bodies import Bodies, bodies_of, grounds_of
-from scenewright.check.site_figures import SOUTHERLY
-from scenewright.check.site_rules import (
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import Solution
+from scenewright.domains.site.brief import Site
+from scenewright.domains.site.check.access import find_reached_bodies, find_unreachable
+from scenewright.domains.site.check.bodies import SiteBodies, bodies_of, grounds_of
+from scenewright.domains.site.check.figures import SOUTHERLY
+from scenewright.domains.site.check.rules import (
     find_near_edges,
     find_outside,
     find_overlaps,
     find_too_close,
 )
-from scenewright.check.site_sun import sampled, sun_hours
-from scenewright.domains.site import solve
-from scenewright.errors import InputError
-from scenewright.scene import Piece, Pose, Size
-from scenewright.site.fit import fits
-from scenewright.site.plan import site_plan
-from scenewright.solution import Solution
+from scenewright.domains.site.check.sun import sample_rows, sun_hours
+from scenewright.domains.site.plan import site_plan, site_plans
+from scenewright.domains.site.solving import solve
+from scenewright.ground.fit import fits
 
 Row = dict[str, Any]
 MODEL = "modern_residential"
@@ -49,16 +49,26 @@ SETBACK, SPACING = 3.0, 6.0
 SUNNY = 2.0
 """Hours of sun that a front should have on the day of the site."""
 FIGURES = (
-    ("coverage", "share", "median"), ("least_spacing", "m", "median"), ("spacing", "m", "median"),
-    ("south", "share", "mean"), ("sun", "h", "median"), ("sunny", "share", "mean"),
-    ("overlaps", "1", "sum"), ("outside", "1", "sum"), ("near", "1", "sum"),
-    ("unreached", "1", "sum"), ("valid", "share", "mean"), ("left_out", "1", "sum"),
+    ("coverage", "share", "median"),
+    ("least_spacing", "m", "median"),
+    ("spacing", "m", "median"),
+    ("south", "share", "mean"),
+    ("sun", "h", "median"),
+    ("sunny", "share", "mean"),
+    ("overlaps", "1", "sum"),
+    ("outside", "1", "sum"),
+    ("near", "1", "sum"),
+    ("unreached", "1", "sum"),
+    ("valid", "share", "mean"),
+    ("left_out", "1", "sum"),
     ("unplaceable", "1", "sum"),
-)  # fmt: skip
+)
 """What is told of a compound, its unit, and how all compounds are put together."""
 TOGETHER: dict[str, Callable[[Sequence[float]], float]] = {
-    "median": statistics.median, "mean": statistics.fmean, "sum": sum,
-}  # fmt: skip
+    "median": statistics.median,
+    "mean": statistics.fmean,
+    "sum": sum,
+}
 
 
 class Pair(NamedTuple):
@@ -112,20 +122,37 @@ def compound_records(most: int | None = None) -> list[Row]:
     if whole:
         part = f"{len(whole)} of them in which ours places all"
         rows += [_record(part, whole, *figure) for figure in FIGURES[:6]]
-    seconds = {"case": case, "metric": "processor seconds of all", "unit": "s",
-               "ours": round(sum(pair.ours["cpu"] for pair in found), 3), "baseline": None,
-               "baseline_name": "", "ratio": None, "runs": len(found)}  # fmt: skip
+    seconds = {
+        "case": case,
+        "metric": "processor seconds of all",
+        "unit": "s",
+        "ours": round(sum(pair.ours["cpu"] for pair in found), 3),
+        "baseline": None,
+        "baseline_name": "",
+        "ratio": None,
+        "runs": len(found),
+    }
     return [*rows, seconds]
 
 
 def _record(case: str, found: list[Pair], name: str, unit: str, how: str) -> Row:
     """One figure of all compounds; those with a single building have no spacing."""
-    both = [(pair.ours[name], pair.theirs[name]) for pair in found
-            if not math.isnan(pair.ours[name]) and not math.isnan(pair.theirs[name])]  # fmt: skip
+    both = [
+        (pair.ours[name], pair.theirs[name])
+        for pair in found
+        if not math.isnan(pair.ours[name]) and not math.isnan(pair.theirs[name])
+    ]
     ours, theirs = (TOGETHER[how](values) for values in zip(*both, strict=True))
-    return {"case": case, "metric": f"{name.replace('_', ' ')}, {how}", "unit": unit,
-            "ours": round(ours, 4), "baseline": round(theirs, 4), "baseline_name": "designer",
-            "ratio": ratio(ours, theirs, unit), "runs": len(both)}  # fmt: skip
+    return {
+        "case": case,
+        "metric": f"{name.replace('_', ' ')}, {how}",
+        "unit": unit,
+        "ours": round(ours, 4),
+        "baseline": round(theirs, 4),
+        "baseline_name": "designer",
+        "ratio": ratio(ours, theirs, unit),
+        "runs": len(both),
+    }
 
 
 def unplaceable(site: Site) -> int:
@@ -148,8 +175,9 @@ def pieces_of(site: Site, designed: Designed) -> list[Piece]:
     return [
         Piece(f"b{k}", "building", MODEL, site.id, Pose(x, y, 0.0, heading), Size(w, d, height))
         for k, ((x, y, heading, w, d), height) in enumerate(
-            zip(designed.boxes.tolist(), designed.heights.tolist(), strict=True))
-    ]  # fmt: skip
+            zip(designed.boxes.tolist(), designed.heights.tolist(), strict=True)
+        )
+    ]
 
 
 def moved_footprints(designed: Designed, placed: list[Piece]) -> tuple[shapely.Geometry, ...]:
@@ -162,8 +190,9 @@ def moved_footprints(designed: Designed, placed: list[Piece]) -> tuple[shapely.G
         floors = round(piece.size.height / STOREY)
         number = free[round(piece.size.width, 1), round(piece.size.depth, 1), floors].pop()
         x, y, heading = designed.boxes[number, :3]
-        shape = affinity.rotate(designed.footprints[number], piece.pose.heading - heading, (x, y),
-                                use_radians=True)  # fmt: skip
+        shape = affinity.rotate(
+            designed.footprints[number], piece.pose.heading - heading, (x, y), use_radians=True
+        )
         found.append(affinity.translate(shape, piece.pose.x - x, piece.pose.y - y))
     return tuple(found)
 
@@ -181,34 +210,37 @@ def gaps(shapes: Any) -> Any:
 
 def measured(site: Site, pieces: list[Piece], footprints: tuple[shapely.Geometry, ...]) -> Row:
     """What the referee's tests say of some buildings with footprints of any shape."""
-    ground = grounds_of([site])[0]
+    ground = grounds_of([site], site_plans([site]))[0]
     bodies = bodies_of(ground, pieces)[0]
     shapes = np.empty(len(footprints), object)
     shapes[:] = footprints
     bodies = bodies._replace(footprints=shapes)
-    got = reached(ground, bodies)
+    got = find_reached_bodies(ground, bodies)
     tests = (find_overlaps, find_outside, find_near_edges, find_too_close)
     found = [finding for test in tests for finding in test(ground, bodies)]
     kinds = Counter(f.kind for f in [*found, *find_unreachable(ground, bodies, got)])
     return figures(site, bodies, ground.floor) | {
-        "overlaps": kinds["collision"], "outside": kinds["out_of_bounds"],
-        "near": kinds["setback"] + kinds["spacing"], "unreached": kinds["unreachable_building"],
+        "overlaps": kinds["collision"],
+        "outside": kinds["out_of_bounds"],
+        "near": kinds["setback"] + kinds["spacing"],
+        "unreached": kinds["unreachable_building"],
         "valid": float(not kinds),
-    }  # fmt: skip
+    }
 
 
-def figures(site: Site, bodies: Bodies, floor: Any) -> Row:
+def figures(site: Site, bodies: SiteBodies, floor: Any) -> Row:
     """Coverage, spacing, share of fronts within 30 degrees of south, hours of winter sun."""
     covered = shapely.union_all(bodies.footprints).intersection(floor).area / floor.area
     apart = gaps(bodies.footprints)
     off = np.abs(np.angle(np.exp(1j * (bodies.heading - site.facing))))
-    rows = sampled(len(bodies.ids))
+    rows = sample_rows(len(bodies.ids))
     hours = sun_hours(bodies, site.latitude, site.day, rows) if len(rows) else np.zeros(0)
     return {
-        "buildings": len(bodies.ids), "coverage": float(covered),
+        "buildings": len(bodies.ids),
+        "coverage": float(covered),
         "least_spacing": float(apart.min()) if len(apart) else math.nan,
         "spacing": float(np.median(apart)) if len(apart) else math.nan,
         "south": float((off <= SOUTHERLY + 1e-9).mean()) if len(off) else 1.0,
         "sun": float(hours.mean()) if len(hours) else 0.0,
         "sunny": float((hours >= SUNNY - 1e-6).mean()) if len(hours) else 1.0,
-    }  # fmt: skip
+    }

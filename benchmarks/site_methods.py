@@ -16,8 +16,8 @@ from typing import Any
 from benchmarks.comparison import figure, ratio, record
 from benchmarks.site_scenes import SIZES, Scene, judged, posed, scene_brief
 from scenewright.domains.site.presets import PRESETS
-from scenewright.solve import Budget
-from scenewright.solvers.sites import SITE_SOLVERS
+from scenewright.domains.site.solvers import SITE_SOLVERS
+from scenewright.engine.solve import Budget
 
 Row = dict[str, Any]
 Progress = Callable[[float, str], None]
@@ -28,11 +28,24 @@ EVALUATIONS, SECONDS = 2000, 1.0
 """What the paper's algorithm looks at, 10 layouts in 200 generations, and the equal time."""
 BUDGETS = {"evaluations": Budget(steps=EVALUATIONS), "seconds": Budget(seconds=SECONDS)}
 FIGURES = (
-    ("value", "1"), ("use", "1"), ("shown", "1"), ("texture", "1"), ("height", "1"),
-    ("seen", "1"), ("sun", "h"), ("valid", "share"), ("overlaps", "1"), ("outside", "1"),
-    ("near", "1"), ("unreached", "1"), ("left_out", "share"), ("converged", "1"),
-    ("settled", "1"), ("seconds", "s"), ("cpu", "s"),
-)  # fmt: skip
+    ("value", "1"),
+    ("use", "1"),
+    ("shown", "1"),
+    ("texture", "1"),
+    ("height", "1"),
+    ("seen", "1"),
+    ("sun", "h"),
+    ("valid", "share"),
+    ("overlaps", "1"),
+    ("outside", "1"),
+    ("near", "1"),
+    ("unreached", "1"),
+    ("left_out", "share"),
+    ("converged", "1"),
+    ("settled", "1"),
+    ("seconds", "s"),
+    ("cpu", "s"),
+)
 MAIN = tuple(
     row for row in FIGURES if row[0] in ("value", "seen", "sun", "valid", "left_out", "cpu")
 )
@@ -72,9 +85,11 @@ def converged(heard: list[float]) -> int:
 
 
 def rows(
-    seeds: int, sizes: tuple[int, ...] = SIZES, equal: tuple[str, ...] = tuple(BUDGETS),
+    seeds: int,
+    sizes: tuple[int, ...] = SIZES,
+    equal: tuple[str, ...] = tuple(BUDGETS),
     progress: Progress | None = None,
-) -> list[Row]:  # fmt: skip
+) -> list[Row]:
     """Every scene by every method with so many seeds, methods in turn so that a busy machine
     hinders all alike."""
     scenes = {size: posed(scene_brief(size)) for size in sizes}
@@ -105,8 +120,9 @@ def summary(found: list[Row], figures: tuple[tuple[str, str], ...] = FIGURES) ->
             if method != "default":
                 ours, theirs = (chosen(mine, method=name) for name in ("default", method))
                 case = f"{size} buildings, equal {equal}"
-                records += [record(case, name, unit, ours, theirs, method, MEANS)
-                            for name, unit in figures]  # fmt: skip
+                records += [
+                    record(case, name, unit, ours, theirs, method, MEANS) for name, unit in figures
+                ]
     return records + falls(found)
 
 
@@ -117,13 +133,20 @@ def falls(found: list[Row]) -> list[Row]:
     for equal in dict.fromkeys(row["equal"] for row in found):
         for method in dict.fromkeys(row["method"] for row in found):
             mine = chosen(found, method=method, equal=equal)
-            ends = [figure(chosen(mine, buildings=size), "value", MEANS)
-                    for size in (sizes[0], sizes[-1])]  # fmt: skip
-            records.append({
-                "case": f"{method}, equal {equal}",
-                "metric": f"F_eva, {sizes[-1]} against {sizes[0]} buildings", "unit": "1",
-                "ours": round(ends[1], 4), "baseline": round(ends[0], 4),
-                "baseline_name": f"{sizes[0]} buildings", "ratio": ratio(ends[1], ends[0], "1"),
-                "runs": len(chosen(mine, buildings=sizes[0])),
-            })  # fmt: skip
+            ends = [
+                figure(chosen(mine, buildings=size), "value", MEANS)
+                for size in (sizes[0], sizes[-1])
+            ]
+            records.append(
+                {
+                    "case": f"{method}, equal {equal}",
+                    "metric": f"F_eva, {sizes[-1]} against {sizes[0]} buildings",
+                    "unit": "1",
+                    "ours": round(ends[1], 4),
+                    "baseline": round(ends[0], 4),
+                    "baseline_name": f"{sizes[0]} buildings",
+                    "ratio": ratio(ends[1], ends[0], "1"),
+                    "runs": len(chosen(mine, buildings=sizes[0])),
+                }
+            )
     return records

@@ -23,9 +23,10 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from scenewright.brief.site import Site
-from scenewright.errors import InputError
-from scenewright.site.plan import SitePlan, site_plan
+from scenewright.core.errors import InputError
+from scenewright.domains.site.brief import Site
+from scenewright.domains.site.plan import site_plan
+from scenewright.ground.plan import SitePlan
 
 Floats = NDArray[np.float64]
 STOREY, TOUCH, LEAST, LONGEST, TILT = 3.0, 0.02, 1.0, 400.0, 0.01
@@ -53,10 +54,9 @@ def asked(site: Site, designed: Designed, model: str) -> Site:
     """The site with the designer's buildings as wishes: one for every size, all of one model."""
     counted = Counter(sizes_of(designed))
     buildings = [
-        {"model": model, "count": count, "floors": floors,
-         "size": (width, depth, STOREY * floors)}
+        {"model": model, "count": count, "floors": floors, "size": (width, depth, STOREY * floors)}
         for (width, depth, floors), count in counted.items()
-    ]  # fmt: skip
+    ]
     return Site.model_validate(site.model_dump() | {"buildings": buildings})
 
 
@@ -73,8 +73,11 @@ def _compound(row: dict[str, Any], more: dict[str, Any]) -> tuple[Site, Designed
         | more
     )
     boundary = shapely.make_valid(shapely.Polygon(row["boundary"]))
-    drawn = [(shapely.make_valid(shapely.Polygon(b["coords"])), b["floor"])
-             for b in row["buildings"] if len(b["coords"]) > 2]  # fmt: skip
+    drawn = [
+        (shapely.make_valid(shapely.Polygon(b["coords"])), b["floor"])
+        for b in row["buildings"]
+        if len(b["coords"]) > 2
+    ]
     joined = _joined(drawn)
     inside = [(s, f) for s, f in joined if s.area > 1.0 and boundary.contains(s.centroid)]
     shapes, floors = tuple(s for s, _ in inside), np.array([f for _, f in inside], np.int64)

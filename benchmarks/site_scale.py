@@ -18,9 +18,9 @@ from typing import Any
 from benchmarks.comparison import ratio
 from benchmarks.hall_scale import growth
 from benchmarks.site_scenes import scene_brief
-from scenewright.brief import Brief
-from scenewright.check import check
-from scenewright.domains.site import solve
+from scenewright.core.brief import Brief
+from scenewright.domains import check
+from scenewright.domains.site.solving import solve
 from scenewright.formats import read, samples, write
 
 Row = dict[str, Any]
@@ -48,13 +48,19 @@ def run(brief: Brief, seed: int) -> Row:
     kinds = Counter(finding.kind for finding in report.findings)
     figures = next(iter(report.figures["sites"].values()))
     return {
-        "overlaps": kinds["collision"], "outside": kinds["out_of_bounds"],
+        "overlaps": kinds["collision"],
+        "outside": kinds["out_of_bounds"],
         "blocked": kinds["blocked_path"] + kinds["unreachable_building"],
-        "near": kinds["setback"] + kinds["spacing"], "valid": float(report.valid),
-        "left_out": len(solution.left_out), "sun": figures["sun_mean"],
-        "buildings": figures["buildings"], "seconds": took, "cpu": used, "judging": judging,
+        "near": kinds["setback"] + kinds["spacing"],
+        "valid": float(report.valid),
+        "left_out": len(solution.left_out),
+        "sun": figures["sun_mean"],
+        "buildings": figures["buildings"],
+        "seconds": took,
+        "cpu": used,
+        "judging": judging,
         "solution": solution,
-    }  # fmt: skip
+    }
 
 
 def samples_records(seeds: int, names: list[str] | None = None) -> list[Row]:
@@ -94,9 +100,17 @@ def scale_records(sizes: tuple[int, ...] = SIZES, runs: int = 3) -> list[Row]:
         found.append(_record(case, "most memory", "MB", most, None, len(rows)))
     if len(sizes) > 1:
         scales = [float(size) for size in sizes]
-        found += [_record("all sizes", f"{key}, growth exponent", "1",
-                          growth(scales, medians[key]), 1.0, len(sizes))
-                  for key in TIMES]  # fmt: skip
+        found += [
+            _record(
+                "all sizes",
+                f"{key}, growth exponent",
+                "1",
+                growth(scales, medians[key]),
+                1.0,
+                len(sizes),
+            )
+            for key in TIMES
+        ]
     return found
 
 
@@ -111,6 +125,13 @@ def writing(solution: Any) -> float:
 
 def _record(case: str, metric: str, unit: str, ours: float, aim: float | None, runs: int) -> Row:
     """A figure beside its aim, if there is one, and how many times better than the aim it is."""
-    return {"case": case, "metric": metric.replace("_", " "), "unit": unit, "ours": round(ours, 4),
-            "baseline": aim, "baseline_name": "" if aim is None else "aim",
-            "ratio": ratio(ours, aim, unit), "runs": runs}  # fmt: skip
+    return {
+        "case": case,
+        "metric": metric.replace("_", " "),
+        "unit": unit,
+        "ours": round(ours, 4),
+        "baseline": aim,
+        "baseline_name": "" if aim is None else "aim",
+        "ratio": ratio(ours, aim, unit),
+        "runs": runs,
+    }

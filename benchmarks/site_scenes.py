@@ -16,30 +16,55 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from scenewright.assets import shipped
-from scenewright.brief import Brief
-from scenewright.catalog import Catalog
-from scenewright.check.site_figures import judge_sites
-from scenewright.domains.site import problems
-from scenewright.domains.site.dress import buildings, landmarks
+from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Catalog
+from scenewright.domains.site.check.figures import judge_sites
+from scenewright.domains.site.furnish import buildings, landmarks
+from scenewright.domains.site.holdings import BuildingDemand, collect_buildings
+from scenewright.domains.site.plan import site_plan
 from scenewright.domains.site.presets import PRESETS
-from scenewright.domains.site.wanted import Wanted, wanted
-from scenewright.site.plan import SitePlan, site_plan
-from scenewright.site_problem import SiteProblem
-from scenewright.solvers.site_answer import score
-from scenewright.solvers.site_found import SiteFound
+from scenewright.domains.site.problem import SiteProblem
+from scenewright.domains.site.solvers.answer import score
+from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.solving import problems
+from scenewright.ground.plan import SitePlan
 
 Row = dict[str, Any]
 SIZES = (6, 15, 30, 70, 120)
 """Numbers of buildings in the paper's scenes."""
 MIX = (
-    "villa", "row_houses", "pagoda", "modern_residential", "japanese_house", "gallery",
-    "point_tower", "villa", "classical_residence", "row_houses", "commercial_block",
-    "modernist_house", "modern_residential", "buddhist_temple", "villa",
-    "row_houses", "gothic_church", "villa", "office_tower", "modern_residential", "pavilion",
-    "japanese_house", "classical_residence", "museum", "villa", "row_houses", "gymnasium",
-    "modernist_house", "byzantine_church", "modern_residential",
-)  # fmt: skip
+    "villa",
+    "row_houses",
+    "pagoda",
+    "modern_residential",
+    "japanese_house",
+    "gallery",
+    "point_tower",
+    "villa",
+    "classical_residence",
+    "row_houses",
+    "commercial_block",
+    "modernist_house",
+    "modern_residential",
+    "buddhist_temple",
+    "villa",
+    "row_houses",
+    "gothic_church",
+    "villa",
+    "office_tower",
+    "modern_residential",
+    "pavilion",
+    "japanese_house",
+    "classical_residence",
+    "museum",
+    "villa",
+    "row_houses",
+    "gymnasium",
+    "modernist_house",
+    "byzantine_church",
+    "modern_residential",
+)
 EACH, SPACING, STREET, SETBACK = 7.5, 6.0, 8.0, 3.0
 """Buildings a block; metres between buildings, of street, and kept from streets and borders."""
 DENSITY = 0.6
@@ -52,7 +77,7 @@ class Scene(NamedTuple):
 
     brief: Brief
     plan: SitePlan
-    wishes: list[Wanted]
+    wishes: list[BuildingDemand]
     problems: dict[str, SiteProblem]
     catalog: Catalog
 
@@ -71,24 +96,33 @@ def scene_brief(count: int, density: float = DENSITY, sun_spacing: float = 0.0) 
     along = [[[k * side, -5.0], [k * side, deep + 5.0]] for k in range(1, columns)]
     counts = Counter(models)
     site = {
-        "id": "scene", "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
+        "id": "scene",
+        "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
         "roads": [{"line": line, "width": STREET} for line in across + along],
-        "landmarks": [{"id": "temple", "model": "pavilion",
-                       "at": [(columns // 2 + 0.5) * side, (rows // 2 + 0.5) * side]}],
+        "landmarks": [
+            {
+                "id": "temple",
+                "model": "pavilion",
+                "at": [(columns // 2 + 0.5) * side, (rows // 2 + 0.5) * side],
+            }
+        ],
         "buildings": [{"model": model, "count": counts[model]} for model in sorted(counts)],
-        "spacing": SPACING, "sun_spacing": sun_spacing, "setback": SETBACK,
+        "spacing": SPACING,
+        "sun_spacing": sun_spacing,
+        "setback": SETBACK,
         "road_setback": SETBACK,
-    }  # fmt: skip
+        "origin": [11.58, 48.14],
+    }
     told = {"domain": "site", "name": f"{count} buildings", "sites": [site]}
     return Brief.model_validate({"format": "scenewright/brief", "version": 1} | told)
 
 
 def posed(brief: Brief) -> Scene:
     """A brief with one site as the problems that methods are given."""
-    site, catalog = brief.sites[0], shipped()
+    site, catalog = brief.part.sites[0], shipped()
     plan = site_plan(site, catalog)
     found = {name: problems(brief, name)[0] for name in PRESETS}
-    return Scene(brief, plan, wanted(site, plan, "site", catalog), found, catalog)
+    return Scene(brief, plan, collect_buildings(site, plan, "site", catalog), found, catalog)
 
 
 def judged(scene: Scene, found: SiteFound) -> Row:
@@ -96,17 +130,22 @@ def judged(scene: Scene, found: SiteFound) -> Row:
     placed = buildings(scene.plan, scene.wishes, found.boxes, found.present)
     pieces = (*landmarks(scene.plan, scene.catalog), *placed)
     begun = time.process_time()
-    verdict = judge_sites(scene.brief.sites, pieces)
+    verdict = judge_sites(scene.brief.part.sites, pieces)
     took = time.process_time() - begun
     kinds = Counter(finding.kind for finding in verdict.findings)
     figures = next(iter(verdict.figures.values()))
     scores = score(scene.problems["default"], found.boxes, found.present)
     return {
         **{name: scores[name] for name in ("value", "use", "shown", "texture", "height", "seen")},
-        "sun": figures["sun_mean"] or 0.0, "sunny": figures["sun_share"],
-        "overlaps": kinds["collision"], "outside": kinds["out_of_bounds"],
+        "sun": figures["sun_mean"] or 0.0,
+        "sunny": figures["sun_share"],
+        "overlaps": kinds["collision"],
+        "outside": kinds["out_of_bounds"],
         "near": kinds["setback"] + kinds["spacing"] + kinds["blocked_path"],
-        "unreached": kinds["unreachable_building"], "valid": float(not kinds),
-        "left_out": int((~found.present).sum()), "generations": found.generations,
-        "evaluations": found.evaluations, "judging": took,
-    }  # fmt: skip
+        "unreached": kinds["unreachable_building"],
+        "valid": float(not kinds),
+        "left_out": int((~found.present).sum()),
+        "generations": found.generations,
+        "evaluations": found.evaluations,
+        "judging": took,
+    }

@@ -19,13 +19,10 @@ from scipy.spatial import cKDTree
 from benchmarks.shapely_home import BASELINE, rate, record
 from benchmarks.shapely_site import shapely_site, site_terms
 from benchmarks.site_instances import example_site
-from scenewright.geometry.mesh import Mesh
-from scenewright.geometry.saliency import UNIT, saliency
-from scenewright.site_problem import Floats, SiteProblem
-from scenewright.solvers.draws import streams
-from scenewright.solvers.site_anneal import run_site_chain
-from scenewright.solvers.site_random import TRIES, drop_buildings, lines_of
-from scenewright.terms.site_measure import (
+from scenewright.domains.site.problem import Floats, SiteProblem
+from scenewright.domains.site.solvers.anneal import run_site_chain
+from scenewright.domains.site.solvers.random_search import TRIES, drop_buildings, lines_of
+from scenewright.domains.site.terms.measure import (
     energy_of,
     evaluate,
     lay,
@@ -33,6 +30,9 @@ from scenewright.terms.site_measure import (
     make_site_state,
     prepare_site,
 )
+from scenewright.engine.draws import streams
+from scenewright.geometry.mesh import Mesh
+from scenewright.geometry.saliency import UNIT, saliency
 
 Row = dict[str, Any]
 SIZES = (15, 120)
@@ -80,11 +80,16 @@ def bench_steps(size: int, runs: int, steps: int = 50_000) -> Row:
         for k in numbers:
             slow.change(k, start[k], moved[k])
 
-    return dict(record(
-        f"site of {size} buildings", "annealing steps, one thread", "1/s",
-        [rate(ours, steps, 1) for _ in range(runs)],
-        [rate(theirs, len(numbers), 1) for _ in range(runs)], BASELINE,
-    ))  # fmt: skip
+    return dict(
+        record(
+            f"site of {size} buildings",
+            "annealing steps, one thread",
+            "1/s",
+            [rate(ours, steps, 1) for _ in range(runs)],
+            [rate(theirs, len(numbers), 1) for _ in range(runs)],
+            BASELINE,
+        )
+    )
 
 
 def bench_evaluations(size: int, runs: int) -> Row:
@@ -95,11 +100,16 @@ def bench_evaluations(size: int, runs: int) -> Row:
     assert np.allclose(evaluate(problem, population[:1])[0], site_terms(problem, start), atol=1e-6)
     ours = partial(lay_all, p, s, population, terms)
     theirs = partial(site_terms, problem, start)
-    return dict(record(
-        f"site of {size} buildings", "whole layouts, one thread", "1/s",
-        [rate(ours, 40, 20) for _ in range(runs)], [rate(theirs, 1, 3) for _ in range(runs)],
-        BASELINE,
-    ))  # fmt: skip
+    return dict(
+        record(
+            f"site of {size} buildings",
+            "whole layouts, one thread",
+            "1/s",
+            [rate(ours, 40, 20) for _ in range(runs)],
+            [rate(theirs, 1, 3) for _ in range(runs)],
+            BASELINE,
+        )
+    )
 
 
 def bench_saliency(runs: int, rows: int = ROWS) -> list[Row]:
@@ -116,14 +126,23 @@ def bench_saliency(runs: int, rows: int = ROWS) -> list[Row]:
     case, number = f"{len(mesh.faces)} triangles", len(mesh.vertices)
     plain = [plain_rate(mesh) for _ in range(min(runs, 3))]
     found = [
-        {"case": case, "metric": f"saliency, {name}", "unit": "s",
-         "ours": round(statistics.median(taken), 4), "baseline": SECONDS, "baseline_name": "aim",
-         "ratio": round(SECONDS / statistics.median(taken), 4), "runs": runs}
+        {
+            "case": case,
+            "metric": f"saliency, {name}",
+            "unit": "s",
+            "ours": round(statistics.median(taken), 4),
+            "baseline": SECONDS,
+            "baseline_name": "aim",
+            "ratio": round(SECONDS / statistics.median(taken), 4),
+            "runs": runs,
+        }
         for name, taken in (("wall", walls), ("processor", used))
-    ]  # fmt: skip
+    ]
     fast = [number / seconds for seconds in used]
-    return [*found, dict(record(case, "saliency, vertices", "1/s", fast, plain,
-                                "k-d tree and a loop"))]  # fmt: skip
+    return [
+        *found,
+        dict(record(case, "saliency, vertices", "1/s", fast, plain, "k-d tree and a loop")),
+    ]
 
 
 def bumpy_ball(rows: int) -> Mesh:

@@ -40,15 +40,19 @@ def city(footprints: dict[str, Any], height: float = 9.0, **more: Any) -> dict[s
             list(range(first, first + count)),
             list(range(first + count, first + 2 * count)),
         )
-        walls = [[[floor[i], floor[(i + 1) % count], top[(i + 1) % count], top[i]]]
-                 for i in range(count)]  # fmt: skip
+        walls = [
+            [[floor[i], floor[(i + 1) % count], top[(i + 1) % count], top[i]]] for i in range(count)
+        ]
         geometry = {"type": "Solid", "lod": "1", "boundaries": [[[floor[::-1]], [top], *walls]]}
         objects[key] = {"type": "Building", "attributes": {}, "geometry": [geometry]}
     return {
-        "type": "CityJSON", "version": "2.0", "CityObjects": objects, "vertices": vertices,
+        "type": "CityJSON",
+        "version": "2.0",
+        "CityObjects": objects,
+        "vertices": vertices,
         "transform": {"scale": [0.001] * 3, "translate": [84000.0, 447000.0, 0.0]},
         "metadata": {"referenceSystem": "https://www.opengis.net/def/crs/EPSG/0/7415"},
-    } | more  # fmt: skip
+    } | more
 
 
 def flat(document: dict[str, Any], key: str, kind: str, outline: Any, **told: Any) -> None:

@@ -10,7 +10,7 @@ import pytest
 from benchmarks.real_data import data_folder
 
 from flat import flat_solution
-from scenewright.solution import Solution
+from scenewright.core.solution import Solution
 
 # On a build server property tests try the same examples every time; at a desk they go on looking.
 hypothesis.settings.register_profile(

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from scenewright.brief import Brief
-from scenewright.scene import Piece, Pose, Size
-from scenewright.solution import LeftOut, Patch, Solution, TermValue
+from scenewright.core.brief import Brief
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import LeftOut, Patch, Solution, TermValue
 
 
 def flat_brief(name: str = "Two rooms") -> Brief:
@@ -53,19 +53,65 @@ def flat_solution(name: str = "Two rooms") -> Solution:
     """A furnished answer to :func:`flat_brief`; the headings are exact quarter turns."""
     east, north, west = 0.0, 1.5707963267948966, 3.141592653589793
     pieces = (
-        Piece("sofa", "sofa", "sofa", "living", Pose(0.5, 2.4, 0, east), Size(2.0, 0.9, 0.8),
-              "living/seating", "seating"),
-        Piece("rug", "rug", "rug", "living", Pose(1.9, 2.4, 0, east), Size(2.4, 1.7, 0.01),
-              "living/seating", "seating"),
-        Piece("table", "coffee_table", "coffee_table", "living", Pose(1.8, 2.4, 0, east),
-              Size(1.0, 0.6, 0.4), "living/seating", "seating"),
-        Piece("bed", "double_bed", "double_bed", "bedroom", Pose(6.66, 2.95, 0, -north),
-              Size(1.6, 2.05, 0.5), "bedroom/sleeping", "sleeping"),
-        Piece("old-chest", "chest_of_drawers", "chest_of_drawers", "bedroom",
-              Pose(7.9, 1.0, 0, west), Size(0.9, 0.45, 0.8), fixed=True),
-        Piece("lamp", "table_lamp", "table_lamp", "bedroom", Pose(7.9, 1.0, 0.8, west),
-              Size(0.25, 0.25, 0.45), on="old-chest"),
-    )  # fmt: skip
+        Piece(
+            "sofa",
+            "sofa",
+            "sofa",
+            "living",
+            Pose(0.5, 2.4, 0, east),
+            Size(2.0, 0.9, 0.8),
+            "living/seating",
+            "seating",
+        ),
+        Piece(
+            "rug",
+            "rug",
+            "rug",
+            "living",
+            Pose(1.9, 2.4, 0, east),
+            Size(2.4, 1.7, 0.01),
+            "living/seating",
+            "seating",
+        ),
+        Piece(
+            "table",
+            "coffee_table",
+            "coffee_table",
+            "living",
+            Pose(1.8, 2.4, 0, east),
+            Size(1.0, 0.6, 0.4),
+            "living/seating",
+            "seating",
+        ),
+        Piece(
+            "bed",
+            "double_bed",
+            "double_bed",
+            "bedroom",
+            Pose(6.66, 2.95, 0, -north),
+            Size(1.6, 2.05, 0.5),
+            "bedroom/sleeping",
+            "sleeping",
+        ),
+        Piece(
+            "old-chest",
+            "chest_of_drawers",
+            "chest_of_drawers",
+            "bedroom",
+            Pose(7.9, 1.0, 0, west),
+            Size(0.9, 0.45, 0.8),
+            fixed=True,
+        ),
+        Piece(
+            "lamp",
+            "table_lamp",
+            "table_lamp",
+            "bedroom",
+            Pose(7.9, 1.0, 0.8, west),
+            Size(0.25, 0.25, 0.45),
+            on="old-chest",
+        ),
+    )
     return Solution(
         brief=flat_brief(name),
         pieces=pieces,

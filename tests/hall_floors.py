@@ -3,14 +3,7 @@
 from __future__ import annotations
 
 from hypothesis import strategies as st
-from tests.judged_halls import (
-    answer,
-    box,
-    hall_brief,
-    piece,
-    wall,
-    zone,
-)
+from tests.judged_halls import answer, box, hall_brief, piece, wall, zone
 
 SOUTH_DOOR = {"at": [3, 0], "width": 1.6, "swing": "none"}
 

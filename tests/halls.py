@@ -9,20 +9,21 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import LineString, Point, Polygon, box, union_all
 
-from scenewright.brief import Brief
-from scenewright.layout import corners
-from scenewright.scene import Piece, Pose, Size
-from scenewright.scene_graph import (
+from scenewright.core.brief import Brief
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import Solution
+from scenewright.domains.hall.hall_layout import (
+    HallDetail,
+    HallLayout,
     Layer,
-    Part,
+    PatternPart,
     PlacedGroup,
-    SceneGraph,
     Stop,
     Tour,
     Zone,
     ZoneLink,
 )
-from scenewright.solution import Solution
 
 EAST, NORTH, WEST, SOUTH = 0.0, np.pi / 2, np.pi, -np.pi / 2
 THICK = 0.15
@@ -60,24 +61,43 @@ def exhibition_brief(name: str = "Vindonissa · the camp and its town") -> Brief
                     "height": 4.5,
                     "doors": [
                         {"id": "way-in", "at": [3, 0], "width": 1.8, "use": "entrance"},
-                        {"id": "way-out", "at": [21, 0], "width": 1.8, "use": "exit",
-                         "swing": "out"},
+                        {
+                            "id": "way-out",
+                            "at": [21, 0],
+                            "width": 1.8,
+                            "use": "exit",
+                            "swing": "out",
+                        },
                         {"id": "delivery", "at": [24, 13.5], "width": 2.4, "swing": "slide"},
                     ],
-                    "windows": [{"at": [x, 16], "width": 2.0, "sill": 2.2, "height": 1.6}
-                                for x in (4.0, 10.0, 13.0, 16.0, 21.0)],
-                    "zones": [{"id": key, "name": words, "outline": _ring(*bounds)}
-                              for key, (words, bounds) in ZONES.items()],
-                    "links": [{"between": ["intro", "rome"], "width": 1.8},
-                              {"between": ["rome", "shop"]}],
-                    "demands": [{"id": key, "name": row[4], "category": row[1], "zone": row[0],
-                                 "count": len(exhibition_rows()[key]), "size": list(row[2])}
-                                for key, row in DEMANDS.items()],
+                    "windows": [
+                        {"at": [x, 16], "width": 2.0, "sill": 2.2, "height": 1.6}
+                        for x in (4.0, 10.0, 13.0, 16.0, 21.0)
+                    ],
+                    "zones": [
+                        {"id": key, "name": words, "outline": _ring(*bounds)}
+                        for key, (words, bounds) in ZONES.items()
+                    ],
+                    "links": [
+                        {"between": ["intro", "rome"], "width": 1.8},
+                        {"between": ["rome", "shop"]},
+                    ],
+                    "demands": [
+                        {
+                            "id": key,
+                            "name": row[4],
+                            "category": row[1],
+                            "zone": row[0],
+                            "count": len(exhibition_rows()[key]),
+                            "size": list(row[2]),
+                        }
+                        for key, row in DEMANDS.items()
+                    ],
                     "people": 120,
                 }
             ],
         }
-    )  # fmt: skip
+    )
 
 
 def exhibition_rows() -> dict[str, list[Row]]:
@@ -107,7 +127,7 @@ def exhibition(name: str = "Vindonissa · the camp and its town") -> Solution:
         Zone(key, words, "hall", np.array(_ring(*bounds))) for key, (words, bounds) in ZONES.items()
     )
     everything = (*pieces, *walls)
-    graph = SceneGraph(zones, links, groups, tuple(wall.id for wall in walls))
+    graph = HallLayout(zones, links, groups, tuple(wall.id for wall in walls))
     brief = exhibition_brief(name)
     return _solution(brief, everything, graph, (_tour(brief, everything, groups),))
 
@@ -137,15 +157,31 @@ def large_hall(count: int = 2000) -> Solution:
         }
     )
     pieces = tuple(
-        Piece(f"hall/seats/dining_chair_{k}", "dining_chair", "dining_chair", "hall",
-              Pose(x, y, 0.0, SOUTH), Size(0.5, 0.55, 0.9), "hall/seats", "seats")
+        Piece(
+            f"hall/seats/dining_chair_{k}",
+            "dining_chair",
+            "dining_chair",
+            "hall",
+            Pose(x, y, 0.0, SOUTH),
+            Size(0.5, 0.55, 0.9),
+            "hall/seats",
+            "seats",
+        )
         for k, (x, y) in enumerate(places.tolist())
-    )  # fmt: skip
+    )
     zones = tuple(Zone(k, k, "hall", np.array(_ring(*row))) for k, row in outlines.items())
     rows = tuple(Layer(across, 0.6, 1.25) for _ in range(count // across))
-    group = PlacedGroup("hall/seats", "seats", "hall", "south", "chain", (wide / 2, deep / 2, 0.0),
-                        (Part("chain", rows),), tuple(piece.id for piece in pieces))  # fmt: skip
-    return _solution(brief, pieces, SceneGraph(zones, (), (group,)), ())
+    group = PlacedGroup(
+        "hall/seats",
+        "seats",
+        "hall",
+        "south",
+        "chain",
+        (wide / 2, deep / 2, 0.0),
+        (PatternPart("chain", rows),),
+        tuple(piece.id for piece in pieces),
+    )
+    return _solution(brief, pieces, HallLayout(zones, (), (group,)), ())
 
 
 def _placed(rows: dict[str, list[Row]]) -> tuple[list[Piece], tuple[PlacedGroup, ...]]:
@@ -154,18 +190,24 @@ def _placed(rows: dict[str, list[Row]]) -> tuple[list[Piece], tuple[PlacedGroup,
     for key, places in rows.items():
         zone, category, size, pattern, _ = DEMANDS[key]
         mine = [
-            Piece(f"hall/{key}/{category}_{k}", category, "" if category == "box" else category,
-                  "hall", Pose(x, y, 0.0, heading), size, f"hall/{key}", key)
+            Piece(
+                f"hall/{key}/{category}_{k}",
+                category,
+                "" if category == "box" else category,
+                "hall",
+                Pose(x, y, 0.0, heading),
+                size,
+                f"hall/{key}",
+                key,
+            )
             for k, (x, y, heading) in enumerate(places)
-        ]  # fmt: skip
+        ]
         pieces += mine
         middle = np.mean(np.array(places)[:, :2], axis=0)
         pose = (float(middle[0]), float(middle[1]), places[0][2])
-        part = Part(pattern, (Layer(len(places), 0.3, 2.0),))
+        part = PatternPart(pattern, (Layer(len(places), 0.3, 2.0),))
         ids = tuple(piece.id for piece in mine)
-        groups.append(
-            PlacedGroup(f"hall/{key}", key, "hall", zone, pattern, pose, (part,), ids)
-        )  # fmt: skip
+        groups.append(PlacedGroup(f"hall/{key}", key, "hall", zone, pattern, pose, (part,), ids))
     return pieces, tuple(groups)
 
 
@@ -175,26 +217,66 @@ def _partition(number: int, start: tuple[float, float], end: tuple[float, float]
     heading = float(np.arctan2(y1 - y0, x1 - x0) + np.pi / 2)
     pose = Pose((x0 + x1) / 2, (y0 + y1) / 2, 0.0, heading)
     size = Size(float(np.hypot(x1 - x0, y1 - y0)), THICK, 3.2)
-    return Piece(f"hall/partitions/partition_{number}", "partition", "partition", "hall", pose,
-                 size, "hall/partitions", "partition")  # fmt: skip
+    return Piece(
+        f"hall/partitions/partition_{number}",
+        "partition",
+        "partition",
+        "hall",
+        pose,
+        size,
+        "hall/partitions",
+        "partition",
+    )
 
 
 WAY = (
-    (3.0, -0.1), (3.0, 1.6), (2.6, 4.0), (2.2, 7.0), (2.2, 10.5), (3.0, 12.8), (5.0, 13.2),
-    (6.6, 12.0), (6.8, 9.6), (7.4, 7.9), (8.8, 7.8), (10.2, 7.9), (9.3, 9.6), (9.2, 12.0),
-    (10.2, 14.3), (13.0, 15.1), (15.9, 14.2), (16.7, 11.6), (15.8, 8.7), (13.0, 7.9),
-    (12.6, 7.3), (15.0, 7.4), (16.9, 8.4), (17.2, 10.6), (18.6, 11.1), (19.1, 13.0),
-    (21.0, 13.7), (23.2, 13.4), (23.42, 11.6), (23.42, 8.0), (23.3, 6.0), (21.0, 5.9), (20.0, 4.9),
-    (20.2, 3.2), (21.0, 1.6), (21.0, -0.1),
-)  # fmt: skip
+    (3.0, -0.1),
+    (3.0, 1.6),
+    (2.6, 4.0),
+    (2.2, 7.0),
+    (2.2, 10.5),
+    (3.0, 12.8),
+    (5.0, 13.2),
+    (6.6, 12.0),
+    (6.8, 9.6),
+    (7.4, 7.9),
+    (8.8, 7.8),
+    (10.2, 7.9),
+    (9.3, 9.6),
+    (9.2, 12.0),
+    (10.2, 14.3),
+    (13.0, 15.1),
+    (15.9, 14.2),
+    (16.7, 11.6),
+    (15.8, 8.7),
+    (13.0, 7.9),
+    (12.6, 7.3),
+    (15.0, 7.4),
+    (16.9, 8.4),
+    (17.2, 10.6),
+    (18.6, 11.1),
+    (19.1, 13.0),
+    (21.0, 13.7),
+    (23.2, 13.4),
+    (23.42, 11.6),
+    (23.42, 8.0),
+    (23.3, 6.0),
+    (21.0, 5.9),
+    (20.0, 4.9),
+    (20.2, 3.2),
+    (21.0, 1.6),
+    (21.0, -0.1),
+)
 """The way of a visitor, as a few points."""
 
 
 def _tour(brief: Brief, pieces: Sequence[Piece], groups: Iterable[PlacedGroup]) -> Tour:
     points = smooth(WAY, 0.5)
     room = brief.rooms[0]
-    bodies = [Polygon(corners(np.array([[p.pose.x, p.pose.y, p.pose.heading, *p.size[:2]]]))[0])
-              for p in pieces]  # fmt: skip
+    bodies = [
+        Polygon(corners(np.array([[p.pose.x, p.pose.y, p.pose.heading, *p.size[:2]]]))[0])
+        for p in pieces
+    ]
     doors = [Point(3.0, 0.0).buffer(0.9), Point(21.0, 0.0).buffer(0.9)]
     walls = Polygon(room.outline).exterior.difference(union_all(doors))
     solid = union_all([*bodies, *(Polygon(hole) for hole in room.holes), walls])
@@ -221,16 +303,27 @@ def smooth(way: Sequence[tuple[float, float]], step: float) -> NDArray[np.float6
 
 
 def _ring(west: float, south: float, east: float, north: float) -> list[list[float]]:
-    return [list(map(float, point)) for point in box(west, south, east, north).normalize()
-            .exterior.coords[:0:-1]]  # fmt: skip
+    return [
+        list(map(float, point))
+        for point in box(west, south, east, north).normalize().exterior.coords[:0:-1]
+    ]
 
 
 def _solution(
-    brief: Brief, pieces: Sequence[Piece], graph: SceneGraph, tours: tuple[Tour, ...]
+    brief: Brief, pieces: Sequence[Piece], graph: HallLayout, tours: tuple[Tour, ...]
 ) -> Solution:
     values: dict[str, Any] = {"preset": "default", "solver": "guided-metropolis", "seed": 3}
     return Solution(
-        brief=brief, pieces=tuple(pieces), patches=(), terms=(), left_out=(),
-        energies={"hall": 1.5}, version="0.1.0", brief_hash="0f" * 8, seconds=2.0,
-        evaluations=1000, graph=graph, tours=tours, **values,
-    )  # fmt: skip
+        brief=brief,
+        pieces=tuple(pieces),
+        patches=(),
+        terms=(),
+        left_out=(),
+        energies={"hall": 1.5},
+        version="0.1.0",
+        brief_hash="0f" * 8,
+        seconds=2.0,
+        evaluations=1000,
+        detail=HallDetail(graph, tours),
+        **values,
+    )

@@ -13,99 +13,216 @@ Draw = random.Random
 Place = tuple[Any, Any]
 """A list or object, and the index or key of one value in it."""
 
-WC = {"name": "WC", "function": "toilet", "outline": [[0, 0], [1.6, 0], [1.6, 2], [0, 2]],
-      "doors": [{"at": [0.8, 0], "width": 0.8, "swing": "out"}]}  # fmt: skip
+WC = {
+    "name": "WC",
+    "function": "toilet",
+    "outline": [[0, 0], [1.6, 0], [1.6, 2], [0, 2]],
+    "doors": [{"at": [0.8, 0], "width": 0.8, "swing": "out"}],
+}
 HOME: Json = {
     "name": "home",
     "levels": [{"id": "0", "name": "Ground", "elevation": 0, "height": 2.6}],
     "rooms": [
         WC,
-        {"id": "bed", "function": ["bedroom"], "outline": [[1.7, 0], [5, 0], [5, 3], [1.7, 3]],
-         "holes": [[[2, 2], [2.3, 2], [2.3, 2.3], [2, 2.3]]], "main_wall": 2,
-         "doors": [{"at": [1.7, 1], "width": 0.9, "swing": "in", "hinge": "left", "to": "wc"}],
-         "windows": [{"at": [3, 3], "width": 1.2, "sill": 0.9, "height": 1.2}],
-         "fixed": [{"category": "wardrobe", "at": [4.5, 2.6], "size": [0.8, 0.6, 2], "heading": 0}],
-         "outlets": [{"at": [5, 1], "kind": "power", "required": True}],
-         "radiators": [{"at": [3, 3], "width": 1.0, "height": 0.6, "depth": 0.1, "z": 0.1}],
-         "wishes": [{"what": "desk", "face": "window", "away_from": "door", "metres": 1.5},
-                    {"what": "wardrobe", "by": "wall", "near": "single_bed"}],
-         "ask": [{"group": "single", "count": 1, "required": True}]},
+        {
+            "id": "bed",
+            "function": ["bedroom"],
+            "outline": [[1.7, 0], [5, 0], [5, 3], [1.7, 3]],
+            "holes": [[[2, 2], [2.3, 2], [2.3, 2.3], [2, 2.3]]],
+            "main_wall": 2,
+            "doors": [{"at": [1.7, 1], "width": 0.9, "swing": "in", "hinge": "left", "to": "wc"}],
+            "windows": [{"at": [3, 3], "width": 1.2, "sill": 0.9, "height": 1.2}],
+            "fixed": [
+                {"category": "wardrobe", "at": [4.5, 2.6], "size": [0.8, 0.6, 2], "heading": 0}
+            ],
+            "outlets": [{"at": [5, 1], "kind": "power", "required": True}],
+            "radiators": [{"at": [3, 3], "width": 1.0, "height": 0.6, "depth": 0.1, "z": 0.1}],
+            "wishes": [
+                {"what": "desk", "face": "window", "away_from": "door", "metres": 1.5},
+                {"what": "wardrobe", "by": "wall", "near": "single_bed"},
+            ],
+            "ask": [{"group": "single", "count": 1, "required": True}],
+        },
     ],
-}  # fmt: skip
+}
 ATTIC: Json = {
     "name": "attic",
     "levels": [{"id": "0", "elevation": 0, "height": 2.6}, {"id": "1", "elevation": 2.9}],
     "rooms": [
-        {"id": "hall", "level": "0", "outline": [[0, 0], [5, 0], [5, 4], [0, 4]],
-         "function": "hall", "doors": [{"at": [4.4, 0], "width": 0.9}]},
-        {"id": "up", "level": "1", "outline": [[0, 0], [5, 0], [5, 6], [0, 6]], "function": "study",
-         "windows": [{"at": [2.5, 6], "width": 0.8, "sill": 1.2, "height": 1.0}],
-         "slopes": [{"edge": 2, "knee": 0.9, "pitch": 0.7}]},
+        {
+            "id": "hall",
+            "level": "0",
+            "outline": [[0, 0], [5, 0], [5, 4], [0, 4]],
+            "function": "hall",
+            "doors": [{"at": [4.4, 0], "width": 0.9}],
+        },
+        {
+            "id": "up",
+            "level": "1",
+            "outline": [[0, 0], [5, 0], [5, 6], [0, 6]],
+            "function": "study",
+            "windows": [{"at": [2.5, 6], "width": 0.8, "sill": 1.2, "height": 1.0}],
+            "slopes": [{"edge": 2, "knee": 0.9, "pitch": 0.7}],
+        },
     ],
-    "stairs": [{"at": [0.6, 0.8], "heading": 1.5708, "level": "0", "to": "1", "shape": "quarter",
-                "turn": "right", "width": 0.9, "going": 0.26}],
-}  # fmt: skip
+    "stairs": [
+        {
+            "at": [0.6, 0.8],
+            "heading": 1.5708,
+            "level": "0",
+            "to": "1",
+            "shape": "quarter",
+            "turn": "right",
+            "width": 0.9,
+            "going": 0.26,
+        }
+    ],
+}
 HALL: Json = {
     "domain": "hall",
     "rooms": [
-        {"id": "hall", "outline": [[0, 0], [14, 0], [14, 10], [0, 10]],
-         "doors": [{"at": [7, 0], "width": 2, "swing": "out"}],
-         "zones": [{"id": "a", "outline": [[1, 2], [13, 2], [13, 9], [1, 9]]}],
-         "demands": [{"category": "showcase", "count": 4, "zone": "a"}]},
+        {
+            "id": "hall",
+            "outline": [[0, 0], [14, 0], [14, 10], [0, 10]],
+            "doors": [{"at": [7, 0], "width": 2, "swing": "out"}],
+            "zones": [{"id": "a", "outline": [[1, 2], [13, 2], [13, 9], [1, 9]]}],
+            "demands": [{"category": "showcase", "count": 4, "zone": "a"}],
+        }
     ],
-}  # fmt: skip
+}
 SITE: Json = {
     "domain": "site",
     "sites": [
-        {"id": "s", "outline": [[0, 0], [120, 0], [120, 90], [0, 90]],
-         "buildings": [{"model": "villa", "count": 3}]},
+        {
+            "id": "s",
+            "outline": [[0, 0], [120, 0], [120, 90], [0, 90]],
+            "buildings": [{"model": "villa", "count": 3}],
+        }
     ],
-}  # fmt: skip
+}
 MAP: Json = {
     "type": "FeatureCollection",
     "features": [
-        {"type": "Feature", "properties": {"indoor": "room", "shop": "books", "level": "0"},
-         "geometry": {"type": "Polygon", "coordinates": [
-             [[8.0, 50.0], [8.0002, 50.0], [8.0002, 50.0001], [8.0, 50.0001], [8.0, 50.0]]]}},
-        {"type": "Feature", "properties": {"door": "yes", "level": "0"},
-         "geometry": {"type": "Point", "coordinates": [8.0001, 50.0]}},
+        {
+            "type": "Feature",
+            "properties": {"indoor": "room", "shop": "books", "level": "0"},
+            "geometry": {
+                "type": "Polygon",
+                "coordinates": [
+                    [[8.0, 50.0], [8.0002, 50.0], [8.0002, 50.0001], [8.0, 50.0001], [8.0, 50.0]]
+                ],
+            },
+        },
+        {
+            "type": "Feature",
+            "properties": {"door": "yes", "level": "0"},
+            "geometry": {"type": "Point", "coordinates": [8.0001, 50.0]},
+        },
     ],
-}  # fmt: skip
+}
 LAND: Json = {
     "type": "FeatureCollection",
     "features": [
-        {"type": "Feature", "properties": {"landuse": "residential"},
-         "geometry": {"type": "Polygon", "coordinates": [
-             [[8.0, 50.0], [8.002, 50.0], [8.002, 50.001], [8.0, 50.001], [8.0, 50.0]]]}},
-        {"type": "Feature", "properties": {"building": "yes", "height": "9"},
-         "geometry": {"type": "Polygon", "coordinates": [
-             [[8.0005, 50.0004], [8.0007, 50.0004], [8.0007, 50.0005], [8.0005, 50.0004]]]}},
+        {
+            "type": "Feature",
+            "properties": {"landuse": "residential"},
+            "geometry": {
+                "type": "Polygon",
+                "coordinates": [
+                    [[8.0, 50.0], [8.002, 50.0], [8.002, 50.001], [8.0, 50.001], [8.0, 50.0]]
+                ],
+            },
+        },
+        {
+            "type": "Feature",
+            "properties": {"building": "yes", "height": "9"},
+            "geometry": {
+                "type": "Polygon",
+                "coordinates": [
+                    [[8.0005, 50.0004], [8.0007, 50.0004], [8.0007, 50.0005], [8.0005, 50.0004]]
+                ],
+            },
+        },
     ],
-}  # fmt: skip
+}
 CITY: Json = {
-    "type": "CityJSON", "version": "1.1",
+    "type": "CityJSON",
+    "version": "1.1",
     "transform": {"scale": [0.001, 0.001, 0.001], "translate": [0, 0, 0]},
-    "CityObjects": {"b": {"type": "Building", "geometry": [
-        {"type": "Solid", "lod": "1", "boundaries": [[
-            [[0, 1, 2, 3]], [[4, 7, 6, 5]], [[0, 4, 5, 1]], [[1, 5, 6, 2]], [[2, 6, 7, 3]],
-            [[3, 7, 4, 0]]]]}]}},
-    "vertices": [[0, 0, 0], [0, 9000, 0], [9000, 9000, 0], [9000, 0, 0],
-                 [0, 0, 6000], [0, 9000, 6000], [9000, 9000, 6000], [9000, 0, 6000]],
-}  # fmt: skip
+    "CityObjects": {
+        "b": {
+            "type": "Building",
+            "geometry": [
+                {
+                    "type": "Solid",
+                    "lod": "1",
+                    "boundaries": [
+                        [
+                            [[0, 1, 2, 3]],
+                            [[4, 7, 6, 5]],
+                            [[0, 4, 5, 1]],
+                            [[1, 5, 6, 2]],
+                            [[2, 6, 7, 3]],
+                            [[3, 7, 4, 0]],
+                        ]
+                    ],
+                }
+            ],
+        }
+    },
+    "vertices": [
+        [0, 0, 0],
+        [0, 9000, 0],
+        [9000, 9000, 0],
+        [9000, 0, 0],
+        [0, 0, 6000],
+        [0, 9000, 6000],
+        [9000, 9000, 6000],
+        [9000, 0, 6000],
+    ],
+}
 DOCUMENTS: dict[str, tuple[str, Json]] = {
-    "home": (".json", HOME), "attic": (".json", ATTIC), "hall": (".json", HALL),
+    "home": (".json", HOME),
+    "attic": (".json", ATTIC),
+    "hall": (".json", HALL),
     "site": (".json", SITE),
-    "indoor": (".geojson", MAP), "land": (".geojson", LAND), "city": (".cityjson", CITY),
-}  # fmt: skip
+    "indoor": (".geojson", MAP),
+    "land": (".geojson", LAND),
+    "city": (".cityjson", CITY),
+}
 """Sound documents by name, each with the suffix it is read by."""
 
 NUMBERS: tuple[Json, ...] = (
-    0, -1, 1e-300, 1e9, -1e17, 1e308, float("nan"), float("inf"), 10**400, 2**63, 0.1 + 0.2,
-)  # fmt: skip
+    0,
+    -1,
+    1e-300,
+    1e9,
+    -1e17,
+    1e308,
+    float("nan"),
+    float("inf"),
+    10**400,
+    2**63,
+    0.1 + 0.2,
+)
 ODD: tuple[Json, ...] = (
-    None, True, "", "x" * 100_000, "../../../etc/passwd", "a\u0000b\u001b[31m\nsecond line",
-    "\ud800", "𝔘𝔫𝔦\u202e", [], {}, [[]], [None] * 9, {"": {}}, "NaN", "1e999", "<!ENTITY x>",
-)  # fmt: skip
+    None,
+    True,
+    "",
+    "x" * 100_000,
+    "../../../etc/passwd",
+    "a\u0000b\u001b[31m\nsecond line",
+    "\ud800",
+    "𝔘𝔫𝔦\u202e",
+    [],
+    {},
+    [[]],
+    [None] * 9,
+    {"": {}},
+    "NaN",
+    "1e999",
+    "<!ENTITY x>",
+)
 
 
 def places(value: Json, found: list[Place] | None = None) -> list[Place]:
@@ -163,8 +280,11 @@ def _often(document: Json, draw: Draw) -> None:
 
 
 def _rings(document: Json) -> list[Json]:
-    return [v[k] for v, k in places(document)
-            if isinstance(v[k], list) and len(v[k]) > 2 and isinstance(v[k][0], list)]  # fmt: skip
+    return [
+        v[k]
+        for v, k in places(document)
+        if isinstance(v[k], list) and len(v[k]) > 2 and isinstance(v[k][0], list)
+    ]
 
 
 def _crossed(document: Json, draw: Draw) -> None:
@@ -200,6 +320,15 @@ def _catalog(document: Json, draw: Draw) -> None:
 
 
 BREAKS: tuple[Callable[[Json, Draw], None], ...] = (
-    _number, _number, _anything, _anything, _gone, _often, _crossed, _scaled, _deep, _unknown,
+    _number,
+    _number,
+    _anything,
+    _anything,
+    _gone,
+    _often,
+    _crossed,
+    _scaled,
+    _deep,
+    _unknown,
     _catalog,
-)  # fmt: skip
+)

@@ -24,14 +24,25 @@ XML = """<?xml version='1.0' encoding='UTF-8'?>
 <furnitureGroup level='l' name='Pair'><pieceOfFurniture name='Table' x='100' y='100' width='60'
  depth='60' height='70'/></furnitureGroup></home>"""
 OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
-STL = ("solid s\n" + "".join(
-    f"facet normal 0 0 1\nouter loop\n{''.join(f'vertex {x} {y} {z}' + chr(10) for x, y, z in t)}"
-    "endloop\nendfacet\n"
-    for t in (((0, 0, 0), (0, 1, 0), (1, 0, 0)), ((0, 0, 0), (1, 0, 0), (0, 0, 1)),
-              ((1, 0, 0), (0, 1, 0), (0, 0, 1)), ((0, 1, 0), (0, 0, 0), (0, 0, 1)))
-) + "endsolid s\n")  # fmt: skip
-TABLE = ("id#1=x#table\nname#1=Table\ncategory#1=Tables\nmodel#1=/kit/table.obj\nwidth#1=100\n"
-         "depth#1=60\nheight#1=74\nmovable#1=true\ndoorOrWindow#1=false\n")  # fmt: skip
+STL = (
+    "solid s\n"
+    + "".join(
+        "facet normal 0 0 1\nouter loop\n"
+        f"{''.join(f'vertex {x} {y} {z}' + chr(10) for x, y, z in t)}"
+        "endloop\nendfacet\n"
+        for t in (
+            ((0, 0, 0), (0, 1, 0), (1, 0, 0)),
+            ((0, 0, 0), (1, 0, 0), (0, 0, 1)),
+            ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+            ((0, 1, 0), (0, 0, 0), (0, 0, 1)),
+        )
+    )
+    + "endsolid s\n"
+)
+TABLE = (
+    "id#1=x#table\nname#1=Table\ncategory#1=Tables\nmodel#1=/kit/table.obj\nwidth#1=100\n"
+    "depth#1=60\nheight#1=74\nmovable#1=true\ndoorOrWindow#1=false\n"
+)
 HOSTILE = ("nan", "inf", "-1", "1e999", "1e38", "0", "x", "", "9" * 400, "../../x", "%00")
 
 
@@ -49,17 +60,28 @@ def glb() -> bytes:
     points = struct.pack("<12f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1)
     faces = struct.pack("<12H", 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3)
     document = {
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0, "translation": [0, 0, 0]}],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
         "accessors": [
-            {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
-             "min": [0, 0, 0], "max": [1, 1, 1]},
-            {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}],
-        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48},
-                        {"buffer": 0, "byteOffset": 48, "byteLength": 24}],
+            {
+                "bufferView": 0,
+                "componentType": 5126,
+                "count": 4,
+                "type": "VEC3",
+                "min": [0, 0, 0],
+                "max": [1, 1, 1],
+            },
+            {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": 0, "byteLength": 48},
+            {"buffer": 0, "byteOffset": 48, "byteLength": 24},
+        ],
         "buffers": [{"byteLength": 72}],
-    }  # fmt: skip
+    }
     return glb_of(json.dumps(document).encode(), points + faces)
 
 
@@ -144,21 +166,29 @@ FILES: dict[str, tuple[str, Callable[[Draw], bytes]]] = {
 def _rooms(count: int) -> str:
     """A brief of as many rooms in a grid."""
     ring = [(0, 0), (2, 0), (2, 2), (0, 2)]
-    return json.dumps({"rooms": [
-        {"outline": [[x + 2.1 * (k % 100), y + 2.1 * (k // 100)] for x, y in ring]}
-        for k in range(count)
-    ]})  # fmt: skip
+    return json.dumps(
+        {
+            "rooms": [
+                {"outline": [[x + 2.1 * (k % 100), y + 2.1 * (k // 100)] for x, y in ring]}
+                for k in range(count)
+            ]
+        }
+    )
 
 
 def _laughs() -> bytes:
     levels = "".join(f"<!ENTITY a{k} '{f'&a{k - 1};' * 10}'>" for k in range(1, 12))
-    return (f"<?xml version='1.0'?><!DOCTYPE home [<!ENTITY a0 'ha'>{levels}]>"
-            "<home version='7000'><room name='&a11;'/></home>").encode()  # fmt: skip
+    return (
+        f"<?xml version='1.0'?><!DOCTYPE home [<!ENTITY a0 'ha'>{levels}]>"
+        "<home version='7000'><room name='&a11;'/></home>"
+    ).encode()
 
 
 def _outside(what: str) -> bytes:
-    return (f"<?xml version='1.0'?><!DOCTYPE home [<!ENTITY x SYSTEM '{what}'>]>"
-            "<home version='7000'><room name='&x;'/></home>").encode()  # fmt: skip
+    return (
+        f"<?xml version='1.0'?><!DOCTYPE home [<!ENTITY x SYSTEM '{what}'>]>"
+        "<home version='7000'><room name='&x;'/></home>"
+    ).encode()
 
 
 def _ring(count: int) -> str:
@@ -176,14 +206,23 @@ def worst() -> Files:
     binary = glb()[-72:]
     return {
         "zip-bomb.sh3d": zipped({"Home.xml": blank}),
-        "zip-bomb.sh3f": zipped({"PluginFurnitureCatalog.properties": TABLE.encode(),
-                                 "kit/table.obj": b"#" * 300_000_000}),
+        "zip-bomb.sh3f": zipped(
+            {
+                "PluginFurnitureCatalog.properties": TABLE.encode(),
+                "kit/table.obj": b"#" * 300_000_000,
+            }
+        ),
         "laughs.xml": _laughs(),
         "laughs.sh3d": zipped({"Home.xml": _laughs()}),
         "outside.xml": _outside("file:///etc/passwd"),
         "network.xml": _outside("http://192.0.2.1/x"),
-        "climbing.sh3f": zipped({"PluginFurnitureCatalog.properties":
-                                 TABLE.replace("/kit/table.obj", "/../../etc/passwd").encode()}),
+        "climbing.sh3f": zipped(
+            {
+                "PluginFurnitureCatalog.properties": TABLE.replace(
+                    "/kit/table.obj", "/../../etc/passwd"
+                ).encode()
+            }
+        ),
         "deep.xml": f"<home version='7000'>{groups}".encode(),
         "deep.json": b'{"rooms":' + b"[" * 3_000_000,
         "deep.geojson": b'{"type":"FeatureCollection","features":' + b"[" * 1_000_000,
@@ -195,14 +234,43 @@ def worst() -> Files:
         "vast.stl": b"\0" * 80 + struct.pack("<I", 2**32 - 1) + b"\0" * 100,
         "faces.obj": (OBJ + "f " + " ".join("1" for _ in range(500_000))).encode(),
         "far.obj": (OBJ + "f 1 2 99999999999999999999\n").encode(),
-        "cities.cityjson": json.dumps({
-            "type": "CityJSON", "version": "1.1", "vertices": [[0, 0, 0]] * 9,
-            "CityObjects": {str(k): {"type": "Building", "geometry": [
-                {"type": "MultiSurface", "lod": "1", "boundaries": [[[0, 1, 2]]] * 20}]}
-                for k in range(5000)}}).encode(),
-        "features.geojson": json.dumps({"type": "FeatureCollection", "features": [
-            {"type": "Feature", "properties": {"building": "yes"}, "geometry": {
-                "type": "Polygon", "coordinates": [[[8 + k * 1e-5, 50], [8 + k * 1e-5, 50.1],
-                                                    [8.1, 50], [8 + k * 1e-5, 50]]]}}
-            for k in range(20_000)]}).encode(),
-    }  # fmt: skip
+        "cities.cityjson": json.dumps(
+            {
+                "type": "CityJSON",
+                "version": "1.1",
+                "vertices": [[0, 0, 0]] * 9,
+                "CityObjects": {
+                    str(k): {
+                        "type": "Building",
+                        "geometry": [
+                            {"type": "MultiSurface", "lod": "1", "boundaries": [[[0, 1, 2]]] * 20}
+                        ],
+                    }
+                    for k in range(5000)
+                },
+            }
+        ).encode(),
+        "features.geojson": json.dumps(
+            {
+                "type": "FeatureCollection",
+                "features": [
+                    {
+                        "type": "Feature",
+                        "properties": {"building": "yes"},
+                        "geometry": {
+                            "type": "Polygon",
+                            "coordinates": [
+                                [
+                                    [8 + k * 1e-5, 50],
+                                    [8 + k * 1e-5, 50.1],
+                                    [8.1, 50],
+                                    [8 + k * 1e-5, 50],
+                                ]
+                            ],
+                        },
+                    }
+                    for k in range(20_000)
+                ],
+            }
+        ).encode(),
+    }

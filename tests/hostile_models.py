@@ -9,16 +9,9 @@ from typing import Any
 
 import pytest
 
-from model_files import (
-    PIECE,
-    SIDES,
-    TETRAHEDRON,
-    glb_of,
-    gltf_of,
-    obj_text,
-)
-from scenewright.errors import InputError
-from scenewright.models import library, report
+from model_files import PIECE, SIDES, TETRAHEDRON, glb_of, gltf_of, obj_text
+from scenewright.catalog.models import library, report
+from scenewright.core.errors import InputError
 
 Json = dict[str, Any]
 
@@ -53,5 +46,9 @@ def zipped(entries: dict[str, bytes]) -> bytes:
     return stream.getvalue()
 
 
-WHOLE = zipped({"PluginFurnitureCatalog.properties": PIECE.encode("latin-1"),
-                "kit/table.obj": obj_text().encode()})  # fmt: skip
+WHOLE = zipped(
+    {
+        "PluginFurnitureCatalog.properties": PIECE.encode("latin-1"),
+        "kit/table.obj": obj_text().encode(),
+    }
+)

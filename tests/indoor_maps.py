@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import shapely
 
-from scenewright.brief import Brief, Room
-from scenewright.formats.indoor_features import collection
-from scenewright.formats.indoor_geojson import IndoorReport, report
-from scenewright.plan import spaces
+from scenewright.building.plan import spaces
+from scenewright.core.brief import Brief, Room
+from scenewright.domains.hall.indoor.geojson import IndoorReport, report
+from scenewright.ground.map_features import collection
 
 LON, LAT = 5.72, 45.18
 
@@ -89,8 +89,13 @@ def tangent_plane(rings: np.ndarray[Any, Any], about: np.ndarray[Any, Any]) -> n
         lam, phi = np.deg2rad(lon_lat).T
         b_over_a = 6_356_752.314245 / 6_378_137.0
         n = 6_378_137.0**2 / np.hypot(6_378_137.0 * np.cos(phi), 6_356_752.314245 * np.sin(phi))
-        return np.column_stack([n * np.cos(phi) * np.cos(lam), n * np.cos(phi) * np.sin(lam),
-                                b_over_a**2 * n * np.sin(phi)])  # fmt: skip
+        return np.column_stack(
+            [
+                n * np.cos(phi) * np.cos(lam),
+                n * np.cos(phi) * np.sin(lam),
+                b_over_a**2 * n * np.sin(phi),
+            ]
+        )
 
     lam, phi = np.deg2rad(about)
     east = np.array([-np.sin(lam), np.cos(lam), 0.0])

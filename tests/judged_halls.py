@@ -7,12 +7,24 @@ from dataclasses import replace
 
 import numpy as np
 
-from scenewright.brief import Brief
-from scenewright.catalog import Catalog, Kind
-from scenewright.check import Report, check
-from scenewright.scene import Piece, Pose, Size
-from scenewright.scene_graph import Layer, Part, PlacedGroup, SceneGraph, Stop, Tour, Zone, ZoneLink
-from scenewright.solution import Solution
+from scenewright.check.report import Report
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Catalog
+from scenewright.core.kind import Kind
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import Solution
+from scenewright.domains import check
+from scenewright.domains.hall.hall_layout import (
+    HallDetail,
+    HallLayout,
+    Layer,
+    PatternPart,
+    PlacedGroup,
+    Stop,
+    Tour,
+    Zone,
+    ZoneLink,
+)
 
 NORTH, SOUTH, EAST, WEST = math.pi / 2, -math.pi / 2, 0.0, math.pi
 
@@ -54,7 +66,7 @@ def wall(x0: float, y0: float, x1: float, y1: float, thick: float = 0.2, **more)
 
 def group(name: str, zone_id: str, *pieces: Piece, space: str = "h") -> PlacedGroup:
     objects = tuple(p.id for p in pieces)
-    part = (Part("grid", (Layer(len(objects), 1.0, 1.0),)),)
+    part = (PatternPart("grid", (Layer(len(objects), 1.0, 1.0),)),)
     return PlacedGroup(name, name, space, zone_id, "grid", (0.0, 0.0, 0.0), part, objects)
 
 
@@ -63,8 +75,13 @@ def tour(*points: tuple[float, float], space: str = "h") -> Tour:
 
 
 def hall_brief(outline, doors=(), **more) -> Brief:
-    wanted = {"id": "h", "name": "Gallery", "function": "other", "outline": outline,
-              "doors": list(doors)}  # fmt: skip
+    wanted = {
+        "id": "h",
+        "name": "Gallery",
+        "function": "other",
+        "outline": outline,
+        "doors": list(doors),
+    }
     top = {key: more.pop(key) for key in ("route_width", "passage_width") if key in more}
     return Brief.model_validate({"domain": "hall", "rooms": [wanted | more], **top})
 
@@ -73,9 +90,23 @@ def answer(brief: Brief, pieces=(), zones=(), links=(), groups=(), tours=()) -> 
     """A solution whose scene graph holds these zones, links (two ids and a width) and groups."""
     partitions = tuple(p.id for p in pieces if p.category == "partition")
     joined = tuple(ZoneLink("h", *link) for link in links)
-    graph = SceneGraph(tuple(zones), joined, tuple(groups), partitions)
-    return Solution(brief, tuple(pieces), (), (), (), {}, "", "", 0, "", "", 0.0, 0, graph,
-                    tuple(tours))  # fmt: skip
+    graph = HallLayout(tuple(zones), joined, tuple(groups), partitions)
+    return Solution(
+        brief,
+        tuple(pieces),
+        (),
+        (),
+        (),
+        {},
+        "",
+        "",
+        0,
+        "",
+        "",
+        0.0,
+        0,
+        HallDetail(graph, tuple(tours)),
+    )
 
 
 def judge(solution: Solution) -> Report:
@@ -104,9 +135,13 @@ def turned(solution: Solution, angle: float, shift=(0.0, 0.0)) -> Solution:
         replace(p, pose=Pose(*_spun(p.pose[:2], angle, shift), p.pose.z, p.pose.heading + angle))
         for p in solution.pieces
     )
-    zones = tuple(z._replace(outline=_spun(z.outline, angle, shift)) for z in solution.graph.zones)
-    tours = tuple(t._replace(points=_spun(t.points, angle, shift)) for t in solution.tours)
+    zones = tuple(
+        z._replace(outline=_spun(z.outline, angle, shift)) for z in solution.detail.layout.zones
+    )
+    tours = tuple(t._replace(points=_spun(t.points, angle, shift)) for t in solution.detail.tours)
     return replace(
-        solution, brief=Brief.model_validate(document), pieces=pieces, tours=tours,
-        graph=solution.graph._replace(zones=zones),
-    )  # fmt: skip
+        solution,
+        brief=Brief.model_validate(document),
+        pieces=pieces,
+        detail=HallDetail(solution.detail.layout._replace(zones=zones), tours),
+    )

@@ -6,18 +6,27 @@ import math
 
 import numpy as np
 
-from scenewright.brief import Brief
-from scenewright.catalog import Catalog, Kind
-from scenewright.check import Report, check
-from scenewright.scene import Piece, Pose, Size
-from scenewright.solution import Solution
-from scenewright.space import Opening, Space
+from scenewright.catalog.kinds import KINDS
+from scenewright.check.report import Report
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Catalog
+from scenewright.core.kind import Kind
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import Solution
+from scenewright.core.space import Opening, Space
+from scenewright.domains import check
 
 NORTH, SOUTH, EAST, WEST = math.pi / 2, -math.pi / 2, 0.0, math.pi
 
 
+SERVING = {
+    name: Kind(name, airy=kind.airy, services=kind.services, essential=kind.essential)
+    for name, kind in KINDS.items()
+}
+"""What the shipped kinds serve as and are connected to, without how they are reached."""
 CATALOG = Catalog(
-    {
+    SERVING
+    | {
         kind.category: kind
         for kind in (
             Kind("box"),
@@ -25,7 +34,7 @@ CATALOG = Catalog(
             Kind("bed", access=("left", "right")),
             Kind("rug", flat=True),
             Kind("table"),
-            Kind("chair", under=("table",)),
+            Kind("chair", under=("table",), airy=True),
             Kind("hob", support="top", under=("counter",)),
             Kind("counter"),
             Kind("lamp", support="top"),

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.catalog.models.model import Model
 from scenewright.geometry.mesh import Mesh, merge
-from scenewright.models.model import Model
 
 Floats = NDArray[np.float64]
 
@@ -52,9 +52,13 @@ def gltf_of(vertices: Floats, faces: NDArray[np.int64], **more: Any) -> dict[str
             {"buffer": 0, "byteLength": len(points)},
             {"buffer": 0, "byteOffset": len(points), "byteLength": len(numbers)},
         ],
-        "buffers": [{"byteLength": len(points + numbers),
-                     "uri": "data:application/octet-stream;base64," + packed}],
-    } | more  # fmt: skip
+        "buffers": [
+            {
+                "byteLength": len(points + numbers),
+                "uri": "data:application/octet-stream;base64," + packed,
+            }
+        ],
+    } | more
 
 
 def glb_of(document: dict[str, Any], numbers: bytes = b"") -> bytes:
@@ -80,8 +84,14 @@ def city_of(geometry: dict[str, Any], vertices: list[list[int]], **more: Any) ->
 CUBE = [[x, y, z] for x in (0, 8) for y in (0, 6) for z in (0, 10)]
 
 
-SHELL = [[[0, 2, 6, 4]], [[1, 5, 7, 3]], [[0, 4, 5, 1]], [[2, 3, 7, 6]], [[0, 1, 3, 2]],
-         [[4, 6, 7, 5]]]  # fmt: skip
+SHELL = [
+    [[0, 2, 6, 4]],
+    [[1, 5, 7, 3]],
+    [[0, 4, 5, 1]],
+    [[2, 3, 7, 6]],
+    [[0, 1, 3, 2]],
+    [[4, 6, 7, 5]],
+]
 
 
 SOLID = {"type": "Solid", "lod": "2", "boundaries": [SHELL]}

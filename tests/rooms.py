@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from scenewright.encodings.boxes import gene_bounds, to_boxes
-from scenewright.problem import Ground, Problem, empty_items
-from scenewright.terms.table import default_weights
+from scenewright.domains.home.encodings.boxes import gene_bounds, to_boxes
+from scenewright.domains.home.problem import Ground, Problem, empty_items
+from scenewright.domains.home.terms.table import default_weights
 
 OUTLINE = np.array([[0, 0], [6, 0], [6, 3.5], [4, 3.5], [4, 5.5], [0, 5.5]], float)
 COLUMN = np.array([[2.0, 2.0], [2.0, 2.4], [2.4, 2.4], [2.4, 2.0]])

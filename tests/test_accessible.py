@@ -12,19 +12,24 @@ import shapely
 from benchmarks.shapely_home import rectangle
 
 from scenewright import cli
-from scenewright.brief import Brief
-from scenewright.check import Report, check
-from scenewright.domains import home
+from scenewright.check.report import Report
+from scenewright.core.brief import Brief
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import Solution
+from scenewright.domains import check
+from scenewright.domains.home import solving as home
 from scenewright.formats import read, svg
 from scenewright.formats.solution_json import read as read_solution
-from scenewright.scene import Piece, Pose, Size
-from scenewright.solution import Solution
 
 
 def brief(width: float, depth: float, function: str, door: float = 0.95) -> Brief:
     outline = [(0, 0), (width, 0), (width, depth), (0, depth)]
-    room = {"id": "r", "function": function, "outline": outline,
-            "doors": [{"at": (0, 0.7), "width": door, "swing": "out"}]}  # fmt: skip
+    room = {
+        "id": "r",
+        "function": function,
+        "outline": outline,
+        "doors": [{"at": (0, 0.7), "width": door, "swing": "out"}],
+    }
     return Brief.model_validate({"rooms": [room], "accessible": True})
 
 
@@ -34,13 +39,15 @@ def judged(asked: Brief, *pieces: Piece) -> Report:
 
 
 def bed(x: float, y: float, *, fixed: bool = False) -> Piece:
-    return Piece("r/b", "double_bed", "", "r", Pose(x, y, 0, -pi / 2), Size(1.6, 2.0, 0.9),
-                 fixed=fixed)  # fmt: skip
+    return Piece(
+        "r/b", "double_bed", "", "r", Pose(x, y, 0, -pi / 2), Size(1.6, 2.0, 0.9), fixed=fixed
+    )
 
 
 def box(name: str, x: float, y: float, width: float, depth: float, *, fixed: bool = False) -> Piece:
-    return Piece(name, "wardrobe", "", "r", Pose(x, y, 0, -pi / 2), Size(width, depth, 2.0),
-                 fixed=fixed)  # fmt: skip
+    return Piece(
+        name, "wardrobe", "", "r", Pose(x, y, 0, -pi / 2), Size(width, depth, 2.0), fixed=fixed
+    )
 
 
 def kinds(report: Report) -> set[str]:

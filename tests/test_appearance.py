@@ -8,15 +8,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from scenewright import appearance
-from scenewright.appearance import Facts, facts, facts_of, qualities, shipped_facts, table
-from scenewright.assets import shipped
-from scenewright.catalog import Asset, Material, Part
-from scenewright.geometry.mesh import Mesh, loft, merge, moved
+from scenewright.catalog import appearance
+from scenewright.catalog.appearance import Facts, facts, facts_of, qualities, shipped_facts, table
+from scenewright.catalog.assets import shipped
+from scenewright.core.catalog import Asset, Material, Part
+from scenewright.core.scene import Size
+from scenewright.geometry.mesh import Mesh, loft, merge, translate_mesh
 from scenewright.geometry.prisms import box
-from scenewright.geometry.relief import relief, shown
+from scenewright.geometry.relief import measure_all_round, relief
 from scenewright.geometry.saliency import saliency, values_at, visual_quality
-from scenewright.scene import Size
 
 GREY = Material("grey", (0.5, 0.5, 0.5))
 
@@ -28,7 +28,7 @@ def model(mesh: Mesh) -> tuple[Part, ...]:
 def hall() -> Mesh:
     """A body with sills on its front."""
     sill = box((-0.6, 0.0, 0.0), (0.6, 0.5, 0.6))
-    sills = [moved(sill, x, 6.0, z) for x in (-6, -2, 2, 6) for z in (2, 5, 8)]
+    sills = [translate_mesh(sill, x, 6.0, z) for x in (-6, -2, 2, 6) for z in (2, 5, 8)]
     return merge([box((-10, -6, 0), (10, 6, 12)), *sills])
 
 
@@ -72,7 +72,10 @@ def test_a_fine_point_does_not_make_the_rest_plain() -> None:
     assert ours[1] > 0.6 * ours[0]
     assert printed[1] < 0.6 * printed[0]
     assert visual_quality(saliency(spired())) < visual_quality(saliency(hall()))
-    assert shown(spired(), relief(spired())).quality > 0.8 * shown(hall(), relief(hall())).quality
+    assert (
+        measure_all_round(spired(), relief(spired())).quality
+        > 0.8 * measure_all_round(hall(), relief(hall())).quality
+    )
 
 
 def test_a_sharp_edge_is_as_much_relief_on_any_model() -> None:
@@ -86,20 +89,29 @@ def test_a_sharp_edge_is_as_much_relief_on_any_model() -> None:
 
 def test_quality_does_not_change_with_size_or_place_and_little_when_turned() -> None:
     mesh = spired()
-    base = shown(mesh, relief(mesh))
+    base = measure_all_round(mesh, relief(mesh))
     larger = Mesh(mesh.vertices * 7.0 + [900.0, -40.0, 3.0], mesh.faces)
-    assert shown(larger, relief(larger)).quality == pytest.approx(base.quality, rel=0.02)
+    assert measure_all_round(larger, relief(larger)).quality == pytest.approx(
+        base.quality, rel=0.02
+    )
     c, s = np.cos(np.pi / 2), np.sin(np.pi / 2)
     turned = Mesh(mesh.vertices @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]), mesh.faces)
-    assert shown(turned, relief(turned)).quality == pytest.approx(base.quality, rel=0.1)
+    assert measure_all_round(turned, relief(turned)).quality == pytest.approx(base.quality, rel=0.1)
 
 
 def test_variety_tells_a_dome_from_a_box() -> None:
     ring = np.stack([np.cos(np.arange(24) * np.pi / 12), np.sin(np.arange(24) * np.pi / 12)], 1)
-    dome = loft([np.column_stack([ring * np.cos(t), np.full(24, np.sin(t))])
-                 for t in np.linspace(0.0, 1.5, 9)])  # fmt: skip
+    dome = loft(
+        [
+            np.column_stack([ring * np.cos(t), np.full(24, np.sin(t))])
+            for t in np.linspace(0.0, 1.5, 9)
+        ]
+    )
     block = box((-1, -1, 0), (1, 1, 1))
-    assert shown(dome, relief(dome)).variety > 2.0 * shown(block, relief(block)).variety
+    assert (
+        measure_all_round(dome, relief(dome)).variety
+        > 2.0 * measure_all_round(block, relief(block)).variety
+    )
 
 
 def test_facts_of_other_models_are_kept(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -6,19 +6,23 @@ from typing import Any
 
 import pytest
 
-from scenewright.brief import Brief
-from scenewright.domains import home
-from scenewright.domains.home.cases.library import SHIPPED, cases, planted, those
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.domains.home import solving as home
+from scenewright.domains.home.cases.library import SHIPPED, cases, index_cases, subset
 from scenewright.domains.home.groups import GROUPS
-from scenewright.errors import InputError
 from scenewright.formats.brief_json import loads
 
 
 def living(**more: Any) -> Brief:
     outline = [(0, 0), (6, 0), (6, 4.4), (0, 4.4)]
-    asked = {"id": "r", "name": "Living room", "outline": outline,
-             "doors": [{"at": (5.2, 0), "width": 0.9}],
-             "windows": [{"at": (0, 2.2), "width": 1.6}]}  # fmt: skip
+    asked = {
+        "id": "r",
+        "name": "Living room",
+        "outline": outline,
+        "doors": [{"at": (5.2, 0), "width": 0.9}],
+        "windows": [{"at": (0, 2.2), "width": 1.6}],
+    }
     return Brief.model_validate({"rooms": [asked | more]})
 
 
@@ -31,14 +35,20 @@ def refusal(brief: Brief) -> str:
 @pytest.mark.parametrize(
     ("wishes", "told"),
     [
-        ([{"what": "sofa", "forbid": True}, {"what": "sofa", "required": True}],
-         "wishes[1] wants 'sofa', but wishes[0] forbids 'sofa'"),
-        ([{"what": "media", "required": True}, {"what": "tv", "forbid": True}],
-         "wishes[0] wants 'media', but wishes[1] forbids 'tv'"),
-        ([{"what": "seating", "forbid": True}, {"what": "sofa", "by": "wall"}],
-         "wishes[1] wants 'sofa', but wishes[0] forbids 'seating'"),
+        (
+            [{"what": "sofa", "forbid": True}, {"what": "sofa", "required": True}],
+            "wishes[1] wants 'sofa', but wishes[0] forbids 'sofa'",
+        ),
+        (
+            [{"what": "media", "required": True}, {"what": "tv", "forbid": True}],
+            "wishes[0] wants 'media', but wishes[1] forbids 'tv'",
+        ),
+        (
+            [{"what": "seating", "forbid": True}, {"what": "sofa", "by": "wall"}],
+            "wishes[1] wants 'sofa', but wishes[0] forbids 'seating'",
+        ),
     ],
-)  # fmt: skip
+)
 def test_nothing_is_both_wanted_and_forbidden(wishes: list[dict[str, Any]], told: str) -> None:
     said = refusal(living(wishes=wishes))
     assert told in said
@@ -92,8 +102,10 @@ def test_what_stands_is_no_larger_than_asked_for(group: str, size: tuple[float, 
 
 
 def test_those_of_the_cases_keep_what_is_known_of_them() -> None:
-    known = planted(cases("desk").groups, areas=tuple(map(float, range(len(cases("desk").sizes)))))
-    some = those(known, known.sizes[:, 0] < 1.4)
+    known = index_cases(
+        cases("desk").groups, areas=tuple(map(float, range(len(cases("desk").sizes))))
+    )
+    some = subset(known, known.sizes[:, 0] < 1.4)
     assert len(some.sizes) == int((known.sizes[:, 0] < 1.4).sum())
     assert some.areas.tolist() == known.areas[known.sizes[:, 0] < 1.4].tolist()
     assert SHIPPED.own == {}

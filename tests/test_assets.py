@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from importlib import import_module
 from itertools import pairwise
 
 import numpy as np
@@ -11,12 +12,20 @@ import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
 
-from scenewright.assets import shipped
-from scenewright.assets.kinds import KINDS
-from scenewright.catalog import Asset, Part
-from scenewright.geometry.mesh import Mesh, clipped_ears, extrude, merge, mirrored, turned, volume
+from scenewright.catalog.assets import assets_of, shipped
+from scenewright.catalog.kinds import KINDS
+from scenewright.core.catalog import Asset, Part
+from scenewright.core.scene import Size
+from scenewright.geometry.mesh import (
+    Mesh,
+    clipped_ears,
+    extrude,
+    merge,
+    mirror_mesh,
+    rotate_mesh,
+    volume,
+)
 from scenewright.geometry.solids import cushion, frame, lathe, leaf, tube
-from scenewright.scene import Size
 
 REQUIRED = (
     "sofa loveseat corner_sofa armchair dining_chair office_chair stool bar_stool bench pouf "
@@ -142,11 +151,12 @@ def test_the_required_categories_are_there() -> None:
 
 
 def test_ids_are_unique_and_materials_valid() -> None:
-    from scenewright.assets import _THEMES, rows
-
-    listed = [row.id for row in rows()]
+    listed = [asset.id for kind in KINDS.values() for asset in assets_of(kind)]
     assert len(listed) == len(set(listed)) == len(shipped().assets)
-    assert len(_THEMES) == len(set(_THEMES))
+    drawn = {name for kind in KINDS.values() for name in kind.drawn_by}
+    for name in drawn:
+        for drawing in import_module(name, "scenewright.catalog.assets").ASSETS:
+            assert name in KINDS[drawing.category].drawn_by, drawing
     names: dict[str, object] = {}
     for asset in ASSETS:
         for part in _mesh(asset, asset.usual):
@@ -208,8 +218,8 @@ def test_ears_cover_a_star_polygon(count: int, seed: int) -> None:
 def test_turning_and_mirroring_keep_the_volume(angle: float, axis: str) -> None:
     body = merge([cushion((0, 1), (0, 0.4), (0, 0.2)), frame((2, 3), (0, 0.1), (0, 1), 0.1)])
     kept = volume(body)
-    assert volume(turned(body, axis, angle, (1, 2, 3))) == pytest.approx(kept)
-    assert volume(mirrored(body)) == pytest.approx(kept)
+    assert volume(rotate_mesh(body, axis, angle, (1, 2, 3))) == pytest.approx(kept)
+    assert volume(mirror_mesh(body)) == pytest.approx(kept)
 
 
 def test_a_lathe_has_the_volume_of_its_prism() -> None:

@@ -7,11 +7,11 @@ import pytest
 import shapely
 
 from rooms import full_problem, random_layouts
+from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.presets import PRESETS
-from scenewright.energy import evaluate
-from scenewright.problem import Problem
-from scenewright.solve import Budget
-from scenewright.solvers.anneal import anneal
+from scenewright.domains.home.problem import Problem
+from scenewright.domains.home.solvers.anneal import anneal
+from scenewright.engine.solve import Budget
 
 
 def only() -> Problem:
@@ -20,8 +20,9 @@ def only() -> Problem:
 
 def plain(problem: Problem, boxes: np.ndarray) -> float:
     """Areas and middles of items and fixed pieces about the centroid of the exact polygon."""
-    floor = shapely.get_parts(shapely.polygonize(
-        [shapely.LineString([e[:2], e[2:]]) for e in problem.ground.edges]))  # fmt: skip
+    floor = shapely.get_parts(
+        shapely.polygonize([shapely.LineString([e[:2], e[2:]]) for e in problem.ground.edges])
+    )
     room = max(floor, key=lambda part: part.envelope.area)
     everything = np.concatenate([boxes, problem.ground.obstacles])
     areas = everything[:, 3] * everything[:, 4]

@@ -17,14 +17,14 @@ from typing import Any
 import pytest
 
 import scenewright as sw
-from scenewright.batch.crew import Crew
+from scenewright.batch.jobs import BatchOptions, Job, Limits, list_jobs
 from scenewright.batch.ledger import NAME, PARTS, Ledger
-from scenewright.batch.orders import Limits, Options, Order, orders_of
-from scenewright.batch.table import COMPLETE, FAILED, Row
+from scenewright.batch.table import COMPLETE, FAILED, ResultRow
+from scenewright.batch.worker_pool import WorkerPool
 from scenewright.cli import run
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
 
-OPTIONS = Options((".json",), "default", None, None, 200, 0, False)
+OPTIONS = BatchOptions((".json",), "default", None, None, 200, 0, False)
 PROGRAM = """
 import sys, scenewright as sw
 sw.batch(sys.argv[1], sys.argv[2], jobs=1, steps=200)
@@ -46,11 +46,11 @@ def briefs(folder: Path, count: int) -> Path:
 
 
 def read(folder: Path) -> dict[str, Any]:
-    """Every scene in a folder of results but for the seconds it took."""
+    """Every scene in a folder of results."""
     found = {}
     for path in folder.glob("*.json"):
         if path.name != "summary.json":
-            found[path.name] = {**json.loads(path.read_text()), "seconds": 0}
+            found[path.name] = json.loads(path.read_text())
     return found
 
 
@@ -73,22 +73,30 @@ def test_names_of_results_are_never_shared(tmp_path: Path) -> None:
     for name in ("flat.json", "flat.sh3d", "Flat.xml", "sub/flat.json", "summary.json", ".x.json"):
         (tmp_path / "a" / name).write_text("{}")
     (tmp_path / "b.txt").write_text("")
-    orders = orders_of([tmp_path / "a", tmp_path / "a" / "flat.json", tmp_path / "b.txt"],
-                       tmp_path / "out", OPTIONS)  # fmt: skip
+    orders = list_jobs(
+        [tmp_path / "a", tmp_path / "a" / "flat.json", tmp_path / "b.txt"],
+        tmp_path / "out",
+        OPTIONS,
+    )
     assert [o.name for o in orders] == [
-        "Flat.xml", "flat.json", "flat.sh3d", "summary-2", "sub/flat", "b",
-    ]  # fmt: skip
+        "Flat.xml",
+        "flat.json",
+        "flat.sh3d",
+        "summary-2",
+        "sub/flat",
+        "b",
+    ]
 
 
 def test_a_key_changes_with_content_and_options_only(tmp_path: Path) -> None:
     file = tmp_path / "a.json"
     file.write_text("{}")
-    first = orders_of([file], tmp_path / "out", OPTIONS)[0].key
+    first = list_jobs([file], tmp_path / "out", OPTIONS)[0].key
     os.utime(file, (1, 1))
-    assert orders_of([file], tmp_path / "out", OPTIONS)[0].key == first
-    assert orders_of([file], tmp_path / "out", OPTIONS._replace(seed=1))[0].key != first
+    assert list_jobs([file], tmp_path / "out", OPTIONS)[0].key == first
+    assert list_jobs([file], tmp_path / "out", OPTIONS._replace(seed=1))[0].key != first
     file.write_text("{} ")
-    assert orders_of([file], tmp_path / "out", OPTIONS)[0].key != first
+    assert list_jobs([file], tmp_path / "out", OPTIONS)[0].key != first
 
 
 def test_a_key_changes_with_the_catalogues_a_brief_names(tmp_path: Path) -> None:
@@ -102,8 +110,8 @@ def test_a_key_changes_with_the_catalogues_a_brief_names(tmp_path: Path) -> None
     plain = tmp_path / "in" / "b.json"
     plain.write_text(json.dumps(small()))
 
-    def keys(options: Options = OPTIONS) -> list[str]:
-        return [order.key for order in orders_of([file, plain], tmp_path / "out", options)]
+    def keys(options: BatchOptions = OPTIONS) -> list[str]:
+        return [order.key for order in list_jobs([file, plain], tmp_path / "out", options)]
 
     first = keys()
     assert keys() == first
@@ -126,13 +134,16 @@ def test_one_bad_file_stops_nobody_and_what_is_done_is_not_done_again(tmp_path: 
     (folder / "broken.json").write_text("{")
     before: list[bool] = []
 
-    def heard(row: Row, done: int, total: int, was: bool) -> None:
+    def heard(row: ResultRow, done: int, total: int, was: bool) -> None:
         before.append(was)
 
     rows = sw.batch(folder, out, jobs=2, steps=200, progress=heard)
     assert [Path(r.file).name for r in rows] == [
-        "broken.json", "wc-00.json", "wc-01.json", "wc-02.json",
-    ]  # fmt: skip
+        "broken.json",
+        "wc-00.json",
+        "wc-01.json",
+        "wc-02.json",
+    ]
     assert [r.status for r in rows] == [FAILED, COMPLETE, COMPLETE, COMPLETE]
     assert "broken.json: " in rows[0].message
     assert rows[0].outputs == ()
@@ -174,8 +185,13 @@ def test_a_batch_killed_five_times_loses_and_doubles_nothing(tmp_path: Path) -> 
             assert scene["pieces"]
     assert alive >= 3, "hardly anything was killed"
     kept = len(read(out))
-    rows = sw.batch(folder, out, jobs=2, steps=200,
-                    progress=lambda _row, _done, _total, was: was_done.append(was))  # fmt: skip
+    rows = sw.batch(
+        folder,
+        out,
+        jobs=2,
+        steps=200,
+        progress=lambda _row, _done, _total, was: was_done.append(was),
+    )
     assert sum(was_done) >= kept - alive, "each kill undoes one file at most"
     assert [row.status for row in rows] == [COMPLETE] * 24
     assert len({row.file for row in rows}) == 24
@@ -187,7 +203,7 @@ def test_a_batch_killed_five_times_loses_and_doubles_nothing(tmp_path: Path) -> 
 def test_killed_workers_lose_and_double_nothing(tmp_path: Path) -> None:
     folder, told, killed = briefs(tmp_path / "in", 8), [], []
 
-    def heard(row: Row, done: int, total: int, was: bool) -> None:
+    def heard(row: ResultRow, done: int, total: int, was: bool) -> None:
         told.append(row)
         if done == 2:
             killed.extend(workers(os.getpid()))
@@ -204,8 +220,8 @@ def test_killed_workers_lose_and_double_nothing(tmp_path: Path) -> None:
 def test_a_file_that_kills_twice_or_takes_too_long_is_to_blame(tmp_path: Path) -> None:
     (tmp_path / "parts").mkdir()
     options = OPTIONS._replace(steps=10_000_000)
-    order = Order("sample:home-flat", "flat", (tmp_path / "flat.json",), "")
-    with Crew(1, Limits(1, 4.0, 60.0), options, tmp_path / "parts") as crew:
+    order = Job("sample:home-flat", "flat", (tmp_path / "flat.json",), "")
+    with WorkerPool(1, Limits(1, 4.0, 60.0), options, tmp_path / "parts") as crew:
         future = crew.give(order)
         for _ in range(2):
             while not crew.asking():
@@ -215,7 +231,7 @@ def test_a_file_that_kills_twice_or_takes_too_long_is_to_blame(tmp_path: Path) -
         row = future.result()[1]
     assert row.status == FAILED
     assert "killed its worker 2 times (signal 9)" in row.message
-    with Crew(1, Limits(1, 4.0, 1.0), options, tmp_path / "parts") as crew:
+    with WorkerPool(1, Limits(1, 4.0, 1.0), options, tmp_path / "parts") as crew:
         row = crew.give(order).result()[1]
     assert row.message == "sample:home-flat: took longer than 1 s; allow more with --limit"
     assert not (tmp_path / "flat.json").exists()
@@ -223,17 +239,22 @@ def test_a_file_that_kills_twice_or_takes_too_long_is_to_blame(tmp_path: Path) -
 
 def test_cancelling_keeps_what_is_done(tmp_path: Path) -> None:
     folder, enough = briefs(tmp_path / "in", 30), Event()
-    rows = sw.batch(folder, tmp_path / "out", jobs=2, steps=200,
-                    progress=lambda _, done, *__: enough.set() if done > 2 else None,
-                    cancel=enough.is_set)  # fmt: skip
+    rows = sw.batch(
+        folder,
+        tmp_path / "out",
+        jobs=2,
+        steps=200,
+        progress=lambda _, done, *__: enough.set() if done > 2 else None,
+        cancel=enough.is_set,
+    )
     assert 3 <= len(rows) < 30
     assert {f"wc-{k:02}.json" for k in range(30)} >= set(read(tmp_path / "out"))
     assert len(read(tmp_path / "out")) >= len(rows)
 
 
 def test_a_line_cut_off_in_the_ledger_is_passed_over(tmp_path: Path) -> None:
-    order = Order("a.json", "a", (), "key")
-    row = Row("a.json", COMPLETE, 1.0, 2, 0, 0, "", ())
+    order = Job("a.json", "a", (), "key")
+    row = ResultRow("a.json", COMPLETE, 1.0, 2, 0, 0, "", ())
     with Ledger(tmp_path) as ledger:
         ledger.write(order, row)
         with pytest.raises(InputError, match="another batch"), Ledger(tmp_path):

@@ -14,9 +14,9 @@ from benchmarks.designer_guidelines import GUIDELINES
 from benchmarks.designer_rooms import Seen
 from benchmarks.designer_sheet import sheet
 
-from scenewright.brief import Brief, Room
-from scenewright.plan import spaces
-from scenewright.scene import Piece, Pose, Size
+from scenewright.building.plan import spaces
+from scenewright.core.brief import Brief, Room
+from scenewright.core.scene import Piece, Pose, Size
 
 SOFA, TV = Size(2.0, 0.9, 0.8), Size(1.0, 0.2, 0.6)
 
@@ -34,11 +34,15 @@ def seen(rows: list[tuple[str, float, float, float, Size]], turn: float = 0.0) -
             float(np.sin(turn) * x + np.cos(turn) * y),
         ]
 
-    room = Room.model_validate({
-        "id": "room", "function": "bedroom", "outline": [at(0, 0), at(5, 0), at(5, 4), at(0, 4)],
-        "doors": [{"at": at(0, 0.7), "width": 0.8}],
-        "windows": [{"at": at(5, 2), "width": 1.6, "sill": 0.9}],
-    })  # fmt: skip
+    room = Room.model_validate(
+        {
+            "id": "room",
+            "function": "bedroom",
+            "outline": [at(0, 0), at(5, 0), at(5, 4), at(0, 4)],
+            "doors": [{"at": at(0, 0.7), "width": 0.8}],
+            "windows": [{"at": at(5, 2), "width": 1.6, "sill": 0.9}],
+        }
+    )
     space = spaces(Brief(rooms=[room]))[0]
     pieces = tuple(
         Piece(f"{kind}{k}", kind, "", "room", pose(at(x, y), heading + turn), size)
@@ -135,7 +139,7 @@ def test_a_home() -> None:
 def test_records() -> None:
     """By the energy ours is at least as good as the designer's in more rooms than the reverse;
     each count is of the rooms compared, and one of the two is at least as good in every room."""
-    told = records(quick=True)
+    told = list(records(quick=True))
     assert len(told) == 1 + len(GUIDELINES)
     assert told[0]["metric"] == "energy"
     assert told[0]["runs"] > 0

@@ -9,10 +9,10 @@ import pytest
 from benchmarks import hall_ablation, hall_malls, hall_methods, hall_scale
 from benchmarks.hall_measure import energies_of, gaps_of, least_tree, own_energy
 
-from scenewright.brief import Brief
-from scenewright.domains.hall import solve
+from scenewright.core.brief import Brief
+from scenewright.core.solution import Solution
+from scenewright.domains.hall.solving import solve
 from scenewright.formats import read
-from scenewright.solution import Solution
 
 CASE = "sample:hall-irregular"
 KEYS = ["case", "metric", "unit", "ours", "baseline", "baseline_name", "ratio", "runs"]

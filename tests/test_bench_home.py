@@ -10,14 +10,19 @@ from benchmarks.home_peers import PEERS, Ended, Objective, SpentError, peers
 from benchmarks.home_rooms import Case, rooms
 
 from rooms import full_problem, random_layouts
-from scenewright.energy import evaluate
-from scenewright.solve import Budget
-from scenewright.solvers import SOLVERS
+from scenewright.domains.home.energy import evaluate
+from scenewright.domains.home.solvers import SOLVERS
+from scenewright.engine.solve import Budget
 
 WEIGHTS = {
-    "boundary": 5000.0, "overlap": 600.0, "keep_free": 600.0, "main_wall": 1500.0,
-    "against_wall": 1000.0, "pairs": 110.0, "size": 50.0,
-}  # fmt: skip
+    "boundary": 5000.0,
+    "overlap": 600.0,
+    "keep_free": 600.0,
+    "main_wall": 1500.0,
+    "against_wall": 1000.0,
+    "pairs": 110.0,
+    "size": 50.0,
+}
 
 
 def printed_problem():
@@ -44,13 +49,13 @@ def test_the_same_loops_in_c_say_the_same(tmp_path):
 def test_without_a_compiler_c_is_left_out_with_a_word(monkeypatch, capsys):
     monkeypatch.setenv("PATH", "/nowhere")
     assert home_kernel.bench_kernel(1) == []
-    assert "no C compiler" in capsys.readouterr().out
+    assert "no C compiler" in capsys.readouterr().err
 
 
 @pytest.mark.filterwarnings("ignore")
 @pytest.mark.parametrize("peer", PEERS, ids=lambda peer: peer.name)
 def test_peers_keep_to_their_budget_and_tell_the_truth(peer):
-    pytest.importorskip(peer.package)
+    pytest.importorskip(peer.package, reason=f"needs {peer.package}, of the extra 'peers'")
     problem = full_problem()
     ended = peer.run(problem, Budget(steps=500), 0)
     assert ended.evaluations == 500
@@ -63,7 +68,7 @@ def test_peers_keep_to_their_budget_and_tell_the_truth(peer):
 def test_absent_peers_are_named(monkeypatch, capsys):
     monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
     assert peers() == ()
-    told = capsys.readouterr().out
+    told = capsys.readouterr().err
     assert all(peer.name in told for peer in PEERS)
 
 
@@ -88,11 +93,18 @@ def test_every_solver_is_a_method_judged_by_the_problems_energy(name):
 def test_tables_count_who_is_best_and_who_ours_beats():
     energies = {"anneal": (1.0, 5.0, 3.0), "other": (2.0, 4.0, 3.0)}
     rows = [
-        {"case": "room", "seed": seed, "method": method, "energy": energy, "seconds": 0.1,
-         "layouts": 10, "budget": "b"}
+        {
+            "case": "room",
+            "seed": seed,
+            "method": method,
+            "energy": energy,
+            "seconds": 0.1,
+            "layouts": 10,
+            "budget": "b",
+        }
         for method, found in energies.items()
         for seed, energy in enumerate(found)
-    ]  # fmt: skip
+    ]
     ours, other = table(rows, "room")
     assert (ours["best"], other["best"]) == (2, 2)
     assert (ours["ours as good"], other["ours as good"]) == (3, 2)

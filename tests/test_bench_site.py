@@ -11,9 +11,9 @@ from benchmarks.site_instances import example_site
 from benchmarks.site_reco import Designed, compounds
 from benchmarks.site_scenes import SIZES, judged, posed, scene_brief
 
-from scenewright.brief.site import Site
+from scenewright.domains.site.brief import Site
+from scenewright.domains.site.solvers.outcome import SiteFound
 from scenewright.geometry.saliency import saliency
-from scenewright.solvers.site_found import SiteFound
 
 KEYS = ["case", "metric", "unit", "ours", "baseline", "baseline_name", "ratio", "runs"]
 
@@ -57,8 +57,11 @@ def test_methods_tell_records() -> None:
 
 def test_falls_are_told_with_their_runs_and_no_share_of_nothing() -> None:
     values = {("a", 6): (0.5, 0.6, 0.7), ("a", 15): (0.3,), ("b", 6): (0.0,), ("b", 15): (0.2,)}
-    rows = [{"method": method, "equal": "seconds", "buildings": size, "value": value}
-            for (method, size), found in values.items() for value in found]  # fmt: skip
+    rows = [
+        {"method": method, "equal": "seconds", "buildings": size, "value": value}
+        for (method, size), found in values.items()
+        for value in found
+    ]
     a, b = site_methods.falls(rows)
     assert (a["ours"], a["baseline"], a["ratio"], a["runs"]) == (0.3, 0.6, 0.5, 3)
     assert (b["ours"], b["baseline"], b["ratio"], b["runs"]) == (0.2, 0.0, None, 1)
@@ -66,8 +69,10 @@ def test_falls_are_told_with_their_runs_and_no_share_of_nothing() -> None:
 
 def test_ratios_of_seconds_say_how_many_times_faster() -> None:
     ours, theirs = ([{"seconds": s, "valid": v}] * 3 for s, v in ((0.5, 0.9), (2.0, 0.6)))
-    told = [comparison.record("case", name, unit, ours, theirs, "theirs", ("valid",))
-            for name, unit in (("seconds", "s"), ("valid", "share"))]  # fmt: skip
+    told = [
+        comparison.record("case", name, unit, ours, theirs, "theirs", ("valid",))
+        for name, unit in (("seconds", "s"), ("valid", "share"))
+    ]
     assert [row["ratio"] for row in told] == [4.0, 1.5]
     assert [(row["ours"], row["baseline"]) for row in told] == [(0.5, 2.0), (0.9, 0.6)]
     assert comparison.ratio(0.0, 1.0, "s") is comparison.ratio(1.0, 0.0, "1") is None

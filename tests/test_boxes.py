@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rooms import ring
+from scenewright.core.layout import corners
 from scenewright.geometry.boxes import (
     area_in_polygon,
     beyond,
@@ -18,7 +19,6 @@ from scenewright.geometry.boxes import (
     make_frame,
     wrap,
 )
-from scenewright.layout import corners
 
 coordinate = st.floats(-5, 5).map(lambda x: round(x, 3))
 length = st.floats(0.01, 6).map(lambda x: round(x, 3))

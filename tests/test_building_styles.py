@@ -5,20 +5,20 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from scenewright.assets import shipped
-from scenewright.assets.building_styles import (
+from scenewright.catalog.assets import shipped
+from scenewright.catalog.assets.building_styles import (
     STYLES,
     facade,
     facade_of_style,
     floors_of,
     lightness,
 )
-from scenewright.assets.roofs import gable
-from scenewright.assets.sizes import SIZES
-from scenewright.catalog import Material, Part
+from scenewright.catalog.assets.roofs import gable
+from scenewright.catalog.kinds import SIZES
+from scenewright.core.catalog import Material, Part
+from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, merge
 from scenewright.geometry.solids import block
-from scenewright.scene import Size
 
 WHITE = Material("white", (1.0, 1.0, 1.0))
 BLACK = Material("black", (0.0, 0.0, 0.0))

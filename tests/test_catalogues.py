@@ -10,26 +10,27 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from scenewright.assets import shipped
-from scenewright.brief.catalog import CatalogBrief, entry_of
-from scenewright.catalog import Material, Part
-from scenewright.errors import InputError
+from scenewright.catalog.assets import shipped
+from scenewright.catalog.loading import catalog_of, read_entry
+from scenewright.catalog.models import register
+from scenewright.catalog.models.as_asset import HEAVY, LIGHT, lighter
+from scenewright.catalog.models.decimation import decimate
+from scenewright.catalog.models.hues import colour_name
+from scenewright.catalog.models.listing import COLUMNS, Listed, csv_text, json_text, rows, table_of
+from scenewright.core.brief.catalog import CatalogBrief, entry_of
+from scenewright.core.catalog import Material, Part
+from scenewright.core.errors import InputError
+from scenewright.core.scene import Size
 from scenewright.geometry.prisms import box
-from scenewright.models import register
-from scenewright.models.as_asset import HEAVY, LIGHT, lighter
-from scenewright.models.hues import colour_name
-from scenewright.models.listing import COLUMNS, Listed, csv_text, json_text, rows, table_of
-from scenewright.models.thinning import thinned
-from scenewright.scene import Size
-from scenewright.stock import catalog_of, taken
 
 RED = Material("red", (0.7, 0.1, 0.1))
 
 
 def obj(size: Size) -> str:
     """A cuboid of a size, y up and the front to +z, as OBJ."""
-    vertices, faces = box((-size.width / 2, 0, -size.depth / 2), (size.width / 2, size.height,
-                                                                  size.depth / 2))  # fmt: skip
+    vertices, faces = box(
+        (-size.width / 2, 0, -size.depth / 2), (size.width / 2, size.height, size.depth / 2)
+    )
     lines = [f"v {x} {y} {z}" for x, y, z in vertices]
     return "\n".join([*lines, *(f"f {a + 1} {b + 1} {c + 1}" for a, b, c in faces)]) + "\n"
 
@@ -46,29 +47,49 @@ def folder(tmp_path: Path) -> Path:
 
 
 def by_id(folder: Path, scale: float = 1.0) -> dict[str, Listed]:
-    return {one.model.id: one for one in taken(CatalogBrief(path=str(folder), scale=scale)).models}
+    return {
+        one.model.id: one for one in read_entry(CatalogBrief(path=str(folder), scale=scale)).models
+    }
 
 
 def test_models_are_understood_and_set_in_metres(folder: Path) -> None:
     found = by_id(folder)
     assert {key: one.category for key, one in found.items()} == {
-        "sofa": "sofa", "chair": "dining_chair", "zorble": "other"
-    }  # fmt: skip
+        "sofa": "sofa",
+        "chair": "dining_chair",
+        "zorble": "other",
+    }
     assert found["chair"].model.size == pytest.approx((0.45, 0.5, 0.9))
     assert found["sofa"].model.size == pytest.approx((2.0, 0.9, 0.8))
 
 
 def test_a_stated_unit_is_not_second_guessed(folder: Path) -> None:
-    assert by_id(folder, scale=0.5)["chair"].model.size == pytest.approx((22.5, 25, 45))
+    assert by_id(folder, scale=0.1)["chair"].model.size == pytest.approx((4.5, 5, 9))
+
+
+def test_furniture_larger_than_any_is_told_and_not_used(folder: Path) -> None:
+    found = read_entry(CatalogBrief(path=str(folder), scale=1.0, up="+y"))
+    assert "chair" not in {one.model.id for one in found.models}
+    told = {one.name: one.reason for one in found.skipped}
+    assert told["chair"].startswith("is 90 m large; its category goes up to 30 m")
 
 
 @pytest.mark.parametrize("suffix", ["csv", "json"])
 def test_a_table_corrects_what_was_inferred(folder: Path, suffix: str) -> None:
-    table = rows(taken(entry_of(str(folder))).models)
+    table = rows(read_entry(entry_of(str(folder))).models)
     for cells in table:
         if cells["id"] == "zorble":
-            cells.update(category="nightstand", front="right", author="Ada", licence="CC0-1.0",
-                         style="oak", colour="green", width="0.5", depth="", height="")  # fmt: skip
+            cells.update(
+                category="nightstand",
+                front="right",
+                author="Ada",
+                licence="CC0-1.0",
+                style="oak",
+                colour="green",
+                width="0.5",
+                depth="",
+                height="",
+            )
         if cells["id"] == "chair":
             cells["skip"] = "yes"
     text = csv_text(table) if suffix == "csv" else json_text(table)
@@ -131,7 +152,7 @@ def test_a_registered_catalogue_is_found_by_its_name(
     folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("SCENEWRIGHT_HOME", str(tmp_path / "home"))
-    table = csv_text(rows(taken(entry_of(str(folder))).models))
+    table = csv_text(rows(read_entry(entry_of(str(folder))).models))
     stored = register.register("mine", folder, table.replace(",other,", ",pouf,"))
     assert register.names() == ("mine",)
     assert catalog_of(["mine"]).assets["model:zorble"].category == "pouf"
@@ -144,15 +165,21 @@ def test_a_registered_catalogue_is_found_by_its_name(
 
 
 def test_the_table_has_a_row_and_a_cell_for_everything(folder: Path) -> None:
-    text = csv_text(rows(taken(entry_of(str(folder))).models))
+    text = csv_text(rows(read_entry(entry_of(str(folder))).models))
     read = list(csv.DictReader(io.StringIO(text)))
     assert [row["id"] for row in read] == ["chair", "sofa", "zorble"]
     assert all(tuple(row) == COLUMNS for row in read)
 
 
 def test_colours_have_plain_names() -> None:
-    shades = {"white": (1, 1, 1), "black": (0, 0, 0), "grey": (0.5, 0.5, 0.5), "red": (0.8, 0, 0),
-              "green": (0.1, 0.6, 0.2), "beige": (0.9, 0.84, 0.7)}  # fmt: skip
+    shades = {
+        "white": (1, 1, 1),
+        "black": (0, 0, 0),
+        "grey": (0.5, 0.5, 0.5),
+        "red": (0.8, 0, 0),
+        "green": (0.1, 0.6, 0.2),
+        "beige": (0.9, 0.84, 0.7),
+    }
     assert {name: colour_name(shade) for name, shade in shades.items()} == {n: n for n in shades}
 
 
@@ -161,15 +188,16 @@ def ball(count: int) -> Part:
     u, v = np.meshgrid(np.linspace(0, 2 * np.pi, count + 1), np.linspace(0, np.pi, count // 2 + 1))
     points = np.stack([np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)], -1).reshape(-1, 3)
     k = (np.arange(count // 2)[:, None] * (count + 1) + np.arange(count)).ravel()
-    faces = np.concatenate([np.stack([k, k + count + 1, k + 1], 1),
-                            np.stack([k + 1, k + count + 1, k + count + 2], 1)])  # fmt: skip
+    faces = np.concatenate(
+        [np.stack([k, k + count + 1, k + 1], 1), np.stack([k + 1, k + count + 1, k + count + 2], 1)]
+    )
     return Part(RED, points, faces)
 
 
 @pytest.mark.parametrize("most", [200, 2000, 10_000])
 def test_a_thinned_ball_is_a_ball_in_the_same_box(most: int) -> None:
     part = ball(200)
-    found = thinned(part, most)
+    found = decimate(part, most)
     assert most / 4 < len(found.faces) <= most
     assert found.vertices[found.faces.ravel()].min(0) == pytest.approx([-1, -1, -1], abs=0.01)
     used = found.vertices[np.unique(found.faces)]
@@ -190,11 +218,11 @@ def test_what_is_kept_of_a_registered_catalogue_is_what_was_read(
 ) -> None:
     monkeypatch.setenv("SCENEWRIGHT_HOME", str(tmp_path / "home"))
     stored = register.register("mine", folder, "id\nsofa\n")
-    read = [one.model for one in taken(entry_of("mine")).models]
+    read = [one.model for one in read_entry(entry_of("mine")).models]
     copy = stored / "models.npz"
     assert copy.is_file()
     first = copy.stat().st_mtime_ns
-    again = [one.model for one in taken(entry_of("mine")).models]
+    again = [one.model for one in read_entry(entry_of("mine")).models]
     assert copy.stat().st_mtime_ns == first
     for a, b in zip(read, again, strict=True):
         assert a._replace(parts=()) == b._replace(parts=())
@@ -206,8 +234,8 @@ def test_what_is_kept_of_a_registered_catalogue_is_what_was_read(
     assert by_id_of("mine")["sofa"].model.size.width == pytest.approx(1.9)
     for damage in (b"", b"PK\x03\x04 no archive", copy.read_bytes()[:-400]):
         copy.write_bytes(damage)
-        assert len(taken(entry_of("mine")).models) == 3
+        assert len(read_entry(entry_of("mine")).models) == 3
 
 
 def by_id_of(name: str) -> dict[str, Listed]:
-    return {one.model.id: one for one in taken(entry_of(name)).models}
+    return {one.model.id: one for one in read_entry(entry_of(name)).models}

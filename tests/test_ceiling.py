@@ -10,20 +10,20 @@ import pytest
 import shapely
 
 from rooms import OUTLINE, full_problem, random_layouts
-from scenewright import ceiling
-from scenewright.brief import Brief
-from scenewright.check import check
-from scenewright.domains import home
+from scenewright.building import ceiling
+from scenewright.building.plan import spaces
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.layout import corners
+from scenewright.core.space import Slope, Space
+from scenewright.domains import check
+from scenewright.domains.home import solving as home
 from scenewright.domains.home import tasks, wheelchair
 from scenewright.domains.home.cases.library import SHIPPED
+from scenewright.domains.home.energy import evaluate, explain
 from scenewright.domains.home.presets import PRESETS
-from scenewright.energy import evaluate, explain
-from scenewright.errors import InputError
 from scenewright.formats import brief_json, read, solution_json
-from scenewright.layout import corners
-from scenewright.plan import spaces
-from scenewright.space import Slope, Space
-from scenewright.stock import catalog_of
 
 QUARTER = math.pi / 4
 
@@ -162,7 +162,7 @@ def test_too_many_slopes_and_slopes_of_halls_are_refused() -> None:
     with pytest.raises(InputError, match="slopes"):
         brief_json.loads(json.dumps({"rooms": [room]}))
     hall = {"domain": "hall", "rooms": [room | {"slopes": [slope]}]}
-    with pytest.raises(InputError, match="only homes have slopes"):
+    with pytest.raises(InputError, match="slopes: are given, but the brief is of a hall"):
         spaces(brief_json.loads(json.dumps(hall)))
 
 
@@ -224,10 +224,13 @@ def test_low_floor_is_where_no_route_can_pass(seed: int) -> None:
 def test_a_lamp_over_a_table_hangs_from_the_slope() -> None:
     table = {"category": "dining_table", "at": [2.0, 1.6], "size": [1.4, 0.9, 0.75]}
     room = {
-        "name": "Dining room", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]], "ask": [],
-        "slopes": [{"edge": 0, "knee": 1.0, "pitch": QUARTER}], "doors": [{"at": [4, 3.2]}],
+        "name": "Dining room",
+        "outline": [[0, 0], [4, 0], [4, 4], [0, 4]],
+        "ask": [],
+        "slopes": [{"edge": 0, "knee": 1.0, "pitch": QUARTER}],
+        "doors": [{"at": [4, 3.2]}],
         "fixed": [table | {"group": "a", "function": "dining"}],
-    }  # fmt: skip
+    }
     solution = home.solve(Brief.model_validate({"rooms": [room]}), steps=50)
     (lamp,) = [p for p in solution.pieces if p.category == "pendant_lamp"]
     assert lamp.pose.z + lamp.size.height == pytest.approx(1.0 + 1.6 - 0.22)

@@ -13,32 +13,32 @@ from benchmarks.site_instances import example_site
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from scenewright.encodings.cell_moves import (
+from scenewright.core.errors import InputError
+from scenewright.domains.site.encodings.cell_moves import (
     cross,
-    mended,
     mutate,
     random_genes,
+    repair_genes,
     roulette,
     spread,
     tournament,
 )
-from scenewright.encodings.cells import (
+from scenewright.domains.site.encodings.cells import (
     KIND,
     PART,
-    Cells,
+    SiteLattice,
     decode,
     encode,
     is_whole,
 )
-from scenewright.errors import InputError
-from scenewright.site_problem import SiteProblem
-from scenewright.solvers.site_lattice import cell_size, main_direction, make_cells
+from scenewright.domains.site.problem import SiteProblem
+from scenewright.domains.site.solvers.lattice import cell_size, main_direction, make_cells
 
 PROBLEM = example_site(20, 160.0)
 CELLS = make_cells(PROBLEM)
 
 
-def is_layout(cells: Cells, genes: np.ndarray) -> bool:
+def is_layout(cells: SiteLattice, genes: np.ndarray) -> bool:
     """All buildings whole, none more often than asked for, every part owned by an anchor."""
     anchors = np.flatnonzero((genes[:, KIND] > 0) & (genes[:, PART] == 0))
     if not all(is_whole(cells, genes, int(a)) for a in anchors):
@@ -76,12 +76,12 @@ def test_round_trip(seed: int) -> None:
 def test_whatever_is_crossed_and_mutated_becomes_a_layout_again(seed: int) -> None:
     rng = np.random.default_rng(seed)
     for child in cross(random_genes(CELLS, rng), random_genes(CELLS, rng), rng):
-        genes = mended(CELLS, child, rng)
+        genes = repair_genes(CELLS, child, rng)
         assert is_layout(CELLS, genes)
         for _ in range(5):
             mutate(CELLS, genes, rng)
         assert is_layout(CELLS, genes)
-        assert np.array_equal(mended(CELLS, genes, rng), genes)
+        assert np.array_equal(repair_genes(CELLS, genes, rng), genes)
 
 
 def test_layouts_stand_inside_the_blocks_and_keep_their_spacing() -> None:
@@ -118,7 +118,7 @@ def test_a_building_cut_in_two_is_completed_or_removed() -> None:
     cut = genes.copy()
     cut[one + 1] = 0  # its second part is lost, the cell empty
     cut[two] = 0  # its anchor is lost
-    whole = mended(CELLS, cut, rng)
+    whole = repair_genes(CELLS, cut, rng)
     assert is_whole(CELLS, whole, one)
     assert whole[one, KIND] == genes[one, KIND]
     assert whole[two, KIND] == 0
@@ -131,7 +131,7 @@ def test_more_buildings_than_asked_for_are_removed() -> None:
         kinds = np.array([1])
     genes = np.zeros((CELLS.fits.shape[2], 3), np.int64)
     genes[:, KIND] = kinds[0]
-    whole = mended(CELLS, genes, np.random.default_rng(0))
+    whole = repair_genes(CELLS, genes, np.random.default_rng(0))
     assert is_layout(CELLS, whole)
     placed = ((whole[:, KIND] == kinds[0]) & (whole[:, PART] == 0)).sum()
     assert placed == CELLS.counts()[kinds[0]]
@@ -149,9 +149,10 @@ def test_cells_follow_the_library() -> None:
 
 def test_a_site_without_room_has_no_layout() -> None:
     ground = PROBLEM.ground._replace(
-        block_edges=np.zeros((0, 4)), block_spans=np.zeros((0, 2), np.int64),
+        block_edges=np.zeros((0, 4)),
+        block_spans=np.zeros((0, 2), np.int64),
         block_areas=np.zeros(0),
-    )  # fmt: skip
+    )
     cells, rng = make_cells(PROBLEM._replace(ground=ground)), np.random.default_rng(0)
     genes = random_genes(cells, rng)
     mutate(cells, genes, rng)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from judged_rooms import NORTH, SOUTH, judge, kinds, piece, rectangle, room
-from scenewright.scene import Pose
+from scenewright.core.scene import Pose
 
 
 @pytest.mark.parametrize(("gap", "found"), [(0.0, set()), (-0.009, set()), (-0.011, {"collision"})])

@@ -11,13 +11,14 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from scipy import ndimage
 
-from scenewright.brief import Brief
-from scenewright.catalog import Catalog, Kind
-from scenewright.check import check
 from scenewright.check.collisions import penetration
-from scenewright.scene import Piece, Pose, Size
-from scenewright.solution import Solution
-from scenewright.space import Opening, Space
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Catalog
+from scenewright.core.kind import Kind
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import Solution
+from scenewright.core.space import Opening, Space
+from scenewright.domains import check
 
 CATALOG = Catalog({"box": Kind("box"), "wardrobe": Kind("wardrobe", access=("front",))})
 CELL = 0.02
@@ -105,9 +106,12 @@ def raster(solid: list, radius: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 placed = st.tuples(
-    st.floats(0.3, 3.7), st.floats(0.3, 2.7), st.floats(-4, 4), st.floats(0.2, 1.8),
+    st.floats(0.3, 3.7),
+    st.floats(0.3, 2.7),
+    st.floats(-4, 4),
+    st.floats(0.2, 1.8),
     st.floats(0.2, 0.8),
-)  # fmt: skip
+)
 
 
 @given(placed, st.lists(placed, max_size=4))
@@ -138,8 +142,9 @@ def test_routes_agree_with_a_raster(wardrobe, others):
 def test_what_blocks_truly_blocks(wardrobe, others):
     """Taking away any one of several named with *or*, all named with *and*, opens the way."""
     pieces = (
-        stand("wardrobe", wardrobe, "w"), *(stand("box", b, f"b{i}") for i, b in enumerate(others)),
-    )  # fmt: skip
+        stand("wardrobe", wardrobe, "w"),
+        *(stand("box", b, f"b{i}") for i, b in enumerate(others)),
+    )
     for found in judge(pieces).of("unreachable_piece"):
         names = [name for name in found.other.split(",") if name]
         sets = [names] if " and " in found.message else [[name] for name in names]
@@ -174,10 +179,17 @@ odd = st.one_of(st.floats(-5, 5), st.sampled_from([0.0, 1e-9, 1e-300, 1e4, -1e4]
 def test_nothing_a_piece_holds_raises(rows, named):
     """However odd poses and sizes are, there is a report that JSON can hold."""
     pieces = tuple(
-        Piece(f"p{i}" if named else "", ("wardrobe", "box", "?")[i % 3], "", "a",
-              Pose(*row[:4]), Size(*row[4:]), on="p0" if i == 3 else None)
+        Piece(
+            f"p{i}" if named else "",
+            ("wardrobe", "box", "?")[i % 3],
+            "",
+            "a",
+            Pose(*row[:4]),
+            Size(*row[4:]),
+            on="p0" if i == 3 else None,
+        )
         for i, row in enumerate(rows)
-    )  # fmt: skip
+    )
     report = judge(pieces)
     json.dumps(report.to_dict(), allow_nan=False)
     assert report.figures["pieces"] == len(rows)

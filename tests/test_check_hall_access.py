@@ -21,15 +21,20 @@ from tests.judged_halls import (
 )
 
 from hall_floors import EAST_DOOR, SOUTH_DOOR, figures, two_zones
-from scenewright.catalog import Catalog, Kind
-from scenewright.check import check
+from scenewright.core.catalog import Catalog
+from scenewright.core.kind import Kind
+from scenewright.domains import check
 
 
 def ring(radius: float = 1.5, centre=(9.0, 3.0)):
     """Partitions round a square, closed."""
     x, y = centre
-    corners = [(x - radius, y - radius), (x + radius, y - radius), (x + radius, y + radius),
-               (x - radius, y + radius)]  # fmt: skip
+    corners = [
+        (x - radius, y - radius),
+        (x + radius, y - radius),
+        (x + radius, y + radius),
+        (x - radius, y + radius),
+    ]
     return tuple(wall(*a, *b) for a, b in zip(corners, corners[1:] + corners[:1], strict=True))
 
 
@@ -61,9 +66,10 @@ def test_a_group_reached_in_part_is_told_piece_by_piece():
 def test_seats_are_reached_sideways_along_their_row(pitch, reached):
     """Rows of seats 0.5 m deep from wall to wall but for an aisle: 0.45 or 0.38 m between them."""
     rows = [
-        piece("theatre_seat", x, 1.5 + pitch * k, 0.55, 0.5, 0.9) for k in range(4)
+        piece("theatre_seat", x, 1.5 + pitch * k, 0.55, 0.5, 0.9)
+        for k in range(4)
         for x in np.arange(6.4, 11.8, 0.55)
-    ]  # fmt: skip
+    ]
     brief = hall_brief(box(0, 0, 12, 6), (SOUTH_DOOR,))
     seats = group("h/seats", "all", *rows)
     solution = answer(brief, rows, (zone("all", box(0, 0, 12, 6)),), (), (seats,))

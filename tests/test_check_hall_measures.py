@@ -9,15 +9,10 @@ import pytest
 import shapely
 from hypothesis import given
 from hypothesis import strategies as st
-from tests.judged_halls import (
-    EAST,
-    group,
-    judge,
-    piece,
-)
+from tests.judged_halls import EAST, group, judge, piece
 
 from hall_floors import figures, grid, two_zones
-from scenewright.check.measures import aesthetic, circulation, principal_direction
+from scenewright.domains.hall.check.measures import aesthetic, circulation, principal_direction
 
 
 def test_measures_of_a_grid_of_four():

@@ -24,8 +24,8 @@ from tests.judged_halls import (
 )
 
 from hall_floors import EAST_DOOR, SOUTH_DOOR, figures, gap, two_zones
-from scenewright.check.escape import walking_distance
-from scenewright.check.passages import clear_width
+from scenewright.domains.hall.check.escape import walking_distance
+from scenewright.domains.hall.check.passages import clear_width
 
 
 @pytest.mark.parametrize(
@@ -73,9 +73,14 @@ def test_the_floor_of_no_zone_is_a_way_round():
     around = answer(brief, (wall(6, 0, 6, 4),), zones, (("west", "east", 1.2),))
     assert not kinds(judge(around))
     third = (*zones, zone("north", box(0, 4, 12, 6)))
-    assert kinds(judge(replace(around, graph=around.graph._replace(zones=third)))) == {
-        "narrow_passage"
-    }
+    assert kinds(
+        judge(
+            replace(
+                around,
+                detail=around.detail._replace(layout=around.detail.layout._replace(zones=third)),
+            )
+        )
+    ) == {"narrow_passage"}
 
 
 def test_a_link_of_the_brief_counts_even_if_the_graph_lacks_it():
@@ -85,7 +90,9 @@ def test_a_link_of_the_brief_counts_even_if_the_graph_lacks_it():
     ]
     asked = {"zones": outlines, "links": [{"between": ["west", "east"]}], "passage_width": 1.5}
     closed = two_zones(*gap(1.4), **asked)
-    silent = replace(closed, graph=closed.graph._replace(links=()))
+    silent = replace(
+        closed, detail=closed.detail._replace(layout=closed.detail.layout._replace(links=()))
+    )
     assert not kinds(judge(closed))
     assert kinds(judge(silent)) == {"narrow_passage"}
     fixed = tuple(replace(p, fixed=True) for p in silent.pieces)

@@ -7,21 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.judged_halls import (
-    NORTH,
-    answer,
-    box,
-    group,
-    hall_brief,
-    judge,
-    piece,
-    tour,
-    wall,
-    zone,
-)
+from tests.judged_halls import NORTH, answer, box, group, hall_brief, judge, piece, tour, wall, zone
 
 from hall_floors import figures, gap, two_zones
-from scenewright.check.escape import walking_distance
+from scenewright.domains.hall.check.escape import walking_distance
 
 
 def long_hall(*pieces, points=((0, 2.5), (19, 2.5), (20, 2.5)), groups=(), doors=None, **more):

@@ -26,10 +26,21 @@ from tests.judged_halls import (
 
 from deadline import within
 from hall_floors import WEST_ZONE, figures, gap, grid, odd, rings, two_zones
-from scenewright.scene_graph import Layer, Part, PlacedGroup, SceneGraph, Tour, Zone, ZoneLink
+from scenewright.domains.hall.hall_layout import (
+    HallDetail,
+    HallLayout,
+    Layer,
+    PatternPart,
+    PlacedGroup,
+    Tour,
+    Zone,
+    ZoneLink,
+)
 
 FULL = two_zones(
-    *gap(1.1), *grid(2, 2.0, (1.5, 2.0)), piece("case", 11.4, 4.9, 0.8, 0.8, heading=EAST),
+    *gap(1.1),
+    *grid(2, 2.0, (1.5, 2.0)),
+    piece("case", 11.4, 4.9, 0.8, 0.8, heading=EAST),
     piece("shelf", 8, 5.7, 2, 0.4, 1.8, heading=SOUTH),
     groups=(
         group("h/cases", "west", *grid(2, 2.0, (1.5, 2.0))),
@@ -37,7 +48,7 @@ FULL = two_zones(
         group("h/odd", "west", piece("case", 11.4, 4.9, 1, 1)),
     ),
     tours=(tour((3, 0), (2.5, 3), (6, 2.5), (9, 3), (12, 3)),),
-)  # fmt: skip
+)
 
 
 def flat(value):
@@ -67,17 +78,21 @@ def test_renaming_changes_only_names():
     def new(name):
         return f"x{name}" if name else name
 
-    graph = FULL.graph
+    graph = FULL.detail.layout
     renamed = replace(
         FULL,
         pieces=tuple(replace(p, id=new(p.id)) for p in FULL.pieces),
-        graph=graph._replace(
-            zones=tuple(z._replace(id=new(z.id)) for z in graph.zones),
-            links=tuple(k._replace(first=new(k.first), second=new(k.second)) for k in graph.links),
-            groups=tuple(
-                g._replace(id=new(g.id), zone=new(g.zone), objects=tuple(map(new, g.objects)))
-                for g in graph.groups
-            ),
+        detail=FULL.detail._replace(
+            layout=graph._replace(
+                zones=tuple(z._replace(id=new(z.id)) for z in graph.zones),
+                links=tuple(
+                    k._replace(first=new(k.first), second=new(k.second)) for k in graph.links
+                ),
+                groups=tuple(
+                    g._replace(id=new(g.id), zone=new(g.zone), objects=tuple(map(new, g.objects)))
+                    for g in graph.groups
+                ),
+            )
         ),
     )
     before, after = judge(FULL), judge(renamed)
@@ -89,7 +104,7 @@ def test_renaming_changes_only_names():
 
 def test_what_the_graph_names_has_to_be_there():
     case = piece("case", 2, 3, 1, 1)
-    graph = SceneGraph(
+    graph = HallLayout(
         zones=(
             WEST_ZONE,
             WEST_ZONE,
@@ -103,11 +118,18 @@ def test_what_the_graph_names_has_to_be_there():
             group("c", "west", case, space="?"),
         ),
     )
-    report = judge(replace(two_zones(case), graph=graph))
+    report = judge(replace(two_zones(case), detail=HallDetail(graph, two_zones(case).detail.tours)))
     told = [found.message for found in report.of("malformed")]
     assert len(told) == len(report.findings) == 8
-    for word in ("there twice", "no floor", "zone nowhere is not there", "cannot be judged",
-                 "in zone nowhere", "names gone", "no room"):  # fmt: skip
+    for word in (
+        "there twice",
+        "no floor",
+        "zone nowhere is not there",
+        "cannot be judged",
+        "in zone nowhere",
+        "names gone",
+        "no room",
+    ):
         assert [m for m in told if word in m], word
 
 
@@ -128,8 +150,8 @@ groups_ = st.lists(st.tuples(names, st.lists(names, max_size=3)), max_size=3)
 def test_nothing_a_graph_or_tour_holds_raises(zones, links, groups, points):
     """However odd the scene graph and the tour are, there is a report that JSON can hold."""
     pieces = (piece("case", 3, 3, 1, 1, id="a"), piece("partition", 6, 3, 1, 0.2, id="b"))
-    part = (Part("grid", (Layer(1, math.nan, 1.0),)),)
-    graph = SceneGraph(
+    part = (PatternPart("grid", (Layer(1, math.nan, 1.0),)),)
+    graph = HallLayout(
         tuple(Zone(n, n, "h", np.array(o), (np.array(i),)) for n, o, i in zones),
         tuple(ZoneLink("h", *link) for link in links),
         tuple(PlacedGroup(z, z, "h", z, "?", (0, 0, 0), part, tuple(o)) for z, o in groups),
@@ -139,13 +161,13 @@ def test_nothing_a_graph_or_tour_holds_raises(zones, links, groups, points):
         Tour("h", np.array(points), np.ones(1), ()),
         Tour("?", np.zeros((2, 2)), np.ones(2), ()),
     )
-    report = judge(replace(two_zones(*pieces), graph=graph, tours=tours))
+    report = judge(replace(two_zones(*pieces), detail=HallDetail(graph, tours)))
     json.dumps(report.to_dict(), allow_nan=False)
     assert str(report)
 
 
 def test_a_home_has_no_halls():
-    assert "halls" not in judge(replace(FULL, graph=None)).figures
+    assert "halls" not in judge(replace(FULL, detail=None)).figures
 
 
 @pytest.mark.slow

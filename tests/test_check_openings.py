@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from judged_rooms import SOUTH, door, judge, kinds, piece, rectangle, room
-from scenewright.gates import door_zone, gates
+from scenewright.building.door_approach import door_zone, gates
 
 
 @pytest.mark.parametrize(("y", "found"), [(1.0, set()), (0.991, set()), (0.98, {"blocked_door"})])

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from judged_rooms import EAST, NORTH, SOUTH, WEST, door, judge, kinds, piece, rectangle, room
-from scenewright.space import Opening, Space
+from scenewright.core.space import Opening, Space
 
 
 @pytest.mark.parametrize(("gap", "reached"), [(0.62, True), (0.58, False)])

@@ -11,10 +11,11 @@ import shapely
 from benchmarks.site_reco import compounds
 
 from deadline import within
-from scenewright.check import KINDS, check
-from scenewright.check.site_figures import judge_sites
-from scenewright.check.site_sun import sun, sunny_sides
-from scenewright.scene import Piece, Pose
+from scenewright.check.report import KINDS
+from scenewright.core.scene import Piece, Pose
+from scenewright.domains import check
+from scenewright.domains.site.check.figures import judge_sites
+from scenewright.domains.site.check.sun import sun, sunny_sides
 from sites import SOUTH, answer, building, field, quarter, site
 
 
@@ -99,9 +100,13 @@ def test_distance_for_the_sun_counts_behind_a_building_only():
 
 def test_the_fire_brigade_needs_a_way_of_its_width():
     road = {"line": [(0, 5), (120, 5)], "width": 6.0}
-    ring = [building("w", 40, 50, 4, 44), building("e", 80, 50, 4, 44),
-            building("n", 60, 74, 44, 4), building("s1", 48, 26, 18, 4),
-            building("s2", 72, 26, 18, 4)]  # fmt: skip
+    ring = [
+        building("w", 40, 50, 4, 44),
+        building("e", 80, 50, 4, 44),
+        building("n", 60, 74, 44, 4),
+        building("s1", 48, 26, 18, 4),
+        building("s2", 72, 26, 18, 4),
+    ]
     gate = 72 - 48 - 18
     assert gate == 6
     yard = building("yard", 60, 50)
@@ -127,12 +132,17 @@ def test_landmarks_stay_as_they_are():
     there = building("m", 60, 40, fixed=True)
     assert kinds(ground, there) == []
     assert kinds(ground) == ["changed_landmark"]
-    for other in (replace(there, pose=Pose(60.5, 40, 0, SOUTH)),
-                  replace(there, pose=Pose(60, 40, 0, SOUTH + 0.1)),
-                  building("m", 60, 40, h=12)):  # fmt: skip
+    for other in (
+        replace(there, pose=Pose(60.5, 40, 0, SOUTH)),
+        replace(there, pose=Pose(60, 40, 0, SOUTH + 0.1)),
+        building("m", 60, 40, h=12),
+    ):
         assert only(ground, other).kind == "changed_landmark"
-    near = only(site(landmarks=[{"id": "m", "at": (60, 40), "size": (10, 8, 9)}], spacing=6.0),
-                there, building("a", 75, 40))  # fmt: skip
+    near = only(
+        site(landmarks=[{"id": "m", "at": (60, 40), "size": (10, 8, 9)}], spacing=6.0),
+        there,
+        building("a", 75, 40),
+    )
     assert (near.kind, near.piece, near.other) == ("spacing", "a", "m")
     assert not near.given
 
@@ -151,8 +161,12 @@ def test_locked_buildings_are_told_but_not_blamed():
 
 
 def test_broken_pieces_are_findings():
-    broken = [building("nan", math.nan, 40), building("flat", 30, 40, h=0.0),
-              building("lost", 30, 40, space="t"), building("far", 1e9, 40)]  # fmt: skip
+    broken = [
+        building("nan", math.nan, 40),
+        building("flat", 30, 40, h=0.0),
+        building("lost", 30, 40, space="t"),
+        building("far", 1e9, 40),
+    ]
     assert kinds(site(), *broken) == ["malformed"] * 4
     assert figures(site())["south_share"] == 1.0
 
@@ -160,8 +174,11 @@ def test_broken_pieces_are_findings():
 def test_figures_by_hand():
     wish = {"model": "modern_residential", "floors": 5, "size": (10, 8, 9)}
     ground = site(buildings=[wish | {"model": "modern_residential"}], sun_hours=2.0)
-    pieces = [building("a", 30, 40), building("b", 60, 40, heading=SOUTH + 0.5),
-              building("c", 90, 40, heading=SOUTH + 0.6, asset="villa")]  # fmt: skip
+    pieces = [
+        building("a", 30, 40),
+        building("b", 60, 40, heading=SOUTH + 0.5),
+        building("c", 90, 40, heading=SOUTH + 0.6, asset="villa"),
+    ]
     found = figures(ground, *pieces)
     assert found["coverage"] == pytest.approx(240 / 9600)
     assert found["floor_area"] == pytest.approx(80 * 5 + 80 * 5 + 80 * 3)
@@ -269,8 +286,9 @@ def test_a_large_site_is_judged():
 @pytest.mark.realdata
 def test_designers_are_judged(real_data):
     """What designers built never crashes the referee, and mostly overlaps nothing."""
-    rows = compounds(real_data / "site_reco_sample" / "reco_sample.json", id="s", spacing=0.0,
-                     setback=0.0)  # fmt: skip
+    rows = compounds(
+        real_data / "site_reco_sample" / "reco_sample.json", id="s", spacing=0.0, setback=0.0
+    )
     for ground, designed in rows[:30]:
         pieces = [
             building(f"b{k}", x, y, w, d, h, heading=a)

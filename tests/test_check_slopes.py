@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from judged_rooms import NORTH, SOUTH, door, judge, kinds, piece, rectangle, room
-from scenewright.space import Slope, Space
+from scenewright.core.space import Slope, Space
 
 KNEE, PITCH = 1.0, math.pi / 4
 ROOF = (Slope(2, KNEE, PITCH),)

@@ -10,17 +10,15 @@ import pytest
 import shapely
 
 from catalogs import city, flat, saved
-from scenewright.check import check
-from scenewright.domains import solve
-from scenewright.errors import InputError
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.errors import InputError
+from scenewright.core.scene import Scene
+from scenewright.domains import check, scene_of, solve
+from scenewright.domains.site.plan import plans_of
+from scenewright.domains.site.reading.cityjson import read_report
+from scenewright.domains.site.reading.road_areas import pieces
 from scenewright.formats import read, write
-from scenewright.formats.road_areas import pieces
-from scenewright.formats.site_cityjson import read_report
-from scenewright.scene import Scene
-from scenewright.shell import scene_of
-from scenewright.site.plan import plans_of
-from scenewright.staging import placed, things
-from scenewright.stock import catalog_of
+from scenewright.render.items import things, to_level_coordinates
 
 L_SHAPE = [(0, 0), (20, 0), (20, 8), (8, 8), (8, 24), (0, 24)]
 BLOCK = [(60, 10), (84, 10), (84, 22), (60, 22)]
@@ -36,14 +34,14 @@ def turned(outline, angle: float, by=(0.0, 0.0)):
 def drawn(scene: Scene, name: str, catalog) -> np.ndarray:
     """The corners of a piece as they are drawn."""
     (thing,) = [t for t in things(scene, catalog) if t.name == name]
-    return np.concatenate([placed(thing, part.vertices) for part in thing.parts])
+    return np.concatenate([to_level_coordinates(thing, part.vertices) for part in thing.parts])
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.3, 1.2, 2.9, -0.7])
 def test_buildings_are_drawn_where_the_file_has_them(tmp_path, angle):
     truth = {key: turned(outline, angle, (500, 300)) for key, outline in TOWN.items()}
     brief = read(saved(tmp_path / "town.city.json", city(truth)))
-    (site,) = brief.sites
+    (site,) = brief.part.sites
     solution = solve(brief, seed=1)
     catalog, scene = catalog_of(brief.catalogs), scene_of(solution)
     offset = np.array(site.shift) - (84000, 447000)
@@ -91,7 +89,7 @@ def test_streets_and_water_are_kept_free(tmp_path):
     flat(town, "street", "Road", [(-10, 30), (95, 30), (95, 40), (-10, 40)])
     flat(town, "pond", "WaterBody", [(45, 50), (55, 50), (55, 65), (45, 65)])
     brief = read(saved(tmp_path / "town.json", town))
-    (plan,), shift = plans_of(brief), np.array(brief.sites[0].shift) - (84000, 447000)
+    (plan,), shift = plans_of(brief), np.array(brief.part.sites[0].shift) - (84000, 447000)
     (road,) = plan.roads
     assert (road.kind, road.width) == ("road", pytest.approx(10, abs=0.5))
     floor = shapely.Polygon(plan.outline, plan.holes)
@@ -145,12 +143,14 @@ def test_buildings_of_one_name_keep_apart(tmp_path):
     [
         ({"version": "9.0"}, "is CityJSON 9.0"),
         ({"CityObjects": {}}, "holds no buildings"),
-        ({"metadata": {"referenceSystem": "https://www.opengis.net/def/crs/EPSG/0/4326"}},
-         "its coordinates are degrees"),
+        (
+            {"metadata": {"referenceSystem": "https://www.opengis.net/def/crs/EPSG/0/4326"}},
+            "its coordinates are degrees",
+        ),
         ({"vertices": [[0, 0]]}, "vertices"),
         ({"transform": {"scale": [1e300, 1, 1]}}, "transform"),
     ],
-)  # fmt: skip
+)
 def test_what_is_no_site_is_told(tmp_path, change, told):
     path = saved(tmp_path / "town.json", city(TOWN) | change)
     with pytest.raises(InputError) as error:
@@ -175,9 +175,12 @@ def test_ground_under_water_is_no_site(tmp_path):
 def test_road_areas_become_straight_pieces_that_cover_them():
     bend = shapely.LineString([(0, 0), (60, 0), (100, 40), (100, 90)]).buffer(4, cap_style="flat")
     found = pieces(bend)
-    cover = shapely.union_all([
-        shapely.LineString(piece.line).buffer(piece.width / 2, cap_style="flat") for piece in found
-    ])  # fmt: skip
+    cover = shapely.union_all(
+        [
+            shapely.LineString(piece.line).buffer(piece.width / 2, cap_style="flat")
+            for piece in found
+        ]
+    )
     assert cover.intersection(bend).area > 0.85 * bend.area
     assert cover.difference(bend).area < 0.15 * bend.area
     assert len(found) < 40

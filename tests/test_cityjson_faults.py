@@ -8,14 +8,8 @@ from typing import Any
 import pytest
 
 from hostile_models import Json, fault_of
-from model_files import (
-    CUBE,
-    SHELL,
-    SOLID,
-    city_of,
-    put,
-)
-from scenewright.models import library
+from model_files import CUBE, SHELL, SOLID, city_of, put
+from scenewright.catalog.models import library
 
 
 def surface(rings: Any, **more: Any) -> Json:
@@ -52,9 +46,15 @@ CITY = {
     "one place": (surface([[[1, 1, 1, 1]]]), "no surface with an area"),
     "long ring": (surface([[[0, 2, 6] * 7000]]), "more than 20,000 corners"),
     "flat": (surface(SHELL[:1]), "is flat"),
-    "in itself": (city_of(SOLID, CUBE, CityObjects={
-        "a": {"type": "BuildingPart", "parents": ["a"], "children": ["a"]}}), "no buildings"),
-}  # fmt: skip
+    "in itself": (
+        city_of(
+            SOLID,
+            CUBE,
+            CityObjects={"a": {"type": "BuildingPart", "parents": ["a"], "children": ["a"]}},
+        ),
+        "no buildings",
+    ),
+}
 
 
 @pytest.mark.parametrize("case", CITY)

@@ -21,16 +21,15 @@ import scenewright
 from deadline import within
 from flat import flat_brief, flat_solution
 from scenewright import cli
-from scenewright.cli import arrange as cli_arrange
 from scenewright.cli import bench as cli_bench
 from scenewright.cli import show
-from scenewright.cli.progress import Watch
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
+from scenewright.core.solution import LeftOut, Solution, TermValue
 from scenewright.formats import brief_json, solution_json
-from scenewright.solution import LeftOut, Solution, TermValue
+from scenewright.workflow.events import run_to_end
+from scenewright.workflow.writing import write_all
 
 Captured = pytest.CaptureFixture[str]
-IDLE = Watch(lambda _fraction, _message: None, lambda: False)
 
 
 @pytest.fixture(autouse=True)
@@ -83,6 +82,7 @@ def save_brief(**changes: Any) -> str:
         (["explain", "missing.json"], "missing.json"),
         (["list", "wishes"], "use one of: solvers"),
         (["schema", "poem"], "use one of: brief, solution"),
+        (["warm", "castle"], "give home, hall, site"),
     ],
 )
 def test_what_cannot_work_is_one_line(arguments: list[str], told: str, capsys: Captured) -> None:
@@ -119,8 +119,19 @@ def test_version_and_help(capsys: Captured) -> None:
 
 def test_arrange_check_explain_and_arrange_again(capsys: Captured) -> None:
     source = save_brief()
-    code = cli.run(["arrange", source, "-o", "new/home.json", "-o", "new/home.svg",
-                    "--steps", "2000", "--json"])  # fmt: skip
+    code = cli.run(
+        [
+            "arrange",
+            source,
+            "-o",
+            "new/home.json",
+            "-o",
+            "new/home.svg",
+            "--steps",
+            "2000",
+            "--json",
+        ]
+    )
     document = json.loads(capsys.readouterr().out)
     assert code == document["exit"]
     assert sorted(os.listdir("new")) == ["home.json", "home.svg"]
@@ -141,8 +152,9 @@ def relock(path: Path) -> None:
     locked = max(document["pieces"], key=lambda piece: prod(piece["size"]))
     locked["fixed"] = True
     path.write_text(json.dumps(document))
-    assert cli.run(["arrange", str(path), "-o", "again.json", "--steps", "2000", "--seed", "9",
-                    "-q"]) in (0, 1)  # fmt: skip
+    assert cli.run(
+        ["arrange", str(path), "-o", "again.json", "--steps", "2000", "--seed", "9", "-q"]
+    ) in (0, 1)
     again = solution_json.read("again.json")
     same = next(piece for piece in again.pieces if piece.id == locked["id"])
     assert [*same.pose] == locked["pose"]
@@ -163,9 +175,13 @@ def test_the_same_seed_gives_the_same_pieces(capsys: Captured) -> None:
 
 def test_the_table_tells_rooms_reasons_and_verdict(capsys: Captured) -> None:
     """A room too small for what is asked: files are written, the exit code is 1."""
-    room = flat_brief().rooms[1].model_copy(
-        update={"outline": [(0, 0), (1.2, 0), (1.2, 1.3), (0, 1.3)], "fixed": [], "windows": []}
-    )  # fmt: skip
+    room = (
+        flat_brief()
+        .rooms[1]
+        .model_copy(
+            update={"outline": [(0, 0), (1.2, 0), (1.2, 1.3), (0, 1.3)], "fixed": [], "windows": []}
+        )
+    )
     source = save_brief(rooms=[room])
     assert cli.run(["arrange", source, "-o", "home.json", "--steps", "1000"]) == 1
     out = capsys.readouterr().out
@@ -178,10 +194,17 @@ def test_missing_things_are_told_in_plain_words(solution: Solution, capsys: Capt
     """Missing and merely welcome have other words; what is said thrice is one line."""
     bed = LeftOut("bedroom", "sleeping", "no space", True)
     plant = LeftOut("living", "plant", "no corner", False)
-    show.explained(Console(), replace(solution, left_out=(bed, bed, bed, plant), terms=(
-        TermValue("living", "seating", "overlap", 1e-9, 600, 6e-7),
-        TermValue("living", "seating", "route", 0.5, 100, 50),
-    )))  # fmt: skip
+    show.print_explanation(
+        Console(),
+        replace(
+            solution,
+            left_out=(bed, bed, bed, plant),
+            terms=(
+                TermValue("living", "seating", "overlap", 1e-9, 600, 6e-7),
+                TermValue("living", "seating", "route", 0.5, 100, 50),
+            ),
+        ),
+    )
     out = capsys.readouterr().out
     assert "left out: Bedroom: 3 × sleeping: no space\n" in out
     assert "welcome but not placed: Living room: plant: no corner\n" in out
@@ -217,8 +240,7 @@ def test_check_tells_every_violation(solution: Solution, capsys: Captured) -> No
 
 
 @pytest.mark.parametrize(
-    "what",
-    ["solvers", "terms", "patterns", "presets", "formats", "groups", "assets", "samples"],
+    "what", ["solvers", "terms", "patterns", "presets", "formats", "groups", "assets", "samples"]
 )
 def test_lists(what: str, capsys: Captured) -> None:
     assert cli.run(["list", what, "--json"]) == 0
@@ -249,10 +271,10 @@ def test_all_files_or_none(tmp_path: Path) -> None:
     """The second output cannot be written: the first does not appear, the old one stays."""
     Path("home.json").write_text("old")
     Path("taken").write_text("a file where a folder is wanted")
+    paths = [Path("home.json"), Path("taken/home.svg")]
+    files = write_all([(flat_solution(), path) for path in paths])
     with pytest.raises(InputError, match=r"^taken.home.svg: cannot be written"):
-        cli_arrange.write_together(
-            flat_solution(), [Path("home.json"), Path("taken/home.svg")], IDLE
-        )
+        run_to_end(files)
     assert Path("home.json").read_text() == "old"
     assert sorted(os.listdir()) == ["home.json", "taken"]
 
@@ -284,7 +306,16 @@ def test_benchmarks_are_found_from_the_checkout(
     Path("benchmarks").mkdir()
     Path("benchmarks/__init__.py").touch()
     long = "a case that is told at such length that no narrow table holds it in one line of eighty"
-    record = {"case": long, "metric": "time", "unit": "s", "ours": 1.0, "ratio": 2.0}
+    record = {
+        "case": long,
+        "metric": "time",
+        "unit": "s",
+        "ours": 1.0,
+        "baseline": 2.0,
+        "baseline_name": "it",
+        "ratio": 2.0,
+        "runs": 3,
+    }
     Path("benchmarks/tiny.py").write_text(
         f"def records(quick=False, progress=None):\n    progress(1.0, 'a')\n    return [{record}]\n"
     )

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from scenewright import cli
-from scenewright.models import register
-from scenewright.scene import Size
+from scenewright.catalog.models import register
+from scenewright.core.scene import Size
 from test_catalogues import obj
 
 Captured = pytest.CaptureFixture[str]
@@ -78,10 +78,19 @@ def test_add_list_and_use_by_name(capsys: Captured) -> None:
     assert (row["name"], row["models"], row["usable"], row["there"]) == ("ours", 2, 1, True)
     assert "already" in fault(capsys, "catalog", "add", "mine", "--name", "ours")
     run(capsys, "catalog", "add", "mine", "--name", "ours", "--replace")
-    Path("room.json").write_text(json.dumps({
-        "rooms": [{"function": "living", "outline": [[0, 0], [5, 0], [5, 4], [0, 4]],
-                   "doors": [{"at": [0, 0.8]}]}],
-    }))  # fmt: skip
+    Path("room.json").write_text(
+        json.dumps(
+            {
+                "rooms": [
+                    {
+                        "function": "living",
+                        "outline": [[0, 0], [5, 0], [5, 4], [0, 4]],
+                        "doors": [{"at": [0, 0.8]}],
+                    }
+                ]
+            }
+        )
+    )
     run(
         capsys,
         "arrange",
@@ -101,9 +110,9 @@ def test_a_catalogue_that_cannot_be_used_leaves_no_name(capsys: Captured) -> Non
     Path("empty").mkdir()
     assert "there are no model files" in fault(capsys, "catalog", "add", "empty")
     run(capsys, "catalog", "add", "mine", "--name", "ours")
-    before = register.saved("ours")
+    before = register.read_saved_files("ours")
     fault(capsys, "catalog", "add", "empty", "--name", "ours", "--replace")
-    assert register.saved("ours") == before
+    assert register.read_saved_files("ours") == before
     assert register.names() == ("ours",)
 
 
@@ -127,11 +136,20 @@ def test_faults_are_one_line(capsys: Captured, arguments: list[str], told: str) 
 def test_learn_writes_groups_that_arrange_takes(capsys: Captured) -> None:
     Path("home.xml").write_text(HOME)
     assert "double bed, nightstand" in run(capsys, "catalog", "learn", "home.xml", "-o", "g.json")
-    Path("room.json").write_text(json.dumps({
-        "groups": ["g.json"],
-        "rooms": [{"function": "double_bedroom", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]],
-                   "doors": [{"at": [0, 0.8]}]}],
-    }))  # fmt: skip
+    Path("room.json").write_text(
+        json.dumps(
+            {
+                "groups": ["g.json"],
+                "rooms": [
+                    {
+                        "function": "double_bedroom",
+                        "outline": [[0, 0], [4, 0], [4, 4], [0, 4]],
+                        "doors": [{"at": [0, 0.8]}],
+                    }
+                ],
+            }
+        )
+    )
     run(capsys, "arrange", "room.json", "-o", "out.json", "--steps", "300", "-q")
     pieces = json.loads(Path("out.json").read_text())["pieces"]
     assert [p["size"] for p in pieces if p["category"] == "double_bed"] == [[1.6, 2.0, 0.5]]

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 from scenewright.geometry.curvature import bends, mean_curvature, vertex_areas
 from scenewright.geometry.mesh import Mesh, loft
 from scenewright.geometry.mesh_edges import seams, sides
-from scenewright.geometry.mesh_weld import sound
+from scenewright.geometry.mesh_weld import clean_mesh
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -55,7 +55,7 @@ def test_a_sphere_has_one_over_its_radius(radius: float, cut: str) -> None:
         if cut == "even"
         else trimesh.creation.uv_sphere(radius, count=[40, 60])
     )
-    assert mean_curvature(sound(plain(ball)).mesh) * radius == pytest.approx(1.0, rel=0.02)
+    assert mean_curvature(clean_mesh(plain(ball)).mesh) * radius == pytest.approx(1.0, rel=0.02)
 
 
 def test_a_cylinder_has_half_of_one_over_its_radius() -> None:
@@ -110,8 +110,9 @@ def test_most_of_an_open_sheet_says_which_side_is_out() -> None:
 
 def test_a_band_with_one_side_is_taken() -> None:
     angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
-    ways = np.stack([np.cos(angle / 2) * np.cos(angle), np.cos(angle / 2) * np.sin(angle),
-                     np.sin(angle / 2)], 1)  # fmt: skip
+    ways = np.stack(
+        [np.cos(angle / 2) * np.cos(angle), np.cos(angle / 2) * np.sin(angle), np.sin(angle / 2)], 1
+    )
     middle = 3 * np.stack([np.cos(angle), np.sin(angle), 0 * angle], 1)
     points = np.stack([middle - ways, middle + ways], 1).reshape(-1, 3)
     names = np.arange(80)
@@ -171,7 +172,7 @@ def test_loose_and_doubled_faces_are_put_right(seed: int) -> None:
     junk = np.concatenate([faces[:40, ::-1], np.repeat(faces[:5, :1], 3, 1), faces[7:9, [0, 1, 1]]])
     turn = Rotation.random(random_state=seed).as_matrix()
     corners = np.concatenate([loose, [[np.nan] * 3]]) @ turn + rng.normal(size=3) * 1e4
-    found = sound(Mesh(corners, rng.permutation(np.concatenate([faces, junk]))))
+    found = clean_mesh(Mesh(corners, rng.permutation(np.concatenate([faces, junk]))))
     assert len(found.mesh.vertices) == len(ball.vertices)
     assert len(found.face) == len(ball.faces)
     assert found.vertex[-1] == -1
@@ -180,7 +181,7 @@ def test_loose_and_doubled_faces_are_put_right(seed: int) -> None:
 
 
 def test_size_of_a_box_is_its_diagonal() -> None:
-    assert sound(plain(trimesh.creation.box((2.0, 3.0, 6.0)))).size == pytest.approx(7.0)
+    assert clean_mesh(plain(trimesh.creation.box((2.0, 3.0, 6.0)))).size == pytest.approx(7.0)
 
 
 TRIANGLE = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
@@ -202,4 +203,4 @@ TRIANGLE = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
 )
 def test_unusable_meshes_are_told(vertices: Floats, faces: Ints, fault: str) -> None:
     with pytest.raises(ValueError, match=fault):
-        sound(Mesh(np.asarray(vertices), np.asarray(faces)))
+        clean_mesh(Mesh(np.asarray(vertices), np.asarray(faces)))

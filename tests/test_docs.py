@@ -10,19 +10,19 @@ import pytest
 from benchmarks.appearance import ranking
 
 from scenewright import cli
-from scenewright.appearance import shipped_facts
-from scenewright.brief.hall import Demand, ZoneBrief
-from scenewright.check import KINDS
+from scenewright.catalog.appearance import shipped_facts
+from scenewright.check.report import KINDS
+from scenewright.core.brief.zones import Demand, ZoneBrief
+from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.presets import PRESETS as HALL_PRESETS
+from scenewright.domains.hall.solvers import HALL_SOLVERS
+from scenewright.domains.hall.terms.table import HALL_TERMS
 from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.solvers import SOLVERS
+from scenewright.domains.home.terms.table import TERMS
 from scenewright.domains.site.presets import PRESETS as SITE_PRESETS
-from scenewright.encodings.patterns import PATTERNS
-from scenewright.solvers import SOLVERS
-from scenewright.solvers.halls import HALL_SOLVERS
-from scenewright.solvers.sites import SITE_SOLVERS
-from scenewright.terms.hall_terms import HALL_TERMS
-from scenewright.terms.site_terms import SITE_AIMS
-from scenewright.terms.table import TERMS
+from scenewright.domains.site.solvers import SITE_SOLVERS
+from scenewright.domains.site.terms.table import SITE_AIMS
 
 ROOT = Path(__file__).parent.parent
 DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -31,9 +31,11 @@ BLOCK = re.compile(r"(?:<!-- file: (\S+) -->\n)?```(\w+)\n(.*?)```", re.DOTALL)
 
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
 def test_examples_run(
-    document: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    document: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
-) -> None:  # fmt: skip
+) -> None:
     """Files are written, commands must not fail, Python runs; in order, in one folder."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("SCENEWRIGHT_HOME", str(tmp_path / "user"))

@@ -8,25 +8,26 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from scenewright.assets import shipped
-from scenewright.assets.kinds import KINDS
-from scenewright.assets.sizes import SIZES
-from scenewright.catalog import Asset, Part
-from scenewright.models import library
-from scenewright.models.front import FLAT_BACK, HIGH_BACK, SIDES, front
-from scenewright.models.furniture import GENERIC, OTHER, REFINED, understood, unit_of
-from scenewright.models.model import Model
-from scenewright.models.words import match, phrases
-from scenewright.scene import Size
+from scenewright.catalog.assets import shipped
+from scenewright.catalog.kinds import KINDS, SIZES
+from scenewright.catalog.kinds.other_words import GENERIC
+from scenewright.catalog.models import library
+from scenewright.catalog.models.front import SIDES, front
+from scenewright.catalog.models.furniture import OTHER, REFINED, understood, unit_of
+from scenewright.catalog.models.model import Model
+from scenewright.catalog.models.words import match, phrases
+from scenewright.core.catalog import Asset, Part
+from scenewright.core.scene import Size
 
-SHAPED = [a for a in shipped().assets.values() if a.category in HIGH_BACK | FLAT_BACK]
+SHAPED = [a for a in shipped().assets.values() if KINDS[a.category].back]
 
 
 def model(
     name: str, size: Size, *, category: str = "", sized: bool = False, **more: float
 ) -> Model:
-    return Model(name, name, (), size, "", "", "x.glb", category, more.get("elevation", 0.0),
-                 sized=sized)  # fmt: skip
+    return Model(
+        name, name, (), size, "", "", "x.glb", category, more.get("elevation", 0.0), sized=sized
+    )
 
 
 def turned(parts: tuple[Part, ...], quarters: int) -> tuple[Part, ...]:
@@ -39,7 +40,8 @@ def turned(parts: tuple[Part, ...], quarters: int) -> tuple[Part, ...]:
 def test_the_words_are_of_known_kinds() -> None:
     known = set(KINDS) | set(GENERIC) | {OTHER}
     assert {kind for phrase in phrases() for kind in phrase.kinds} <= known
-    assert {kind for kinds in (*GENERIC.values(), *REFINED.values()) for kind in kinds} <= known
+    assert {kind for kinds in REFINED.values() for kind in kinds} <= known
+    assert {kind for row in GENERIC.values() for kind in row.kinds} <= known
     assert {language for _, language, _ in phrases()} >= {"en", "fr", "de", "es", "zh", "ja"}
 
 
@@ -84,7 +86,7 @@ def test_the_longest_phrase_names_the_kind(name: str, kinds: tuple[str, ...]) ->
         (model("Chair", Size(0.5, 0.5, 0.04), sized=True), OTHER),
         (model("Zorble", Size(0.5, 0.5, 0.5)), OTHER),
     ],
-)  # fmt: skip
+)
 def test_room_height_and_size_tell_kinds_of_one_name_apart(made: Model, category: str) -> None:
     assert understood(made).category == category
 

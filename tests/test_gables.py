@@ -8,28 +8,31 @@ import numpy as np
 import pytest
 import shapely
 
-from scenewright.brief import Brief
+from scenewright.building.ceiling import heights, planes
 from scenewright.building.gables import height_at
-from scenewright.catalog import Part
-from scenewright.ceiling import heights, planes
-from scenewright.formats import svg
-from scenewright.formats.svg_slopes import contours
+from scenewright.building.plan import levels, spaces
+from scenewright.building.shell import shell
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Part
+from scenewright.core.scene import Prism, Scene
+from scenewright.drawing import rooms
+from scenewright.drawing.slopes import contours
 from scenewright.geometry.mesh import volume
-from scenewright.plan import levels, spaces
-from scenewright.scene import Prism, Scene
-from scenewright.shell import shell
-from scenewright.staging import things
-from scenewright.stock import catalog_of
+from scenewright.render.items import things
 
 ROOM = {
     "name": "Attic",
     "outline": [[0, 0], [6, 0], [6, 4], [0, 4]],
     "height": 2.4,
-    "slopes": [{"edge": 0, "knee": 0.9, "pitch": 0.7}, {"edge": 2, "knee": 1.3, "pitch": 0.5},
-               {"edge": 0, "knee": 1.8, "pitch": 0.2}],
+    "slopes": [
+        {"edge": 0, "knee": 0.9, "pitch": 0.7},
+        {"edge": 2, "knee": 1.3, "pitch": 0.5},
+        {"edge": 0, "knee": 1.8, "pitch": 0.2},
+    ],
     "windows": [{"at": [0, 2], "width": 1.2, "sill": 0.8, "height": 1.2}],
     "doors": [{"at": [6, 2], "width": 0.9}],
-}  # fmt: skip
+}
 
 
 def home(turn: float = 0.0) -> Brief:
@@ -117,7 +120,7 @@ def test_plans_show_where_the_ceiling_is_one_and_two_metres_high() -> None:
     assert sorted(round(float(line[0]), 3) for line in lines) == pytest.approx(
         [max(1.1 / np.tan(0.7), 0.2 / np.tan(0.2)), 4 - 0.7 / np.tan(0.5)], abs=0.002
     )
-    text = svg.plan(scene, catalog_of([]))
+    text = rooms.plan(scene, catalog_of([]))
     assert text.count("2.0 m<") >= 2
     assert text.count("1.0 m<") >= 1
     assert "living area" in text
@@ -126,10 +129,17 @@ def test_plans_show_where_the_ceiling_is_one_and_two_metres_high() -> None:
 def test_many_slopes_make_no_more_parts_than_show() -> None:
     """The prisms are the cells of the lowest planes, however many planes lie above these."""
     walls = np.random.default_rng(0)
-    slopes = [{"edge": int(walls.integers(4)), "knee": float(walls.uniform(0.3, 2.0)),
-               "pitch": float(walls.uniform(0.1, 1.5))} for _ in range(20)]  # fmt: skip
-    brief = Brief.model_validate({"rooms": [ROOM | {"height": 10.0, "slopes": slopes,
-                                                    "windows": [], "doors": []}]})  # fmt: skip
+    slopes = [
+        {
+            "edge": int(walls.integers(4)),
+            "knee": float(walls.uniform(0.3, 2.0)),
+            "pitch": float(walls.uniform(0.1, 1.5)),
+        }
+        for _ in range(20)
+    ]
+    brief = Brief.model_validate(
+        {"rooms": [ROOM | {"height": 10.0, "slopes": slopes, "windows": [], "doors": []}]}
+    )
     scene = scene_of(brief)
     assert len(prisms_of(scene)) < 60
     (room,) = scene.spaces
@@ -137,4 +147,5 @@ def test_many_slopes_make_no_more_parts_than_show() -> None:
         inside = np.array(shapely.Polygon(prism.outline).representative_point().coords)
         assert prism.tilt is not None
         assert height_at(prism.tilt, inside) == pytest.approx(
-            heights(inside, planes(room), room.height))  # fmt: skip
+            heights(inside, planes(room), room.height)
+        )

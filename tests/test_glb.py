@@ -13,17 +13,17 @@ import pytest
 import trimesh
 
 from flat import flat_brief, flat_solution
-from scenewright import read, solve
-from scenewright.assets import shipped
-from scenewright.catalog import Material, Part
-from scenewright.formats.glb import document_of, encoded, surface, write
+from scenewright import read
+from scenewright.catalog.assets import shipped
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.catalog import Material, Part
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece, Pose, Scene, Size
+from scenewright.domains import scene_of, solve
+from scenewright.formats.glb import document_of, encode_scene, surface, write
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.prisms import box, corner_normals, prism
-from scenewright.layout import corners
-from scenewright.scene import Piece, Pose, Scene, Size
-from scenewright.shell import scene_of
-from scenewright.staging import things
-from scenewright.stock import catalog_of
+from scenewright.render.items import things
 
 GREY = Material("grey", (0.5, 0.5, 0.5))
 COMPONENTS = {5126: np.float32, 5123: np.uint16, 5125: np.uint32}
@@ -66,8 +66,11 @@ def numbers(document: dict[str, Any], buffer: bytes, index: int) -> Any:
 def test_everything_has_a_node_of_its_name(scene: Scene, document: dict[str, Any]) -> None:
     names = [node["name"] for node in document["nodes"]]
     assert len(names) == len(set(names))
-    wanted = [thing.id for group in (scene.spaces, scene.walls, scene.openings, scene.pieces)
-              for thing in group]  # fmt: skip
+    wanted = [
+        thing.id
+        for group in (scene.spaces, scene.walls, scene.openings, scene.pieces)
+        for thing in group
+    ]
     assert set(wanted) <= set(names)
     assert {level.name for level in scene.levels} <= set(names)
 
@@ -95,7 +98,7 @@ def test_extras_tell_what_a_piece_is(document: dict[str, Any]) -> None:
 
 
 def test_the_bytes_follow_the_specification(scene: Scene) -> None:
-    document, buffer = chunks(encoded(scene, shipped()))
+    document, buffer = chunks(encode_scene(scene, shipped()))
     assert document["asset"]["generator"].startswith("Scenewright ")
     for mesh in document["meshes"]:
         for primitive in mesh["primitives"]:
@@ -124,7 +127,7 @@ def test_a_piece_lies_where_the_plan_says_with_y_up() -> None:
         flat_solution(), pieces=(Piece("crate", "no_such_kind", "", "living", pose, size),)
     )
     loaded = trimesh.load(
-        trimesh.util.wrap_as_stream(encoded(scene_of(solution), shipped())), file_type="glb"
+        trimesh.util.wrap_as_stream(encode_scene(scene_of(solution), shipped())), file_type="glb"
     )
     turn, geometry = loaded.graph["crate"]
     points = trimesh.transform_points(loaded.geometry[geometry].vertices, turn)
@@ -139,8 +142,9 @@ def test_a_piece_lies_where_the_plan_says_with_y_up() -> None:
 def test_levels_are_raised_and_equal_pieces_share_a_mesh() -> None:
     brief = flat_brief().model_dump()
     brief["levels"].append({"id": "up", "name": "Upstairs", "elevation": 2.9})
-    brief["rooms"].append({"id": "loft", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]],
-                           "level": "up"})  # fmt: skip
+    brief["rooms"].append(
+        {"id": "loft", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]], "level": "up"}
+    )
     size = Size(0.5, 0.5, 0.9)
     pieces = tuple(
         Piece(f"chair-{k}", "dining_chair", "", "loft", Pose(1.0 + k, 2, 0, k), size)
@@ -155,7 +159,9 @@ def test_levels_are_raised_and_equal_pieces_share_a_mesh() -> None:
 
 
 def test_every_node_is_named_in_trimesh_and_the_home_has_its_size(scene: Scene) -> None:
-    loaded = trimesh.load(trimesh.util.wrap_as_stream(encoded(scene, shipped())), file_type="glb")
+    loaded = trimesh.load(
+        trimesh.util.wrap_as_stream(encode_scene(scene, shipped())), file_type="glb"
+    )
     assert all(name and not name.startswith("geometry") for name in loaded.graph.nodes_geometry)
     low, high = loaded.bounds
     assert high[1] == pytest.approx(2.6, abs=1e-5)
@@ -164,14 +170,18 @@ def test_every_node_is_named_in_trimesh_and_the_home_has_its_size(scene: Scene) 
 
 
 def test_faces_look_outwards(scene: Scene) -> None:
-    for part in (Part(GREY, *box((0, 0, 0), (1, 2, 3))),
-                 Part(GREY, *prism(np.array([[0.0, 0], [2, 0], [0, 2]]), 0, 1))):  # fmt: skip
+    for part in (
+        Part(GREY, *box((0, 0, 0), (1, 2, 3))),
+        Part(GREY, *prism(np.array([[0.0, 0], [2, 0], [0, 2]]), 0, 1)),
+    ):
         found = surface(part, corner_normals(part.vertices, part.faces))
         solid = trimesh.Trimesh(found.positions, found.indices.reshape(-1, 3), process=False)
         assert solid.volume > 0
         rows = found.indices.reshape(-1, 3)
-        across = np.cross(found.positions[rows[:, 1]] - found.positions[rows[:, 0]],
-                          found.positions[rows[:, 2]] - found.positions[rows[:, 0]])  # fmt: skip
+        across = np.cross(
+            found.positions[rows[:, 1]] - found.positions[rows[:, 0]],
+            found.positions[rows[:, 2]] - found.positions[rows[:, 0]],
+        )
         assert (np.einsum("ij,ikj->ik", across, found.normals[rows]) > 0).all()
 
 

@@ -11,13 +11,7 @@ import numpy as np
 import pytest
 
 from hostile_models import SECRET, SOUND, Json, fault_of
-from model_files import (
-    SIDES,
-    TETRAHEDRON,
-    glb_of,
-    gltf_of,
-    put,
-)
+from model_files import SIDES, TETRAHEDRON, glb_of, gltf_of, put
 
 
 def changed(change: Callable[[Json], object]) -> Json:
@@ -33,33 +27,45 @@ def chain(document: Json) -> None:
 GLTF: dict[str, tuple[Callable[[Json], object], str]] = {
     "no version": (lambda d: d.pop("asset"), "tells no version"),
     "glTF 1": (lambda d: d["asset"].update(version="1.0"), "is glTF 1.0"),
-    "draco": (lambda d: d.update(extensionsRequired=["KHR_draco_mesh_compression"]),
-              "is compressed (KHR_draco_mesh_compression); export it without"),
-    "meshopt": (lambda d: d.update(extensionsRequired=["EXT_meshopt_compression"]),
-                "is compressed (EXT_meshopt_compression)"),
+    "draco": (
+        lambda d: d.update(extensionsRequired=["KHR_draco_mesh_compression"]),
+        "is compressed (KHR_draco_mesh_compression); export it without",
+    ),
+    "meshopt": (
+        lambda d: d.update(extensionsRequired=["EXT_meshopt_compression"]),
+        "is compressed (EXT_meshopt_compression)",
+    ),
     "unknown extension": (lambda d: d.update(extensionsRequired=["ACME_\x1bmagic"]), "ACME_magic"),
     "count beyond bytes": (lambda d: d["accessors"][0].update(count=5), "more than its bytes"),
     "huge count": (lambda d: d["accessors"][0].update(count=2**39), "numbers in a row"),
-    "huge count of nothing": (lambda d: d["accessors"][0].update(count=2**39, bufferView=None),
-                              "numbers in a row"),
+    "huge count of nothing": (
+        lambda d: d["accessors"][0].update(count=2**39, bufferView=None),
+        "numbers in a row",
+    ),
     "count beyond any": (lambda d: d["accessors"][0].update(count=2**80), "not possible"),
     "negative count": (lambda d: d["accessors"][0].update(count=-1), "is not possible"),
     "negative offset": (lambda d: d["accessors"][0].update(byteOffset=-8), "is not possible"),
     "offset beyond": (lambda d: d["accessors"][0].update(byteOffset=40), "more than its bytes"),
     "unknown numbers": (lambda d: d["accessors"][0].update(componentType=5130), "unknown type"),
     "wrong vectors": (lambda d: d["accessors"][0].update(type="VEC2"), "not vectors of 3"),
-    "indices as fractions": (lambda d: d["accessors"][1].update(componentType=5126, count=6),
-                             "not whole numbers"),
+    "indices as fractions": (
+        lambda d: d["accessors"][1].update(componentType=5126, count=6),
+        "not whole numbers",
+    ),
     "view beyond buffer": (lambda d: d["bufferViews"][0].update(byteLength=10**6), "beyond its"),
     "view of no buffer": (lambda d: d["bufferViews"][0].update(buffer=7), "buffers[7]"),
     "no such view": (lambda d: d["accessors"][0].update(bufferView=9), "bufferViews[9]"),
-    "no such accessor": (lambda d: d["meshes"][0]["primitives"][0].update(indices=8),
-                         "accessors[8]"),
+    "no such accessor": (
+        lambda d: d["meshes"][0]["primitives"][0].update(indices=8),
+        "accessors[8]",
+    ),
     "no such mesh": (lambda d: d["nodes"][0].update(mesh=3), "meshes[3] is not there"),
     "no such node": (lambda d: d["scenes"][0].update(nodes=[4]), "nodes[4] is not there"),
     "no such scene": (lambda d: d.update(scene=4), "scenes[4] is not there"),
-    "no such material": (lambda d: d["meshes"][0]["primitives"][0].update(material=2),
-                         "materials[2]"),
+    "no such material": (
+        lambda d: d["meshes"][0]["primitives"][0].update(material=2),
+        "materials[2]",
+    ),
     "nothing": (lambda d: d.update(nodes=[], scenes=[]), "no triangles"),
     "no nodes": (lambda d: d["scenes"][0].update(nodes=[]), "no triangles"),
     "points only": (lambda d: d["meshes"][0]["primitives"][0].update(mode=0), "no triangles"),
@@ -70,8 +76,12 @@ GLTF: dict[str, tuple[Callable[[Json], object], str]] = {
     "matrix not finite": (lambda d: d["nodes"][0].update(translation=[1e30, 0, 0]), "possible"),
     "scale nothing": (lambda d: d["nodes"][0].update(scale=[0, 0, 0]), "single point"),
     "scale flat": (lambda d: d["nodes"][0].update(scale=[1, 0, 1]), "is flat"),
-    "grows without end": (lambda d: d.update(nodes=[
-        *({"children": [k + 1], "scale": [1e9] * 3} for k in range(60)), {"mesh": 0}]), "finite"),
+    "grows without end": (
+        lambda d: d.update(
+            nodes=[*({"children": [k + 1], "scale": [1e9] * 3} for k in range(60)), {"mesh": 0}]
+        ),
+        "finite",
+    ),
     "buffer outside": (lambda d: d["buffers"][0].update(uri="../raw.bin"), "outside its folder"),
     "buffer outside, hidden": (lambda d: d["buffers"][0].update(uri="%2e%2e/raw.bin"), "outside"),
     "buffer absolute": (lambda d: d["buffers"][0].update(uri="/etc/passwd"), "outside its folder"),
@@ -84,17 +94,36 @@ GLTF: dict[str, tuple[Callable[[Json], object], str]] = {
     "buffer too long": (lambda d: d["buffers"][0].update(byteLength=2**35), "more than 256 MiB"),
     "not base64": (lambda d: d["buffers"][0].update(uri="data:x;base64,%%%"), "not base64"),
     "data as text": (lambda d: d["buffers"][0].update(uri="data:text/plain,abc"), "not base64"),
-    "image outside": (lambda d: d.update(
-        images=[{"uri": "../a.png"}], textures=[{"source": 0}],
-        materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]), "outside"),
+    "image outside": (
+        lambda d: d.update(
+            images=[{"uri": "../a.png"}],
+            textures=[{"source": 0}],
+            materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+        ),
+        "outside",
+    ),
     "a list for an object": (lambda d: d.update(nodes={}), "give a list"),
-    "sparse beyond": (lambda d: d["accessors"][0].update(sparse={
-        "count": 4, "indices": {"bufferView": 1, "componentType": 5123, "byteOffset": 12},
-        "values": {"bufferView": 1}}), "more than its bytes"),
-    "sparse without end": (lambda d: d["accessors"][0].update(sparse={
-        "count": 2**30, "indices": {"bufferView": 1, "componentType": 5123},
-        "values": {"bufferView": 0}}), "exceptions than numbers"),
-}  # fmt: skip
+    "sparse beyond": (
+        lambda d: d["accessors"][0].update(
+            sparse={
+                "count": 4,
+                "indices": {"bufferView": 1, "componentType": 5123, "byteOffset": 12},
+                "values": {"bufferView": 1},
+            }
+        ),
+        "more than its bytes",
+    ),
+    "sparse without end": (
+        lambda d: d["accessors"][0].update(
+            sparse={
+                "count": 2**30,
+                "indices": {"bufferView": 1, "componentType": 5123},
+                "values": {"bufferView": 0},
+            }
+        ),
+        "exceptions than numbers",
+    ),
+}
 
 
 @pytest.mark.parametrize("case", GLTF)
@@ -125,7 +154,7 @@ BYTES = {
     "long numbers": (b'{"asset": {"version": "2.0"}, "x": ' + b"9" * 5000 + b"}", "is not glTF"),
     "deep": (b'{"asset": ' + b"[" * 100_000, "nested too deeply"),
     "very many values": (b'{"asset": [' + b"0," * 7_000_000, "values"),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("case", BYTES)

@@ -8,21 +8,28 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from scenewright.core.scene import Size
 from scenewright.domains.hall.assign import KAPPA, area_of, assign
-from scenewright.domains.hall.wanted import Wanted
-from scenewright.scene import Size
+from scenewright.domains.hall.holdings import HallDemand
 
 NAMES = ("a", "b", "c")
 
 
-def wish(count: int, zones: tuple[str, ...] = (), wall: bool = False) -> Wanted:
-    return Wanted(
-        "w", "w", "box", (Size(1.0, 1.0, 1.0),) * count, (0.0, 0.0, 0.0, 0.0),
-        ("wall",) if wall else ("chain",), zones, "", True,
-    )  # fmt: skip
+def wish(count: int, zones: tuple[str, ...] = (), wall: bool = False) -> HallDemand:
+    return HallDemand(
+        "w",
+        "w",
+        "box",
+        (Size(1.0, 1.0, 1.0),) * count,
+        (0.0, 0.0, 0.0, 0.0),
+        ("wall",) if wall else ("chain",),
+        zones,
+        "",
+        True,
+    )
 
 
-def counts(wishes: list[Wanted], areas: list[float], walls: list[float], whole: bool = False):
+def counts(wishes: list[HallDemand], areas: list[float], walls: list[float], whole: bool = False):
     units = assign(wishes, NAMES, np.array(areas), np.array(walls), whole)
     return units, Counter({(u.demand, u.zone): u.last - u.first for u in units})
 
@@ -31,12 +38,17 @@ wishes_of = st.lists(
     st.builds(
         wish, st.integers(1, 60), st.sampled_from([(), ("a",), ("b", "c"), NAMES]), st.booleans()
     ),
-    min_size=1, max_size=5,
-)  # fmt: skip
+    min_size=1,
+    max_size=5,
+)
 
 
-@given(wishes_of, st.lists(st.floats(5, 500), min_size=3, max_size=3),
-       st.lists(st.floats(0, 80), min_size=3, max_size=3), st.booleans())  # fmt: skip
+@given(
+    wishes_of,
+    st.lists(st.floats(5, 500), min_size=3, max_size=3),
+    st.lists(st.floats(0, 80), min_size=3, max_size=3),
+    st.booleans(),
+)
 def test_every_object_goes_to_one_allowed_zone(wishes, areas, walls, whole) -> None:
     units, _ = counts(wishes, areas, walls, whole)
     for number, asked in enumerate(wishes):

@@ -14,22 +14,37 @@ from benchmarks.shapely_hall import ShapelyHall, grown
 from benchmarks.shapely_home import rectangle
 
 from deadline import within
-from scenewright.errors import InputError
-from scenewright.hall_energy import make_state, prepare
-from scenewright.hall_problem import HallProblem
-from scenewright.solve import Budget
-from scenewright.solvers.draws import streams
-from scenewright.solvers.hall_blocks import UNIT, Block, main_direction, sheet_of
-from scenewright.solvers.hall_cells import Members, boxes_in, divide, misfit, options_for, rooms_of
-from scenewright.solvers.hall_chains import begin_chain, first_layout
-from scenewright.solvers.hall_found import HallRun
-from scenewright.solvers.hall_genetic import decode, genetic_hall, judged, violation
-from scenewright.solvers.hall_merrell import merrell, sweep
-from scenewright.solvers.hall_miqp import miqp
-from scenewright.solvers.hall_objects import TRIES, boxes_of, cover_obstacles, drop, lay, make_ways
-from scenewright.solvers.hall_random import random_hall
-from scenewright.terms.guidelines import BALANCE, CIRCULATION, off_balance, regions, whole_cost
-from scenewright.terms.hall_state import Kept
+from scenewright.core.errors import InputError
+from scenewright.domains.hall.energy import make_state, prepare
+from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.solvers.blocks import UNIT, GroupBlock, main_direction, sheet_of
+from scenewright.domains.hall.solvers.cells import (
+    CellObjects,
+    boxes_in,
+    divide,
+    misfit,
+    options_for,
+    rooms_of,
+)
+from scenewright.domains.hall.solvers.chains import begin_chain, first_layout
+from scenewright.domains.hall.solvers.genetic import decode, evaluate_genes, genetic_hall, violation
+from scenewright.domains.hall.solvers.merrell import merrell, sweep
+from scenewright.domains.hall.solvers.miqp import miqp
+from scenewright.domains.hall.solvers.objects import (
+    TRIES,
+    boxes_of,
+    cover_obstacles,
+    drop,
+    lay,
+    make_ways,
+)
+from scenewright.domains.hall.solvers.outcome import HallRun
+from scenewright.domains.hall.solvers.random_search import random_hall
+from scenewright.domains.hall.terms.guidelines import off_balance, regions, whole_cost
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.engine.draws import streams
+from scenewright.engine.guidelines import BALANCE, CIRCULATION
+from scenewright.engine.solve import Budget
 
 MIDDLE = np.array([12.0, 7.0])
 
@@ -76,8 +91,9 @@ def test_moves_add_up_to_the_cost_of_the_whole(heat: float) -> None:
     cover_obstacles(p, ways)
     drop(p, s, ways, TRIES, stream)
     energy = whole_cost(p, s, ways, MIDDLE, doors)
-    tally = np.array([energy, BALANCE * off_balance(s, MIDDLE),
-                      CIRCULATION * (regions(ways) - 1), energy])  # fmt: skip
+    tally = np.array(
+        [energy, BALANCE * off_balance(s, MIDDLE), CIRCULATION * (regions(ways) - 1), energy]
+    )
     best = s.frames.copy()
     sweep(p, s, ways, stream, 3000, heat, 1.0, MIDDLE, doors, tally, best)
     assert tally[0] == pytest.approx(whole_cost(p, s, ways, MIDDLE, doors), abs=1e-6)
@@ -106,14 +122,13 @@ def test_annealing_starts_from_the_boxes_it_is_given() -> None:
 
 
 def test_blocks_and_cells_keep_every_rule_and_their_clearances() -> None:
-    pytest.importorskip("ortools")
+    pytest.importorskip("ortools", reason="needs the extra 'solve'")
     problem = example_hall()
     found = miqp(problem, Budget(), 0)
     assert found.evaluations == 2000
     assert broken(problem, found.boxes) < 2e-4
     assert np.allclose(found.boxes[:, 3:], problem.units.sizes)
-    clears = [rectangle(grown(b, c))
-              for b, c in zip(found.boxes, problem.units.clear, strict=True)]  # fmt: skip
+    clears = [rectangle(grown(b, c)) for b, c in zip(found.boxes, problem.units.clear, strict=True)]
     shared = sum(a.intersection(b).area for k, a in enumerate(clears) for b in clears[:k])
     assert shared < 0.5  # of more than 100 m²
     assert np.array_equal(found.boxes, miqp(problem, Budget(), 0).boxes)
@@ -125,9 +140,9 @@ def test_blocks_and_cells_keep_every_rule_and_their_clearances() -> None:
 
 @pytest.mark.parametrize("turned", [False, True])
 def test_objects_stand_in_the_middle_of_their_cells_with_their_clearances(turned: bool) -> None:
-    members = Members(np.array([[1.0, 0.5]] * 3), np.array([[0.8, 0.4, 0.2, 0.0]] * 3))
+    members = CellObjects(np.array([[1.0, 0.5]] * 3), np.array([[0.8, 0.4, 0.2, 0.0]] * 3))
     options = [o for o in options_for(members, 1.0) if o.turned == turned and o.columns == 2]
-    block = Block(5, 7, options[0].width, options[0].height, options[0])
+    block = GroupBlock(5, 7, options[0].width, options[0].height, options[0])
     cells = divide(block, members, np.random.default_rng(0))
     even = tuple(np.linspace(cut[0], cut[-1], len(cut)) for cut in cells.cuts)
     cells = cells._replace(levels=np.linspace(0.0, cells.levels[-1], 3), cuts=even)
@@ -144,8 +159,8 @@ def test_objects_stand_in_the_middle_of_their_cells_with_their_clearances(turned
 
 
 def test_cells_an_object_does_not_fit_are_refused() -> None:
-    members = Members(np.ones((2, 2)), np.zeros((2, 4)))
-    block = Block(0, 0, 30, 12, options_for(members, 0.0)[-1]._replace(columns=2, rows=1))
+    members = CellObjects(np.ones((2, 2)), np.zeros((2, 4)))
+    block = GroupBlock(0, 0, 30, 12, options_for(members, 0.0)[-1]._replace(columns=2, rows=1))
     cells = divide(block, members, np.random.default_rng(1))
     assert math.isfinite(misfit(cells, block, members))
     narrow = cells._replace(cuts=(np.array([0.0, 0.9, 3.0]),))
@@ -153,7 +168,7 @@ def test_cells_an_object_does_not_fit_are_refused() -> None:
 
 
 def test_blocks_follow_a_turned_hall() -> None:
-    pytest.importorskip("ortools")
+    pytest.importorskip("ortools", reason="needs the extra 'solve'")
     problem, angle = example_hall(), 0.4
     turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
     edges = problem.ground.zone_edges.copy()
@@ -171,7 +186,7 @@ def test_blocks_follow_a_turned_hall() -> None:
 
 
 def test_a_zone_without_room_keeps_its_first_layout() -> None:
-    pytest.importorskip("ortools")
+    pytest.importorskip("ortools", reason="needs the extra 'solve'")
     problem = example_hall()
     units = problem.units._replace(sizes=problem.units.sizes * 4.0)
     start = np.column_stack([np.full((38, 2), 3.0), np.zeros(38), units.sizes])
@@ -213,7 +228,7 @@ def test_broken_layouts_cost_by_the_area_that_breaks_rules() -> None:
     problem, start, _ = started(0)
     chain, hall = begin_chain(problem, start, streams(0, 1)[0]), ShapelyHall(problem)
     genes = np.random.default_rng(0).random((8, 5 * 6))
-    for row, cost in zip(genes, judged(chain, genes), strict=True):
+    for row, cost in zip(genes, evaluate_genes(chain, genes), strict=True):
         decode(chain.p, chain.s, row.reshape(5, 6))
         area = violation(chain.p, chain.s, chain.work)
         shapes = [rectangle(box) for box in boxes_of(chain.s)]

@@ -10,21 +10,23 @@ import pytest
 import shapely
 
 import scenewright
-from scenewright.assets import shipped
-from scenewright.brief import Brief
-from scenewright.domains.hall.chairs import COMPANY, out_of_table
-from scenewright.domains.hall.wanted import SEATWAY, wanted
-from scenewright.layout import corners
-from scenewright.scene import Piece
-from scenewright.solution import Solution
+from scenewright.catalog.assets import shipped
+from scenewright.catalog.kinds import KINDS
+from scenewright.core.brief import Brief
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.domains.hall.chairs import out_of_table
+from scenewright.domains.hall.holdings import SEATWAY, collect_demands
 
 
 def cafe(*more: dict[str, Any], tables: int = 8, **table: Any) -> Brief:
     room = {
-        "name": "Cafe", "outline": [[0, 0], [12, 0], [12, 8], [0, 8]],
+        "name": "Cafe",
+        "outline": [[0, 0], [12, 0], [12, 8], [0, 8]],
         "doors": [{"at": [2, 0], "width": 1.2}],
         "demands": [{"category": "dining_table", "count": tables, **table}, *more],
-    }  # fmt: skip
+    }
     return Brief.model_validate({"domain": "hall", "name": "Cafe", "rooms": [room]})
 
 
@@ -56,9 +58,11 @@ def test_chairs_stand_in_their_zone(long: float) -> None:
     found = scenewright.solve(
         Brief.model_validate({"domain": "hall", "rooms": [rooms[0] | {"zones": zones}]}), seed=1
     )
-    assert found.graph is not None
-    east = next(shapely.Polygon(z.outline) for z in found.graph.zones if z.id == "east")
-    count = 2 * int(long / COMPANY["dining_table"].pitch)
+    assert found.detail is not None
+    east = next(shapely.Polygon(z.outline) for z in found.detail.layout.zones if z.id == "east")
+    company = KINDS["dining_table"].chairs
+    assert company is not None
+    count = 2 * int(long / company.pitch)
     assert len(chairs_of(found)) == 3 * count
     assert all(east.buffer(1e-3).contains(footprint(chair)) for chair in chairs_of(found))
     assert scenewright.check(found).valid
@@ -75,7 +79,7 @@ def test_a_table_keeps_its_size_and_asks_for_floor_with_its_chairs() -> None:
     """The floor is the box round table and chairs; clearances are counted from the table."""
     brief = cafe(size=[1.6, 0.9, 0.74], clearance=[1.2, 0.3, 0.6, 0.3])
     out = out_of_table("dining_table", set(), shipped())
-    wish = wanted(brief, 0, (), shipped())[0]
+    wish = collect_demands(brief, 0, (), shipped())[0]
     assert {size.depth for size in wish.sizes} == {0.9 + 2 * out}
     assert wish.clearance == pytest.approx((1.2 - out, 0.3, SEATWAY, 0.3))
     found = scenewright.solve(brief, seed=3)
@@ -96,6 +100,6 @@ def _along(table: Piece, shape: shapely.Polygon) -> float:
 
 def test_tables_stand_alone_where_chairs_are_asked_for() -> None:
     brief = cafe({"category": "dining_chair", "count": 6}, tables=2)
-    table = wanted(brief, 0, (), shipped())[0]
+    table = collect_demands(brief, 0, (), shipped())[0]
     assert table.chairs == 0.0
     assert {size.depth for size in table.sizes} == {0.9}

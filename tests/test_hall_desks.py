@@ -9,17 +9,17 @@ import pytest
 import shapely
 
 import scenewright
+from scenewright.building.plan import spaces
+from scenewright.core.solution import Solution
 from scenewright.domains.hall.desks import SERVING
-from scenewright.plan import spaces
-from scenewright.solution import Solution
 
 
 def welcome(found: Solution) -> list[float]:
     """Of each desk, the cosines of the angles to the middle of its zone and to the entrance."""
-    assert found.graph is not None
+    assert found.detail is not None
     doors = [o for o in spaces(found.brief)[0].openings if o.kind != "window" and o.use != "exit"]
-    zones = {zone.id: shapely.Polygon(zone.outline).centroid for zone in found.graph.zones}
-    zone_of = {name: group.zone for group in found.graph.groups for name in group.objects}
+    zones = {zone.id: shapely.Polygon(zone.outline).centroid for zone in found.detail.layout.zones}
+    zone_of = {name: group.zone for group in found.detail.layout.groups for name in group.objects}
     sums = []
     for desk in (piece for piece in found.pieces if piece.category in SERVING):
         middle = zones[zone_of[desk.id]]

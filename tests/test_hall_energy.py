@@ -9,17 +9,17 @@ import pytest
 from benchmarks.hall_instances import example_hall
 from benchmarks.shapely_hall import Laid, energies
 
-from scenewright.encodings.patterns import NUMBER, PATTERNS
-from scenewright.hall_energy import make_state, prepare
-from scenewright.hall_problem import HallProblem
-from scenewright.solvers.draws import Stream, below, streams
-from scenewright.solvers.hall_moves import reseed, scatter
-from scenewright.solvers.hall_start import copy_frames, place_units
-from scenewright.terms.hall_place import build
-from scenewright.terms.hall_state import Prepared, Scratch, State, make_scratch
-from scenewright.terms.hall_terms import ACCESS, FILL, PROPORTION, SPACE
-from scenewright.terms.hall_trial import begin, judge, settle, undo
-from scenewright.terms.hall_whole import measure_all
+from scenewright.domains.hall.energy import make_state, prepare
+from scenewright.domains.hall.patterns import NUMBER, PATTERNS
+from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.solvers.moves import reseed, scatter
+from scenewright.domains.hall.solvers.start import copy_frames, place_units
+from scenewright.domains.hall.terms.place import build
+from scenewright.domains.hall.terms.state import PreparedHall, Scratch, State, make_scratch
+from scenewright.domains.hall.terms.table import ACCESS, FILL, PROPORTION, SPACE
+from scenewright.domains.hall.terms.trial import begin, judge, settle, undo
+from scenewright.domains.hall.terms.whole import measure_all
+from scenewright.engine.draws import Stream, below, streams
 
 ROWS = {"space": SPACE, "fill": FILL, "access": ACCESS, "proportion": PROPORTION}
 
@@ -30,7 +30,7 @@ def narrow(width: float) -> HallProblem:
     return problem._replace(ground=problem.ground._replace(links=np.array([[0.0, 1.0, width]])))
 
 
-def drawn(problem: HallProblem, seed: int) -> tuple[Prepared, State, Scratch, Stream] | None:
+def drawn(problem: HallProblem, seed: int) -> tuple[PreparedHall, State, Scratch, Stream] | None:
     """A random valid layout, with a partition for odd seeds."""
     p = prepare(problem)
     s, work, stream = make_state(p), make_scratch(p), streams(seed, 1)[0]
@@ -41,7 +41,7 @@ def drawn(problem: HallProblem, seed: int) -> tuple[Prepared, State, Scratch, St
     return (p, s, work, stream) if placed.all() else None
 
 
-def told(problem: HallProblem, p: Prepared, s: State) -> dict[str, float]:
+def told(problem: HallProblem, p: PreparedHall, s: State) -> dict[str, float]:
     """What the slow reference says of a state."""
     boxes, names = np.zeros((len(p.sizes), 5)), list(PATTERNS)
     copy_frames(s, boxes)

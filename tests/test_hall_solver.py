@@ -12,37 +12,37 @@ import pytest
 import shapely
 
 import scenewright
-from scenewright.assets import shipped
-from scenewright.brief import Brief
-from scenewright.domains import hall as domain
+from scenewright.building.plan import spaces
+from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Brief
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.domains.hall import solving as domain
 from scenewright.domains.hall.assign import Unit
+from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.fit import Fitted, fit
+from scenewright.domains.hall.holdings import HallDemand, collect_demands
 from scenewright.domains.hall.partitions import wall_needed
-from scenewright.domains.hall.pose import Hall, hall_of
 from scenewright.domains.hall.presets import PRESETS
-from scenewright.domains.hall.shortfall import spared
-from scenewright.domains.hall.wanted import Wanted, wanted
-from scenewright.formats import solution_json
-from scenewright.hall_problem import HallProblem
-from scenewright.layout import corners
-from scenewright.plan import spaces
-from scenewright.scene import Piece
-from scenewright.solution import Solution
-from scenewright.solve import Budget
-from scenewright.solvers.draws import streams
-from scenewright.solvers.guided_metropolis import missed
-from scenewright.solvers.hall_chains import (
-    Chain,
+from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.shortfall import drop_unplaceable
+from scenewright.domains.hall.solvers.chains import (
+    HallChain,
     advance,
     anneal_hall,
     begin_chain,
     gd_mh,
     layout_of,
 )
-from scenewright.solvers.hall_start import copy_frames
-from scenewright.terms.hall_terms import REACH
-from scenewright.terms.hall_whole import measure_all
-from scenewright.zones import borders_of, zones_of
+from scenewright.domains.hall.solvers.guided_metropolis import count_missed
+from scenewright.domains.hall.solvers.start import copy_frames
+from scenewright.domains.hall.terms.table import REACH
+from scenewright.domains.hall.terms.whole import measure_all
+from scenewright.domains.hall.zones import borders_of, zones_of
+from scenewright.engine.draws import streams
+from scenewright.engine.solve import Budget
+from scenewright.formats import solution_json
 
 SAMPLES = ("exhibition", "shop", "reading-room", "auditorium", "irregular")
 SLACK = 5e-4
@@ -50,8 +50,8 @@ SLACK = 5e-4
 
 
 class Posed(NamedTuple):
-    hall: Hall
-    wishes: list[Wanted]
+    hall: HallContext
+    wishes: list[HallDemand]
     fitted: Fitted
 
 
@@ -59,7 +59,7 @@ def posed(brief: Brief, preset: str = "default", seed: int = 0) -> Posed:
     space = spaces(brief)[0]
     plan = zones_of(brief, 0, space)
     found = hall_of(space, plan, borders_of(plan, space), (), brief.route_width)
-    wishes = wanted(brief, 0, (), shipped())
+    wishes = collect_demands(brief, 0, (), shipped())
     row = PRESETS[preset]
     return Posed(found, wishes, fit(found, wishes, row.weights, shipped(), seed, row.whole))
 
@@ -74,28 +74,41 @@ def ring(x0: float, y0: float, x1: float, y1: float) -> list[list[float]]:
 
 def two_zones(*demands: dict[str, Any], **room: Any) -> Brief:
     """A hall of 20 by 10 metres in two equal zones, joined by the default link."""
-    return Brief.model_validate({"domain": "hall", "rooms": [{
-        "id": "hall", "outline": ring(0, 0, 20, 10), "height": 3.2,
-        "doors": [{"id": "in", "at": [5, 0], "width": 1.8}],
-        "zones": [{"id": "west", "outline": ring(0, 0, 10, 10)},
-                  {"id": "east", "outline": ring(10, 0, 20, 10)}],
-        "demands": list(demands)} | room]})  # fmt: skip
+    return Brief.model_validate(
+        {
+            "domain": "hall",
+            "rooms": [
+                {
+                    "id": "hall",
+                    "outline": ring(0, 0, 20, 10),
+                    "height": 3.2,
+                    "doors": [{"id": "in", "at": [5, 0], "width": 1.8}],
+                    "zones": [
+                        {"id": "west", "outline": ring(0, 0, 10, 10)},
+                        {"id": "east", "outline": ring(10, 0, 20, 10)},
+                    ],
+                    "demands": list(demands),
+                }
+                | room
+            ],
+        }
+    )
 
 
-def fresh(chain: Chain) -> float:
+def fresh(chain: HallChain) -> float:
     """The energy of where a chain stands, measured from nothing."""
     base, free, reached = chain.bits
-    lost = missed(chain.p, chain.s, chain.grid, base, free, reached, chain.inset)
+    lost = count_missed(chain.p, chain.s, chain.grid, base, free, reached, chain.inset)
     return float(measure_all(chain.p, chain.s, chain.work) + chain.p.weights[REACH] * lost)
 
 
-def boxes_of(chain: Chain) -> np.ndarray:
+def boxes_of(chain: HallChain) -> np.ndarray:
     boxes = np.zeros((len(chain.p.sizes), 5))
     copy_frames(chain.s, boxes)
     return boxes
 
 
-def rules_broken(problem: HallProblem, chain: Chain) -> float:
+def rules_broken(problem: HallProblem, chain: HallChain) -> float:
     """The largest area by which footprints leave their zone, share floor, or stand in solids."""
     shapes = shapely.polygons(corners(boxes_of(chain)))
     ground, worst = problem.ground, 0.0
@@ -172,16 +185,24 @@ def test_the_same_seed_gives_the_same_hall_on_any_number_of_threads(solver: str)
     one, two = (answer(brief, threads=n, solver=solver, steps=600) for n in (1, 2))
     assert one.pieces == two.pieces
     assert one.energies == two.energies
-    assert one.graph is not None
-    assert two.graph is not None
-    assert one.graph.groups == two.graph.groups
+    assert one.detail is not None
+    assert two.detail is not None
+    assert one.detail.layout.groups == two.detail.layout.groups
     assert answer(brief, threads=2, solver=solver, steps=600, seed=5).pieces != one.pieces
 
 
 def test_two_halls_do_not_depend_on_each_other() -> None:
     room = sample("shop").rooms[0]
-    moved = room.model_copy(update={"id": "twin", "outline": [(x, y + 40) for x, y in room.outline],
-        "doors": [], "windows": [], "zones": [], "links": []})  # fmt: skip
+    moved = room.model_copy(
+        update={
+            "id": "twin",
+            "outline": [(x, y + 40) for x, y in room.outline],
+            "doors": [],
+            "windows": [],
+            "zones": [],
+            "links": [],
+        }
+    )
     demands = [one.model_copy(update={"zone": None}) for one in room.demands]
     moved = moved.model_copy(update={"demands": demands})
     brief = sample("shop")
@@ -230,8 +251,8 @@ def test_locked_objects_stay_and_count(tmp_path: Path) -> None:
     assert by_function(again) == by_function(first)
     assert again.pieces != first.pieces
     assert scenewright.check(again).valid
-    assert again.graph is not None
-    assert {"hall/finds", "hall/boat"} <= {group.id for group in again.graph.groups}
+    assert again.detail is not None
+    assert {"hall/finds", "hall/boat"} <= {group.id for group in again.detail.layout.groups}
     assert solution_json.loads(solution_json.dumps(again)).pieces == again.pieces
 
 
@@ -242,8 +263,14 @@ def by_function(found: Solution) -> dict[str, int]:
 
 def test_one_locked_object_of_many_leaves_room_for_the_others() -> None:
     """Only the one is fixed (as a brief may say): five of six are still to be placed."""
-    fixed = {"category": "showcase", "at": [15, 5], "size": [1.2, 0.6, 2.0], "function": "cases",
-             "group": "hall/cases", "id": "hall/cases/showcase_1"}  # fmt: skip
+    fixed = {
+        "category": "showcase",
+        "at": [15, 5],
+        "size": [1.2, 0.6, 2.0],
+        "function": "cases",
+        "group": "hall/cases",
+        "id": "hall/cases/showcase_1",
+    }
     sizes = [[1.2, 0.6, 2.0], [2.0, 0.6, 1.0], [1.6, 0.6, 1.4]]
     brief = two_zones(
         {"id": "cases", "category": "showcase", "sizes": sizes, "zone": "east"}, fixed=[fixed]
@@ -261,10 +288,19 @@ def lengths(pieces: tuple[Piece, ...]) -> float:
 
 def test_walls_are_built_only_where_walls_are_short() -> None:
     few, many = (
-        answer(two_zones({"id": "art", "category": "wall_exhibit", "count": count,
-                          "size": [1.2, 0.1, 1.5], "zone": "east"}))
+        answer(
+            two_zones(
+                {
+                    "id": "art",
+                    "category": "wall_exhibit",
+                    "count": count,
+                    "size": [1.2, 0.1, 1.5],
+                    "zone": "east",
+                }
+            )
+        )
         for count in (6, 26)
-    )  # fmt: skip
+    )
     assert lengths(few.pieces) == 0.0
     assert lengths(many.pieces) > 0.0
     assert many.left_out == ()
@@ -293,8 +329,15 @@ def back(piece: Piece) -> shapely.Point:
 
 @pytest.mark.parametrize("seed", range(4))
 def test_walls_never_close_the_only_passage(seed: int) -> None:
-    brief = two_zones({"id": "art", "category": "wall_exhibit", "count": 30,
-                       "size": [1.2, 0.1, 1.5], "zone": "east"})  # fmt: skip
+    brief = two_zones(
+        {
+            "id": "art",
+            "category": "wall_exhibit",
+            "count": 30,
+            "size": [1.2, 0.1, 1.5],
+            "zone": "east",
+        }
+    )
     found = answer(brief, seed=seed)
     built = [body(piece) for piece in found.pieces if piece.category == "partition"]
     assert built
@@ -307,10 +350,15 @@ def test_walls_never_close_the_only_passage(seed: int) -> None:
 
 def test_walls_are_as_long_as_the_paper_says() -> None:
     """100 (M + 1) + Σ l centimetres for M objects of lengths l."""
-    demand = {"id": "art", "category": "wall_exhibit", "count": 14, "size": [1.2, 0.1, 1.5],
-              "zone": "east"}  # fmt: skip
+    demand = {
+        "id": "art",
+        "category": "wall_exhibit",
+        "count": 14,
+        "size": [1.2, 0.1, 1.5],
+        "zone": "east",
+    }
     needed = 15 * 1.0 + 14 * 1.2
-    wishes = wanted(two_zones(demand), 0, (), shipped())
+    wishes = collect_demands(two_zones(demand), 0, (), shipped())
     assert wall_needed(wishes[0], 14, True) == pytest.approx(needed)
     assert wall_needed(wishes[0], 14, False) < needed
     windows = [{"at": [x, 10], "width": 2.0, "sill": 1.0} for x in (11.5, 14.0, 16.5, 18.9)]
@@ -333,8 +381,16 @@ def test_what_has_no_place_in_the_end_is_left_out(monkeypatch: pytest.MonkeyPatc
     """Were there only one look for places, what stays would still stand where it was put."""
     module = importlib.import_module("scenewright.domains.hall.fit")
     art = {"id": "art", "category": "wall_exhibit", "count": 26, "size": [1.2, 0.1, 1.5]}
-    cases = [{"id": f"case {k}", "category": "showcase", "count": 3, "size": [3.0, 2.0, 1.0],
-              "clearance": 0.1} for k in range(9)]  # fmt: skip
+    cases = [
+        {
+            "id": f"case {k}",
+            "category": "showcase",
+            "count": 3,
+            "size": [3.0, 2.0, 1.0],
+            "clearance": 0.1,
+        }
+        for k in range(9)
+    ]
     brief = two_zones(art, *cases)
     asked = 26 + 27
     monkeypatch.setattr(module, "MOST_ROUNDS", 1)
@@ -349,12 +405,21 @@ def test_what_has_no_place_in_the_end_is_left_out(monkeypatch: pytest.MonkeyPatc
 @pytest.mark.parametrize("share", [0.1, 0.5, 1.0])
 def test_no_zone_is_asked_to_hold_more_than_its_floor(share: float) -> None:
     """By more than one object, whatever the groups are."""
-    benches = [{"id": f"b{k}", "category": "bench", "size": [1.2, 0.5, 0.5], "clearance": 0.5,
-                "count": 1 + k % 3, "required": k % 4 > 0} for k in range(400)]  # fmt: skip
+    benches = [
+        {
+            "id": f"b{k}",
+            "category": "bench",
+            "size": [1.2, 0.5, 0.5],
+            "clearance": 0.5,
+            "count": 1 + k % 3,
+            "required": k % 4 > 0,
+        }
+        for k in range(400)
+    ]
     found = posed(two_zones(*benches, {"id": "all", "category": "showcase", "count": 5000}))
     wishes, hall = found.wishes, found.hall
     whole = [Unit(k, k % 2, 0, len(wish.sizes)) for k, wish in enumerate(wishes)]
-    stay = spared(hall, wishes, whole, share)
+    stay = drop_unplaceable(hall, wishes, whole, share)
     assert all(unit.last <= whole[unit.demand].last for unit in stay)
     for zone in range(2):
         taken = [0.0]
@@ -370,8 +435,8 @@ def test_no_hall_no_energy() -> None:
     """A hall without demands is an answer too."""
     found = domain.solve(two_zones())
     assert (found.pieces, found.left_out, found.evaluations) == ((), (), 0)
-    assert found.graph is not None
-    assert [zone.id for zone in found.graph.zones] == ["west", "east"]
+    assert found.detail is not None
+    assert [zone.id for zone in found.detail.layout.zones] == ["west", "east"]
 
 
 def test_wall_rows_come_before_what_can_stand_elsewhere() -> None:
@@ -383,8 +448,14 @@ def test_wall_rows_come_before_what_can_stand_elsewhere() -> None:
         {"id": "benches", "category": "bench", "count": 4, "zone": "z"},
     ]
     outline = [[-9, 0], [22, 0], [22, 19], [-9, 19]]
-    room = {"id": "hall", "outline": outline, "height": 4.0, "zones": [zone], "demands": demands,
-            "doors": [{"id": "d", "at": [-9, 9], "width": 1.8}]}  # fmt: skip
+    room = {
+        "id": "hall",
+        "outline": outline,
+        "height": 4.0,
+        "zones": [zone],
+        "demands": demands,
+        "doors": [{"id": "d", "at": [-9, 9], "width": 1.8}],
+    }
     brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
     for seed in range(10):
         fitted = posed(brief, seed=seed).fitted

@@ -11,22 +11,20 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from scenewright.assets import shipped
-from scenewright.assets.hall_use import ELSE_CLEARANCE, ELSE_PATTERNS, USE, hall_use
-from scenewright.assets.kinds import KINDS
-from scenewright.assets.objects import Stuff
-from scenewright.assets.wares import goods, levels_of, volumes
-from scenewright.brief.hall import PatternName
-from scenewright.scene import Size
+from scenewright.catalog.assets import shipped
+from scenewright.catalog.assets.objects import Stuff
+from scenewright.catalog.assets.wares import goods, levels_of, volumes
+from scenewright.catalog.kinds import ELSE, KINDS, hall_use
+from scenewright.core.brief.zones import PatternName
+from scenewright.core.scene import Size
 
 SIDES = ("front", "left", "back", "right")
+USE = {name: kind.hall for name, kind in KINDS.items() if kind.hall}
 
 
 @pytest.mark.parametrize("category", USE)
-def test_every_row_names_a_kind_and_known_patterns(category: str) -> None:
+def test_every_row_stands_on_the_floor_in_known_patterns(category: str) -> None:
     use = USE[category]
-    assert category == use.category
-    assert category in KINDS
     assert KINDS[category].support == "floor"
     assert use.patterns
     assert set(use.patterns) <= set(get_args(PatternName))
@@ -53,8 +51,7 @@ def test_two_facing_shelves_make_an_aisle(category: str) -> None:
 
 
 def test_what_has_no_row_stands_free() -> None:
-    use = hall_use("obstacle")
-    assert use == ("obstacle", "free", ELSE_CLEARANCE, ELSE_PATTERNS)
+    assert hall_use("obstacle") == ELSE == ("free", (0.6,) * 4, ("chain", "grid", "single"))
     assert "partition" not in USE
 
 

@@ -16,15 +16,15 @@ import pytest
 import shapely
 
 import scenewright
-from scenewright.brief import Brief
-from scenewright.demands import ids_of, sizes_of
-from scenewright.domains import hall as domain
-from scenewright.encodings.patterns import PATTERNS
+from scenewright.building.plan import spaces
+from scenewright.core.brief import Brief
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.domains.hall import solving as domain
+from scenewright.domains.hall.demands import ids_of, sizes_of
+from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.formats import brief_json, solution_json
-from scenewright.layout import corners
-from scenewright.plan import spaces
-from scenewright.scene import Piece
-from scenewright.solution import Solution
 
 SAMPLES = ("exhibition", "shop", "reading-room", "auditorium", "irregular")
 STEPS = 2000
@@ -76,14 +76,16 @@ def test_every_sample_is_complete_and_valid(name: str, seed: int) -> None:
 @EVERY
 def test_the_scene_graph_tells_what_stands_there(name: str, seed: int) -> None:
     found = solved(name, seed)
-    assert found.graph is not None
+    assert found.detail is not None
     pieces = {piece.id: piece for piece in found.pieces}
     assert len(pieces) == len(found.pieces)
-    zones = {zone.id: shapely.Polygon(zone.outline, zone.holes) for zone in found.graph.zones}
+    zones = {
+        zone.id: shapely.Polygon(zone.outline, zone.holes) for zone in found.detail.layout.zones
+    }
     demands = ids_of(found.brief.rooms[0].demands)
-    listed = [name for group in found.graph.groups for name in group.objects]
+    listed = [name for group in found.detail.layout.groups for name in group.objects]
     assert len(set(listed)) == len(listed)
-    for group in found.graph.groups:
+    for group in found.detail.layout.groups:
         assert group.demand in demands
         assert group.pattern in PATTERNS
         counts = [layer.number for part in group.parts for layer in part.layers]
@@ -93,21 +95,21 @@ def test_the_scene_graph_tells_what_stands_there(name: str, seed: int) -> None:
             assert (piece.group, piece.function) == (group.id, group.demand)
             assert body(piece).difference(zones[group.zone]).area < 1e-3
     walls = {piece.id for piece in found.pieces if piece.category == "partition"}
-    assert set(found.graph.partitions) == walls
+    assert set(found.detail.layout.partitions) == walls
     objects = {p.id for p in found.pieces if p.function in demands}
     chairs = objects - set(listed)
-    assert all(pieces[one].group in {g.id for g in found.graph.groups} for one in chairs)
-    links = {frozenset((link.first, link.second)) for link in found.graph.links}
+    assert all(pieces[one].group in {g.id for g in found.detail.layout.groups} for one in chairs)
+    links = {frozenset((link.first, link.second)) for link in found.detail.layout.links}
     assert {frozenset(link.between) for link in found.brief.rooms[0].links} <= links
 
 
 @EVERY
 def test_demands_stand_where_the_brief_wants_them(name: str, seed: int) -> None:
     found = solved(name, seed)
-    assert found.graph is not None
+    assert found.detail is not None
     room = found.brief.rooms[0]
     for demand, name_ in zip(room.demands, ids_of(room.demands), strict=True):
-        groups = [group for group in found.graph.groups if group.demand == name_]
+        groups = [group for group in found.detail.layout.groups if group.demand == name_]
         wanted = [demand.zone] if isinstance(demand.zone, str) else demand.zone
         assert not wanted or {group.zone for group in groups} <= set(wanted)
         patterns = {group.pattern for group in groups if len(group.objects) > 1}
@@ -124,7 +126,10 @@ def test_halls_are_written_and_read_back(name: str, tmp_path: Path) -> None:
     text = solution_json.dumps(found)
     back = solution_json.loads(text)
     assert (back.pieces, back.left_out, back.energies) == (
-        found.pieces, found.left_out, found.energies)  # fmt: skip
+        found.pieces,
+        found.left_out,
+        found.energies,
+    )
     assert solution_json.dumps(back) == text
     assert back.brief == found.brief
     again = brief_json.loads(brief_json.dumps(found.brief))
@@ -132,7 +137,11 @@ def test_halls_are_written_and_read_back(name: str, tmp_path: Path) -> None:
     for suffix in (".json", ".glb", ".svg", ".png"):
         scenewright.write(found, tmp_path / f"hall{suffix}")
     assert sorted(path.name for path in tmp_path.iterdir()) == [
-        "hall.glb", "hall.json", "hall.png", "hall.svg"]  # fmt: skip
+        "hall.glb",
+        "hall.json",
+        "hall.png",
+        "hall.svg",
+    ]
     assert scenewright.read_solution(tmp_path / "hall.json").pieces == found.pieces
     assert (tmp_path / "hall.png").read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
     assert (tmp_path / "hall.svg").read_text().rstrip().endswith("</svg>")
@@ -188,7 +197,7 @@ def test_a_hall_elsewhere_is_as_good(name: str, quarters: int, dx: float, dy: fl
 def test_a_solution_that_is_turned_along_stays_valid() -> None:
     """Every piece where the turned hall has it: nothing depends on directions."""
     found = solved("exhibition", 0)
-    assert found.graph is not None
+    assert found.detail is not None
     brief = turned(found.brief, 1, 7.0, -2.0)
     document = json.loads(solution_json.dumps(found))
     document["brief"] = brief.model_dump(mode="json")
@@ -235,9 +244,9 @@ def test_names_change_names_only(name: str) -> None:
     assert [p.pose for p in again.pieces] == [p.pose for p in found.pieces]
     assert [p.category for p in again.pieces] == [p.category for p in found.pieces]
     assert again.energies == found.energies
-    assert found.graph is not None
-    assert again.graph is not None
-    old, new = found.graph.groups, again.graph.groups
+    assert found.detail is not None
+    assert again.detail is not None
+    old, new = found.detail.layout.groups, again.detail.layout.groups
     assert [demands[group.demand] for group in old] == [group.demand for group in new]
     assert [zones[group.zone] for group in old] == [group.zone for group in new]
 
@@ -251,10 +260,10 @@ def test_variants_are_halls_too() -> None:
     shapes = []
     for variant in range(2):
         found = domain.solve(brief, preset="quick", steps=STEPS, variant=variant)
-        assert found.graph is not None
-        shapes.append([zone.outline.tolist() for zone in found.graph.zones])
+        assert found.detail is not None
+        shapes.append([zone.outline.tolist() for zone in found.detail.layout.zones])
         floor = shapely.Polygon(spaces(brief)[0].outline, spaces(brief)[0].holes)
-        parts = [shapely.Polygon(zone.outline, zone.holes) for zone in found.graph.zones]
+        parts = [shapely.Polygon(zone.outline, zone.holes) for zone in found.detail.layout.zones]
         assert shapely.union_all(parts).area == pytest.approx(floor.area, rel=1e-3)
         assert sum(part.area for part in parts) == pytest.approx(floor.area, rel=1e-3)
     assert shapes[0] != shapes[1]

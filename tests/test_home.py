@@ -9,14 +9,14 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from scenewright.brief import Ask, Brief, FixedItem
-from scenewright.check import check
-from scenewright.domains import home
+from scenewright.core.brief import Ask, Brief, FixedItem
+from scenewright.core.errors import InputError
+from scenewright.core.solution import Solution
+from scenewright.domains import check
+from scenewright.domains.home import solving as home
 from scenewright.domains.home.programme import PROGRAMME
-from scenewright.errors import InputError
 from scenewright.formats import read, samples
 from scenewright.formats.solution_json import brief_of, to_document
-from scenewright.solution import Solution
 
 FUNCTIONS = sorted(set(PROGRAMME) - {"other"})
 
@@ -26,9 +26,13 @@ def one_room(function: str, width: float, depth: float, skew: float = 0.0, **mor
     door = {"at": (min(0.7, width / 2), 0.0), "width": 0.8, "swing": "in", "hinge": "left"}
     window = {"at": (width / 2, depth), "width": min(1.2, width / 2), "sill": 0.9}
     room = {
-        "id": "r", "function": function, "outline": outline, "doors": [door],
-        "windows": [window], **more,
-    }  # fmt: skip
+        "id": "r",
+        "function": function,
+        "outline": outline,
+        "doors": [door],
+        "windows": [window],
+        **more,
+    }
     return Brief.model_validate({"rooms": [room]})
 
 

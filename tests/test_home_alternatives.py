@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from scenewright import cli
-from scenewright.check import check
-from scenewright.domains import alternatives, home
+from scenewright.core.solution import Patch, Solution
+from scenewright.domains import alternatives, check
+from scenewright.domains.home import solving as home
 from scenewright.domains.home.alternatives import LEAST, choose, difference, sides
 from scenewright.formats import read
-from scenewright.solution import Patch, Solution
 
 
 @pytest.fixture(scope="module")

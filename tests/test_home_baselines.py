@@ -6,26 +6,26 @@ import numpy as np
 import pytest
 
 from rooms import full_problem, random_layouts, turned_boxes, turned_problem
-from scenewright.assets import shipped
-from scenewright.catalog import Group, Member
-from scenewright.check import check
-from scenewright.domains.home import solve
+from scenewright.catalog.assets import shipped
+from scenewright.core.catalog import Group, Member
+from scenewright.core.scene import Size
+from scenewright.domains import check
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.dressing.dress import world
-from scenewright.domains.home.dressing.pieces import Parts, as_laid, parts_of, posed_pieces
+from scenewright.domains.home.furnishing.furnish import world
+from scenewright.domains.home.furnishing.pieces import Parts, as_laid, parts_of, posed_pieces
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.solvers import SOLVERS
+from scenewright.domains.home.solvers.greedy import along_walls, places, select_items
+from scenewright.domains.home.solvers.merrell import prepare_guided, sweep
+from scenewright.domains.home.solving import solve
+from scenewright.domains.home.terms.packing import overlap
+from scenewright.domains.home.terms.piece_guidelines import balance, circulation, summed_cost
+from scenewright.engine.draws import streams
+from scenewright.engine.solve import Budget
 from scenewright.formats import read
 from scenewright.geometry.boxes import frames_of
-from scenewright.problem import Problem
-from scenewright.scene import Size
-from scenewright.solve import Budget
-from scenewright.solvers import SOLVERS
-from scenewright.solvers.draws import streams
-from scenewright.solvers.greedy import along_walls, chosen, places
-from scenewright.solvers.merrell import guided, sweep
-from scenewright.terms.packing import overlap
-from scenewright.terms.piece_guidelines import balance, circulation, summed_cost
 
 CATALOG = shipped()
 
@@ -59,8 +59,9 @@ def test_pieces_laid_as_in_their_case_are_that_case(group):
     rng = np.random.default_rng(0)
     for number in range(0, len(cases(group).groups), 7):
         parts = taken_apart(group, number)
-        box = np.array([*rng.uniform(-5, 5, 2), rng.uniform(0, 6), parts.case.width,
-                        parts.case.depth])  # fmt: skip
+        box = np.array(
+            [*rng.uniform(-5, 5, 2), rng.uniform(0, 6), parts.case.width, parts.case.depth]
+        )
         there = world(parts.case.members, box, CATALOG)[0]
         case, drawn = as_laid(parts, there[list(parts.placed)])
         again = world(case.members, drawn, CATALOG)[0]
@@ -124,7 +125,7 @@ def test_groups_are_tied_by_the_pieces_that_make_them():
 
 def test_guidelines_kept_by_moves_are_those_of_a_fresh_look():
     _, problem = pieces_problem("seating", "media", "dining", "shelf")
-    p, grid = guided(problem)
+    p, grid = prepare_guided(problem)
     frames = frames_of(random_layouts(problem, 1)[0])
     free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
 
@@ -144,8 +145,8 @@ def test_guidelines_kept_by_moves_are_those_of_a_fresh_look():
 def test_guidelines_do_not_care_where_the_world_lies():
     _, problem = pieces_problem("seating", "media", "dining")
     shift, layouts = np.array([3.0, -7.0]), random_layouts(problem, 10)
-    there, _ = guided(turned_problem(problem, 0.7, shift))
-    here, _ = guided(problem)
+    there, _ = prepare_guided(turned_problem(problem, 0.7, shift))
+    here, _ = prepare_guided(problem)
     for boxes in layouts:
         moved = frames_of(turned_boxes(boxes, 0.7, shift))
         assert summed_cost(there, moved) == pytest.approx(summed_cost(here, frames_of(boxes)))
@@ -153,7 +154,7 @@ def test_guidelines_do_not_care_where_the_world_lies():
 
 def test_circulation_counts_the_regions_a_person_can_stand_in():
     problem = full_problem()
-    _, grid = guided(problem)
+    _, grid = prepare_guided(problem)
     free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
     aside = frames_of(np.array([[100.0, 100.0, 0.0, 1.0, 1.0]]))
     across = frames_of(np.array([[3.0, 2.75, 0.0, 6.0, 0.3]]))
@@ -178,7 +179,7 @@ def test_places_of_greedy_have_their_backs_at_walls():
 
 
 def test_chosen_items_keep_their_relations():
-    items = chosen(full_problem().items, [3, 0, 2])
+    items = select_items(full_problem().items, [3, 0, 2])
     assert items.pairs.tolist() == [[1, 0], [2, 0]]
     assert items.pair_weights.tolist() == [0.5, 2.0]
     assert items.low.tolist() == full_problem().items.low[[3, 0, 2]].tolist()

@@ -13,29 +13,34 @@ import numpy as np
 import pytest
 
 from scenewright import formats
-from scenewright.assets import shipped
-from scenewright.brief import Brief, Room
-from scenewright.catalog import Catalog, Group, Member
-from scenewright.check import check
-from scenewright.domains import home
+from scenewright.catalog.assets import shipped
+from scenewright.catalog.loading import OWN, catalog_of
+from scenewright.core.brief import Brief, Room
+from scenewright.core.catalog import Catalog, Group, Member
+from scenewright.core.scene import Size
+from scenewright.core.solution import Solution
+from scenewright.domains import check
+from scenewright.domains.home import solving as home
 from scenewright.domains.home.cases.furnishing import Taste, anchor_of
-from scenewright.domains.home.cases.library import SHIPPED, cases, fitting, planted
+from scenewright.domains.home.cases.library import SHIPPED, cases, fitting, index_cases
 from scenewright.domains.home.cases.own_library import library_of, taste_of
-from scenewright.domains.home.cases.refit import RAISED, Chosen, reach, refitted
+from scenewright.domains.home.cases.refit import RAISED, Chosen, reach, refit_case
 from scenewright.domains.home.groups import GROUPS
-from scenewright.scene import Size
-from scenewright.solution import Solution
-from scenewright.stock import OWN, catalog_of
 from test_catalogues import obj
 
 CATALOG = shipped()
 MODELS = {
-    "sofa": Size(2.13, 0.87, 0.74), "coffee_table": Size(0.93, 0.61, 0.41),
-    "armchair": Size(0.83, 0.77, 0.81), "tv_stand": Size(1.52, 0.37, 0.52),
-    "dining_table": Size(1.53, 0.87, 0.75), "dining_chair": Size(0.43, 0.52, 0.91),
-    "chair_chrome": Size(0.5, 0.56, 0.86), "double_bed": Size(1.66, 2.13, 0.97),
-    "nightstand": Size(0.47, 0.37, 0.46), "wardrobe": Size(1.83, 0.63, 2.13),
-}  # fmt: skip
+    "sofa": Size(2.13, 0.87, 0.74),
+    "coffee_table": Size(0.93, 0.61, 0.41),
+    "armchair": Size(0.83, 0.77, 0.81),
+    "tv_stand": Size(1.52, 0.37, 0.52),
+    "dining_table": Size(1.53, 0.87, 0.75),
+    "dining_chair": Size(0.43, 0.52, 0.91),
+    "chair_chrome": Size(0.5, 0.56, 0.86),
+    "double_bed": Size(1.66, 2.13, 0.97),
+    "nightstand": Size(0.47, 0.37, 0.46),
+    "wardrobe": Size(1.83, 0.63, 2.13),
+}
 
 
 class Furnished(NamedTuple):
@@ -63,12 +68,16 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def room(name: str, width: float, depth: float, left: float = 0.0, style: str = "") -> Room:
     """A room with a door at its left and a window at its upper wall."""
     right = left + width
-    return Room.model_validate({
-        "id": name, "function": name, "style": style,
-        "outline": [[left, 0], [right, 0], [right, depth], [left, depth]],
-        "doors": [{"at": [left, 0.7], "width": 0.85}],
-        "windows": [{"at": [left + width / 2, depth], "width": 1.2}],
-    })  # fmt: skip
+    return Room.model_validate(
+        {
+            "id": name,
+            "function": name,
+            "style": style,
+            "outline": [[left, 0], [right, 0], [right, depth], [left, depth]],
+            "doors": [{"at": [left, 0.7], "width": 0.85}],
+            "windows": [{"at": [left + width / 2, depth], "width": 1.2}],
+        }
+    )
 
 
 def overlaps(group: Group) -> set[tuple[int, int]]:
@@ -78,8 +87,10 @@ def overlaps(group: Group) -> set[tuple[int, int]]:
         for k, b in enumerate(group.members[:i]):
             flat = CATALOG.kinds[a.category].flat or CATALOG.kinds[b.category].flat
             level = a.z < b.z + b.size.height - 0.02 and b.z < a.z + a.size.height - 0.02
-            gap = max(abs(a.x - b.x) - reach(a)[0] - reach(b)[0],
-                      abs(a.y - b.y) - reach(a)[1] - reach(b)[1])  # fmt: skip
+            gap = max(
+                abs(a.x - b.x) - reach(a)[0] - reach(b)[0],
+                abs(a.y - b.y) - reach(a)[1] - reach(b)[1],
+            )
             if not flat and level and gap < -0.03:
                 found.add((i, k))
     return found
@@ -93,10 +104,12 @@ def test_a_refitted_case_is_sound(function: str, seed: int) -> None:
     rng = np.random.default_rng(seed)
     for case in cases(function).groups[::3]:
         scale = {c: rng.uniform(0.85, 1.2, 3) for c in sorted({m.category for m in case.members})}
-        chosen = {i: Chosen("model:x", Size(*(np.array(m.size) * scale[m.category]).tolist()))
-                  for i, m in enumerate(case.members)
-                  if CATALOG.kinds[m.category].support == "floor"}  # fmt: skip
-        found = refitted(case, chosen, anchor_of(case), CATALOG)
+        chosen = {
+            i: Chosen("model:x", Size(*(np.array(m.size) * scale[m.category]).tolist()))
+            for i, m in enumerate(case.members)
+            if CATALOG.kinds[m.category].support == "floor"
+        }
+        found = refit_case(case, chosen, anchor_of(case), CATALOG)
         if found is None:
             continue
         assert overlaps(found) <= overlaps(case)
@@ -118,7 +131,7 @@ def test_the_same_sizes_give_the_same_case() -> None:
     for function in GROUPS:
         for case in cases(function).groups:
             chosen = {i: Chosen("", m.size) for i, m in enumerate(case.members)}
-            found = refitted(case, chosen, anchor_of(case), CATALOG)
+            found = refit_case(case, chosen, anchor_of(case), CATALOG)
             assert found is not None
             assert (found.width, found.depth) == pytest.approx((case.width, case.depth))
             for old, new in zip(case.members, found.members, strict=True):
@@ -130,7 +143,7 @@ def test_a_wider_bed_pushes_its_nightstands_out() -> None:
     stands = [Member("nightstand", x, -0.8, 0, 0, Size(0.4, 0.4, 0.5)) for x in (-1.05, 1.05)]
     lamp = Member("table_lamp", 1.05, -0.8, 0.5, 0, Size(0.2, 0.2, 0.4), on=2)
     case = Group("sleeping", "bed", 2.6, 2.1, (bed, *stands, lamp))
-    found = refitted(case, {0: Chosen("model:b", Size(1.8, 2.05, 0.9))}, 0, CATALOG)
+    found = refit_case(case, {0: Chosen("model:b", Size(1.8, 2.05, 0.9))}, 0, CATALOG)
     assert found is not None
     assert found.width == pytest.approx(2.8)
     assert [m.x for m in found.members] == pytest.approx([0, -1.15, 1.15, 1.15])
@@ -140,7 +153,7 @@ def test_chairs_at_a_turned_side_keep_their_tuck() -> None:
     table = Member("dining_table", 0, 0, 0, 0, Size(1.0, 0.8, 0.74))
     chair = Member("dining_chair", 0.55, 0, 0, pi / 2, Size(0.4, 0.5, 0.9))
     case = Group("dining", "table", 2.0, 1.0, (table, chair))
-    found = refitted(case, {0: Chosen("t", Size(1.4, 0.9, 0.74))}, 0, CATALOG)
+    found = refit_case(case, {0: Chosen("t", Size(1.4, 0.9, 0.74))}, 0, CATALOG)
     assert found is not None
     tuck = found.members[1].x - found.members[0].x - 0.7
     assert tuck == pytest.approx(0.55 - 0.5)
@@ -151,11 +164,11 @@ def test_chairs_too_wide_for_their_table_are_refused() -> None:
     chairs = [Member("dining_chair", x, -0.6, 0, 0, Size(0.45, 0.5, 0.9)) for x in (-0.25, 0.25)]
     case = Group("dining", "table", 1.2, 1.8, (table, *chairs))
     wide = Chosen("c", Size(0.6, 0.5, 0.9))
-    assert refitted(case, {1: wide, 2: wide}, 0, CATALOG) is None
+    assert refit_case(case, {1: wide, 2: wide}, 0, CATALOG) is None
     lamp = Member("table_lamp", 0, 0, 0.74, 0, Size(0.3, 0.3, 0.4), on=0)
     lit = case._replace(members=(*case.members, lamp))
-    assert refitted(lit, {3: Chosen("l", Size(0.9, 0.9, 0.4))}, 0, CATALOG) is None
-    assert refitted(lit, {3: Chosen("l", Size(0.5, 0.5, 0.4))}, 0, CATALOG) is not None
+    assert refit_case(lit, {3: Chosen("l", Size(0.9, 0.9, 0.4))}, 0, CATALOG) is None
+    assert refit_case(lit, {3: Chosen("l", Size(0.5, 0.5, 0.4))}, 0, CATALOG) is not None
 
 
 def test_without_models_the_library_is_the_shipped_one() -> None:
@@ -168,14 +181,14 @@ def test_real_cases_come_first_and_may_be_a_little_larger(folder: Path) -> None:
     found = fitting("wardrobe", 1.7, 0.6, library)
     assert found[0].members[0].asset == "model:wardrobe"
     assert not fitting("wardrobe", 1.2, 0.6, library)[0].members[0].asset
-    assert planted(cases("bath").groups).real.sum() == 0
+    assert index_cases(cases("bath").groups).real.sum() == 0
 
 
 def test_a_home_stands_on_its_own_models_unstretched(folder: Path) -> None:
     brief = Brief(
         catalogs=[str(folder)],
         rooms=[room("living", 5.2, 6.4), room("double_bedroom", 3.8, 4.2, 7.0)],
-    )  # fmt: skip
+    )
     solution = home.solve(brief, steps=4000)
     assert check(solution).valid
     own = [p for p in solution.pieces if p.asset.startswith(OWN)]
@@ -188,9 +201,13 @@ def test_a_home_stands_on_its_own_models_unstretched(folder: Path) -> None:
 
 @pytest.mark.parametrize(
     ("style", "colour", "chair"),
-    [("Bauhaus", "", "model:chair_chrome"), ("farm", "", "model:dining_chair"),
-     ("", "black", "model:chair_chrome"), ("", "brown", "model:dining_chair")],
-)  # fmt: skip
+    [
+        ("Bauhaus", "", "model:chair_chrome"),
+        ("farm", "", "model:dining_chair"),
+        ("", "black", "model:chair_chrome"),
+        ("", "brown", "model:dining_chair"),
+    ],
+)
 def test_style_and_colour_choose_among_models(
     folder: Path, style: str, colour: str, chair: str
 ) -> None:
@@ -202,9 +219,11 @@ def test_style_and_colour_choose_among_models(
 
 
 def test_a_room_has_its_own_taste_or_the_homes() -> None:
-    brief = Brief(style="oak", colour="white", rooms=[
-        room("living", 4, 5), room("bedroom", 4, 4, style="steel"),
-    ])  # fmt: skip
+    brief = Brief(
+        style="oak",
+        colour="white",
+        rooms=[room("living", 4, 5), room("bedroom", 4, 4, style="steel")],
+    )
     assert [taste_of(brief, r) for r in brief.rooms] == [("oak", "white"), ("steel", "white")]
 
 
@@ -273,8 +292,10 @@ def test_only_a_validator_that_is_not_there_is_skipped(
     told = "exports.validateBytes = async b => ({issues: {numErrors: b.length}})"
     (package / "index.js").write_text(told)
     assert errors(scene) == 4
-    for broken in ("exports.validateBytes = async b => { throw new Error('cannot read') }",
-                   "require('another-module')"):  # fmt: skip
+    for broken in (
+        "exports.validateBytes = async b => { throw new Error('cannot read') }",
+        "require('another-module')",
+    ):
         (package / "index.js").write_text(broken)
         with pytest.raises(BaseException, match=r"cannot read|another-module") as raised:
             errors(scene)

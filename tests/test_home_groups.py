@@ -10,13 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely import Polygon
 
-from scenewright.assets import shipped
-from scenewright.catalog import Group, Member
-from scenewright.domains.home.cases.library import cases, fitting, nearest, wished
+from scenewright.catalog.assets import shipped
+from scenewright.core.catalog import Group, Member
+from scenewright.core.layout import corners
+from scenewright.core.space import Space
+from scenewright.domains.home.cases.library import cases, find_preferred_case, fitting, nearest
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.programme import ALSO, FALLBACK, PROGRAMME, programme
-from scenewright.layout import corners
-from scenewright.space import Space
 
 
 def footprint(member: Member) -> Polygon:
@@ -99,7 +99,7 @@ def test_nearest_agrees_with_a_plain_search(function: str, width: float, depth: 
 
 @pytest.mark.parametrize("function", GROUPS)
 def test_larger_rooms_wish_for_larger_cases(function: str) -> None:
-    areas = [wished(function, area) for area in (2, 6, 12, 20, 40)]
+    areas = [find_preferred_case(function, area) for area in (2, 6, 12, 20, 40)]
     sizes = [g.width * g.depth for g in areas]
     assert sizes == sorted(sizes)
 

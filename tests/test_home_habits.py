@@ -9,24 +9,27 @@ import numpy as np
 import pytest
 from benchmarks.home_learned import WAYS, records
 
-from scenewright.assets import shipped
-from scenewright.brief import Brief, Room
-from scenewright.check import check
-from scenewright.domains import home
+from scenewright.building.plan import spaces
+from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Brief, Room
+from scenewright.core.solution import Solution
+from scenewright.domains import check
+from scenewright.domains.home import solving as home
 from scenewright.domains.home.learned import habits
 from scenewright.domains.home.learned.groups import Learned, write
 from scenewright.domains.home.learned.habits import MOST, TRUST, habits_of
-from scenewright.domains.home.learned.learning import Furnished, found_in
+from scenewright.domains.home.learned.learning import FurnishedSpace, found_in
 from scenewright.domains.home.learned.rows import Beside, Clearance, Distance, Share, Targets
 from scenewright.domains.home.learned.targets import targets_of
-from scenewright.plan import spaces
-from scenewright.solution import Solution
 
 PAIR = ("seating", "media")
 
 
-def told(distances: tuple[Distance, ...] = (), clearances: tuple[Clearance, ...] = (),
-         shares: tuple[Share, ...] = ()) -> habits.Habits:  # fmt: skip
+def told(
+    distances: tuple[Distance, ...] = (),
+    clearances: tuple[Clearance, ...] = (),
+    shares: tuple[Share, ...] = (),
+) -> habits.Habits:
     return habits_of([Targets(distances, clearances, shares)])
 
 
@@ -52,8 +55,9 @@ def test_clearances_stay_between_a_walking_route_and_what_one_can_wish() -> None
     usual = (0.75, 0.0, 0.0, 0.0)
 
     def clear(low: float, seen: int, side: Beside = "front") -> tuple[float, ...]:
-        return habits.clear(told((), (Clearance("wardrobe", side, low, 9.0, seen),)),
-                            "wardrobe", usual)  # fmt: skip
+        return habits.clear(
+            told((), (Clearance("wardrobe", side, low, 9.0, seen),)), "wardrobe", usual
+        )
 
     assert clear(1.0, 5)[0] == pytest.approx(0.875)
     assert clear(0.0, 10**6)[0] == pytest.approx(0.6)
@@ -75,10 +79,12 @@ def test_shares_count_by_how_alike_the_rooms_are() -> None:
 
 
 BEDROOM = {
-    "id": "bed", "function": "double_bedroom", "doors": [{"at": [0.0, 0.8], "width": 0.85}],
+    "id": "bed",
+    "function": "double_bedroom",
+    "doors": [{"at": [0.0, 0.8], "width": 0.85}],
     "outline": [[0, 0], [4.6, 0], [4.6, 4.2], [0, 4.2]],
     "windows": [{"at": [4.6, 2.0], "width": 1.4}],
-}  # fmt: skip
+}
 
 
 def furnished(tmp_path: Path, targets: Targets) -> Solution:
@@ -92,7 +98,7 @@ def furnished(tmp_path: Path, targets: Targets) -> Solution:
 
 def share_and_front(answer: Solution) -> tuple[float, float]:
     """The furnished share, and the free floor before the wardrobe."""
-    room = Furnished("", spaces(answer.brief)[0], answer.pieces)
+    room = FurnishedSpace("", spaces(answer.brief)[0], answer.pieces)
     rows = targets_of([room], list(found_in(room, shipped())), shipped())
     front = [c.low for c in rows.clearances if (c.function, c.side) == ("wardrobe", "front")]
     return rows.shares[0].share, front[0]

@@ -10,26 +10,31 @@ import numpy as np
 import pytest
 
 from scenewright import formats
-from scenewright.assets import shipped
-from scenewright.brief import Brief, Room
-from scenewright.brief.catalog import GroupsBrief
-from scenewright.catalog import Member
-from scenewright.check import check
-from scenewright.domains import home
+from scenewright.building.plan import spaces
+from scenewright.building.standing import fixed_pieces
+from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Brief, Room
+from scenewright.core.brief.catalog import GroupsBrief
+from scenewright.core.catalog import Member
+from scenewright.core.errors import InputError
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains import check
+from scenewright.domains.home import solving as home
 from scenewright.domains.home.cases.furnishing import Taste
-from scenewright.domains.home.cases.library import cases, wished
+from scenewright.domains.home.cases.library import cases, find_preferred_case
 from scenewright.domains.home.cases.own_library import library_of
 from scenewright.domains.home.cases.trial import usable
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.learned.cases import merged
+from scenewright.domains.home.learned.cases import merge_similar_cases
 from scenewright.domains.home.learned.groups import Learned, document, learn, read, write
-from scenewright.domains.home.learned.learning import Found, Furnished, boxed, found_in
+from scenewright.domains.home.learned.learning import (
+    FurnishedSpace,
+    GroupOccurrence,
+    box_members,
+    found_in,
+)
 from scenewright.domains.home.learned.space import drawn_out, footprint
 from scenewright.domains.home.learned.words import ANCHORS, COMPANIONS
-from scenewright.domains.standing import fixed_pieces
-from scenewright.errors import InputError
-from scenewright.plan import spaces
-from scenewright.scene import Piece, Pose, Size
 
 CATALOG = shipped()
 BEDROOM = (
@@ -40,9 +45,12 @@ BEDROOM = (
 )
 DINING = (
     ("dining_table", 0.0, 0.0, 0.0, 0.0, Size(1.4, 0.8, 0.74)),
-    *(("dining_chair", x, y, 0.0, pi if y > 0 else 0.0, Size(0.45, 0.5, 0.9))
-      for x in (-0.35, 0.35) for y in (-0.5, 0.5)),
-)  # fmt: skip
+    *(
+        ("dining_chair", x, y, 0.0, pi if y > 0 else 0.0, Size(0.45, 0.5, 0.9))
+        for x in (-0.35, 0.35)
+        for y in (-0.5, 0.5)
+    ),
+)
 Rows = tuple[tuple[str, float, float, float, float, Size], ...]
 
 
@@ -56,18 +64,27 @@ def standing(rows: Rows, x: float, y: float, heading: float) -> tuple[Piece, ...
     return tuple(found)
 
 
-def furnished(rows: Rows, at: tuple[float, float] = (2.0, 1.05), heading: float = pi / 2,
-              name: str = "one", size: tuple[float, float] = (5.0, 5.0)) -> Furnished:  # fmt: skip
+def furnished(
+    rows: Rows,
+    at: tuple[float, float] = (2.0, 1.05),
+    heading: float = pi / 2,
+    name: str = "one",
+    size: tuple[float, float] = (5.0, 5.0),
+) -> FurnishedSpace:
     """A room with one door and a group of pieces."""
     wide, deep = size
-    room = Room.model_validate({
-        "id": "room", "function": "living", "doors": [{"at": [0.7, deep], "width": 0.8}],
-        "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
-    })  # fmt: skip
-    return Furnished(name, spaces(Brief(rooms=[room]))[0], standing(rows, *at, heading))
+    room = Room.model_validate(
+        {
+            "id": "room",
+            "function": "living",
+            "doors": [{"at": [0.7, deep], "width": 0.8}],
+            "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
+        }
+    )
+    return FurnishedSpace(name, spaces(Brief(rooms=[room]))[0], standing(rows, *at, heading))
 
 
-def found(room: Furnished) -> list[Found]:
+def found(room: FurnishedSpace) -> list[GroupOccurrence]:
     return list(found_in(room, CATALOG))
 
 
@@ -110,13 +127,15 @@ def test_a_table_at_the_wall_is_another_group_and_looks_away_from_it() -> None:
 
 
 def test_what_nobody_can_reach_is_no_group() -> None:
-    walls = tuple(("bookcase", x, y, 0.0, 0.0, Size(w, d, 2.0)) for x, y, w, d in (
-        (0.0, 0.72, 2.2, 0.3), (-0.95, 0.0, 0.3, 1.0), (0.95, 0.0, 0.3, 1.0)))  # fmt: skip
-    case = boxed("sleeping", [Member(c, x, y, z, t, s) for c, x, y, z, t, s in BEDROOM])
+    walls = tuple(
+        ("bookcase", x, y, 0.0, 0.0, Size(w, d, 2.0))
+        for x, y, w, d in ((0.0, 0.72, 2.2, 0.3), (-0.95, 0.0, 0.3, 1.0), (0.95, 0.0, 0.3, 1.0))
+    )
+    case = box_members("sleeping", [Member(c, x, y, z, t, s) for c, x, y, z, t, s in BEDROOM])
     assert usable(case, CATALOG)
     around = [Member(c, x, y, z, turn, s) for c, x, y, z, turn, s in walls]
     toilet = Member("toilet", 0, -0.2, 0, 0, Size(0.4, 0.65, 0.8))
-    closed = boxed("toilet", [toilet, *around])
+    closed = box_members("toilet", [toilet, *around])
     assert not usable(closed, CATALOG)
 
 
@@ -146,9 +165,12 @@ def test_a_table_in_the_corner_of_a_sofa_is_pushed_out_and_rugs_lie_straight() -
 
 def test_like_cases_of_several_homes_become_one_with_a_range() -> None:
     wider = (("double_bed", 0.0, 0.0, 0.0, 0.0, Size(1.66, 2.05, 0.6)), *BEDROOM[1:])
-    rooms = [furnished(BEDROOM, name="a"), furnished(wider, name="b"),
-             furnished(BEDROOM[:3], name="c")]  # fmt: skip
-    learned = merged([one for room in rooms for one in found(room)])
+    rooms = [
+        furnished(BEDROOM, name="a"),
+        furnished(wider, name="b"),
+        furnished(BEDROOM[:3], name="c"),
+    ]
+    learned = merge_similar_cases([one for room in rooms for one in found(room)])
     assert sorted(case.seen for case in learned) == [1, 2]
     both = next(case for case in learned if case.seen == 2)
     assert both.homes == ("a", "b")
@@ -168,8 +190,11 @@ def test_the_file_reads_back_as_it_was_written(tmp_path: Path) -> None:
     known = read(file)
     assert {name: len(own) for name, own in known.cases.items()} == {"sleeping": 2, "dining": 1}
     for case in learned.cases:
-        same = [g for g in known.cases[case.case.function]
-                if g.width == pytest.approx(case.case.width, abs=1e-3)]  # fmt: skip
+        same = [
+            g
+            for g in known.cases[case.case.function]
+            if g.width == pytest.approx(case.case.width, abs=1e-3)
+        ]
         assert len(same) == 1
         assert same[0].members[0].size == pytest.approx(case.case.members[0].size, abs=1e-3)
     assert all(isfinite(area) for own in known.areas.values() for area in own)
@@ -189,20 +214,74 @@ def test_the_file_reads_back_as_it_was_written(tmp_path: Path) -> None:
         ({"shares": [["bedroom", 12.0, -0.2]]}, "shares[0][2]: "),
         ({"shares": [["bedroom", 0.0, 0.2]]}, "shares[0][1]: "),
         ({"shares": [["bedroom", float("inf"), 0.2]]}, "shares[0][1]: "),
-        ({"cases": [{"function": "bed", "name": "", "width": 1, "depth": 1, "members": [
-            {"category": "double_bed", "x": 0, "y": 0, "size": [1, 1, 1]}]}]},
-         "cases[0]: there is no group 'bed'"),
-        ({"cases": [{"function": "sleeping", "name": "", "width": 1, "depth": 1, "members": [
-            {"category": "bed", "x": 0, "y": 0, "size": [1, 1, 1]}]}]}, "no category 'bed'"),
-        ({"cases": [{"function": "sleeping", "name": "", "width": 1, "depth": 1, "members": [
-            {"category": "double_bed", "x": 5, "y": 0, "size": [1, 1, 1]}]}]}, "outside its group"),
-        ({"cases": [{"function": "sleeping", "name": "", "width": 1, "depth": 1, "members": [
-            {"category": "double_bed", "x": 0, "y": 0, "size": [1, 1, 1], "on": 0}]}]},
-         "stands on a member that comes later"),
-        ({"cases": [{"function": "sleeping", "name": "", "width": 1e9, "depth": 1, "members": []}]},
-         "is no file of learned groups"),
+        (
+            {
+                "cases": [
+                    {
+                        "function": "bed",
+                        "name": "",
+                        "width": 1,
+                        "depth": 1,
+                        "members": [{"category": "double_bed", "x": 0, "y": 0, "size": [1, 1, 1]}],
+                    }
+                ]
+            },
+            "cases[0]: there is no group 'bed'",
+        ),
+        (
+            {
+                "cases": [
+                    {
+                        "function": "sleeping",
+                        "name": "",
+                        "width": 1,
+                        "depth": 1,
+                        "members": [{"category": "bed", "x": 0, "y": 0, "size": [1, 1, 1]}],
+                    }
+                ]
+            },
+            "no category 'bed'",
+        ),
+        (
+            {
+                "cases": [
+                    {
+                        "function": "sleeping",
+                        "name": "",
+                        "width": 1,
+                        "depth": 1,
+                        "members": [{"category": "double_bed", "x": 5, "y": 0, "size": [1, 1, 1]}],
+                    }
+                ]
+            },
+            "outside its group",
+        ),
+        (
+            {
+                "cases": [
+                    {
+                        "function": "sleeping",
+                        "name": "",
+                        "width": 1,
+                        "depth": 1,
+                        "members": [
+                            {"category": "double_bed", "x": 0, "y": 0, "size": [1, 1, 1], "on": 0}
+                        ],
+                    }
+                ]
+            },
+            "stands on a member that comes later",
+        ),
+        (
+            {
+                "cases": [
+                    {"function": "sleeping", "name": "", "width": 1e9, "depth": 1, "members": []}
+                ]
+            },
+            "is no file of learned groups",
+        ),
     ],
-)  # fmt: skip
+)
 def test_what_cannot_be_used_is_told_in_one_line(
     tmp_path: Path, change: dict[str, object], told: str
 ) -> None:
@@ -225,14 +304,21 @@ def test_learned_groups_stand_for_the_shipped_or_beside_them(tmp_path: Path) -> 
     assert len(cases("sleeping", alone).groups) == 2
     assert len(cases("sleeping", beside).groups) == 2 + len(cases("sleeping").groups)
     assert cases("bath", alone).groups == cases("bath").groups
-    large, small = wished("sleeping", 25.0, alone), wished("sleeping", 13.0, alone)
+    large, small = (
+        find_preferred_case("sleeping", 25.0, alone),
+        find_preferred_case("sleeping", 13.0, alone),
+    )
     assert (len(large.members), len(small.members)) == (4, 2), "by the rooms they were seen in"
 
 
 def test_a_home_with_learned_groups_differs_and_is_valid(tmp_path: Path) -> None:
     write(learned_two(), tmp_path / "groups.json")
-    room = {"id": "bed", "function": "double_bedroom", "doors": [{"at": [0.0, 0.8], "width": 0.85}],
-            "outline": [[0, 0], [4.2, 0], [4.2, 4], [0, 4]]}  # fmt: skip
+    room = {
+        "id": "bed",
+        "function": "double_bedroom",
+        "doors": [{"at": [0.0, 0.8], "width": 0.85}],
+        "outline": [[0, 0], [4.2, 0], [4.2, 4], [0, 4]],
+    }
     usual = Brief(rooms=[Room.model_validate(room)])
     own = usual.model_copy(update={"groups": [GroupsBrief(path=str(tmp_path / "groups.json"))]})
     first, second = (home.solve(brief, steps=2000) for brief in (usual, own))
@@ -252,8 +338,10 @@ def test_groups_of_designers_furnish_their_homes_anew(real_data: Path, tmp_path:
     rooms = []
     for file in files:
         brief = formats.read(file, keep=True)
-        rooms += [Furnished(file.stem, space, tuple(fixed_pieces(room, space, CATALOG)))
-                  for space, room in zip(spaces(brief), brief.rooms, strict=True)]  # fmt: skip
+        rooms += [
+            FurnishedSpace(file.stem, space, tuple(fixed_pieces(room, space, CATALOG)))
+            for space, room in zip(spaces(brief), brief.rooms, strict=True)
+        ]
     learned = learn(rooms, CATALOG)
     assert len({case.case.function for case in learned.cases}) >= 12
     write(learned, tmp_path / "groups.json")

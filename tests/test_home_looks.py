@@ -8,28 +8,32 @@ import numpy as np
 import pytest
 from benchmarks.home_axis import records
 
-from scenewright.assets import shipped
-from scenewright.brief import Ask, Brief, Room
-from scenewright.catalog import Group, Member
-from scenewright.domains import home
-from scenewright.domains.home.cases.library import cases, wished
-from scenewright.domains.home.dressing.dress import Refused, dress_patch
-from scenewright.domains.home.dressing.facing import faced
-from scenewright.domains.home.dressing.obstacles import Standing
+from scenewright.building.plan import spaces
+from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Ask, Brief, Room
+from scenewright.core.catalog import Group, Member
+from scenewright.core.scene import Piece, Size
+from scenewright.domains.home import solving as home
+from scenewright.domains.home.build_problem import RELATIONS, holds
+from scenewright.domains.home.cases.library import cases, find_preferred_case
+from scenewright.domains.home.furnishing.facing import face_screen
+from scenewright.domains.home.furnishing.furnish import Refused, furnish_patch
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.ground import ground_of
-from scenewright.domains.home.pose import RELATIONS, holds
-from scenewright.plan import spaces
-from scenewright.scene import Piece, Size
 
-EMPTY = Standing(np.zeros((0, 5)), np.zeros((0, 2)), ())
+EMPTY = StandingObstacles(np.zeros((0, 5)), np.zeros((0, 2)), ())
 
 
 def one_room(wide: float, deep: float, function: str, *groups: str) -> Brief:
-    room = Room.model_validate({
-        "id": "room", "function": function, "doors": [{"at": [0.6, 0.0], "width": 0.8}],
-        "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
-        "ask": [Ask(group=group) for group in groups],
-    })  # fmt: skip
+    room = Room.model_validate(
+        {
+            "id": "room",
+            "function": function,
+            "doors": [{"at": [0.6, 0.0], "width": 0.8}],
+            "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
+            "ask": [Ask(group=group) for group in groups],
+        }
+    )
     return Brief(rooms=[room])
 
 
@@ -37,11 +41,11 @@ def one_room(wide: float, deep: float, function: str, *groups: str) -> Brief:
 def test_what_belongs_to_a_wall_is_refused_in_the_open(function: str) -> None:
     space = spaces(one_room(8.0, 7.0, "living"))[0]
     ground = ground_of(space, (), 56.0)
-    case = wished(function, 10.0)
+    case = find_preferred_case(function, 10.0)
 
     def dressed(y: float) -> object:
         box = np.array([4.5, y, -pi / 2, case.width, case.depth])
-        return dress_patch(function, box, ground, EMPTY, shipped(), 2.6)
+        return furnish_patch(function, box, ground, EMPTY, shipped(), 2.6)
 
     assert not isinstance(dressed(7.0 - case.depth / 2 - 0.01), Refused)
     assert dressed(3.5) == Refused("no wall is left for its back")
@@ -71,7 +75,7 @@ def test_a_screen_is_for_the_seats_where_there_are_seats() -> None:
 
 def test_a_reading_chair_turns_out_of_its_corner() -> None:
     """In a large room the chair looks away from the corner lamp; either corner has a case."""
-    assert "turned out" in wished("reading", 30.0).name
+    assert "turned out" in find_preferred_case("reading", 30.0).name
     turned = [case.members for case in cases("reading").groups if "turned out" in case.name]
     assert {np.sign(lamp.x) for _, lamp in turned} == {-1.0, 1.0}
     for chair, lamp in turned:
@@ -100,16 +104,21 @@ def test_a_screen_is_put_before_its_seat_where_it_can_stand() -> None:
     wardrobe = Group("wardrobe", "", 1.0, 0.6, ())
     room = one_room(5.0, 4.0, "living")
     ground = ground_of(spaces(room)[0], (), 20.0)
-    boxes = np.array([[2.5, 0.5, pi / 2, 2.2, 0.9], [2.5, 3.8, -pi / 2, 1.2, 0.4],
-                      [1.35, 3.7, -pi / 2, 1.0, 0.6]])  # fmt: skip
+    boxes = np.array(
+        [
+            [2.5, 0.5, pi / 2, 2.2, 0.9],
+            [2.5, 3.8, -pi / 2, 1.2, 0.4],
+            [1.35, 3.7, -pi / 2, 1.0, 0.6],
+        ]
+    )
     new = np.ones(3, bool)
-    free = faced((seating, media), boxes[:2], new[:2], ground)
+    free = face_screen((seating, media), boxes[:2], new[:2], ground)
     assert free - boxes[:2] == pytest.approx(np.array([[0] * 5, [-0.3, 0, 0, 0, 0]]))
-    held = faced((seating, media, wardrobe), boxes, new, ground)
+    held = face_screen((seating, media, wardrobe), boxes, new, ground)
     assert held[:, 0] - boxes[:, 0] == pytest.approx([0.3, 0.0, 0.0])
     warm = ground._replace(fronts=np.array([[1.8, 3.8, -pi / 2, 0.2, 0.4]]))
-    assert faced((seating, media), boxes[:2], new[:2], warm)[0, 0] == pytest.approx(2.8)
-    kept = faced((seating, media, wardrobe), boxes, np.zeros(3, bool), ground)
+    assert face_screen((seating, media), boxes[:2], new[:2], warm)[0, 0] == pytest.approx(2.8)
+    kept = face_screen((seating, media, wardrobe), boxes, np.zeros(3, bool), ground)
     assert np.array_equal(kept, boxes)
 
 

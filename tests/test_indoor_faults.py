@@ -27,7 +27,7 @@ from indoor_maps import (
     read,
 )
 from scenewright import formats
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
 
 # Hostile files
 
@@ -55,7 +55,7 @@ def hostile() -> dict[str, tuple[bytes, str]]:
         "only broken": (dumped(area("b", bow, indoor="room")), "none of its 1 rooms can be used"),
         "mercator": (dumped(SHOES, **crs("EPSG:3857")), "'EPSG:3857' is not known"),
         "says degrees": (dumped(wide, **crs("EPSG:4326")), "no longitude and latitude"),
-        "no metres": (dumped(wide), "neither longitude and latitude nor metres"),
+        "no metres": (dumped(wide), '"origin"'),
         "pole": (dumped(polar), "too near a pole"),
         "many levels": (dumped(*[room_] * 40), "more than 5000 rooms"),
         "many doors": (dumped(SHOES, *[DOOR] * 5001), "holds 5001 doors"),
@@ -77,7 +77,7 @@ def test_hostile_files_give_one_line(name: str, tmp_path: Path) -> None:
 def test_too_large_files_are_not_opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "map.geojson"
     path.write_bytes(json.dumps(document(SHOES)).encode())
-    monkeypatch.setattr("scenewright.formats.indoor_features.GREATEST_FILE", 100)
+    monkeypatch.setattr("scenewright.ground.map_features.GREATEST_FILE", 100)
     with pytest.raises(InputError, match="is larger than"):
         formats.read(path)
 
@@ -105,12 +105,19 @@ def test_one_hostile_feature_does_not_spoil_the_rest(
 
 @given(
     st.lists(
-        st.tuples(st.integers(0, 30), st.integers(0, 30), st.integers(1, 15), st.integers(1, 15),
-                  st.sampled_from(["room", "corridor", "area", "column"]), st.booleans()),
-        min_size=1, max_size=12,
+        st.tuples(
+            st.integers(0, 30),
+            st.integers(0, 30),
+            st.integers(1, 15),
+            st.integers(1, 15),
+            st.sampled_from(["room", "corridor", "area", "column"]),
+            st.booleans(),
+        ),
+        min_size=1,
+        max_size=12,
     ),
     st.lists(st.tuples(st.integers(0, 40), st.integers(0, 40)), max_size=12),
-)  # fmt: skip
+)
 def test_whatever_overlaps_the_plan_accepts(boxes: list[Any], doors: list[Any]) -> None:
     features = [
         area(

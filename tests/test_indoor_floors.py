@@ -7,9 +7,9 @@ import math
 import pytest
 
 from indoor_maps import SHOES, STREET, Json, area, box, degrees, floor, node, read, room
-from scenewright.formats.indoor_features import collection
-from scenewright.formats.indoor_geojson import report
-from scenewright.plan import spaces
+from scenewright.building.plan import spaces
+from scenewright.domains.hall.indoor.geojson import report
+from scenewright.ground.map_features import collection
 
 
 def test_holes_columns_and_kiosks_are_cut_out() -> None:
@@ -93,7 +93,12 @@ def test_broken_features_are_left_out_and_told() -> None:
     nothing: Json = {"type": "Feature", "id": "none", "properties": None, "geometry": None}
     text = area("text", [[["a", "b"]] * 4], indoor="room")
     found = read(
-        SHOES, line, nothing, text, 7, ["x"],
+        SHOES,
+        line,
+        nothing,
+        text,
+        7,
+        ["x"],
         area("bow", bow, indoor="room", shop="toys", level="0"),
         area("level", box(50, 0, 60, 8), indoor="room", level="first"),
         area("far", [[120.0, 10.0], [120.1, 10.0], [120.1, 10.1], [120.0, 10.0]], indoor="room"),
@@ -101,11 +106,23 @@ def test_broken_features_are_left_out_and_told() -> None:
         area("thin", box(70, 0, 90, 0.08), indoor="room", level="0"),
         area("two", [degrees(0, 0), degrees(1, 1)], indoor="room"),
         area("nan", [degrees(0, 0), [math.nan, 0], degrees(1, 1), degrees(0, 0)], indoor="room"),
-    )  # fmt: skip
+    )
     assert [r.id for r in found.brief.rooms] == ["way-1"]
     told = {row.feature: row.reason for row in found.skipped}
-    assert told.keys() == {"line", "none", "text", "feature-5", "feature-6", "bow", "level", "far",
-                           "tiny", "thin", "two", "nan"}  # fmt: skip
+    assert told.keys() == {
+        "line",
+        "none",
+        "text",
+        "feature-5",
+        "feature-6",
+        "bow",
+        "level",
+        "far",
+        "tiny",
+        "thin",
+        "two",
+        "nan",
+    }
     assert "crosses" in told["bow"]
     assert "'first' is not a number" in told["level"]
     assert "km from the rest" in told["far"]

@@ -24,8 +24,8 @@ from indoor_maps import (
     tangent_plane,
 )
 from scenewright import formats
-from scenewright.formats.indoor_geojson import read_report
-from scenewright.plan import spaces
+from scenewright.building.plan import spaces
+from scenewright.domains.hall.indoor.geojson import read_report
 
 OFFICE = area("way/3", box(20, 0, 24, 8), indoor="room", room="office", ref="12", level="0")
 
@@ -96,15 +96,19 @@ def test_a_door_of_a_plain_room_is_narrow() -> None:
 
 def test_doors_that_fit_nowhere_are_told() -> None:
     found = read(
-        SHOES, STREET, DOOR,
+        SHOES,
+        STREET,
+        DOOR,
         node("far", 5, 30, door="yes", level="0"),
         node("twin", 4.2, 8, door="yes", level="0"),
         node("above", 6, 8, door="yes", level="1"),
         node("odd", 6, 8, door="yes", level="EG"),
-    )  # fmt: skip
+    )
     assert [(s.feature, s.reason.split()[2]) for s in found.skipped] == [
-        ("odd", "on"), ("far", "more"), ("twin", "on"),
-    ]  # fmt: skip
+        ("odd", "on"),
+        ("far", "more"),
+        ("twin", "on"),
+    ]
     assert found.doors == 1
 
 
@@ -122,9 +126,14 @@ def test_every_level_has_its_copy_and_its_doors() -> None:
     office = area("o", box(12, 0, 16, 8), indoor="room", level="0", repeat_on="2")
     found = read(shop, lift, office, node("d", 3, 8, door="yes", level="0", repeat_on="1"))
     assert [(r.id, r.level) for r in found.brief.rooms] == [
-        ("l-level--1", "-1"), ("l-level-0", "0"), ("o-level-0", "0"), ("s-level-0", "0"),
-        ("l-level-1", "1"), ("s-level-1", "1"), ("o-level-2", "2"),
-    ]  # fmt: skip
+        ("l-level--1", "-1"),
+        ("l-level-0", "0"),
+        ("o-level-0", "0"),
+        ("s-level-0", "0"),
+        ("l-level-1", "1"),
+        ("s-level-1", "1"),
+        ("o-level-2", "2"),
+    ]
     assert [lv.elevation for lv in found.brief.levels] == [-4.0, 0.0, 4.0, 8.0]
     assert [d.id for r in found.brief.rooms for d in r.doors] == ["d-level-0", "d-level-1"]
     assert room(found.brief, "l-level-0").name == "Lift"
@@ -155,8 +164,16 @@ def test_real_buildings(name: str, real_data: Path) -> None:
     found = read_report(path)
     brief = formats.read(path)
     assert brief == found.brief
-    assert (len(brief.levels), len(brief.rooms), found.units, found.filled, found.doors,
-            found.assumed, found.open_borders, len(found.skipped)) == FIGURES[name]  # fmt: skip
+    assert (
+        len(brief.levels),
+        len(brief.rooms),
+        found.units,
+        found.filled,
+        found.doors,
+        found.assumed,
+        found.open_borders,
+        len(found.skipped),
+    ) == FIGURES[name]
     listed = [d.id for r in brief.rooms for d in r.doors]
     assert len(listed) == found.doors + found.assumed + found.open_borders
     joined = {s.id for s in spaces(brief) if s.openings}

@@ -26,10 +26,10 @@ from indoor_maps import (
     room,
     tangent_plane,
 )
-from scenewright.formats.indoor_features import collection
-from scenewright.formats.indoor_geojson import report
-from scenewright.formats.indoor_projection import metres, projection
-from scenewright.plan import spaces
+from scenewright.building.plan import spaces
+from scenewright.domains.hall.indoor.geojson import report
+from scenewright.ground.map_features import collection
+from scenewright.ground.projection import metres, projection
 
 
 @given(st.floats(-179, 179), st.floats(-80, 80), st.floats(-300, 300), st.floats(-300, 300))
@@ -64,7 +64,8 @@ def plain_metres(*features: Json, at: tuple[float, float] = (0.0, 0.0)) -> Json:
 
 @pytest.mark.parametrize("at", [(0.0, 0.0), (450_000.0, 5_400_000.0)])
 def test_maps_in_metres_are_read_as_they_are(at: tuple[float, float]) -> None:
-    brief = report(collection(plain_metres(SHOES, BOOKS, STREET, at=at)), "m").brief
+    utm = crs("urn:ogc:def:crs:EPSG::32631")
+    brief = report(collection(plain_metres(SHOES, BOOKS, STREET, at=at) | utm), "m").brief
     assert floor(room(brief, "way-1")).area == pytest.approx(80, abs=0.02)
     assert len(spaces(brief)) == 3
 

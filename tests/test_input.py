@@ -13,9 +13,9 @@ import jsonschema
 import pytest
 
 import scenewright.formats as formats
-from scenewright.errors import InputError
+from scenewright.building.plan import spaces
+from scenewright.core.errors import InputError
 from scenewright.formats import brief_json
-from scenewright.plan import spaces
 
 ROOM = {"outline": [[0, 0], [5, 0], [5, 4], [0, 4]]}
 XML = (
@@ -98,10 +98,7 @@ BAD_JSON = {
     ),
     "a door to nowhere": (door(to="attic"), "leads to 'attic', which is no room"),
     "a door to the wrong room": (door(to="hall"), "beyond the wall is the outside"),
-    "a window in the ceiling": (
-        one_room(windows=[{"at": [2, 0], "sill": 3}]),
-        "above the ceiling",
-    ),
+    "a window in the ceiling": (one_room(windows=[{"at": [2, 0], "sill": 3}]), "above the ceiling"),
     "two openings at one place": (
         one_room(doors=[{"at": [2, 0]}], windows=[{"at": [2.3, 0], "sill": 0.5}]),
         "windows[0]: overlaps rooms[0] 'room-1' doors[0]",
@@ -152,11 +149,16 @@ BAD_JSON = {
         "rooms[0].fixed[0].size[1]",
     ),
     "a room inside its walls": (
-        json.dumps({"outlines": "centre", "wall_thickness": 2, "rooms": [
-            {"outline": [[0, 0], [1, 0], [1, 1], [0, 1]]}]}),
+        json.dumps(
+            {
+                "outlines": "centre",
+                "wall_thickness": 2,
+                "rooms": [{"outline": [[0, 0], [1, 0], [1, 1], [0, 1]]}],
+            }
+        ),
         "nothing is left of the room",
     ),
-}  # fmt: skip
+}
 
 BAD_XML = {
     "empty": ("", "is empty"),

@@ -8,12 +8,7 @@ from pathlib import Path
 import pytest
 
 from hostile_models import WHOLE, fault_of, zipped
-from model_files import (
-    PIECE,
-    furniture,
-    obj_text,
-    put,
-)
+from model_files import PIECE, furniture, obj_text, put
 
 LIBRARY = {
     "no model line": ("name#1=x", "lists no models"),
@@ -47,13 +42,27 @@ PACKED = {
     "cut off": (WHOLE[: len(WHOLE) // 2], "whole zip archive"),
     "no catalogue": (zipped({"a.txt": b"a"}), "holds no PluginFurnitureCatalog.properties"),
     "catalogue swells": (LIED, "is larger than 8 MiB"),
-    "model swells": (zipped({"PluginFurnitureCatalog.properties": PIECE.encode("latin-1"),
-                             "kit/table.obj": b"\n" * 30_000_000}), "packed more than 200 times"),
-    "model too large": (zipped({"PluginFurnitureCatalog.properties": PIECE.encode("latin-1"),
-                                "kit/table.obj": b"\n" * 70_000_000}), "larger than 64 MiB"),
+    "model swells": (
+        zipped(
+            {
+                "PluginFurnitureCatalog.properties": PIECE.encode("latin-1"),
+                "kit/table.obj": b"\n" * 30_000_000,
+            }
+        ),
+        "packed more than 200 times",
+    ),
+    "model too large": (
+        zipped(
+            {
+                "PluginFurnitureCatalog.properties": PIECE.encode("latin-1"),
+                "kit/table.obj": b"\n" * 70_000_000,
+            }
+        ),
+        "larger than 64 MiB",
+    ),
     "damaged": (WHOLE.replace(b"PluginF", b"PluginG", 1), "cannot be unpacked"),
     "many entries": (zipped({f"{k}": b"" for k in range(50_001)}), "holds 50,001 entries"),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("case", PACKED)

@@ -25,10 +25,10 @@ from model_files import (
     obj_text,
     put,
 )
-from scenewright.errors import InputError
-from scenewright.models import library, load, report
-from scenewright.models.as_asset import asset_of
-from scenewright.models.model import Options
+from scenewright.catalog.models import library, load, report
+from scenewright.catalog.models.as_asset import asset_of
+from scenewright.catalog.models.model import ImportOptions
+from scenewright.core.errors import InputError
 
 
 def test_links_are_not_followed(tmp_path: Path) -> None:
@@ -64,8 +64,11 @@ def test_what_is_no_plain_file_is_not_opened(tmp_path: Path) -> None:
 
 
 def test_names_cannot_harm_a_screen(tmp_path: Path) -> None:
-    document = city_of(SOLID, CUBE, CityObjects={
-        "a\x1b[2J\n" + "b" * 500: {"type": "Building", "geometry": [SOLID]}})  # fmt: skip
+    document = city_of(
+        SOLID,
+        CUBE,
+        CityObjects={"a\x1b[2J\n" + "b" * 500: {"type": "Building", "geometry": [SOLID]}},
+    )
     (model,) = library(put(tmp_path, "t.json", document))
     assert model.id.isprintable()
     assert model.name.isprintable()
@@ -75,11 +78,16 @@ def test_names_cannot_harm_a_screen(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("options", "told"),
-    [(Options(up="y"), "no direction"), (Options(front="+w"), "no direction"),
-     (Options(up="+z", front="-z"), "cannot be -z"), (Options(scale=0.0), "single point"),
-     (Options(scale=float("nan")), "m large"), (Options(scale=1e9), "m large")],
-)  # fmt: skip
-def test_options_that_make_no_sense(tmp_path: Path, options: Options, told: str) -> None:
+    [
+        (ImportOptions(up="y"), "no direction"),
+        (ImportOptions(front="+w"), "no direction"),
+        (ImportOptions(up="+z", front="-z"), "cannot be -z"),
+        (ImportOptions(scale=0.0), "single point"),
+        (ImportOptions(scale=float("nan")), "m large"),
+        (ImportOptions(scale=1e9), "m large"),
+    ],
+)
+def test_options_that_make_no_sense(tmp_path: Path, options: ImportOptions, told: str) -> None:
     with pytest.raises(InputError, match=told):
         load(put(tmp_path, "kit.obj", obj_text()), options)
 
@@ -88,7 +96,7 @@ def test_options_that_make_no_sense(tmp_path: Path, options: Options, told: str)
 def test_languages_cannot_name_other_entries(tmp_path: Path, language: str) -> None:
     path = furniture(tmp_path, PIECE, {"kit/table.obj": obj_text()})
     with pytest.raises(InputError, match="is no language"):
-        library(path, Options(language=language))
+        library(path, ImportOptions(language=language))
 
 
 def test_pictures_that_swell_are_refused_before_they_are_unpacked(tmp_path: Path) -> None:

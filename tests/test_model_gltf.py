@@ -11,10 +11,10 @@ import trimesh
 from PIL import Image
 
 from model_files import SIDES, TETRAHEDRON, body, glb_of, gltf_of, put
+from scenewright.catalog.models import library, load
+from scenewright.catalog.models.gltf import matrix
+from scenewright.catalog.models.gltf_record import GltfNode
 from scenewright.geometry.mesh import volume
-from scenewright.models import library, load
-from scenewright.models.gltf import matrix
-from scenewright.models.gltf_record import Node
 
 
 def test_gltf_in_every_wrapping_is_the_same(tmp_path: Path) -> None:
@@ -38,11 +38,14 @@ def test_gltf_in_every_wrapping_is_the_same(tmp_path: Path) -> None:
 def test_gltf_nodes_move_turn_scale_and_mirror(tmp_path: Path) -> None:
     turn = [0.0, float(np.sin(0.3)), 0.0, float(np.cos(0.3))]
     document = gltf_of(
-        TETRAHEDRON, SIDES,
-        nodes=[{"children": [1, 2], "translation": [5, 6, 7]},
-               {"mesh": 0, "rotation": turn, "scale": [1, 1, 3]},
-               {"mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1]}],
-    )  # fmt: skip
+        TETRAHEDRON,
+        SIDES,
+        nodes=[
+            {"children": [1, 2], "translation": [5, 6, 7]},
+            {"mesh": 0, "rotation": turn, "scale": [1, 1, 3]},
+            {"mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1]},
+        ],
+    )
     path = put(tmp_path, "kit.gltf", document)
     model = load(path)
     assert volume(body(model)) == pytest.approx(4.0 * 3 + 4.0), "mirrored faces look outwards"
@@ -55,7 +58,7 @@ def test_gltf_matrices_agree_with_a_reference() -> None:
     for _ in range(20):
         turn = rng.normal(size=4)
         turn /= np.linalg.norm(turn)
-        node = Node(rotation=tuple(turn), translation=(1, 2, 3), scale=(2, 3, 4))
+        node = GltfNode(rotation=tuple(turn), translation=(1, 2, 3), scale=(2, 3, 4))
         x, y, z, w = turn
         reference = trimesh.transformations.quaternion_matrix([w, x, y, z]) @ np.diag([2, 3, 4, 1])
         reference[:3, 3] = (1, 2, 3)
@@ -69,10 +72,14 @@ def test_gltf_numbers_may_be_sparse_scaled_and_interleaved(tmp_path: Path) -> No
     packed = rows.tobytes() + SIDES.astype("<u2").tobytes() + b"\x03\0\0\0" + b"\0\0\x7f\0"
     document = gltf_of(TETRAHEDRON, SIDES)
     document["accessors"][0] |= {
-        "componentType": 5120, "normalized": True,
-        "sparse": {"count": 1, "indices": {"bufferView": 2, "componentType": 5121},
-                   "values": {"bufferView": 3}},
-    }  # fmt: skip
+        "componentType": 5120,
+        "normalized": True,
+        "sparse": {
+            "count": 1,
+            "indices": {"bufferView": 2, "componentType": 5121},
+            "values": {"bufferView": 3},
+        },
+    }
     document["bufferViews"] = [
         {"buffer": 0, "byteLength": 32, "byteStride": 8},
         {"buffer": 0, "byteOffset": 32, "byteLength": 24},
@@ -89,13 +96,16 @@ def test_gltf_colours_are_srgb_and_textures_are_looked_up(tmp_path: Path) -> Non
     Image.fromarray(np.full((2, 2, 3), (255, 128, 0), np.uint8)).save(tmp_path / "skin.png")
     spots = np.zeros((4, 2), "<f4").tobytes()
     document = gltf_of(TETRAHEDRON, SIDES)
-    document["buffers"].append({
-        "byteLength": 32,
-        "uri": "data:application/octet-stream;base64," + base64.b64encode(spots).decode(),
-    })  # fmt: skip
+    document["buffers"].append(
+        {
+            "byteLength": 32,
+            "uri": "data:application/octet-stream;base64," + base64.b64encode(spots).decode(),
+        }
+    )
     document["bufferViews"].append({"buffer": 1, "byteLength": 32})
-    document["accessors"].append({"bufferView": 2, "componentType": 5126, "count": 4,
-                                  "type": "VEC2"})  # fmt: skip
+    document["accessors"].append(
+        {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"}
+    )
     look = {"baseColorFactor": [0.2140, 1, 1, 1], "metallicFactor": 0}
     document["materials"] = [{"name": "skin", "pbrMetallicRoughness": look}]
     primitive = document["meshes"][0]["primitives"][0]

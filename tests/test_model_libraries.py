@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from model_files import PIECE, TETRAHEDRON, body, furniture, obj_text, put
-from scenewright.errors import InputError
-from scenewright.models import library, report
-from scenewright.models.model import Options
+from scenewright.catalog.models import library, report
+from scenewright.catalog.models.model import ImportOptions
+from scenewright.core.errors import InputError
 
 
 def test_furniture_libraries_give_size_names_and_makers(tmp_path: Path) -> None:
@@ -19,7 +19,7 @@ def test_furniture_libraries_give_size_names_and_makers(tmp_path: Path) -> None:
     assert model.size == pytest.approx((0.8, 0.6, 0.74))
     assert (model.id, model.name, model.category) == ("shop/table", "Café table", "Kitchen")
     assert (model.author, model.licence, model.elevation) == ("José", "Public domain", 0.1)
-    assert library(path, Options(language="de_AT"))[0].name == "Kaffeetisch"
+    assert library(path, ImportOptions(language="de_AT"))[0].name == "Kaffeetisch"
     corners = np.unique(body(model).vertices.round(9), axis=0)
     turned = TETRAHEDRON @ np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]).T  # the file's rows
     ours = np.stack([-turned[:, 0], turned[:, 2], turned[:, 1]], 1)

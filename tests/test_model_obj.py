@@ -9,19 +9,23 @@ import pytest
 from PIL import Image
 
 from model_files import TETRAHEDRON, body, obj_text, put
+from scenewright.catalog.models import load
+from scenewright.catalog.models.facets import quads_cut, triangles
+from scenewright.catalog.models.model import ImportOptions
 from scenewright.geometry.mesh import volume
-from scenewright.models import load
-from scenewright.models.facets import quads_cut, triangles
-from scenewright.models.model import Options
 
 
 def test_obj_numbers_count_from_both_ends_and_polygons_are_cut(tmp_path: Path) -> None:
-    star = [(np.cos(a) * r, np.sin(a) * r) for a, r in
-            zip(np.arange(10) * np.pi / 5, [1, 0.4] * 5, strict=True)]  # fmt: skip
+    star = [
+        (np.cos(a) * r, np.sin(a) * r)
+        for a, r in zip(np.arange(10) * np.pi / 5, [1, 0.4] * 5, strict=True)
+    ]
     rows = [f"v {x} {y} {z}" for z in (0, 1) for x, y in star]
     sides = [f"f {i + 1} {(i + 1) % 10 + 1} {(i + 1) % 10 + 11} {i + 11}" for i in range(10)]
     caps = ["f " + " ".join(str(-k) for k in range(11, 21)), "f -10 -9 -8 -7 -6 -5 -4 -3 -2 -1"]
-    model = load(put(tmp_path, "star.obj", "\n".join([*rows, *sides, *caps])), Options("+z", "+y"))
+    model = load(
+        put(tmp_path, "star.obj", "\n".join([*rows, *sides, *caps])), ImportOptions("+z", "+y")
+    )
     assert len(body(model).faces) == 20 + 16
     exact = 0.5 * 10 * 0.4 * np.sin(np.pi / 5)
     assert volume(body(model)) == pytest.approx(exact)
@@ -33,9 +37,18 @@ def test_obj_materials_and_textures_colour_the_faces(tmp_path: Path) -> None:
     Image.fromarray(picture).save(tmp_path / "two colours.png")
     mtl = "newmtl skin\nKd 1 1 1\nmap_Kd two colours.png\nnewmtl glass\nKd 0 1 0\nd 0.25\n"
     put(tmp_path, "kit.mtl", mtl)
-    rows = ["mtllib kit.mtl", *("v {} {} {}".format(*row) for row in TETRAHEDRON.tolist()),
-            "vt 0.2 0.5", "vt 0.8 0.5", "usemtl skin", "f 1/1 3/1 2/1", "f 1/-1 2/-1 4/-1",
-            "usemtl glass", "f 1 4 3", "f 2 3 4"]  # fmt: skip
+    rows = [
+        "mtllib kit.mtl",
+        *("v {} {} {}".format(*row) for row in TETRAHEDRON.tolist()),
+        "vt 0.2 0.5",
+        "vt 0.8 0.5",
+        "usemtl skin",
+        "f 1/1 3/1 2/1",
+        "f 1/-1 2/-1 4/-1",
+        "usemtl glass",
+        "f 1 4 3",
+        "f 2 3 4",
+    ]
     parts = load(put(tmp_path, "kit.obj", "\n".join(rows))).parts
     told = {(part.material.color, part.material.opacity, len(part.faces)) for part in parts}
     assert told == {((1, 0, 0), 1, 1), ((0, 0, 1), 1, 1), ((0, 1, 0), 0.25, 2)}

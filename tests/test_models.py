@@ -9,12 +9,12 @@ import pytest
 import trimesh
 
 from model_files import SIDES, TETRAHEDRON, body, obj_text, put
-from scenewright.catalog import Part
+from scenewright.catalog.models import ROWS, library, load, report
+from scenewright.catalog.models.as_asset import asset_of
+from scenewright.catalog.models.model import ImportOptions
+from scenewright.core.catalog import Part
+from scenewright.core.scene import Size
 from scenewright.geometry.mesh import volume
-from scenewright.models import ROWS, library, load, report
-from scenewright.models.as_asset import asset_of
-from scenewright.models.model import Options
-from scenewright.scene import Size
 
 
 def bounds(parts: tuple[Part, ...]) -> tuple[list[float], list[float]]:
@@ -34,7 +34,7 @@ def bounds(parts: tuple[Part, ...]) -> tuple[list[float], list[float]]:
 def test_a_model_stands_upright_on_the_middle_of_its_footprint(
     tmp_path: Path, up: str, front: str, size: tuple[float, ...]
 ) -> None:
-    model = load(put(tmp_path, "kit.obj", obj_text()), Options(up, front))
+    model = load(put(tmp_path, "kit.obj", obj_text()), ImportOptions(up, front))
     assert model.size == size
     assert model.id == model.name == "kit"
     w, d, h = size
@@ -46,7 +46,7 @@ def test_the_front_comes_to_plus_y(tmp_path: Path) -> None:
     """The corner furthest along the file's front is the furthest along ours; where that front is
     the other way, the furthest back."""
     for front, corner in (("+z", 3), ("-z", 3), ("+x", 1), ("-x", 1)):
-        model = load(put(tmp_path, "kit.obj", obj_text()), Options("", front))
+        model = load(put(tmp_path, "kit.obj", obj_text()), ImportOptions("", front))
         whole = body(model)
         lengths = sorted(np.linalg.norm(TETRAHEDRON - TETRAHEDRON[corner], axis=1))
         ahead = whole.vertices[:, 1] if front[0] == "+" else -whole.vertices[:, 1]
@@ -56,7 +56,7 @@ def test_the_front_comes_to_plus_y(tmp_path: Path) -> None:
 
 
 def test_an_asset_fills_any_size_and_prefers_its_own(tmp_path: Path) -> None:
-    asset = asset_of(load(put(tmp_path, "kit.obj", obj_text()), Options(scale=2.0)))
+    asset = asset_of(load(put(tmp_path, "kit.obj", obj_text()), ImportOptions(scale=2.0)))
     assert asset.id == "model:kit"
     assert asset.category == "building"
     assert asset.usual == (4, 8, 6)
@@ -75,7 +75,7 @@ def test_an_outline_follows_the_body_not_its_hull(tmp_path: Path) -> None:
     ell = np.array([[0, 0], [3, 0], [3, 1], [1, 1], [1, 2], [0, 2]])
     rows = [f"v {x} {y} {z}" for z in (0, 1) for x, y in ell]
     text = "\n".join([*rows, "f 6 5 4 3 2 1", "f 7 8 9 10 11 12"])
-    symbol = asset_of(load(put(tmp_path, "ell.obj", text), Options("+z", "+y"))).symbol
+    symbol = asset_of(load(put(tmp_path, "ell.obj", text), ImportOptions("+z", "+y"))).symbol
     outline = symbol(Size(3, 2, 1))[0]
     x, y = outline[:-1].T
     area = 0.5 * abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1)))
@@ -96,12 +96,18 @@ def test_rows_name_modules_that_read() -> None:
     from importlib import import_module
 
     for row in ROWS:
-        assert callable(import_module(f"scenewright.models.{row.reader}").read)
+        assert callable(import_module(f"scenewright.catalog.models.{row.reader}").read)
 
 
-REAL = [("kenney_city", 15, 15), ("kaykit_city", 61, 61), ("kaykit_medieval_village", 54, 54),
-        ("kenney_furniture_nature", 205, 205), ("citymodels_cityjson", 225, 225),
-        ("furniture_sweethome3d", 175, 175), ("meshes_classic", 5, 5)]  # fmt: skip
+REAL = [
+    ("kenney_city", 15, 15),
+    ("kaykit_city", 61, 61),
+    ("kaykit_medieval_village", 54, 54),
+    ("kenney_furniture_nature", 205, 205),
+    ("citymodels_cityjson", 225, 225),
+    ("furniture_sweethome3d", 175, 175),
+    ("meshes_classic", 5, 5),
+]
 
 
 @pytest.mark.realdata
@@ -120,9 +126,13 @@ def test_real_models_are_read(real_data: Path, folder: str, least: int, all_of: 
 @pytest.mark.realdata
 @pytest.mark.parametrize(
     "name",
-    ["kaykit_city/obj/building_A.obj", "kenney_city/starter_kit/building-small-a.glb",
-     "meshes_classic/spot.obj", "kenney_furniture_nature/loungeSofa.glb"],
-)  # fmt: skip
+    [
+        "kaykit_city/obj/building_A.obj",
+        "kenney_city/starter_kit/building-small-a.glb",
+        "meshes_classic/spot.obj",
+        "kenney_furniture_nature/loungeSofa.glb",
+    ],
+)
 def test_real_models_agree_with_another_reader(real_data: Path, name: str) -> None:
     model, other = load(real_data / name), trimesh.load(real_data / name, force="mesh")
     width, height, depth = other.extents

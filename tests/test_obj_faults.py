@@ -8,12 +8,8 @@ from pathlib import Path
 import pytest
 
 from hostile_models import SECRET, fault_of
-from model_files import (
-    TETRAHEDRON,
-    obj_text,
-    put,
-)
-from scenewright.models import report
+from model_files import TETRAHEDRON, obj_text, put
+from scenewright.catalog.models import report
 
 OBJ = {
     "empty": (b"", "is empty"),

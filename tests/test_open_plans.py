@@ -8,20 +8,20 @@ import numpy as np
 import pytest
 
 import scenewright as sw
-from scenewright.brief import Brief
-from scenewright.catalog import Group
+from scenewright.building.plan import spaces
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Group
+from scenewright.core.scene import Piece
+from scenewright.domains.home.build_problem import RELATIONS, holds, items_of, scale_area_weights
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.dressing.dress import Dressed, pieces_of
-from scenewright.domains.home.dressing.high_walls import free_stretch
+from scenewright.domains.home.furnishing.furnish import FurnishedPatch, pieces_of
+from scenewright.domains.home.furnishing.high_walls import free_stretch
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.pose import RELATIONS, firm, holds, items_of
 from scenewright.domains.home.presets import HOME
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.ways import unreached
-from scenewright.plan import spaces
-from scenewright.scene import Piece
-from scenewright.stock import catalog_of
+from scenewright.domains.home.ways import find_unreached
 
 
 def room(**more: object) -> Brief:
@@ -32,7 +32,7 @@ def room(**more: object) -> Brief:
 
 def stood(case: Group, function: str, x: float, y: float) -> tuple[Piece, ...]:
     box = np.array([x, y, math.pi / 2, case.width, case.depth])
-    dressed = Dressed(case, box, tuple(True for _ in case.members), 0)
+    dressed = FurnishedPatch(case, box, tuple(True for _ in case.members), 0)
     return pieces_of(dressed, "x", "x/g", function, catalog_of([]))
 
 
@@ -42,15 +42,15 @@ def test_every_case_can_be_reached_in_a_large_empty_room(function: str) -> None:
     ground, catalog = ground_of(space, (), 168.0), catalog_of([])
     for case in cases(function).groups:
         for x, y in ((6.0, 6.0), (5.987, 6.021)):
-            far = unreached(ground, stood(case, function, x, y), catalog, 0.6)
+            far = find_unreached(ground, stood(case, function, x, y), catalog, 0.6)
             assert not far, case.name
 
 
 def test_a_square_metre_weighs_as_much_in_a_room_of_much_furniture() -> None:
     few = items_of((Wish("sleeping", 0), Wish("wardrobe", 0)), 14.0)
     many = items_of(tuple(Wish(g, 0) for g in GROUPS), 90.0)
-    assert firm(HOME, few) == HOME
-    heavier = firm(HOME, many)
+    assert scale_area_weights(HOME, few) == HOME
+    heavier = scale_area_weights(HOME, many)
     share = float(many.wish.prod(-1).sum()) / 16.0
     assert share > 2
     assert heavier["keep_free"] == pytest.approx(share * HOME["keep_free"])

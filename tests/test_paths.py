@@ -9,12 +9,12 @@ import pytest
 import shapely
 
 from rooms import COLUMN, OUTLINE, full_problem, random_layouts, ring
-from scenewright.energy import evaluate, route_grid
+from scenewright.core.layout import corners
+from scenewright.domains.home.energy import evaluate, route_grid
+from scenewright.domains.home.problem import Ground, Problem, empty_items
 from scenewright.geometry.boxes import frames_of, make_frame
 from scenewright.geometry.flood import flood
-from scenewright.geometry.paths import Grid, make_grid, rounded_span
-from scenewright.layout import corners
-from scenewright.problem import Ground, Problem, empty_items
+from scenewright.geometry.paths import RouteGrid, make_grid, rounded_span
 
 CELL = 0.09  # no cell centre lies exactly at the radius from a wall
 
@@ -125,10 +125,17 @@ def corridor_problem(gap: float) -> tuple[Problem, np.ndarray]:
     edges = ring(np.array([[0, 0], [6, 0], [6, 3], [0, 3]], float))
     none = np.zeros((0, 5))
     ground = Ground(
-        edges=edges, walls=edges, keep_free=none, corridors=none, obstacles=none,
-        windows=np.zeros((0, 6)), doors=np.array([[-0.1, 1.5, 0.0, 0.9, 0.4]]),
-        main_wall=np.zeros((0, 4)), bounds=np.array([0.0, 0, 6, 3]), area=18.0,
-    )  # fmt: skip
+        edges=edges,
+        walls=edges,
+        keep_free=none,
+        corridors=none,
+        obstacles=none,
+        windows=np.zeros((0, 6)),
+        doors=np.array([[-0.1, 1.5, 0.0, 0.9, 0.4]]),
+        main_wall=np.zeros((0, 4)),
+        bounds=np.array([0.0, 0, 6, 3]),
+        area=18.0,
+    )
     access = np.zeros((3, 4))
     access[2] = 1.0
     items = empty_items(3)._replace(access=access)
@@ -169,7 +176,8 @@ def test_a_narrow_door_still_lets_one_in():
 
 def test_grid_covers_the_doors():
     ground = full_problem().ground
-    grid = make_grid(ground.edges, frames_of(ground.obstacles), frames_of(ground.doors),
-                     ground.bounds, 0.1, 0.6)  # fmt: skip
-    assert isinstance(grid, Grid)
+    grid = make_grid(
+        ground.edges, frames_of(ground.obstacles), frames_of(ground.doors), ground.bounds, 0.1, 0.6
+    )
+    assert isinstance(grid, RouteGrid)
     assert all(unpacked(door).sum() > 20 for door in grid.doors)

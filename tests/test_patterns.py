@@ -11,16 +11,16 @@ import pytest
 import shapely
 from benchmarks.hall_instances import example_hall
 
-from scenewright.encodings.patterns import ACROSS, ALONG, CODE, NUMBER, PART, PATTERNS
-from scenewright.encodings.patterns.expand import expand, seed, stretch
-from scenewright.encodings.patterns.fan import AISLE, BLOCK
-from scenewright.hall_energy import capacity, make_state, prepare
-from scenewright.hall_problem import Floats
-from scenewright.solvers.draws import streams
-from scenewright.solvers.hall_moves import reseed, scatter
-from scenewright.solvers.hall_start import copy_frames
-from scenewright.terms.hall_place import unfold
-from scenewright.terms.hall_state import make_scratch
+from scenewright.domains.hall.energy import capacity, make_state, prepare
+from scenewright.domains.hall.patterns import ACROSS, ALONG, CODE, NUMBER, PART, PATTERNS
+from scenewright.domains.hall.patterns.expand import expand, seed, stretch
+from scenewright.domains.hall.patterns.fan import AISLE, BLOCK
+from scenewright.domains.hall.problem import Floats
+from scenewright.domains.hall.solvers.moves import reseed, scatter
+from scenewright.domains.hall.solvers.start import copy_frames
+from scenewright.domains.hall.terms.place import unfold
+from scenewright.domains.hall.terms.state import make_scratch
+from scenewright.engine.draws import streams
 
 CODES = {name: code for code, name in enumerate(PATTERNS)}
 FREE = [name for name in PATTERNS if name != "wall"]
@@ -47,9 +47,12 @@ class Pattern(NamedTuple):
 
 
 def seeded(
-    name: str, number: int, shape: float, sizes: Floats | None = None,
+    name: str,
+    number: int,
+    shape: float,
+    sizes: Floats | None = None,
     gaps: tuple[float, float] = GAPS,
-) -> Pattern:  # fmt: skip
+) -> Pattern:
     sizes = np.tile([WIDE, DEEP], (number, 1)) if sizes is None else sizes
     layers = np.zeros((int(capacity(np.array([number]))[0]), 5))
     wide, deep = (float(side) for side in sizes.max(0))
@@ -73,8 +76,12 @@ def bodies(found: Pattern) -> np.ndarray:
     right = np.stack([np.cos(turn), np.sin(turn)], 1) * found.sizes[:, :1] / 2
     ahead = np.stack([-np.sin(turn), np.cos(turn)], 1) * found.sizes[:, 1:] / 2
     middle = found.places[:, :2]
-    corners = [middle + right + ahead, middle - right + ahead, middle - right - ahead,
-               middle + right - ahead]  # fmt: skip
+    corners = [
+        middle + right + ahead,
+        middle - right + ahead,
+        middle - right - ahead,
+        middle + right - ahead,
+    ]
     return np.asarray(shapely.polygons(np.stack(corners, 1)))
 
 

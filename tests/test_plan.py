@@ -11,11 +11,11 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from scenewright.brief import Brief
-from scenewright.errors import InputError
-from scenewright.outlines import edges, polygon, ring, rings, shrink, signed_area
-from scenewright.plan import levels, spaces
-from scenewright.space import Opening, Points, Space
+from scenewright.building.outlines import edges, polygon, ring, rings, shrink, signed_area
+from scenewright.building.plan import levels, spaces
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.space import Opening, Points, Space
 
 
 def brief(*rooms: dict[str, Any], **more: Any) -> Brief:
@@ -81,8 +81,20 @@ def test_shrinking_is_mitred_and_drops_what_falls_off() -> None:
     inner = shrink(polygon(box(0, 0, 4, 3)), 0.1)
     assert inner.bounds == pytest.approx((0.1, 0.1, 3.9, 2.9))
     assert inner.area == pytest.approx(3.8 * 2.8)
-    dumbbell = [(0, 0), (3, 0), (3, 1), (5, 1), (5, 0), (6, 0), (6, 2), (5, 2), (5, 1.1), (3, 1.1),
-                (3, 3), (0, 3)]  # fmt: skip
+    dumbbell = [
+        (0, 0),
+        (3, 0),
+        (3, 1),
+        (5, 1),
+        (5, 0),
+        (6, 0),
+        (6, 2),
+        (5, 2),
+        (5, 1.1),
+        (3, 1.1),
+        (3, 3),
+        (0, 3),
+    ]
     assert shrink(polygon(dumbbell), 0.06).bounds == pytest.approx((0.06, 0.06, 2.94, 2.94))
 
 

@@ -6,7 +6,7 @@ import pytest
 from benchmarks.plans_r2v import adapt, raw_plans
 from benchmarks.r2v import tally
 
-from scenewright import plan
+from scenewright.building import plan
 
 
 def box(x0: float, y0: float, x1: float, y1: float, *labels: str) -> dict:
@@ -70,15 +70,22 @@ def test_a_flat_of_slivers_is_told_to_be_useless():
 
 
 def test_the_tally_counts_flats_and_rooms():
-    rooms = [["bedroom", 9.0, [], []], ["toilet", 1.0, ["toilet"], ["toilet: too small"]]]
-    done = {"faults": {"collision": 2}, "rooms": rooms, "solve": 1.0, "check": 0.5}
-    good = {"faults": {}, "rooms": rooms[:1], "solve": 1.0, "check": 0.5}
+    rooms = [
+        ["bedroom", 9.0, [], []],
+        ["toilet", 1.0, ["toilet"], ["toilet"]],
+        ["kitchen", 5.0, ["hob", "sink"], ["hob"]],
+    ]
+    more = {"solve": 1.0, "check": 0.5, "doorless": 1, "spaces": 4}
+    done = {"faults": {"collision": 2}, "rooms": rooms} | more
+    good = {"faults": {}, "rooms": rooms[:1]} | more
     crash = {"crash": "ValueError: x", "solve": 0.0, "check": 0.0}
     found = {r["case"]: (r["ours"], r["runs"]) for r in tally([done, good, crash])}
     assert found["no crash"] == (0.6667, 3)
     assert found["no collision"] == (0.5, 2)
-    assert found["rooms complete"] == (0.6667, 3)
-    assert found["others told why"] == (1.0, 1)
+    assert found["rooms complete"] == (0.5, 4)
+    assert found["others reported"] == (0.5, 2)
+    assert found["rooms with a door"] == (0.75, 8)
+    assert "valid 50.0%, complete 50.0%, others reported 50.0%" in found
     assert found["solve + check"][0] == pytest.approx(60 * 3 / 1.5)
 
 

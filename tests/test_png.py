@@ -12,15 +12,16 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from flat import flat_solution
-from scenewright.assets import shipped
-from scenewright.catalog import Material
-from scenewright.formats.picture import Camera, developed, render, view_of
-from scenewright.formats.png import framed, picture, write
-from scenewright.formats.stage import Block, stage_of
-from scenewright.geometry import light, rays
+from scenewright.catalog.assets import shipped
+from scenewright.core.catalog import Material
+from scenewright.domains import scene_of
+from scenewright.formats.png import frame_points, picture, write
+from scenewright.geometry import rays
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.prisms import box, corner_normals
-from scenewright.shell import scene_of
+from scenewright.render import light
+from scenewright.render.picture import Camera, develop_image, render, view_of
+from scenewright.render.stage import PartTriangles, stage_of
 
 WHITE = Material("white", (0.9, 0.9, 0.9))
 RED = Material("red", (0.8, 0.1, 0.1))
@@ -28,11 +29,11 @@ PANE = Material("pane", (0.2, 0.4, 0.9), opacity=0.5)
 Floats = NDArray[np.float64]
 
 
-def block(material: Material, mesh: Mesh) -> Block:
-    return Block(material, mesh.vertices, mesh.faces, corner_normals(*mesh))
+def block(material: Material, mesh: Mesh) -> PartTriangles:
+    return PartTriangles(material, mesh.vertices, mesh.faces, corner_normals(*mesh))
 
 
-def taken(*blocks: Block, width: int = 160, height: int = 120) -> NDArray[np.int64]:
+def taken(*blocks: PartTriangles, width: int = 160, height: int = 120) -> NDArray[np.int64]:
     """A picture straight down on ``blocks`` from 20 m, 8 m wide."""
     bounds = np.vstack([b.vertices for b in blocks])
     camera = Camera((0, -0.01, 20.0), (0, 0, 0), float(2 * np.arctan(4 / 20)))
@@ -62,16 +63,16 @@ def test_rays_meet_what_a_slow_search_finds() -> None:
     assert face.tolist() == [which for _, which in slow]
     assert np.allclose(distance, [t for t, _ in slow], rtol=1e-3)
     assert np.allclose(np.linalg.norm(normal[face >= 0], axis=1), 1, atol=1e-5)
-    assert rays.occluded(caster, starts, ways).tolist() == [which >= 0 for _, which in slow]
+    assert rays.is_occluded(caster, starts, ways).tolist() == [which >= 0 for _, which in slow]
     near = [t < 0.8 for t, _ in slow]
-    assert rays.occluded(caster, starts, ways, 0.8).tolist() == near
+    assert rays.is_occluded(caster, starts, ways, 0.8).tolist() == near
     assert 10 < sum(near) < sum(which >= 0 for _, which in slow)
 
 
 def test_nothing_is_met_where_there_is_nothing() -> None:
     caster = rays.build(np.zeros((0, 3)), np.zeros((0, 3)))
     assert rays.first(caster, [[0, 0, 0]], [[0, 0, 1]]).tolist() == [-1]
-    assert rays.occluded(caster, [[0, 0, 0]], [[0, 0, 1]]).tolist() == [False]
+    assert rays.is_occluded(caster, [[0, 0, 0]], [[0, 0, 1]]).tolist() == [False]
 
 
 def test_samples_are_stratified_in_every_quarter_of_a_tile() -> None:
@@ -128,9 +129,9 @@ def test_glass_tints_what_is_behind_it_and_lets_the_sun_through() -> None:
 
 def test_light_becomes_srgb() -> None:
     ramp = np.linspace(0, 4, 200, dtype=np.float32)[:, None].repeat(3, 1)
-    coded = developed(ramp)[:, 0].astype(int)
+    coded = develop_image(ramp)[:, 0].astype(int)
     assert (np.diff(coded) >= 0).all()
-    assert developed(np.full((1, 3), 0.2140, np.float32))[0, 0] == pytest.approx(128, abs=1)
+    assert develop_image(np.full((1, 3), 0.2140, np.float32))[0, 0] == pytest.approx(128, abs=1)
     assert coded[0] == 0
     assert coded[-1] == 255
 
@@ -141,7 +142,7 @@ def test_the_camera_sees_the_whole_home(
     size: tuple[float, float, float], at: tuple[float, float, float]
 ) -> None:
     points = np.array(at) + np.array(size) * np.array(list(np.ndindex(2, 2, 2)), float)
-    camera, shape = framed(points)
+    camera, shape = frame_points(points)
     view = view_of(camera, 1600, 1600)
     away = (points - np.array(camera.eye)) @ view.axes.T.astype(float)
     x, y = away[:, 0] / away[:, 2] / view.across, away[:, 1] / away[:, 2] / view.across

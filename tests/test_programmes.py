@@ -6,7 +6,8 @@ import math
 
 import pytest
 
-from scenewright.assets import shipped
+from scenewright.catalog.assets import shipped
+from scenewright.core.scene import Size
 from scenewright.domains.hall.programme import (
     PROGRAMMES,
     SMALLEST_SHOP,
@@ -14,7 +15,6 @@ from scenewright.domains.hall.programme import (
     shop_kind,
     shop_programme,
 )
-from scenewright.scene import Size
 
 # Programmes
 
@@ -54,8 +54,11 @@ def test_no_programme_is_too_large_to_lay_out() -> None:
 
 def test_walls_hold_what_stands_at_them() -> None:
     for kind in PROGRAMMES:
-        wall = sum((d.count or 0) * d.size[0] for d in shop_programme(kind, 400, 80)
-                   if d.place == "wall" and d.size)  # fmt: skip
+        wall = sum(
+            (d.count or 0) * d.size[0]
+            for d in shop_programme(kind, 400, 80)
+            if d.place == "wall" and d.size
+        )
         assert wall <= 0.45 * 80 + 1e-9
 
 

@@ -10,10 +10,10 @@ from benchmarks import batch, designer, hall_malls, home, home_rooms, instances,
 from benchmarks.real_data import data_files, data_folder, data_set, instance
 
 from scenewright import cli
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
 
 NEEDS: dict[str, Callable[[], object]] = {
-    "furnished_homes_sh3d": lambda: designer.records(quick=True),
+    "furnished_homes_sh3d": lambda: list(designer.records(quick=True)),
     "floorplans_r2v/plans.json": lambda: r2v.run(1),
     "site_reco_sample/reco_sample.json": site_compounds.file,
     "indoor_osm": hall_malls.names,
@@ -69,8 +69,10 @@ def test_the_folder_is_the_same_wherever_one_works(
     bare: Path, monkeypatch: pytest.MonkeyPatch, root: Path
 ) -> None:
     assert data_folder() == bare
-    for unset in (lambda: monkeypatch.setenv("SCENEWRIGHT_DATA", ""),
-                  lambda: monkeypatch.delenv("SCENEWRIGHT_DATA")):  # fmt: skip
+    for unset in (
+        lambda: monkeypatch.setenv("SCENEWRIGHT_DATA", ""),
+        lambda: monkeypatch.delenv("SCENEWRIGHT_DATA"),
+    ):
         unset()
         assert data_folder() == root.parent / "shared" / "data"
 

@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from scenewright.brief import Brief
-from scenewright.domains import home
+from scenewright.building.plan import spaces
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.space import Opening
+from scenewright.domains import scene_of
+from scenewright.domains.home import solving as home
 from scenewright.domains.home.ground import ground_of
-from scenewright.errors import InputError
-from scenewright.formats import svg
-from scenewright.plan import spaces
-from scenewright.shell import scene_of
-from scenewright.space import Opening
-from scenewright.stock import catalog_of
+from scenewright.drawing import rooms
 
 STEEP = {"edge": 0, "knee": 0.9, "pitch": 1.1}
 SLOPE = {"edge": 0, "knee": 1.0, "pitch": math.pi / 4}
@@ -95,7 +95,7 @@ def test_a_roof_window_is_drawn_and_has_neither_hole_nor_curtain() -> None:
     assert all(p.base == 0 for p in wall.prisms)
     plain = scene_of(home.solve(brief(SLOPE), steps=500))
     dashed = 'stroke-dasharray="1 0.7"'
-    drawn = [svg.plan(s, catalog_of([])).count(dashed) for s in (scene, plain)]
+    drawn = [rooms.plan(s, catalog_of([])).count(dashed) for s in (scene, plain)]
     assert drawn[0] == drawn[1] + 1
 
 

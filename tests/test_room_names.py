@@ -6,8 +6,8 @@ from typing import get_args
 
 import pytest
 
-from scenewright.brief import Function
-from scenewright.room_names import functions_from_name, sort_functions
+from scenewright.building.room_names import functions_from_name, sort_functions
+from scenewright.core.brief import Function
 
 NAMES = [
     ("Bedroom 2", "bedroom"),

@@ -17,7 +17,7 @@ from scenewright.geometry import saliency as subject
 from scenewright.geometry.curvature import bends
 from scenewright.geometry.gaussians import LEVELS, WIDTHS
 from scenewright.geometry.mesh import Mesh, loft, merge
-from scenewright.geometry.mesh_weld import sound
+from scenewright.geometry.mesh_weld import clean_mesh
 from scenewright.geometry.saliency import (
     FAINT,
     UNIT,
@@ -27,7 +27,7 @@ from scenewright.geometry.saliency import (
     values_at,
     visual_quality,
 )
-from scenewright.geometry.surface_samples import sampled
+from scenewright.geometry.surface_samples import sample_surface
 
 Floats = NDArray[np.float64]
 
@@ -70,9 +70,9 @@ def bump_on_a_plane(rows: int = 81) -> Mesh:
 def slow(mesh: Mesh) -> tuple[Floats, Floats]:
     """Points and saliency by whole matrices, written from the paper and nothing shared but the
     points."""
-    base = sound(mesh)
+    base = clean_mesh(mesh)
     unit = UNIT * base.size
-    given_ = sampled(base.mesh, 2 * unit)
+    given_ = sample_surface(base.mesh, 2 * unit)
     assert len(given_.points) < 5000
     away = cdist(given_.points, given_.points) / unit
 
@@ -106,7 +106,7 @@ def test_it_is_the_sum_over_all_pairs(shape: str) -> None:
 def test_points_hold_all_area_and_curvature() -> None:
     for mesh in (lumpy(1, 3), block((3.0, 1.0, 2.0)), bump_on_a_plane()):
         for step in (0.01, 0.1, 5.0):
-            found = sampled(mesh, step)
+            found = sample_surface(mesh, step)
             whole = trimesh.Trimesh(*mesh, process=False).area
             assert found.area.sum() == pytest.approx(whole)
             assert found.bend.sum() == pytest.approx(bends(mesh).total().sum())
@@ -114,8 +114,8 @@ def test_points_hold_all_area_and_curvature() -> None:
 
 def test_points_of_a_needle_are_few() -> None:
     needle = Mesh(np.array([[0.0, 0, 0], [100, 0, 0], [50, 1e-3, 0]]), np.array([[0, 1, 2]]))
-    assert len(sampled(needle, 0.1, 5000).points) < 1200
-    assert len(sampled(needle, 1e-6, 5000).points) < 7500
+    assert len(sample_surface(needle, 0.1, 5000).points) < 1200
+    assert len(sample_surface(needle, 1e-6, 5000).points) < 7500
 
 
 @pytest.mark.parametrize("fine", [2, 4, 5])

@@ -10,40 +10,47 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from scenewright.assets import shipped
-from scenewright.brief import Brief
-from scenewright.catalog import Member
-from scenewright.check import Report, check
+from scenewright.building.plan import spaces
+from scenewright.building.standing import fixed_pieces
+from scenewright.catalog.assets import shipped
+from scenewright.check.report import Report
 from scenewright.cli import show as cli_show
-from scenewright.domains import home, resolve, solve
-from scenewright.domains.home.dressing.dress import Refused, dress_patch
-from scenewright.domains.home.dressing.obstacles import standing_of
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Member
+from scenewright.core.errors import InputError
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import Solution
+from scenewright.core.space import Outlet
+from scenewright.domains import check, resolve, scene_of, solve
+from scenewright.domains.home import solving as home
+from scenewright.domains.home.energy import evaluate
+from scenewright.domains.home.furnishing.furnish import Refused, furnish_patch
+from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.problem import Problem, empty_items
 from scenewright.domains.home.wished.plugged import out_of_reach
-from scenewright.domains.standing import fixed_pieces
-from scenewright.energy import evaluate
-from scenewright.errors import InputError
-from scenewright.formats import solution_json, svg
+from scenewright.drawing import rooms
+from scenewright.formats import solution_json
 from scenewright.formats.brief_json import loads
-from scenewright.plan import spaces
-from scenewright.problem import Problem, empty_items
-from scenewright.scene import Piece, Pose, Size
-from scenewright.shell import scene_of
-from scenewright.solution import Solution
-from scenewright.space import Outlet
 
 
 def room(function: str = "living", width: float = 6.0, **services: Any) -> Brief:
     outline = [(0, 0), (width, 0), (width, 4.4), (0, 4.4)]
-    asked = {"id": "r", "function": function, "outline": outline,
-             "doors": [{"at": (width - 0.8, 0), "width": 0.9}],
-             "windows": [{"at": (0, 2.2), "width": 1.6}]}  # fmt: skip
+    asked = {
+        "id": "r",
+        "function": function,
+        "outline": outline,
+        "doors": [{"at": (width - 0.8, 0), "width": 0.9}],
+        "windows": [{"at": (0, 2.2), "width": 1.6}],
+    }
     return Brief.model_validate({"rooms": [asked | services]})
 
 
 def holding(brief: Brief, *pieces: Piece) -> Report:
-    given = home.solve(brief.model_copy(update={"rooms": [
-        brief.rooms[0].model_copy(update={"ask": []})]}), steps=100).pieces  # fmt: skip
+    given = home.solve(
+        brief.model_copy(update={"rooms": [brief.rooms[0].model_copy(update={"ask": []})]}),
+        steps=100,
+    ).pieces
     empty = Solution(brief, (), (), (), (), {}, "", "", 0, "", "", 0.0, 0)
     return check(replace(empty, pieces=(*(p for p in given if p.fixed), *pieces)))
 
@@ -56,18 +63,22 @@ UNDER_WINDOW = {"radiators": [{"at": (0, 2.2), "width": 1.2}]}
 
 
 def test_they_lie_on_the_walls_and_look_into_the_room() -> None:
-    space = spaces(room(
-        radiators=[{"at": (0.1, 2.2)}],
-        outlets=[{"at": (3, 4.5), "kind": "power"}, {"at": (6, 1), "kind": "water"}],
-    ))[0]  # fmt: skip
+    space = spaces(
+        room(
+            radiators=[{"at": (0.1, 2.2)}],
+            outlets=[{"at": (3, 4.5), "kind": "power"}, {"at": (6, 1), "kind": "water"}],
+        )
+    )[0]
     radiator = space.radiators[0]
     assert (radiator.x, radiator.y) == pytest.approx((0.05, 2.2))
     assert radiator.heading == pytest.approx(0.0)
     assert [(o.kind, round(o.x, 6), round(o.y, 6)) for o in space.outlets] == [
-        ("power", 3.0, 4.4), ("water", 6.0, 1.0),
-    ]  # fmt: skip
-    assert np.cos([o.heading + t for o, t in zip(space.outlets, (np.pi / 2, np.pi), strict=True)]
-                  ) == pytest.approx([1, 1])  # fmt: skip
+        ("power", 3.0, 4.4),
+        ("water", 6.0, 1.0),
+    ]
+    assert np.cos(
+        [o.heading + t for o, t in zip(space.outlets, (np.pi / 2, np.pi), strict=True)]
+    ) == pytest.approx([1, 1])
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -89,10 +100,14 @@ def test_search_and_dressing_keep_the_floor_before_radiators_free() -> None:
     boxes = np.array([[[0.7, 2.2, 0.0, 1.0, 1.0]], [[0.81, 2.2, 0.0, 1.0, 1.0]]])
     assert evaluate(problem, boxes) == pytest.approx([0.1, 0.0])
     patch = np.array([0.35, 2.2, 0.0, 1.0, 0.45])
-    worn = dress_patch(
-        "chest", patch, ground._replace(windows=np.zeros((0, 6))),
-        standing_of(fixed, frozenset()), shipped(), 2.6,
-    )  # fmt: skip
+    worn = furnish_patch(
+        "chest",
+        patch,
+        ground._replace(windows=np.zeros((0, 6))),
+        standing_of(fixed, frozenset()),
+        shipped(),
+        2.6,
+    )
     assert isinstance(worn, Refused)
     assert worn.reason.endswith("would stand before a radiator")
 
@@ -131,8 +146,9 @@ def test_distances_to_outlets_are_told() -> None:
     far = room(outlets=[{"at": (1.0, 0), "kind": "power"}, {"at": (6, 2.2), "kind": "antenna"}])
     report = holding(far, TV)
     assert [(f["outlet"], f["within"]) for f in report.figures["outlets"]] == [
-        ("power", False), ("antenna", True),
-    ]  # fmt: skip
+        ("power", False),
+        ("antenna", True),
+    ]
     assert report.figures["outlets"][0]["metres"] == pytest.approx(np.hypot(4.65, 1.6), abs=1e-3)
     assert report.valid
     assert any("from the nearest power outlet, its lead" in note.message for note in report.notes)
@@ -148,7 +164,7 @@ def test_explain_tells_of_outlets() -> None:
     assert document["outlets"] == check(solution).figures["outlets"] != []
     assert "wishes" not in check(solution).figures
     written = StringIO()
-    cli_show.explained(Console(file=written, width=200), solution)
+    cli_show.print_explanation(Console(file=written, width=200), solution)
     far = [told for told in document["outlets"] if not told["within"]]
     told = f"outlets: {len(document['outlets']) - len(far)} of {len(document['outlets'])} leads"
     assert told in written.getvalue()
@@ -180,8 +196,11 @@ def test_outlets_draw() -> None:
 
 
 def test_a_saved_home_keeps_its_services_once() -> None:
-    brief = room(**UNDER_WINDOW, outlets=[{"at": (6, 2), "kind": "power"}],
-                 wishes=[{"what": "armchair", "face": "window"}])  # fmt: skip
+    brief = room(
+        **UNDER_WINDOW,
+        outlets=[{"at": (6, 2), "kind": "power"}],
+        wishes=[{"what": "armchair", "face": "window"}],
+    )
     solution = home.solve(brief, steps=1000)
     text = solution_json.dumps(solution)
     again = loads(text)
@@ -210,15 +229,23 @@ def test_radiators_are_not_moved_by_hand() -> None:
         ({"radiators": [{"at": (5.2, 0)}]}, r"radiators\[0\]: stands before r-door-1"),
         ({"radiators": [{"at": (3, 0), "z": 2.0, "height": 1.0}]}, "ceiling"),
         ({"radiators": [{"at": (3, 0), "width": 9.0}]}, "9 m wide"),
-        ({"radiators": [{"at": (3, 4.4)}], "slopes": [{"edge": 2, "knee": 0.6, "pitch": 0.7}]},
-         r"radiators\[0\]: rises to 0.7 m, but the ceiling there is at 0.6 m"),
-        ({"radiators": [{"at": (1, 0), "id": "a"}, {"at": (3, 0), "id": "a"}]},
-         r"radiators\[1\]: the id 'a' is used twice"),
-        ({"radiators": [{"at": (3, 0), "id": "a"}],
-          "fixed": [{"category": "chair", "at": (3, 2), "size": (0.5, 0.5, 0.9), "id": "a"}]},
-         r"radiators\[0\]: the id 'a' is used twice"),
+        (
+            {"radiators": [{"at": (3, 4.4)}], "slopes": [{"edge": 2, "knee": 0.6, "pitch": 0.7}]},
+            r"radiators\[0\]: rises to 0.7 m, but the ceiling there is at 0.6 m",
+        ),
+        (
+            {"radiators": [{"at": (1, 0), "id": "a"}, {"at": (3, 0), "id": "a"}]},
+            r"radiators\[1\]: the id 'a' is used twice",
+        ),
+        (
+            {
+                "radiators": [{"at": (3, 0), "id": "a"}],
+                "fixed": [{"category": "chair", "at": (3, 2), "size": (0.5, 0.5, 0.9), "id": "a"}],
+            },
+            r"radiators\[0\]: the id 'a' is used twice",
+        ),
     ],
-)  # fmt: skip
+)
 def test_what_cannot_be_is_told(services: dict[str, Any], fault: str) -> None:
     with pytest.raises(InputError, match=fault):
         spaces(room(**services))
@@ -268,15 +295,18 @@ def test_hostile_services_are_told_in_a_line(text: str, fault: str) -> None:
 
 
 def test_plans_draw_outlets_and_radiators() -> None:
-    brief = room(**UNDER_WINDOW, outlets=[
-        {"at": (3, 4.4), "kind": kind, "required": kind == "water"}
-        for kind in ("power", "antenna", "data", "water")
-    ])  # fmt: skip
+    brief = room(
+        **UNDER_WINDOW,
+        outlets=[
+            {"at": (3, 4.4), "kind": kind, "required": kind == "water"}
+            for kind in ("power", "antenna", "data", "water")
+        ],
+    )
     solution = home.solve(brief, steps=500)
-    drawn = svg.plan(scene_of(solution), shipped())
+    drawn = rooms.plan(scene_of(solution), shipped())
     titles = ("power outlet", "antenna outlet", "data outlet", "water outlet, required", "Radiator")
     assert all(f"<title>{told}" in drawn for told in titles)
-    without = svg.plan(scene_of(home.solve(room(), steps=500)), shipped())
+    without = rooms.plan(scene_of(home.solve(room(), steps=500)), shipped())
     assert "outlet" not in without
 
 
@@ -284,11 +314,19 @@ def test_homes_for_wheelchairs_and_halls_take_them_too() -> None:
     brief = room(**UNDER_WINDOW, outlets=[{"at": (6, 2), "kind": "power"}])
     accessible = Brief.model_validate(brief.model_dump() | {"accessible": True, "route_width": 0.9})
     assert check(home.solve(accessible, steps=1000)).valid
-    hall = {"domain": "hall", "rooms": [{
-        "name": "Hall", "outline": [(0, 0), (12, 0), (12, 9), (0, 9)],
-        "doors": [{"at": (6, 0), "width": 2}], "radiators": [{"at": (0, 4), "width": 2}],
-        "outlets": [{"at": (12, 4), "kind": "power"}],
-        "demands": [{"category": "showcase", "count": 4}]}]}  # fmt: skip
+    hall = {
+        "domain": "hall",
+        "rooms": [
+            {
+                "name": "Hall",
+                "outline": [(0, 0), (12, 0), (12, 9), (0, 9)],
+                "doors": [{"at": (6, 0), "width": 2}],
+                "radiators": [{"at": (0, 4), "width": 2}],
+                "outlets": [{"at": (12, 4), "kind": "power"}],
+                "demands": [{"category": "showcase", "count": 4}],
+            }
+        ],
+    }
     solution = solve(Brief.model_validate(hall), steps=2000)
     assert sum(p.category == "radiator" for p in solution.pieces) == 1
     assert check(solution).valid

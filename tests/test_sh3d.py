@@ -11,16 +11,16 @@ import pytest
 import shapely
 
 from scenewright import formats
-from scenewright.assets.kinds import KINDS
-from scenewright.brief import Brief
+from scenewright.building.outlines import signed_area
+from scenewright.building.plan import spaces
+from scenewright.catalog.kinds import KINDS
+from scenewright.core.brief import Brief
+from scenewright.core.space import Space
 from scenewright.formats.sh3d_archive import home_xml
 from scenewright.formats.sh3d_floors import floors
 from scenewright.formats.sh3d_kinds import CATALOG, SEVERAL, kind_of
-from scenewright.formats.sh3d_pieces import fixed_item, flattened
+from scenewright.formats.sh3d_pieces import fixed_item, flatten_groups
 from scenewright.formats.sh3d_xml import HomeWall, middle_line, parse
-from scenewright.outlines import signed_area
-from scenewright.plan import spaces
-from scenewright.space import Space
 
 # Two rooms side by side, 4 x 3 m and 3 x 3 m, walls 20 and 10 cm; y grows down the page.
 WALLS = """
@@ -245,7 +245,7 @@ def test_fronts_of_real_furniture(real_data: Path) -> None:
 def test_real_pieces_all_have_a_kind(real_data: Path) -> None:
     """Only plain shapes (boxes, cylinders, triangles) stay unknown."""
     for name in HOMES:
-        for piece in flattened(parse(home_xml(real(real_data, name))).pieces):
+        for piece in flatten_groups(parse(home_xml(real(real_data, name))).pieces):
             known = kind_of(piece) != "obstacle" or piece.catalog.startswith("texturable")
             assert known or piece.kind == "doorOrWindow", piece.name
             assert fixed_item(piece).size[0] > 0

@@ -10,28 +10,47 @@ from benchmarks.hall_instances import PAPER, example_hall, ring
 from benchmarks.shapely_hall import Laid, ShapelyHall, barrier, energies, grown, neighbours, polygon
 from benchmarks.shapely_hall_steps import draw_hall, judge, metropolis
 
-from scenewright.hall_problem import HallGround, HallProblem, Units
+from scenewright.domains.hall.problem import HallGround, HallProblem, Units
 
 NONE = np.zeros((0, 5))
 AHEAD = (1.0, 0.0, 0.0, 0.0)
 
 
-def hall(spans: list[tuple[int, int]], zones: list[int], clear: tuple[float, ...] = AHEAD,
-         **changed: object) -> HallProblem:  # fmt: skip
+def hall(
+    spans: list[tuple[int, int]],
+    zones: list[int],
+    clear: tuple[float, ...] = AHEAD,
+    **changed: object,
+) -> HallProblem:
     """10 m by 6 m, zones of 5 m each side by side, unit squares as objects."""
     n = spans[-1][1]
     west, east = ring([(0, 0), (5, 0), (5, 6), (0, 6)]), ring([(5, 0), (10, 0), (10, 6), (5, 6)])
     ground = HallGround(
-        edges=ring([(0, 0), (10, 0), (10, 6), (0, 6)]), obstacles=NONE, keep_free=NONE, doors=NONE,
-        zone_edges=np.vstack([west, east]), zone_spans=np.array([[0, 4], [4, 8]]),
-        zone_areas=np.array([30.0, 30.0]), zone_bounds=np.array([[0, 0, 5, 6], [5, 0, 10, 6.0]]),
-        zone_least=np.array([0.05, 0.05]), stretches=np.zeros((0, 6)),
-        borders=np.array([[5.0, 0.0, 5.0, 6.0, 0.0]]), links=np.array([[0.0, 1.0, 1.2]]),
-        hosts=np.zeros((0, 6)), bounds=np.array([0, 0, 10, 6.0]),
-    )._replace(**changed)  # fmt: skip
-    units = Units(np.ones((n, 2)), np.tile(clear, (n, 1)), np.ones((n, 4), np.int64),
-                  np.array(spans), np.array(zones), np.ones((len(spans), 8), np.int64),
-                  np.arange(len(spans)), np.full(len(spans), -1))  # fmt: skip
+        edges=ring([(0, 0), (10, 0), (10, 6), (0, 6)]),
+        obstacles=NONE,
+        keep_free=NONE,
+        doors=NONE,
+        zone_edges=np.vstack([west, east]),
+        zone_spans=np.array([[0, 4], [4, 8]]),
+        zone_areas=np.array([30.0, 30.0]),
+        zone_bounds=np.array([[0, 0, 5, 6], [5, 0, 10, 6.0]]),
+        zone_least=np.array([0.05, 0.05]),
+        stretches=np.zeros((0, 6)),
+        borders=np.array([[5.0, 0.0, 5.0, 6.0, 0.0]]),
+        links=np.array([[0.0, 1.0, 1.2]]),
+        hosts=np.zeros((0, 6)),
+        bounds=np.array([0, 0, 10, 6.0]),
+    )._replace(**changed)
+    units = Units(
+        np.ones((n, 2)),
+        np.tile(clear, (n, 1)),
+        np.ones((n, 4), np.int64),
+        np.array(spans),
+        np.array(zones),
+        np.ones((len(spans), 8), np.int64),
+        np.arange(len(spans)),
+        np.full(len(spans), -1),
+    )
     return HallProblem(ground, units, ("a", "b")[: len(spans)], ("w", "e"), dict(PAPER), 0.9)
 
 
@@ -121,9 +140,10 @@ def test_proportion_grows_when_neighbours_part() -> None:
     assert near["proportion/0"] == pytest.approx(barrier(1.0))
     far = energies(problem, boxes((1, 1, 0), (7, 1, 0)), laid, NONE)  # 5 m apart, 3 m allowed
     assert far["proportion/0"] == pytest.approx(barrier(1.0 - 2.0 / 3.0))
-    assert energies(problem, boxes((1, 1, 0), (7, 1, 0)), [Laid("wall", 0, (2,))], NONE)[
-        "proportion"
-    ] == 0.0  # fmt: skip
+    assert (
+        energies(problem, boxes((1, 1, 0), (7, 1, 0)), [Laid("wall", 0, (2,))], NONE)["proportion"]
+        == 0.0
+    )
 
 
 def test_hard_rules_tell_the_greatest_areas() -> None:

@@ -13,15 +13,15 @@ from hypothesis import strategies as st
 from shapely import Polygon
 
 from scenewright import formats
-from scenewright.brief import Brief
-from scenewright.building.joinery import parts, placed
+from scenewright.building.joinery import parts, to_plan_coordinates
+from scenewright.building.plan import spaces
+from scenewright.building.shell import opening_box, shell
+from scenewright.core.brief import Brief
+from scenewright.core.scene import Wall
+from scenewright.core.space import Opening
 from scenewright.geometry import rays
 from scenewright.geometry.mesh import merge, volume
 from scenewright.geometry.prisms import corner_normals, face_normals, prism, triangles
-from scenewright.plan import spaces
-from scenewright.scene import Wall
-from scenewright.shell import opening_box, shell
-from scenewright.space import Opening
 
 SQUARE = [[0, 0], [4, 0], [4, 3], [0, 3]]
 
@@ -44,8 +44,10 @@ def bodies(walls: tuple[Wall, ...], height: float) -> list[Polygon]:
     """What a level cut at a height goes through, wall by wall."""
     return [
         Polygon(p.outline, p.holes)
-        for wall in walls for p in wall.prisms if p.base < height < p.top
-    ]  # fmt: skip
+        for wall in walls
+        for p in wall.prisms
+        if p.base < height < p.top
+    ]
 
 
 def caster(walls: tuple[Wall, ...]) -> rays.Caster:
@@ -60,7 +62,7 @@ def blocked(walls: tuple[Wall, ...], opening: Opening, along: float, height: flo
     side = np.array([opening.ux, opening.uy, 0.0]) * along * opening.width / 2
     middle = np.array([opening.x, opening.y, height]) + side
     start = middle - out * (opening.thickness / 2 + 0.2)
-    return bool(rays.occluded(caster(walls), [start], [out], opening.thickness + 0.4)[0])
+    return bool(rays.is_occluded(caster(walls), [start], [out], opening.thickness + 0.4)[0])
 
 
 def star(radii: list[float]) -> list[list[float]]:
@@ -155,9 +157,14 @@ def test_every_opening_of_the_sample_is_open_and_framed_by_wall() -> None:
 
 def test_windows_in_a_curved_wall_are_open() -> None:
     brief = brief_of(
-        {"id": "round", "outline": star([3.0] * 40),
-         "windows": [{"at": [3 * np.cos(a), 3 * np.sin(a)], "width": 1.6} for a in (0.3, 2.0, 4.1)]}
-    )  # fmt: skip
+        {
+            "id": "round",
+            "outline": star([3.0] * 40),
+            "windows": [
+                {"at": [3 * np.cos(a), 3 * np.sin(a)], "width": 1.6} for a in (0.3, 2.0, 4.1)
+            ],
+        }
+    )
     walls, openings = built(brief)
     assert len(openings) == 3
     for opening in openings:
@@ -188,10 +195,12 @@ def test_listed_walls_of_different_thickness_close_their_corner() -> None:
     walls, _ = built(
         brief_of(
             {"outline": [[0.2, 0.1], [4.8, 0.1], [4.8, 3.9], [0.2, 3.9]]},
-            walls=[{"start": (0, 0), "end": (5, 0), "thickness": 0.2},
-                   {"start": (0, 0), "end": (0, 4), "thickness": 0.4}],
+            walls=[
+                {"start": (0, 0), "end": (5, 0), "thickness": 0.2},
+                {"start": (0, 0), "end": (0, 4), "thickness": 0.4},
+            ],
         )
-    )  # fmt: skip
+    )
     whole = shapely.union_all(bodies(walls, 1.0))
     assert whole.area == pytest.approx(5.2 * 0.2 + 0.4 * 4.1 - 0.4 * 0.2, abs=1e-9)
     assert shapely.box(*whole.bounds).exterior.covers(shapely.Point(-0.2, -0.1))
@@ -204,7 +213,7 @@ def test_an_open_leaf_hangs_at_its_hinge_and_stands_on_its_side(hinge: int, swin
     leaf = next(part for part in parts(door) if part.material.name == "door oak")
     assert volume(leaf) == pytest.approx(np.prod([0.834, 0.04, 2.006]), rel=1e-3)  # type: ignore[arg-type]
     along, left = np.array([0.6, 0.8]), np.array([-0.8, 0.6])
-    away = placed(door, leaf.vertices)[:, :2] - [3.0, 2.0]
+    away = to_plan_coordinates(door, leaf.vertices)[:, :2] - [3.0, 2.0]
     assert ((away @ left) * swing).min() > 0.0
     assert ((away @ left) * swing).max() == pytest.approx(0.06 + 0.834 * np.sin(1.361), abs=0.02)
     assert ((away @ along) * hinge).max() == pytest.approx(0.417, abs=0.01)
@@ -217,7 +226,7 @@ def test_what_fills_an_opening_stays_in_it_but_for_the_leaf() -> None:
             assert volume(part) > 0, (opening.id, part.material.name)
             if part.material.name in ("door oak", "brushed steel"):
                 continue
-            points = shapely.points(placed(opening, part.vertices)[:, :2])
+            points = shapely.points(to_plan_coordinates(opening, part.vertices)[:, :2])
             room = opening_box(opening, 0.04).buffer(1e-6)
             assert shapely.covers(room, points).all(), (opening.id, part.material.name)
             assert part.vertices[:, 2].max() <= opening.head + 1e-9

@@ -11,27 +11,27 @@ from benchmarks.shapely_hall import polygon
 from benchmarks.shapely_home import rectangle
 from benchmarks.site_instances import example_site
 
-from scenewright.geometry.box_grid import box_grid
-from scenewright.geometry.sun import sun_hours, sun_path
-from scenewright.geometry.walker import REACH, look, sights
-from scenewright.site_problem import SiteProblem, sides_of
-from scenewright.solve import Budget, Watch
-from scenewright.solvers.site_aims import around, lacking
-from scenewright.solvers.site_answer import score
-from scenewright.solvers.site_block import Placed
-from scenewright.solvers.site_exchange import exchange_all
-from scenewright.solvers.site_fill import fill_site
-from scenewright.solvers.site_found import SiteFound
-from scenewright.solvers.site_improve import (
+from scenewright.domains.site.problem import SiteProblem, sides_of
+from scenewright.domains.site.solvers.aims import around, lacking
+from scenewright.domains.site.solvers.answer import score
+from scenewright.domains.site.solvers.block import BlockLayout
+from scenewright.domains.site.solvers.exchange import exchange_all
+from scenewright.domains.site.solvers.fill import fill_site
+from scenewright.domains.site.solvers.improve import (
     RAYS,
     exchanges,
-    improved,
+    improve_layout,
     make_rule,
     make_slots,
     turns,
 )
-from scenewright.terms.site_measure import lay, make_site_state, prepare_site
-from scenewright.terms.site_terms import read_site_aims
+from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.terms.measure import lay, make_site_state, prepare_site
+from scenewright.domains.site.terms.table import read_site_aims
+from scenewright.engine.solve import Budget, BudgetWatch
+from scenewright.geometry.box_grid import box_grid
+from scenewright.geometry.sun import sun_hours, sun_path
+from scenewright.geometry.walker import REACH, look, sights
 
 OFF = {"seen": 0.0, "sun": 0.0, "even": 0.0}
 SEEDS = range(7)
@@ -88,7 +88,10 @@ def uneven(problem: SiteProblem, found: SiteFound) -> float:
 def test_without_aims_nothing_changes_places() -> None:
     problem = town(weights=OFF)
     found = filled(problem, OFF, 1)
-    assert improved(problem, found, 1, Watch(Budget(None, 1, threads=None), None, None)) is found
+    assert (
+        improve_layout(problem, found, 1, BudgetWatch(Budget(None, 1, threads=None), None, None))
+        is found
+    )
 
 
 @pytest.mark.parametrize("seed", [0, 1, 2])
@@ -164,23 +167,26 @@ def test_a_good_front_turns_to_the_way_and_no_front_turns_away_from_it(
 ) -> None:
     """One building, its front to the north or to the way in the south; east is preferred."""
     problem = example_site(5, 160.0)
-    ground = problem.ground._replace(landmarks=np.zeros((0, 5)), landmark_heights=np.zeros(0),
-                                     landmark_quality=np.zeros(0))  # fmt: skip
+    ground = problem.ground._replace(
+        landmarks=np.zeros((0, 5)), landmark_heights=np.zeros(0), landmark_quality=np.zeros(0)
+    )
     first, last = ground.block_spans[int(np.argmax(ground.block_areas))]
     middle = polygon(ground.block_edges[first:last]).representative_point()
     eyes = np.column_stack([np.linspace(-30, 30, 13) + middle.x, np.full(13, middle.y - 25.0)])
     sides = np.full((5, 5), 0.05)
     sides[:, good] = 1.0
     problem = problem._replace(
-        buildings=problem.buildings._replace(sides=sides), ground=ground._replace(eyes=eyes),
-        weights={"sun": 0.0}, facing=0.0,
-    )  # fmt: skip
+        buildings=problem.buildings._replace(sides=sides),
+        ground=ground._replace(eyes=eyes),
+        weights={"sun": 0.0},
+        facing=0.0,
+    )
     boxes, present = np.zeros((5, 5)), np.arange(5) < 1
-    watch = Watch(Budget(None, 1, threads=None), None, None)
+    watch = BudgetWatch(Budget(None, 1, threads=None), None, None)
     for before in (math.pi / 2, -math.pi / 2):
         boxes[0] = [middle.x, middle.y, before, *problem.buildings.sizes[0, :2]]
         found = SiteFound(boxes, present, {}, 0, 1, ("parallel",) * 5)
-        after = improved(problem, found, 0, watch).boxes[0, 2]
+        after = improve_layout(problem, found, 0, watch).boxes[0, 2]
         wanted = -math.pi / 2 if before < 0.0 else heading
         assert math.cos(after - wanted) == pytest.approx(1.0)
 
@@ -192,10 +198,10 @@ def test_buildings_keep_to_their_forms_when_they_change_places() -> None:
     found = filled(problem, OFF, 0)._replace(
         forms=tuple("parallel" if k % 2 else "peripheral" for k in range(40))
     )
-    watch = Watch(Budget(None, 1, threads=None), None, None)
-    after = improved(problem._replace(buildings=made), found, 0, watch)
+    watch = BudgetWatch(Budget(None, 1, threads=None), None, None)
+    after = improve_layout(problem._replace(buildings=made), found, 0, watch)
     assert all(form in may for form, may in zip(after.forms, forms, strict=True))
-    assert improved(problem, found, 0, watch).forms != after.forms
+    assert improve_layout(problem, found, 0, watch).forms != after.forms
 
 
 def test_a_site_without_ways_or_sun_is_filled_all_the_same() -> None:
@@ -208,14 +214,16 @@ def test_a_site_without_ways_or_sun_is_filled_all_the_same() -> None:
 def test_a_block_lacks_less_the_better_its_models_look() -> None:
     problem = town(10)
     first, last = problem.ground.block_spans[0]
-    about = around(problem, problem.ground.block_edges[first:last], np.zeros((10, 5)),
-                   np.zeros(10, bool))  # fmt: skip
+    about = around(
+        problem, problem.ground.block_edges[first:last], np.zeros((10, 5)), np.zeros(10, bool)
+    )
     found = filled(problem, OFF, 0)
     here = tuple(np.flatnonzero(found.present).tolist())
-    placed = Placed(here, found.boxes[list(here)], "parallel")
+    placed = BlockLayout(here, found.boxes[list(here)], "parallel")
     plain = problem._replace(
-        buildings=problem.buildings._replace(sides=sides_of(problem.buildings.sides,
-                                             problem.buildings.quality) * 0.5)
-    )  # fmt: skip
+        buildings=problem.buildings._replace(
+            sides=sides_of(problem.buildings.sides, problem.buildings.quality) * 0.5
+        )
+    )
     assert lacking(problem, about, placed) < lacking(plain, about, placed)
-    assert lacking(problem, about, Placed((), np.zeros((0, 5)), "")) == about.weights.sum()
+    assert lacking(problem, about, BlockLayout((), np.zeros((0, 5)), "")) == about.weights.sum()

@@ -11,20 +11,18 @@ import numpy as np
 import pytest
 
 from catalogs import house
-from scenewright.brief import Brief
-from scenewright.check import check
+from scenewright.catalog.loading import catalog_of, find_asset
+from scenewright.catalog.models.licences import terms_of
 from scenewright.cli import run
-from scenewright.domains import solve
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.solution import Solution
+from scenewright.domains import check, scene_of, solve
 from scenewright.domains.site.amounts import HOUSING
-from scenewright.errors import InputError
+from scenewright.domains.site.plan import plans_of
 from scenewright.formats import read, solution_json, write
-from scenewright.formats.affordable import affordable
-from scenewright.models.licences import terms_of
-from scenewright.shell import scene_of
-from scenewright.site.plan import plans_of
-from scenewright.solution import Solution
-from scenewright.staging import things
-from scenewright.stock import catalog_of, named
+from scenewright.render.items import things
+from scenewright.render.level_of_detail import affordable
 
 FIELD = [(0, 0), (150, 0), (150, 90), (0, 90)]
 
@@ -57,15 +55,19 @@ def built(solution: Solution) -> list:
 @pytest.mark.parametrize(
     ("name", "meant"),
     [
-        ("cottage", "model:cottage"), ("model:cottage", "model:cottage"),
+        ("cottage", "model:cottage"),
+        ("model:cottage", "model:cottage"),
         ("Cottage", "model:cottage"),
-        ("cottage.obj", "model:cottage"), ("stock/cottage.obj", "model:cottage"),
-        ("new/tower", "model:tower"), ("old/tower.obj", "model:tower-2"),
-        ("model:tower-2", "model:tower-2"), ("villa", "villa"),
+        ("cottage.obj", "model:cottage"),
+        ("stock/cottage.obj", "model:cottage"),
+        ("new/tower", "model:tower"),
+        ("old/tower.obj", "model:tower-2"),
+        ("model:tower-2", "model:tower-2"),
+        ("villa", "villa"),
     ],
-)  # fmt: skip
+)
 def test_models_are_found_by_id_name_and_file(stock, name, meant):
-    assert named(catalog_of([str(stock)]), name).id == meant
+    assert find_asset(catalog_of([str(stock)]), name).id == meant
 
 
 @pytest.mark.parametrize(
@@ -80,22 +82,22 @@ def test_models_are_found_by_id_name_and_file(stock, name, meant):
 )
 def test_names_that_mean_nothing_or_too_much_are_told(stock, name, told):
     with pytest.raises(InputError) as error:
-        named(catalog_of([str(stock)]), name)
+        find_asset(catalog_of([str(stock)]), name)
     assert told in str(error.value)
 
 
 def test_own_models_come_before_shipped_ones_of_the_same_name(tmp_path):
     house(tmp_path / "villa.obj", 20, 20, 20)
     catalog = catalog_of([str(tmp_path)])
-    assert named(catalog, "villa").id == "model:villa"
+    assert find_asset(catalog, "villa").id == "model:villa"
     assert catalog.assets["villa"].author == "Scenewright"
 
 
 def test_a_changed_file_is_read_again(stock):
-    before = named(catalog_of([str(stock)]), "cottage").usual
+    before = find_asset(catalog_of([str(stock)]), "cottage").usual
     house(stock / "cottage.obj", 16, 8, 6)
     assert before.width == 10
-    assert named(catalog_of([str(stock)]), "cottage").usual.width == 16
+    assert find_asset(catalog_of([str(stock)]), "cottage").usual.width == 16
 
 
 @pytest.mark.parametrize("size", [None, (20.0, 10.0, 5.0)])
@@ -109,8 +111,9 @@ def test_a_landmark_is_drawn_as_its_file_is(stock, size):
         t for t in things(scene_of(solution), catalog_of([str(stock)])) if t.name == piece.id
     ]
     points = np.concatenate([part.vertices for part in thing.parts])
-    own = np.concatenate([p.vertices for p in catalog_of([str(stock)]).assets["model:row"].mesh(
-        piece.size)])  # fmt: skip
+    own = np.concatenate(
+        [p.vertices for p in catalog_of([str(stock)]).assets["model:row"].mesh(piece.size)]
+    )
     assert np.ptp(points, axis=0) == pytest.approx(np.array(piece.size))
     assert points == pytest.approx(own)
     assert check(solution).valid
@@ -155,8 +158,9 @@ def test_every_model_of_a_filling_stands_about_as_often(stock):
 def test_the_floor_area_ratio_is_kept(stock, ratio):
     solution = solved(str(stock), floor_area_ratio=ratio, coverage=0.9)
     plan = plans_of(solution.brief)[0]
-    floors = sum(p.size.width * p.size.depth * max(round(p.size.height / 3), 1)
-                 for p in built(solution))  # fmt: skip
+    floors = sum(
+        p.size.width * p.size.depth * max(round(p.size.height / 3), 1) for p in built(solution)
+    )
     assert floors <= ratio * plan.buildable + 14 * 14 * 20 / 2
     assert floors > 0.4 * ratio * plan.buildable
 
@@ -200,8 +204,13 @@ def test_what_stands_beside_buildings_does_not_fill_a_site(stock):
     house(stock / "house_without_base.obj", 10, 10, 8)
     used = {p.asset for p in built(solved(str(stock), coverage=0.5, spacing=2.0))}
     assert "model:house_without_base" in used
-    assert used <= {"model:cottage", "model:row", "model:tower", "model:tower-2",
-                    "model:house_without_base"}  # fmt: skip
+    assert used <= {
+        "model:cottage",
+        "model:row",
+        "model:tower",
+        "model:tower-2",
+        "model:house_without_base",
+    }
 
 
 def document_of(path: Path) -> dict:
@@ -259,7 +268,9 @@ def test_credits_tell_author_and_licence_everywhere(stock, tmp_path):
     (stock / "LICENSE.txt").write_text("Houses. Created by Jane Doe (doe.org)\nLicense: CC0")
     (stock / "old" / "licence.md").write_text("Some words of the maker")
     solution = solved(
-        str(stock), buildings=[{"model": "cottage", "count": 2}, {"model": "old/tower"}]
+        str(stock),
+        buildings=[{"model": "cottage", "count": 2}, {"model": "old/tower"}],
+        origin=[11.5, 49.5],
     )
     for name in ("out.json", "out.glb", "out.credits.txt", "out.geojson", "out.cityjson"):
         write(solution, tmp_path / name)
@@ -272,7 +283,8 @@ def test_credits_tell_author_and_licence_everywhere(stock, tmp_path):
     assert {"author": "Jane Doe", "licence": "CC0-1.0", "assets": ["model:cottage"]} in rows
     assert about["extras"]["credits"] == rows
     assert json.loads((tmp_path / "out.geojson").read_text())["credits"] == rows
-    assert json.loads((tmp_path / "out.cityjson").read_text())["+credits"] == rows
+    city = json.loads((tmp_path / "out.cityjson").read_text())["CityObjects"].values()
+    assert [o["attributes"]["credits"] for o in city if o["type"] == "LandUse"] == [rows]
 
 
 @pytest.mark.parametrize(
@@ -284,7 +296,7 @@ def test_credits_tell_author_and_licence_everywhere(stock, tmp_path):
         ("MIT License\n\nCopyright", "MIT"),
         ("All rights reserved", "see LICENSE"),
     ],
-)  # fmt: skip
+)
 def test_licence_texts_in_short(text, licence):
     assert terms_of(text, "LICENSE").licence == licence
 
@@ -341,7 +353,7 @@ def test_names_inside_models_do_not_lead_out_of_their_folder(stock, tmp_path):
     catalog = catalog_of([str(stock)])
     assert "model:spy" not in catalog.assets
     with pytest.raises(InputError, match=r"'spy' cannot be used: .*outside its folder"):
-        named(catalog, "spy")
+        find_asset(catalog, "spy")
 
 
 @pytest.mark.realdata

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 import scenewright as sw
-from scenewright.brief import Brief
-from scenewright.errors import InputError
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
 from scenewright.formats import solution_json
 
 SAMPLES = ("site-30", "site-120", "site-courtyards")
@@ -32,7 +32,7 @@ def test_samples_hold_all_they_ask_for_and_break_no_rule(name: str, seed: int) -
     solution = sw.solve(brief, seed=seed)
     report = sw.check(solution)
     assert report.valid, [found.message for found in report.findings]
-    asked = sum(row.count for row in brief.sites[0].buildings)
+    asked = sum(row.count for row in brief.part.sites[0].buildings)
     assert len(buildings(solution)) == asked
     assert not solution.left_out
 
@@ -53,7 +53,7 @@ def test_a_saved_site_reads_back() -> None:
 
 @pytest.mark.parametrize("suffix", [".svg", ".geojson", ".cityjson", ".glb", ".json"])
 def test_sites_are_written(suffix: str, tmp_path: Path) -> None:
-    solution = sw.solve(site(buildings=[{"model": "villa", "count": 2}]))
+    solution = sw.solve(site(buildings=[{"model": "villa", "count": 2}], origin=[11.5, 49.5]))
     sw.write(solution, tmp_path / f"site{suffix}")
     assert (tmp_path / f"site{suffix}").stat().st_size > 500
 
@@ -92,14 +92,15 @@ def test_a_site_without_wishes_is_filled_to_its_ratio() -> None:
 BAD = {
     "an unknown model": ({"buildings": [{"model": "vila"}]}, "use one of: villa"),
     "higher than the limit": (
-        {"height_limit": 6, "buildings": [{"model": "villa"}]}, "the limit of the site is 6 m",
+        {"height_limit": 6, "buildings": [{"model": "villa"}]},
+        "the limit of the site is 6 m",
     ),
-    "a crossing outline": (
-        {"outline": [[0, 0], [50, 50], [50, 0], [0, 50]]}, "crosses",
+    "a crossing outline": ({"outline": [[0, 0], [50, 50], [50, 0], [0, 50]]}, "crosses"),
+    "a setback that leaves nothing": (
+        {"setback": 19, "outline": [[0, 0], [30, 0], [30, 30]]},
+        "setback",
     ),
-    "a setback that leaves nothing": ({"setback": 19, "outline": [[0, 0], [30, 0], [30, 30]]},
-                                      "setback"),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("name", BAD)

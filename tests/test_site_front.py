@@ -9,11 +9,11 @@ import pytest
 from benchmarks.site_instances import example_site
 
 import sites
-from scenewright.brief import Brief
-from scenewright.domains.site import problems, solve
-from scenewright.site_problem import SiteProblem
-from scenewright.solvers.site_block import laid
-from scenewright.solvers.site_front import blind, turned_in
+from scenewright.core.brief import Brief
+from scenewright.domains.site.problem import SiteProblem
+from scenewright.domains.site.solvers.block import lay_out_block
+from scenewright.domains.site.solvers.front import blind, turned_in
+from scenewright.domains.site.solving import problems, solve
 
 WEST, EAST, SOUTH = math.pi, 0.0, -math.pi / 2
 
@@ -49,11 +49,13 @@ def test_what_looks_to_the_sun_or_stands_on_a_site_without_ways_stays() -> None:
 
 def test_turning_is_no_matter_of_where_the_site_lies() -> None:
     problem, rng = example_site(12, 140.0), np.random.default_rng(1)
-    boxes = np.column_stack([rng.uniform(0, 140, (60, 2)), rng.uniform(-3, 3, 60),
-                             np.full((60, 2), 8.0)])  # fmt: skip
+    boxes = np.column_stack(
+        [rng.uniform(0, 140, (60, 2)), rng.uniform(-3, 3, 60), np.full((60, 2), 8.0)]
+    )
     ground, off = problem.ground, np.array([500.0, -300.0])
-    moved = ground._replace(edges=ground.edges + np.tile(off, 2),
-                            roads=ground.roads + np.array([*off, 0, 0, 0]))  # fmt: skip
+    moved = ground._replace(
+        edges=ground.edges + np.tile(off, 2), roads=ground.roads + np.array([*off, 0, 0, 0])
+    )
     there = boxes + np.array([*off, 0, 0, 0])
     told = blind(problem, boxes)
     assert 0 < told.sum() < len(boxes)
@@ -64,17 +66,23 @@ def test_no_rim_looks_out_where_no_way_is() -> None:
     problem = posed([(60, -1), (60, 81)])
     first, last = problem.ground.block_spans[0]
     edges = problem.ground.block_edges[first:last]
-    found = laid(problem, edges, list(range(10)), SOUTH, "peripheral", 1.0)
+    found = lay_out_block(problem, edges, list(range(10)), SOUTH, "peripheral", 1.0)
     off = np.abs((found.boxes[:, 2] - SOUTH + math.pi) % (2 * math.pi) - math.pi)
     assert len(found.numbers) > 4
     assert not (blind(problem, found.boxes) & (off > 1.0)).any()
 
 
 def test_what_is_built_looks_to_a_way_or_a_court() -> None:
-    brief = Brief(domain="site", name="Rims", sites=[sites.site(
-        roads=[{"line": [(60, -1), (60, 81)], "width": 4.0}],
-        buildings=[{"model": "pavilion", "count": 12, "forms": ["peripheral"]}],
-    )])  # fmt: skip
+    brief = Brief(
+        domain="site",
+        name="Rims",
+        sites=[
+            sites.site(
+                roads=[{"line": [(60, -1), (60, 81)], "width": 4.0}],
+                buildings=[{"model": "pavilion", "count": 12, "forms": ["peripheral"]}],
+            )
+        ],
+    )
     built = [p for p in solve(brief).pieces if p.category == "building"]
     assert len(built) == 12
     for piece in built:

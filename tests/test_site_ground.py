@@ -10,15 +10,15 @@ import pytest
 import shapely
 
 import scenewright as sw
-from scenewright.assets import shipped
-from scenewright.assets.tints import TINTS
-from scenewright.brief import Brief
-from scenewright.formats.glb import encoded
-from scenewright.layout import corners
-from scenewright.shell import scene_of
-from scenewright.site.plan import plans_of
-from scenewright.site.walks import CLEAR, walks
-from scenewright.solution import Solution
+from scenewright.catalog.assets import shipped
+from scenewright.catalog.assets.tints import TINTS
+from scenewright.core.brief import Brief
+from scenewright.core.layout import corners
+from scenewright.core.solution import Solution
+from scenewright.domains import scene_of
+from scenewright.domains.site.plan import plans_of
+from scenewright.formats.glb import encode_scene
+from scenewright.ground.walks import CLEAR, walks
 
 CROSSING = [
     {"line": [[-5, 40], [60, 30], [125, 45]], "width": 10},
@@ -35,8 +35,7 @@ def solved(roads: list[dict[str, object]], **more: object) -> Solution:
 
 @pytest.fixture(scope="module")
 def street() -> Solution:
-    return solved(CROSSING, buildings=BUILDINGS,
-                  landmarks=[{"model": "pavilion", "at": [20, 12]}])  # fmt: skip
+    return solved(CROSSING, buildings=BUILDINGS, landmarks=[{"model": "pavilion", "at": [20, 12]}])
 
 
 def shapes_of(solution: Solution) -> dict[str, shapely.Geometry]:
@@ -47,16 +46,25 @@ def shapes_of(solution: Solution) -> dict[str, shapely.Geometry]:
 
 
 def footprints(solution: Solution) -> list[shapely.Polygon]:
-    boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth)
-             for p in solution.pieces if p.category == "building"]  # fmt: skip
+    boxes = [
+        (p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth)
+        for p in solution.pieces
+        if p.category == "building"
+    ]
     return [shapely.Polygon(ring) for ring in corners(np.array(boxes))]
 
 
 def test_roads_are_one_piece_and_cover_what_the_plan_says(street: Solution) -> None:
     found = shapes_of(street)
     plan = plans_of(street.brief)[0]
-    roads = shapely.union_all([shapely.Polygon(a.outline, a.holes) for way in plan.roads
-                               if way.kind == "road" for a in way.areas])  # fmt: skip
+    roads = shapely.union_all(
+        [
+            shapely.Polygon(a.outline, a.holes)
+            for way in plan.roads
+            if way.kind == "road"
+            for a in way.areas
+        ]
+    )
     assert found["asphalt"].geom_type == "Polygon"
     assert found["asphalt"].area + found["pavement"].area == pytest.approx(roads.area, rel=1e-4)
     for one, other in (("asphalt", "pavement"), ("path", "asphalt"), ("walk", "path")):
@@ -103,12 +111,15 @@ def test_trees_and_lamps_keep_clear(street: Solution) -> None:
 
 
 def test_like_buildings_differ_in_colour_and_landmarks_do_not(street: Solution) -> None:
-    data = encoded(scene_of(street), shipped())
+    data = encode_scene(scene_of(street), shipped())
     document = json.loads(data[20 : 20 + struct.unpack("<I", data[12:16])[0]])
 
     def colours(prefix: str) -> list[set[str]]:
-        used = [document["meshes"][node["mesh"]]["primitives"] for node in document["nodes"]
-                if node["name"].startswith(prefix) and "mesh" in node]  # fmt: skip
+        used = [
+            document["meshes"][node["mesh"]]["primitives"]
+            for node in document["nodes"]
+            if node["name"].startswith(prefix) and "mesh" in node
+        ]
         names = [{document["materials"][row["material"]]["name"] for row in rows} for rows in used]
         return [set(row) for row in {frozenset(row) for row in names}]
 
@@ -118,4 +129,4 @@ def test_like_buildings_differ_in_colour_and_landmarks_do_not(street: Solution) 
     others = {tint.name for row in TINTS.values() for tint in row[1:]}
     assert landmark & plain
     assert not landmark & others
-    assert encoded(scene_of(street), shipped()) == data
+    assert encode_scene(scene_of(street), shipped()) == data

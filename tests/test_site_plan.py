@@ -9,11 +9,11 @@ import pytest
 import shapely
 from benchmarks.site_reco import asked, compounds
 
-from scenewright.brief.site import Site
-from scenewright.errors import InputError
-from scenewright.layout import corners
-from scenewright.site.fit import corners_of, fits, main_direction
-from scenewright.site.plan import site_plan, site_plans
+from scenewright.core.errors import InputError
+from scenewright.core.layout import corners
+from scenewright.domains.site.brief import Site
+from scenewright.domains.site.plan import site_plan, site_plans
+from scenewright.ground.fit import corners_of, fits, main_direction
 
 FIELD = [(0, 0), (100, 0), (100, 60), (0, 60)]
 
@@ -32,10 +32,13 @@ def road(*line, **more):
 
 def test_a_road_divides_the_ground_and_distances_are_kept():
     wanted = site(
-        roads=[road((40, -5), (40, 65), width=6.0)], setback=5, road_setback=4, spacing=8,
+        roads=[road((40, -5), (40, 65), width=6.0)],
+        setback=5,
+        road_setback=4,
+        spacing=8,
         landmarks=[{"at": (70, 30), "size": (10, 6, 12)}],
         holes=[[(10, 10), (20, 10), (20, 20), (10, 20)]],
-    )  # fmt: skip
+    )
     plan = site_plan(wanted)
     assert len(plan.blocks) == 2
     assert plan.area == pytest.approx(5900)
@@ -75,34 +78,55 @@ def test_the_plan_turns_with_the_site(angle):
 @pytest.mark.parametrize(
     ("more", "told"),
     [
-        ({"outline": [(0, 0), (10, 10), (10, 0), (0, 10)]},
-         "sites[0] 'Campus': the outline crosses or touches itself at (5.00, 5.00)"),
+        (
+            {"outline": [(0, 0), (10, 10), (10, 0), (0, 10)]},
+            "sites[0] 'Campus': the outline crosses or touches itself at (5.00, 5.00)",
+        ),
         ({"outline": [(0, 0), (10, 0), (20, 0)]}, "sites[0] 'Campus': the outline holds only 0 m²"),
         ({"outline": [(5, 5), (5, 5), (5, 5)]}, "the outline holds only 0 m²"),
-        ({"setback": 20.0, "outline": [(0, 0), (100, 0), (100, 24), (0, 24)]},
-         "the setback of 20 m leaves nothing: the site is at most 24.00 m wide, 16.00 m too "
-         "narrow"),
+        (
+            {"setback": 20.0, "outline": [(0, 0), (100, 0), (100, 24), (0, 24)]},
+            "the setback of 20 m leaves nothing: the site is at most 24.00 m wide, 16.00 m too "
+            "narrow",
+        ),
         ({"holes": [[(-1, -1), (101, -1), (101, 61), (-1, 61)]]}, "holes[0]"),
         ({"holes": [[(40, -1), (50, -1), (50, 61), (40, 61)]]}, "cuts the site in 2 pieces"),
         ({"holes": [[(400, -1), (500, -1), (500, 61), (400, 61)]]}, "holes[0] lies outside"),
-        ({"landmarks": [{"at": (98, 30), "size": (10, 10, 5)}]},
-         "sites[0] 'Campus' landmarks[0]: stands with 30.00 m² outside the site"),
-        ({"landmarks": [{"at": (50, 30), "size": (10, 10, 5)}, {"id": "hall", "at": (58, 30),
-          "size": (10, 10, 5)}]}, "landmarks[1]: overlaps landmarks[0] 'landmark-1' by 20.00 m²"),
+        (
+            {"landmarks": [{"at": (98, 30), "size": (10, 10, 5)}]},
+            "sites[0] 'Campus' landmarks[0]: stands with 30.00 m² outside the site",
+        ),
+        (
+            {
+                "landmarks": [
+                    {"at": (50, 30), "size": (10, 10, 5)},
+                    {"id": "hall", "at": (58, 30), "size": (10, 10, 5)},
+                ]
+            },
+            "landmarks[1]: overlaps landmarks[0] 'landmark-1' by 20.00 m²",
+        ),
         ({"landmarks": [{"outline": [(50, 30), (60, 30), (55, 30)]}]}, "landmarks[0]: its outline"),
-        ({"landmarks": [{"at": (50, 30), "model": "no-such-model"}]},
-         "there is no model 'no-such-model'"),
+        (
+            {"landmarks": [{"at": (50, 30), "model": "no-such-model"}]},
+            "there is no model 'no-such-model'",
+        ),
         ({"landmarks": [{"name": "Hall"}]}, "landmarks[0]: has no place"),
-        ({"roads": [road((0, 5), (9, 5)), road((0, 100), (90, 100))]},
-         "roads[1]: lies 37.00 m outside the site"),
+        (
+            {"roads": [road((0, 5), (9, 5)), road((0, 100), (90, 100))]},
+            "roads[1]: lies 37.00 m outside the site",
+        ),
         ({"roads": [road((5, 5), (5, 5))]}, "roads[0]: the road has no length"),
         ({"roads": [road((0, 30), (100, 30), width=60.0)]}, "leave nothing to build on"),
-        ({"roads": [road((0, 5), (9, 5), id="a"), road((0, 9), (9, 9), id="a")]},
-         "roads[0]: the id 'a' is used twice"),
-        ({"buildings": [{"id": "a", "model": "villa"}, {"id": "a", "model": "tower"}]},
-         "buildings[0]: the id 'a' is used twice"),
+        (
+            {"roads": [road((0, 5), (9, 5), id="a"), road((0, 9), (9, 9), id="a")]},
+            "roads[0]: the id 'a' is used twice",
+        ),
+        (
+            {"buildings": [{"id": "a", "model": "villa"}, {"id": "a", "model": "tower"}]},
+            "buildings[0]: the id 'a' is used twice",
+        ),
     ],
-)  # fmt: skip
+)
 def test_what_cannot_be_built_on_is_told_with_its_place(more, told):
     with pytest.raises(InputError) as caught:
         site_plan(site(**more))
@@ -113,8 +137,10 @@ def test_what_cannot_be_built_on_is_told_with_its_place(more, told):
 
 def test_sites_have_ids_of_their_own():
     assert [plan.id for plan in site_plans([site(), site(), site(name="")])] == [
-        "campus", "campus-2", "site-3",
-    ]  # fmt: skip
+        "campus",
+        "campus-2",
+        "site-3",
+    ]
     with pytest.raises(InputError, match="the id 'x' is used twice"):
         site_plans([site(id="x"), site(id="x")])
 
@@ -145,8 +171,9 @@ def test_a_box_that_fits_in_a_bent_block_by_exact_search():
     for width, depth in [(20, 60), (21, 40), (26, 26), (15, 34), (10, 45), (25, 25)]:
         places = np.stack(np.meshgrid(np.arange(0, 60, 1.0), np.arange(0, 60, 1.0)), -1)
         turned = np.linspace(0, math.pi, 24, endpoint=False)
-        tried = [corners_of((x, y, t, width, depth)) for x, y in places.reshape(-1, 2)
-                 for t in turned]  # fmt: skip
+        tried = [
+            corners_of((x, y, t, width, depth)) for x, y in places.reshape(-1, 2) for t in turned
+        ]
         slow = bool(shapely.covers(ell, shapely.polygons(np.array(tried))).any())
         assert fits(plan, width, depth) or not slow, (width, depth)
     assert fits(plan, 20, 60)

@@ -10,28 +10,33 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sites
-from scenewright.brief import Brief
-from scenewright.check import check
-from scenewright.check.site_figures import judge_sites
-from scenewright.domains.site import solve
-from scenewright.domains.site.reached import reached
-from scenewright.site.plan import site_plan
+from scenewright.core.brief import Brief
+from scenewright.domains import check
+from scenewright.domains.site.access import find_reached_buildings
+from scenewright.domains.site.check.figures import judge_sites
+from scenewright.domains.site.plan import site_plan
+from scenewright.domains.site.solving import solve
 
 SOUTH = -math.pi / 2
 
 
 def court(gap: float) -> np.ndarray:
     """Four long buildings round a court with a fifth in it; ``gap`` metres open at one corner."""
-    return np.array([
-        [40, 10, SOUTH, 60, 10], [40, 70, SOUTH, 60, 10], [15, 40, SOUTH, 10, 49.99],
-        [65, 40 - gap / 2, SOUTH, 10, 50 - gap], [40, 40, SOUTH, 10, 10],
-    ])  # fmt: skip
+    return np.array(
+        [
+            [40, 10, SOUTH, 60, 10],
+            [40, 70, SOUTH, 60, 10],
+            [15, 40, SOUTH, 10, 49.99],
+            [65, 40 - gap / 2, SOUTH, 10, 50 - gap],
+            [40, 40, SOUTH, 10, 10],
+        ]
+    )
 
 
 @pytest.mark.parametrize(("gap", "open_"), [(0.0, False), (3.9, False), (4.0, True), (6.0, True)])
 def test_a_court_is_reached_through_a_gap_as_wide_as_the_way(gap: float, open_: bool) -> None:
     plan = site_plan(sites.site(80.0, 80.0))
-    assert reached(plan, court(gap), 4.0).tolist() == [True, True, True, True, open_]
+    assert find_reached_buildings(plan, court(gap), 4.0).tolist() == [True, True, True, True, open_]
 
 
 @settings(max_examples=40, deadline=None)
@@ -40,9 +45,15 @@ def test_what_is_reached_the_referee_finds_reached(seed: int, road: bool, width:
     rng = np.random.default_rng(seed)
     roads = [{"line": [(0, 4), (120, 4)], "width": 6.0}] if road else []
     ground = sites.site(fire_access=width, roads=roads)
-    boxes = np.column_stack([rng.uniform(10, 110, 14), rng.uniform(15, 70, 14),
-                             rng.uniform(-3, 3, 14), rng.uniform(6, 30, (14, 2))])  # fmt: skip
-    got = reached(site_plan(ground), boxes, width)
+    boxes = np.column_stack(
+        [
+            rng.uniform(10, 110, 14),
+            rng.uniform(15, 70, 14),
+            rng.uniform(-3, 3, 14),
+            rng.uniform(6, 30, (14, 2)),
+        ]
+    )
+    got = find_reached_buildings(site_plan(ground), boxes, width)
     pieces = [
         sites.building(f"b{k}", x, y, wide, depth, heading=heading)
         for k, (x, y, heading, wide, depth) in enumerate(boxes.tolist())
@@ -55,9 +66,16 @@ def test_what_is_reached_the_referee_finds_reached(seed: int, road: bool, width:
 
 def test_what_no_way_leads_to_is_left_out_by_name() -> None:
     outline = [(-30, -20), (60, -50), (70, 10), (20, 25), (25, 70), (-15, 80), (-70, 10)]
-    ground = {"id": "s", "outline": outline, "setback": 0.0, "road_setback": 0.0, "spacing": 1.0,
-              "fire_access": 9.0, "roads": [{"line": [(-100, -60), (100, 60)], "width": 4.0}],
-              "buildings": [{"model": "pavilion", "count": 60}]}  # fmt: skip
+    ground = {
+        "id": "s",
+        "outline": outline,
+        "setback": 0.0,
+        "road_setback": 0.0,
+        "spacing": 1.0,
+        "fire_access": 9.0,
+        "roads": [{"line": [(-100, -60), (100, 60)], "width": 4.0}],
+        "buildings": [{"model": "pavilion", "count": 60}],
+    }
     brief = Brief.model_validate({"domain": "site", "name": "Ragged", "sites": [ground]})
     solution = solve(brief)
     assert check(solution).valid

@@ -11,25 +11,25 @@ from benchmarks.site_instances import example_site
 from typer.testing import CliRunner
 
 import scenewright as sw
-from scenewright.appearance import shipped_facts
+from scenewright.catalog.appearance import shipped_facts
 from scenewright.cli.commands import app
-from scenewright.domains.site import problems
 from scenewright.domains.site.presets import PRESETS
-from scenewright.formats import solution_json
-from scenewright.geometry.boxes import make_frame
-from scenewright.solve import Budget
-from scenewright.solvers.site_anneal import E_MAX, anneal_site
-from scenewright.solvers.site_answer import make_measure, score
-from scenewright.solvers.site_genetic import MatrixGenetic, make_judge, viewpoint_site
-from scenewright.solvers.site_lattice import make_cells
-from scenewright.terms.site_measure import change_of_fitness, commit, fitness, lay
-from scenewright.terms.site_terms import (
+from scenewright.domains.site.solvers.anneal import E_MAX, anneal_site
+from scenewright.domains.site.solvers.answer import make_measure, score
+from scenewright.domains.site.solvers.genetic import MatrixGenetic, make_judge, viewpoint_site
+from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solving import problems
+from scenewright.domains.site.terms.measure import change_of_fitness, commit, fitness, lay
+from scenewright.domains.site.terms.table import (
     SITE_AIMS,
     SITE_FIGURES,
     SITE_TERMS,
     fitness_of_cost,
     printed_ratio,
 )
+from scenewright.engine.solve import Budget
+from scenewright.formats import solution_json
+from scenewright.geometry.boxes import make_frame
 
 
 @pytest.fixture(scope="module")
@@ -87,9 +87,11 @@ def test_models_count_as_they_look() -> None:
     order = np.argsort([row.relief for row in facts], kind="stable")
     assert (np.diff(problem.buildings.quality[order]) >= 0).all()
     assert problem.ground.landmark_quality.tolist() == pytest.approx(
-        [shipped_facts()[name].relief / shipped_facts()["pagoda"].relief
-         for name in ("gothic_church", "pagoda")]
-    )  # fmt: skip
+        [
+            shipped_facts()[name].relief / shipped_facts()["pagoda"].relief
+            for name in ("gothic_church", "pagoda")
+        ]
+    )
     assert problem.buildings.sides.shape == (len(names), 5)
     printed = problems(sw.read("sample:site-landmarks"), "paper")[0]
     assert printed.form == "printed"
@@ -100,9 +102,9 @@ def test_models_count_as_they_look() -> None:
 def test_a_move_changes_the_printed_fitness_by_what_the_whole_says() -> None:
     problem, rng = example_site(10, 110.0), np.random.default_rng(2)
     measure = make_measure(problem)
-    boxes = np.column_stack([
-        rng.uniform(10, 90, (10, 2)), rng.uniform(0, 6, 10), problem.buildings.sizes[:, :2],
-    ])  # fmt: skip
+    boxes = np.column_stack(
+        [rng.uniform(10, 90, (10, 2)), rng.uniform(0, 6, 10), problem.buildings.sizes[:, :2]]
+    )
     lay(measure.p, measure.s, boxes)
     for _ in range(20):
         i = int(rng.integers(10))

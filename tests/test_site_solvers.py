@@ -16,20 +16,20 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from deadline import within
-from scenewright.encodings.forms import FORMS
-from scenewright.errors import InputError
-from scenewright.site_problem import Buildings, SiteProblem
-from scenewright.solve import Budget, Watch
-from scenewright.solvers.site_anneal import anneal_from
-from scenewright.solvers.site_answer import make_measure, score, standing
-from scenewright.solvers.site_found import SiteFound
-from scenewright.solvers.site_genetic import MatrixGenetic, make_judge, viewpoint_site
-from scenewright.solvers.site_lattice import make_cells
-from scenewright.solvers.site_random import lines_of
-from scenewright.solvers.site_templates import make_template
-from scenewright.solvers.sites import SITE_SOLVERS
-from scenewright.solvers.swarm import Swarm
-from scenewright.terms.site_terms import SITE_TERMS, read_site_weights
+from scenewright.core.errors import InputError
+from scenewright.domains.site.encodings.forms import FORMS
+from scenewright.domains.site.problem import Buildings, SiteProblem
+from scenewright.domains.site.solvers import SITE_SOLVERS
+from scenewright.domains.site.solvers.anneal import anneal_from
+from scenewright.domains.site.solvers.answer import make_measure, score, standing
+from scenewright.domains.site.solvers.genetic import MatrixGenetic, make_judge, viewpoint_site
+from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.solvers.random_search import lines_of
+from scenewright.domains.site.solvers.templates import make_template
+from scenewright.domains.site.terms.table import SITE_TERMS, read_site_weights
+from scenewright.engine.solve import Budget, BudgetWatch
+from scenewright.engine.swarm import Swarm
 
 PROBLEM = example_site(12, 110.0)
 ROWS = list(SITE_SOLVERS.values())
@@ -113,9 +113,10 @@ def test_seconds_progress_and_cancelling(row) -> None:
 @pytest.mark.parametrize("row", ROWS, ids=IDS)
 def test_a_site_without_room_and_a_single_building(row) -> None:
     ground = PROBLEM.ground._replace(
-        block_edges=np.zeros((0, 4)), block_spans=np.zeros((0, 2), np.int64),
+        block_edges=np.zeros((0, 4)),
+        block_spans=np.zeros((0, 2), np.int64),
         block_areas=np.zeros(0),
-    )  # fmt: skip
+    )
     found = row.run(PROBLEM._replace(ground=ground), Budget(steps=6), 0)
     assert not found.present.any()
     one = row.run(example_site(1), Budget(steps=6 if row.name == "fill" else 200), 0)
@@ -149,15 +150,16 @@ def test_annealing_finds_what_chance_does_not() -> None:
 def test_annealing_starts_from_what_it_is_given() -> None:
     problem = example_site(6)
     found = SITE_SOLVERS["sa"].run(problem, Budget(steps=30_000), 0)
-    watch = Watch(Budget(steps=1), None, None)
+    watch = BudgetWatch(Budget(steps=1), None, None)
     boxes, _ = anneal_from(problem, found.boxes, Budget(steps=1), 0, watch, lines_of(problem))
     assert np.abs(boxes - found.boxes).max(1).astype(bool).sum() <= 1
 
 
 def test_of_two_too_near_each_other_one_stays() -> None:
     problem = example_site(2, 150.0)
-    boxes = np.array([[90.0, 80.0, -math.pi / 2, 12.0, 10.0],
-                      [95.0, 80.0, math.pi / 2, 18.0, 12.0]])  # fmt: skip
+    boxes = np.array(
+        [[90.0, 80.0, -math.pi / 2, 12.0, 10.0], [95.0, 80.0, math.pi / 2, 18.0, 12.0]]
+    )
     measure = make_measure(problem)
     assert standing(measure, boxes).tolist() == [True, False]
     boxes[1, 0] = 112.0
@@ -193,8 +195,9 @@ def test_a_liked_building_is_worth_more() -> None:
     cells = make_cells(PROBLEM)
     found = viewpoint_site(PROBLEM, Budget(steps=50), 0)
     genes = MatrixGenetic(cells, PROBLEM.buildings.quality)
-    rows, _ = genes.ask(genes.init(np.random.default_rng(0), np.zeros(1), np.zeros(1)),
-                        np.random.default_rng(0))  # fmt: skip
+    rows, _ = genes.ask(
+        genes.init(np.random.default_rng(0), np.zeros(1), np.zeros(1)), np.random.default_rng(0)
+    )
     less = make_judge(PROBLEM, cells, np.zeros(12)).energies(rows)
     more = make_judge(PROBLEM, cells, np.ones(12)).energies(rows)
     assert (more < less).all()
@@ -214,8 +217,9 @@ def test_particles_meet_where_it_costs_least() -> None:
 
 def test_the_value_by_hand() -> None:
     problem = example_site(2, 150.0)  # 12 x 10 x 9 and 18 x 12 x 24
-    boxes = np.array([[90.0, 80.0, -math.pi / 2, 12.0, 10.0],
-                      [112.0, 80.0, -math.pi / 2, 18.0, 12.0]])  # fmt: skip
+    boxes = np.array(
+        [[90.0, 80.0, -math.pi / 2, 12.0, 10.0], [112.0, 80.0, -math.pi / 2, 18.0, 12.0]]
+    )
     both = score(problem, boxes, np.array([True, True]))
     facades, volume = np.array([2 * 22 * 9, 2 * 30 * 24]), np.array([12 * 10 * 9, 18 * 12 * 24])
     area = problem.ground.block_areas.sum()
@@ -237,14 +241,24 @@ def test_the_value_by_hand() -> None:
 
 def group(models: list[int]) -> Buildings:
     rows = STYLES[models]
-    return Buildings(rows[:, :3].copy(), rows[:, 3], rows[:, 4], rows[:, 5],
-                     np.array(models), np.ones(len(models), np.int64))  # fmt: skip
+    return Buildings(
+        rows[:, :3].copy(),
+        rows[:, 3],
+        rows[:, 4],
+        rows[:, 5],
+        np.array(models),
+        np.ones(len(models), np.int64),
+    )
 
 
 @given(
-    st.sampled_from(list(FORMS)), st.lists(st.integers(0, 4), min_size=1, max_size=8),
-    st.floats(30, 140), st.floats(30, 140), st.floats(0, 12), st.floats(0, 1.5),
-)  # fmt: skip
+    st.sampled_from(list(FORMS)),
+    st.lists(st.integers(0, 4), min_size=1, max_size=8),
+    st.floats(30, 140),
+    st.floats(30, 140),
+    st.floats(0, 12),
+    st.floats(0, 1.5),
+)
 @settings(max_examples=150, deadline=None)
 def test_forms_keep_their_rectangle_and_their_spacing(
     form: str, models: list[int], width: float, depth: float, spacing: float, behind: float
@@ -290,7 +304,8 @@ def test_templates_place_what_a_form_leaves_out() -> None:
     assert put_right.score["fitness"] > 0.0
     whole = make_template("point", group([0] * 4), (60.0, 60.0), 6.0)
     assert whole.present.all()
-    assert np.array_equal(whole.boxes, FORMS["point"].place(group([0] * 4).sizes, 6.0,
-                                                            (60.0, 60.0), 0.0))  # fmt: skip
+    assert np.array_equal(
+        whole.boxes, FORMS["point"].place(group([0] * 4).sizes, 6.0, (60.0, 60.0), 0.0)
+    )
     with pytest.raises(InputError, match="no form is called"):
         make_template("round", buildings, (60.0, 60.0), 6.0)

@@ -8,10 +8,10 @@ import shapely
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from scenewright.layout import corners
-from scenewright.outlines import edges, rings
-from scenewright.solvers.site_rim import rim
-from scenewright.solvers.site_strips import Rule, back, free_spans, rows, turned
+from scenewright.building.outlines import edges, rings
+from scenewright.core.layout import corners
+from scenewright.domains.site.solvers.perimeter_block import rim
+from scenewright.domains.site.solvers.strips import StripRule, back, free_spans, rotate_block, rows
 
 
 def block(seed: int, holes: int = 3) -> shapely.Polygon:
@@ -35,7 +35,7 @@ def edges_of(shape: shapely.Polygon) -> np.ndarray:
 def test_free_spans_are_those_of_exact_polygons(
     seed: int, low: float, deep: float, heading: float
 ) -> None:
-    view = turned(edges_of(block(seed)), heading)
+    view = rotate_block(edges_of(block(seed)), heading)
     found = free_spans(view, low, low + deep)
     lines = shapely.get_parts(
         shapely.polygonize(list(shapely.linestrings(view.edges.reshape(-1, 2, 2))))
@@ -69,8 +69,12 @@ def test_rims_and_rows_stand_inside_and_apart(around: bool, seed: int, gap: floa
         assert len(numbers) <= 14
     else:
         heading = float(rng.uniform(-3, 3))
-        placed = rows(turned(edges_of(shape), heading), sizes, queue,
-                      Rule(gap, 4.0, 0.0, 1.0, False, True))  # fmt: skip
+        placed = rows(
+            rotate_block(edges_of(shape), heading),
+            sizes,
+            queue,
+            StripRule(gap, 4.0, 0.0, 1.0, False, True),
+        )
         numbers, at = [i for i, _, _ in placed], np.array(placed).reshape(-1, 3)[:, 1:]
         boxes = np.zeros((len(numbers), 5))
         boxes[:, 0], boxes[:, 1] = back(at[:, 0], at[:, 1], heading)

@@ -11,10 +11,9 @@ from benchmarks.site_instances import example_site
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from scenewright.errors import InputError
-from scenewright.geometry.boxes import frames_of
-from scenewright.site_problem import SiteProblem
-from scenewright.terms.site_measure import (
+from scenewright.core.errors import InputError
+from scenewright.domains.site.problem import SiteProblem
+from scenewright.domains.site.terms.measure import (
     change,
     commit,
     energies,
@@ -24,7 +23,7 @@ from scenewright.terms.site_measure import (
     make_site_state,
     prepare_site,
 )
-from scenewright.terms.site_terms import (
+from scenewright.domains.site.terms.table import (
     FACING,
     INSERT,
     LEFT,
@@ -40,6 +39,7 @@ from scenewright.terms.site_terms import (
     utilisation,
     within_box,
 )
+from scenewright.geometry.boxes import frames_of
 
 
 def drawn(problem: SiteProblem, count: int, seed: int, absent: float = 0.1) -> np.ndarray:
@@ -138,8 +138,9 @@ def test_a_building_alone_in_its_block_costs_nothing_but_what_it_lacks() -> None
 
 def test_each_half_of_the_way_between_two_buildings_is_its_own() -> None:
     problem = example_site(2, 150.0)._replace(spacing=0.0, fire_access=4.0)
-    boxes = np.array([[[90.0, 80.0, -math.pi / 2, 12.0, 10.0],
-                       [90.0 + 16.0, 80.0, -math.pi / 2, 12.0, 10.0]]])  # fmt: skip
+    boxes = np.array(
+        [[[90.0, 80.0, -math.pi / 2, 12.0, 10.0], [90.0 + 16.0, 80.0, -math.pi / 2, 12.0, 10.0]]]
+    )
     problem.buildings.sizes[1] = problem.buildings.sizes[0]
     assert evaluate(problem, boxes)[0, ROAD] == pytest.approx(0.0, abs=1e-9)  # 4 m between them
     boxes[0, 1, 0] -= 1.0

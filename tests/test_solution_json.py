@@ -14,10 +14,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from flat import flat_solution
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import LeftOut, Patch, Solution, TermValue
 from scenewright.formats import solution_json
-from scenewright.scene import Piece, Pose, Size
-from scenewright.solution import LeftOut, Patch, Solution, TermValue
 
 NUMBERS = st.floats(-1e6, 1e6, allow_nan=False)
 NAMES = st.text(st.characters(exclude_categories=["Cs"]), max_size=12)
@@ -27,9 +27,18 @@ ANGLES = st.floats(-6.28, 6.28)
 POSES = st.builds(Pose, PLACES, PLACES, st.floats(0, 100), ANGLES)
 SIZES = st.builds(Size, LENGTHS, LENGTHS, LENGTHS)
 PIECES = st.builds(
-    Piece, NAMES, NAMES, NAMES, st.sampled_from(["living", "bedroom"]), POSES, SIZES,
-    NAMES, NAMES, st.none(), st.booleans(),
-)  # fmt: skip
+    Piece,
+    NAMES,
+    NAMES,
+    NAMES,
+    st.sampled_from(["living", "bedroom"]),
+    POSES,
+    SIZES,
+    NAMES,
+    NAMES,
+    st.none(),
+    st.booleans(),
+)
 BOXES = st.tuples(PLACES, PLACES, ANGLES, LENGTHS, LENGTHS)
 SOLUTIONS = st.builds(
     dataclasses.replace,
@@ -64,14 +73,25 @@ def test_a_failed_write_leaves_the_old_file(solution: Solution, tmp_path: Path) 
     path = tmp_path / "flat.json"
     path.write_text("old")
     with pytest.raises(ValueError, match="JSON"):
-        solution_json.write(dataclasses.replace(solution, seconds=float("nan")), path)
+        solution_json.write(dataclasses.replace(solution, energies={"a": float("nan")}), path)
     assert path.read_text() == "old"
 
 
 def test_numpy_numbers_are_written_as_numbers(solution: Solution) -> None:
-    counted = dataclasses.replace(solution, evaluations=np.int64(3), seconds=np.float32(0.5))
+    counted = dataclasses.replace(
+        solution, evaluations=np.int64(3), energies={"a": np.float32(0.5)}
+    )
     again = solution_json.loads(solution_json.dumps(counted))
-    assert (again.evaluations, again.seconds) == (3, 0.5)
+    assert (again.evaluations, again.energies) == (3, {"a": 0.5})
+
+
+def test_time_is_not_saved_but_read_from_older_files(solution: Solution) -> None:
+    slower = dataclasses.replace(solution, seconds=solution.seconds + 1.0)
+    assert slower == solution
+    assert solution_json.dumps(slower) == solution_json.dumps(solution)
+    document = solution_json.to_document(solution)
+    assert "seconds" not in document
+    assert solution_json.of_document(document | {"seconds": 2.5}).seconds == 2.5
 
 
 def test_one_piece_a_line(solution: Solution) -> None:
@@ -160,9 +180,11 @@ def test_a_bad_document_is_one_line(change: Any, told: str) -> None:
         b'{"format": NaN}',
         b'{"format": "scenewright/solution", "version": 1, "seed": ' + b"9" * 5000 + b"}",
         b'{"format": "scenewright/solution", "version": 1, "brief": '
-        + b"[" * 900 + b"]" * 900 + b"}",
+        + b"[" * 900
+        + b"]" * 900
+        + b"}",
     ],
-)  # fmt: skip
+)
 def test_broken_bytes_are_one_line(data: bytes, tmp_path: Path) -> None:
     path = tmp_path / "broken.json"
     path.write_bytes(data)

@@ -6,17 +6,18 @@ import numpy as np
 import pytest
 
 from rooms import full_problem, random_layouts
-from scenewright.energy import energies_of, evaluate, prepare, route_grid
+from scenewright.core.layout import Layout
+from scenewright.domains.home.energy import energies_of, evaluate, prepare, route_grid
+from scenewright.domains.home.problem import empty_items
+from scenewright.domains.home.solvers import SOLVERS
+from scenewright.domains.home.solvers.anneal import anneal, boxes_of, scatter_boxes
+from scenewright.domains.home.solvers.chain import make_chain
+from scenewright.domains.home.solvers.metropolis import run_chains
+from scenewright.engine.draws import bell, below, streams, uniform
+from scenewright.engine.genetic import cross, roulette
+from scenewright.engine.pace import pace_by_clock
+from scenewright.engine.solve import Budget, distinct
 from scenewright.geometry.boxes import frames_of
-from scenewright.layout import Layout
-from scenewright.problem import empty_items
-from scenewright.solve import Budget, distinct
-from scenewright.solvers import SOLVERS
-from scenewright.solvers.anneal import anneal, boxes_of, pace_by_clock, scatter
-from scenewright.solvers.chain import make_chain
-from scenewright.solvers.draws import bell, below, streams, uniform
-from scenewright.solvers.genetic import cross, roulette
-from scenewright.solvers.metropolis import run_chains
 
 EVERY = pytest.mark.parametrize("name", sorted(SOLVERS))
 STEPS = Budget(steps=2000)
@@ -103,14 +104,23 @@ def test_result_does_not_depend_on_threads():
 def test_chain_sums_stay_equal_to_a_fresh_evaluation(printed):
     problem = full_problem(printed)
     p, grid = prepare(problem), route_grid(problem, 0.1)
-    boxes = scatter(p, 3, np.random.default_rng(0))
+    boxes = scatter_boxes(p, 3, np.random.default_rng(0))
     now = np.stack([frames_of(layout) for layout in boxes])
     bests, energies = now.copy(), np.repeat(energies_of(p, grid, boxes)[0][:, None], 2, axis=1)
     free = np.empty_like(grid.free)
     run_chains(
-        make_chain(4, 3), p, grid, free, free.copy(), now, bests, energies, streams(1, 3), 3000,
+        make_chain(4, 3),
+        p,
+        grid,
+        free,
+        free.copy(),
+        now,
+        bests,
+        energies,
+        streams(1, 3),
+        3000,
         np.array([500.0, 0.01, 0.0, 1.0]),
-    )  # fmt: skip
+    )
     assert energies_of(p, grid, boxes_of(now))[0] == pytest.approx(energies[:, 0], abs=1e-6)
     assert energies_of(p, grid, boxes_of(bests))[0] == pytest.approx(energies[:, 1], abs=1e-6)
     assert (energies[:, 1] <= energies[:, 0]).all()

@@ -14,32 +14,37 @@ import pytest
 import shapely
 
 from scenewright import formats
-from scenewright.brief import Brief
-from scenewright.brief.stairs import StairsBrief
+from scenewright.building.plan import levels, spaces
 from scenewright.building.stair_parts import flight_parts, railing_lines, well_of
-from scenewright.check import check
-from scenewright.domains import home, resolve
-from scenewright.errors import InputError
-from scenewright.formats import solution_json, svg
-from scenewright.layout import corners
-from scenewright.plan import levels, spaces
-from scenewright.scene import STAIRS, Piece, Pose, Size
-from scenewright.shell import scene_of
-from scenewright.solution import Solution
-from scenewright.staging import things
-from scenewright.stairs import Stairs, built
-from scenewright.stock import catalog_of
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.brief.stairs import StairsBrief
+from scenewright.core.errors import InputError
+from scenewright.core.layout import corners
+from scenewright.core.scene import STAIRS, Piece, Pose, Size
+from scenewright.core.solution import Solution
+from scenewright.core.stairs import Stairs, build_stairs
+from scenewright.domains import check, resolve, scene_of
+from scenewright.domains.home import solving as home
+from scenewright.drawing import rooms
+from scenewright.formats import solution_json
+from scenewright.render.items import things
 
 SHAPES = ("straight", "quarter", "half", "spiral")
 HEIGHT = 2.9
 
 
-def made(shape: str, turn: str = "left", heading: float = pi / 2,
-         at: tuple[float, float] = (0.0, 0.0), **more: Any) -> Stairs:  # fmt: skip
+def made(
+    shape: str,
+    turn: str = "left",
+    heading: float = pi / 2,
+    at: tuple[float, float] = (0.0, 0.0),
+    **more: Any,
+) -> Stairs:
     asked = StairsBrief.model_validate(
         {"at": at, "heading": heading, "shape": shape, "turn": turn} | more
     )
-    return built(asked, "s", "0", "1", HEIGHT)
+    return build_stairs(asked, "s", "0", "1", HEIGHT)
 
 
 def outlines(stairs: Stairs) -> list[shapely.Polygon]:
@@ -68,8 +73,10 @@ def test_treads_rise_evenly_side_by_side_on_the_floor_that_is_taken(shape: str, 
     assert sum(box.area for box in boxes) == pytest.approx(shapely.union_all(boxes).area)
     assert shapely.Point(stairs.head[:2]).distance(treads[-1]) < 1e-6
     assert shapely.Point(stairs.foot[:2]).distance(treads[0]) < 1e-6
-    off = shapely.Point(np.array(stairs.head[:2]) + 0.2 * np.array(
-        [np.cos(stairs.head.heading), np.sin(stairs.head.heading)]))  # fmt: skip
+    off = shapely.Point(
+        np.array(stairs.head[:2])
+        + 0.2 * np.array([np.cos(stairs.head.heading), np.sin(stairs.head.heading)])
+    )
     assert not well_of(stairs).covers(off)
 
 
@@ -80,7 +87,8 @@ def test_stairs_turn_and_mirror(shape: str) -> None:
     if shape != "straight":
         for one, other in zip(outlines(left), outlines(right), strict=True):
             assert shapely.transform(one, lambda p: p * (-1, 1)).symmetric_difference(
-                other).area == pytest.approx(0.0, abs=1e-9)  # fmt: skip
+                other
+            ).area == pytest.approx(0.0, abs=1e-9)
         assert right.head[:2] == pytest.approx((-left.head.x, left.head.y))
         assert np.cos(right.head.heading) == pytest.approx(-np.cos(left.head.heading), abs=1e-9)
     turned = made(shape, "left", pi / 2 + 0.4)
@@ -105,15 +113,28 @@ def house(**more: Any) -> dict[str, Any]:
         "levels": [{"id": "0", "height": 2.6}, {"id": "1", "elevation": HEIGHT, "height": 2.5}],
         "stairs": [{"at": [0.6, 1.2], "heading": pi / 2, "going": 0.22}],
         "rooms": [
-            {"id": "hall", "function": "hall", "level": "0", "doors": [{"at": [3.0, 0.0]}],
-             "outline": [[0, 0], [4, 0], [4, 6.5], [0, 6.5]]},
-            {"id": "landing", "function": "hall", "level": "1",
-             "outline": [[0, 0], [4, 0], [4, 6.5], [0, 6.5]]},
-            {"id": "bed", "function": "double_bedroom", "level": "1",
-             "outline": [[4.12, 0], [8.2, 0], [8.2, 4], [4.12, 4]],
-             "doors": [{"at": [4.12, 3.0], "to": "landing"}]},
+            {
+                "id": "hall",
+                "function": "hall",
+                "level": "0",
+                "doors": [{"at": [3.0, 0.0]}],
+                "outline": [[0, 0], [4, 0], [4, 6.5], [0, 6.5]],
+            },
+            {
+                "id": "landing",
+                "function": "hall",
+                "level": "1",
+                "outline": [[0, 0], [4, 0], [4, 6.5], [0, 6.5]],
+            },
+            {
+                "id": "bed",
+                "function": "double_bedroom",
+                "level": "1",
+                "outline": [[4.12, 0], [8.2, 0], [8.2, 4], [4.12, 4]],
+                "doors": [{"at": [4.12, 3.0], "to": "landing"}],
+            },
         ],
-    } | more  # fmt: skip
+    } | more
 
 
 def brief(**more: Any) -> Brief:
@@ -261,23 +282,31 @@ def test_stairs_go_through_no_room_of_a_level_between() -> None:
 def test_a_well_over_two_rooms_is_kept_free_in_both() -> None:
     rooms = house()["rooms"]
     rooms[1]["outline"] = [[0, 3.4], [4, 3.4], [4, 6.5], [0, 6.5]]
-    rooms[2] |= {"outline": [[0, 0], [4, 0], [4, 3.28], [0, 3.28]],
-                 "doors": [{"at": [3.0, 3.28], "to": "landing"}]}  # fmt: skip
+    rooms[2] |= {
+        "outline": [[0, 0], [4, 0], [4, 3.28], [0, 3.28]],
+        "doors": [{"at": [3.0, 3.28], "to": "landing"}],
+    }
     _, landing, bed = spaces(brief(rooms=rooms))
     (own,), (other,) = landing.stair_parts, bed.stair_parts
     assert (own.id, own.category) == ("stairs/well", "staircase")
     assert other.category == "obstacle"
     well = (1.2 + 3 * 0.22, 1.2 + 16 * 0.22)
     assert (own.box[1] - own.box[4] / 2, own.box[1] + own.box[4] / 2) == pytest.approx(
-        (3.4, well[1]))  # fmt: skip
+        (3.4, well[1])
+    )
     assert (other.box[1] - other.box[4] / 2, other.box[1] + other.box[4] / 2) == pytest.approx(
-        (well[0], 3.28))  # fmt: skip
+        (well[0], 3.28)
+    )
 
 
 def test_a_room_that_is_all_well_has_no_floor() -> None:
     rooms = house()["rooms"]
-    shaft = {"id": "void", "function": "other", "level": "1",
-             "outline": [[0.15, 1.87], [1.05, 1.87], [1.05, 4.72], [0.15, 4.72]]}  # fmt: skip
+    shaft = {
+        "id": "void",
+        "function": "other",
+        "level": "1",
+        "outline": [[0.15, 1.87], [1.05, 1.87], [1.05, 4.72], [0.15, 4.72]],
+    }
     rooms[1]["outline"] = [[0, 4.84], [1.17, 4.84], [1.17, 0], [4, 0], [4, 6.5], [0, 6.5]]
     solved = home.solve(brief(rooms=[*rooms, shaft]), steps=50)
     floors = [t.name for t in things(scene_of(solved), catalog_of([])) if t.kind == "space"]
@@ -286,8 +315,15 @@ def test_a_room_that_is_all_well_has_no_floor() -> None:
 
 def test_stairs_share_no_id_with_what_stands() -> None:
     rooms = house()["rooms"]
-    rooms[0]["fixed"] = [{"id": "stairs", "category": "wardrobe", "at": [3.5, 5],
-                          "heading": 0.0, "size": [1.0, 0.6, 2.0]}]  # fmt: skip
+    rooms[0]["fixed"] = [
+        {
+            "id": "stairs",
+            "category": "wardrobe",
+            "at": [3.5, 5],
+            "heading": 0.0,
+            "size": [1.0, 0.6, 2.0],
+        }
+    ]
     with pytest.raises(InputError, match="the id 'stairs' is used twice"):
         spaces(brief(rooms=rooms))
 
@@ -308,7 +344,7 @@ def test_saved_homes_keep_their_stairs_once(furnished: Solution, tmp_path: Path)
 
 def test_they_are_drawn_on_both_plans(furnished: Solution) -> None:
     scene = scene_of(furnished)
-    text = svg.plan(scene, catalog_of([]))
+    text = rooms.plan(scene, catalog_of([]))
     told = "stairs: 17 rises of 17.1 cm, goings of 22.0 cm"
     assert text.count(f"<title>{told}</title>") == 2
     assert len(re.findall(r"stroke-dasharray=\"0\.9 0\.6\"", text)) == 9, "treads above the cut"
@@ -356,5 +392,5 @@ def test_levels_of_the_sample_are_joined() -> None:
 def test_sites_have_no_stairs() -> None:
     site = {"outline": [[0, 0], [60, 0], [60, 40], [0, 40]]}
     stairs = [{"at": [1, 1], "heading": 0}]
-    with pytest.raises(InputError, match="sites have no levels"):
+    with pytest.raises(InputError, match="stairs: are given, but the brief is of a site"):
         spaces(Brief.model_validate({"domain": "site", "sites": [site], "stairs": stairs}))

@@ -11,28 +11,31 @@ from PIL import Image
 
 import scenewright as sw
 from flat import flat_solution
-from scenewright.brief import Brief
-from scenewright.errors import InputError
-from scenewright.formats import street, suffix_of, writer
-from scenewright.formats.stage import blocks_of
-from scenewright.formats.street_spot import FREE, Standpoint, standpoint
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.layout import corners
+from scenewright.core.solution import Solution
+from scenewright.domains import scene_of
+from scenewright.domains.site.drawing.street_spot import FREE, Standpoint, standpoint
+from scenewright.domains.site.plan import plans_of
+from scenewright.domains.site.writing import street_picture as street
+from scenewright.formats import suffix_of, writer
 from scenewright.geometry.box_grid import box_grid
 from scenewright.geometry.walker import sights_of_boxes
 from scenewright.geometry.walker_meshes import best_spot, best_spots
-from scenewright.layout import corners
-from scenewright.shell import scene_of
-from scenewright.site.plan import plans_of
-from scenewright.solution import Solution
-from scenewright.stock import catalog_of
+from scenewright.render.stage import blocks_of
 
 ROADS = [{"line": [[-5, 45], [125, 45]], "width": 9}]
 
 
 def solved(roads: list[dict[str, object]], count: int = 8) -> Solution:
     ground = {
-        "id": "s", "outline": [[0, 0], [120, 0], [120, 90], [0, 90]], "roads": roads,
+        "id": "s",
+        "outline": [[0, 0], [120, 0], [120, 90], [0, 90]],
+        "roads": roads,
         "buildings": [{"model": "villa", "count": count}],
-    }  # fmt: skip
+    }
     return sw.solve(Brief.model_validate({"domain": "site", "sites": [ground]}))
 
 
@@ -92,8 +95,14 @@ def test_the_best_spot_comes_first() -> None:
 
 
 def test_the_longest_suffix_wins(tmp_path: Path) -> None:
-    assert writer(tmp_path / "a.street.png").__module__ == "scenewright.formats.street"
-    assert writer(tmp_path / "a.STREET.PNG").__module__ == "scenewright.formats.street"
+    assert (
+        writer(tmp_path / "a.street.png").__module__
+        == "scenewright.domains.site.writing.street_picture"
+    )
+    assert (
+        writer(tmp_path / "a.STREET.PNG").__module__
+        == "scenewright.domains.site.writing.street_picture"
+    )
     assert writer(tmp_path / "street.png").__module__ == "scenewright.formats.png"
     assert suffix_of("A.Street.png") == ".Street.png"
     sw.write(solved(ROADS, 2), tmp_path / "a.street.png")

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scenewright.geometry.box_grid import box_grid, cast
 from scenewright.geometry.boxes import frames_of
 from scenewright.geometry.buckets import insert, make_buckets, remove
-from scenewright.geometry.shade import gather, hours_of, throw
+from scenewright.geometry.shadows import gather, hours_of, throw
 from scenewright.geometry.sun import (
     REFRACTED,
     declination,
@@ -32,8 +32,9 @@ def almanac(days: Floats) -> Floats:
     theory of J. Meeus, *Astronomical algorithms* (1991), chapter 25, good to 0.01 degrees."""
     t = days / 36525.0
     mean, anomaly = 280.46646 + 36000.76983 * t, np.deg2rad(357.52911 + 35999.05029 * t)
-    centre = (1.914602 * np.sin(anomaly) + 0.019993 * np.sin(2 * anomaly)
-              + 0.000289 * np.sin(3 * anomaly))  # fmt: skip
+    centre = (
+        1.914602 * np.sin(anomaly) + 0.019993 * np.sin(2 * anomaly) + 0.000289 * np.sin(3 * anomaly)
+    )
     node = np.deg2rad(125.04 - 1934.136 * t)
     longitude = np.deg2rad(mean + centre - 0.00569 - 0.00478 * np.sin(node))
     tilt = np.deg2rad(23.439291 - 0.0130042 * t + 0.00256 * np.cos(node))
@@ -58,9 +59,24 @@ def test_the_declination_of_any_day_this_century() -> None:
 
 @pytest.mark.parametrize(
     ("day", "longitude"),
-    [(5, 285), (20, 300), (35, 315), (50, 330), (79.5, 0), (110, 30), (125, 45), (172, 90),
-     (204, 120), (219, 135), (266, 180), (281, 195), (296, 210), (326, 240), (355.5, 270)],
-)  # fmt: skip
+    [
+        (5, 285),
+        (20, 300),
+        (35, 315),
+        (50, 330),
+        (79.5, 0),
+        (110, 30),
+        (125, 45),
+        (172, 90),
+        (204, 120),
+        (219, 135),
+        (266, 180),
+        (281, 195),
+        (296, 210),
+        (326, 240),
+        (355.5, 270),
+    ],
+)
 def test_the_24_solar_terms(day: float, longitude: float) -> None:
     """Days of the Chinese calendar at which the sun has gone so far round the ecliptic."""
     known = np.arcsin(np.sin(np.deg2rad(23.437)) * np.sin(np.deg2rad(longitude)))
@@ -69,10 +85,19 @@ def test_the_24_solar_terms(day: float, longitude: float) -> None:
 
 @pytest.mark.parametrize(
     ("latitude", "day", "noon"),
-    [(39.9, 355, 26.7), (39.9, 172, 73.5), (39.9, 79.5, 50.1), (31.2, 355, 35.4), (51.5, 355, 15.1),
-     (23.44, 172, 90.0), (0.0, 266, 90.0), (-33.9, 172, 32.7), (-33.9, 355, 79.6),
-     (69.6, 172, 43.8)],
-)  # fmt: skip
+    [
+        (39.9, 355, 26.7),
+        (39.9, 172, 73.5),
+        (39.9, 79.5, 50.1),
+        (31.2, 355, 35.4),
+        (51.5, 355, 15.1),
+        (23.44, 172, 90.0),
+        (0.0, 266, 90.0),
+        (-33.9, 172, 32.7),
+        (-33.9, 355, 79.6),
+        (69.6, 172, 43.8),
+    ],
+)
 def test_the_height_of_the_sun_at_noon(latitude: float, day: float, noon: float) -> None:
     """90° less the distance of latitude and declination: Beijing, Shanghai, London, the tropic,
     the equator, Sydney, Tromsø."""
@@ -85,10 +110,19 @@ def test_the_height_of_the_sun_at_noon(latitude: float, day: float, noon: float)
 
 @pytest.mark.parametrize(
     ("latitude", "day", "length"),
-    [(51.51, 355, 7 + 50 / 60), (51.51, 172, 16 + 38 / 60), (40.71, 355, 9 + 15 / 60),
-     (40.71, 172, 15 + 6 / 60), (-33.87, 355, 14 + 25 / 60), (-33.87, 172, 9 + 54 / 60),
-     (0.0, 100, 12 + 7 / 60), (64.15, 355, 4 + 8 / 60), (69.65, 355, 0.0), (69.65, 172, 24.0)],
-)  # fmt: skip
+    [
+        (51.51, 355, 7 + 50 / 60),
+        (51.51, 172, 16 + 38 / 60),
+        (40.71, 355, 9 + 15 / 60),
+        (40.71, 172, 15 + 6 / 60),
+        (-33.87, 355, 14 + 25 / 60),
+        (-33.87, 172, 9 + 54 / 60),
+        (0.0, 100, 12 + 7 / 60),
+        (64.15, 355, 4 + 8 / 60),
+        (69.65, 355, 0.0),
+        (69.65, 172, 24.0),
+    ],
+)
 def test_published_lengths_of_the_day(latitude: float, day: float, length: float) -> None:
     """London, New York, Sydney, the equator, Reykjavik and Tromsø, to a few minutes."""
     found = 2 * (12.0 - sunrise(latitude, day, float(REFRACTED)))
@@ -121,10 +155,14 @@ def test_the_path_is_where_the_sun_stands() -> None:
 
 def town(rng: np.random.Generator, count: int = 40) -> tuple[Floats, Floats]:
     """Buildings of all kinds, some touching or overlapping."""
-    boxes = np.column_stack([
-        rng.uniform(0, 150, (count, 2)), rng.uniform(-np.pi, np.pi, count),
-        rng.uniform(8, 40, count), rng.uniform(8, 15, count),
-    ])  # fmt: skip
+    boxes = np.column_stack(
+        [
+            rng.uniform(0, 150, (count, 2)),
+            rng.uniform(-np.pi, np.pi, count),
+            rng.uniform(8, 40, count),
+            rng.uniform(8, 15, count),
+        ]
+    )
     boxes[::3, 2] = SOUTH
     return boxes, rng.choice([0.5, 4.0, 9.0, 18.0, 60.0], count)
 
@@ -147,11 +185,13 @@ def by_shadows(boxes: Floats, heights: Floats, path: Floats, places: int) -> Flo
     for ax, ay, az, held in path:
         for i, box in enumerate(boxes):
             z = min(0.9, heights[i])
-            shade = shapely.union_all([
-                swept(shape, (z - h) / az * np.array([ax, ay]))
-                for k, (shape, h) in enumerate(zip(shapes, heights, strict=True))
-                if h > z and k != i
-            ])  # fmt: skip
+            shade = shapely.union_all(
+                [
+                    swept(shape, (z - h) / az * np.array([ax, ay]))
+                    for k, (shape, h) in enumerate(zip(shapes, heights, strict=True))
+                    if h > z and k != i
+                ]
+            )
             for side in range(4):
                 turn = box[2] + side * np.pi / 2
                 out = np.array([np.cos(turn), np.sin(turn)])
@@ -184,11 +224,13 @@ def test_hours_are_those_of_rays_without_a_grid() -> None:
     assert grid.columns * grid.rows > 100
     angles = rng.uniform(-np.pi, np.pi, 2000)
     rise = rng.uniform(-0.2, 0.3, 2000)
-    ways = np.column_stack([np.cos(angles) * np.cos(rise), np.sin(angles) * np.cos(rise),
-                            np.sin(rise)])  # fmt: skip
+    ways = np.column_stack(
+        [np.cos(angles) * np.cos(rise), np.sin(angles) * np.cos(rise), np.sin(rise)]
+    )
     ways[:40] = np.repeat([[1.0, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], 10, 0)
-    starts = np.column_stack([rng.uniform(-500, 3500, 2000), rng.uniform(-200, 600, 2000),
-                              rng.uniform(0, 90, 2000)])  # fmt: skip
+    starts = np.column_stack(
+        [rng.uniform(-500, 3500, 2000), rng.uniform(-200, 600, 2000), rng.uniform(0, 90, 2000)]
+    )
     found, far = np.zeros(2000, np.int64), np.zeros(2000)
     cast(grid, starts, ways, 1e4, found, far, np.zeros(2000, np.int64), np.zeros(2000))
     least = np.full(2000, np.inf)

@@ -14,20 +14,22 @@ from hypothesis import strategies as st
 from shapely import LineString, Point, Polygon, affinity, box, union_all
 
 from flat import flat_solution
-from scenewright.catalog import Catalog, Kind
-from scenewright.formats import svg, svg_sheet
-from scenewright.formats.svg_dimensions import chains
-from scenewright.formats.svg_labels import extent, place, polygon_of, wordings
-from scenewright.formats.svg_marks import View, clean, number, text_width, to_paper
-from scenewright.formats.svg_pieces import drawing_height, footprint, pieces_mark, symbol
-from scenewright.formats.svg_shell import cut_walls, openings_mark, swing_square, walls_mark
-from scenewright.layout import corners
-from scenewright.scene import Piece, Pose, Scene, Size
-from scenewright.shell import scene_of
-from scenewright.space import Level, Opening, Space
+from scenewright.core.catalog import Catalog
+from scenewright.core.kind import Kind
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece, Pose, Scene, Size
+from scenewright.core.space import Level, Opening, Space
+from scenewright.domains import scene_of
+from scenewright.drawing import rooms
+from scenewright.drawing import sheet as svg_sheet
+from scenewright.drawing.dimensions import chains
+from scenewright.drawing.labels import extent, place, polygon_of, wordings
+from scenewright.drawing.marks import PaperView, clean, number, text_width, to_paper
+from scenewright.drawing.pieces import drawing_height, footprint, pieces_mark, symbol
+from scenewright.drawing.shell import cut_walls, openings_mark, swing_square, walls_mark
 
 SVG = "{http://www.w3.org/2000/svg}"
-UNIT = View(20.0, 0.0, 0.0)
+UNIT = PaperView(20.0, 0.0, 0.0)
 PLACES = st.floats(-50, 50)
 KINDS = {
     "rug": Kind("rug", flat=True),
@@ -68,9 +70,12 @@ def test_the_cut_passes_doors_and_windows(scene: Scene) -> None:
 
 
 @given(
-    st.sampled_from([-1, 1]), st.sampled_from([-1, 1]), st.floats(0, 6.3), st.floats(0.5, 1.5),
+    st.sampled_from([-1, 1]),
+    st.sampled_from([-1, 1]),
+    st.floats(0, 6.3),
+    st.floats(0.5, 1.5),
     st.floats(0.05, 0.4),
-)  # fmt: skip
+)
 def test_the_door_arc_turns_around_the_hinge(
     hinge: int, swing: int, angle: float, width: float, thickness: float
 ) -> None:
@@ -107,7 +112,7 @@ def test_the_front_is_drawn_at_the_front() -> None:
     piece = Piece("a", "sofa", "", "r", Pose(5, 5, 0, 0.0), Size(2, 1, 1))
     outline, front = symbol(piece, Catalog())
     assert outline[0].tolist() == outline[-1].tolist()
-    drawn = pieces_mark(View(20, 0, 0), [piece], Catalog())
+    drawn = pieces_mark(PaperView(20, 0, 0), [piece], Catalog())
     # heading 0 looks to +x, so the front line is right of the middle on paper
     assert f"M{number(108.5)},-120 {number(108.5)},-80" in drawn
     assert front[:, 1].tolist() == [0.425, 0.425]
@@ -139,7 +144,7 @@ def test_a_hostile_name_stays_text(tmp_path: Path) -> None:
     brief = solution.brief.model_copy(update={"rooms": [room, solution.brief.rooms[1]]})
     piece = dataclasses.replace(solution.pieces[0], category=hostile, asset=hostile)
     solution = dataclasses.replace(solution, brief=brief, pieces=(piece,))
-    text = svg.plan(scene_of(solution), Catalog())
+    text = rooms.plan(scene_of(solution), Catalog())
     allowed = {"svg", "title", "rect", "g", "path", "circle", "text", "defs", "pattern"}
     root = ET.fromstring(text)
     assert {node.tag.removeprefix(SVG) for node in root.iter()} <= allowed
@@ -157,7 +162,7 @@ def test_cleaned_words_are_one_printable_line(words: str) -> None:
 
 
 def test_the_sheet_is_in_millimetres_and_holds_the_drawing(scene: Scene) -> None:
-    root = ET.fromstring(svg.plan(scene, Catalog()))
+    root = ET.fromstring(rooms.plan(scene, Catalog()))
     assert (root.get("version"), root.get("width"), root.get("height")) == ("1.1", "297mm", "210mm")
     _, _, width, height = map(float, root.get("viewBox", "").split())
     for path in root.iter(f"{SVG}path"):
@@ -179,7 +184,7 @@ def test_every_drawing_gets_a_sheet_it_fits(
 
 
 def test_dimensions_tell_the_building(scene: Scene) -> None:
-    root = ET.fromstring(svg.plan(scene, Catalog()))
+    root = ET.fromstring(rooms.plan(scene, Catalog()))
     words = [node.text for node in root.iter(f"{SVG}text")]
     # 5.00 + 0.12 + 3.08 inside, 0.25 of wall on either side; openings and the wall between
     assert {"8.70", "4.50", "5.31", "3.39", "0.90", "1.80"} <= set(words)
@@ -209,8 +214,10 @@ def test_an_inner_window_is_in_no_outer_chain() -> None:
 def test_a_room_behind_a_row_of_rooms_is_in_no_chain_of_their_side() -> None:
     """The middle of its wall lies behind the wall between the second and the third."""
     row = [box(3.2 * k, 0, 3.2 * k + 3, 4) for k in range(4)]
-    rooms = [Space(f"r{k}", "", (), "0", np.array(shape.exterior.coords[:-1]))
-             for k, shape in enumerate([*row, box(0, 4.2, 12.6, 7)])]  # fmt: skip
+    rooms = [
+        Space(f"r{k}", "", (), "0", np.array(shape.exterior.coords[:-1]))
+        for k, shape in enumerate([*row, box(0, 4.2, 12.6, 7)])
+    ]
     solid = union_all([polygon_of(room) for room in rooms])
     found = chains((0, 0, 12.6, 7), solid, rooms, [])
     assert found["south"][0].stations == pytest.approx((0, 3.1, 6.3, 9.5, 12.6))
@@ -252,8 +259,9 @@ def test_wide_scripts_are_given_their_width() -> None:
 
 
 def test_levels_stand_side_by_side(scene: Scene) -> None:
-    upper = tuple(dataclasses.replace(space, id=f"up-{space.id}", level="up")
-                  for space in scene.spaces)  # fmt: skip
+    upper = tuple(
+        dataclasses.replace(space, id=f"up-{space.id}", level="up") for space in scene.spaces
+    )
     walls = tuple(dataclasses.replace(wall, level="up") for wall in scene.walls)
     two = dataclasses.replace(
         scene,
@@ -261,11 +269,12 @@ def test_levels_stand_side_by_side(scene: Scene) -> None:
         spaces=(*scene.spaces, *upper),
         walls=(*scene.walls, *walls),
     )
-    root = ET.fromstring(svg.plan(two, Catalog()))
+    root = ET.fromstring(rooms.plan(two, Catalog()))
     captions = [node for node in root.iter(f"{SVG}text") if "floor ·" in (node.text or "")]
     assert [node.text for node in captions] == [
-        "Ground floor · ±0.00 · 32.3 m²", "Upper floor · +2.90 · 32.3 m²",
-    ]  # fmt: skip
+        "Ground floor · ±0.00 · 32.3 m²",
+        "Upper floor · +2.90 · 32.3 m²",
+    ]
     (x0, y0), (x1, y1) = ((float(c.get("x", 0)), float(c.get("y", 0))) for c in captions)
     scale = 8.7 * 1000 / (50 if "1:50" in ET.tostring(root, "unicode") else 100)
     assert y0 == y1
@@ -274,4 +283,4 @@ def test_levels_stand_side_by_side(scene: Scene) -> None:
 
 def test_an_empty_scene_still_makes_a_sheet() -> None:
     empty = Scene("nothing", (), (), (), (), ())
-    assert ET.fromstring(svg.plan(empty, Catalog())).tag == f"{SVG}svg"
+    assert ET.fromstring(rooms.plan(empty, Catalog())).tag == f"{SVG}svg"

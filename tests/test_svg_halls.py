@@ -14,30 +14,34 @@ from hypothesis import strategies as st
 from shapely import LineString, box, union_all
 
 from halls import exhibition, exhibition_rows, large_hall
-from scenewright.assets import shipped
-from scenewright.catalog import Catalog
-from scenewright.formats import svg, svg_legend, svg_sheet
-from scenewright.formats.svg_dimensions import readable
-from scenewright.formats.svg_halls import halls_of
-from scenewright.formats.svg_legend import Row
-from scenewright.formats.svg_marks import (
+from scenewright.catalog.assets import shipped
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import Solution
+from scenewright.domains import scene_of
+from scenewright.domains.hall.drawing.narrow import across, narrow_places
+from scenewright.domains.hall.drawing.overlay import overlay_of
+from scenewright.domains.hall.drawing.plan import halls_of
+from scenewright.domains.hall.drawing.route import curve, route_mark
+from scenewright.domains.hall.drawing.zones import TINTS, borders_mark, passage, tints
+from scenewright.domains.hall.hall_layout import HallDetail, Stop, Tour, Zone
+from scenewright.drawing import legend as svg_legend
+from scenewright.drawing import rooms
+from scenewright.drawing import sheet as svg_sheet
+from scenewright.drawing.dimensions import readable
+from scenewright.drawing.legend import LegendRow
+from scenewright.drawing.marks import (
     POCHE,
     ROUTE,
     WARNING,
-    View,
-    fitted,
+    PaperView,
+    fit_text,
     text_width,
     to_paper,
-)  # fmt: skip
-from scenewright.formats.svg_narrow import across, narrow_places
-from scenewright.formats.svg_pieces import footprint, pieces_mark, repeated
-from scenewright.formats.svg_route import curve, route_mark
-from scenewright.formats.svg_sheet import scale_bar
-from scenewright.formats.svg_zones import TINTS, borders_mark, passage, tints
-from scenewright.scene import Piece, Pose, Size
-from scenewright.scene_graph import Stop, Tour, Zone
-from scenewright.shell import scene_of
-from scenewright.solution import Solution
+)
+from scenewright.drawing.pieces import define_repeated_symbols, footprint, pieces_mark
+from scenewright.drawing.sheet import scale_bar
+from scenewright.formats import svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 LINK = "{http://www.w3.org/1999/xlink}href"
@@ -45,7 +49,9 @@ ALLOWED = {"svg", "title", "rect", "g", "path", "circle", "text", "defs", "patte
 
 
 def drawn(solution: Solution) -> ET.Element:
-    return ET.fromstring(svg.plan(scene_of(solution), shipped(), halls_of(solution)))
+    halls, catalog = halls_of(solution), shipped()
+    overlay = overlay_of(halls, catalog) if halls else None
+    return ET.fromstring(rooms.plan(scene_of(solution), catalog, overlay))
 
 
 def words(root: ET.Element) -> list[str]:
@@ -87,22 +93,22 @@ def test_used_symbols_lie_where_the_pieces_are(
     heading: float, x: float, y: float, scale: float
 ) -> None:
     piece = Piece("a", "box", "", "r", Pose(x, y, 0.0, heading), Size(2.0, 1.0, 1.0))
-    symbols = repeated(scale, [piece, dataclasses.replace(piece, id="b")], Catalog())
+    symbols = define_repeated_symbols(scale, [piece, dataclasses.replace(piece, id="b")], Catalog())
     (definition,) = symbols.definitions
     ring = re.findall(r'd="M([^Z]+)Z"', definition)[0].split()
     local = np.array([[float(v) for v in pair.split(",")] for pair in ring])
-    mark = pieces_mark(View(scale, 0.0, 0.0), [piece], Catalog(), symbols)
+    mark = pieces_mark(PaperView(scale, 0.0, 0.0), [piece], Catalog(), symbols)
     moved = re.findall(r"translate\(([-\d.]+) ([-\d.]+)\)", mark)[0]
     turn = np.radians(float((re.findall(r"rotate\(([-\d.]+)\)", mark) or [0])[0]))
     cos, sin = np.cos(turn), np.sin(turn)
     placed = local @ np.array([[cos, sin], [-sin, cos]]) + np.array(moved, dtype=float)
-    true = to_paper(View(scale, 0.0, 0.0), footprint(piece))
+    true = to_paper(PaperView(scale, 0.0, 0.0), footprint(piece))
     assert np.abs(placed - true).max() < 0.03
 
 
 def test_partitions_are_solid_and_borders_dashed_only_where_none_stands() -> None:
     solution = exhibition()
-    graph = solution.graph
+    graph = solution.detail.layout
     assert graph is not None
     paths = drawn(solution).iter(f"{SVG}path")
     dark = "".join(node.get("d", "") for node in paths if node.get("fill") == POCHE)
@@ -111,10 +117,19 @@ def test_partitions_are_solid_and_borders_dashed_only_where_none_stands() -> Non
     # two stand free, two join the north wall, one is the sign of the legend
     assert dark.count("M") == without.count("M") + 2 + 1
     standing = [p for p in solution.pieces if p.category == "partition"]
-    walls = union_all([box(p.pose.x - 0.08, p.pose.y - p.size.width / 2, p.pose.x + 0.08,
-                           p.pose.y + p.size.width / 2) for p in standing]
-                      + [box(0, 0, 24, 16).boundary.buffer(0.02)])  # fmt: skip
-    mark = borders_mark(View(1.0, 0.0, 0.0), graph.zones, walls)
+    walls = union_all(
+        [
+            box(
+                p.pose.x - 0.08,
+                p.pose.y - p.size.width / 2,
+                p.pose.x + 0.08,
+                p.pose.y + p.size.width / 2,
+            )
+            for p in standing
+        ]
+        + [box(0, 0, 24, 16).boundary.buffer(0.02)]
+    )
+    mark = borders_mark(PaperView(1.0, 0.0, 0.0), graph.zones, walls)
     lines = [
         LineString([tuple(map(float, pair.split(","))) for pair in d.split()])
         for d in re.findall(r'd="M([^"]+)"', mark)
@@ -142,7 +157,7 @@ def test_links_tell_the_least_width(root: ET.Element) -> None:
 
 
 def test_a_passage_is_found_in_the_gap() -> None:
-    graph = exhibition().graph
+    graph = exhibition().detail.layout
     assert graph is not None
     walls = union_all([box(7.9, 3, 8.1, 6.6), box(7.9, 9, 8.1, 16)])
     found = passage(graph.zones[:2], 1.8, walls, LineString([(0, 0), (0, 1)]))
@@ -156,7 +171,7 @@ def test_a_passage_is_found_in_the_gap() -> None:
 
 
 def test_narrow_places_are_marked_with_their_width(root: ET.Element) -> None:
-    tour = exhibition().tours[0]
+    tour = exhibition().detail.tours[0]
     assert tour.widths[5:-5].min() < 1.2
     figures = [node for node in root.iter(f"{SVG}text") if node.get("fill") == WARNING]
     told = {float(node.text or "") for node in figures}
@@ -170,8 +185,12 @@ def test_narrow_places_are_marked_with_their_width(root: ET.Element) -> None:
 def test_widths_across_are_those_of_the_aisle(wide: float, share: float, turn: float) -> None:
     along = np.array([np.cos(turn), np.sin(turn)])
     left = np.array([-along[1], along[0]])
-    walls = union_all([LineString([-9 * along + s * left, 9 * along + s * left])
-                       for s in (-share * wide, (1 - share) * wide)])  # fmt: skip
+    walls = union_all(
+        [
+            LineString([-9 * along + s * left, 9 * along + s * left])
+            for s in (-share * wide, (1 - share) * wide)
+        ]
+    )
     widths, ends = across(np.zeros((1, 2)), 2.0 * wide, walls)
     assert widths[0] == pytest.approx(wide, rel=1e-6)
     assert np.hypot(*(ends[0, 1] - ends[0, 0])) == pytest.approx(wide, rel=1e-6)
@@ -199,9 +218,7 @@ def test_neighbouring_zones_differ(count: int, seed: int) -> None:
     for one in zones:
         for two in zones:
             near = np.abs(one.outline.mean(0) - two.outline.mean(0)).sum() < 1.1
-            assert one.id == two.id or not near or (
-                found["hall", one.id] != found["hall", two.id]
-            )  # fmt: skip
+            assert one.id == two.id or not near or (found["hall", one.id] != found["hall", two.id])
 
 
 def test_tints_differ_in_grey_and_carry_ink() -> None:
@@ -224,8 +241,12 @@ def test_the_route_passes_its_points() -> None:
 def test_numbers_of_stops_do_not_meet() -> None:
     points = np.column_stack([np.linspace(0, 30, 301), np.zeros(301)])
     stops = tuple(Stop(f"g{k}", 150) for k in range(5))
-    mark = route_mark(View(10, 0, 0), Tour("hall", points, np.full(301, 2.0), stops),
-                      {f"g{k}": k + 1 for k in range(5)}, [])  # fmt: skip
+    mark = route_mark(
+        PaperView(10, 0, 0),
+        Tour("hall", points, np.full(301, 2.0), stops),
+        {f"g{k}": k + 1 for k in range(5)},
+        [],
+    )
     discs = re.findall(rf'<circle cx="([-\d.]+)" cy="[-\d.]+" r="1.75" fill="{ROUTE}"', mark)
     assert len(discs) == 5
     assert np.diff(sorted(map(float, discs))).min() > 3.5
@@ -243,7 +264,7 @@ def test_a_hall_of_2000_objects_stays_small(tmp_path: Path) -> None:
 def test_hostile_names_stay_text() -> None:
     hostile = '</text><script>alert("1")</script>\x00\u202e&"<image href="x"/>'
     solution = exhibition(hostile)
-    graph = solution.graph
+    graph = solution.detail.layout
     assert graph is not None
     zones = tuple(zone._replace(name=hostile) for zone in graph.zones)
     groups = tuple(group._replace(pattern=hostile, demand=hostile) for group in graph.groups)
@@ -252,7 +273,9 @@ def test_hostile_names_stay_text() -> None:
     room = room.model_copy(update={"demands": demands})
     brief = solution.brief.model_copy(update={"rooms": [room]})
     solution = dataclasses.replace(
-        solution, graph=graph._replace(zones=zones, groups=groups), brief=brief
+        solution,
+        detail=solution.detail._replace(layout=graph._replace(zones=zones, groups=groups)),
+        brief=brief,
     )
     root = drawn(solution)
     assert {node.tag.removeprefix(SVG) for node in root.iter()} <= ALLOWED
@@ -262,7 +285,7 @@ def test_hostile_names_stay_text() -> None:
 def test_what_makes_no_sense_is_left_out() -> None:
     """A file may name spaces, groups and points that do not exist."""
     solution = exhibition()
-    graph, tour = solution.graph, solution.tours[0]
+    graph, tour = solution.detail.layout, solution.detail.tours[0]
     assert graph is not None
     crossed = Zone("x", "Crossed", "hall", np.array([[0, 0], [4, 4], [4, 0], [0, 4.0]]))
     nothing = Zone("y", "Nothing", "hall", np.array([[0, 0], [1, 0], [2, 0.0]]))
@@ -279,14 +302,14 @@ def test_what_makes_no_sense_is_left_out() -> None:
         tour._replace(points=np.zeros((3, 2)), widths=-np.ones(3)),
         tour._replace(space="nowhere"),
     )
-    text = words(drawn(dataclasses.replace(solution, graph=broken, tours=tours)))
+    text = words(drawn(dataclasses.replace(solution, detail=HallDetail(broken, tours))))
     assert "Crossed" in text
     assert "Nothing" not in text
 
 
 @given(st.floats(5, 300), st.floats(5, 300), st.integers(1, 150))
 def test_the_legend_lies_on_the_sheet_beside_the_drawing(w: float, h: float, count: int) -> None:
-    rows = [Row("heading" if k % 9 == 0 else "plain", "words") for k in range(count)]
+    rows = [LegendRow("heading" if k % 9 == 0 else "plain", "words") for k in range(count)]
     found = svg_legend.arrange((w, h), (40.0, 40.0), rows)
     sheet, (wide, high) = found.sheet, found.room
     assert w * 1000 / sheet.scale + 40 <= wide + 1e-6
@@ -309,18 +332,22 @@ def test_figures_of_chains_have_room(inner: list[float], scale: float) -> None:
 
 @pytest.mark.parametrize("scale", [50, 100, 200, 500, 1000])
 def test_the_title_strip_of_a_portrait_sheet_holds_its_words(scale: int) -> None:
-    sheet = svg_sheet.Sheet(210.0, 297.0, scale)
+    sheet = svg_sheet.PaperSheet(210.0, 297.0, scale)
     mark = ET.fromstring(svg_sheet.sheet_mark(sheet, "A" * 60, "words " * 30))
-    texts = [(float(n.get("x", 0)), float(n.get("font-size", 0)), n.text or "")
-             for n in mark.iter("text")]  # fmt: skip
+    texts = [
+        (float(n.get("x", 0)), float(n.get("font-size", 0)), n.text or "")
+        for n in mark.iter("text")
+    ]
     bar = min(x for x, _, word in texts if word == "0")
     for x, size, word in texts[:1] + [t for t in texts if t[2].startswith("words")]:
         assert x + text_width(word, size) < bar - 1.0
     assert "".join(re.findall(r">(\d+ m)<", scale_bar(150, 10, scale, 50)))
 
 
-@given(st.text(st.characters(min_codepoint=33, max_codepoint=126), min_size=1, max_size=60),
-       st.floats(2, 60))  # fmt: skip
+@given(
+    st.text(st.characters(min_codepoint=33, max_codepoint=126), min_size=1, max_size=60),
+    st.floats(2, 60),
+)
 def test_fitted_words_fit(letters: str, room: float) -> None:
-    told, size = fitted(letters, 2.0, room)
+    told, size = fit_text(letters, 2.0, room)
     assert text_width(told, size) <= room + 1e-6 or len(told) <= 1

@@ -9,17 +9,23 @@ import numpy as np
 import pytest
 
 from deadline import within
-from scenewright.formats import svg_site, svg_site_marks
-from scenewright.formats.site_views import views_of
-from scenewright.formats.svg_site_marks import FAULT, HATCH, tint
-from scenewright.site.plan import plans_of
+from scenewright.domains.site.drawing import marks as svg_site_marks
+from scenewright.domains.site.drawing import plan as svg_site
+from scenewright.domains.site.drawing.marks import FAULT, HATCH, tint
+from scenewright.domains.site.drawing.views import views_of
+from scenewright.domains.site.plan import plans_of
+from scenewright.formats import svg
 from sites import answer, building, field, quarter, site
 
 SVG = "{http://www.w3.org/2000/svg}"
 
 
+def draw_site(solution, views=None):
+    return svg_site.plan(solution, plans_of(solution.brief), views)
+
+
 def drawn(ground, pieces, views=None):
-    return ElementTree.fromstring(svg_site.plan(answer(ground, pieces), views))
+    return ElementTree.fromstring(draw_site(answer(ground, pieces), views))
 
 
 def words(root):
@@ -51,8 +57,12 @@ def test_landmarks_are_hatched_and_faults_red():
     root = drawn(ground, pieces)
     fills = [path.get("fill") for path in shapes_named(root, "Rotunda")]
     assert fills == [HATCH]
-    told = [mark.find(f"{SVG}title").text for group in root.iter(f"{SVG}g")
-            if group.get("stroke") == FAULT for mark in group.findall(f"{SVG}g")]  # fmt: skip
+    told = [
+        mark.find(f"{SVG}title").text
+        for group in root.iter(f"{SVG}g")
+        if group.get("stroke") == FAULT
+        for mark in group.findall(f"{SVG}g")
+    ]
     assert any("stands on walk" in line for line in told)
     assert any("m apart, 7 m are asked for" in line for line in told)
     assert {"Mill Lane", "Rotunda", "18 m", "6 st"} <= set(words(root))
@@ -88,8 +98,9 @@ def test_what_walkers_see_is_drawn_where_it_is_told():
 
 def test_views_are_those_of_a_walker_by_the_models():
     ground = site(120, 80, roads=[{"line": [(0, 5), (120, 5)], "width": 6}])
-    rich, plain = (building("a", 60, 20, 24, 24, 40, asset=model)
-                   for model in ("pagoda", "modern_residential"))  # fmt: skip
+    rich, plain = (
+        building("a", 60, 20, 24, 24, 40, asset=model) for model in ("pagoda", "modern_residential")
+    )
     told = {}
     for piece in (rich, plain):
         solution = answer(ground, [piece])
@@ -108,9 +119,13 @@ def test_views_are_those_of_a_walker_by_the_models():
 def test_hostile_names_and_places_are_harmless():
     ground, _ = quarter()
     odd = '<script>"&\u202e' * 9
-    pieces = [building(odd, 20, 20, asset=odd), building("far", 1e9, 0), building("nan", np.nan, 0),
-              building("flat", 20, 50, h=0.0)]  # fmt: skip
-    text = svg_site.plan(answer(ground, pieces, name=odd))
+    pieces = [
+        building(odd, 20, 20, asset=odd),
+        building("far", 1e9, 0),
+        building("nan", np.nan, 0),
+        building("flat", 20, 50, h=0.0),
+    ]
+    text = draw_site(answer(ground, pieces, name=odd))
     assert "<script" not in text
     root = ElementTree.fromstring(text)
     assert float(root.get("width", "0mm")[:-2]) <= 841
@@ -120,7 +135,7 @@ def test_hostile_names_and_places_are_harmless():
 def test_large_sites_are_drawn_in_little_space(tmp_path):
     ground, pieces = field(1500)
     with within(60):
-        svg_site.write(answer(ground, pieces), tmp_path / "plan.svg")
+        svg.write(answer(ground, pieces), tmp_path / "plan.svg")
     assert (tmp_path / "plan.svg").stat().st_size < 3e6
     assert [p.name for p in tmp_path.iterdir()] == ["plan.svg"]
 

@@ -9,12 +9,12 @@ import pytest
 import shapely
 
 from rooms import full_problem, random_layouts, ring, turned_boxes, turned_problem
-from scenewright.energy import energies_of, evaluate, explain, prepare, route_grid
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
+from scenewright.core.layout import corners
+from scenewright.domains.home.energy import energies_of, evaluate, explain, prepare, route_grid
+from scenewright.domains.home.terms import orientation, relations
+from scenewright.domains.home.terms.table import TERMS, default_weights, read_weights
 from scenewright.geometry.boxes import make_frame
-from scenewright.layout import corners
-from scenewright.terms import orientation, relations
-from scenewright.terms.table import TERMS, default_weights, read_weights
 
 ROWS = pytest.mark.parametrize("row", TERMS, ids=lambda row: f"{row.name}-{row.form}")
 
@@ -28,7 +28,8 @@ def only(row):
 @ROWS
 def test_row_names_a_function_and_its_place(row):
     theme, name = row.function.split(":")
-    function = getattr(import_module(f"scenewright.terms.{theme}"), name)
+    where = "" if "." in theme else "domains.home.terms."
+    function = getattr(import_module(f"scenewright.{where}{theme}"), name)
     assert function.__doc__
     assert TERMS[row.number] is row
 

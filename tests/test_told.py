@@ -12,13 +12,14 @@ import pytest
 
 from scenewright import cli
 from scenewright.batch import batch
-from scenewright.brief import Brief
-from scenewright.check import check
-from scenewright.domains import home
+from scenewright.core.brief import Brief
+from scenewright.domains import check
+from scenewright.domains.home import solving as home
 
 OUTLINE = [[0, 0], [4, 0], [4, 3.4], [0, 3.4]]
-BEDROOM: dict[str, Any] = {"rooms": [{
-    "id": "r", "name": "Bedroom", "outline": OUTLINE, "doors": [{"at": [0.8, 0]}]}]}  # fmt: skip
+BEDROOM: dict[str, Any] = {
+    "rooms": [{"id": "r", "name": "Bedroom", "outline": OUTLINE, "doors": [{"at": [0.8, 0]}]}]
+}
 
 
 def written(path: Path, document: Any) -> Path:
@@ -41,7 +42,7 @@ def test_a_brief_is_not_replaced_by_its_answer(
     Path("link.json").symlink_to(plan)
     os.link(plan, "hard.json")
     assert cli.run(["arrange", "plan.json", "-o", output, "--steps", "50"]) == 2
-    assert "is the file that is read" in capsys.readouterr().err
+    assert "is read by this run" in capsys.readouterr().err
     assert plan.read_bytes() == before
     assert Path("link.json").is_symlink()
 
@@ -53,14 +54,18 @@ def test_nor_by_one_of_several_plans_or_of_a_batch(tmp_path: Path) -> None:
     assert json.loads(plan.read_text()) == BEDROOM
     (row,) = batch([plan], tmp_path, steps=50, jobs=1)
     assert row.status == "failed"
-    assert "is the file that is read" in row.message
+    assert "is read by this run" in row.message
     assert json.loads(plan.read_text()) == BEDROOM
 
 
-def test_a_saved_solution_may_be_replaced(tmp_path: Path) -> None:
+def test_a_saved_home_is_replaced_by_adjust_alone(tmp_path: Path) -> None:
     plan, saved = written(tmp_path / "plan.json", BEDROOM), tmp_path / "saved.json"
     assert cli.run(["arrange", str(plan), "-o", str(saved), "--steps", "300", "-q"]) < 2
-    assert cli.run(["arrange", str(saved), "-o", str(saved), "--steps", "300", "-q"]) < 2
+    before = saved.read_bytes()
+    assert cli.run(["arrange", str(saved), "-o", str(saved), "--steps", "300", "-q"]) == 2
+    assert saved.read_bytes() == before
+    assert cli.run(["adjust", str(saved), "-o", str(saved), "--lock", "bed", "-q"]) < 2
+    assert saved.read_bytes() != before
 
 
 @pytest.mark.parametrize(

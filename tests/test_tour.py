@@ -11,17 +11,17 @@ import shapely
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import dijkstra
 
-from scenewright.assets import shipped
-from scenewright.brief import Brief
+from scenewright.building.outlines import edges
+from scenewright.building.plan import spaces
+from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Brief
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains.hall.hall_layout import HallLayout, PlacedGroup
 from scenewright.domains.hall.tour import tour
-from scenewright.geometry.clearway import Raster, clearance, distances, walls_between
-from scenewright.geometry.rounds import shortest_round
-from scenewright.geometry.travel import make_search, pull, round_off, shorten, spread
-from scenewright.layout import corners
-from scenewright.outlines import edges
-from scenewright.plan import spaces
-from scenewright.scene import Piece, Pose, Size
-from scenewright.scene_graph import PlacedGroup, SceneGraph
+from scenewright.geometry.distance_raster import DistanceRaster, clearance, distances, walls_between
+from scenewright.geometry.travel import make_search, round_off, shorten, spread, string_pull
+from scenewright.geometry.visiting_order import shortest_path_through
 
 CATALOG = shipped()
 WIDTH = 0.9
@@ -114,10 +114,10 @@ def test_ways_are_pulled_straight_only_where_that_is_no_slower():
     path = np.array([*(5 * 40 + np.arange(4, 20)), *((5 + np.arange(1, 10)) * 40 + 19)], np.int32)
     times = 0.1 * np.arange(len(path), dtype=float)
     kept = np.empty(len(path), np.int32)
-    assert pull(path, slow, times, 0.1, kept) == 2
+    assert string_pull(path, slow, times, 0.1, kept) == 2
     assert kept[:2].tolist() == [path[0], path[-1]]
     slow[7:15, 5:18] = 30.0  # mud in the corner that would be cut
-    count = pull(path, slow, times, 0.1, kept)
+    count = string_pull(path, slow, times, 0.1, kept)
     assert count > 2
     line = shapely.LineString([(c % 40, c // 40) for c in kept[:count]])
     assert line.distance(shapely.box(5, 7, 17, 14)) > 0.4
@@ -130,7 +130,7 @@ def test_ways_are_pulled_straight_only_where_that_is_no_slower():
 def test_rounding_off_keeps_ends_reach_and_clearance():
     y, x = np.mgrid[0:60, 0:60] * 0.1 + 0.05
     values = np.minimum(np.hypot(x - 3.0, y - 3.0), 1.2)  # a post in the middle
-    clear = Raster(0.0, 0.0, 0.1, values)
+    clear = DistanceRaster(0.0, 0.0, 0.1, values)
     t = np.linspace(0, 1, 12)[:, None]
     home = np.vstack([(1, 2.0) + t * (2.5, 0), (3.5, 2.0) + t[1:] * (0.3, 2.4)])
     points = home.copy()
@@ -155,7 +155,7 @@ def test_rounds_are_short(seed):
     rng = np.random.default_rng(seed)
     spots = rng.uniform(0, 10, (8, 2))
     costs = np.hypot(*(spots[:, None] - spots).transpose(2, 0, 1))
-    order = shortest_round(costs)
+    order = shortest_path_through(costs)
     assert sorted(order.tolist()) == list(range(8))
     assert (order[0], order[-1]) == (0, 7)
 
@@ -193,7 +193,7 @@ def partition(x0, y0, x1, y1):
 
 def walk(space, groups, walls=(), width=WIDTH):
     pieces = tuple(piece for pieces, _ in groups for piece in pieces)
-    graph = SceneGraph((), (), tuple(row for _, row in groups))
+    graph = HallLayout((), (), tuple(row for _, row in groups))
     return tour(space, (*pieces, *walls), graph, CATALOG, width), (*pieces, *walls)
 
 
@@ -235,8 +235,15 @@ def test_a_corridor_is_walked_round_what_stands_in_it():
 def test_wide_ways_are_preferred():
     space = hall([(0, 0), (12, 0), (12, 6), (0, 6)], [{"at": (0, 2.6)}, {"at": (12, 2.6)}])
     walls = [partition(4, 0, 4, 1.4), partition(4, 2.4, 4, 3.2)]  # gaps of 1.0 and 2.8 m
-    found, pieces = walk(space, [], [*walls, *(partition(x, 0, x, 1.4) for x in (5, 6, 7)),
-                                     *(partition(x, 2.4, x, 3.2) for x in (5, 6, 7))])  # fmt: skip
+    found, pieces = walk(
+        space,
+        [],
+        [
+            *walls,
+            *(partition(x, 0, x, 1.4) for x in (5, 6, 7)),
+            *(partition(x, 2.4, x, 3.2) for x in (5, 6, 7)),
+        ],
+    )
     check_tour(found, space, pieces)
     middle = found.points[(found.points[:, 0] > 4) & (found.points[:, 0] < 7)]
     assert (middle[:, 1] > 3.2).all()

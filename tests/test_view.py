@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from model_files import obj_text, put
-from scenewright.catalog import Material, Part
 from scenewright.cli import run
-from scenewright.errors import InputError
-from scenewright.formats.picture import view_of
-from scenewright.formats.portrait import HOTTEST, RAMP, Portrait, facing, heat, portrait, sun_of
-from scenewright.formats.portrait_sheet import MOST, columns_of, sheet, side_of
+from scenewright.core.catalog import Material, Part
+from scenewright.core.errors import InputError
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.prisms import box
+from scenewright.render.picture import view_of
+from scenewright.render.portrait import HOTTEST, RAMP, Portrait, facing, heat, portrait, sun_of
+from scenewright.render.portrait_sheet import MOST, columns_of, sheet, side_of
 
 Floats = NDArray[np.float64]
 WOOD = Material("wood", (0.6, 0.4, 0.2))
@@ -124,10 +124,17 @@ def test_sheets_hold_every_portrait_where_it_belongs() -> None:
     for count in (1, 2, 3, 7, 15, MOST):
         side = side_of(count)
         shots = [
-            Portrait(f"{k} " + "long name " * 20, np.full((side, side, 3), k, np.uint8),
-                     np.full((side, side, 3), 100 + k, np.uint8), 0.5, np.array([0, 1.0, 0]), 1, 9)
+            Portrait(
+                f"{k} " + "long name " * 20,
+                np.full((side, side, 3), k, np.uint8),
+                np.full((side, side, 3), 100 + k, np.uint8),
+                0.5,
+                np.array([0, 1.0, 0]),
+                1,
+                9,
+            )
             for k in range(count)
-        ]  # fmt: skip
+        ]
         page = sheet(shots, "picture", 99)
         grey = np.ptp(page, axis=2) == 0
         held = np.bincount(page[grey][:, 0], minlength=256)
@@ -171,20 +178,25 @@ def test_view_tells_people_what_it_drew(tmp_path: Path, capsys: pytest.CaptureFi
 
 @pytest.mark.parametrize(
     ("arguments", "told"),
-    [(["sofa", "-o", "sheet.jpg"], "sheet.jpg: sheets are .png files"),
-     (["sofa"], "-o"),
-     (["throne", "-o", "a.png"], "no file, folder or asset 'throne'"),
-     (["sofa", "-o", "a.png", "--measure", "beauty"], "there is no measure 'beauty'"),
-     (["line.obj", "-o", "a.png"], "line.obj: the mesh has no face with an area"),
-     (["notes.txt", "-o", "a.png"], "notes.txt: '.txt' models are not read"),
-     (["empty", "-o", "a.png"], "empty: holds no model files"),
-     (["kit.obj", "-o", "a.png", "--up", "y"], "'y' is no direction"),
-     (["kit.obj", "-o", "file/a.png"], "cannot be written")],
-)  # fmt: skip
+    [
+        (["sofa", "-o", "sheet.jpg"], "sheet.jpg: sheets are .png files"),
+        (["sofa"], "-o"),
+        (["throne", "-o", "a.png"], "no file, folder or asset 'throne'"),
+        (["sofa", "-o", "a.png", "--measure", "beauty"], "there is no measure 'beauty'"),
+        (["line.obj", "-o", "a.png"], "line.obj: the mesh has no face with an area"),
+        (["notes.txt", "-o", "a.png"], "notes.txt: '.txt' models are not read"),
+        (["empty", "-o", "a.png"], "empty: holds no model files"),
+        (["kit.obj", "-o", "a.png", "--up", "y"], "'y' is no direction"),
+        (["kit.obj", "-o", "file/a.png"], "cannot be written"),
+    ],
+)
 def test_view_faults_are_one_line_and_write_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
-    arguments: list[str], told: str,
-) -> None:  # fmt: skip
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    arguments: list[str],
+    told: str,
+) -> None:
     monkeypatch.chdir(tmp_path)
     put(tmp_path, "kit.obj", obj_text())
     put(tmp_path, "line.obj", LINE)
@@ -201,7 +213,7 @@ def test_view_faults_are_one_line_and_write_nothing(
 
 @pytest.mark.realdata
 def test_the_best_view_of_a_bunny_shows_its_ears_warm(real_data: Path) -> None:
-    from scenewright.models import load
+    from scenewright.catalog.models import load
 
     model = load(real_data / "meshes_classic" / "stanford-bunny.obj")
     shot = portrait(model.name, model.parts, 128)

@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from scenewright.geometry.box_grid import box_grid
-from scenewright.geometry.mesh import loft, merge, moved
+from scenewright.geometry.mesh import loft, merge, translate_mesh
 from scenewright.geometry.prisms import box, face_normals
 from scenewright.geometry.saliency import saliency
 from scenewright.geometry.walker import (
@@ -22,12 +22,12 @@ from scenewright.geometry.walker import (
     summed_quality,
 )
 from scenewright.geometry.walker_meshes import (
-    Model,
+    SaliencyModel,
     best_spot,
-    boxed,
     side_densities,
     sights_of_meshes,
     street,
+    to_bounding_box,
     ways_of,
 )
 
@@ -36,23 +36,27 @@ MANY = 4096
 SOUTH = -np.pi / 2
 
 
-def block(size: Floats, sides: Floats) -> Model:
+def block(size: Floats, sides: Floats) -> SaliencyModel:
     """A box with a density on each side."""
     w, d, h = size
     mesh = box((-w / 2, -d / 2, 0.0), (w / 2, d / 2, h))
     x, y, _ = face_normals(*mesh).T
     side = np.select([y > 0.5, x < -0.5, y < -0.5, x > 0.5], [0, 1, 2, 3], 4)
-    return Model(mesh, sides[side])
+    return SaliencyModel(mesh, sides[side])
 
 
 def town(seed: int) -> tuple[Floats, Floats, Floats, Floats]:
     """Boxes on a grid, turned, heights, densities, and eyes in the lanes."""
     rng = np.random.default_rng(seed)
     grid = np.stack(np.meshgrid(np.arange(6) * 40.0, np.arange(5) * 40.0), -1).reshape(-1, 2)
-    boxes = np.column_stack([
-        grid + rng.uniform(-2, 2, grid.shape), rng.uniform(-np.pi, np.pi, 30),
-        rng.uniform(8, 26, 30), rng.uniform(8, 14, 30),
-    ])  # fmt: skip
+    boxes = np.column_stack(
+        [
+            grid + rng.uniform(-2, 2, grid.shape),
+            rng.uniform(-np.pi, np.pi, 30),
+            rng.uniform(8, 26, 30),
+            rng.uniform(8, 14, 30),
+        ]
+    )
     eyes = eyes_along([[(-30, 20 + 40 * k), (230, 20 + 40 * k)] for k in range(4)], 6.0)
     return boxes, rng.choice([1.0, 6.0, 12.0, 40.0], 30), rng.uniform(0, 1, (30, 5)), eyes
 
@@ -172,8 +176,10 @@ def test_what_buildings_add_is_what_eyes_see() -> None:
         assert found.most[b] == pytest.approx(adds.max())
         assert found.nearest[b] == (-1 if adds.max() == 0 else adds.argmax())
     again = sights(eyes)
-    alone = [look_from(box_grid(boxes, heights), density / density.max(), again, REACH, e)
-             for e in range(len(eyes))]  # fmt: skip
+    alone = [
+        look_from(box_grid(boxes, heights), density / density.max(), again, REACH, e)
+        for e in range(len(eyes))
+    ]
     assert np.array(alone) == pytest.approx(found.points)
 
 
@@ -199,41 +205,50 @@ def test_eyes_lie_evenly_on_the_paths() -> None:
 def test_an_ornamented_front_is_what_its_side_shows() -> None:
     """The saliency of a real mesh, reduced to the five faces of its box."""
     square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) / 2
-    body = loft([square * [12, 10] + [0, -0.5], square * [12, 10] + [0, -0.5]]
-                @ np.eye(3)[:2] + np.array([[[0, 0, 0]], [[0, 0, 9]]]))  # fmt: skip
+    body = loft(
+        [square * [12, 10] + [0, -0.5], square * [12, 10] + [0, -0.5]] @ np.eye(3)[:2]
+        + np.array([[[0, 0, 0]], [[0, 0, 9]]])
+    )
     sill = loft([square @ np.eye(3)[:2] * [1.2, 1, 0] + [0, 0, z] for z in (0.0, 0.8)])
-    sills = [moved(sill, x, 4.5, z) for x in (-4, 0, 4) for z in (2, 5, 7)]
+    sills = [translate_mesh(sill, x, 4.5, z) for x in (-4, 0, 4) for z in (2, 5, 7)]
     mesh = merge([body, *sills])
     found = saliency(mesh)
-    sides = side_densities(Model(mesh, found.faces))
+    sides = side_densities(SaliencyModel(mesh, found.faces))
     assert sides[0] > 1.2 * sides[2]
-    model = Model(mesh, found.faces)
+    model = SaliencyModel(mesh, found.faces)
     eyes = np.array([[0.0, 30.0], [0.0, -30.0]])
     shown = seen_of(sights_of_meshes(street([model], [0], [[0, 0, 0, np.pi / 2]]), eyes), 1)
-    as_box = seen(eyes, [[0, 0, np.pi / 2, 12, 11]], [9.0], [sides],
-                  street([model], [0], [[0, 0, 0, 0]]).best, 4096)  # fmt: skip
+    as_box = seen(
+        eyes,
+        [[0, 0, np.pi / 2, 12, 11]],
+        [9.0],
+        [sides],
+        street([model], [0], [[0, 0, 0, 0]]).best,
+        4096,
+    )
     assert shown.points[0] > shown.points[1] > 0.0
     assert as_box.points == pytest.approx(shown.points, rel=0.35)
 
 
 def test_large_models_become_boxes_before_memory_runs_out() -> None:
     fine = block(np.array([10.0, 10.0, 10.0]), np.arange(5.0))
-    rough = Model(merge([fine.mesh] * 20), np.tile(fine.density, 20))
+    rough = SaliencyModel(merge([fine.mesh] * 20), np.tile(fine.density, 20))
     poses = np.column_stack([np.arange(6) * 30.0, np.zeros((6, 2)), np.full(6, SOUTH)])
     which = [0, 1, 1, 0, 1, 0]
     assert len(street([fine, rough], which, poses).owner) == 3 * 12 + 3 * 240
     small = street([fine, rough], which, poses, most=200)
     assert np.bincount(small.owner).tolist() == [12] * 6
     assert small.best == pytest.approx(14 / 6)
-    assert boxed(rough).density == pytest.approx(np.full(12, 14 / 6))
+    assert to_bounding_box(rough).density == pytest.approx(np.full(12, 14 / 6))
 
 
 def test_the_best_spot_shows_several_buildings_rather_than_one() -> None:
     """The same wall in one piece to the west and as four buildings to the east."""
     one = np.array([[-45.0, 0, 0, 57, 10]])
     four = np.array([[45.0, y, np.pi, 12, 10] for y in (-22.5, -7.5, 7.5, 22.5)])
-    made = sights_of_boxes(box_grid(np.concatenate([one, four]), np.full(5, 12.0)), np.ones(5),
-                           [[0, 0]], rays=2048)  # fmt: skip
+    made = sights_of_boxes(
+        box_grid(np.concatenate([one, four]), np.full(5, 12.0)), np.ones(5), [[0, 0]], rays=2048
+    )
     assert made.values[made.found == 0].sum() > made.values[made.found > 0].sum()
     assert best_spot(made).way[0] > 0.9
 

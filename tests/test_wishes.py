@@ -8,32 +8,37 @@ from typing import Any
 
 import pytest
 
-from scenewright.assets import shipped
-from scenewright.brief import Brief
-from scenewright.check import check
+from scenewright.building.plan import spaces
+from scenewright.building.standing import fixed_pieces
+from scenewright.catalog.assets import shipped
 from scenewright.cli import show as cli_show
-from scenewright.domains import home, resolve
-from scenewright.domains.home.attempt import UNHEARD, posed, scored
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import Solution
+from scenewright.domains import check, resolve
+from scenewright.domains.home import solving as home
+from scenewright.domains.home.attempt import UNHEARD, build_task_problem, score_answer
+from scenewright.domains.home.build_problem import items_of
 from scenewright.domains.home.cases.library import SHIPPED
-from scenewright.domains.home.pose import items_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.tasks import task_of
-from scenewright.domains.home.wished.wishes import granted, swayed
-from scenewright.domains.standing import fixed_pieces
-from scenewright.errors import InputError
+from scenewright.domains.home.wished.wishes import apply_preferences, apply_wishes
 from scenewright.formats import solution_json
 from scenewright.formats.brief_json import loads
-from scenewright.plan import spaces
-from scenewright.scene import Piece, Pose, Size
-from scenewright.solution import Solution
 
 
 def room(function: str, *wishes: dict[str, Any], width: float = 6.0) -> Brief:
     outline = [(0, 0), (width, 0), (width, 4.4), (0, 4.4)]
-    asked = {"id": "r", "function": function, "outline": outline, "wishes": list(wishes),
-             "doors": [{"at": (width - 0.8, 0), "width": 0.9}],
-             "windows": [{"at": (0, 2.2), "width": 1.6}]}  # fmt: skip
+    asked = {
+        "id": "r",
+        "function": function,
+        "outline": outline,
+        "wishes": list(wishes),
+        "doors": [{"at": (width - 0.8, 0), "width": 0.9}],
+        "windows": [{"at": (0, 2.2), "width": 1.6}],
+    }
     return Brief.model_validate({"rooms": [asked]})
 
 
@@ -104,15 +109,24 @@ def test_wishes_are_measured() -> None:
     desk = Piece("r/d", "desk", "", "r", Pose(0.4, 2.2, 0, 0.0), Size(1.2, 0.6, 0.75))
     far = Piece("r/b", "bookcase", "", "r", Pose(5.0, 2.2, 0, 3.14), Size(0.8, 0.3, 2.0))
     wishes: list[dict[str, Any]] = [
-        {"what": "desk", "by": "window"}, {"what": "bookcase", "by": "window"},
+        {"what": "desk", "by": "window"},
+        {"what": "bookcase", "by": "window"},
         {"what": "desk", "near": "bookcase", "metres": 4.2},
         {"what": "desk", "near": "bookcase", "metres": 4.0},
-        {"what": "desk", "by": "corner"}, {"what": "plant"}, {"what": "desk", "forbid": True},
-    ]  # fmt: skip
+        {"what": "desk", "by": "corner"},
+        {"what": "plant"},
+        {"what": "desk", "forbid": True},
+    ]
     empty = Solution(room("study", *wishes), (), (), (), (), {}, "", "", 0, "", "", 0.0, 0)
     assert told(replace(empty, pieces=(desk, far))) == [
-        True, False, True, False, False, False, False,
-    ]  # fmt: skip
+        True,
+        False,
+        True,
+        False,
+        False,
+        False,
+        False,
+    ]
 
 
 def piece(category: str, x: float, y: float, turn: float, size: Size) -> Piece:
@@ -183,8 +197,12 @@ def test_nothing_is_near_itself() -> None:
     alone = piece("sofa", 3.0, 2.0, 0.0, Size(2.0, 0.9, 0.8))
     alone = replace(alone, function="seating")
     table = replace(piece("coffee_table", 3.0, 3.8, 0.0, Size(0.6, 0.6, 0.4)), function="seating")
-    asked = room("living", {"what": "sofa", "near": "seating"}, {"what": "sofa", "face": "seating"},
-                 {"what": "sofa", "away_from": "seating", "metres": 0.5})  # fmt: skip
+    asked = room(
+        "living",
+        {"what": "sofa", "near": "seating"},
+        {"what": "sofa", "face": "seating"},
+        {"what": "sofa", "away_from": "seating", "metres": 0.5},
+    )
     empty = home.solve(asked, steps=1)
     assert told(replace(empty, pieces=(alone,))) == [False, False, True]
     assert told(replace(empty, pieces=(alone, table))) == [True, False, True]
@@ -195,24 +213,28 @@ def test_every_wish_to_be_near_something_draws() -> None:
     once."""
     asked = [{"what": "bookcase", "near": near} for near in ("media", "plant", "plant")]
     wishes = (Wish("media", 0), Wish("plant", 1), Wish("shelf", 1))
-    wanted = granted(wishes, room("living", *asked).rooms[0], SHIPPED)
+    wanted = apply_wishes(wishes, room("living", *asked).rooms[0], SHIPPED)
     names = [wish.group for wish in wanted]
     items = items_of(wanted, 24.0)
-    pairs = swayed(items, wanted).pairs[len(items.pairs) :]
+    pairs = apply_preferences(items, wanted).pairs[len(items.pairs) :]
     assert [(names[i], names[j]) for i, j in pairs] == [("shelf", "media"), ("shelf", "plant")]
 
 
 @pytest.mark.parametrize(("x", "deaf"), [(0.6, 0), (4.0, 1)])
 def test_layouts_that_meet_a_wish_score_better(x: float, deaf: int) -> None:
     """A plant that stands by the window, or far from it, and nothing else."""
-    plant = {"category": "potted_tree", "at": (x, 2.2), "size": (0.4, 0.4, 1.5),
-             "function": "plant"}  # fmt: skip
+    plant = {
+        "category": "potted_tree",
+        "at": (x, 2.2),
+        "size": (0.4, 0.4, 1.5),
+        "function": "plant",
+    }
     brief = room("living", {"what": "plant", "by": "window"})
     brief = Brief.model_validate({"rooms": [brief.rooms[0].model_dump() | {"fixed": [plant]}]})
     asked, space = brief.rooms[0], spaces(brief)[0]
     standing = tuple(fixed_pieces(asked, space, shipped()))
     task = task_of(brief, asked, space, standing, shipped(), SHIPPED, PRESETS["default"], "", 0)
-    told = scored(task, (), (), posed(task, (), task.ground), 0.0)
+    told = score_answer(task, (), (), build_task_problem(task, (), task.ground), 0.0)
     assert (told.unheard, told.score) == (deaf, deaf * UNHEARD)
 
 
@@ -221,10 +243,11 @@ def test_a_fixed_piece_draws_too() -> None:
     near, far = 0, 0
     for seed in range(4):
         asked, plain = (
-            Brief.model_validate({"rooms": [room("living", wish).rooms[0].model_dump() | {
-                "fixed": [piano]}]})
+            Brief.model_validate(
+                {"rooms": [room("living", wish).rooms[0].model_dump() | {"fixed": [piano]}]}
+            )
             for wish in ({"what": "bookcase", "near": "piano"}, {"what": "bookcase"})
-        )  # fmt: skip
+        )
         near += told(solved(asked, seed))[0]
         far += told(replace(solved(plain, seed), brief=asked))[0]
     assert near >= 3
@@ -255,8 +278,10 @@ def test_unknown_names_are_told(wish: dict[str, Any], fault: str) -> None:
 
 
 def test_a_forbidden_thing_has_no_place() -> None:
-    brief = room("study").model_dump_json().replace(
-        '"wishes":[]', '"wishes":[{"what":"tv","forbid":true,"by":"window"}]'
-    )  # fmt: skip
+    brief = (
+        room("study")
+        .model_dump_json()
+        .replace('"wishes":[]', '"wishes":[{"what":"tv","forbid":true,"by":"window"}]')
+    )
     with pytest.raises(InputError, match="forbidden stands nowhere"):
         loads(brief)

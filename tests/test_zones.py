@@ -13,15 +13,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import scenewright
-from scenewright.borders import border_lengths
-from scenewright.brief import Brief
-from scenewright.demands import floor_needed, ids_of, sizes_of
-from scenewright.errors import InputError
-from scenewright.outlines import ring
-from scenewright.plan import spaces
-from scenewright.scene_graph import Zone
-from scenewright.space import Space
-from scenewright.zones import HallPlan, borders_of, check_halls, wall_stretches, zones_of
+from scenewright.building.outlines import ring
+from scenewright.building.plan import spaces
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.space import Space
+from scenewright.domains.hall.borders import border_lengths
+from scenewright.domains.hall.demands import floor_needed, ids_of, sizes_of
+from scenewright.domains.hall.hall_layout import Zone
+from scenewright.domains.hall.zones import (
+    HallPlan,
+    borders_of,
+    check_halls,
+    wall_stretches,
+    zones_of,
+)
 
 
 def box(x0: float, y0: float, x1: float, y1: float) -> list[list[float]]:
@@ -116,16 +122,28 @@ def test_borders_have_the_first_zone_on_their_left() -> None:
     assert border_lengths(borders) == pytest.approx({(0, 1): 3.0, (0, 2): 5.0, (1, 2): 6.0})
 
 
-@given(st.lists(st.floats(0.5, 7.5), max_size=6), st.lists(st.floats(0.5, 7.5), max_size=6),
-       st.lists(st.floats(-0.009, 0.009), min_size=14, max_size=14))  # fmt: skip
+@given(
+    st.lists(st.floats(0.5, 7.5), max_size=6),
+    st.lists(st.floats(0.5, 7.5), max_size=6),
+    st.lists(st.floats(-0.009, 0.009), min_size=14, max_size=14),
+)
 def test_borders_are_found_when_corners_differ(
     first: list[float], second: list[float], off: list[float]
 ) -> None:
     """Two sides drawn with different corners, each up to 9 mm off the line between."""
-    left = [[0, 0], [6 + off[0], 0], *[[6 + off[k + 1], y] for k, y in enumerate(sorted(first))],
-            [6 + off[7], 8], [0, 8]]  # fmt: skip
-    right = [[12, 8], *[[6 + off[k + 8], y] for k, y in enumerate(sorted(second, reverse=True))],
-             [6, 0], [12, 0]]  # fmt: skip
+    left = [
+        [0, 0],
+        [6 + off[0], 0],
+        *[[6 + off[k + 1], y] for k, y in enumerate(sorted(first))],
+        [6 + off[7], 8],
+        [0, 8],
+    ]
+    right = [
+        [12, 8],
+        *[[6 + off[k + 8], y] for k, y in enumerate(sorted(second, reverse=True))],
+        [6, 0],
+        [12, 0],
+    ]
     right.insert(1, [6, 8])
     zones = [Zone("a", "", "h", ring(left)), Zone("b", "", "h", ring(right))]
     space = Space("h", "h", (), "0", np.array(box(0, 0, 12, 8), float))
@@ -219,11 +237,20 @@ def test_variants_differ_and_are_counted_round() -> None:
 
 
 def test_demands_are_counted() -> None:
-    room = brief(hall(demands=[
-        {"category": "bookcase", "length": 10, "size": [0.9, 0.3, 2], "clearance": [1, 0, 0, 0]},
-        {"category": "bench", "sizes": [[1, 0.5, 0.4], [2, 0.5, 0.4]], "count": 2},
-        {"category": "bench"},
-    ])).rooms[0]  # fmt: skip
+    room = brief(
+        hall(
+            demands=[
+                {
+                    "category": "bookcase",
+                    "length": 10,
+                    "size": [0.9, 0.3, 2],
+                    "clearance": [1, 0, 0, 0],
+                },
+                {"category": "bench", "sizes": [[1, 0.5, 0.4], [2, 0.5, 0.4]], "count": 2},
+                {"category": "bench"},
+            ]
+        )
+    ).rooms[0]
     assert [len(sizes_of(demand)) for demand in room.demands] == [11, 2, 1]
     assert ids_of(room.demands) == ("bookcase", "bench", "bench-2")
     assert floor_needed(room.demands[0]) == pytest.approx(11 * 0.9 * 1.3)
@@ -239,57 +266,93 @@ def demand(**more: Any) -> dict[str, Any]:
 
 
 FAULTS: list[tuple[dict[str, Any], str]] = [
-    (hall(zones=[zone("a", BOW)]), "rooms[0] 'Hall' zones[0] 'a': the outline crosses or touches "
-     "itself at (2.50, 2.50); list the corners in order, once around"),
-    (hall(zones=[zone("a", box(0, 0, 6, 8.5))]), "zones[0] 'a': reaches 0.50 m out of the hall at "
-     "(0.00, 8.50); keep its corners inside the hall's outline"),
-    (hall(zones=[TWO[0], zone("b", box(5, 2, 12, 8))]), "zones[1] 'b': overlaps zone 'a' by "
-     "6.00 m² near (5.50, 5.00); move their common border"),
+    (
+        hall(zones=[zone("a", BOW)]),
+        "rooms[0] 'Hall' zones[0] 'a': the outline crosses or touches "
+        "itself at (2.50, 2.50); list the corners in order, once around",
+    ),
+    (
+        hall(zones=[zone("a", box(0, 0, 6, 8.5))]),
+        "zones[0] 'a': reaches 0.50 m out of the hall at "
+        "(0.00, 8.50); keep its corners inside the hall's outline",
+    ),
+    (
+        hall(zones=[TWO[0], zone("b", box(5, 2, 12, 8))]),
+        "zones[1] 'b': overlaps zone 'a' by 6.00 m² near (5.50, 5.00); move their common border",
+    ),
     (hall(zones=[TWO[0], zone("a", box(6, 0, 12, 8))]), "zones[1] 'a': the id is used twice; "),
     (hall(zones=[zone("a", box(0, 0, 0.9, 1))]), "zones[0] 'a': holds only 0.90 m² of floor; "),
-    (hall(zones=[zone("a", box(0, 0, 12, 4))], holes=[box(5, -1, 7, 5)], doors=[]),
-     "zones[0] 'a': is cut into 2 pieces by walls, columns or other zones, the second of "
-     "20.00 m²; make each piece a zone of its own"),
+    (
+        hall(zones=[zone("a", box(0, 0, 12, 4))], holes=[box(5, -1, 7, 5)], doors=[]),
+        "zones[0] 'a': is cut into 2 pieces by walls, columns or other zones, the second of "
+        "20.00 m²; make each piece a zone of its own",
+    ),
     (hall(zones=TWO, links=[{"between": ["a", "bb"]}]), "links[0]: 'bb' is no zone; use one of: "),
     (hall(zones=TWO, links=[{"between": ["a", "a"]}]), "links[0]: links 'a' with itself; "),
-    (hall(zones=CORNERS, links=[{"between": ["a", "b"]}]), "links[0]: the zones 'a' and 'b' share "
-     "no border; "),
-    (hall(zones=CORNERS, links=[{"between": ["a", "c"], "width": 4.5}]), "links[0]: the border of "
-     "the zones 'a' and 'c' is only 4.00 m long, the passage is to be 4.5 m wide; "),
+    (
+        hall(zones=CORNERS, links=[{"between": ["a", "b"]}]),
+        "links[0]: the zones 'a' and 'b' share no border; ",
+    ),
+    (
+        hall(zones=CORNERS, links=[{"between": ["a", "c"], "width": 4.5}]),
+        "links[0]: the border of "
+        "the zones 'a' and 'c' is only 4.00 m long, the passage is to be 4.5 m wide; ",
+    ),
     (hall(zones=[*TWO, {"id": "c"}]), "zones: only 0.0 m² of floor are left for 'c'; make"),
     (hall(zones=[{"id": "a", "beside": ["b"]}]), "zones[0] 'a' beside: 'b' is no zone; "),
     (hall(zones=[{"id": "a", "beside": ["a"]}]), "zones[0] 'a': is to lie beside itself; "),
-    (hall(zones=[{"id": "a", "door": "mian"}]), "zones[0] 'a' door: 'mian' is no door of the "
-     "hall; use one of: main"),
+    (
+        hall(zones=[{"id": "a", "door": "mian"}]),
+        "zones[0] 'a' door: 'mian' is no door of the hall; use one of: main",
+    ),
     (hall(zones=[{"id": "a", "door": "x"}], doors=[]), "'x' is no door of the hall; there is no"),
-    (hall(zones=[{"id": "a", "area": 90}, {"id": "b", "area": 9}]), "zones: the zones ask for "
-     "99.0 m², but only 96.0 m² of floor are free; give smaller areas"),
-    (hall(zones=[{"id": "a", "area": 95.5}, {"id": "b"}]), "zones: only 0.5 m² of floor are left "
-     "for 'b'; make the other zones smaller, or leave out some"),
+    (
+        hall(zones=[{"id": "a", "area": 90}, {"id": "b", "area": 9}]),
+        "zones: the zones ask for 99.0 m², but only 96.0 m² of floor are free; give smaller areas",
+    ),
+    (
+        hall(zones=[{"id": "a", "area": 95.5}, {"id": "b"}]),
+        "zones: only 0.5 m² of floor are left "
+        "for 'b'; make the other zones smaller, or leave out some",
+    ),
     (hall(zones=[{"id": "a", "area": 0.5}, {"id": "b"}]), "zones[0] 'a': is to have only 0.5 m²; "),
-    (hall(zones=TWO, demands=[{"category": "bench", "zone": ["a", "B"]}]),
-     "demands[0] 'bench' zone: 'B' is no zone; "),
-    (hall(ask=[{"group": "desk"}]), "rooms[0] 'Hall': asks for groups of furniture, but is a hall; "
-     "say what it is to hold in demands"),
-    (demand(category="bech"), "demands[0] 'bech': 'bech' is no kind of the catalog; use one of: "
-     "bench"),
+    (
+        hall(zones=TWO, demands=[{"category": "bench", "zone": ["a", "B"]}]),
+        "demands[0] 'bench' zone: 'B' is no zone; ",
+    ),
+    (
+        hall(ask=[{"group": "desk"}]),
+        "rooms[0] 'Hall': asks for groups of furniture, but is a hall; "
+        "say what it is to hold in demands",
+    ),
+    (
+        demand(category="bech"),
+        "demands[0] 'bech': 'bech' is no kind of the catalog; use one of: bench",
+    ),
     (demand(category="chandelier of gold"), "is no kind of the catalog; "),
-    (demand(category="pendant_lamp"), "a pendant_lamp does not stand on the floor; "),
+    (demand(category="pendant_lamp"), "a pendant lamp does not stand on the floor; "),
     (demand(count=3, length=9), "demands[0] 'bench': has both count and length; "),
     (demand(size=[1, 1, 1], sizes=[[1, 1, 1]]), "has both size and sizes; "),
     (demand(length=5, sizes=[[1, 1, 1]]), "has both sizes and length; "),
     (demand(count=5, sizes=[[1, 1, 1]]), "count is 5, but 1 sizes are listed; "),
-    (demand(length=0.5, size=[1.2, 0.5, 0.4]), "one bench is 1.2 m wide, more than the length of "
-     "0.5 m; "),
+    (
+        demand(length=0.5, size=[1.2, 0.5, 0.4]),
+        "one bench is 1.2 m wide, more than the length of 0.5 m; ",
+    ),
     (demand(length=100_000, size=[0.01, 0.5, 0.4]), "100000 m are 10000000 objects of 0.01 m; "),
-    (hall(demands=[{"category": "bench", "count": 15_000}] * 2), "demands[1] 'bench': brings the "
-     "objects of this hall to 30000; "),
+    (
+        hall(demands=[{"category": "bench", "count": 15_000}] * 2),
+        "demands[1] 'bench': brings the objects of this hall to 30000; ",
+    ),
     (hall(demands=[{"id": "x", "category": "bench"}] * 2), "demands[1] 'x': the id is used twice"),
     (demand(clearance=15), "asks for 15 m free, but the hall is only 12.00 m long; "),
     (demand(size=[0, 1, 1]), "rooms[0].demands[0].size[0]: 0 is not possible; it should"),
-    (hall(doors=[{"at": [6, 4]}]), "rooms[0] 'Hall' doors[0]: is off the wall: (6, 4) is 4.00 m "
-     "from the nearest wall of the room, at (6.00, 0.00); "),
-]  # fmt: skip
+    (
+        hall(doors=[{"at": [6, 4]}]),
+        "rooms[0] 'Hall' doors[0]: is off the wall: (6, 4) is 4.00 m "
+        "from the nearest wall of the room, at (6.00, 0.00); ",
+    ),
+]
 
 
 @pytest.mark.parametrize(("room", "told"), FAULTS, ids=[told[:50] for _, told in FAULTS])

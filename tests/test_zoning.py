@@ -11,16 +11,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from deadline import within
-from scenewright.borders import border_lengths, floor_of, shared_borders
-from scenewright.brief import Brief
-from scenewright.errors import InputError
-from scenewright.outlines import polygon
-from scenewright.plan import spaces
-from scenewright.scene_graph import Zone, ZoneLink
-from scenewright.space import Points, Space
-from scenewright.zoning import ZoneWish, proposals, propose
-from scenewright.zoning.cuts import area_below, cut, frame_of
-from scenewright.zoning.trees import every_tree, leaves
+from scenewright.building.outlines import polygon
+from scenewright.building.plan import spaces
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.space import Points, Space
+from scenewright.domains.hall.borders import border_lengths, floor_of, shared_borders
+from scenewright.domains.hall.hall_layout import Zone, ZoneLink
+from scenewright.domains.hall.zoning import ZoneWish, proposals, propose
+from scenewright.domains.hall.zoning.cuts import area_below, cut, frame_of
+from scenewright.domains.hall.zoning.trees import every_tree, leaves
 
 GRID = 1e-8
 ELL = [[0, 0], [20, 0], [20, 8], [9, 8], [9, 18], [0, 18]]
@@ -120,8 +120,12 @@ def test_everything_can_be_walked_to() -> None:
         zones = propose(space, CHAIN)
         reached = {"entry"}
         for _ in zones:
-            reached |= {b for pair, length in lengths(zones).items() if length >= 1.2
-                        and reached & set(pair) for b in pair}  # fmt: skip
+            reached |= {
+                b
+                for pair, length in lengths(zones).items()
+                if length >= 1.2 and reached & set(pair)
+                for b in pair
+            }
         assert reached == {zone.id for zone in zones}
 
 
@@ -162,9 +166,11 @@ def test_proposals_differ_and_follow_the_seed() -> None:
             )
             assert same < 0.85 * floor_of(space).area
     again = proposals(space, CHAIN, 4, seed=3)
-    assert all(np.array_equal(a.outline, b.outline)
-               for one, two in zip(found, again, strict=True)
-               for a, b in zip(one, two, strict=True))  # fmt: skip
+    assert all(
+        np.array_equal(a.outline, b.outline)
+        for one, two in zip(found, again, strict=True)
+        for a, b in zip(one, two, strict=True)
+    )
     assert proposals(space, CHAIN, 1, seed=3)[0][0].outline.tolist() == found[0][0].outline.tolist()
 
 
@@ -181,8 +187,11 @@ def test_turning_and_moving_the_hall_turns_and_moves_its_zones(name: str, quarte
     faces = [
         np.array([o.x, o.y]) - [o.uy * o.thickness / 2, -o.ux * o.thickness / 2] for o in outer
     ]
-    other = hall(moved(space.outline).tolist(), [moved(hole).tolist() for hole in space.holes],
-                 [moved(face).tolist() for face in faces])  # fmt: skip
+    other = hall(
+        moved(space.outline).tolist(),
+        [moved(hole).tolist() for hole in space.holes],
+        [moved(face).tolist() for face in faces],
+    )
     for one, two in zip(propose(space, CHAIN), propose(other, CHAIN), strict=True):
         turned = shapely.Polygon(moved(one.outline), [moved(hole) for hole in one.holes])
         assert turned.symmetric_difference(shape(two), grid_size=GRID).area < 0.02

@@ -11,35 +11,63 @@ Names are loaded when first used, so importing the package is quick.
 from __future__ import annotations
 
 import sys
-from importlib import import_module
-from types import ModuleType
-from typing import TYPE_CHECKING, Any
 
 from scenewright._version import __version__
 
+TYPE_CHECKING = False  # that of typing, whose import takes longer than all of this
 if TYPE_CHECKING:
-    from scenewright.assets import shipped
     from scenewright.batch import batch
-    from scenewright.brief import Brief
-    from scenewright.catalog import Asset, Catalog, Kind
-    from scenewright.check import Report, check
-    from scenewright.domains import alternatives, resolve, solve
-    from scenewright.errors import InputError
+    from scenewright.catalog.assets import shipped
+    from scenewright.check.report import Report
+    from scenewright.core.brief import Brief
+    from scenewright.core.catalog import Asset, Catalog
+    from scenewright.core.errors import InputError
+    from scenewright.core.kind import Kind
+    from scenewright.core.layout import Layout, NamedBox
+    from scenewright.core.scene import Piece, Pose, Scene, Size
+    from scenewright.core.solution import Solution
+    from scenewright.core.space import Level, Opening, Space
+    from scenewright.domains import alternatives, check, resolve, scene_of, solution_of, solve
+    from scenewright.domains.home.problem import Problem
     from scenewright.formats import read, samples, write
     from scenewright.formats.solution_json import read as read_solution
-    from scenewright.layout import Layout
-    from scenewright.problem import Problem
-    from scenewright.scene import Piece, Pose, Scene, Size
-    from scenewright.shell import scene_of
-    from scenewright.solution import Solution
-    from scenewright.space import Level, Opening, Space
+    from scenewright.workflow.arrange import arrange
+if TYPE_CHECKING:
+    from typing import Any
 
 __all__ = [
-    "Asset", "Brief", "Catalog", "InputError", "Kind", "Layout", "Level", "Opening", "Piece",
-    "Pose", "Problem", "Report", "Scene", "Size", "Solution", "Space", "__version__",
-    "alternatives", "batch", "check", "read", "read_solution", "resolve", "samples", "scene_of",
-    "shipped", "solve", "write",
-]  # fmt: skip
+    "Asset",
+    "Brief",
+    "Catalog",
+    "InputError",
+    "Kind",
+    "Layout",
+    "Level",
+    "NamedBox",
+    "Opening",
+    "Piece",
+    "Pose",
+    "Problem",
+    "Report",
+    "Scene",
+    "Size",
+    "Solution",
+    "Space",
+    "__version__",
+    "alternatives",
+    "arrange",
+    "batch",
+    "check",
+    "read",
+    "read_solution",
+    "resolve",
+    "samples",
+    "scene_of",
+    "shipped",
+    "solution_of",
+    "solve",
+    "write",
+]
 
 _HOMES = {
     "read": "formats:read",
@@ -47,28 +75,31 @@ _HOMES = {
     "samples": "formats:samples",
     "write": "formats:write",
     "alternatives": "domains:alternatives",
+    "arrange": "workflow.arrange:arrange",
     "batch": "batch:batch",
     "solve": "domains:solve",
     "resolve": "domains:resolve",
-    "check": "check:check",
-    "Report": "check:Report",
-    "scene_of": "shell:scene_of",
-    "shipped": "assets:shipped",
-    "Brief": "brief:Brief",
-    "Solution": "solution:Solution",
-    "Problem": "problem:Problem",
-    "Layout": "layout:Layout",
-    "Space": "space:Space",
-    "Level": "space:Level",
-    "Opening": "space:Opening",
-    "Scene": "scene:Scene",
-    "Piece": "scene:Piece",
-    "Pose": "scene:Pose",
-    "Size": "scene:Size",
-    "Catalog": "catalog:Catalog",
-    "Asset": "catalog:Asset",
-    "Kind": "catalog:Kind",
-    "InputError": "errors:InputError",
+    "check": "domains:check",
+    "Report": "check.report:Report",
+    "scene_of": "domains:scene_of",
+    "solution_of": "domains:solution_of",
+    "shipped": "catalog.assets:shipped",
+    "Brief": "core.brief:Brief",
+    "Solution": "core.solution:Solution",
+    "Problem": "domains.home.problem:Problem",
+    "Layout": "core.layout:Layout",
+    "NamedBox": "core.layout:NamedBox",
+    "Space": "core.space:Space",
+    "Level": "core.space:Level",
+    "Opening": "core.space:Opening",
+    "Scene": "core.scene:Scene",
+    "Piece": "core.scene:Piece",
+    "Pose": "core.scene:Pose",
+    "Size": "core.scene:Size",
+    "Catalog": "core.catalog:Catalog",
+    "Asset": "core.catalog:Asset",
+    "Kind": "core.kind:Kind",
+    "InputError": "core.errors:InputError",
 }
 """Where each name lives: module below this package, and name in it."""
 
@@ -76,6 +107,8 @@ _HOMES = {
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module 'scenewright' has no attribute {name!r}")
+    from importlib import import_module
+
     module, _, attribute = _HOMES[name].partition(":")
     found = getattr(import_module(f"scenewright.{module}"), attribute)
     globals()[name] = found
@@ -86,11 +119,11 @@ def __dir__() -> list[str]:
     return sorted(__all__)
 
 
-class _Facade(ModuleType):
+class _Facade(type(sys)):  # type: ignore[misc]
     """Importing the subpackage ``check`` would put it in the place of the verb of that name."""
 
     def __setattr__(self, name: str, value: object) -> None:
-        if not (name in _HOMES and isinstance(value, ModuleType)):
+        if not (name in _HOMES and isinstance(value, type(sys))):
             super().__setattr__(name, value)
 
 

@@ -1,6 +1,10 @@
 """``python -m scenewright``: the command line."""
 
-from scenewright.cli import main
+from scenewright import interruption
+
+interruption.install()
+
+from scenewright.cli import main  # noqa: E402 - only after Ctrl-C is heard
 
 if __name__ == "__main__":
     main()

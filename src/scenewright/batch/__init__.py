@@ -1,7 +1,7 @@
 """Many files on one machine: every core at work, each result written whole, nothing done twice.
 
-The parent hands one file at a time to each of its workers (:mod:`scenewright.batch.crew`) and
-writes a line into the ledger for each that is done (:mod:`scenewright.batch.ledger`). Killed at
+The parent hands one file at a time to each of its workers (:mod:`scenewright.batch.worker_pool`)
+and writes a line into the ledger for each that is done (:mod:`scenewright.batch.ledger`). Killed at
 any moment and started again with the same words, it goes on where it was: what is finished and
 unchanged is skipped. A file that cannot be used, takes too long or kills its worker twice has its
 line in the table and stops nobody.
@@ -14,19 +14,20 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from math import isfinite
 from pathlib import Path
 
-from scenewright.batch.crew import Crew, arranged_by
+from scenewright.batch.jobs import BatchOptions, Job, Limits, list_jobs
 from scenewright.batch.ledger import Ledger
-from scenewright.batch.orders import Limits, Options, Order, orders_of
-from scenewright.batch.table import Row, write_summary
-from scenewright.errors import InputError
+from scenewright.batch.table import CSV, JSON, ResultRow, write_summary
+from scenewright.batch.worker_pool import WorkerPool, arrange_with
+from scenewright.core.atomic_file import Identity, RunFiles, check_targets, recorded_run
+from scenewright.core.errors import InputError
 
-__all__ = ["MEMORY", "TIME", "Limits", "Options", "Order", "Row", "batch"]
+__all__ = ["MEMORY", "TIME", "BatchOptions", "Job", "Limits", "ResultRow", "batch"]
 
 MEMORY = 4.0
 """Memory a worker may take, GiB."""
 TIME = 600.0
 """Seconds a file may take."""
-Told = Callable[[Row, int, int, bool], None]
+Told = Callable[[ResultRow, int, int, bool], None]
 
 
 def batch(
@@ -43,26 +44,55 @@ def batch(
     keep: bool = False,
     catalogs: Sequence[str] = (),
     groups: Sequence[str] = (),
+    accessible: bool = False,
+    scale: float = 1.0,
+    hidden_levels: bool = False,
     memory: float = MEMORY,
     limit: float = TIME,
     progress: Told | None = None,
     cancel: Callable[[], bool] | None = None,
-) -> tuple[Row, ...]:
+) -> tuple[ResultRow, ...]:
     """Lay out every file of ``sources`` (files, folders, samples) into ``folder``.
 
     A row for each, in the order of the sources, is returned and written to ``summary.csv`` and
     ``summary.json``. ``jobs`` workers (one for each processor, if not stated) may take ``memory``
     GiB each and ``limit`` seconds a file; the other options are those of
-    :func:`scenewright.solve`. ``progress`` hears every row as it comes, how many are done, of how
-    many, and whether the row was there before; when ``cancel`` answers true the workers are
-    stopped and the rows so far returned.
+    :func:`scenewright.arrange`. ``progress`` hears every row as
+    it comes, how many are done, of how many, and whether the row was there before; when ``cancel``
+    answers true the workers are stopped and the rows so far returned.
     """
     given = [sources] if isinstance(sources, str | os.PathLike) else sources
     out = Path(folder)
-    options = Options(tuple(formats), preset, solver, seconds, steps, seed, keep, tuple(catalogs),
-                      tuple(groups))  # fmt: skip
-    limits = _checked(Limits(jobs or os.cpu_count() or 1, memory, limit), options)
-    orders = orders_of(given, out, options)
+    options = BatchOptions(
+        tuple(formats),
+        preset,
+        solver,
+        seconds,
+        steps,
+        seed,
+        keep,
+        tuple(catalogs),
+        tuple(groups),
+        scale,
+        hidden_levels,
+        accessible,
+    )
+    limits = _check_limits(Limits(jobs or os.cpu_count() or 1, memory, limit), options)
+    with recorded_run() as run:
+        return _batch(list_jobs(given, out, options), out, options, limits, progress, cancel, run)
+
+
+def _batch(
+    orders: tuple[Job, ...],
+    out: Path,
+    options: BatchOptions,
+    limits: Limits,
+    progress: Told | None,
+    cancel: Callable[[], bool] | None,
+    run: RunFiles,
+) -> tuple[ResultRow, ...]:
+    """The rows of all orders; those that are done already are kept."""
+    check_targets([out / CSV, out / JSON])
     with Ledger(out) as ledger:
         rows = {order.name: ledger.find(order) for order in orders}
         found = {name: row for name, row in rows.items() if row is not None}
@@ -70,7 +100,7 @@ def batch(
             _tell(progress, row, done, len(orders), True)
         waiting = [order for order in orders if order.name not in found]
         try:
-            _work(waiting, options, limits, ledger, found, len(orders), progress, cancel)
+            _work(waiting, options, limits, ledger, found, len(orders), progress, cancel, run.read)
         finally:
             told = tuple(found[order.name] for order in orders if order.name in found)
             write_summary(out, told, options)
@@ -78,25 +108,33 @@ def batch(
 
 
 def _work(
-    waiting: list[Order], options: Options, limits: Limits, ledger: Ledger,
-    found: dict[str, Row], total: int, progress: Told | None, cancel: Callable[[], bool] | None,
-) -> None:  # fmt: skip
+    waiting: list[Job],
+    options: BatchOptions,
+    limits: Limits,
+    ledger: Ledger,
+    found: dict[str, ResultRow],
+    total: int,
+    progress: Told | None,
+    cancel: Callable[[], bool] | None,
+    protected: Iterable[Identity],
+) -> None:
     """Have the waiting orders done; every row goes to the ledger as it comes."""
     if not waiting:
         return
-    with Crew(min(limits.jobs, len(waiting)), limits, options, ledger.parts) as crew:
-        for order, row in arranged_by(crew, waiting, cancel):
+    count = min(limits.jobs, len(waiting))
+    with WorkerPool(count, limits, options, ledger.parts, protected) as crew:
+        for order, row in arrange_with(crew, waiting, cancel):
             ledger.write(order, row)
             found[order.name] = row
             _tell(progress, row, len(found), total, False)
 
 
-def _tell(progress: Told | None, row: Row, done: int, total: int, before: bool) -> None:
+def _tell(progress: Told | None, row: ResultRow, done: int, total: int, before: bool) -> None:
     if progress is not None:
         progress(row, done, total, before)
 
 
-def _checked(limits: Limits, options: Options) -> Limits:
+def _check_limits(limits: Limits, options: BatchOptions) -> Limits:
     """Limits and options that can be used; whatever cannot is told before anything starts."""
     from scenewright import domains
     from scenewright.formats import writer
@@ -110,9 +148,15 @@ def _checked(limits: Limits, options: Options) -> Limits:
         if not suffix.startswith(".") or "/" in suffix:
             raise InputError(f"'{suffix}' is no format", "give suffixes, such as .json,.glb")
         writer(f"scene{suffix}")
-    _known("preset", options.preset, [n for d in domains.DOMAINS for n in domains.presets(d)])
+    _known(
+        "preset", options.preset, [n for d in domains.domain_names() for n in domains.presets(d)]
+    )
     if options.solver is not None:
-        _known("solver", options.solver, [n for d in domains.DOMAINS for n in domains.solvers(d)])
+        _known(
+            "solver",
+            options.solver,
+            [n for d in domains.domain_names() for n in domains.solvers(d)],
+        )
     return limits
 
 

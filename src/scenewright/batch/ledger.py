@@ -14,9 +14,9 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, TextIO
 
-from scenewright.batch.orders import Order
-from scenewright.batch.table import FAILED, Row
-from scenewright.errors import InputError
+from scenewright.batch.jobs import Job
+from scenewright.batch.table import FAILED, ResultRow
+from scenewright.core.errors import InputError
 
 NAME, PARTS = ".batch.jsonl", ".parts"
 
@@ -29,7 +29,7 @@ class Ledger:
 
     def __init__(self, folder: Path) -> None:
         self.path, self.parts = folder / NAME, folder / PARTS
-        self._rows: dict[str, tuple[str, Row]] = {}
+        self._rows: dict[str, tuple[str, ResultRow]] = {}
         self._file: TextIO
 
     def __enter__(self) -> Ledger:
@@ -38,21 +38,27 @@ class Ledger:
             self._file = self.path.open("a+", encoding="utf-8", errors="surrogateescape")
             self._claim()
             shutil.rmtree(self.parts, ignore_errors=True)
-            self.parts.mkdir(exist_ok=True)
+            self.parts.mkdir()
         except OSError as error:
-            told = f"cannot be written into: {error.strerror or error}"
-            raise InputError(told, "choose another folder", file=str(self.path.parent)) from None
+            raise self._refused(error) from None
         self._read()
         return self
 
+    def _refused(self, error: OSError) -> InputError:
+        told = f"cannot be written into: {error.strerror or error}"
+        return InputError(told, "choose another folder", file=str(self.path.parent))
+
     def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None,
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
         trace: TracebackType | None,
-    ) -> None:  # fmt: skip
-        self._file.close()
+    ) -> None:
+        with suppress(OSError):  # what a full disk did not take was told when it was written
+            self._file.close()
         shutil.rmtree(self.parts, ignore_errors=True)
 
-    def find(self, order: Order) -> Row | None:
+    def find(self, order: Job) -> ResultRow | None:
         """The row of an order that is done, unchanged since, and whose results are still there;
         those that failed are tried again."""
         key, row = self._rows.get(order.name, ("", None))
@@ -60,11 +66,14 @@ class Ledger:
             return None
         return row if all(path.is_file() for path in order.outputs) else None
 
-    def write(self, order: Order, row: Row) -> None:
+    def write(self, order: Job, row: ResultRow) -> None:
         """Note that an order is done."""
         line = json.dumps({"name": order.name, "key": order.key, **row._asdict()})
-        self._file.write(line + "\n")
-        self._file.flush()
+        try:
+            self._file.write(line + "\n")
+            self._file.flush()
+        except OSError as error:
+            raise self._refused(error) from None
 
     def _claim(self) -> None:
         """Refuse a folder another batch is writing into (where the system can tell)."""
@@ -77,9 +86,10 @@ class Ledger:
         except BlockingIOError:
             self._file.close()
             raise InputError(
-                "another batch is writing into it", "wait for it or choose another folder",
+                "another batch is writing into it",
+                "wait for it or choose another folder",
                 file=str(self.path.parent),
-            ) from None  # fmt: skip
+            ) from None
 
     def _read(self) -> None:
         """Take in what is done; a line that was cut off is ended so that the next stands alone."""
@@ -88,8 +98,8 @@ class Ledger:
         for line in text.splitlines():
             with suppress(ValueError, KeyError, TypeError):
                 told: dict[str, Any] = json.loads(line)
-                values = {field: told[field] for field in Row._fields}
-                row = Row(**values)._replace(outputs=tuple(told["outputs"]))
+                values = {field: told[field] for field in ResultRow._fields}
+                row = ResultRow(**values)._replace(outputs=tuple(told["outputs"]))
                 self._rows[str(told["name"])] = (str(told["key"]), row)
         self._file.seek(0, os.SEEK_END)
         if text and not text.endswith("\n"):

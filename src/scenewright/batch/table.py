@@ -5,21 +5,23 @@ from __future__ import annotations
 import csv
 import io
 import json
-import os
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from scenewright._version import __version__
-from scenewright.batch.orders import Options
+from scenewright.batch.jobs import BatchOptions
+from scenewright.core.atomic_file import whole_together
+from scenewright.core.errors import InputError
+from scenewright.text import neutralize_cell
 
 COMPLETE, LEFT_OUT, NOT_VALID, FAILED = "complete", "left out", "not valid", "failed"
 STATES = (COMPLETE, LEFT_OUT, NOT_VALID, FAILED)
 CSV, JSON = "summary.csv", "summary.json"
 
 
-class Row(NamedTuple):
+class ResultRow(NamedTuple):
     """What became of one file.
 
     ``status`` is ``complete`` (all that is essential or asked for stands, and valid), ``left
@@ -38,22 +40,22 @@ class Row(NamedTuple):
     outputs: tuple[str, ...]
 
 
-def failed(file: str, seconds: float, message: str) -> Row:
+def make_failed_row(file: str, seconds: float, message: str) -> ResultRow:
     """The row of a file that came to nothing."""
-    return Row(file, FAILED, round(seconds, 3), 0, 0, 0, " ".join(message.split()), ())
+    return ResultRow(file, FAILED, round(seconds, 3), 0, 0, 0, " ".join(message.split()), ())
 
 
-def totals(rows: Sequence[Row]) -> dict[str, int]:
+def totals(rows: Sequence[ResultRow]) -> dict[str, int]:
     """How many files there are of each status.
 
-    >>> totals([failed("a.json", 0.1, "is empty")])
+    >>> totals([make_failed_row("a.json", 0.1, "is empty")])
     {'complete': 0, 'left out': 0, 'not valid': 0, 'failed': 1}
     """
     counted = Counter(row.status for row in rows)
     return {state: counted[state] for state in STATES}
 
 
-def document(rows: Sequence[Row], options: Options) -> dict[str, Any]:
+def document(rows: Sequence[ResultRow], options: BatchOptions) -> dict[str, Any]:
     """The table as plain values."""
     return {
         "version": __version__,
@@ -63,18 +65,25 @@ def document(rows: Sequence[Row], options: Options) -> dict[str, Any]:
     }
 
 
-def write_summary(folder: Path, rows: Sequence[Row], options: Options) -> None:
-    """Write the table as CSV and as JSON; each file appears whole."""
+def write_summary(folder: Path, rows: Sequence[ResultRow], options: BatchOptions) -> None:
+    """Write the table as CSV and as JSON; both appear or neither. InputError if they cannot."""
     text = io.StringIO()
     lines = csv.writer(text, lineterminator="\n")
-    lines.writerow(Row._fields)
-    lines.writerows([*row[:-1], " ".join(row.outputs)] for row in rows)
-    _replace(folder / CSV, text.getvalue())
-    told = json.dumps(document(rows, options), indent=1, ensure_ascii=False)
-    _replace(folder / JSON, told + "\n")
+    lines.writerow(ResultRow._fields)
+    cells = ([*row[:-1], " ".join(row.outputs)] for row in rows)
+    lines.writerows(map(neutralize_cell, row) for row in cells)
+    told = json.dumps(document(rows, options), indent=1, ensure_ascii=False) + "\n"
+    with whole_together([folder / CSV, folder / JSON]) as partials:
+        for partial, content in zip(partials, (text.getvalue(), told), strict=True):
+            _write(partial, content, folder)
 
 
-def _replace(path: Path, text: str) -> None:
-    part = path.with_name(f".{os.getpid()}-{path.name}")
-    part.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
-    os.replace(part, path)
+def _write(partial: Path, text: str, folder: Path) -> None:
+    try:
+        partial.write_text(text, encoding="utf-8", errors="backslashreplace", newline="")
+    except OSError as error:
+        raise InputError(
+            f"cannot be written into: {error.strerror or error}",
+            "choose another folder",
+            file=str(folder),
+        ) from None

@@ -1,6 +1,6 @@
 """A worker of a batch: takes one file at a time as a line of JSON, answers with its row.
 
-A process of its own, started by :mod:`scenewright.batch.crew`. It ends when its
+A process of its own, started by :mod:`scenewright.batch.worker_pool`. It ends when its
 parent does, and takes no more memory than it may.
 """
 
@@ -16,9 +16,10 @@ from pathlib import Path
 from threading import Thread
 from typing import Any, TextIO
 
-from scenewright.batch.orders import Options
-from scenewright.batch.table import COMPLETE, LEFT_OUT, NOT_VALID, Row, failed
-from scenewright.errors import InputError
+from scenewright.batch.jobs import BatchOptions
+from scenewright.batch.table import COMPLETE, LEFT_OUT, NOT_VALID, ResultRow, make_failed_row
+from scenewright.core.atomic_file import recorded_run
+from scenewright.core.errors import InputError
 
 PATIENCE = 0.5
 """Seconds between looks at whether the parent is still there."""
@@ -34,11 +35,13 @@ def main() -> None:
     first = json.loads(sys.stdin.readline())
     told: dict[str, Any] = first["options"]
     told |= {key: tuple(told[key]) for key in ("formats", "catalogs", "groups")}
-    options = Options(**told)
+    options = BatchOptions(**told)
     _bound(first["memory"])
     _answer(answers, READY)
-    for line in sys.stdin:
-        _answer(answers, _row(json.loads(line), options, first["memory"], Path(first["parts"])))
+    with recorded_run((device, number) for device, number in first["protected"]):
+        for line in sys.stdin:
+            row = _row(json.loads(line), options, first["memory"], Path(first["parts"]))
+            _answer(answers, row)
 
 
 def _answer(answers: TextIO, value: Any) -> None:
@@ -65,23 +68,23 @@ def _bound(memory: float) -> None:
         resource.setrlimit(resource.RLIMIT_DATA, (most, before))
 
 
-def _row(order: dict[str, Any], options: Options, memory: float, parts: Path) -> Row:
+def _row(order: dict[str, Any], options: BatchOptions, memory: float, parts: Path) -> ResultRow:
     """Do one order; whatever goes wrong becomes its row."""
     begun, source = time.perf_counter(), order["source"]
     try:
         row = _done(source, [Path(path) for path in order["outputs"]], options, parts)
         return row._replace(seconds=round(time.perf_counter() - begun, 3))
     except InputError as error:
-        told = str(error)
+        told = str(error.located(file=source))
     except Exception as error:
         told = f"a fault of ours, {type(error).__name__}: {error}"
-        if _starved(error):
+        if _is_out_of_memory(error):
             told = f"takes more than {memory:g} GiB of memory; allow more with --memory"
         told = f"{source}: {told}"
-    return failed(source, time.perf_counter() - begun, told)
+    return make_failed_row(source, time.perf_counter() - begun, told)
 
 
-def _starved(error: Exception) -> bool:
+def _is_out_of_memory(error: Exception) -> bool:
     """Whether an error comes of having too little memory: threads need some too, and the
     interpreter may fail without saying why."""
     number = getattr(error, "errno", None)
@@ -89,42 +92,21 @@ def _starved(error: Exception) -> bool:
     return isinstance(error, MemoryError) or number == ENOMEM or unsaid
 
 
-def _done(source: str, outputs: list[Path], options: Options, parts: Path) -> Row:
-    """Read, lay out, judge and write one file; its results appear when all are written."""
-    from scenewright import domains, formats
-    from scenewright.check import check
+def _done(source: str, outputs: list[Path], options: BatchOptions, parts: Path) -> ResultRow:
+    """Arrange one file; its results appear when all are written."""
+    from scenewright.workflow.arrange import arrange_file
+    from scenewright.workflow.events import run_to_end
+    from scenewright.workflow.request import ArrangeRequest
 
-    brief = formats.read(
-        source, keep=options.keep, catalogs=options.catalogs, groups=options.groups
-    )
-    formats.check_kept(source, outputs)
-    try:
-        solution = domains.solve(
-            brief, preset=options.preset, solver=options.solver, seconds=options.seconds,
-            steps=options.steps, seed=options.seed, threads=1,
-        )  # fmt: skip
-    except InputError as error:
-        raise error.located(file=source) from None
-    report = check(solution)
-    written = [parts / f"{os.getpid()}-{k}-{path.name}" for k, path in enumerate(outputs)]
-    for part, path in zip(written, outputs, strict=True):
-        _write(solution, part, path)
-    for part, path in zip(written, outputs, strict=True):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        os.replace(part, path)
+    given = options._asdict()
+    given.pop("formats")
+    request = ArrangeRequest(source, tuple(outputs), **given)
+    solution, _, report = run_to_end(arrange_file(request, threads=1, parts=parts))
     missing = [out for out in solution.left_out if out.required]
     broken = sum(not found.given for found in report.findings)
     status = NOT_VALID if not report.valid else LEFT_OUT if missing else COMPLETE
     first = next((f.message for f in report.findings if not f.given), "")
     told = first or "; ".join(f"{out.space}: {out.what}: {out.reason}" for out in missing)
+    told = told or "; ".join(note.message for note in report.notes if note.function == "plan")
     names = tuple(str(path) for path in outputs)
-    return Row(source, status, 0.0, len(solution.pieces), len(missing), broken, told, names)
-
-
-def _write(solution: Any, part: Path, path: Path) -> None:
-    from scenewright import formats
-
-    try:
-        formats.write(solution, part)
-    except InputError as error:
-        raise InputError(error.fault, error.remedy, file=str(path)) from None
+    return ResultRow(source, status, 0.0, len(solution.pieces), len(missing), broken, told, names)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from scenewright.catalog import Material
-from scenewright.space import Space
+from scenewright.core.catalog import Material
+from scenewright.core.space import Space
 
 PLASTER = Material("wall plaster", (0.955, 0.945, 0.925), roughness=0.95)
 SECTION = Material("wall top", (0.30, 0.31, 0.33), roughness=0.9)
@@ -26,9 +26,15 @@ SURFACES: dict[str, Material] = {
 """What lies on open ground, by kind."""
 
 FLOORS: dict[str, Material] = {
-    "kitchen": STONE_FLOOR, "hall": STONE_FLOOR, "bathroom": TILE_FLOOR, "toilet": TILE_FLOOR,
-    "washroom": TILE_FLOOR, "balcony": DECK_FLOOR, "storage": PLAIN_FLOOR, "site": GRASS,
-}  # fmt: skip
+    "kitchen": STONE_FLOOR,
+    "hall": STONE_FLOOR,
+    "bathroom": TILE_FLOOR,
+    "toilet": TILE_FLOOR,
+    "washroom": TILE_FLOOR,
+    "balcony": DECK_FLOOR,
+    "storage": PLAIN_FLOOR,
+    "site": GRASS,
+}
 """Floor finish by a room's first function; all others are oak."""
 
 

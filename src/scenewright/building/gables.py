@@ -16,9 +16,9 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from scenewright.ceiling import planes
-from scenewright.scene import Prism
-from scenewright.space import Points, Space
+from scenewright.building.ceiling import planes
+from scenewright.core.scene import Prism
+from scenewright.core.space import Points, Space
 
 BESIDE = 0.08
 """How near a room must be to a wall to say how high it is, in metres."""
@@ -60,7 +60,7 @@ def under_roofs(prisms: Sequence[Prism], roofs: Sequence[Roof]) -> list[Prism]:
         beside = [roof for roof in roofs if roof.floor.distance(shape) < BESIDE]
         if any(roof.sloped for roof in beside):
             for cell, plane in _highest(shape, beside):
-                found += _raised(cell, plane, solid)
+                found += _raise_cell(cell, plane, solid)
         else:
             found.append(solid)
     return found
@@ -74,8 +74,8 @@ def cut_off(solid: Prism, height: float) -> list[Prism]:
     low, high = _clip(shape, -over), _clip(shape, over)
     level = np.array([height, 0.0, 0.0])
     return [
-        *(p for cell in low for p in _raised(cell, solid.tilt, solid)),
-        *(p for cell in high for p in _raised(cell, level, solid)),
+        *(p for cell in low for p in _raise_cell(cell, solid.tilt, solid)),
+        *(p for cell in high for p in _raise_cell(cell, level, solid)),
     ]
 
 
@@ -97,8 +97,11 @@ def _highest(shape: Polygon, beside: Sequence[Roof]) -> list[Cell]:
 def _higher(shape: Polygon, one: Points, other: Points) -> list[Cell]:
     if np.abs(one - other).max() < SAME:
         return [(shape, one)]
-    return [(part, plane) for plane, side in ((one, one - other), (other, other - one))
-            for part in _clip(shape, side)]  # fmt: skip
+    return [
+        (part, plane)
+        for plane, side in ((one, one - other), (other, other - one))
+        for part in _clip(shape, side)
+    ]
 
 
 def _lowest(shape: Polygon, roof: Roof) -> list[Cell]:
@@ -147,8 +150,9 @@ def _clip(shape: Polygon, side: Points) -> list[Polygon]:
     along = np.array([-normal[1], normal[0]]) * _FAR
     middle = np.array(shape.centroid.coords[0])
     foot = middle - normal * ((middle - foot) @ normal)
-    half = Polygon([foot - along, foot - along + normal * _FAR, foot + along + normal * _FAR,
-                    foot + along])  # fmt: skip
+    half = Polygon(
+        [foot - along, foot - along + normal * _FAR, foot + along + normal * _FAR, foot + along]
+    )
     parts = shapely.get_parts(shape.intersection(half))
     return [part for part in parts if isinstance(part, Polygon) and part.area > CRUMB]
 
@@ -160,7 +164,7 @@ def _knee(roof: Roof, numbers: NDArray[np.intp]) -> Points:
     return slopes - rises * inwards
 
 
-def _raised(cell: Polygon, tilt: Points, solid: Prism) -> list[Prism]:
+def _raise_cell(cell: Polygon, tilt: Points, solid: Prism) -> list[Prism]:
     """Prisms over a cell, from the solid's base to a plane or the solid's own top."""
     if np.hypot(*tilt[1:]) < 1e-12:
         tilt = np.array([min(float(tilt[0]), solid.top), 0.0, 0.0])

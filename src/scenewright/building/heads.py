@@ -10,10 +10,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from scenewright.brief import Door, Window
-from scenewright.ceiling import SHOULDERS, heights, planes
-from scenewright.errors import InputError
-from scenewright.space import Opening, Points, Slope, Space
+from scenewright.building.ceiling import SHOULDERS, heights, planes
+from scenewright.core.brief import Door, Window
+from scenewright.core.errors import InputError
+from scenewright.core.space import Opening, Points, Slope, Space
 
 ON = 0.02
 """How near to a slope's wall a window lies that may be in the slope, in metres."""
@@ -76,9 +76,7 @@ def _check_cut(wish: Door | Window, sill: float, head: float) -> None:
         )
 
 
-def _in_slope(
-    space: Space, slope: Slope, middle: Points, inward: Points, wish: Window
-) -> Heads:  # fmt: skip
+def _in_slope(space: Space, slope: Slope, middle: Points, inward: Points, wish: Window) -> Heads:
     """A window in one slope, all of it."""
     near = (wish.sill - slope.knee) / np.tan(slope.pitch)
     far, head = (

@@ -10,10 +10,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from scenewright.catalog import Material, Part
+from scenewright.core.catalog import Material, Part
+from scenewright.core.space import Opening
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box
-from scenewright.space import Opening
 
 AJAR = np.deg2rad(78.0)
 """How far a door is drawn open, in radians."""
@@ -37,7 +37,7 @@ def parts(opening: Opening) -> tuple[Part, ...]:
     """What fills one opening, by its kind and how its leaf moves; nothing in a slope, as ceilings
     are not drawn.
 
-    >>> from scenewright.space import Opening
+    >>> from scenewright.core.space import Opening
     >>> door = Opening("d", "door", "0", 0, 0, 1, 0, 0.9, 0.12, 0.0, 2.05, hinge=1, swing=1)
     >>> [part.material.name for part in parts(door)]
     ['threshold', 'joinery white', 'door oak', 'brushed steel']
@@ -53,7 +53,7 @@ def parts(opening: Opening) -> tuple[Part, ...]:
     return _sliding(opening)
 
 
-def placed(opening: Opening, vertices: Floats) -> Floats:
+def to_plan_coordinates(opening: Opening, vertices: Floats) -> Floats:
     """Points ``(n, 3)`` of an opening's frame in plan metres above the level's floor."""
     turn = np.array([[opening.ux, opening.uy], [-opening.uy, opening.ux]])
     return np.column_stack(
@@ -94,8 +94,10 @@ def _leaf(opening: Opening) -> tuple[Part, Part]:
     reach = clear - 0.09
     handles = [
         box((reach, side, 1.0), (reach + 0.025, side + 0.05, 1.025)) for side in (-0.05, LEAF)
-    ] + [box((reach - 0.1, side, 1.0), (reach + 0.025, side + 0.018, 1.025))
-         for side in (-0.05, LEAF + 0.032)]  # fmt: skip
+    ] + [
+        box((reach - 0.1, side, 1.0), (reach + 0.025, side + 0.018, 1.025))
+        for side in (-0.05, LEAF + 0.032)
+    ]
     swung = [_swung(opening, clear, mesh) for mesh in (leaf, merge(handles))]
     return _part(LEAF_WOOD, swung[0]), _part(METAL, swung[1])
 

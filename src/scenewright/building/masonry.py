@@ -8,8 +8,7 @@ corners joins the wall it shares most of its border with.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -17,8 +16,10 @@ import shapely
 from shapely import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from scenewright.brief import Brief, WallBrief
-from scenewright.space import Points, Space
+from scenewright.building.wall_shares import MITRE, polygons, shared_out, stretches_of
+from scenewright.core.brief import Brief, WallBrief
+from scenewright.core.errors import InputError
+from scenewright.core.space import Points, Space
 
 PARTITION = 0.04
 """Thickness in metres of the wall drawn between rooms that touch."""
@@ -29,10 +30,11 @@ GAP = 0.3
 """Half the widest gap between rooms, in metres, that is filled as wall."""
 SHAFT = 0.4
 """Enclosed voids smaller than this, in square metres, are filled."""
-CRUMB = 1e-4
-"""Pieces of wall smaller than this, in square metres, join their neighbour or are dropped."""
-MITRE = 4.0
-CURVE = np.cos(np.deg2rad(25.0))
+MOST_MEETING = 500
+"""Walls of a brief that one of them may meet."""
+
+
+__all__ = ["Masonry", "derive_walls", "polygons", "walls_from_brief"]
 
 
 class Masonry(NamedTuple):
@@ -44,13 +46,13 @@ class Masonry(NamedTuple):
     top: float
 
 
-def derived(brief: Brief, spaces: Sequence[Space], level: str) -> tuple[Masonry, ...]:
+def derive_walls(brief: Brief, spaces: Sequence[Space], level: str) -> tuple[Masonry, ...]:
     """The walls of one level found from its rooms.
 
-    >>> from scenewright.plan import spaces
+    >>> from scenewright.building.plan import spaces
     >>> room = {"id": "a", "outline": [[0, 0], [4, 0], [4, 3], [0, 3]]}
     >>> brief = Brief.model_validate({"rooms": [room], "outer_wall_thickness": 0.25})
-    >>> walls = derived(brief, spaces(brief), "0")
+    >>> walls = derive_walls(brief, spaces(brief), "0")
     >>> [wall.id for wall in walls], round(sum(wall.shape.area for wall in walls), 3)
     (['a/wall-0', 'a/wall-2', 'a/wall-1', 'a/wall-3'], 3.75)
     """
@@ -61,17 +63,18 @@ def derived(brief: Brief, spaces: Sequence[Space], level: str) -> tuple[Masonry,
     outside = [space.functions == ("balcony",) for space in mine]
     full, low = _solids(floors, outside, brief.outer_wall_thickness)
     reach = max(2 * GAP, brief.outer_wall_thickness)
-    walls = _shared_out(full, list(_stretches(mine)), reach)
+    walls = shared_out(full, list(stretches_of(mine)), reach)
     open_air = [space for space, out in zip(mine, outside, strict=True) if out]
-    rails = _shared_out(low, list(_stretches(open_air)), reach)
+    rails = shared_out(low, list(stretches_of(open_air)), reach)
     heights = np.array([space.height for space in mine])
+    tops = _tops(walls, floors, heights)
     return tuple(
-        [Masonry(name, level, shape, _top(shape, floors, heights)) for name, shape in walls]
+        [Masonry(name, level, shape, top) for (name, shape), top in zip(walls, tops, strict=True)]
         + [Masonry(f"{name}-parapet", level, shape, PARAPET) for name, shape in rails]
     )
 
 
-def given(brief: Brief, level: str, height: float, first: str) -> tuple[Masonry, ...]:
+def walls_from_brief(brief: Brief, level: str, height: float, first: str) -> tuple[Masonry, ...]:
     """The walls of one level as the brief gives them, by middle line and thickness.
 
     Walls that end within a wall's thickness of each other are joined by a mitre; the earlier
@@ -80,7 +83,8 @@ def given(brief: Brief, level: str, height: float, first: str) -> tuple[Masonry,
     listed = [(i, w) for i, w in enumerate(brief.walls) if (w.level or first) == level]
     listed = [(i, w) for i, w in listed if w.start != w.end]
     bodies: list[BaseGeometry] = [_body(wall) for _, wall in listed]
-    bodies = [body.union(_joints(k, listed, bodies)) for k, body in enumerate(bodies)]
+    near = _near(bodies, [wall for _, wall in listed])
+    bodies = [body.union(_joints(k, near[k], listed, bodies)) for k, body in enumerate(bodies)]
     tree = shapely.STRtree(bodies)
     found = []
     for k, (number, wall) in enumerate(listed):
@@ -96,17 +100,6 @@ def given(brief: Brief, level: str, height: float, first: str) -> tuple[Masonry,
     return tuple(found)
 
 
-def polygons(shape: BaseGeometry) -> list[Polygon]:
-    """The polygons in a shape that are more than a crumb, largest first.
-
-    >>> [round(p.area, 1) for p in polygons(shapely.MultiPolygon(
-    ...     [shapely.box(0, 0, 1, 1), shapely.box(2, 0, 4, 1)]))]
-    [2.0, 1.0]
-    """
-    parts = (part for part in shapely.get_parts(shape) if isinstance(part, Polygon))
-    return sorted((p for p in parts if p.area > CRUMB), key=lambda p: -p.area)
-
-
 def _solids(
     floors: list[Polygon], outside: list[bool], thickness: float
 ) -> tuple[BaseGeometry, BaseGeometry]:
@@ -114,22 +107,24 @@ def _solids(
     rooms = shapely.union_all(floors)
     indoor = [floor for floor, out in zip(floors, outside, strict=True) if not out]
     balconies = [floor for floor, out in zip(floors, outside, strict=True) if out]
-    around = _grown(shapely.union_all(_filled(indoor)), thickness)
+    around = _grow_rooms(shapely.union_all(_fill_columns(indoor)), thickness)
     full = around.difference(rooms).union(_partitions(floors))
     if not balconies:
         return full, Polygon()
-    terrace = _grown(shapely.union_all(_filled(balconies)), min(PARAPET_THICKNESS, thickness))
+    terrace = _grow_rooms(
+        shapely.union_all(_fill_columns(balconies)), min(PARAPET_THICKNESS, thickness)
+    )
     whole = terrace.union(around)
-    whole = _closed(whole, GAP / 2) if around.distance(terrace) < 2 * GAP else whole
+    whole = _close_gaps(whole, GAP / 2) if around.distance(terrace) < 2 * GAP else whole
     return full, terrace.union(whole.difference(around)).difference(around).difference(rooms)
 
 
-def _filled(floors: Iterable[Polygon]) -> list[Polygon]:
+def _fill_columns(floors: Iterable[Polygon]) -> list[Polygon]:
     """Columns and whatever else stands inside an outline count as solid."""
     return [Polygon(floor.exterior) for floor in floors]
 
 
-def _grown(rooms: BaseGeometry, thickness: float) -> BaseGeometry:
+def _grow_rooms(rooms: BaseGeometry, thickness: float) -> BaseGeometry:
     """Rooms with a wall of ``thickness`` around them and the gaps between them filled."""
     if rooms.is_empty:
         return rooms
@@ -139,7 +134,7 @@ def _grown(rooms: BaseGeometry, thickness: float) -> BaseGeometry:
     return shapely.union_all([_without_shafts(part) for part in polygons(grown)])
 
 
-def _closed(region: BaseGeometry, by: float) -> BaseGeometry:
+def _close_gaps(region: BaseGeometry, by: float) -> BaseGeometry:
     wide = shapely.buffer(region, by, join_style="mitre", mitre_limit=MITRE)
     return shapely.buffer(wide, -by, join_style="mitre", mitre_limit=MITRE).union(region)
 
@@ -163,89 +158,17 @@ def _partition(first: Polygon, second: Polygon) -> BaseGeometry:
     return grown[0].intersection(grown[1])
 
 
-def _stretches(spaces: Sequence[Space]) -> Iterator[tuple[str, LineString]]:
-    """Every wall face of the rooms, named, the longest first; columns before all."""
-    faces = []
-    for space in spaces:
-        for number, hole in enumerate(space.holes):
-            closed = LineString(np.vstack([hole, hole[:1]]))
-            faces.append((1, f"{space.id}/column-{number}", closed))
-        for start, run in _runs(space.outline):
-            faces.append((0, f"{space.id}/wall-{start}", LineString(run)))
-    faces.sort(key=lambda face: (-face[0], -round(face[2].length, 6)))
-    return ((name, line) for _, name, line in faces)
-
-
-def _runs(ring: Points) -> Iterator[tuple[int, Points]]:
-    """A ring cut at its corners of more than 25 degrees: first edge and polyline of each run."""
-    along = np.roll(ring, -1, axis=0) - ring
-    along = along / np.linalg.norm(along, axis=1)[:, None]
-    cuts = np.flatnonzero((along * np.roll(along, 1, axis=0)).sum(1) < CURVE)
-    cuts = cuts if len(cuts) > 1 else np.array([0, len(ring) // 2])
-    turned = np.roll(ring, -cuts[0], axis=0)
-    closed = np.vstack([turned, turned[:1]])
-    for low, high in pairwise([*(cuts - cuts[0]).tolist(), len(ring)]):
-        yield int((low + cuts[0]) % len(ring)), closed[low : high + 1]
-
-
-def _shared_out(
-    solid: BaseGeometry, stretches: list[tuple[str, LineString]], reach: float
-) -> list[tuple[str, Polygon]]:
-    """The solid cut into one piece (or more, numbered) for every stretch that has some."""
-    shares: dict[str, list[Polygon]] = {}
-    rest = solid
-    for name, line in stretches:
-        if rest.is_empty:
-            break
-        taken = polygons(rest.intersection(_behind(line, reach, "column" in name)))
-        if taken:
-            shares[name] = taken
-            rest = rest.difference(shapely.union_all(taken))
-    pieces = [(name, part) for name, parts in shares.items() for part in parts]
-    return _numbered(_with_corners(pieces, polygons(rest)))
-
-
-def _behind(line: LineString, reach: float, column: bool) -> BaseGeometry:
-    """What lies within ``reach`` outside a wall face (the inside is on its left)."""
-    if column:
-        return Polygon(line)
-    strip = shapely.buffer(
-        line, -reach, cap_style="flat", join_style="mitre", mitre_limit=MITRE, single_sided=True
-    )
-    return strip if strip.is_valid else shapely.make_valid(strip)
-
-
-def _with_corners(
-    pieces: list[tuple[str, Polygon]], corners: list[Polygon]
-) -> list[tuple[str, Polygon]]:
-    """Each corner joined to the piece it borders on most; alone if it borders on none."""
-    shapes = [shape for _, shape in pieces]
-    names = [name for name, _ in pieces]
-    for corner in corners:
-        shared = shapely.length(shapely.intersection(shapely.buffer(corner, 1e-6), shapes))
-        best = int(np.argmax(shared)) if len(shapes) else -1
-        joined = shapely.union(shapes[best], corner) if best >= 0 else corner
-        if best >= 0 and isinstance(joined, Polygon):
-            shapes[best] = joined
-        else:
-            names.append("corner")
-            shapes.append(corner)
-    return list(zip(names, shapes, strict=True))
-
-
-def _numbered(pieces: list[tuple[str, Polygon]]) -> list[tuple[str, Polygon]]:
-    seen: dict[str, int] = {}
-    found = []
-    for name, shape in pieces:
-        seen[name] = seen.get(name, 0) + 1
-        found.append((name if seen[name] == 1 else f"{name}-{seen[name]}", shape))
-    return found
-
-
-def _top(shape: Polygon, floors: list[Polygon], heights: Points) -> float:
+def _tops(
+    walls: Sequence[tuple[str, Polygon]], floors: list[Polygon], heights: Points
+) -> list[float]:
     """A wall is as high as the highest room it borders on."""
-    near = shapely.distance(shape, floors) < 2 * PARTITION
-    return float(heights[near].max() if near.any() else heights.max())
+    shapes = [shape for _, shape in walls]
+    of_wall, of_floor = shapely.STRtree(floors).query(
+        shapes, predicate="dwithin", distance=2 * PARTITION
+    )
+    tops = np.full(len(shapes), -np.inf)
+    np.maximum.at(tops, of_wall, heights[of_floor])
+    return np.where(np.isfinite(tops), tops, heights.max()).tolist()
 
 
 def _body(wall: WallBrief) -> Polygon:
@@ -253,12 +176,31 @@ def _body(wall: WallBrief) -> Polygon:
     return shapely.buffer(line, wall.thickness / 2, cap_style="flat")
 
 
+def _near(bodies: list[BaseGeometry], walls: list[WallBrief]) -> list[list[int]]:
+    """Walls within half of each wall's thickness; InputError where too many meet.
+
+    Every pair that meets is looked at, so walls listed over and over would take forever.
+    """
+    reach = [wall.thickness / 2 for wall in walls]
+    first, second = shapely.STRtree(bodies).query(bodies, predicate="dwithin", distance=reach)
+    counts = np.bincount(first, minlength=len(bodies))
+    if len(bodies) and counts.max() > MOST_MEETING:
+        wall = walls[int(counts.argmax())]
+        raise InputError(
+            f"{counts.max() - 1} walls meet the one from ({wall.start[0]:g}, {wall.start[1]:g}) "
+            f"to ({wall.end[0]:g}, {wall.end[1]:g})",
+            f"list every wall once; at most {MOST_MEETING} may meet",
+            place="walls",
+        )
+    order = np.lexsort((second, first))
+    return [part.tolist() for part in np.split(second[order], np.cumsum(counts)[:-1])]
+
+
 def _joints(
-    k: int, listed: list[tuple[int, WallBrief]], bodies: list[BaseGeometry]
+    k: int, near: list[int], listed: list[tuple[int, WallBrief]], bodies: list[BaseGeometry]
 ) -> BaseGeometry:
     """The wedges that close the corners between wall ``k`` and those that end where it does."""
     wall = listed[k][1]
-    near = np.flatnonzero(shapely.dwithin(bodies[k], bodies, wall.thickness / 2)).tolist()
     wedges = [
         _wedge(a, b, wall, listed[j][1])
         for j in near

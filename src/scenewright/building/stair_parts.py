@@ -8,13 +8,13 @@ from itertools import pairwise
 import numpy as np
 import shapely
 
-from scenewright.assets.materials import BLACK, OAK, WHITE
-from scenewright.catalog import Part
+from scenewright.catalog.assets.materials import BLACK, OAK, WHITE
+from scenewright.core.catalog import Part
+from scenewright.core.layout import corners
+from scenewright.core.stairs import EYE, Stairs
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import prism
 from scenewright.geometry.solids import rod
-from scenewright.layout import corners
-from scenewright.stairs import EYE, Stairs
 
 PLATE = 0.04
 """Thickness of a tread, metres."""
@@ -55,8 +55,11 @@ def flight_parts(stairs: Stairs, above: float = 0.0) -> tuple[Part, ...]:
         low = max(above - stairs.rise, 0.0)
         white.append(rod((*post, low), (*post, stairs.rises * stairs.rise + RAIL), EYE, sides=12))
     rails, bars = _rails(stairs, above)
-    return (Part(OAK, *merge([*plates, *rails])), Part(WHITE, *merge(white)),
-            Part(BLACK, *merge(bars)))  # fmt: skip
+    return (
+        Part(OAK, *merge([*plates, *rails])),
+        Part(WHITE, *merge(white)),
+        Part(BLACK, *merge(bars)),
+    )
 
 
 def _post(stairs: Stairs) -> Floats:
@@ -88,8 +91,11 @@ def _rails(stairs: Stairs, above: float) -> tuple[list[Mesh], list[Mesh]]:
     sides = (0, 1) if stairs.shape == "straight" else (open_side,)
     rails, bars = [], []
     for side in sides:
-        spots = [(*_inset(t.outline, side), t.height) for t in stairs.treads
-                 if t.height > above and not _landing(t.outline, stairs)]  # fmt: skip
+        spots = [
+            (*_inset(t.outline, side), t.height)
+            for t in stairs.treads
+            if t.height > above and not _landing(t.outline, stairs)
+        ]
         if len(spots) > 1:
             tops = [(x, y, z + RAIL) for x, y, z in spots]
             rails += [rod(a, b, 0.022) for a, b in pairwise(tops)]

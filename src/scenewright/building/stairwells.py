@@ -9,12 +9,12 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.brief import Brief
-from scenewright.brief.stairs import StairsBrief
-from scenewright.errors import InputError
-from scenewright.layout import corners
-from scenewright.space import Level, Space, StairEnd, StairPart
-from scenewright.stairs import FLOOR, HEADROOM, Box, End, Stairs, built
+from scenewright.core.brief import Brief
+from scenewright.core.brief.stairs import StairsBrief
+from scenewright.core.errors import InputError
+from scenewright.core.layout import corners
+from scenewright.core.space import Level, Space, StairEnd, StairPart
+from scenewright.core.stairs import FLOOR, HEADROOM, Box, End, Stairs, build_stairs
 
 Floats = NDArray[np.float64]
 
@@ -42,13 +42,15 @@ def stairs_of(brief: Brief, storeys: Sequence[Level]) -> tuple[Stairs, ...]:
         if not LOWEST <= height <= HIGHEST:
             raise InputError(
                 f"the level '{upper.id}' is {height:.2f} m above '{lower.id}'",
-                f"give stairs between {LOWEST} and {HIGHEST} m", place=place,
-            )  # fmt: skip
+                f"give stairs between {LOWEST} and {HIGHEST} m",
+                place=place,
+            )
         name = asked.id or ("stairs" if number == 0 else f"stairs-{number + 1}")
         if any(name == other.id for other in found):
-            raise InputError(f"the id '{name}' is used twice", "give all stairs their own id",
-                             place=place)  # fmt: skip
-        found.append(built(asked, name, lower.id, upper.id, height))
+            raise InputError(
+                f"the id '{name}' is used twice", "give all stairs their own id", place=place
+            )
+        found.append(build_stairs(asked, name, lower.id, upper.id, height))
     return tuple(found)
 
 
@@ -58,13 +60,17 @@ def _levels(
     """The lower and upper level of stairs."""
     for name in (asked.level, asked.to):
         if name and name not in known:
-            raise InputError(f"the level '{name}' does not exist",
-                             f"use one of: {', '.join(known)}", place=place)  # fmt: skip
+            raise InputError(
+                f"the level '{name}' does not exist", f"use one of: {', '.join(known)}", place=place
+            )
     lower = known[asked.level] if asked.level else min(storeys, key=lambda lv: lv.elevation)
     above = [lv for lv in storeys if lv.elevation > lower.elevation + LOWEST]
     if not asked.to and not above:
-        raise InputError(f"there is no level above '{lower.id}'",
-                         "list it under levels, with its elevation", place=place)  # fmt: skip
+        raise InputError(
+            f"there is no level above '{lower.id}'",
+            "list it under levels, with its elevation",
+            place=place,
+        )
     return lower, known[asked.to] if asked.to else min(above, key=lambda lv: lv.elevation)
 
 
@@ -77,7 +83,7 @@ def with_stairs(
         return tuple(spaces)
     floors = [shapely.Polygon(space.outline, space.holes) for space in spaces]
     tree = shapely.STRtree(floors)
-    entered = _entered(spaces, storeys)
+    entered = _find_entrance_elevation(spaces, storeys)
     height = {level.id: level.elevation for level in storeys}
     rise = {s.id: height[s.upper] - height[s.level] for s in found}
     ends: list[list[StairEnd]] = [[] for _ in spaces]
@@ -87,15 +93,18 @@ def with_stairs(
         place = f"stairs[{number}] '{stairs.name or stairs.id}'"
         _check_between(stairs, spaces, floors, height, place)
         entries: dict[str, int] = {}
-        for kind, end, level in (("foot", stairs.foot, stairs.level),
-                                 ("head", stairs.head, stairs.upper)):  # fmt: skip
+        for kind, end, level in (
+            ("foot", stairs.foot, stairs.level),
+            ("head", stairs.head, stairs.upper),
+        ):
             room = _room_of(end, level, spaces, floors)
             if room is None:
                 raise InputError(
                     f"the {kind} at ({end.x:.2f}, {end.y:.2f}) leads into no room of the level "
-                    f"'{level}'", "move the stairs or turn them, or draw the room they lead into",
+                    f"'{level}'",
+                    "move the stairs or turn them, or draw the room they lead into",
                     place=place,
-                )  # fmt: skip
+                )
             arrival = height[level] > entered if kind == "head" else height[level] < entered
             ends[room].append(StairEnd(stairs.id, kind, *end, arrival))
             entries[kind] = room
@@ -105,8 +114,11 @@ def with_stairs(
             tall = [min(most, space.height) for space in spaces]
             for room, part in _parts(stairs, kind, entries[kind], tree, own, tall):
                 if part.id in taken:
-                    raise InputError(f"the id '{part.id}' is used twice",
-                                     "give the stairs another id", place=place)  # fmt: skip
+                    raise InputError(
+                        f"the id '{part.id}' is used twice",
+                        "give the stairs another id",
+                        place=place,
+                    )
                 taken.add(part.id)
                 parts[room].append(part)
     return tuple(
@@ -116,9 +128,13 @@ def with_stairs(
 
 
 def _parts(
-    stairs: Stairs, kind: str, entry: int, floors: shapely.STRtree, own: NDArray[np.bool_],
+    stairs: Stairs,
+    kind: str,
+    entry: int,
+    floors: shapely.STRtree,
+    own: NDArray[np.bool_],
     tall: Sequence[float],
-) -> Iterator[tuple[int, StairPart]]:  # fmt: skip
+) -> Iterator[tuple[int, StairPart]]:
     """What stairs take of the ``floors`` of their ``own`` level, cut where rooms part, and nothing
     where rooms have been drawn round it. The first box holds the foot, the last the head: in the
     room of the ``entry`` (else the one with most of it) that part is the staircase one steps onto.
@@ -159,9 +175,12 @@ def _cut_to(shape: shapely.Geometry, box: Box) -> Box:
 
 
 def _check_between(
-    stairs: Stairs, spaces: Sequence[Space], floors: Sequence[shapely.Polygon],
-    height: dict[str, float], place: str,
-) -> None:  # fmt: skip
+    stairs: Stairs,
+    spaces: Sequence[Space],
+    floors: Sequence[shapely.Polygon],
+    height: dict[str, float],
+    place: str,
+) -> None:
     """No room of a level between may lie where the stairs go through it."""
     low, high = height[stairs.level], height[stairs.upper]
     for space, floor in zip(spaces, floors, strict=True):
@@ -172,8 +191,9 @@ def _check_between(
         if floor.intersection(shapely.union_all(through)).area > SLIVER:
             raise InputError(
                 f"goes through '{space.id}' of the level '{space.level}'",
-                "let the stairs end on that level, or draw the room round them", place=place,
-            )  # fmt: skip
+                "let the stairs end on that level, or draw the room round them",
+                place=place,
+            )
 
 
 def _room_of(
@@ -186,11 +206,12 @@ def _room_of(
     return next(inside, None)
 
 
-def _entered(spaces: Sequence[Space], storeys: Sequence[Level]) -> float:
+def _find_entrance_elevation(spaces: Sequence[Space], storeys: Sequence[Level]) -> float:
     """The elevation of the level that is entered from outside: the lowest with a door to the
     outside, but a basement only if no other has one; else the lowest."""
-    doors = {s.level for s in spaces for o in s.openings
-             if o.kind != "window" and len(o.spaces) == 1}  # fmt: skip
+    doors = {
+        s.level for s in spaces for o in s.openings if o.kind != "window" and len(o.spaces) == 1
+    }
     heights = sorted(level.elevation for level in storeys if level.id in doors)
     above = [height for height in heights if height >= BASEMENT]
     return next(iter(above or heights), min(level.elevation for level in storeys))

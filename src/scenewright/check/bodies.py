@@ -8,10 +8,11 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.catalog import Catalog, Kind
 from scenewright.check.report import Finding
-from scenewright.scene import Piece
-from scenewright.space import Space
+from scenewright.core.catalog import Catalog
+from scenewright.core.kind import Kind
+from scenewright.core.scene import Piece
+from scenewright.core.space import Space
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -35,6 +36,7 @@ _FLATTEST = 0.05
 _CURTAINS = ("curtain", "blind")
 _SEATS = ("chair", "stool", "bench", "pouf")
 _LARGEST = 1e5
+_UNSEEN = 1e-3
 
 
 class Rooms(NamedTuple):
@@ -50,7 +52,8 @@ class Bodies(NamedTuple):
     """Pieces as arrays, row by row: kind, oriented footprint, corners (n, 4, 2) from back right
     counter-clockwise, underside and top above the level's floor, index of the room and of the
     level, and what their use allows: ``flat`` lies on the floor, ``seat`` may be pushed aside
-    and under a table, ``soft`` gives way (curtains), ``known`` the catalog has its kind."""
+    and under a table, ``soft`` gives way (curtains), ``known`` the catalog has its kind.
+    ``into`` (k, 2) are rows that stand in one room and reach into another, and that other room."""
 
     pieces: tuple[Piece, ...]
     kinds: tuple[Kind, ...]
@@ -64,6 +67,7 @@ class Bodies(NamedTuple):
     seat: Flags
     soft: Flags
     known: Flags
+    into: Indices
 
     @property
     def underfoot(self) -> Flags:
@@ -118,12 +122,36 @@ def _stack(
     room = np.array([number[p.space] for p in pieces], np.int64)
     flat = np.array([k.flat for k in kinds], bool) & (rows[:, 6] <= _FLATTEST)
     return Bodies(
-        pieces, kinds, shapely.polygons(corners) if len(pieces) else np.empty(0, object), corners,
-        rows[:, 2], rows[:, 2] + rows[:, 6], room, rooms.level[room], flat,
-        np.array([bool(k.under) and _named(k.category, _SEATS) for k in kinds], bool),
-        np.array([_named(k.category, _CURTAINS) for k in kinds], bool),
+        pieces,
+        kinds,
+        shapely.polygons(corners) if len(pieces) else np.empty(0, object),
+        corners,
+        rows[:, 2],
+        rows[:, 2] + rows[:, 6],
+        room,
+        rooms.level[room],
+        flat,
+        np.array([bool(k.under) and _matches_any(k.category, _SEATS) for k in kinds], bool),
+        np.array([_matches_any(k.category, _CURTAINS) for k in kinds], bool),
         np.array([p.category in catalog.kinds for p in pieces], bool),
-    )  # fmt: skip
+        _reaching(shapely.polygons(corners) if len(pieces) else np.empty(0, object), room, rooms),
+    )
+
+
+def _reaching(footprints: Shapes, room: Indices, rooms: Rooms) -> Indices:
+    """Rows that cover more than :data:`_UNSEEN` of another room of their level, and that room."""
+    row, other = shapely.STRtree(rooms.shapes).query(footprints, predicate="intersects")
+    keep = (room[row] != other) & (rooms.level[room[row]] == rooms.level[other])
+    row, other = row[keep], other[keep]
+    shared = shapely.area(shapely.intersection(footprints[row], rooms.shapes[other]))
+    return np.stack([row, other], -1)[shared > _UNSEEN]
+
+
+def standing_in(bodies: Bodies, rooms: Indices) -> Flags:
+    """Which rows stand in some rooms, or in another and reach into one of them."""
+    found = np.isin(bodies.room, rooms)
+    found[bodies.into[np.isin(bodies.into[:, 1], rooms), 0]] = True
+    return found
 
 
 def _corners(rows: Floats) -> Floats:
@@ -135,5 +163,13 @@ def _corners(rows: Floats) -> Floats:
     return np.stack([centre + r * right + f * front for r, f in signs], 1)
 
 
-def _named(category: str, words: tuple[str, ...]) -> bool:
+def _matches_any(category: str, words: tuple[str, ...]) -> bool:
     return any(word in category for word in words)
+
+
+class Members(NamedTuple):
+    """A group: its id, the number of its zone (-1: none such) and the rows of its objects."""
+
+    id: str
+    zone: int
+    rows: Indices

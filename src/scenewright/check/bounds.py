@@ -65,7 +65,7 @@ def find_unsupported(bodies: Bodies, rooms: Rooms) -> list[Finding]:
     middle of its back edge at a wall; a ceiling piece reaches the ceiling. A piece whose category
     is unknown to the catalog may be held by any of these.
     """
-    held = _held(bodies, rooms)
+    held = _is_held(bodies, rooms)
     found = [_sunk(bodies, rooms, int(i)) for i in np.flatnonzero(bodies.low < -SUPPORT_GAP)]
     floating = np.flatnonzero(~held & (bodies.low > SUPPORT_GAP))
     found += [_floating(bodies, rooms, int(i)) for i in floating]
@@ -76,19 +76,19 @@ def find_unsupported(bodies: Bodies, rooms: Rooms) -> list[Finding]:
     return found
 
 
-def _held(bodies: Bodies, rooms: Rooms) -> Flags:
+def _is_held(bodies: Bodies, rooms: Rooms) -> Flags:
     support = np.array([kind.support for kind in bodies.kinds])
     unknown = ~bodies.known
     declared = np.array([piece.on is not None for piece in bodies.pieces], bool)
     ceiling = ceiling_over(bodies, rooms)
     held: Flags = np.abs(bodies.low) <= SUPPORT_GAP
-    held |= declared | _stacked(bodies)
+    held |= declared | _is_stacked(bodies)
     held |= ((support == "wall") | unknown) & (_wall_gap(bodies, rooms.shapes) <= WALL_GAP)
     held |= ((support == "ceiling") | unknown) & (np.abs(ceiling - bodies.high) <= SUPPORT_GAP)
     return held
 
 
-def _stacked(bodies: Bodies) -> Flags:
+def _is_stacked(bodies: Bodies) -> Flags:
     """Which rows have another piece's top just beneath their middle."""
     stacked = np.zeros(len(bodies.pieces), bool)
     raised = np.flatnonzero(bodies.low > SUPPORT_GAP)
@@ -149,13 +149,26 @@ def _stands_wrong(bodies: Bodies, rooms: Rooms, i: int, under: int | None) -> li
 
 
 def _finding(
-    kind: str, bodies: Bodies, rooms: Rooms, i: int, told: str, amount: float,
-    area: float = 0.0, other: int | None = None,
-) -> Finding:  # fmt: skip
+    kind: str,
+    bodies: Bodies,
+    rooms: Rooms,
+    i: int,
+    told: str,
+    amount: float,
+    area: float = 0.0,
+    other: int | None = None,
+) -> Finding:
     piece = bodies.pieces[i]
     beside = None if other is None else bodies.pieces[other]
     given = piece.fixed and (beside is None or beside.fixed)
     return Finding(
-        kind, rooms.levels[bodies.level[i]], piece.space, piece.id, beside.id if beside else "",
-        told, round(amount, 4), round(area, 4), given,
-    )  # fmt: skip
+        kind,
+        rooms.levels[bodies.level[i]],
+        piece.space,
+        piece.id,
+        beside.id if beside else "",
+        told,
+        round(amount, 4),
+        round(area, 4),
+        given,
+    )

@@ -14,7 +14,7 @@ import shapely
 
 from scenewright.check.bodies import TOLERANCE, Bodies, Floats, Rooms, Shape
 from scenewright.check.report import Finding
-from scenewright.space import Slope, Space
+from scenewright.core.space import Slope, Space
 
 HEADROOM = 2.0
 """Least height of the ceiling over the middle of a walking route, in metres."""
@@ -69,9 +69,16 @@ def _through(bodies: Bodies, rooms: Rooms, i: int, ceiling: float) -> Finding:
         f"which is {ceiling:.2f} m high there"
     )
     return Finding(
-        "through_slope", rooms.levels[bodies.level[i]], piece.space, piece.id, "", told,
-        round(over, 4), round(float(inside.area), 4), piece.fixed,
-    )  # fmt: skip
+        "through_slope",
+        rooms.levels[bodies.level[i]],
+        piece.space,
+        piece.id,
+        "",
+        told,
+        round(over, 4),
+        round(float(inside.area), 4),
+        piece.fixed,
+    )
 
 
 def _edge(space: Space, slope: Slope) -> tuple[Floats, Floats]:

@@ -94,7 +94,13 @@ def _finding(
 ) -> Finding:
     a, b = bodies.pieces[i], bodies.pieces[j]
     return Finding(
-        "collision", names[bodies.level[i]], a.space, a.id, b.id,
+        "collision",
+        names[bodies.level[i]],
+        a.space,
+        a.id,
+        b.id,
         f"{a.id} and {b.id} overlap by {depth:.2f} m ({area:.2f} m²)",
-        round(depth, 4), round(area, 4), a.fixed and b.fixed,
-    )  # fmt: skip
+        round(depth, 4),
+        round(area, 4),
+        a.fixed and b.fixed,
+    )

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 
 from scenewright.check.bodies import HEAD_HEIGHT, TOLERANCE, Bodies, Floats, Rooms, Shape, Shapes
 from scenewright.check.report import Finding
-from scenewright.space import Opening
+from scenewright.core.space import Opening
 
 DOOR_DEPTH = 0.5
 """Depth of the threshold kept free before a door, in metres."""
@@ -53,7 +53,7 @@ _ARC = np.linspace(0.0, np.pi / 2, 13)
 _FAR = 100.0
 
 
-class Zone(NamedTuple):
+class OpeningZone(NamedTuple):
     """What must be free before one side of one opening: room index, shape, and heights between
     which it must be free."""
 
@@ -79,11 +79,13 @@ def find_blocked(bodies: Bodies, rooms: Rooms) -> list[Finding]:
     keep &= (bodies.level[piece] == level) & ~bodies.flat[piece] & ~bodies.soft[piece]
     found: list[Finding] = []
     for number in np.unique(which[keep]):
-        found += _blocked(bodies, rooms, zones[number], np.sort(piece[keep & (which == number)]))
+        found += _find_blocked(
+            bodies, rooms, zones[number], np.sort(piece[keep & (which == number)])
+        )
     return found
 
 
-def _zones_of(rooms: Rooms, room: int) -> list[Zone]:
+def _zones_of(rooms: Rooms, room: int) -> list[OpeningZone]:
     zones = []
     for opening in (o for o in rooms.spaces[room].openings if o.roof is None):
         inward = _inward(opening, rooms.shapes[room])
@@ -95,7 +97,7 @@ def _zones_of(rooms: Rooms, room: int) -> list[Zone]:
             if opening.swing == inward:
                 box = shapely.union(box, _sector(opening))
         shape = shapely.intersection(box, rooms.shapes[room])
-        zones.append(Zone(opening, room, shape, low, high))
+        zones.append(OpeningZone(opening, room, shape, low, high))
     return zones
 
 
@@ -145,7 +147,9 @@ def _sector(opening: Opening) -> Shape:
     return shapely.polygons(np.concatenate([hinge[None], hinge + arc * opening.width]))
 
 
-def _blocked(bodies: Bodies, rooms: Rooms, zone: Zone, inside: NDArray[np.intp]) -> list[Finding]:
+def _find_blocked(
+    bodies: Bodies, rooms: Rooms, zone: OpeningZone, inside: NDArray[np.intp]
+) -> list[Finding]:
     opening = zone.opening
     entered = shapely.intersection(bodies.footprints[inside], zone.shape)
     wide = opening.kind != "window" and opening.swing == 0 and opening.width > WIDE
@@ -177,7 +181,7 @@ def _widest_stretch(opening: Opening, entered: Shapes) -> float:
     return widest
 
 
-def _finding(bodies: Bodies, rooms: Rooms, zone: Zone, i: int, shape: Shape) -> Finding:
+def _finding(bodies: Bodies, rooms: Rooms, zone: OpeningZone, i: int, shape: Shape) -> Finding:
     piece, opening = bodies.pieces[i], zone.opening
     kind = "blocked_window" if opening.kind == "window" else "blocked_door"
     space, area = rooms.spaces[zone.room], float(shape.area)
@@ -190,6 +194,13 @@ def _finding(bodies: Bodies, rooms: Rooms, zone: Zone, i: int, shape: Shape) -> 
         told += f" and rises {over:.2f} m above its sill"
     told += f" ({area:.2f} m² of what should be free)"
     return Finding(
-        kind, space.level, space.id, piece.id, opening.id, told,
-        round(gap, 4), round(area, 4), piece.fixed,
-    )  # fmt: skip
+        kind,
+        space.level,
+        space.id,
+        piece.id,
+        opening.id,
+        told,
+        round(gap, 4),
+        round(area, 4),
+        piece.fixed,
+    )

@@ -1,8 +1,8 @@
 """Outlets: is what has to be connected near enough to a socket or tap?
 
 Only where a room lists outlets of a kind is anything judged. Measured in plan, from the nearest
-outlet of the kind to the footprint of the piece; how far leads and hoses reach is told by
-:data:`scenewright.assets.service_use.NEEDS`.
+outlet of the kind to the footprint of the piece; how far leads and hoses reach is stated in the
+piece's kind.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 import shapely
 
-from scenewright.assets.service_use import NEEDS, Need
 from scenewright.check.bodies import TOLERANCE, Bodies, Rooms
 from scenewright.check.report import Finding, Note
+from scenewright.core.kind import Service
 
 
 class Connection(NamedTuple):
@@ -21,7 +21,7 @@ class Connection(NamedTuple):
     outlets of this kind must be used."""
 
     piece: int
-    need: Need
+    need: Service
     metres: float
     required: bool
 
@@ -34,9 +34,9 @@ class Connection(NamedTuple):
 def connections_of(bodies: Bodies, rooms: Rooms) -> list[Connection]:
     """Everything that needs an outlet of a kind its room lists."""
     found = []
-    for i, piece in enumerate(bodies.pieces):
+    for i, kind in enumerate(bodies.kinds):
         outlets = rooms.spaces[bodies.room[i]].outlets
-        for need in NEEDS.get(piece.category, ()):
+        for need in kind.services:
             mine = [o for o in outlets if o.kind == need.outlet]
             if mine:
                 at = shapely.points([(o.x, o.y) for o in mine])
@@ -53,17 +53,26 @@ def connections_told(
     findings, notes, figures = [], [], []
     for each in found:
         piece, outlet = bodies.pieces[each.piece], each.need.outlet
-        figures.append({
-            "space": piece.space, "piece": piece.id, "outlet": outlet,
-            "metres": round(each.metres, 3), "reach": each.need.reach, "within": each.reached,
-        })  # fmt: skip
+        figures.append(
+            {
+                "space": piece.space,
+                "piece": piece.id,
+                "outlet": outlet,
+                "metres": round(each.metres, 3),
+                "reach": each.need.reach,
+                "within": each.reached,
+            }
+        )
         told = f"{piece.id} stands {each.metres:.2f} m from the nearest {outlet} outlet, "
         told += f"its {each.need.by} reaches {each.need.reach:g} m"
         if not each.reached and each.required:
             level = rooms.levels[bodies.level[each.piece]]
             over = round(each.metres - each.need.reach, 4)
-            findings.append(Finding("unserved", level, piece.space, piece.id, outlet, told, over,
-                                    given=piece.fixed))  # fmt: skip
+            findings.append(
+                Finding(
+                    "unserved", level, piece.space, piece.id, outlet, told, over, given=piece.fixed
+                )
+            )
         elif not each.reached:
             notes.append(Note(piece.space, piece.function, outlet, told))
     return findings, notes, figures

@@ -13,18 +13,10 @@ import shapely
 
 from scenewright.check.bodies import TOLERANCE, Bodies, Floats, Rooms, Shape
 from scenewright.check.report import Finding
-from scenewright.space import Radiator
+from scenewright.core.space import Radiator
 
 STRIP = 0.2
 """Depth of the free strip before a radiator, in metres."""
-
-OPEN = {
-    "dining_table", "round_table", "outdoor_table", "coffee_table", "side_table", "console_table",
-    "desk", "kids_desk", "vanity", "reading_table", "chair", "dining_chair", "office_chair",
-    "outdoor_chair", "deck_chair", "stool", "bar_stool", "bench", "plant", "potted_tree", "planter",
-    "floor_lamp", "table_lamp", "drying_rack", "ironing_board", "radiator", "towel_rail",
-}  # fmt: skip
-"""What air passes under or round."""
 
 
 def find_shut_in(bodies: Bodies, rooms: Rooms) -> list[Finding]:
@@ -34,10 +26,12 @@ def find_shut_in(bodies: Bodies, rooms: Rooms) -> list[Finding]:
         for radiator in space.radiators:
             strip = shapely.buffer(_strip(radiator), -TOLERANCE / 2, join_style="mitre")
             here = np.flatnonzero(
-                (bodies.level == rooms.level[room]) & ~bodies.flat
+                (bodies.level == rooms.level[room])
+                & ~bodies.flat
                 & (bodies.low < radiator.z + radiator.height - TOLERANCE)
-                & [p.category not in OPEN and p.id != radiator.id for p in bodies.pieces]
-            )  # fmt: skip
+                & [not kind.airy for kind in bodies.kinds]
+                & [piece.id != radiator.id for piece in bodies.pieces]
+            )
             met = shapely.intersects(bodies.footprints[here], strip)
             found += [_finding(bodies, rooms, room, radiator, int(i)) for i in here[met]]
     return found
@@ -63,6 +57,13 @@ def _finding(bodies: Bodies, rooms: Rooms, room: int, radiator: Radiator, i: int
     told = f"{piece.id} {does} {gap:.2f} m before {radiator.id} of {space.id}"
     told += f" ({STRIP - gap:.2f} m too near)" if gap else ""
     return Finding(
-        "blocked_radiator", space.level, space.id, piece.id, radiator.id, told,
-        round(STRIP - gap, 4), round(area, 4), piece.fixed,
-    )  # fmt: skip
+        "blocked_radiator",
+        space.level,
+        space.id,
+        piece.id,
+        radiator.id,
+        told,
+        round(STRIP - gap, 4),
+        round(area, 4),
+        piece.fixed,
+    )

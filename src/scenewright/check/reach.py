@@ -14,13 +14,12 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.catalog import Side
-from scenewright.check.bodies import Bodies, Floats, Rooms, Shape, Shapes
+from scenewright.check.bodies import Bodies, Floats, Members, Rooms, Shape, Shapes
 from scenewright.check.ceilings import BENDING, HEADROOM, lower_than
-from scenewright.check.complete import inscribed_width
-from scenewright.check.halls import Members
 from scenewright.check.report import Finding
-from scenewright.check.routes import Ground, Walk, squeeze_in, walk_without
+from scenewright.check.routes import JoinedFloor, Walk, squeeze_in, walk_without
+from scenewright.check.spaces import inscribed_width
+from scenewright.core.kind import Side
 
 REACH = 0.2
 """How far an arm reaches beyond the person's own radius, in metres."""
@@ -44,9 +43,12 @@ class Target(NamedTuple):
 
 
 def find_unreachable(
-    bodies: Bodies, rooms: Rooms, grounds: list[Ground], walks: list[Walk],
+    bodies: Bodies,
+    rooms: Rooms,
+    grounds: list[JoinedFloor],
+    walks: list[Walk],
     groups: Sequence[Members] = (),
-) -> list[Finding]:  # fmt: skip
+) -> list[Finding]:
     """Rooms, groups and pieces no route leads to, each with what blocks it.
 
     ``walks`` are the routes, one for each of ``grounds``.
@@ -79,7 +81,7 @@ def find_unreachable(
     return found
 
 
-def _room_targets(rooms: Rooms, ground: Ground, walk: Walk) -> list[Target]:
+def _room_targets(rooms: Rooms, ground: JoinedFloor, walk: Walk) -> list[Target]:
     targets = []
     for room in ground.rooms:
         within = _with_doorways(rooms, ground, int(room))
@@ -91,7 +93,7 @@ def _room_targets(rooms: Rooms, ground: Ground, walk: Walk) -> list[Target]:
     return targets
 
 
-def _with_doorways(rooms: Rooms, ground: Ground, room: int) -> Shape:
+def _with_doorways(rooms: Rooms, ground: JoinedFloor, room: int) -> Shape:
     return shapely.union_all([rooms.shapes[room], *ground.doorways.get(room, [])])
 
 
@@ -104,9 +106,13 @@ def _tight(rooms: Rooms, room: int, walk: Walk) -> bool:
 
 
 def _missed_pieces(
-    bodies: Bodies, rooms: Rooms, ground: Ground, walk: Walk, open_rooms: set[int],
+    bodies: Bodies,
+    rooms: Rooms,
+    ground: JoinedFloor,
+    walk: Walk,
+    open_rooms: set[int],
     placed: dict[int, list[Members]],
-) -> list[Target]:  # fmt: skip
+) -> list[Target]:
     """Pieces with using sides, none of which the route comes to, and groups of such pieces."""
     missed = []
     for room in sorted(open_rooms):
@@ -266,14 +272,23 @@ def _finding(
     told += f": {f' {word} '.join(names)} {verb} in the way" if names else _why(walk, target)
     given = all(bodies.pieces[row].fixed for row in rows) and (piece is None or piece.fixed)
     return Finding(
-        kind, space.level, space.id, piece.id if piece else target.group, ",".join(names), told,
-        round(float(np.nan_to_num(short)), 4), given=given and bool(rows or piece),
-    )  # fmt: skip
+        kind,
+        space.level,
+        space.id,
+        piece.id if piece else target.group,
+        ",".join(names),
+        told,
+        round(float(np.nan_to_num(short)), 4),
+        given=given and bool(rows or piece),
+    )
 
 
 def _what(space: str, piece: str, group: str) -> tuple[str, str]:
     """The kind of a finding and what is not reached."""
     if group:
         return "unreachable_group", f"any object of group {group} of {space}"
-    return ("unreachable_piece", f"{piece} of {space}") if piece else (
-        "unreachable_room", f"room {space}")  # fmt: skip
+    return (
+        ("unreachable_piece", f"{piece} of {space}")
+        if piece
+        else ("unreachable_room", f"room {space}")
+    )

@@ -15,9 +15,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.check.bodies import Bodies, Rooms, Shape, Shapes
+from scenewright.check.bodies import Bodies, Rooms, Shape, Shapes, standing_in
 from scenewright.check.ceilings import HEADROOM, SHOULDERS, lower_than
-from scenewright.space import Opening, StairEnd
+from scenewright.core.space import Opening, StairEnd
 
 ROBOT_RADIUS = 0.2
 """Radius of the robot whose navigable share is told (SceneEval), and of a person sideways."""
@@ -25,7 +25,7 @@ ROBOT_RADIUS = 0.2
 _SLACK = 0.01
 
 
-class Ground(NamedTuple):
+class JoinedFloor(NamedTuple):
     """One group of rooms joined by doors: their numbers, the joined floor with its doorways where
     a person has room for the shoulders, the part of it too ``low`` for the head, the
     doorways of each room, the points where one comes in from outside, or to another level by
@@ -55,7 +55,7 @@ class Walk(NamedTuple):
     reached: Shape
 
 
-def navigable_share(bodies: Bodies, rooms: Rooms, grounds: list[Ground]) -> dict[str, float]:
+def navigable_share(bodies: Bodies, rooms: Rooms, grounds: list[JoinedFloor]) -> dict[str, float]:
     """Largest connected part over the whole region open to a disc of 0.2 m, by level.
 
     Where rooms of one level are not joined by any door (two storeys drawn side by side) the
@@ -63,8 +63,8 @@ def navigable_share(bodies: Bodies, rooms: Rooms, grounds: list[Ground]) -> dict
     """
     parts = {level: [0.0, 0.0] for level in rooms.levels}
     for ground in grounds:
-        inside = np.flatnonzero(np.isin(bodies.room, ground.rooms) & bodies.underfoot)
-        free = _less(_open(ground, ROBOT_RADIUS), _grown(bodies, inside, ROBOT_RADIUS))
+        inside = np.flatnonzero(standing_in(bodies, ground.rooms) & bodies.underfoot)
+        free = _less(_open(ground, ROBOT_RADIUS), _grow_footprints(bodies, inside, ROBOT_RADIUS))
         areas = shapely.area(shapely.get_parts(free))
         total = parts[rooms.levels[rooms.level[ground.rooms[0]]]]
         total[0] += float(areas.max(initial=0.0))
@@ -73,7 +73,7 @@ def navigable_share(bodies: Bodies, rooms: Rooms, grounds: list[Ground]) -> dict
 
 
 def reachable_share(
-    bodies: Bodies, rooms: Rooms, grounds: list[Ground], walks: list[Walk]
+    bodies: Bodies, rooms: Rooms, grounds: list[JoinedFloor], walks: list[Walk]
 ) -> dict[str, float]:
     """Floor a disc of 0.2 m reaches that comes in by the entrances, by level; ``walks`` are where
     it goes in each of ``grounds``.
@@ -95,7 +95,7 @@ def reachable_share(
     return {level: round(part / all_, 4) if all_ else 1.0 for level, (part, all_) in parts.items()}
 
 
-def grounds_of(rooms: Rooms, route_width: float) -> list[Ground]:
+def grounds_of(rooms: Rooms, route_width: float) -> list[JoinedFloor]:
     """Groups of rooms joined by doors and passages, each with its floor."""
     number = {space.id: i for i, space in enumerate(rooms.spaces)}
     found = {(s.level, *o.spaces, o.id, o.x, o.y): o for s in rooms.spaces for o in s.openings}
@@ -115,12 +115,16 @@ def grounds_of(rooms: Rooms, route_width: float) -> list[Ground]:
         outer = tuple(o for o, a in near if len(a) == 1)
         entrances = [o for o in outer if o.use != "exit"] or outer
         doorsteps = [shapely.points(o.x, o.y) for o in entrances]
-        arrivals = [_before(end, route_width) for room in members
-                    for end in rooms.spaces[room].stairs if end.arrival]  # fmt: skip
+        arrivals = [
+            _before(end, route_width)
+            for room in members
+            for end in rooms.spaces[room].stairs
+            if end.arrival
+        ]
         points = np.array(arrivals or doorsteps, object)
         floor = shapely.difference(floor, _lower(rooms, members, SHOULDERS))
         low = _lower(rooms, members, HEADROOM)
-        grounds.append(Ground(members, floor, low, doorways, points, outer))
+        grounds.append(JoinedFloor(members, floor, low, doorways, points, outer))
     return grounds
 
 
@@ -164,33 +168,33 @@ def _doorway(opening: Opening, rooms: Rooms, joined: list[int], route_width: flo
     return shapely.polygons(np.stack([back - side, back + side, fore + side, fore - side]))
 
 
-def walk_in(bodies: Bodies, ground: Ground, radius: float) -> Walk:
+def walk_in(bodies: Bodies, ground: JoinedFloor, radius: float) -> Walk:
     """Where a disc of ``radius`` metres may go in a ground, and the part joined to the way in.
 
     The way in is where outer doors are; the largest free part if there are none, or if they are
     too tight even in the empty rooms.
     """
     blocking = blocking_in(bodies, ground.rooms)
-    bare, grown = _open(ground, radius), _grown(bodies, blocking, radius)
+    bare, grown = _open(ground, radius), _grow_footprints(bodies, blocking, radius)
     free = _less(bare, grown)
     doors = shapely.multipoints(ground.ways_in) if len(ground.ways_in) else shapely.MultiPoint()
     start = shapely.buffer(doors, 2 * _SLACK)
     if not shapely.intersects(start, bare):
         start = _somewhere_in_largest(free if not free.is_empty else bare)
-    bare_reached, reached = _joined(bare, start), _joined(free, start)
+    bare_reached, reached = _select_connected(bare, start), _select_connected(free, start)
     return Walk(radius, bare, bare_reached, blocking, grown, start, free, reached)
 
 
-def room_for(bodies: Bodies, ground: Ground, radius: float) -> Shape:
+def room_for(bodies: Bodies, ground: JoinedFloor, radius: float) -> Shape:
     """Where the centre of a disc of ``radius`` metres may be in a ground, reached or not."""
     blocking = blocking_in(bodies, ground.rooms)
-    return _less(_open(ground, radius), _grown(bodies, blocking, radius))
+    return _less(_open(ground, radius), _grow_footprints(bodies, blocking, radius))
 
 
 def blocking_in(bodies: Bodies, within: NDArray[np.int64]) -> NDArray[np.int64]:
     """Rows of the pieces in some rooms that stand in the way: seats can be pushed aside, and what
     stands on or hangs over another piece takes no floor of its own."""
-    rows = np.flatnonzero(np.isin(bodies.room, within) & bodies.underfoot & ~bodies.seat)
+    rows = np.flatnonzero(standing_in(bodies, within) & bodies.underfoot & ~bodies.seat)
     if not len(rows):
         return rows
     wider = shapely.buffer(bodies.footprints[rows], _SLACK, join_style="mitre")
@@ -201,16 +205,16 @@ def blocking_in(bodies: Bodies, within: NDArray[np.int64]) -> NDArray[np.int64]:
     return np.delete(rows, np.unique(small[under]))
 
 
-def squeeze_in(bodies: Bodies, ground: Ground, walk: Walk, within: Shape) -> Shape:
+def squeeze_in(bodies: Bodies, ground: JoinedFloor, walk: Walk, within: Shape) -> Shape:
     """Where a person comes who has walked to a narrow room by the route and goes on sideways, as
     a disc of 0.2 m: in the floor of the room and its doorways, and just before them."""
     near = shapely.intersection(ground.floor, shapely.buffer(within, 2 * walk.radius))
     bare = _open(ground._replace(floor=near), ROBOT_RADIUS)
-    free = _less(bare, _grown(bodies, walk.blocking, ROBOT_RADIUS))
-    return _joined(free, walk.reached)
+    free = _less(bare, _grow_footprints(bodies, walk.blocking, ROBOT_RADIUS))
+    return _select_connected(free, walk.reached)
 
 
-def _open(ground: Ground, radius: float) -> Shape:
+def _open(ground: JoinedFloor, radius: float) -> Shape:
     """Where the middle of a disc may be in the empty rooms, its head under the ceiling."""
     bare = shapely.buffer(ground.floor, -radius, quad_segs=8)
     return bare if ground.low.is_empty else shapely.difference(bare, ground.low)
@@ -222,7 +226,7 @@ def _lower(rooms: Rooms, members: NDArray[np.int64], height: float) -> Shape:
     return shapely.union_all([lower_than(rooms.spaces[i], rooms.shapes[i], height) for i in sloped])
 
 
-def _grown(bodies: Bodies, rows: NDArray[np.int64], radius: float) -> Shapes:
+def _grow_footprints(bodies: Bodies, rows: NDArray[np.int64], radius: float) -> Shapes:
     return np.asarray(shapely.buffer(bodies.footprints[rows], radius, quad_segs=8), object)
 
 
@@ -237,7 +241,7 @@ def _somewhere_in_largest(region: Shape) -> Shape:
     return shapely.point_on_surface(parts[int(np.argmax(shapely.area(parts)))])
 
 
-def _joined(free: Shape, start: Shape) -> Shape:
+def _select_connected(free: Shape, start: Shape) -> Shape:
     """The connected parts of ``free`` that meet ``start``."""
     parts = shapely.get_parts(free)
     return shapely.multipolygons(parts[shapely.intersects(parts, start)])
@@ -248,4 +252,4 @@ def walk_without(walk: Walk, away: NDArray[np.int64]) -> Shape:
     gone = shapely.union_all(walk.grown[away])
     touching = np.setdiff1d(np.flatnonzero(shapely.intersects(walk.grown, gone)), away)
     freed = _less(shapely.intersection(walk.bare, gone), walk.grown[touching])
-    return _joined(shapely.union(walk.free, freed), walk.start)
+    return _select_connected(shapely.union(walk.free, freed), walk.start)

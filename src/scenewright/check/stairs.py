@@ -7,12 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
-from scenewright.brief import Brief
 from scenewright.check.bodies import HEAD_HEIGHT, TOLERANCE, Bodies, Rooms, Shape
-from scenewright.check.complete import lived_in, with_stairs
 from scenewright.check.report import Finding, Note
-from scenewright.scene import STAIRS
-from scenewright.space import StairEnd, StairPart
+from scenewright.check.spaces import lived_in, with_stairs
+from scenewright.core.brief import Brief
+from scenewright.core.scene import STAIRS
+from scenewright.core.space import StairEnd, StairPart
 
 LANDING = 0.6
 """Depth of the floor that is to be free before the foot and the head of stairs, in metres."""
@@ -37,17 +37,30 @@ def _on_stairs(bodies: Bodies, rooms: Rooms) -> list[Finding]:
     for number, space in enumerate(rooms.spaces):
         for part in space.stair_parts:
             zone = _outline(part)
-            if any(p.id == part.id and p.space == space.id and zone.buffer(TOLERANCE).covers(shape)
-                   and shape.buffer(TOLERANCE).covers(zone)
-                   for p, shape in zip(bodies.pieces, bodies.footprints, strict=True)):  # fmt: skip
+            if any(
+                p.id == part.id
+                and p.space == space.id
+                and zone.buffer(TOLERANCE).covers(shape)
+                and shape.buffer(TOLERANCE).covers(zone)
+                for p, shape in zip(bodies.pieces, bodies.footprints, strict=True)
+            ):
                 continue
             for row, shape in _standing(bodies, rooms, number, zone, part.height):
                 piece = bodies.pieces[row]
                 told = f"{piece.id} stands where {part.id} is ({shape.area:.2f} m²)"
                 found.append(
-                    Finding("blocked_stairs", space.level, space.id, piece.id, part.id, told,
-                            0.0, round(float(shape.area), 4), piece.fixed)
-                )  # fmt: skip
+                    Finding(
+                        "blocked_stairs",
+                        space.level,
+                        space.id,
+                        piece.id,
+                        part.id,
+                        told,
+                        0.0,
+                        round(float(shape.area), 4),
+                        piece.fixed,
+                    )
+                )
     return found
 
 
@@ -70,8 +83,9 @@ def _outline(part: StairPart) -> Shape:
     ahead = np.array([np.cos(heading), np.sin(heading)])
     front, side = ahead * depth / 2, np.array([-ahead[1], ahead[0]]) * width / 2
     middle = np.array([x, y])
-    return shapely.Polygon([middle - front - side, middle + front - side, middle + front + side,
-                            middle - front + side])  # fmt: skip
+    return shapely.Polygon(
+        [middle - front - side, middle + front - side, middle + front + side, middle - front + side]
+    )
 
 
 def _landing(end: StairEnd) -> Shape:
@@ -88,10 +102,21 @@ def _finding(
 ) -> Finding:
     piece, space = bodies.pieces[row], rooms.spaces[room]
     gap = float(shape.distance(shapely.Point(end.x, end.y)))
-    told = (f"{piece.id} stands {gap:.2f} m before the {end.kind} of {end.stairs} "
-            f"({shape.area:.2f} m² of what should be free)")  # fmt: skip
-    return Finding("blocked_stairs", space.level, space.id, piece.id, end.stairs, told,
-                   round(gap, 4), round(float(shape.area), 4), piece.fixed)  # fmt: skip
+    told = (
+        f"{piece.id} stands {gap:.2f} m before the {end.kind} of {end.stairs} "
+        f"({shape.area:.2f} m² of what should be free)"
+    )
+    return Finding(
+        "blocked_stairs",
+        space.level,
+        space.id,
+        piece.id,
+        end.stairs,
+        told,
+        round(gap, 4),
+        round(float(shape.area), 4),
+        piece.fixed,
+    )
 
 
 def find_cut_off(brief: Brief, bodies: Bodies, rooms: Rooms) -> list[Note]:
@@ -102,17 +127,30 @@ def find_cut_off(brief: Brief, bodies: Bodies, rooms: Rooms) -> list[Note]:
     served = with_stairs(bodies, rooms)
     level_of = {space.id: space.level for space in rooms.spaces}
     reached = {level_of[space] for space in served}
-    reached |= {s.level for s in rooms.spaces for o in s.openings
-                if o.kind != "window" and len(o.spaces) == 1}  # fmt: skip
+    reached |= {
+        s.level
+        for s in rooms.spaces
+        for o in s.openings
+        if o.kind != "window" and len(o.spaces) == 1
+    }
     reached |= _above(bodies, level_of, height)
     notes = []
     for level in brief.levels:
-        here = [s for k, s in enumerate(rooms.spaces)
-                if s.level == level.id and lived_in(s.functions, rooms.shapes[k])]  # fmt: skip
+        here = [
+            s
+            for k, s in enumerate(rooms.spaces)
+            if s.level == level.id and lived_in(s.functions, rooms.shapes[k])
+        ]
         if here and level.id not in reached:
             name = level.name or level.id
-            notes.append(Note(here[0].id, here[0].functions[0], "stairs",
-                              f"no stairs lead to the level {name}"))  # fmt: skip
+            notes.append(
+                Note(
+                    here[0].id,
+                    here[0].functions[0],
+                    "stairs",
+                    f"no stairs lead to the level {name}",
+                )
+            )
     return notes
 
 

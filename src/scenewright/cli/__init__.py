@@ -1,5 +1,37 @@
-"""The command line: thin commands over the library, a file each where they are not small."""
+"""The command line: thin commands over the library, a file each where they are not small.
 
-from scenewright.cli.commands import main, run
+Nothing is imported here: :func:`main` first makes sure that Ctrl-C is heard, then loads the rest.
+"""
+
+from __future__ import annotations
+
+import sys
+
+from scenewright import interruption
 
 __all__ = ["main", "run"]
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Run the command line and leave with its exit code; every fault is one line.
+
+    What the encoding of the terminal or file cannot hold is written as ``?``.
+    """
+    interruption.install()
+    try:
+        for stream in (sys.stdout, sys.stderr):
+            if hasattr(stream, "reconfigure"):  # not if it is closed or was replaced
+                stream.reconfigure(errors="replace")
+        interruption.install(interruption.interrupt)
+        code = run(arguments)
+        interruption.ignore()
+    except KeyboardInterrupt:
+        code = interruption.CODE
+    sys.exit(code)
+
+
+def run(arguments: list[str] | None = None) -> int:
+    """Run the command line and return its exit code."""
+    from scenewright.cli import commands
+
+    return commands.run(arguments)

@@ -1,39 +1,26 @@
-"""The verb ``adjust``: move, swap, lock and let go pieces of a saved home, and solve the rest."""
+"""The verb ``adjust``: move, swap, lock and let go pieces of a saved scene, and solve the rest."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import isfinite, radians
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.console import Console
 
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
 
 if TYPE_CHECKING:
-    from scenewright.solution import Solution
+    from scenewright.core.edits import Change
+    from scenewright.workflow.adjust import AdjustRequest
 
 
 Names = list[str] | None
 
 
-class Request(NamedTuple):
-    """What the command line asks for."""
-
-    file: Path
-    outputs: list[Path]
-    move: dict[str, tuple[float, ...]]
-    swap: list[tuple[str, str]]
-    lock: list[str]
-    unlock: list[str]
-    again: list[str]
-    steps: int | None
-    seed: int | None
-
-
 def adjust(
-    file: Annotated[Path, typer.Argument(metavar="SOLUTION.json", help="A saved home.")],
+    file: Annotated[Path, typer.Argument(metavar="SOLUTION.json", help="A saved scene.")],
     outputs: Annotated[
         list[Path],
         typer.Option("-o", "--output", metavar="OUT", help="File to write; may be repeated."),
@@ -42,79 +29,76 @@ def adjust(
         Names, typer.Option(metavar="PIECE=X,Y[,DEGREES]", help="Put a piece there and lock it.")
     ] = None,
     swap: Annotated[
-        Names, typer.Option(metavar="PIECE,PIECE", help="Exchange two, and lock them.")
+        Names, typer.Option(metavar="PIECE,PIECE", help="Exchange two, and lock them (homes).")
     ] = None,
     lock: Annotated[
         Names, typer.Option(metavar="PIECE", help="Keep it where it is from now on.")
     ] = None,
     unlock: Annotated[Names, typer.Option(metavar="PIECE", help="Let it go.")] = None,
     again: Annotated[
-        Names, typer.Option(metavar="ROOM", help="Furnish a room anew around what is locked.")
+        Names, typer.Option(metavar="SPACE", help="Arrange a space anew around what is locked.")
     ] = None,
     steps: Annotated[int | None, typer.Option(min=1, help="Steps to solve for.")] = None,
     seed: Annotated[int | None, typer.Option(min=0, help="Another seed, another answer.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
 ) -> int:
-    """Change a saved home by hand; only the rooms touched are solved again, all else stays.
+    """Change a saved scene by hand; only what that touches is solved again, all else stays.
 
     Pieces are named by id or enough of it: sofa, bedroom/bed, living/seating. May be repeated.
     """
-    request = Request(
-        file, outputs, dict(_pose(told) for told in move or ()), [_pair(p) for p in swap or ()],
-        lock or [], unlock or [], again or [], steps, seed,
-    )  # fmt: skip
+    from scenewright.workflow.adjust import AdjustRequest
+
+    request = AdjustRequest(
+        file,
+        tuple(outputs),
+        dict(_pose(told) for told in move or ()),
+        tuple(_pair(p) for p in swap or ()),
+        tuple(lock or ()),
+        tuple(unlock or ()),
+        tuple(again or ()),
+        steps,
+        seed,
+    )
     return _run(request, as_json, quiet)
 
 
-def _run(request: Request, as_json: bool, quiet: bool) -> int:
+def _run(request: AdjustRequest, as_json: bool, quiet: bool) -> int:
     """Solve again, judge, write and tell; the exit code."""
-    from scenewright.check import check
-    from scenewright.cli import show, tables
-    from scenewright.cli.arrange import check_outputs, write_together
-    from scenewright.cli.progress import tell_if_cold, watching
-    from scenewright.formats import solution_json
+    from scenewright.cli import show, tables, terminal
+    from scenewright.cli.arrange import follow
+    from scenewright.workflow.adjust import adjust_file
 
-    check_outputs(request.outputs)
-    before = solution_json.read(request.file)
-    console = Console(stderr=True, quiet=quiet)
-    tell_if_cold(console)
-    with watching(console, console.quiet) as watch:
-        solution = _resolved(before, request)
-        report = check(solution)
-        write_together(solution, request.outputs, watch)
-    lost = any(out.required for out in set(solution.left_out) - set(before.left_out))
-    code = 0 if report.valid and not lost else 1
-    change = changed(before, solution)
+    console = terminal.console(stderr=True, quiet=quiet)
+    done, _ = follow(lambda _: adjust_file(request), console, stoppable=False)
+    solution, plan, report, changes, complete = done
+    code = 0 if complete else 1
     if as_json:
-        shown = show.arranged_document(str(request.file), request.outputs, solution, report, code)
-        tables.print_json(shown | {"changed": change})
+        shown = show.arranged_document(
+            str(request.file), request.outputs, solution, plan, report, code
+        )
+        listed = [change._asdict() for change in changes]
+        tables.print_json(shown | {"changed": list_changes(changes), "changes": listed})
     elif not quiet:
-        show.adjusted(Console(), request.outputs, solution, report, change)
+        show.print_adjusted(
+            tables.output_console(), request.outputs, solution, plan, report, lines(changes)
+        )
     return code
 
 
-def _resolved(before: Solution, request: Request) -> Solution:
-    from scenewright.domains import resolve
-
-    try:
-        return resolve(
-            before, move=request.move, swap=request.swap, lock=request.lock,
-            unlock=request.unlock, again=request.again, steps=request.steps, seed=request.seed,
-        )  # fmt: skip
-    except InputError as error:
-        raise error.located(file=str(request.file)) from None
+def list_changes(changes: Sequence[Change]) -> dict[str, list[str]]:
+    """Ids of the pieces that are ``moved``, ``new`` or ``gone``."""
+    return {how: [c.piece for c in changes if c.change == how] for how in ("moved", "new", "gone")}
 
 
-def changed(before: Solution, after: Solution) -> dict[str, list[str]]:
-    """Ids of the pieces that are ``new``, ``moved`` or ``gone``, lamps and curtains left out."""
-    old = {p.id: p for p in before.pieces if p.function != "light"}
-    now = {p.id: p for p in after.pieces if p.function != "light"}
-    return {
-        "moved": [i for i, p in now.items() if i in old and p.pose != old[i].pose],
-        "new": [i for i in now if i not in old],
-        "gone": [i for i in old if i not in now],
-    }
+def lines(changes: Sequence[Change]) -> list[str]:
+    """The changes in words, those of one kind and reason on one line."""
+    told: dict[tuple[str, str], list[str]] = {}
+    for change in changes:
+        renamed = change.was not in ("", change.piece)
+        name = f"{change.was} -> {change.piece}" if renamed else change.piece
+        told.setdefault((change.change, change.reason), []).append(name)
+    return [f"{how}: {', '.join(names)} ({why})" for (how, why), names in told.items()]
 
 
 def _pose(told: str) -> tuple[str, tuple[float, ...]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from collections.abc import Iterator, Sequence
@@ -12,21 +11,16 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TextColumn,
-    TimeRemainingColumn,
-)
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from scenewright.cli import tables
+from scenewright.cli import tables, terminal
 from scenewright.cli.progress import interrupts, tell_if_cold
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
+from scenewright.text import printable
 
 if TYPE_CHECKING:
-    from scenewright.batch import Row
-    from scenewright.cli.arrange import Request
+    from scenewright.batch import ResultRow
+    from scenewright.workflow.request import ArrangeRequest
 
 BatchOption = Annotated[
     bool, typer.Option("--batch", help="Many files and folders into one folder, -o DIR.")
@@ -47,7 +41,7 @@ MOST = 25
 """Files told one by one at the end."""
 
 
-class Terms(NamedTuple):
+class BatchTerms(NamedTuple):
     """What only a batch is told: formats, workers, memory of each in GiB, seconds for a file."""
 
     formats: str | None
@@ -56,7 +50,7 @@ class Terms(NamedTuple):
     limit: float | None
 
 
-def check_single(sources: Sequence[str], terms: Terms) -> None:
+def check_single(sources: Sequence[str], terms: BatchTerms) -> None:
     """Refuse words that only a batch understands."""
     if len(sources) > 1:
         raise InputError(f"{len(sources)} inputs are given", "add --batch and -o FOLDER")
@@ -64,7 +58,9 @@ def check_single(sources: Sequence[str], terms: Terms) -> None:
         raise InputError("--format, --jobs, --memory, --limit are of a batch", "add --batch")
 
 
-def run(sources: Sequence[str], request: Request, terms: Terms, as_json: bool, quiet: bool) -> int:
+def run(
+    sources: Sequence[str], request: ArrangeRequest, terms: BatchTerms, as_json: bool, quiet: bool
+) -> int:
     """Lay out all files; the exit code: 0 all complete, 1 not all, 2 none could be used, 130
     interrupted."""
     from scenewright.batch import MEMORY, TIME, batch
@@ -73,57 +69,65 @@ def run(sources: Sequence[str], request: Request, terms: Terms, as_json: bool, q
         raise InputError("a batch writes into one folder", "give it with -o FOLDER")
     if request.alternatives > 1:
         raise InputError("--alternatives and --batch exclude each other", "give one of them")
-    if request.accessible:
-        raise InputError(
-            "--accessible and --batch exclude each other", 'say "accessible": true in the briefs'
-        )
     folder = request.outputs[0]
     formats = [f".{f.strip().removeprefix('.')}" for f in (terms.formats or ".json").split(",")]
-    console = Console(stderr=True, quiet=quiet)
+    console = terminal.console(stderr=True, quiet=quiet)
     tell_if_cold(console)
     with interrupts() as interrupted, _bar(console) as watch:
         rows = batch(
-            sources, folder, formats=formats, jobs=terms.jobs, preset=request.preset,
-            solver=request.solver, seconds=request.seconds, steps=request.steps,
-            seed=request.seed, keep=request.keep, catalogs=request.catalogs,
+            sources,
+            folder,
+            formats=formats,
+            jobs=terms.jobs,
+            preset=request.preset,
+            solver=request.solver,
+            seconds=request.seconds,
+            steps=request.steps,
+            seed=request.seed,
+            keep=request.keep,
+            catalogs=request.catalogs,
             groups=request.groups,
+            accessible=request.accessible,
+            scale=request.scale,
+            hidden_levels=request.hidden_levels,
             memory=MEMORY if terms.memory is None else terms.memory,
             limit=TIME if terms.limit is None else terms.limit,
-            progress=watch.heard, cancel=lambda: bool(interrupted),
-        )  # fmt: skip
-    code = 130 if len(rows) < watch.total else _code(rows)
+            progress=watch.heard,
+            cancel=lambda: bool(interrupted),
+        )
+    code = 130 if interrupted else _code(rows)
     if as_json:
         told = {"exit_code": code, "folder": str(folder), **_document(rows)}
-        sys.stdout.write(json.dumps(told, indent=2, ensure_ascii=False) + "\n")
+        tables.print_json(told)
     elif not quiet:
-        _tell(Console(), rows, folder, watch)
+        _tell(tables.output_console(), rows, folder, watch)
     else:
-        sys.stderr.writelines(f"scenewright: {line}\n" for line in _failures(rows))
+        sys.stderr.writelines(f"scenewright: {printable(line)}\n" for line in _failures(rows))
     if code == 130:
-        told_so_far = f"interrupted after {len(rows)} of {watch.total} files"
+        told_so_far = f"interrupted after {len(rows)} of {watch.total or 'all'} files"
         sys.stderr.write(f"scenewright: {told_so_far}; say the same again to go on\n")
     return code
 
 
-def _code(rows: Sequence[Row]) -> int:
+def _code(rows: Sequence[ResultRow]) -> int:
     states = {row.status for row in rows}
     return 0 if states == {"complete"} else 2 if states == {"failed"} else 1
 
 
-def _failures(rows: Sequence[Row]) -> list[str]:
+def _failures(rows: Sequence[ResultRow]) -> list[str]:
     """A line for each file that came to nothing."""
     from scenewright.batch.table import FAILED
 
     return [f"{row.file}: {_without(row)}" for row in rows if row.status == FAILED]
 
 
-def _document(rows: Sequence[Row]) -> dict[str, object]:
+def _document(rows: Sequence[ResultRow]) -> dict[str, object]:
     from scenewright.batch.table import totals
 
     return {"totals": totals(rows), "files": [row._asdict() for row in rows]}
 
 
-def _tell(console: Console, rows: Sequence[Row], folder: Path, watch: Heard) -> None:
+def _tell(console: Console, rows: Sequence[ResultRow], folder: Path, watch: Heard) -> None:
     """The totals, the files that came to nothing or break a rule, and where the rest is told."""
     from scenewright.batch.table import CSV, FAILED, NOT_VALID, totals
 
@@ -131,7 +135,7 @@ def _tell(console: Console, rows: Sequence[Row], folder: Path, watch: Heard) -> 
     told.sort(key=lambda row: row.status != FAILED)
     lines = [{"file": row.file, "status": row.status, "message": _without(row)} for row in told]
     if lines:
-        tables.table(console, lines[:MOST], title="files to look at")
+        tables.table(console, lines[:MOST], title="files to look at", whole=("file",))
     counted = [{"files": status, "": count} for status, count in totals(rows).items() if count]
     tables.table(console, counted, title="batch")
     rate = watch.made / max(watch.seconds(), 1e-9)
@@ -140,10 +144,10 @@ def _tell(console: Console, rows: Sequence[Row], folder: Path, watch: Heard) -> 
     words += [f"{watch.before} were done before"] * bool(watch.before)
     words += [f"{len(told) - MOST} more to look at"] * (len(told) > MOST)
     words.append(f"all of them: {folder / CSV}")
-    console.print("; ".join(words), style="dim", markup=False)
+    tables.print_line(console, "; ".join(words), "dim")
 
 
-def _without(row: Row) -> str:
+def _without(row: ResultRow) -> str:
     """The message without the name of the file, which stands beside it."""
     return row.message.removeprefix(f"{row.file}: ")
 
@@ -161,7 +165,7 @@ class Heard:
         """Since the start."""
         return time.perf_counter() - self.begun
 
-    def heard(self, _: Row, done: int, total: int, before: bool) -> None:
+    def heard(self, _: ResultRow, done: int, total: int, before: bool) -> None:
         """A row has come."""
         self.total = total
         self.before, self.made = self.before + before, self.made + (not before)
@@ -173,9 +177,14 @@ class Heard:
 def _bar(console: Console) -> Iterator[Heard]:
     """A bar with count, rate and time left, if anyone is looking."""
     bar = Progress(
-        TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
-        TextColumn("{task.fields[rate]}", markup=False), TimeRemainingColumn(), console=console,
-        transient=True, disable=console.quiet or not console.is_terminal,
-    )  # fmt: skip
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("{task.fields[rate]}", markup=False),
+        TimeRemainingColumn(),
+        console=console,
+        transient=True,
+        disable=console.quiet or not console.is_terminal,
+    )
     with bar:
         yield Heard(bar)

@@ -1,35 +1,102 @@
-"""The verb ``bench``: benchmarks live beside the source, in its folder ``benchmarks``."""
+"""The verb ``bench``: benchmarks live beside the source, in its folder ``benchmarks``.
+
+A benchmark yields its records as they are measured, so that an interrupted run keeps those it has.
+"""
 
 from __future__ import annotations
 
+import inspect
+import re
+import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, redirect_stdout
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from types import FrameType
+from typing import Any, Literal, NamedTuple
 
-from scenewright.cli.arrange import named
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
+from scenewright.workflow.request import check_name
 
 Record = dict[str, Any]
+Extent = Literal["quick", "usual", "full"]
+KEYS = ("case", "metric", "unit", "ours", "baseline", "baseline_name", "ratio", "runs")
+"""What every record holds; ``runs`` is how many runs its medians or means are of."""
+RECORDS = re.compile(r"^def records\(\s*quick\b", re.MULTILINE)
+"""How a module that is a benchmark is known."""
 
 
-def records(name: str, quick: bool, progress: Callable[[float, str], None]) -> list[Record]:
-    """Run one benchmark: records of case, metric, unit, ours, baseline, baseline_name, ratio,
-    runs."""
+class Measured(NamedTuple):
+    """The records of a benchmark, and whether it was interrupted before it had them all."""
+
+    records: tuple[Record, ...]
+    interrupted: bool
+
+
+def extent_of(quick: bool, full: bool) -> Extent:
+    """How much is measured; InputError where both less and more are asked for."""
+    if quick and full:
+        raise InputError("--quick and --full exclude each other", "give one of them")
+    return "quick" if quick else "full" if full else "usual"
+
+
+def measure(name: str, extent: Extent, progress: Callable[[float, str], None]) -> Measured:
+    """Run one benchmark to its end or until Ctrl-C or SIGTERM; whatever it prints goes to the
+    standard error."""
+    records: list[Record] = []
+    try:
+        with _termination_interrupts(), redirect_stdout(sys.stderr):
+            for record in _run(name, extent, progress):
+                missing = [key for key in KEYS if key not in record]
+                if missing:
+                    raise RuntimeError(f"bench {name}: a record lacks {', '.join(missing)}")
+                records.append(record)
+    except KeyboardInterrupt:
+        return Measured(tuple(records), True)
+    return Measured(tuple(records), False)
+
+
+def _run(name: str, extent: Extent, progress: Callable[[float, str], None]) -> Iterable[Record]:
     folder = find_folder()
-    named("benchmark", name, names(folder))
+    check_name("benchmark", name, names(folder))
     root = str(folder.parent)
     if root not in sys.path:
         sys.path.insert(0, root)
-    found: list[Record] = import_module(f"benchmarks.{name}").records(quick, progress)
-    return found
+    function = import_module(f"benchmarks.{name}").records
+    if extent != "full":
+        return function(extent == "quick", progress)
+    if "full" not in inspect.signature(function).parameters:
+        raise InputError(f"benchmark '{name}' always measures everything", "leave --full out")
+    return function(False, progress, full=True)
+
+
+@contextmanager
+def _termination_interrupts() -> Iterator[None]:
+    """In the block Ctrl-C and SIGTERM raise ``KeyboardInterrupt`` and nothing else, so that the
+    records measured so far are kept."""
+
+    def interrupt(_number: int, _frame: FrameType | None) -> None:
+        raise KeyboardInterrupt
+
+    before = {}
+    try:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            before[number] = signal.signal(number, interrupt)
+    except ValueError:  # not the main thread: leave signals alone
+        yield
+        return
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 def names(folder: Path) -> list[str]:
-    """Names of the benchmarks in a folder: its modules that have ``records``."""
+    """Names of the benchmarks in a folder: its modules that have ``records(quick, …)``."""
     files = sorted(folder.glob("*.py"))
-    return [f.stem for f in files if "def records(" in f.read_text(encoding="utf-8")]
+    return [f.stem for f in files if RECORDS.search(f.read_text(encoding="utf-8"))]
 
 
 def find_folder() -> Path:

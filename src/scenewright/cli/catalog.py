@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.console import Console
 
-from scenewright.cli import tables
-from scenewright.errors import InputError
+from scenewright.cli import tables, terminal
+from scenewright.core.atomic_file import check_targets, write_atomically
+from scenewright.core.errors import InputError
 
 if TYPE_CHECKING:
-    from scenewright.models.listing import Listed
-    from scenewright.stock import Taken
+    from scenewright.catalog.loading import ReadCatalog
+    from scenewright.catalog.models.listing import Listed
 
 app = typer.Typer(
     help="Furniture of your own: look it through, register it, learn groups from homes.",
@@ -37,18 +38,18 @@ def add(
     as_json: Json = False,
 ) -> int:
     """Register a catalogue: remember where it is and what each of its models is taken for."""
-    from scenewright.brief.catalog import entry_of
-    from scenewright.models import register
-    from scenewright.models.listing import csv_text, rows
-    from scenewright.stock import taken
+    from scenewright.catalog.loading import read_entry
+    from scenewright.catalog.models import register
+    from scenewright.catalog.models.listing import csv_text, rows
+    from scenewright.core.brief.catalog import entry_of
 
-    called = register.checked(name or path.stem or path.absolute().name)
+    called = register.check_name(name or path.stem or path.absolute().name)
     if called in register.names() and not replace:
         raise InputError(f"'{called}' is registered already", "give --replace or another --name")
-    before = register.saved(called)
+    before = register.read_saved_files(called)
     folder = register.register(called, path, csv_text([]))
     try:
-        found = taken(entry_of(called))
+        found = read_entry(entry_of(called))
     except InputError:
         register.restore(called, before)
         raise
@@ -57,17 +58,17 @@ def add(
     if as_json:
         tables.print_json({"name": called, "table": str(folder / register.TABLE)} | counts)
         return 0
-    console = Console()
-    console.print(f"{called}: {_summary(counts)}", markup=False)
-    console.print(f"edit {folder / register.TABLE} to correct it", style="dim", markup=False)
+    console = tables.output_console()
+    tables.print_line(console, f"{called}: {_summary(counts)}")
+    tables.print_line(console, f"edit {folder / register.TABLE} to correct it", "dim", whole=True)
     return 0
 
 
 @app.command("list")
 def list_(as_json: Json = False) -> int:
     """List the registered catalogues."""
-    from scenewright.models import register
-    from scenewright.models.listing import table_of
+    from scenewright.catalog.models import register
+    from scenewright.catalog.models.listing import table_of
 
     found = []
     for name in register.names():
@@ -75,14 +76,21 @@ def list_(as_json: Json = False) -> int:
         table = table_of(file) if file.is_file() else {}
         used = [c for c in table.values() if c.get("category") not in ("", "other")]
         path = register.where(name)
-        found.append({"name": name, "models": len(table), "usable": len(used),
-                      "path": str(path), "there": path.exists()})  # fmt: skip
+        found.append(
+            {
+                "name": name,
+                "models": len(table),
+                "usable": len(used),
+                "path": str(path),
+                "there": path.exists(),
+            }
+        )
     if as_json:
         tables.print_json(found)
     elif found:
-        tables.table(Console(), found, title="catalogues")
+        tables.table(tables.output_console(), found, title="catalogues", whole=("name", "path"))
     else:
-        Console().print("none yet: scenewright catalog add PATH", style="dim")
+        tables.print_line(tables.output_console(), "none yet: scenewright catalog add PATH", "dim")
     return 0
 
 
@@ -96,27 +104,31 @@ def show_(
     as_json: Json = False,
 ) -> int:
     """Show what each model of a catalogue is taken for, as a table or a sheet of pictures."""
-    from scenewright.brief.catalog import entry_of
-    from scenewright.models.listing import rows
-    from scenewright.stock import taken
+    from scenewright.catalog.loading import read_entry
+    from scenewright.catalog.models.listing import rows
+    from scenewright.core.brief.catalog import entry_of
 
-    found = taken(entry_of(catalogue))
+    found = read_entry(entry_of(catalogue))
+    if output is not None:
+        check_targets([output])
     models = [one for one in found.models if category in (None, one.category)]
     if not models:
         known = ", ".join(sorted({one.category for one in found.models}))
         raise InputError(f"holds no model of category '{category}'", f"it has: {known}")
-    console = Console()
+    console = tables.output_console()
     if output is not None:
         _write(models, output, console, as_json)
     if as_json:
-        tables.print_json({"models": rows(models), "skipped": [s._asdict() for s in found.skipped]}
-                   | _counts(found))  # fmt: skip
+        tables.print_json(
+            {"models": rows(models), "skipped": [s._asdict() for s in found.skipped]}
+            | _counts(found)
+        )
         return 0
     if output is None:
         tables.table(console, [_row(one) for one in models], title=catalogue, whole=("id",))
         for one in found.skipped:
-            console.print(f"skipped {one.name}: {one.reason}", style="dim", markup=False)
-    console.print(_summary(_counts(found)), markup=False)
+            tables.print_line(console, f"skipped {one.name}: {one.reason}", "dim")
+    tables.print_line(console, _summary(_counts(found)))
     return 0
 
 
@@ -127,18 +139,21 @@ def learn(
     as_json: Json = False,
 ) -> int:
     """Learn furniture groups from furnished homes: what stands together, how, in which sizes."""
-    from scenewright.assets import shipped
+    from scenewright.catalog.assets import shipped
     from scenewright.domains.home.learned.groups import document, learn, write
 
     for home in homes:
         if not home.lower().endswith(FURNISHED):
             remedy = f"give files of Sweet Home 3D: {' or '.join(FURNISHED)}"
             raise InputError("is no furnished home to learn from", remedy, file=home)
-    rooms = [room for home in homes for room in _furnished(home)]
+    check_targets([output])
+    rooms = [room for home in homes for room in _read_furnished_rooms(home)]
+    check_targets([output])
     found = learn(rooms, shipped())
     if not found.cases:
-        raise InputError("no furniture groups are found", "give homes with furniture in them",
-                         file=homes[0])  # fmt: skip
+        raise InputError(
+            "no furniture groups are found", "give homes with furniture in them", file=homes[0]
+        )
     write(found, output)
     if as_json:
         tables.print_json(document(found))
@@ -146,66 +161,87 @@ def learn(
     table: dict[str, list[Any]] = {}
     for case in found.cases:
         table.setdefault(case.case.function, []).append(case)
-    rows = [{"function": name, "cases": len(own), "seen": sum(c.seen for c in own),
-             "homes": len({home for c in own for home in c.homes}),
-             "holds": "; ".join(dict.fromkeys(c.case.name for c in own))}
-            for name, own in table.items()]  # fmt: skip
-    tables.table(Console(), rows, title="learned groups")
+    rows = [
+        {
+            "function": name,
+            "cases": len(own),
+            "seen": sum(c.seen for c in own),
+            "homes": len({home for c in own for home in c.homes}),
+            "holds": "; ".join(dict.fromkeys(c.case.name for c in own)),
+        }
+        for name, own in table.items()
+    ]
+    console = tables.output_console()
+    tables.table(console, rows, title="learned groups")
     several, files = "s" * (found.rooms != 1), "s" * (len(homes) != 1)
     told = f"{found.rooms} furnished room{several} of {len(homes)} home{files}; wrote {output}"
-    Console().print(told, style="dim", markup=False)
+    tables.print_line(console, told, "dim")
     return 0
 
 
-def _furnished(home: str) -> list[Any]:
+def _read_furnished_rooms(home: str) -> list[Any]:
     """The rooms of a home as furnished."""
     from scenewright import formats
-    from scenewright.assets import shipped
-    from scenewright.domains.home.learned.learning import Furnished
-    from scenewright.domains.standing import fixed_pieces
-    from scenewright.plan import spaces
+    from scenewright.building.plan import spaces
+    from scenewright.building.standing import fixed_pieces
+    from scenewright.catalog.assets import shipped
+    from scenewright.domains.home.learned.learning import FurnishedSpace
 
     brief = formats.read(home, keep=True)
     return [
-        Furnished(Path(home).stem, space, tuple(fixed_pieces(room, space, shipped())))
+        FurnishedSpace(Path(home).stem, space, tuple(fixed_pieces(room, space, shipped())))
         for space, room in zip(spaces(brief), brief.rooms, strict=True)
     ]
 
 
 def _write(models: Sequence[Listed], output: Path, console: Console, quiet: bool) -> None:
     """The sheet of pictures or the table."""
-    from scenewright.cli.view import Request, Sitter, portrayed, told
-    from scenewright.models.as_asset import lighter
-    from scenewright.models.listing import csv_text, rows
-    from scenewright.models.model import Options
+    from scenewright.catalog.models.as_asset import lighter
+    from scenewright.catalog.models.listing import csv_text, rows
+    from scenewright.catalog.models.model import ImportOptions
+    from scenewright.cli.view import Sitter, ViewRequest, draw_portraits, list_skipped
 
     if output.suffix.lower() == ".csv":
-        partial = output.with_name(f".{output.name}.tmp")
-        partial.write_text(csv_text(rows(models)), encoding="utf-8")
-        partial.replace(output)
+        try:
+            write_atomically(output, csv_text(rows(models)))
+        except OSError as error:
+            raise InputError(
+                f"cannot be written: {error.strerror or error}",
+                "choose another place",
+                file=str(output),
+            ) from None
     else:
         if output.suffix.lower() != ".png":
             raise InputError("is neither .png nor .csv", "choose such a name", file=str(output))
         order = sorted(models, key=lambda one: (one.category == "other", one.category))
-        sitters = [Sitter(f"{one.category}: {one.model.name}", one.model.source,
-                          lighter(one.model.parts)) for one in order]  # fmt: skip
-        request = Request((), output, "picture", Options())
-        viewed = portrayed(sitters, request, Console(stderr=True, quiet=quiet))
-        for line in [] if quiet else told(viewed):
-            console.print(line, style="dim", markup=False)
+        sitters = [
+            Sitter(f"{one.category}: {one.model.name}", one.model.source, lighter(one.model.parts))
+            for one in order
+        ]
+        request = ViewRequest((), output, "picture", ImportOptions())
+        viewed = draw_portraits(sitters, request, terminal.console(stderr=True, quiet=quiet))
+        for line in [] if quiet else list_skipped(viewed):
+            tables.print_line(console, line, "dim")
     if not quiet:
-        console.print(f"wrote {output}", style="dim", markup=False)
+        tables.print_line(console, f"wrote {output}", "dim", whole=True)
 
 
 def _row(one: Listed) -> dict[str, Any]:
     size = " x ".join(f"{side:.2f}" for side in one.model.size)
-    cells = {"id": one.model.id, "category": "skipped" if one.skip else one.category,
-             "front": one.front, "size": size, "sure": one.sure, "colour": one.colour,
-             "author": one.model.author, "why": one.why}  # fmt: skip
+    cells = {
+        "id": one.model.id,
+        "category": "skipped" if one.skip else one.category,
+        "front": one.front,
+        "size": size,
+        "sure": one.sure,
+        "colour": one.colour,
+        "author": one.model.author,
+        "why": one.why,
+    }
     return {key: cells[key] for key in SHOWN}
 
 
-def _counts(found: Taken) -> dict[str, Any]:
+def _counts(found: ReadCatalog) -> dict[str, Any]:
     """How many models can be used, by category, how many only where named, how many not at all."""
     usable = Counter(m.category for m in found.models if m.category != "other" and not m.skip)
     return {

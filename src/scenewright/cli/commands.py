@@ -1,7 +1,7 @@
 """The command line: thin words around the façade.
 
 Exit codes: 0 everything asked is placed and valid; 1 done, but something was left out or breaks a
-rule; 2 the input cannot be used; 130 interrupted.
+rule; 2 the input cannot be used; 130 interrupted, 143 terminated.
 """
 
 from __future__ import annotations
@@ -20,8 +20,13 @@ from scenewright._version import __version__
 from scenewright.cli import adjust as cli_adjust
 from scenewright.cli import batch as cli_batch
 from scenewright.cli import catalog as cli_catalog
-from scenewright.cli import show, tables
-from scenewright.errors import InputError
+from scenewright.cli import show, tables, terminal
+from scenewright.cli.arguments import check_words
+from scenewright.cli.reading import CatalogOption, GroupsOption, HiddenOption, ScaleOption
+from scenewright.cli.termination import Terminated, orderly_termination
+from scenewright.core.atomic_file import recorded_run
+from scenewright.core.errors import InputError
+from scenewright.text import printable
 
 app = typer.Typer(
     name="scenewright",
@@ -49,11 +54,15 @@ def main(arguments: list[str] | None = None) -> None:
 def run(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     try:
-        return int(app(arguments, standalone_mode=False) or 0)
+        check_words(arguments)
+        with orderly_termination(), recorded_run():
+            return int(app(arguments, standalone_mode=False) or 0)
+    except Terminated as stop:
+        return _fault("terminated", stop.code)
     except InputError as error:
         return _fault(str(error))
     except USAGE_FAULT as error:
-        told = _told(error)
+        told = _format_usage_error(error)
         return _fault(f"{told}; see scenewright --help") if told else 2
     except (KeyboardInterrupt, typer.Abort):
         return _fault("interrupted", 130)
@@ -67,7 +76,7 @@ def run(arguments: list[str] | None = None) -> int:
         return _fault(f"a fault of ours, {told} (SCENEWRIGHT_DEBUG=1 shows where)", 3)
 
 
-def _told(usage_fault: Any) -> str:
+def _format_usage_error(usage_fault: Any) -> str:
     """The fault in our words; empty if the help was shown instead."""
     told = str(usage_fault.format_message()).rstrip(".")
     told = re.sub(r"Input should be a valid integer.*", "give a whole number", told)
@@ -75,7 +84,7 @@ def _told(usage_fault: Any) -> str:
 
 
 def _fault(told: str, code: int = 2) -> int:
-    sys.stderr.write("scenewright: " + " ".join(told.split()) + "\n")
+    sys.stderr.write(f"scenewright: {printable(told)}\n")
     return code
 
 
@@ -110,14 +119,10 @@ def arrange(
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same result.")] = 0,
     keep: Annotated[bool, typer.Option("--keep", help="Leave the furniture of a .sh3d.")] = False,
     accessible: Annotated[bool, typer.Option(help="Room for wheelchairs.")] = False,
-    catalogs: Annotated[
-        list[str] | None,
-        typer.Option("--catalog", metavar="PATH", help="Models of your own; may be repeated."),
-    ] = None,
-    groups: Annotated[
-        list[str] | None,
-        typer.Option("--groups", metavar="PATH", help="Learned groups; may be repeated."),
-    ] = None,
+    scale: ScaleOption = 1.0,
+    hidden_levels: HiddenOption = False,
+    catalogs: CatalogOption = None,
+    groups: GroupsOption = None,
     alternatives: Annotated[
         int, typer.Option(min=1, max=50, help="Plans that differ, ranked: OUT-1, OUT-2 …")
     ] = 1,
@@ -131,29 +136,39 @@ def arrange(
 ) -> int:
     """Furnish a home or lay out a hall: read INPUT, solve it, write every OUT by its suffix."""
     from scenewright.cli import arrange as cli_arrange
+    from scenewright.workflow.request import ArrangeRequest
 
     _check_budget(seconds, steps)
-    request = cli_arrange.Request(
-        sources[0], tuple(outputs or ()), preset, solver, seconds, steps, seed, keep,
-        alternatives, tuple(catalogs or ()), tuple(groups or ()), accessible,
-    )  # fmt: skip
-    terms = cli_batch.Terms(formats, jobs, memory, limit)
+    request = ArrangeRequest(
+        sources[0],
+        tuple(outputs or ()),
+        preset,
+        solver,
+        seconds,
+        steps,
+        seed,
+        keep,
+        alternatives,
+        tuple(catalogs or ()),
+        tuple(groups or ()),
+        accessible,
+        scale,
+        hidden_levels,
+    )
+    terms = cli_batch.BatchTerms(formats, jobs, memory, limit)
     if many:
         return cli_batch.run(sources, request, terms, as_json, quiet)
     cli_batch.check_single(sources, terms)
-    console = Console(stderr=True, quiet=quiet)
+    console = terminal.console(stderr=True, quiet=quiet)
     if alternatives > 1:
         return _alternatives(request, console, as_json, quiet)
-    solution, report, interrupted = cli_arrange.arrange(request, console)
-    complete = not any(entry.required for entry in solution.left_out)
-    code = 130 if interrupted else 0 if report.valid and complete else 1
+    arranged, interrupted = cli_arrange.arrange(request, console)
+    code = 130 if interrupted else 0 if arranged.complete else 1
     if as_json:
-        tables.print_json(
-            show.arranged_document(request.source, request.outputs, solution, report, code)
-        )
+        tables.print_json(show.arranged_document(request.source, request.outputs, *arranged, code))
     elif not quiet:
-        show.arranged(Console(), request.outputs, solution, report, interrupted)
-    return _fault(show.interrupted(request.outputs), code) if interrupted else code
+        show.print_arranged(tables.output_console(), request.outputs, *arranged, interrupted)
+    return _fault(show.describe_interruption(request.outputs), code) if interrupted else code
 
 
 def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) -> int:
@@ -165,12 +180,14 @@ def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) ->
     if as_json:
         tables.print_json([cli_alternatives.document(request.source, plan) for plan in plans])
     elif not quiet:
-        console = Console()
+        console = tables.output_console()
         tables.table(console, cli_alternatives.rows(plans), title="plans")
         for told in filter(None, map(cli_alternatives.patterns, plans)):
-            console.print(told, style="dim", markup=False)
+            tables.print_line(console, told, "dim")
         if len(plans) < request.alternatives and not interrupted:
-            console.print(f"{len(plans)} of {request.alternatives} plans: no more differ")
+            tables.print_line(
+                console, f"{len(plans)} of {request.alternatives} plans: no more differ"
+            )
     return code
 
 
@@ -181,14 +198,15 @@ def check(
     quiet: QuietOption = False,
 ) -> int:
     """Judge a solution exactly: collisions, doors, routes, what is out of bounds."""
-    from scenewright.check import check as judge
+    from scenewright.domains import check as judge
     from scenewright.formats import solution_json
 
-    report = judge(solution_json.read(file))
+    solution, plan = solution_json.read_planned(file)
+    report = judge(solution, plan=plan)
     if as_json:
         tables.print_json({"file": str(file), **report.to_dict()})
     elif not quiet:
-        show.checked(Console(), report)
+        show.print_report(tables.output_console(), report)
     return 0 if report.valid else 1
 
 
@@ -200,11 +218,11 @@ def explain(
     """Tell why: what every term costs every item, and what was left out."""
     from scenewright.formats import solution_json
 
-    solution = solution_json.read(file)
+    solution, plan = solution_json.read_planned(file)
     if as_json:
-        tables.print_json(show.explained_document(solution))
+        tables.print_json(show.explained_document(solution, plan))
     else:
-        show.explained(Console(), solution)
+        show.print_explanation(tables.output_console(), solution, plan)
     return 0
 
 
@@ -212,19 +230,23 @@ def explain(
 def bench(
     name: Annotated[str, typer.Argument(help="Which benchmark, such as home.")],
     quick: Annotated[bool, typer.Option("--quick", help="Fewer runs.")] = False,
+    full: Annotated[bool, typer.Option("--full", help="Everything, however long.")] = False,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
     """Measure against the baselines (needs a source checkout)."""
     from scenewright.cli import bench as cli_bench
-    from scenewright.cli.progress import watching
+    from scenewright.cli.progress import show_progress
 
-    with watching(Console(stderr=True), quiet) as watch:
-        records = cli_bench.records(name, quick, watch.progress)
+    extent = cli_bench.extent_of(quick, full)
+    with show_progress(terminal.console(stderr=True), quiet) as progress:
+        measured = cli_bench.measure(name, extent, progress)
     if as_json:
-        tables.print_json(records)
+        tables.print_json(list(measured.records))
     elif not quiet:
-        tables.table(tables.wide(Console()), records, title=f"bench {name}")
+        tables.table(tables.output_console(), measured.records, title=f"bench {name}")
+    if measured.interrupted:
+        return _fault(f"interrupted after {len(measured.records)} records", 130)
     return 0
 
 
@@ -241,17 +263,18 @@ def view(
     quiet: QuietOption = False,
 ) -> int:
     """Draw models from their best views, plain and coloured by saliency, on one sheet."""
+    from scenewright.catalog.models.model import ImportOptions
     from scenewright.cli import view as cli_view
-    from scenewright.models.model import Options
 
-    request = cli_view.Request(tuple(models), output, measure, Options(up, front))
-    viewed = cli_view.view(request, Console(stderr=True, quiet=quiet))
+    request = cli_view.ViewRequest(tuple(models), output, measure, ImportOptions(up, front))
+    viewed = cli_view.view(request, terminal.console(stderr=True, quiet=quiet))
     if as_json:
         tables.print_json(cli_view.document(request, viewed))
     elif not quiet:
-        tables.table(Console(), cli_view.shown(viewed), title="models")
-        for told in [*cli_view.told(viewed), f"wrote {output}"]:
-            Console().print(told, style="dim", markup=False)
+        console = tables.output_console()
+        tables.table(console, cli_view.select_columns(viewed), title="models", whole=("name",))
+        for told in [*cli_view.list_skipped(viewed), f"wrote {output}"]:
+            tables.print_line(console, told, "dim")
     return 1 if viewed.skipped else 0
 
 
@@ -269,14 +292,29 @@ def list_(
     if as_json:
         tables.print_json(rows)
     else:
-        tables.table(Console(), cli_lists.shown(what, rows), title=what)
+        tables.table(tables.output_console(), cli_lists.select_columns(what, rows), title=what)
     return 0
 
 
 @app.command()
-def schema(
-    what: Annotated[str, typer.Argument(help="brief or solution.")] = "brief",
+def warm(
+    kinds: Annotated[
+        list[str] | None, typer.Argument(metavar="[KIND]...", help="home, hall, site; or all.")
+    ] = None,
+    as_json: JsonOption = False,
+    quiet: QuietOption = False,
 ) -> int:
+    """Compile beforehand what the first run of each kind of scene would, kinds side by side."""
+    from scenewright.cli import warm as cli_warm
+
+    rows = cli_warm.run(kinds or (), terminal.console(stderr=True, quiet=quiet or as_json))
+    if as_json:
+        tables.print_json(cli_warm.document(rows))
+    return 0
+
+
+@app.command()
+def schema(what: Annotated[str, typer.Argument(help="brief or solution.")] = "brief") -> int:
     """Print the JSON Schema of an input file."""
     from scenewright.cli import lists as cli_lists
 

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from scenewright.cli.arrange import named
+from scenewright.workflow.request import check_name
 
 Row = dict[str, Any]
 
 
 def rows(what: str) -> list[Row]:
     """Rows of one of :data:`LISTS`; the keys are the columns."""
-    named("list", what, list(LISTS))
+    check_name("list", what, list(LISTS))
     return LISTS[what]()
 
 
-def shown(what: str, rows: list[Row]) -> list[Row]:
+def select_columns(what: str, rows: list[Row]) -> list[Row]:
     """The columns a person reads; machines get them all."""
     columns = SHOWN.get(what)
     return [{key: row[key] for key in columns} for row in rows] if columns else rows
@@ -24,81 +24,103 @@ def shown(what: str, rows: list[Row]) -> list[Row]:
 
 def schema(what: str) -> dict[str, Any]:
     """The JSON Schema of a brief or a solution."""
-    named("schema", what, ["brief", "solution"])
+    check_name("schema", what, ["brief", "solution"])
     if what == "brief":
         from scenewright.formats import brief_json
 
         return brief_json.schema()
-    from scenewright.formats.solution_record import SolutionRecord
+    from scenewright.formats.solution_record import solution_schema
 
-    return SolutionRecord.model_json_schema()
+    return solution_schema()
 
 
 def _solvers() -> list[Row]:
-    from scenewright.domains import DOMAINS, solvers
+    from scenewright.domains import domain_names, solvers
 
     return [
         {"name": name, "domain": domain, "about": row.doc, "source": row.source}
-        for domain in DOMAINS
+        for domain in domain_names()
         for name, row in solvers(domain).items()
     ]
 
 
 def _terms() -> list[Row]:
-    from scenewright.terms.hall_terms import HALL_TERMS
-    from scenewright.terms.site_terms import SITE_AIMS, SITE_TERMS
-    from scenewright.terms.table import TERMS
+    from scenewright.domains import domains
 
-    home = [{"domain": "home"} | row._asdict() for row in TERMS]
-    hall = [{"domain": "hall"} | row._asdict() for row in HALL_TERMS]
-    site = [{"domain": "site"} | row._asdict() for row in (*SITE_TERMS, *SITE_AIMS)]
-    return [*home, *({"form": "repaired", "kind": row["of"]} | row for row in (*hall, *site))]
+    return [
+        {"domain": domain.name} | _term(row._asdict())
+        for domain in domains()
+        for row in domain.table("terms")
+    ]
+
+
+def _term(row: Row) -> Row:
+    """A row of terms; what has one form is in it, and ``of`` is its kind."""
+    return row if "form" in row else {"form": "repaired", "kind": row["of"]} | row
 
 
 def _patterns() -> list[Row]:
-    from scenewright.encodings.patterns import PATTERNS
+    from scenewright.domains import domains
 
-    return [row._asdict() for row in PATTERNS.values()]
+    return [row._asdict() for domain in domains() for row in domain.table("patterns").values()]
 
 
 def _presets() -> list[Row]:
-    from scenewright.domains import DOMAINS, presets
+    from scenewright.domains import domain_names, presets
 
     return [
-        {"domain": domain, "name": name, "about": preset.doc, "solver": preset.solver,
-         "weights": preset.weights}
-        for domain in DOMAINS
+        {
+            "domain": domain,
+            "name": name,
+            "about": preset.doc,
+            "solver": preset.solver,
+            "weights": preset.weights,
+        }
+        for domain in domain_names()
         for name, preset in presets(domain).items()
-    ]  # fmt: skip
+    ]
 
 
 def _formats() -> list[Row]:
+    """A row a suffix, whichever modules read and write it."""
     from scenewright.formats import formats
 
-    return [
-        {"suffix": row.suffix, "reads": bool(row.reader), "writes": bool(row.writer),
-         "about": row.about}
-        for row in formats()
-    ]  # fmt: skip
+    rows: dict[str, Row] = {}
+    for row in formats():
+        known = rows.setdefault(
+            row.suffix, {"suffix": row.suffix, "reads": False, "writes": False, "about": ""}
+        )
+        known["reads"] |= bool(row.reader)
+        known["writes"] |= bool(row.writer)
+        known["about"] = "; ".join(filter(None, (known["about"], row.about)))
+    return list(rows.values())
 
 
 def _assets() -> list[Row]:
     """What there is to place; of what halls know, where it stands and its usual clearance."""
-    from scenewright.assets import shipped
-    from scenewright.assets.hall_use import USE
+    from scenewright.catalog.assets import shipped
 
+    catalog = shipped()
+    halls = {name: kind.hall for name, kind in catalog.kinds.items() if kind.hall}
     return [
-        {"id": asset.id, "category": asset.category, "name": asset.name,
-         "smallest": list(asset.smallest), "usual": list(asset.usual),
-         "largest": list(asset.largest), "licence": asset.licence,
-         "in halls": " ".join(USE[asset.category].patterns) if asset.category in USE else "",
-         "clearance": list(USE[asset.category].clearance) if asset.category in USE else []}
-        for asset in shipped().assets.values()
-    ]  # fmt: skip
+        {
+            "id": asset.id,
+            "category": asset.category,
+            "name": asset.name,
+            "smallest": list(asset.smallest),
+            "usual": list(asset.usual),
+            "largest": list(asset.largest),
+            "licence": asset.licence,
+            "in halls": " ".join(halls[asset.category].patterns) if asset.category in halls else "",
+            "clearance": list(halls[asset.category].clearance) if asset.category in halls else [],
+        }
+        for asset in catalog.assets.values()
+    ]
 
 
 def _groups() -> list[Row]:
     """What ``ask`` may name; sizes are width and depth of the cases of least and most floor."""
+    from scenewright.catalog.kinds import name_of
     from scenewright.domains.home.cases.library import cases
     from scenewright.domains.home.groups import GROUPS
 
@@ -106,11 +128,14 @@ def _groups() -> list[Row]:
     for name, kind in GROUPS.items():
         order = sorted(cases(name).groups, key=lambda case: case.width * case.depth)
         small, large = order[0], order[-1]
-        rows.append({
-            "name": name, "holds": " or ".join(part.replace("_", " ") for part in kind.essential),
-            "smallest": [round(small.width, 2), round(small.depth, 2)],
-            "largest": [round(large.width, 2), round(large.depth, 2)],
-        })  # fmt: skip
+        rows.append(
+            {
+                "name": name,
+                "holds": " or ".join(name_of(part) for part in kind.essential),
+                "smallest": [round(small.width, 2), round(small.depth, 2)],
+                "largest": [round(large.width, 2), round(large.depth, 2)],
+            }
+        )
     return rows
 
 
@@ -121,11 +146,12 @@ def _samples() -> list[Row]:
     rows: list[Row] = []
     for name, brief in briefs.items():
         counts = {
-            "rooms": len(brief.rooms), "levels": len(brief.levels) or 1,
+            "rooms": len(brief.rooms),
+            "levels": len(brief.levels) or 1,
             "zones": sum(len(room.zones) for room in brief.rooms),
             "demands": sum(len(room.demands) for room in brief.rooms),
-        }  # fmt: skip
-        told = ("zones", "demands") if brief.domain == "hall" else ("rooms", "levels")
+        }
+        told = ("zones", "demands") if counts["demands"] else ("rooms", "levels")
         holds = ", ".join(f"{counts[key]} {key if counts[key] > 1 else key[:-1]}" for key in told)
         row = {"domain": brief.domain, "name": name, "about": brief.name, "holds": holds}
         rows.append(row | counts)

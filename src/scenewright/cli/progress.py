@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from threading import Timer
 from types import FrameType
 from typing import NamedTuple
@@ -13,11 +13,13 @@ from typing import NamedTuple
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
+from scenewright.text import printable
+
 PATIENCE = 1.0
 """Seconds before a bar appears."""
 
 
-class Watch(NamedTuple):
+class SolverWatch(NamedTuple):
     """Callbacks for a solver: tell the fraction done, ask whether to stop."""
 
     progress: Callable[[float, str], None]
@@ -25,25 +27,46 @@ class Watch(NamedTuple):
 
 
 @contextmanager
-def watching(console: Console, quiet: bool = False) -> Iterator[Watch]:
-    """A bar on ``console`` if the work takes over a second; the first Ctrl-C asks it to stop."""
-    with _bar(console, quiet) as bar, interrupts() as interrupted:
+def watching(
+    console: Console, quiet: bool = False, stoppable: bool = True
+) -> Iterator[SolverWatch]:
+    """A bar on ``console`` if the work takes over a second; the first Ctrl-C asks it to stop, if
+    it is ``stoppable``, else it ends it."""
+    with ExitStack() as stack:
+        progress = stack.enter_context(show_progress(console, quiet))
+        interrupted = stack.enter_context(interrupts()) if stoppable else []
+        yield SolverWatch(progress, lambda: bool(interrupted))
+
+
+@contextmanager
+def show_progress(console: Console, quiet: bool = False) -> Iterator[Callable[[float, str], None]]:
+    """A bar on ``console`` if the work takes over a second; Ctrl-C interrupts the work at once."""
+    with _bar(console, quiet) as bar:
         task = bar.add_task("starting", total=1.0)
 
         def progress(fraction: float, message: str = "") -> None:
-            bar.update(task, completed=min(max(fraction, 0.0), 1.0), description=message[:40])
+            told = printable(message)[:40]
+            bar.update(task, completed=min(max(fraction, 0.0), 1.0), description=told)
 
-        yield Watch(progress, lambda: bool(interrupted))
+        def describe(message: str) -> None:
+            bar.update(task, description=message)
+
+        with compiling_noticed(console, describe):
+            yield progress
 
 
 @contextmanager
 def _bar(console: Console, quiet: bool) -> Iterator[Progress]:
     """A progress bar that appears after :data:`PATIENCE` seconds, if anyone is looking."""
     bar = Progress(
-        TextColumn("{task.description}", markup=False), BarColumn(), TaskProgressColumn(),
-        TimeElapsedColumn(), console=console, transient=True,
+        TextColumn("{task.description}", markup=False),
+        BarColumn(),
+        TaskProgressColumn(),
+        TimeElapsedColumn(),
+        console=console,
+        transient=True,
         disable=quiet or not console.is_terminal,
-    )  # fmt: skip
+    )
     timer = Timer(PATIENCE, bar.start)
     timer.start()
     try:
@@ -61,11 +84,12 @@ def interrupts() -> Iterator[list[int]]:
 
     def note(number: int, frame: FrameType | None) -> None:
         if seen:
-            signal.default_int_handler(number, frame)
+            (before if callable(before) else signal.default_int_handler)(number, frame)
         seen.append(number)
 
+    before = signal.getsignal(signal.SIGINT)
     try:
-        before = signal.signal(signal.SIGINT, note)
+        signal.signal(signal.SIGINT, note)
     except ValueError:  # not the main thread: leave interrupts alone
         yield seen
         return
@@ -76,8 +100,28 @@ def interrupts() -> Iterator[list[int]]:
 
 
 def tell_if_cold(console: Console) -> None:
-    """Say once that the first run compiles; see :mod:`scenewright.geometry.compiled`."""
+    """Say once that the first run compiles; see :mod:`scenewright.geometry.compiled`. For work
+    in other processes, which cannot be noticed while it is done."""
     from scenewright.geometry.compiled import is_cold
 
     if is_cold():
-        console.print("compiling, first run only (up to a minute on a slow machine)", style="dim")
+        console.print("compiling, first run only; see scenewright warm", style="dim")
+
+
+@contextmanager
+def compiling_noticed(console: Console, bar: Callable[[str], None] | None = None) -> Iterator[None]:
+    """Say when something is compiled in the block, and how long that took; ``bar`` is told how
+    far it is."""
+    from scenewright.geometry.compile_clock import CompileClock, compile_clock
+
+    def began(clock: CompileClock) -> None:
+        if not clock.kernels:
+            console.print("compiling, first run only", style="dim")
+        if bar is not None:
+            bar(f"compiling, part {clock.kernels + 1}")
+
+    with compile_clock(began) as clock:
+        yield
+    if clock.kernels:
+        parts = f"{clock.kernels} part{'s' * (clock.kernels != 1)}"
+        console.print(f"compiled {parts} in {clock.seconds:.1f} s", style="dim", highlight=False)

@@ -8,23 +8,24 @@ from typing import Any, NamedTuple
 
 from rich.console import Console
 
-from scenewright.catalog import Part
-from scenewright.cli.arrange import named
-from scenewright.cli.progress import Watch, tell_if_cold, watching
-from scenewright.errors import InputError
-from scenewright.formats.portrait import Portrait, portrait
-from scenewright.formats.portrait_sheet import MOST, sheet, side_of, write
-from scenewright.models import report
-from scenewright.models.model import Options, Skipped
+from scenewright.catalog.models import report
+from scenewright.catalog.models.model import ImportOptions, SkippedModel
+from scenewright.cli.progress import SolverWatch, watching
+from scenewright.core.atomic_file import check_targets
+from scenewright.core.catalog import Part
+from scenewright.core.errors import InputError
+from scenewright.render.portrait import Portrait, portrait
+from scenewright.render.portrait_sheet import MOST, sheet, side_of, write
+from scenewright.workflow.request import check_name
 
 
-class Request(NamedTuple):
+class ViewRequest(NamedTuple):
     """What the command line asks for."""
 
     sources: tuple[str, ...]
     output: Path
     measure: str
-    options: Options
+    options: ImportOptions
 
 
 class Sitter(NamedTuple):
@@ -41,35 +42,39 @@ class Viewed(NamedTuple):
     sitters: tuple[Sitter, ...]
     portraits: tuple[Portrait, ...]
     of: int
-    skipped: tuple[Skipped, ...]
+    skipped: tuple[SkippedModel, ...]
 
 
-def view(request: Request, console: Console) -> Viewed:
+def view(request: ViewRequest, console: Console) -> Viewed:
     """Draw the models and write the sheet; InputError if not one can be drawn."""
     from scenewright.geometry.best_view import MEASURES
 
-    named("measure", request.measure, list(MEASURES))
+    check_name("measure", request.measure, list(MEASURES))
     if request.output.suffix.lower() != ".png":
         raise InputError("sheets are .png files", "choose such a name", file=str(request.output))
-    return portrayed(None, request, console)
+    return draw_portraits(None, request, console)
 
 
-def portrayed(sitters: Sequence[Sitter] | None, request: Request, console: Console) -> Viewed:
+def draw_portraits(
+    sitters: Sequence[Sitter] | None, request: ViewRequest, console: Console
+) -> Viewed:
     """Draw sitters, or the models the request names, and write the sheet."""
-    tell_if_cold(console)
     with watching(console, console.quiet) as watch:
-        given, skipped = gathered(request, watch) if sitters is None else (list(sitters), [])
-        drawn = _drawn(given[:MOST], request.measure, watch, skipped)
+        given, skipped = collect_models(request, watch) if sitters is None else (list(sitters), [])
+        check_targets([request.output])
+        drawn = _draw_each(given[:MOST], request.measure, watch, skipped)
         watch.progress(1.0, f"writing {request.output.name}")
         portraits = tuple(shown for _, shown in drawn)
         write(sheet(portraits, request.measure, len(given)), request.output)
     return Viewed(tuple(s for s, _ in drawn), portraits, len(given), tuple(skipped))
 
 
-def gathered(request: Request, watch: Watch) -> tuple[list[Sitter], list[Skipped]]:
+def collect_models(
+    request: ViewRequest, watch: SolverWatch
+) -> tuple[list[Sitter], list[SkippedModel]]:
     """The models of every source: files, folders and ids of shipped assets."""
     sitters: list[Sitter] = []
-    skipped: list[Skipped] = []
+    skipped: list[SkippedModel] = []
     for source in request.sources:
         watch.progress(0.0, f"reading {Path(source).name}")
         if Path(source).exists():
@@ -77,14 +82,14 @@ def gathered(request: Request, watch: Watch) -> tuple[list[Sitter], list[Skipped
             sitters += [Sitter(m.name, m.source, m.parts) for m in found.models]
             skipped += found.skipped
         else:
-            sitters.append(_shipped(source))
+            sitters.append(_get_shipped_model(source))
     if not sitters:
         raise _nothing(request.sources, skipped)
     return sitters, skipped
 
 
-def _shipped(name: str) -> Sitter:
-    from scenewright.assets import shipped
+def _get_shipped_model(name: str) -> Sitter:
+    from scenewright.catalog.assets import shipped
 
     asset = shipped().assets.get(name)
     if asset is None:
@@ -95,8 +100,9 @@ def _shipped(name: str) -> Sitter:
     return Sitter(asset.name, name, asset.mesh(asset.usual))
 
 
-def _drawn(sitters: Sequence[Sitter], measure: str, watch: Watch,
-           skipped: list[Skipped]) -> list[tuple[Sitter, Portrait]]:  # fmt: skip
+def _draw_each(
+    sitters: Sequence[Sitter], measure: str, watch: SolverWatch, skipped: list[SkippedModel]
+) -> list[tuple[Sitter, Portrait]]:
     """The portraits; models that cannot be drawn join the skipped ones."""
     side, found = side_of(len(sitters)), []
     for k, sitter in enumerate(sitters):
@@ -106,20 +112,20 @@ def _drawn(sitters: Sequence[Sitter], measure: str, watch: Watch,
         try:
             found.append((sitter, portrait(sitter.name, sitter.parts, side, measure)))
         except InputError as error:
-            skipped.append(Skipped(sitter.source, f"{error.fault}; {error.remedy}"))
+            skipped.append(SkippedModel(sitter.source, f"{error.fault}; {error.remedy}"))
     if not found:
         raise _nothing([sitter.source for sitter in sitters], skipped)
     return found
 
 
-def _nothing(sources: Sequence[str], skipped: Sequence[Skipped]) -> InputError:
+def _nothing(sources: Sequence[str], skipped: Sequence[SkippedModel]) -> InputError:
     if not skipped:
         return InputError("holds no model files", "see scenewright view --help", file=sources[0])
     first, more = skipped[0], len(skipped) - 1
     return InputError(first.reason + f" (and {more} more)" * bool(more), file=first.name)
 
 
-def told(viewed: Viewed) -> list[str]:
+def list_skipped(viewed: Viewed) -> list[str]:
     """What was left out, in lines."""
     lines = [f"skipped {one.name}: {one.reason}" for one in viewed.skipped]
     if viewed.of > MOST:
@@ -127,7 +133,7 @@ def told(viewed: Viewed) -> list[str]:
     return lines
 
 
-def document(request: Request, viewed: Viewed) -> dict[str, Any]:
+def document(request: ViewRequest, viewed: Viewed) -> dict[str, Any]:
     """What a machine reads: each model's quality and best view, and what was skipped."""
     return {
         "file": str(request.output),
@@ -138,7 +144,7 @@ def document(request: Request, viewed: Viewed) -> dict[str, Any]:
     }
 
 
-def shown(viewed: Viewed) -> list[dict[str, Any]]:
+def select_columns(viewed: Viewed) -> list[dict[str, Any]]:
     """The rows a person reads; where a model comes from is in the document."""
     return [{key: row[key] for key in row if key != "source"} for row in rows(viewed)]
 

@@ -1,41 +1,66 @@
-"""Domains: what kinds of scenes can be laid out. One package each, found by the brief's name.
+"""Domains: what kinds of scenes can be laid out. Each is one package behind one contract.
 
-A domain's package has ``solve(brief, *, preset, solver, seconds, steps, seed, threads, progress,
-cancel)``, which returns a solution, and ``PRESETS``.
+The functions here hand a brief or a solution to its domain (:mod:`scenewright.domains.contract`);
+what a domain does not support is refused by name.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from importlib import import_module
-from typing import Any, NamedTuple
+from typing import Any
 
-from scenewright.brief import Brief
-from scenewright.errors import InputError
-from scenewright.solution import Solution
+from scenewright.check.report import Report
+from scenewright.core.brief import Brief
+from scenewright.core.brief.domain_keys import check_domain
+from scenewright.core.catalog import Catalog
+from scenewright.core.edits import Adjusted, Edits
+from scenewright.core.layout import Layouts
+from scenewright.core.plan import Plan
+from scenewright.core.registry import domain_names, domain_of
+from scenewright.core.scene import Scene
+from scenewright.core.solution import Solution
+from scenewright.core.space import Space
+from scenewright.domains.contract import Domain
+
+__all__ = [
+    "adjust",
+    "alternatives",
+    "check",
+    "domain_names",
+    "domain_of",
+    "domains",
+    "draw_plan",
+    "plan_of",
+    "presets",
+    "resolve",
+    "scene_of",
+    "solution_of",
+    "solve",
+    "solvers",
+]
 
 
-class DomainRow(NamedTuple):
-    """One domain: its name, what it is, and where its table of solvers is."""
+def domains() -> tuple[Domain, ...]:
+    """All domains, those shipped first.
 
-    name: str
-    about: str
-    solvers: str
+    >>> [domain.name for domain in domains()][:3]
+    ['home', 'hall', 'site']
+    """
+    return tuple(domain_of(name) for name in domain_names())
 
 
-_ROWS = (
-    DomainRow("home", "dwellings: rooms furnished by what they are for", "solvers:SOLVERS"),
-    DomainRow("hall", "exhibitions, shops, reading rooms, auditoria: groups in zones",
-              "solvers.halls:HALL_SOLVERS"),
-    DomainRow("site", "groups of buildings on a site, around landmarks",
-              "solvers.sites:SITE_SOLVERS"),
-)  # fmt: skip
-DOMAINS: dict[str, DomainRow] = {row.name: row for row in _ROWS}
+def plan_of(brief: Brief) -> Plan:
+    """The plan of a brief: valid spaces on levels. Raises :class:`InputError`, with the place in
+    the brief, for anything that cannot be built."""
+    check_domain(brief)
+    plan: Plan = domain_of(brief.domain).verb("plan")(brief)
+    return plan
 
 
 def solve(
     brief: Brief,
     *,
+    plan: Plan | None = None,
     preset: str = "default",
     solver: str | None = None,
     seconds: float | None = None,
@@ -45,41 +70,105 @@ def solve(
     progress: Callable[[float, str], None] | None = None,
     cancel: Callable[[], bool] | None = None,
 ) -> Solution:
-    """Solve a brief by its domain: a home is furnished, a hall laid out.
+    """Solve a brief by its domain: a home is furnished, a hall laid out, a site built on.
 
+    ``plan`` is that of the brief (made unless given).
     ``preset`` and ``solver`` are names (``scenewright list presets``). The work is ``steps`` or
     ``seconds``, else what the preset says; the same seed and steps give the same answer.
-    ``progress`` hears the share done and what is being done; when ``cancel`` answers true, what
-    was found so far is returned.
+    ``progress`` is called with the share done and what is being done; when ``cancel`` answers true,
+    the best so far is returned.
     """
-    found: Solution = _module(brief.domain).solve(
-        brief, preset=preset, solver=solver, seconds=seconds, steps=steps, seed=seed,
-        threads=threads, progress=progress, cancel=cancel,
-    )  # fmt: skip
-    return found
+    solution: Solution = domain_of(brief.domain).verb("solve")(
+        brief,
+        plan=plan or plan_of(brief),
+        preset=preset,
+        solver=solver,
+        seconds=seconds,
+        steps=steps,
+        seed=seed,
+        threads=threads,
+        progress=progress,
+        cancel=cancel,
+    )
+    return solution
+
+
+def solution_of(
+    brief: Brief, layouts: Layouts, *, plan: Plan | None = None, seed: int = 0
+) -> Solution:
+    """The solution of a layout made by hand or by another program.
+
+    ``layouts`` holds, by the id of each room, hall or site, rows of a name and a box (x, y,
+    heading, width, depth) in metres and radians: patches of furniture groups in homes, objects by
+    the id of their demand in halls, buildings by name or model on sites. The solution is furnished
+    and told about as one of :func:`solve`; ``check`` judges it. Raises :class:`InputError` for a
+    space, name or size there is not.
+    """
+    solution: Solution = domain_of(brief.domain).verb("solution")(
+        brief, layouts, plan=plan, seed=seed
+    )
+    return solution
+
+
+def check(
+    solution: Solution,
+    *,
+    plan: Plan | None = None,
+    spaces: tuple[Space, ...] | None = None,
+    catalog: Catalog | None = None,
+) -> Report:
+    """Judge a solution: every violation, what is missing, and figures.
+
+    ``plan`` is that of the solution's brief (made unless given), ``spaces`` take the place of its
+    spaces; ``catalog`` tells how each category is used (that of the brief unless given). Nothing
+    the pieces hold, however broken, raises an error: it becomes a finding.
+    """
+    from scenewright.catalog.loading import catalog_of
+
+    made = plan or plan_of(solution.brief)
+    made = made if spaces is None else made._replace(spaces=spaces)
+    kinds = catalog or catalog_of(solution.brief.catalogs)
+    report: Report = domain_of(solution.brief.domain).verb("check")(solution, made, kinds)
+    return report
+
+
+def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:
+    """The scene of a solution: what stands round it, and its pieces."""
+    made = plan or plan_of(solution.brief)
+    scene: Scene = domain_of(solution.brief.domain).verb("scene")(solution, made)
+    return scene
+
+
+def draw_plan(solution: Solution, plan: Plan | None = None) -> str:
+    """The plan of a solution to print, as SVG text."""
+    made = plan or plan_of(solution.brief)
+    text: str = domain_of(solution.brief.domain).verb("draw")(solution, made)
+    return text
 
 
 def alternatives(
     brief: Brief,
     count: int,
     *,
+    plan: Plan | None = None,
     seed: int = 0,
     progress: Callable[[float, str], None] | None = None,
     cancel: Callable[[], bool] | None = None,
     **options: Any,
 ) -> tuple[Solution, ...]:
-    """``count`` solutions that differ, best first. Halls differ by pattern, zoning and place, homes
-    room by room in walls and groups (fewer, where no more differ); sites by the seed. ``options``
-    are those of :func:`solve`."""
-    if brief.domain in ("hall", "home"):
-        module = import_module(f"scenewright.domains.{brief.domain}.alternatives")
-        plans: tuple[Solution, ...] = module.alternatives(
-            brief, count, seed=seed, progress=progress, cancel=cancel, **options
+    """``count`` solutions that differ, best first, as the domain makes them (fewer, where no more
+    differ); a domain without a way of its own answers by other seeds. ``options`` are those of
+    :func:`solve`."""
+    domain: Domain = domain_of(brief.domain)
+    made = plan or plan_of(brief)
+    if domain.has("alternatives"):
+        plans: tuple[Solution, ...] = domain.verb("alternatives")(
+            brief, count, plan=made, seed=seed, progress=progress, cancel=cancel, **options
         )
         return plans
     found = []
     for k in range(count):
-        found.append(solve(brief, seed=seed + k, cancel=cancel, **options))
+        found.append(solve(brief, plan=made, seed=seed + k, cancel=cancel, **options))
         if progress:
             progress((k + 1) / count, f"plan {k + 1} of {count}")
         if cancel is not None and cancel():
@@ -87,9 +176,17 @@ def alternatives(
     return tuple(sorted(found, key=lambda s: (len(s.left_out), sum(s.energies.values()))))
 
 
-def resolve(
+def resolve(solution: Solution, **edits: Any) -> Solution:
+    """Change a furnished home by hand and solve again only what that touches; the arguments are
+    those of :func:`adjust`."""
+    changed: Solution = adjust(solution, **edits).solution
+    return changed
+
+
+def adjust(
     solution: Solution,
     *,
+    plan: Plan | None = None,
     move: Mapping[str, tuple[float, ...]] | None = None,
     swap: Sequence[tuple[str, str]] = (),
     lock: Sequence[str] = (),
@@ -97,39 +194,31 @@ def resolve(
     again: Sequence[str] = (),
     steps: int | None = None,
     seed: int | None = None,
-) -> Solution:
-    """Change a furnished home by hand and solve again only what that touches.
+) -> Adjusted:
+    """Change a solved scene by hand and solve again only what that touches.
 
     Pieces and groups are named by id, or by what is enough of it: ``"sofa"``, ``"bedroom/bed"``.
     ``move`` puts them at (x, y) or (x, y, heading) in metres and radians, ``swap`` exchanges two;
-    both are locked there. ``lock`` keeps groups where they are whatever is solved, ``unlock`` lets
-    them go. In rooms where something was moved as little as possible changes; rooms named in
+    both are locked there, and belong to the room they stand in then. ``lock`` keeps groups where
+    they are whatever is solved, ``unlock`` lets them go. In spaces where something was moved as
+    little as possible changes: nothing that could stay at no greater cost. Spaces named in
     ``again`` are laid out anew around what is locked (give another ``seed`` for another answer).
+    The answer is the ``solution`` and every one of its ``changes`` with the reason.
     """
-    if solution.brief.domain != "home":
-        raise InputError(
-            f"a {solution.brief.domain} cannot be solved again in part",
-            'set "fixed": true on what is to stay and arrange the file again',
-        )
-    from scenewright.domains.home.changes.edits import Edits
-    from scenewright.domains.home.changes.resolve import resolve as of_home
-
     edits = Edits(move or {}, tuple(swap), tuple(lock), tuple(unlock), tuple(again))
-    return of_home(solution, edits, steps=steps, seed=seed)
+    adjusted: Adjusted = domain_of(solution.brief.domain).verb("adjust")(
+        solution, edits, plan=plan or plan_of(solution.brief), steps=steps, seed=seed
+    )
+    return adjusted
 
 
 def presets(domain: str) -> Mapping[str, Any]:
     """The presets of a domain, by name."""
-    found: Mapping[str, Any] = import_module(f"scenewright.domains.{domain}.presets").PRESETS
-    return found
+    table: Mapping[str, Any] = domain_of(domain).table("presets")
+    return table
 
 
 def solvers(domain: str) -> Mapping[str, Any]:
     """The solvers of a domain, by name."""
-    module, _, name = DOMAINS[domain].solvers.partition(":")
-    found: Mapping[str, Any] = getattr(import_module(f"scenewright.{module}"), name)
-    return found
-
-
-def _module(domain: str) -> Any:
-    return import_module(f"scenewright.domains.{domain}")
+    table: Mapping[str, Any] = domain_of(domain).table("solvers")
+    return table

@@ -2,9 +2,11 @@
 
 A row says which suffix a module handles and whether it reads briefs or writes solutions; the
 module is imported on first use, so a missing extra is only noticed (and named) then. A module
-that reads has ``read(path, keep=False) -> Brief``; one that writes ``write(solution, path)``.
+that reads has ``read(path, keep=False) -> Brief``; one that writes ``write(solution, path)``, or
+``write(solution, path, plan)`` if it draws what the brief tells: ``plan`` is made once a run.
 Other packages add rows through the entry point group ``scenewright.formats``: a name that is the
-suffix (``.dxf``), and a module.
+suffix (``.dxf``), and a module; it may have only one of the two functions. A module that writes
+may have ``check(brief)``, which raises :class:`InputError` for what it cannot write.
 """
 
 from __future__ import annotations
@@ -12,28 +14,24 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from importlib import import_module, resources
+from inspect import signature
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any
 
-from scenewright.errors import InputError
+from scenewright.core.atomic_file import note_read
+from scenewright.core.errors import InputError
+from scenewright.core.registry import Format, domain_names, domain_of
 
 if TYPE_CHECKING:
-    from scenewright.brief import Brief
-    from scenewright.solution import Solution
+    from scenewright.core.brief import Brief
+    from scenewright.core.plan import Plan
+    from scenewright.core.solution import Solution
+    from scenewright.domains.contract import Domain
 
 SAMPLE = "sample:"
-
-
-class Format(NamedTuple):
-    """One row: the suffix, what it is, the modules that read a brief or write a solution, and the
-    only domain of which it holds solutions (empty: any)."""
-
-    suffix: str
-    about: str
-    reader: str = ""
-    writer: str = ""
-    domain: str = ""
+SWEET_HOME = (".sh3d", ".xml")
+"""Suffixes of files whose levels may be hidden."""
 
 
 FORMATS = (
@@ -45,33 +43,56 @@ FORMATS = (
     ),
     Format(".sh3d", "Sweet Home 3D home", "scenewright.formats.sh3d"),
     Format(".xml", "Home.xml of a Sweet Home 3D home", "scenewright.formats.sh3d"),
-    Format(
-        ".geojson",
-        "indoor map or site (OpenStreetMap, read), footprints of a site (written)",
-        "scenewright.formats.geojson",
-        "scenewright.formats.footprints_geojson",
-        "site",
-    ),
+    Format(".geojson", "indoor map or site (OpenStreetMap, read)", "scenewright.formats.geojson"),
     Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
     Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
-    Format(
-        ".cityjson",
-        "city model: its buildings as landmarks (read), a site (written)",
-        "scenewright.formats.site_cityjson",
-        "scenewright.formats.cityjson",
-        "site",
-    ),
     Format(
         ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"
     ),
     Format(".png", "picture from above", writer="scenewright.formats.png"),
-    Format(
-        ".street.png",
-        "picture of a site at eye height",
-        writer="scenewright.formats.street",
-        domain="site",
-    ),
 )
+
+
+def read_planned(
+    source: str | os.PathLike[str],
+    keep: bool = False,
+    catalogs: Sequence[str] = (),
+    groups: Sequence[str] = (),
+    scale: float = 1.0,
+    hidden_levels: bool = False,
+) -> tuple[Brief, Plan]:
+    """The brief in a file, or a sample (``sample:home-flat``), and its plan, which checks it down
+    to its geometry.
+
+    ``keep`` leaves movable furniture of the file where it is, as fixed items; ``catalogs`` are
+    further catalogues of models and ``groups`` files of learned groups, below the working folder.
+    ``scale`` multiplies every length in plan, for a plan drawn too small or too large;
+    ``hidden_levels`` includes the levels that are hidden in a Sweet Home 3D file.
+    Anything that cannot be used raises :class:`InputError`, one line that names the file.
+
+    >>> brief, plan = read_planned("sample:home-flat")
+    >>> brief.rooms[1].name, plan.spaces[1].name
+    ('Kitchen', 'Kitchen')
+    """
+    from pydantic import ValidationError
+
+    from scenewright.core.document_faults import check_text, to_input_error
+    from scenewright.domains import plan_of
+    from scenewright.formats.catalog_paths import with_more
+
+    for path in (source, *catalogs, *groups):
+        check_text(os.fspath(path), "the name of a file")
+    try:
+        brief = with_more(_read(source, keep, hidden_levels), catalogs, groups)
+        brief = _to_scale(brief, scale)
+        plan, domain = plan_of(brief), domain_of(brief.domain)
+        if domain.has("validate"):
+            domain.verb("validate")(brief, plan)
+    except InputError as error:
+        raise error.located(file=str(source)) from None
+    except ValidationError as error:
+        raise to_input_error(error).located(file=str(source)) from None
+    return brief, plan
 
 
 def read(
@@ -79,73 +100,61 @@ def read(
     keep: bool = False,
     catalogs: Sequence[str] = (),
     groups: Sequence[str] = (),
+    scale: float = 1.0,
+    hidden_levels: bool = False,
 ) -> Brief:
-    """The brief in a file, or a sample (``sample:home-flat``); checked down to its geometry.
-
-    ``keep`` leaves movable furniture of the file where it is, as fixed items; ``catalogs`` are
-    further catalogues of models and ``groups`` files of learned groups, below the working folder.
-    Anything that cannot be used raises :class:`InputError`, one line that names the file.
+    """The brief in a file, or a sample, checked as by :func:`read_planned`.
 
     >>> read("sample:home-flat").rooms[1].name
     'Kitchen'
     """
-    from pydantic import ValidationError
-
-    from scenewright.document_faults import told
-    from scenewright.formats.catalog_paths import with_more
-    from scenewright.plan import spaces
-    from scenewright.zones import check_halls
-
-    try:
-        brief = with_more(_read(source, keep), catalogs, groups)
-        check_halls(brief, spaces(brief))
-    except InputError as error:
-        raise error.located(file=str(source)) from None
-    except ValidationError as error:
-        raise told(error).located(file=str(source)) from None
-    return brief
+    return read_planned(source, keep, catalogs, groups, scale, hidden_levels)[0]
 
 
-def write(solution: Solution, path: str | os.PathLike[str]) -> None:
-    """Write a solution in the format of the suffix of ``path``; missing folders are made."""
+def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
+    """Write a solution in the format of the suffix of ``path``; missing folders are made.
+    ``plan`` is that of its brief (made by what draws, unless given)."""
     writing = writer(path, solution.brief.domain)
     try:
         Path(path).parent.mkdir(parents=True, exist_ok=True)
-        writing(solution, path)
+        if plan is not None and "plan" in signature(writing).parameters:
+            writing(solution, path, plan)
+        else:
+            writing(solution, path)
+    except InputError as error:
+        raise error.located(file=str(path)) from None
     except OSError as error:
         raise InputError(
             f"cannot be written: {error.strerror or error}", "choose another place", file=str(path)
         ) from None
 
 
-def writer(
-    path: str | os.PathLike[str], domain: str = ""
-) -> Callable[[Solution, str | os.PathLike[str]], None]:
+def writer(path: str | os.PathLike[str], domain: str = "") -> Callable[..., None]:
     """The function that writes files named like ``path``; InputError if there is none, or if it
     does not hold what is of ``domain``."""
-    row = _row(path, "writer")
+    from scenewright.core.document_faults import check_text
+
+    check_text(os.fspath(path), "the name of a file")
+    row = _row(path, "writer", domain)
     if domain and row.domain not in ("", domain):
-        raise InputError(f"only {row.domain}s can be written as {row.suffix}",
-                         "choose .glb, .svg or .json", file=str(path))  # fmt: skip
-    write_function: Callable[[Solution, str | os.PathLike[str]], None] = _module(
-        row.writer, path
-    ).write
+        raise InputError(
+            f"only {row.domain}s can be written as {row.suffix}",
+            "choose .glb, .svg or .json",
+            file=str(path),
+        )
+    write_function: Callable[..., None] = _function(row.writer, "write", path)
     return write_function
 
 
-def check_kept(source: str | os.PathLike[str], outputs: Sequence[str | os.PathLike[str]]) -> None:
-    """No output is the file that is read, by whatever name; only a saved solution, which is a brief
-    as well, may be replaced by another."""
-    from scenewright.formats import brief_json
-
-    for path in outputs:
-        try:
-            same = Path(path).samefile(source)
-        except OSError:
-            continue
-        if same and not brief_json.holds_solution(Path(source)):
-            raise InputError("is the file that is read, which the result would replace",
-                             "give -o another name", file=str(path))  # fmt: skip
+def check_output(path: str | os.PathLike[str], brief: Brief) -> None:
+    """Raise :class:`InputError` if no solution of a brief can be written to ``path``: there is no
+    such format, it does not hold what is of this domain, or its module's ``check(brief)`` says."""
+    writer(path, brief.domain)
+    module = _module(_row(path, "writer", brief.domain).writer, path)
+    try:
+        getattr(module, "check", lambda _: None)(brief)
+    except InputError as error:
+        raise error.located(file=str(path)) from None
 
 
 def suffix_of(path: str | os.PathLike[str]) -> str:
@@ -165,22 +174,42 @@ def samples() -> tuple[str, ...]:
     >>> "sample:home-flat" in samples()
     True
     """
-    files = resources.files("scenewright.samples").iterdir()
-    names = sorted(file.name for file in files if file.name.endswith(".json"))
-    return tuple(SAMPLE + name.removesuffix(".json") for name in names)
+    return tuple(sorted(SAMPLE + name for name in _sample_files()))
 
 
 def formats() -> tuple[Format, ...]:
-    """All formats: the rows above and those other packages add."""
+    """All formats: the rows above, those of the domains, and those other packages add."""
     from importlib.metadata import entry_points
 
-    return FORMATS + tuple(
-        Format(entry.name, entry.value, entry.value, entry.value)
-        for entry in entry_points(group="scenewright.formats")
+    own = tuple(row for domain in domains() for row in domain.formats)
+    return (
+        FORMATS
+        + own
+        + tuple(
+            _registered(entry.name, entry.value)
+            for entry in entry_points(group="scenewright.formats")
+        )
     )
 
 
-def _read(source: str | os.PathLike[str], keep: bool) -> Brief:
+def _registered(suffix: str, module: str) -> Format:
+    """The row of a module of another package, which may only read or only write. One that cannot
+    be imported is said to do both, so that its fault is told when it is used."""
+    try:
+        found: ModuleType | None = import_module(module)
+    except ImportError:
+        found = None
+    reads, writes = (found is None or hasattr(found, name) for name in ("read", "write"))
+    return Format(suffix, module, module * reads, module * writes)
+
+
+def _to_scale(brief: Brief, scale: float) -> Brief:
+    if scale == 1.0:
+        return brief
+    return type(brief).model_validate(brief.model_dump() | {"scale": scale})
+
+
+def _read(source: str | os.PathLike[str], keep: bool, hidden_levels: bool) -> Brief:
     if str(source).startswith(SAMPLE):
         return _sample(str(source))
     if f"{SAMPLE}{source}" in samples() and not Path(source).exists():
@@ -192,8 +221,10 @@ def _read(source: str | os.PathLike[str], keep: bool) -> Brief:
     if row is None or not path.is_file():
         remedy = "add --batch for all in it" if path.is_dir() else "give the file itself"
         raise InputError("is a folder" if path.is_dir() else "is not a file", remedy)
+    note_read(path)
+    more = {"hidden_levels": hidden_levels} if row.suffix in SWEET_HOME else {}
     try:
-        brief: Brief = _module(row.reader, source).read(path, keep=keep)
+        brief: Brief = _function(row.reader, "read", source)(path, keep=keep, **more)
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror or error}", "check its rights") from None
     return brief
@@ -204,16 +235,32 @@ def _sample(name: str) -> Brief:
 
     if name not in samples():
         raise InputError("there is no such sample", f"use one of: {', '.join(samples())}")
-    file = resources.files("scenewright.samples") / f"{name.removeprefix(SAMPLE)}.json"
-    return brief_json.loads(file.read_bytes())
+    return brief_json.loads(_sample_files()[name.removeprefix(SAMPLE)].read_bytes())
 
 
-def _row(path: str | os.PathLike[str], part: str) -> Format:
+def _sample_files() -> dict[str, Any]:
+    """The briefs in the folders ``samples`` of the domains, by name."""
+    folders = [resources.files(domain.package) / "samples" for domain in domains()]
+    return {
+        file.name.removesuffix(".json"): file
+        for folder in folders
+        if folder.is_dir()
+        for file in folder.iterdir()
+        if file.name.endswith(".json")
+    }
+
+
+def domains() -> tuple[Domain, ...]:
+    """All domains."""
+    return tuple(domain_of(name) for name in domain_names())
+
+
+def _row(path: str | os.PathLike[str], part: str, domain: str = "") -> Format:
+    """The row of the longest suffix that fits, and of those the one of the domain."""
     name = Path(path).name.lower()
     suffix = Path(name).suffix
-    fitting = [row for row in FORMATS if _fits(row, name) and getattr(row, part)]
-    fitting = fitting or [row for row in formats() if _fits(row, name) and getattr(row, part)]
-    found = sorted(fitting, key=lambda row: -len(row.suffix))
+    fitting = [row for row in formats() if _fits(row, name) and getattr(row, part)]
+    found = sorted(fitting, key=lambda row: (-len(row.suffix), row.domain not in ("", domain)))
     if not found:
         usable = ", ".join(row.suffix for row in formats() if getattr(row, part))
         verb = "read" if part == "reader" else "written"
@@ -225,6 +272,18 @@ def _row(path: str | os.PathLike[str], part: str) -> Format:
 def _fits(row: Format, name: str) -> bool:
     """Whether a file's name ends in a row's suffix, and has more than that."""
     return name.endswith(row.suffix) and len(name) > len(row.suffix)
+
+
+def _function(module: str, name: str, path: str | os.PathLike[str]) -> Callable[..., Any]:
+    """A function of the module of a format."""
+    found: Callable[..., Any] | None = getattr(_module(module, path), name, None)
+    if found is None:
+        raise InputError(
+            f"the format's module {module} has no function '{name}'",
+            "use another format",
+            file=str(path),
+        )
+    return found
 
 
 def _module(name: str, path: str | os.PathLike[str]) -> ModuleType:

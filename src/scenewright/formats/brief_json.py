@@ -1,4 +1,4 @@
-"""The native brief: JSON, checked by the models of :mod:`scenewright.brief`.
+"""The native brief: JSON, checked by the models of :mod:`scenewright.core.brief`.
 
 A saved solution is read as a brief too: its locked pieces become fixed items.
 """
@@ -11,12 +11,17 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from scenewright.brief import Brief
-from scenewright.document_faults import told
-from scenewright.errors import InputError
-from scenewright.formats.catalog_paths import resolved
+from scenewright.catalog.models.files import check_json
+from scenewright.core.brief import Brief, brief_schema
+from scenewright.core.brief.domain_keys import check_parts
+from scenewright.core.document_faults import check_characters, to_input_error
+from scenewright.core.errors import InputError
+from scenewright.core.registry import domain_names, domain_of
+from scenewright.formats.catalog_paths import resolve_paths
 
 GREATEST_FILE = 64 * 2**20
+MOST_PARSED = 256 * 2**20
+"""Bytes a brief or solution may take once parsed; its models take about as many again."""
 SOLUTION = "scenewright/solution"
 
 
@@ -29,10 +34,10 @@ def read(path: Path, keep: bool = False) -> Brief:
             f"is larger than {GREATEST_FILE // 2**20} MiB", "split it into several briefs"
         )
     document = _document(path.read_bytes())
-    if document.get("type") == "CityJSON":
-        from scenewright.formats import site_cityjson
-
-        return site_cityjson.brief_of(document, path)
+    for domain in map(domain_of, domain_names()):
+        if document.get("type") in domain.documents:
+            brief: Brief = domain.load(domain.documents[document["type"]])(document, path)
+            return brief
     return _brief(document, path.parent)
 
 
@@ -47,23 +52,16 @@ def loads(text: str | bytes, folder: Path | None = None) -> Brief:
 
 
 def _brief(raw: dict[str, Any], folder: Path) -> Brief:
-    document = resolved(raw, folder)
+    document = resolve_paths(raw, folder)
     if document.get("format") == SOLUTION:
         from scenewright.formats import solution_json
 
         return solution_json.brief_of(document)
+    check_parts(document)
     try:
         return Brief.model_validate(document)
     except ValidationError as error:
-        raise told(error, Brief) from None
-
-
-def holds_solution(path: Path) -> bool:
-    """Whether a file is a saved solution."""
-    try:
-        return _document(path.read_bytes()).get("format") == SOLUTION
-    except InputError:
-        return False
+        raise to_input_error(error, brief_schema) from None
 
 
 def dumps(brief: Brief) -> str:
@@ -80,10 +78,11 @@ def schema() -> dict[str, Any]:
     'Brief'
     """
     draft = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
-    return draft | Brief.model_json_schema()
+    return draft | brief_schema()
 
 
 def _document(text: str | bytes) -> dict[str, Any]:
+    check_json(text.encode("utf-8", "replace") if isinstance(text, str) else text, MOST_PARSED)
     try:
         plain = text.decode("utf-8-sig") if isinstance(text, bytes) else text
         document = json.loads(plain, parse_constant=_no_constant)
@@ -97,6 +96,7 @@ def _document(text: str | bytes) -> dict[str, Any]:
         raise InputError(fault, "correct the text there", place=where) from None
     except ValueError as error:
         raise InputError(f"broken JSON: {error}", "write plain finite numbers") from None
+    check_characters(document, plain)
     if not isinstance(document, dict):
         raise InputError("holds no JSON object", 'give a brief: {"rooms": [...]}')
     return document

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from scenewright.brief import Brief
+from scenewright.core.brief import Brief
 
 Json = dict[str, Any]
 
@@ -14,16 +14,16 @@ NAMED = ("catalogs", "groups")
 """Fields of a brief that hold paths."""
 
 
-def resolved(document: Json, folder: Path) -> Json:
+def resolve_paths(document: Json, folder: Path) -> Json:
     """A brief or solution whose ``catalogs`` and ``groups`` are absolute; what is no text stays.
 
     A plain name that is no file in ``folder`` stays a name: it may be registered.
     """
     if isinstance(document.get("brief"), dict):
-        return document | {"brief": resolved(document["brief"], folder)}
+        return document | {"brief": resolve_paths(document["brief"], folder)}
     listed = {key: document[key] for key in NAMED if isinstance(document.get(key), list)}
     return document | {
-        key: [_mapped(entry, folder) for entry in entries] for key, entries in listed.items()
+        key: [_resolve_entry(entry, folder) for entry in entries] for key, entries in listed.items()
     }
 
 
@@ -44,7 +44,7 @@ def with_more(brief: Brief, catalogs: Sequence[str], groups: Sequence[str] = ())
     )
 
 
-def _mapped(entry: object, folder: Path) -> object:
+def _resolve_entry(entry: object, folder: Path) -> object:
     if isinstance(entry, dict) and isinstance(entry.get("path"), str):
-        return entry | {"path": _mapped(entry["path"], folder)}
+        return entry | {"path": _resolve_entry(entry["path"], folder)}
     return absolute(entry, folder) if isinstance(entry, str) and entry else entry

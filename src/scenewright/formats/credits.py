@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import os
 
-from scenewright.authorship import UNKNOWN, Credit, credits_of
-from scenewright.solution import Solution
-from scenewright.stock import catalog_of
-from scenewright.whole_file import write_whole
+from scenewright.catalog.credits import UNKNOWN, Credit, credits_of
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.atomic_file import write_atomically
+from scenewright.core.solution import Solution
 
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the credits of a solution to ``path``; the file appears whole or not at all."""
     rows = credits_of(solution.pieces, catalog_of(solution.brief.catalogs))
-    write_whole(path, text(solution.brief.name, rows))
+    write_atomically(path, text(solution.brief.name, rows))
 
 
 def text(name: str, rows: tuple[Credit, ...]) -> str:

@@ -1,20 +1,25 @@
-"""GeoJSON: an indoor map if an area in it has the tag ``indoor``, else a site."""
+"""GeoJSON: a map is read by the domain that recognises its features."""
 
 from __future__ import annotations
 
+from importlib import import_module
 from pathlib import Path
 
-from scenewright.brief import Brief
-from scenewright.formats import indoor_geojson, site_geojson
-from scenewright.formats.indoor_features import load
-from scenewright.formats.indoor_floors import role
+from scenewright.core.brief import Brief
+from scenewright.core.registry import domain_names, domain_of
+from scenewright.ground.map_features import load
 
 
 def read(path: Path, keep: bool = False) -> Brief:
-    """The brief of a map. There is no furniture to ``keep``."""
+    """The brief of a map. There is no furniture to ``keep``.
+
+    The first domain that recognises the features reads them; if none does, the first that reads
+    maps says what is missing.
+    """
     del keep
     found, name = load(path), Path(path).stem
-    indoor = any(feature.polygons and role(feature.tags) for feature in found.features)
-    if indoor or not site_geojson.is_site(found):
-        return indoor_geojson.report(found, name).brief
-    return site_geojson.report(found, name).brief
+    rows = [domain for domain in map(domain_of, domain_names()) if domain.maps]
+    readers = [import_module(row.maps, row.package) for row in rows]
+    reader = next((one for one in readers if one.recognises(found)), readers[0])
+    brief: Brief = reader.brief_of(found, name)
+    return brief

@@ -17,14 +17,16 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright import authorship
 from scenewright._version import __version__
-from scenewright.catalog import Catalog, Material, Part
+from scenewright.catalog import credits as authorship
+from scenewright.core.atomic_file import atomic_write
+from scenewright.core.catalog import Catalog, Material, Part
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Scene
+from scenewright.core.solution import Solution
 from scenewright.geometry.prisms import face_normals, normals_of, row_keys
-from scenewright.scene import Scene
-from scenewright.solution import Solution
-from scenewright.staging import Thing, things
-from scenewright.whole_file import whole
+from scenewright.render.colour import linear_of
+from scenewright.render.items import RenderItem, things
 
 FLOAT, SHORT, INT = 5126, 5123, 5125
 Json = dict[str, Any]
@@ -32,7 +34,7 @@ Floats = NDArray[np.float32]
 Floats64 = NDArray[np.float64]
 
 
-class Surface(NamedTuple):
+class GlbSurface(NamedTuple):
     """What the graphics card gets: positions and normals ``(n, 3)``, indices ``(3 m,)``."""
 
     positions: Floats
@@ -40,25 +42,31 @@ class Surface(NamedTuple):
     indices: NDArray[np.uint32]
 
 
-def write(solution: Solution, path: str | os.PathLike[str]) -> None:
+def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the scene of a solution to ``path``; the file appears whole or not at all."""
-    from scenewright.shell import scene_of
-    from scenewright.stock import catalog_of
+    from scenewright.catalog.loading import catalog_of
+    from scenewright.domains import scene_of
 
-    with whole(path) as partial:
-        partial.write_bytes(encoded(scene_of(solution), catalog_of(solution.brief.catalogs)))
+    with atomic_write(path) as partial:
+        scene, catalog = scene_of(solution, plan), catalog_of(solution.brief.catalogs)
+        partial.write_bytes(encode_scene(scene, catalog))
 
 
-def encoded(scene: Scene, catalog: Catalog) -> bytes:
+def encode_scene(scene: Scene, catalog: Catalog) -> bytes:
     """The bytes of a GLB file: a header, a chunk of JSON, a chunk of numbers."""
     document, numbers = document_of(scene, catalog)
     text = json.dumps(document, ensure_ascii=False, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     total = 12 + 8 + len(text) + 8 + len(numbers)
     return b"".join(
-        [struct.pack("<4sII", b"glTF", 2, total), struct.pack("<I4s", len(text), b"JSON"), text,
-         struct.pack("<I4s", len(numbers), b"BIN\0"), numbers]
-    )  # fmt: skip
+        [
+            struct.pack("<4sII", b"glTF", 2, total),
+            struct.pack("<I4s", len(text), b"JSON"),
+            text,
+            struct.pack("<I4s", len(numbers), b"BIN\0"),
+            numbers,
+        ]
+    )
 
 
 def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
@@ -79,7 +87,7 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
             meshes.append(_mesh(thing, materials, parts))
         node["mesh"] = numbers[thing.key]
     normals = normals_of([(part.vertices, part.faces) for part in parts])
-    buffer, views, accessors = _packed(
+    buffer, views, accessors = _pack_surfaces(
         [surface(part, corner) for part, corner in zip(parts, normals, strict=True)]
     )
     document = {
@@ -106,11 +114,12 @@ def _about(scene: Scene, catalog: Catalog) -> Json:
     return found
 
 
-def _tree(scene: Scene, found: Sequence[Thing]) -> list[Json]:
+def _tree(scene: Scene, found: Sequence[RenderItem]) -> list[Json]:
     """All nodes, the home first; children by index."""
     taken = {thing.name for thing in found}
-    nodes: list[Json] = [{"name": _free(scene.name or "home", taken),
-                          "extras": {"category": "home"}}]  # fmt: skip
+    nodes: list[Json] = [
+        {"name": _free(scene.name or "home", taken), "extras": {"category": "home"}}
+    ]
     for level in scene.levels:
         extras = {"category": "level", "height": level.height, "elevation": level.elevation}
         name = _free(level.name or f"level {level.id or 1}", taken)
@@ -123,7 +132,7 @@ def _tree(scene: Scene, found: Sequence[Thing]) -> list[Json]:
 
 
 def _storey(
-    nodes: list[Json], top: int, found: Sequence[Thing], taken: set[str], name: str
+    nodes: list[Json], top: int, found: Sequence[RenderItem], taken: set[str], name: str
 ) -> None:
     """One level's branch: slab, spaces with their pieces, walls, openings, stairs."""
     rooms: dict[str, int] = {}
@@ -156,7 +165,7 @@ def _add(nodes: list[Json], parent: int, node: Json) -> int:
     return len(nodes) - 1
 
 
-def _node(thing: Thing) -> Json:
+def _node(thing: RenderItem) -> Json:
     """A node at its place; a turn about our z is the same turn about glTF's y."""
     x, y, z = (float(v) for v in thing.at)
     node: Json = {"name": thing.name, "drawn": bool(thing.parts)}
@@ -170,22 +179,24 @@ def _node(thing: Thing) -> Json:
     return node
 
 
-def _mesh(thing: Thing, materials: dict[Material, int], parts: list[Part]) -> Json:
+def _mesh(thing: RenderItem, materials: dict[Material, int], parts: list[Part]) -> Json:
     """One mesh with a primitive a part; the parts are put in a row, three accessors each."""
     primitives = []
     for part in thing.parts:
         accessor = 3 * len(parts)
         parts.append(part)
-        primitives.append({
-            "attributes": {"POSITION": accessor, "NORMAL": accessor + 1},
-            "indices": accessor + 2,
-            "material": materials.setdefault(part.material, len(materials)),
-        })  # fmt: skip
+        primitives.append(
+            {
+                "attributes": {"POSITION": accessor, "NORMAL": accessor + 1},
+                "indices": accessor + 2,
+                "material": materials.setdefault(part.material, len(materials)),
+            }
+        )
     name = thing.extras.get("asset", thing.name) if thing.kind == "piece" else thing.name
     return {"name": str(name), "primitives": primitives}
 
 
-def surface(part: Part, normals: Floats64) -> Surface:
+def surface(part: Part, normals: Floats64) -> GlbSurface:
     """Vertices split where normals differ, in glTF's axes; faces without area are left out.
 
     >>> from scenewright.geometry.prisms import box, corner_normals
@@ -203,12 +214,14 @@ def surface(part: Part, normals: Floats64) -> Surface:
     rows = inverse.astype(np.uint32).reshape(-1, 3)
     whole = (rows != rows[:, [1, 2, 0]]).all(1)
     rows = rows[whole if whole.any() else slice(1)]
-    turned = [np.ascontiguousarray(told[first][:, [0, 2, 1]] * [1, 1, -1], np.float32)
-              for told in (points, normals)]  # fmt: skip
-    return Surface(turned[0], turned[1], rows.reshape(-1))
+    turned = [
+        np.ascontiguousarray(told[first][:, [0, 2, 1]] * [1, 1, -1], np.float32)
+        for told in (points, normals)
+    ]
+    return GlbSurface(turned[0], turned[1], rows.reshape(-1))
 
 
-def _packed(surfaces: Sequence[Surface]) -> tuple[bytes, list[Json], list[Json]]:
+def _pack_surfaces(surfaces: Sequence[GlbSurface]) -> tuple[bytes, list[Json], list[Json]]:
     """One buffer: all positions and normals, then 16-bit indices, then 32-bit ones."""
     vertices: list[bytes] = []
     narrow: list[bytes] = []
@@ -241,8 +254,12 @@ def _buffer(blocks: list[bytes], accessors: list[Json]) -> tuple[bytes, list[Jso
     for number, block in enumerate(blocks):
         if block:
             moved[number] = len(views)
-            view: Json = {"buffer": 0, "byteOffset": len(buffer), "byteLength": len(block),
-                          "target": 34963 if number else 34962}  # fmt: skip
+            view: Json = {
+                "buffer": 0,
+                "byteOffset": len(buffer),
+                "byteLength": len(block),
+                "target": 34963 if number else 34962,
+            }
             views.append(view if number else view | {"byteStride": 12})
             buffer += block + b"\0" * (-len(block) % 4)
     for accessor in accessors:
@@ -251,8 +268,13 @@ def _buffer(blocks: list[bytes], accessors: list[Json]) -> tuple[bytes, list[Jso
 
 
 def _accessor(view: int, offset: int, component: int, count: int, kind: str) -> Json:
-    return {"bufferView": view, "byteOffset": offset, "componentType": component,
-            "count": count, "type": kind}  # fmt: skip
+    return {
+        "bufferView": view,
+        "byteOffset": offset,
+        "componentType": component,
+        "count": count,
+        "type": kind,
+    }
 
 
 def _material(material: Material) -> Json:
@@ -272,12 +294,3 @@ def _material(material: Material) -> Json:
         glow = min(float(material.emission), 1.0)
         found["emissiveFactor"] = [round(value * glow, 5) for value in linear]
     return found
-
-
-def linear_of(color: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Linear light of sRGB values in [0, 1] (IEC 61966-2-1).
-
-    >>> linear_of(np.array([0.0, 0.5, 1.0])).round(4).tolist()
-    [0.0, 0.214, 1.0]
-    """
-    return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)

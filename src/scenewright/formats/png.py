@@ -12,12 +12,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog import Catalog
-from scenewright.formats.picture import PAGE, REACH, Camera, Pixels, render, view_of
-from scenewright.formats.stage import SHADOW, blocks_of, stage_of
-from scenewright.scene import Scene
-from scenewright.solution import Solution
-from scenewright.whole_file import whole
+from scenewright.core.atomic_file import atomic_write
+from scenewright.core.catalog import Catalog
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Scene
+from scenewright.core.solution import Solution
+from scenewright.render.picture import PAGE, REACH, Camera, Pixels, render, view_of
+from scenewright.render.stage import SHADOW, blocks_of, stage_of
 
 WIDTH, TALLEST = 1440, 1026
 ANGLE = np.deg2rad(26.0)
@@ -44,15 +45,15 @@ MARGIN = 1.06
 Floats = NDArray[np.float64]
 
 
-def write(solution: Solution, path: str | os.PathLike[str]) -> None:
+def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the picture of a solution to ``path``; the file appears whole or not at all."""
     from PIL import Image
 
-    from scenewright.shell import scene_of
-    from scenewright.stock import catalog_of
+    from scenewright.catalog.loading import catalog_of
+    from scenewright.domains import scene_of
 
-    pixels = picture(scene_of(solution), catalog_of(solution.brief.catalogs))
-    with whole(path) as partial:
+    pixels = picture(scene_of(solution, plan), catalog_of(solution.brief.catalogs))
+    with atomic_write(path) as partial:
         Image.fromarray(pixels).save(partial, format="png", compress_level=3)
 
 
@@ -62,13 +63,13 @@ def picture(scene: Scene, catalog: Catalog, width: int = WIDTH) -> Pixels:
     blocks = blocks_of(scene, catalog, look.cut)
     corners = [block.vertices for block in blocks] or [np.zeros((1, 3))]
     bounds = np.vstack(corners)
-    camera, shape = framed(bounds, look.towards)
+    camera, shape = frame_points(bounds, look.towards)
     height = int(np.clip(round(width * shape), width // 3, TALLEST * width // WIDTH))
     stage = stage_of(blocks, bounds, PAGE, look.shadow)._replace(reach=look.reach)
     return render(stage, camera, width, height, look.sun)
 
 
-def framed(points: Floats, towards: Direction = INDOORS.towards) -> tuple[Camera, float]:
+def frame_points(points: Floats, towards: Direction = INDOORS.towards) -> tuple[Camera, float]:
     """A camera that sees all points with a margin, and height by width of the picture."""
     ahead = np.array(towards) / np.linalg.norm(towards)
     target = (points.min(0) + points.max(0)) / 2

@@ -10,7 +10,7 @@ import zipfile
 import zlib
 from pathlib import Path
 
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
 
 ENTRY = "Home.xml"
 GREATEST_XML = 64 * 2**20

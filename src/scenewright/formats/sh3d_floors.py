@@ -8,9 +8,9 @@ import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
+from scenewright.core.space import Points
 from scenewright.formats.sh3d_xml import Home, HomeRoom, HomeWall, middle_line
-from scenewright.space import Points
 
 LEAST_ROOM = 1.0
 LEAST_WIDTH = 0.3
@@ -18,7 +18,7 @@ FINEST = 0.002
 GAP = 0.15
 
 
-class Floor(NamedTuple):
+class HomeFloor(NamedTuple):
     """One room's floor: its name as drawn (or ''), its level and polygon."""
 
     name: str
@@ -26,7 +26,7 @@ class Floor(NamedTuple):
     polygon: shapely.Polygon
 
 
-def floors(home: Home, level: str) -> list[Floor]:
+def floors(home: Home, level: str) -> list[HomeFloor]:
     """Floors of a level, in the order drawn; if none is drawn, all that the walls enclose.
 
     Of rooms that overlap the smaller one keeps the floor. What walls or smaller rooms cut into
@@ -36,24 +36,25 @@ def floors(home: Home, level: str) -> list[Floor]:
     solid = walls_of(home, level)
     drawn = [room for room in home.rooms if room.level == level]
     if not drawn:
-        return [Floor("", level, part) for part in _enclosed(solid)]
+        return [HomeFloor("", level, part) for part in _find_enclosed(solid)]
     shapes = [_shape(room) for room in drawn]
     order = sorted(range(len(drawn)), key=lambda i: shapes[i].area)
     taken: BaseGeometry = solid
     found: dict[int, shapely.Polygon] = {}
     for i in order:
-        part = _largest(_opened(shapes[i].difference(taken)))
+        part = _largest(_remove_narrow_parts(shapes[i].difference(taken)))
         if part.area >= LEAST_ROOM:
             found[i] = part
             taken = taken.union(part)
-    return [Floor(drawn[i].name, level, found[i]) for i in sorted(found)]
+    return [HomeFloor(drawn[i].name, level, found[i]) for i in sorted(found)]
 
 
 def walls_of(home: Home, level: str) -> BaseGeometry:
     """The footprint of all walls of a level, mitred where two walls are joined."""
     walls = {wall.id or str(i): wall for i, wall in enumerate(home.walls) if wall.level == level}
     parts = [
-        grown(shapely.LineString(middle_line(w)), w.thickness / 2, "flat") for w in walls.values()
+        grow_shape(shapely.LineString(middle_line(w)), w.thickness / 2, "flat")
+        for w in walls.values()
     ]
     for wall in walls.values():
         for end, other in zip((0, -1), wall.joined, strict=True):
@@ -68,7 +69,7 @@ def _joint(wall: HomeWall, end: int, other: HomeWall) -> BaseGeometry:
     near = 0 if np.hypot(*(partner[0] - line[end])) < np.hypot(*(partner[-1] - line[end])) else -1
     first, second = (_half(line, end), _half(partner, near))
     band = shapely.LineString([first, line[end], second])
-    return grown(band, min(wall.thickness, other.thickness) / 2, "flat")
+    return grow_shape(band, min(wall.thickness, other.thickness) / 2, "flat")
 
 
 def _half(line: Points, end: int) -> Points:
@@ -77,21 +78,23 @@ def _half(line: Points, end: int) -> Points:
     return inner
 
 
-def grown(shape: BaseGeometry, by: float, cap: Literal["round", "flat"] = "round") -> BaseGeometry:
+def grow_shape(
+    shape: BaseGeometry, by: float, cap: Literal["round", "flat"] = "round"
+) -> BaseGeometry:
     """The shape with mitred corners, grown by ``by`` metres on all sides (or shrunk)."""
     with np.errstate(all="ignore"):
         return shape.buffer(by, cap_style=cap, join_style="mitre")
 
 
-def _enclosed(solid: BaseGeometry) -> list[shapely.Polygon]:
+def _find_enclosed(solid: BaseGeometry) -> list[shapely.Polygon]:
     """What the walls go around, in reading order (from the north-west).
 
     Walls that miss each other by less than GAP are taken as joined.
     """
-    closed = grown(grown(solid, GAP / 2), -GAP / 2)
+    closed = grow_shape(grow_shape(solid, GAP / 2), -GAP / 2)
     parts = getattr(closed, "geoms", [closed])
     holes = [shapely.Polygon(ring) for part in parts for ring in getattr(part, "interiors", ())]
-    inside = [_largest(_opened(hole.difference(solid))) for hole in holes]
+    inside = [_largest(_remove_narrow_parts(hole.difference(solid))) for hole in holes]
     inside = [part for part in inside if part.area >= LEAST_ROOM]
     return sorted(inside, key=lambda part: (-round(part.centroid.y), part.centroid.x))
 
@@ -105,10 +108,10 @@ def _shape(room: HomeRoom) -> BaseGeometry:
     return shape
 
 
-def _opened(shape: BaseGeometry) -> BaseGeometry:
+def _remove_narrow_parts(shape: BaseGeometry) -> BaseGeometry:
     """Without parts narrower than LEAST_WIDTH: shrunk and grown again, inside what it was."""
     half = LEAST_WIDTH / 2
-    core = grown(grown(shape, -half), half * 1.001)
+    core = grow_shape(grow_shape(shape, -half), half * 1.001)
     return core.intersection(shape).simplify(FINEST)
 
 

@@ -10,11 +10,11 @@ import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
-from scenewright.brief import Door, Window
-from scenewright.formats.sh3d_floors import grown
+from scenewright.building.outlines import edges, project, rings, run_lengths, wall_runs
+from scenewright.core.brief import Door, Window
+from scenewright.core.space import Points
+from scenewright.formats.sh3d_floors import grow_shape
 from scenewright.formats.sh3d_xml import HomePiece, Sash
-from scenewright.outlines import edges, project, rings, run_lengths, wall_runs
-from scenewright.space import Points
 
 PARALLEL = 0.9
 FARTHEST = 0.3
@@ -28,7 +28,7 @@ DOOR_HEIGHT = 1.6
 Swing = Literal["in", "out", "slide", "none"]
 
 
-class Spot(NamedTuple):
+class OpeningSpot(NamedTuple):
     """Where an opening may go: the room's number, its middle on the outline, the direction along
     (inside on the left), the width that fits and how far its wall is from the piece."""
 
@@ -39,50 +39,66 @@ class Spot(NamedTuple):
     away: float
 
 
-class Placed(NamedTuple):
+class PlacedOpening(NamedTuple):
     """A door or window of the brief, with the room it is listed in."""
 
     room: int
     opening: Door | Window
 
 
-def place_openings(pieces: list[HomePiece], outlines: list[Points]) -> list[Placed]:
+def place_openings(pieces: list[HomePiece], outlines: list[Points]) -> list[PlacedOpening]:
     """Every piece on the nearest wall along it, narrowed to fit; what finds none is left out.
 
     Of pieces at the same place (a frame and the door in it) the one with leaves is taken.
     """
     runs = [(number, run) for number, outline in enumerate(outlines) for run in wall_runs(outline)]
-    found: list[Placed] = []
+    tree = shapely.STRtree([shapely.LineString(run) for _, run in runs])
+    found: list[PlacedOpening] = []
     taken: list[HomePiece] = []
+    reaches = np.zeros((len(pieces), 3))
     for piece in sorted(pieces, key=lambda piece: -len(piece.sashes)):
-        spot = _spot(piece, runs)
-        if spot is None or any(_collide(piece, other) for other in taken):
+        reach = piece.width + piece.depth
+        spot = _spot(piece, [runs[k] for k in _walls_near(piece, tree)])
+        close = reaches[: len(taken)] - [piece.x, piece.y, 0.0]
+        beside = np.flatnonzero(np.hypot(close[:, 0], close[:, 1]) < close[:, 2] + reach + 1.0)
+        if spot is None or any(_collide(piece, taken[k]) for k in beside.tolist()):
             continue
         found.append(
-            Placed(spot.room, _door(piece, spot) if is_door(piece) else _window(piece, spot))
+            PlacedOpening(spot.room, _door(piece, spot) if is_door(piece) else _window(piece, spot))
         )
+        reaches[len(taken)] = piece.x, piece.y, reach
         taken.append(piece)
     return found
 
 
-def open_sides(floors: list[shapely.Polygon], placed: list[Placed], height: float) -> list[Placed]:
+def _walls_near(piece: HomePiece, tree: shapely.STRtree) -> list[int]:
+    """The walls a piece can be in, in their order."""
+    at = shapely.Point(piece.x, piece.y)
+    near = tree.query(at, predicate="dwithin", distance=piece.depth / 2 + FARTHEST + 1e-6)
+    return sorted(near.tolist())
+
+
+def open_sides(
+    floors: list[shapely.Polygon], placed: list[PlacedOpening], height: float
+) -> list[PlacedOpening]:
     """Open passages where two rooms are drawn side by side without a wall between them."""
     found = []
+    tree = shapely.STRtree(floors)
     for number, floor in enumerate(floors):
-        near = [other for other in floors[number + 1 :] if floor.distance(other) < TOUCHING]
-        for other in near:
-            zone = grown(other, TOUCHING)
+        near = np.sort(tree.query(floor, predicate="dwithin", distance=TOUCHING)).tolist()
+        for other in (floors[k] for k in near if k > number):
+            zone = grow_shape(other, TOUCHING)
             for edge in edges(rings(floor)[0]):
                 shared = shapely.LineString(edge.reshape(2, 2)).intersection(zone)
                 if LEAST_SIDE <= shared.length <= 20 and not _taken(shared, placed):
                     x, y = shared.interpolate(0.5, normalized=True).coords[0]
                     width = shared.length
                     door = Door(at=(x, y), width=width, height=height, swing="none")
-                    found.append(Placed(number, door))
+                    found.append(PlacedOpening(number, door))
     return found
 
 
-def _taken(side: BaseGeometry, placed: list[Placed]) -> bool:
+def _taken(side: BaseGeometry, placed: list[PlacedOpening]) -> bool:
     return any(side.distance(shapely.Point(entry.opening.at)) < TOUCHING for entry in placed)
 
 
@@ -94,7 +110,7 @@ def is_door(piece: HomePiece) -> bool:
     return piece.z <= DOOR_SILL and piece.height >= DOOR_HEIGHT and not glass
 
 
-def _spot(piece: HomePiece, runs: list[tuple[int, Points]]) -> Spot | None:
+def _spot(piece: HomePiece, runs: list[tuple[int, Points]]) -> OpeningSpot | None:
     """The best wall: long enough beside the piece, then nearest."""
     spots = [spot for number, run in runs if (spot := _on(piece, number, run)) is not None]
     least = LEAST_DOOR if is_door(piece) else LEAST_WINDOW
@@ -102,7 +118,7 @@ def _spot(piece: HomePiece, runs: list[tuple[int, Points]]) -> Spot | None:
     return min(fitting, key=lambda spot: spot.away + piece.width - spot.width, default=None)
 
 
-def _on(piece: HomePiece, number: int, run: Points) -> Spot | None:
+def _on(piece: HomePiece, number: int, run: Points) -> OpeningSpot | None:
     at = np.array([piece.x, piece.y])
     s, away = project(run, at)
     lengths = run_lengths(run)
@@ -117,7 +133,7 @@ def _on(piece: HomePiece, number: int, run: Points) -> Spot | None:
     if abs(along @ np.array([math.cos(piece.turn), math.sin(piece.turn)])) < PARALLEL:
         return None
     middle = [np.interp((low + high) / 2, lengths, run[:, k]) for k in (0, 1)]
-    return Spot(
+    return OpeningSpot(
         number,
         (float(middle[0]), float(middle[1])),
         (float(along[0]), float(along[1])),
@@ -126,7 +142,7 @@ def _on(piece: HomePiece, number: int, run: Points) -> Spot | None:
     )
 
 
-def _door(piece: HomePiece, spot: Spot) -> Door:
+def _door(piece: HomePiece, spot: OpeningSpot) -> Door:
     swing, hinge = _leaf(piece, spot)
     return Door(
         at=spot.at,
@@ -137,12 +153,12 @@ def _door(piece: HomePiece, spot: Spot) -> Door:
     )
 
 
-def _window(piece: HomePiece, spot: Spot) -> Window:
+def _window(piece: HomePiece, spot: OpeningSpot) -> Window:
     width = min(max(spot.width, 0.1), 30.0)
     return Window(at=spot.at, width=width, height=piece.height, sill=max(piece.z, 0.0))
 
 
-def _leaf(piece: HomePiece, spot: Spot) -> tuple[Swing, Literal["left", "right"]]:
+def _leaf(piece: HomePiece, spot: OpeningSpot) -> tuple[Swing, Literal["left", "right"]]:
     """Swing and hinge as seen from inside the room. Two leaves take little room and are told as
     sliding; so are garage doors. A frame without a leaf is an open passage."""
     name = f"{piece.catalog} {piece.name}".casefold()
@@ -154,7 +170,9 @@ def _leaf(piece: HomePiece, spot: Spot) -> tuple[Swing, Literal["left", "right"]
     return _hung(piece, spot, piece.sashes[0])
 
 
-def _hung(piece: HomePiece, spot: Spot, sash: Sash) -> tuple[Swing, Literal["left", "right"]]:
+def _hung(
+    piece: HomePiece, spot: OpeningSpot, sash: Sash
+) -> tuple[Swing, Literal["left", "right"]]:
     ux, uy = spot.along
     c, s = math.cos(piece.turn), math.sin(piece.turn)
     hinge = (c * sash.x - s * sash.y) * ux + (s * sash.x + c * sash.y) * uy

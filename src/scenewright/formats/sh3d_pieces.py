@@ -8,7 +8,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import shapely
 
-from scenewright.brief import FixedItem
+from scenewright.core.brief import FixedItem
+from scenewright.core.brief.fields import FURNITURE
+from scenewright.core.errors import InputError
 from scenewright.formats.sh3d_kinds import LANDMARKS, kind_of
 from scenewright.formats.sh3d_xml import HomePiece, outline_of
 
@@ -25,12 +27,21 @@ SIGNS = (
 )
 
 KITCHEN = (
-    "base_cabinet", "drawer_cabinet", "corner_cabinet", "sink_cabinet", "hob_cabinet",
-    "oven_cabinet", "wall_cabinet", "tall_cabinet", "hood", "dishwasher", "fridge",
-)  # fmt: skip
+    "base_cabinet",
+    "drawer_cabinet",
+    "corner_cabinet",
+    "sink_cabinet",
+    "hob_cabinet",
+    "oven_cabinet",
+    "wall_cabinet",
+    "tall_cabinet",
+    "hood",
+    "dishwasher",
+    "fridge",
+)
 
 
-def flattened(pieces: Sequence[HomePiece]) -> Iterator[HomePiece]:
+def flatten_groups(pieces: Sequence[HomePiece]) -> Iterator[HomePiece]:
     """Visible pieces with groups opened; a group named as stairs or a fireplace stays whole.
 
     Members of a group that is not movable are not movable either.
@@ -44,17 +55,22 @@ def flattened(pieces: Sequence[HomePiece]) -> Iterator[HomePiece]:
             yield piece._replace(movable=False)
         else:
             level = piece.level
-            yield from flattened([
-                m._replace(movable=m.movable and piece.movable, level=m.level or level)
-                for m in piece.members
-            ])  # fmt: skip
+            yield from flatten_groups(
+                [
+                    m._replace(movable=m.movable and piece.movable, level=m.level or level)
+                    for m in piece.members
+                ]
+            )
 
 
-def housed(pieces: Sequence[HomePiece], floors: Sequence[shapely.Polygon]) -> list[list[HomePiece]]:
+def assign_to_floors(
+    pieces: Sequence[HomePiece], floors: Sequence[shapely.Polygon]
+) -> list[list[HomePiece]]:
     """The pieces of each floor: by centre, or for those centred in no room by largest overlap."""
     inside: list[list[HomePiece]] = [[] for _ in floors]
+    tree = shapely.STRtree(floors)
     for piece in pieces:
-        number = _home_of(piece, floors)
+        number = _home_of(piece, floors, tree)
         if number is not None:
             inside[number].append(piece)
     return inside
@@ -67,6 +83,10 @@ def stays(piece: HomePiece) -> bool:
 
 def fixed_item(piece: HomePiece) -> FixedItem:
     """A piece as it stands. Its front is opposite the back, which is y in the piece's frame."""
+    largest = max(piece.width, piece.depth, piece.height)
+    if largest > FURNITURE:
+        fault = f"is {largest:.0f} m large, more than furniture's {FURNITURE:.0f} m"
+        raise InputError(fault, "correct its size in the home", place=piece.place)
     return FixedItem(
         category=kind_of(piece),
         at=(piece.x, piece.y),
@@ -90,12 +110,14 @@ def function_from_pieces(pieces: Sequence[HomePiece]) -> tuple[str, ...]:
     return tuple(open_plan)
 
 
-def _home_of(piece: HomePiece, floors: Sequence[shapely.Polygon]) -> int | None:
-    at = shapely.Point(piece.x, piece.y)
-    for number, floor in enumerate(floors):
-        if floor.contains(at):
-            return number
+def _home_of(
+    piece: HomePiece, floors: Sequence[shapely.Polygon], tree: shapely.STRtree
+) -> int | None:
+    at = tree.query(shapely.Point(piece.x, piece.y), predicate="within")
+    if len(at):
+        return int(at.min())
     footprint = shapely.Polygon(outline_of(piece))
-    shared = [floor.intersection(footprint).area for floor in floors]
+    near = np.sort(tree.query(footprint))
+    shared = [floors[number].intersection(footprint).area for number in near.tolist()]
     best = int(np.argmax(shared)) if shared else -1
-    return best if best >= 0 and shared[best] > 0.25 * footprint.area else None
+    return int(near[best]) if best >= 0 and shared[best] > 0.25 * footprint.area else None

@@ -1,25 +1,21 @@
 """``Home.xml`` as records in our conventions: metres, y to the north, angles counter-clockwise.
 
 The file has centimetres, y down the page and angles clockwise on the page (those of door leaves
-counter-clockwise). Document types and
-entities are refused, so nothing can expand or reach outside the file.
+counter-clockwise). :mod:`scenewright.formats.sh3d_tree` parses it without trusting it.
 """
 
 from __future__ import annotations
 
 import math
 from typing import NamedTuple
-from xml.etree.ElementTree import Element, TreeBuilder
-from xml.parsers import expat
+from xml.etree.ElementTree import Element
 
-from scenewright.errors import InputError
-from scenewright.space import Points
+from scenewright.core.errors import InputError
+from scenewright.core.space import Points
+from scenewright.formats.sh3d_tree import LINE, PIECES, tree
 
 CENTIMETRE = 0.01
 FARTHEST = 1e6
-DEEPEST = 50
-LINE = "#line"
-PIECES = ("pieceOfFurniture", "doorOrWindow", "light", "shelfUnit", "furnitureGroup")
 
 
 class HomeLevel(NamedTuple):
@@ -105,7 +101,7 @@ class Home(NamedTuple):
 
 def parse(content: bytes) -> Home:
     """The records of a ``Home.xml``; InputError if it is broken or no home."""
-    root = _tree(content)
+    root = tree(content)
     if root.tag != "home":
         raise InputError(f"is <{root.tag[:40]}>, not a Sweet Home 3D home", "give a Home.xml")
     return Home(
@@ -116,42 +112,6 @@ def parse(content: bytes) -> Home:
         rooms=tuple(_room(e) for e in root.findall("room")),
         pieces=tuple(_piece(e) for e in root if e.tag in PIECES),
     )
-
-
-def _tree(content: bytes) -> Element:
-    if not content.strip():
-        raise InputError("is empty", "save the home again", place="Home.xml")
-    builder, depth = TreeBuilder(), 0
-
-    def start(tag: str, attributes: dict[str, str]) -> None:
-        nonlocal depth
-        depth += 1
-        if depth > DEEPEST:
-            raise InputError("is nested too deeply", "save the home again")
-        builder.start(tag, attributes | {LINE: str(parser.CurrentLineNumber)})
-
-    def end(tag: str) -> None:
-        nonlocal depth
-        depth -= 1
-        builder.end(tag)
-
-    def refuse(*_: object) -> None:
-        raise InputError("has a document type or entities", "leave out the <!DOCTYPE>")
-
-    try:
-        parser = expat.ParserCreate()
-        parser.StartElementHandler, parser.EndElementHandler = start, end
-        parser.StartDoctypeDeclHandler = parser.EntityDeclHandler = refuse
-        parser.Parse(content, True)
-    except expat.ExpatError as error:
-        where = f"Home.xml line {error.lineno}, column {error.offset + 1}"
-        told = expat.ErrorString(error.code)
-        raise InputError(f"broken XML: {told}", "save the home again", place=where) from None
-    except (LookupError, UnicodeError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise error.located(place="Home.xml") from None
-        raise InputError("has an unknown encoding", "save it as UTF-8", place="Home.xml") from None
-    return builder.close()
 
 
 def _level(e: Element) -> HomeLevel:

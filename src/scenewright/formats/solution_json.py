@@ -1,7 +1,8 @@
 """A solution as JSON: everything needed to read it back exactly and to solve it again.
 
 The document is ``{"format": "scenewright/solution", "version": 1, ...}`` with the brief inside;
-lengths in metres, angles in radians. One piece, patch or term a line, so that two solutions can
+lengths in metres, angles in radians. The time that solving took is not in it, so that the same
+seed and steps give the same bytes. One piece, patch or term a line, so that two solutions can
 be compared line by line. A piece with ``"fixed": true`` is *locked*: when the file is given to
 ``scenewright arrange`` it stays where it is and everything else is placed anew.
 """
@@ -10,35 +11,47 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from scenewright import authorship
-from scenewright.brief import Brief, Room
-from scenewright.domains.standing import is_item, is_radiator, item_of
-from scenewright.errors import InputError
-from scenewright.formats.catalog_paths import resolved
-from scenewright.formats.graph_record import graph_document, graph_of, tour_document, tour_of
-from scenewright.formats.solution_record import FORMAT, PieceRecord, checked
-from scenewright.plan import room_ids
-from scenewright.scene import STAIRS, Piece, Pose, Size
-from scenewright.solution import LeftOut, Patch, Solution, TermValue
-from scenewright.stock import catalog_of
-from scenewright.whole_file import write_whole
+from scenewright.catalog import credits as authorship
+from scenewright.catalog.loading import catalog_of
+from scenewright.catalog.models.files import check_json
+from scenewright.core.atomic_file import note_read, write_atomically
+from scenewright.core.brief import Brief
+from scenewright.core.document_faults import check_characters
+from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
+from scenewright.core.registry import domain_of
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import LeftOut, Patch, Solution, TermValue
+from scenewright.formats.brief_json import GREATEST_FILE, MOST_PARSED
+from scenewright.formats.catalog_paths import resolve_paths
+from scenewright.formats.solution_record import FORMAT, PieceRecord, SolutionRecord, check_document
 
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write a solution to ``path``; the file appears whole or not at all."""
-    write_whole(path, dumps(solution))
+    write_atomically(path, dumps(solution))
 
 
 def read(path: str | os.PathLike[str]) -> Solution:
     """Read a solution; raises :class:`InputError` naming file, place and fault."""
+    return read_planned(path)[0]
+
+
+def read_planned(
+    path: str | os.PathLike[str], known: tuple[Brief, Plan] | None = None
+) -> tuple[Solution, Plan]:
+    """Read a solution and the plan of its brief; a brief equal to the ``known`` one is not planned
+    again. Raises :class:`InputError` naming file, place and fault."""
     if Path(path).suffix.lower() != ".json":
         raise InputError("is no solution", "give a solution .json", file=str(path))
+    note_read(path)
     try:
-        return loads(Path(path).read_bytes(), Path(path).parent)
+        if Path(path).stat().st_size > GREATEST_FILE:
+            raise InputError(f"is larger than {GREATEST_FILE // 2**20} MiB", "split its brief")
+        return _parse(Path(path).read_bytes(), Path(path).parent, known)
     except FileNotFoundError:
         raise InputError("there is no such file", "check the path", file=str(path)) from None
     except InputError as error:
@@ -55,6 +68,13 @@ def dumps(solution: Solution) -> str:
 
 def loads(text: str | bytes, folder: Path | None = None) -> Solution:
     """The solution written in ``text`` (UTF-8 if bytes); its catalogues are below ``folder``."""
+    return _parse(text, folder)[0]
+
+
+def _parse(
+    text: str | bytes, folder: Path | None = None, known: tuple[Brief, Plan] | None = None
+) -> tuple[Solution, Plan]:
+    check_json(text.encode("utf-8", "replace") if isinstance(text, str) else text, MOST_PARSED)
     try:
         plain = text.decode("utf-8") if isinstance(text, bytes) else text
         document = json.loads(plain, parse_constant=_no_constant)
@@ -64,8 +84,11 @@ def loads(text: str | bytes, folder: Path | None = None) -> Solution:
         raise InputError("is nested too deeply", "give a solution file") from None
     except ValueError as error:
         raise InputError(f"is not valid JSON ({error})", "give a solution file") from None
+    check_characters(document, plain)
     plain_object = isinstance(document, dict)
-    return of_document(resolved(document, folder or Path()) if plain_object else document)
+    whole = resolve_paths(document, folder or Path()) if plain_object else document
+    record, plan = check_document(whole, known)
+    return _solution(record), plan
 
 
 def to_document(solution: Solution) -> dict[str, Any]:
@@ -78,14 +101,13 @@ def to_document(solution: Solution) -> dict[str, Any]:
         "solver": solution.solver,
         "seed": solution.seed,
         "brief_hash": solution.brief_hash,
-        "seconds": solution.seconds,
         "evaluations": solution.evaluations,
         "energies": dict(solution.energies),
         "pieces": [_piece_document(piece) for piece in solution.pieces],
         "patches": [patch._asdict() for patch in solution.patches],
         "left_out": [entry._asdict() for entry in solution.left_out],
         "terms": [value._asdict() for value in solution.terms],
-        **_hall_document(solution),
+        **_detail_document(solution),
         "credits": authorship.document(
             authorship.credits_of(solution.pieces, catalog_of(solution.brief.catalogs))
         ),
@@ -93,17 +115,21 @@ def to_document(solution: Solution) -> dict[str, Any]:
     }
 
 
-def _hall_document(solution: Solution) -> dict[str, Any]:
-    """What only halls have."""
-    if solution.graph is None:
+def _detail_document(solution: Solution) -> dict[str, Any]:
+    """What only the brief's domain knows of its solutions."""
+    domain = domain_of(solution.brief.domain)
+    if solution.detail is None or not domain.has("detail_document"):
         return {}
-    tours = [tour_document(tour) for tour in solution.tours]
-    return {"graph": graph_document(solution.graph), "tours": tours}
+    document: dict[str, Any] = domain.verb("detail_document")(solution.detail)
+    return document
 
 
 def of_document(document: object) -> Solution:
     """The solution a document tells; raises :class:`InputError` if it tells none."""
-    record = checked(document)
+    return _solution(check_document(document)[0])
+
+
+def _solution(record: SolutionRecord) -> Solution:
     return Solution(
         brief=record.brief,
         pieces=tuple(_piece(piece) for piece in record.pieces),
@@ -118,52 +144,21 @@ def of_document(document: object) -> Solution:
         brief_hash=record.brief_hash,
         seconds=record.seconds,
         evaluations=record.evaluations,
-        graph=None if record.graph is None else graph_of(record.graph),
-        tours=tuple(tour_of(tour) for tour in record.tours),
+        detail=_detail(record),
     )
 
 
+def _detail(record: SolutionRecord) -> Any:
+    domain = domain_of(record.brief.domain)
+    return domain.verb("detail_of")(record.detail) if domain.has("detail_of") else None
+
+
 def brief_of(document: object) -> Brief:
-    """The brief to solve again: locked pieces are its fixed items, everything else is free.
-
-    A locked piece keeps its whole furniture group: a locked table its chairs. Fixed items of the
-    brief inside stand among the pieces; one that was unlocked in the file is free too. Id,
-    category, asset, pose and size are kept.
-    """
+    """The brief to solve again, with what is locked in the document as its domain keeps it."""
     solution = of_document(document)
-    ids = room_ids(solution.brief)
-    rooms = [
-        _room_with_locked(room, [piece for piece in solution.pieces if piece.space == space])
-        for room, space in zip(solution.brief.rooms, ids, strict=True)
-    ]
-    return solution.brief.model_copy(update={"rooms": [*map(_zoned(solution), rooms, ids)]})
-
-
-def _room_with_locked(room: Room, here: list[Piece]) -> Room:
-    here = [piece for piece in here if not is_radiator(piece)]
-    names = {item.id: item.name for item in room.fixed if item.id}
-    groups = {p.group for p in here if p.fixed and p.function not in ("", "fixed", "light")}
-    kept = [p for p in here if (p.fixed or p.group in groups) and p.function != STAIRS]
-    locked = [item_of(piece, names.get(piece.id, "")) for piece in kept]
-    unplaced = [item for item in room.fixed if not any(is_item(item, piece) for piece in here)]
-    return room.model_copy(update={"fixed": [*locked, *unplaced]})
-
-
-def _zoned(solution: Solution) -> Callable[[Room, str], Room]:
-    """Gives a room the zones of the solution where its brief leaves them open."""
-    zones = () if solution.graph is None else solution.graph.zones
-    outlines = {(zone.space, zone.id): zone.outline.tolist() for zone in zones}
-
-    def zoned(room: Room, space: str) -> Room:
-        drawn = [
-            zone
-            if zone.outline is not None or (space, zone.id) not in outlines
-            else zone.model_copy(update={"outline": [tuple(p) for p in outlines[space, zone.id]]})
-            for zone in room.zones
-        ]
-        return room.model_copy(update={"zones": drawn})
-
-    return zoned
+    domain = domain_of(solution.brief.domain)
+    brief: Brief = domain.verb("locked")(solution) if domain.has("locked") else solution.brief
+    return brief
 
 
 def _piece_document(piece: Piece) -> dict[str, Any]:

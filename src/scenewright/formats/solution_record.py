@@ -6,22 +6,33 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, ValidationError
+from pydantic import Field, ValidationError, model_validator
 
-from scenewright.brief import Brief
-from scenewright.brief.fields import Coordinate, Heading, Length, Model, Number, Switch, Whole
-from scenewright.document_faults import told
-from scenewright.errors import InputError
-from scenewright.formats.graph_record import GraphRecord, TourRecord
-from scenewright.plan import space_names
+from scenewright.core.brief import Brief
+from scenewright.core.brief.fields import (
+    BUILDING,
+    BUILT_IN,
+    FURNITURE,
+    Coordinate,
+    Heading,
+    Length,
+    Number,
+    StrictModel,
+    Switch,
+    Whole,
+)
+from scenewright.core.document_faults import to_input_error
+from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
+from scenewright.core.registry import DEFAULT, domain_names, domain_of
 
 FORMAT = "scenewright/solution"
 
 Count = Annotated[Whole, Field(ge=0, le=2**63 - 1)]
 
 
-class PieceRecord(Model):
-    """One placed object as written in the file; see :class:`scenewright.scene.Piece`."""
+class PieceRecord(StrictModel):
+    """One placed object as written in the file; see :class:`scenewright.core.scene.Piece`."""
 
     id: str
     category: str
@@ -35,7 +46,7 @@ class PieceRecord(Model):
     fixed: Switch = False
 
 
-class PatchRecord(Model):
+class PatchRecord(StrictModel):
     """One functional area: box is centre x, centre y, heading, width, depth."""
 
     id: str
@@ -44,7 +55,7 @@ class PatchRecord(Model):
     box: tuple[Coordinate, Coordinate, Number, Length, Length]
 
 
-class TermRecord(Model):
+class TermRecord(StrictModel):
     """What one term says of one item; ``cost`` is value times weight."""
 
     space: str
@@ -55,7 +66,7 @@ class TermRecord(Model):
     cost: Number
 
 
-class LeftOutRecord(Model):
+class LeftOutRecord(StrictModel):
     """Something that was not placed, and why."""
 
     space: str
@@ -64,8 +75,9 @@ class LeftOutRecord(Model):
     required: Switch
 
 
-class SolutionRecord(Model):
-    """The whole document; ``made_by`` is the version of Scenewright that wrote it."""
+class SolutionRecord(StrictModel):
+    """The whole document; ``made_by`` is the version of Scenewright that wrote it, ``seconds``
+    stands in older files only."""
 
     format: Literal["scenewright/solution"] = "scenewright/solution"
     version: Literal[1] = 1
@@ -81,14 +93,29 @@ class SolutionRecord(Model):
     patches: Annotated[list[PatchRecord], Field(max_length=100_000)]
     left_out: Annotated[list[LeftOutRecord], Field(max_length=100_000)]
     terms: Annotated[list[TermRecord], Field(max_length=1_000_000)]
-    graph: GraphRecord | None = None
-    tours: Annotated[list[TourRecord], Field(max_length=10_000)] = []
     credits: Annotated[list[dict[str, Any]], Field(max_length=100_000)] = []
     brief: Brief
+    detail: Any = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _by_domain(cls, document: Any) -> Any:
+        """The keys only the brief's domain knows become its detail."""
+        brief = document.get("brief") if isinstance(document, Mapping) else None
+        name = brief.get("domain", DEFAULT) if isinstance(brief, Mapping) else DEFAULT
+        model = domain_of(name).detail_model() if name in domain_names() else None
+        if model is None or "detail" in document:
+            return document
+        own = {key: value for key, value in document.items() if key in model.model_fields}
+        rest = {key: value for key, value in document.items() if key not in own}
+        return rest | {"detail": model.model_validate(own)}
 
 
-def checked(document: object) -> SolutionRecord:
-    """A document as a record, or :class:`InputError` naming the place and the fault."""
+def check_document(
+    document: object, known: tuple[Brief, Plan] | None = None
+) -> tuple[SolutionRecord, Plan]:
+    """A document as a record and the plan of its brief, or :class:`InputError` naming the place and
+    the fault. A brief equal to the ``known`` one has that one's plan."""
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
         raise InputError(f'is not a solution: "format" must be "{FORMAT}"')
     if document.get("version") != 1:
@@ -99,22 +126,49 @@ def checked(document: object) -> SolutionRecord:
     try:
         record = SolutionRecord.model_validate(document)
     except ValidationError as error:
-        raise told(error) from None
+        raise to_input_error(error) from None
     except RecursionError:
         raise InputError("is nested too deeply", "give a solution file") from None
-    _check_names(record)
-    return record
+    same = known is not None and record.brief == known[0]
+    plan = known[1] if known and same else domain_of(record.brief.domain).verb("plan")(record.brief)
+    _check_names(record, plan)
+    _check_sizes(record)
+    return record, plan
 
 
-def _check_names(record: SolutionRecord) -> None:
+def _check_sizes(record: SolutionRecord) -> None:
+    """No piece is larger than a brief could ask for."""
+    furniture = BUILDING if record.brief.domain == "site" else FURNITURE
+    for index, piece in enumerate(record.pieces):
+        most = BUILT_IN if piece.category in ("partition", "curtain") else furniture
+        if max(piece.size) > most:
+            fault = f"{max(piece.size):g} m is not possible"
+            remedy = f"it should be at most {most:g} (lengths are metres)"
+            raise InputError(fault, remedy, place=f"pieces[{index}].size")
+
+
+def _check_names(record: SolutionRecord, plan: Plan) -> None:
     """Ids are unique and everything named exists."""
     known = Counter(piece.id for piece in record.pieces)
-    rooms = set(space_names(record.brief))
     if twice := [name for name, count in known.items() if count > 1]:
         raise InputError(f"several pieces have the id {twice[0]!r}", "give each its own")
     for index, piece in enumerate(record.pieces):
-        if piece.space not in rooms:
+        if piece.space not in plan.names:
             fault = f"the brief has no room with the id {piece.space!r}"
             raise InputError(fault, place=f"pieces[{index}].space")
         if piece.on is not None and piece.on not in known:
             raise InputError(f"there is no piece {piece.on!r}", place=f"pieces[{index}].on")
+
+
+def solution_schema() -> dict[str, Any]:
+    """The JSON Schema of a solution, with the keys that only some domains' solutions have."""
+    schema = SolutionRecord.model_json_schema()
+    schema["properties"].pop("detail")
+    schema["properties"]["brief"] = {"title": "Brief", "type": "object"}
+    for name in domain_names():
+        model = domain_of(name).detail_model()
+        if model is not None:
+            own = model.model_json_schema()
+            schema["properties"] |= own["properties"]
+            schema["$defs"] |= own.get("$defs", {})
+    return schema

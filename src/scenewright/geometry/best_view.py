@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from scenewright.geometry import rays
 from scenewright.geometry.mesh import Mesh
-from scenewright.geometry.mesh_weld import sound
+from scenewright.geometry.mesh_weld import clean_mesh
 from scenewright.geometry.saliency import Saliency, values_at
 
 Floats = NDArray[np.float64]
@@ -54,19 +54,20 @@ class BestView(NamedTuple):
 
 def subject(mesh: Mesh, found: Saliency) -> Subject:
     """The model made ready for :data:`MEASURES`."""
-    base = sound(mesh)
+    base = clean_mesh(mesh)
     return Subject(rays.build(*base.mesh), found, base.centre, base.size)
 
 
 def best_view(mesh: Mesh, found: Saliency, measure: str = "picture") -> BestView:
     """The best direction to look at a mesh from, found among many and then step by step.
 
-    >>> from scenewright.geometry.mesh import loft, merge, moved
+    >>> from scenewright.geometry.mesh import loft, merge, translate_mesh
     >>> from scenewright.geometry.saliency import saliency
     >>> square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     >>> block = loft([[(x, y, z) for x, y in square] for z in (0.0, 3.0)])
     >>> sill = Mesh(block.vertices * 0.2, block.faces)
-    >>> house = merge([block, *(moved(sill, 1.0, y, z) for y in (-0.5, 0.5) for z in (1.0, 2.0))])
+    >>> sills = (translate_mesh(sill, 1.0, y, z) for y in (-0.5, 0.5) for z in (1.0, 2.0))
+    >>> house = merge([block, *sills])
     >>> bool(best_view(house, saliency(house), "saliency").way[0] > 0.3)
     True
     """
@@ -112,11 +113,15 @@ def visible_saliency(about: Subject, ways: Floats) -> Floats:
     steps = (np.arange(PICKS) + 0.5) / PICKS * total[-1]
     picked = about.found.order[np.searchsorted(total, steps).clip(0, len(total) - 1)]
     places = about.found.points[picked] - about.middle
-    return np.array([
-        1.0 - rays.occluded(about.caster, places + OFF * about.size * way,
-                            np.broadcast_to(way, places.shape)).mean()
-        for way in ways
-    ])  # fmt: skip
+    return np.array(
+        [
+            1.0
+            - rays.is_occluded(
+                about.caster, places + OFF * about.size * way, np.broadcast_to(way, places.shape)
+            ).mean()
+            for way in ways
+        ]
+    )
 
 
 def pictured_saliency(about: Subject, ways: Floats) -> Floats:
@@ -129,10 +134,10 @@ def pictured_saliency(about: Subject, ways: Floats) -> Floats:
     if not whole > 0.0:
         return np.zeros(len(ways))
     pixel = np.pi * (about.size / 2) ** 2 / RAYS
-    return np.array([_pictured(about, way) for way in ways]) * (pixel / whole)
+    return np.array([_sum_visible_values(about, way) for way in ways]) * (pixel / whole)
 
 
-def _pictured(about: Subject, way: Floats) -> float:
+def _sum_visible_values(about: Subject, way: Floats) -> float:
     starts, along = parallel_rays(way, about.size)
     distance, met, _ = rays.hits(about.caster, starts, along)
     places = starts[met >= 0] + distance[met >= 0, None] * along[met >= 0]
@@ -145,8 +150,9 @@ def viewpoint_entropy(about: Subject, ways: Floats) -> Floats:
 
     Flat faces cut into many count as many, as the measure is meant.
     """
-    return np.array([_entropy(rays.first(about.caster, *parallel_rays(way, about.size)))
-                     for way in ways])  # fmt: skip
+    return np.array(
+        [_entropy(rays.first(about.caster, *parallel_rays(way, about.size))) for way in ways]
+    )
 
 
 def _entropy(met: NDArray[np.int32]) -> float:

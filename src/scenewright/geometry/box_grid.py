@@ -65,8 +65,18 @@ def box_grid(boxes: ArrayLike, heights: ArrayLike) -> BoxGrid:
     starts = np.zeros(columns * lines + 1, np.int64)
     items, tallest = np.zeros(int(many.sum()), np.int64), np.zeros(columns * lines)
     file(spread, tops, columns, starts, items, tallest)
-    return BoxGrid(frames, tops, float(corner[0]), float(corner[1]), cell, columns, lines,
-                   starts, items, tallest)  # fmt: skip
+    return BoxGrid(
+        frames,
+        tops,
+        float(corner[0]),
+        float(corner[1]),
+        cell,
+        columns,
+        lines,
+        starts,
+        items,
+        tallest,
+    )
 
 
 def _cell(sizes: Floats, span: Floats) -> float:
@@ -81,8 +91,9 @@ def _cell(sizes: Floats, span: Floats) -> float:
 
 
 @compiled
-def file(spread: Ints, heights: Floats, columns: int, starts: Ints, items: Ints,
-         tallest: Floats) -> None:  # fmt: skip
+def file(
+    spread: Ints, heights: Floats, columns: int, starts: Ints, items: Ints, tallest: Floats
+) -> None:
     """Fill the lists of a grid: ``spread`` (n, 4) first and last column and row of each box."""
     for i in range(spread.shape[0]):
         for row in range(spread[i, 1], spread[i, 3] + 1):
@@ -100,8 +111,9 @@ def file(spread: Ints, heights: Floats, columns: int, starts: Ints, items: Ints,
 
 
 @inlined
-def enters(box: Frame, height: float, x: float, y: float, z: float, ax: float, ay: float,
-           az: float) -> tuple[float, int, float]:  # fmt: skip
+def enters(
+    box: Frame, height: float, x: float, y: float, z: float, ax: float, ay: float, az: float
+) -> tuple[float, int, float]:
     """Where the ray (x, y, z) + t (ax, ay, az), t > 0, enters a box: t (infinite if it does not,
     0 from inside), the side and the cosine of incidence (the direction taken as unit)."""
     dx, dy, c, s = x - box[0], y - box[1], box[2], box[3]
@@ -134,8 +146,9 @@ def enters(box: Frame, height: float, x: float, y: float, z: float, ax: float, a
 
 
 @inlined
-def across(grid: BoxGrid, x: float, y: float, ax: float, ay: float,
-           reach: float) -> tuple[float, float]:  # fmt: skip
+def across(
+    grid: BoxGrid, x: float, y: float, ax: float, ay: float, reach: float
+) -> tuple[float, float]:
     """From where to where a ray is over the grid; the start lies after the end if it never is."""
     begin, end = 0.0, reach
     for axis in range(2):
@@ -150,8 +163,17 @@ def across(grid: BoxGrid, x: float, y: float, ax: float, ay: float,
 
 
 @inlined
-def first_box(grid: BoxGrid, x: float, y: float, z: float, ax: float, ay: float, az: float,
-              reach: float, own: int) -> tuple[int, float, int, float]:  # fmt: skip
+def first_box(
+    grid: BoxGrid,
+    x: float,
+    y: float,
+    z: float,
+    ax: float,
+    ay: float,
+    az: float,
+    reach: float,
+    own: int,
+) -> tuple[int, float, int, float]:
     """The first box but ``own`` a ray meets before ``reach``: its number (-1 if there is none),
     distance in lengths of the direction, side and cosine of incidence."""
     found, distance, side, cosine = -1, reach, -1, 0.0
@@ -191,14 +213,29 @@ def first_box(grid: BoxGrid, x: float, y: float, z: float, ax: float, ay: float,
 
 
 @compiled
-def cast(grid: BoxGrid, origins: Floats, ways: Floats, reach: float, found: Ints,
-         distances: Floats, sides: Ints, cosines: Floats) -> None:  # fmt: skip
+def cast(
+    grid: BoxGrid,
+    origins: Floats,
+    ways: Floats,
+    reach: float,
+    found: Ints,
+    distances: Floats,
+    sides: Ints,
+    cosines: Floats,
+) -> None:
     """What rays from ``origins`` (r, 3) along unit ``ways`` (r, 3) meet first within ``reach``
     metres: see :func:`first_box`; distances are infinite where nothing is met."""
     for r in range(origins.shape[0]):
         found[r], distances[r], sides[r], cosines[r] = first_box(
-            grid, origins[r, 0], origins[r, 1], origins[r, 2],
-            ways[r, 0], ways[r, 1], ways[r, 2], reach, -1,
-        )  # fmt: skip
+            grid,
+            origins[r, 0],
+            origins[r, 1],
+            origins[r, 2],
+            ways[r, 0],
+            ways[r, 1],
+            ways[r, 2],
+            reach,
+            -1,
+        )
         if found[r] < 0:
             distances[r] = np.inf

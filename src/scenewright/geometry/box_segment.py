@@ -4,12 +4,7 @@ from __future__ import annotations
 
 import math
 
-from scenewright.geometry.boxes import (
-    Frame,
-    distance_to_box,
-    distance_to_segment,
-    wrap,
-)
+from scenewright.geometry.boxes import Frame, distance_to_box, distance_to_segment, wrap
 from scenewright.geometry.compiled import compiled, inlined
 
 

@@ -33,9 +33,15 @@ def make_frame(x: float, y: float, heading: float, width: float, depth: float) -
 def read_frame(frames: Floats, i: int) -> Frame:
     """Row ``i`` of frames ``(n, 8)``."""
     return (
-        frames[i, 0], frames[i, 1], frames[i, 2], frames[i, 3],
-        frames[i, 4], frames[i, 5], frames[i, 6], frames[i, 7],
-    )  # fmt: skip
+        frames[i, 0],
+        frames[i, 1],
+        frames[i, 2],
+        frames[i, 3],
+        frames[i, 4],
+        frames[i, 5],
+        frames[i, 6],
+        frames[i, 7],
+    )
 
 
 @inlined
@@ -49,9 +55,7 @@ def part_of(frame: Frame, u: float, v: float, w: float, d: float) -> Frame:
     """The frame of a box with the same heading whose centre lies ``u`` right and ``v`` ahead of
     this one's, with half width ``w`` and half depth ``d``."""
     x, y, c, s = frame[0], frame[1], frame[2], frame[3]
-    return (
-        x + u * s + v * c, y - u * c + v * s, c, s, w, d, math.sqrt(w * w + d * d), frame[7],
-    )  # fmt: skip
+    return (x + u * s + v * c, y - u * c + v * s, c, s, w, d, math.sqrt(w * w + d * d), frame[7])
 
 
 @compiled

@@ -42,9 +42,17 @@ def make_buckets(bounds: NDArray[np.float64], radii: NDArray[np.float64]) -> Buc
     columns, rows = int((x1 - x0) / cell) + 1, int((y1 - y0) / cell) + 1
     n = len(radii)
     return Buckets(
-        x0, y0, cell, columns, rows, reach, np.full(columns * rows + 1, -1, np.int64),
-        np.full(n, -1, np.int64), np.full(n, -1, np.int64), np.full(n, -1, np.int64),
-    )  # fmt: skip
+        x0,
+        y0,
+        cell,
+        columns,
+        rows,
+        reach,
+        np.full(columns * rows + 1, -1, np.int64),
+        np.full(n, -1, np.int64),
+        np.full(n, -1, np.int64),
+        np.full(n, -1, np.int64),
+    )
 
 
 @inlined

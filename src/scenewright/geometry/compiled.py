@@ -1,13 +1,15 @@
 """How kernels are compiled: numba, no Python inside, kept on disk between runs.
 
-Numba notices a changed file, but not a change in a file whose functions were inlined. So the
-cache folder is named by the size and time of every kernel source: any change starts afresh.
+A file of kernels says nothing of the files whose functions were inlined into them. So the cache
+folder is named by the size and time of every kernel source: any change starts afresh.
 """
 
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache
 from hashlib import blake2b
 from pathlib import Path
@@ -15,19 +17,33 @@ from typing import Any, TypeVar
 
 import numba
 
+from scenewright.geometry.kernel_parts import PartCompiler
+from scenewright.geometry.kernel_store import SUFFIX, KernelStore
+
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 OPTIONS: dict[str, Any] = {
-    "nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True,
-}  # fmt: skip
+    "nogil": True,
+    "error_model": "numpy",
+    "_nrt": False,
+    "no_cfunc_wrapper": True,
+}
 SOURCES = (
-    "problem.py", "hall_problem.py", "energy.py", "hall_energy.py", "geometry", "terms",
-    "encodings", "solvers",
-)  # fmt: skip
+    "engine",
+    "geometry",
+    "render",
+    "domains/*/problem.py",
+    "domains/*/energy.py",
+    "domains/*/terms",
+    "domains/*/encodings",
+    "domains/*/patterns",
+    "domains/*/solvers",
+)
 
 
 def fingerprint(package: Path) -> str:
     """Short name for the present state of the kernel sources below ``package``."""
-    digest = blake2b(numba.__version__.encode(), digest_size=6)
+    versions = f"{numba.__version__} {sys.implementation.cache_tag}"
+    digest = blake2b(versions.encode(), digest_size=6)
     for source in SOURCES:
         for file in sorted(package.glob(source if "." in source else f"{source}/**/*.py")):
             told = file.stat()
@@ -36,25 +52,22 @@ def fingerprint(package: Path) -> str:
 
 
 @cache
-def cache_folder() -> Path:
-    """Where compiled kernels are kept: ``NUMBA_CACHE_DIR``, else beside the sources, else in the
-    user's cache folder."""
+def cache_folders() -> tuple[Path, ...]:
+    """Where compiled kernels are kept, the first choice first: ``NUMBA_CACHE_DIR`` alone, else
+    beside the sources and in the user's cache folder."""
     package = Path(__file__).parent.parent
-    given = os.environ.get("NUMBA_CACHE_DIR")
-    beside = package / "__pycache__"
-    if given:
-        root = Path(given)
-    elif os.access(beside if beside.exists() else package, os.W_OK):
-        root = beside
-    else:
-        root = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "scenewright"
-    return root / f"kernels-{fingerprint(package)}"
+    roots = [Path(given)] if (given := os.environ.get("NUMBA_CACHE_DIR")) else []
+    if not roots:
+        roots = [package / "__pycache__"]
+        with suppress(RuntimeError):  # a user without a home
+            own = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+            roots.append(Path(own) / "scenewright")
+    return tuple(root / f"kernels-{fingerprint(package)}" for root in roots)
 
 
 def is_cold() -> bool:
     """True if nothing was compiled yet for these sources: the first call will take seconds."""
-    folder = cache_folder()
-    return not (folder.is_dir() and next(folder.rglob("*.nbc"), None))
+    return not any(next(folder.glob(f"*{SUFFIX}"), None) for folder in cache_folders())
 
 
 def compiled(function: Kernel) -> Kernel:
@@ -63,12 +76,9 @@ def compiled(function: Kernel) -> Kernel:
     Kernels read and write arrays but never make any, so numba need not count references to them:
     that counting costs more than a small term itself. Scratch arrays are arguments.
     """
-    before = numba.config.CACHE_DIR
-    numba.config.CACHE_DIR = str(cache_folder())
-    try:
-        return numba.njit(cache=True, **OPTIONS)(function)
-    finally:
-        numba.config.CACHE_DIR = before
+    kernel = numba.njit(**OPTIONS)(function)
+    kernel._cache = KernelStore(function, cache_folders())
+    return kernel
 
 
 def inlined(function: Kernel) -> Kernel:
@@ -80,4 +90,6 @@ def inlined(function: Kernel) -> Kernel:
 
     Only other kernels may call it; a call from Python would crash. A test holds that.
     """
-    return numba.njit(no_cpython_wrapper=True, forceinline=True, **OPTIONS)(function)
+    return numba.njit(
+        no_cpython_wrapper=True, forceinline=True, pipeline_class=PartCompiler, **OPTIONS
+    )(function)

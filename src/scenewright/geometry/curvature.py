@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.geometry.mesh import Mesh
-from scenewright.geometry.mesh_edges import Seams, seams, sides, summed
+from scenewright.geometry.mesh_edges import FaceAdjacency, seams, sides, sum_by_name
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -29,7 +29,7 @@ class Bends(NamedTuple):
     ``angle`` (e,) in radians is positive where the surface is convex, seen from outside.
     """
 
-    seams: Seams
+    seams: FaceAdjacency
     angle: Floats
     length: Floats
 
@@ -71,7 +71,7 @@ def mean_curvature(mesh: Mesh) -> Floats:
     """
     found = bends(mesh)
     half = np.repeat(0.5 * found.total(), 2)
-    total = summed(found.seams.ends.reshape(-1), half, len(mesh.vertices))
+    total = sum_by_name(found.seams.ends.reshape(-1), half, len(mesh.vertices))
     areas = vertex_areas(mesh)
     return np.divide(total, areas, out=np.zeros(len(total)), where=areas > 0.0)
 
@@ -99,4 +99,4 @@ def vertex_areas(mesh: Mesh) -> Floats:
     obtuse = cosine < 0.0
     halves = np.where(obtuse, double / 4, double / 8)
     share = np.where(obtuse.any(1, keepdims=True), halves, voronoi)
-    return summed(mesh.faces.reshape(-1), share.reshape(-1), len(mesh.vertices))
+    return sum_by_name(mesh.faces.reshape(-1), share.reshape(-1), len(mesh.vertices))

@@ -5,12 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.geometry.boxes import (
-    area_in_polygon,
-    common_area,
-    distance_to_segment,
-    make_frame,
-)
+from scenewright.geometry.boxes import area_in_polygon, common_area, distance_to_segment, make_frame
 from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
@@ -20,9 +15,16 @@ _NOTHING = 1e-7
 
 
 def faults(
-    boxes: Floats, spans: Floats, flat: NDArray[np.bool_], edges: Floats, zones: Floats,
-    windows: Floats, others: Floats, other_spans: Floats, slack: float,
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:  # fmt: skip
+    boxes: Floats,
+    spans: Floats,
+    flat: NDArray[np.bool_],
+    edges: Floats,
+    zones: Floats,
+    windows: Floats,
+    others: Floats,
+    other_spans: Floats,
+    slack: float,
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """What is wrong with each of the boxes ``(m, 5)``: a code and the index of the offender.
 
     ``spans`` (m, 2) are underside and top. Everything is judged on boxes drawn in by ``slack``
@@ -37,9 +39,17 @@ def faults(
 
 @compiled
 def _find_faults(
-    boxes: Floats, spans: Floats, flat: NDArray[np.bool_], edges: Floats, zones: Floats,
-    windows: Floats, others: Floats, other_spans: Floats, slack: float, found: NDArray[np.int64],
-) -> None:  # fmt: skip
+    boxes: Floats,
+    spans: Floats,
+    flat: NDArray[np.bool_],
+    edges: Floats,
+    zones: Floats,
+    windows: Floats,
+    others: Floats,
+    other_spans: Floats,
+    slack: float,
+    found: NDArray[np.int64],
+) -> None:
     for i in range(boxes.shape[0]):
         found[i, 0], found[i, 1] = _fault(
             boxes[i], spans[i], flat[i], edges, zones, windows, others, other_spans, slack
@@ -48,9 +58,16 @@ def _find_faults(
 
 @inlined
 def _fault(
-    box: Floats, span: Floats, flat: bool, edges: Floats, zones: Floats, windows: Floats,
-    others: Floats, other_spans: Floats, slack: float,
-) -> tuple[int, int]:  # fmt: skip
+    box: Floats,
+    span: Floats,
+    flat: bool,
+    edges: Floats,
+    zones: Floats,
+    windows: Floats,
+    others: Floats,
+    other_spans: Floats,
+    slack: float,
+) -> tuple[int, int]:
     width, depth = max(box[3] - 2 * slack, 1e-3), max(box[4] - 2 * slack, 1e-3)
     frame = make_frame(box[0], box[1], box[2], width, depth)
     if width * depth - area_in_polygon(frame, edges) > _NOTHING:
@@ -75,13 +92,13 @@ def _fault(
 
 
 @compiled
-def backed(box: Floats, walls: Floats, reach: float) -> bool:
+def is_backed(box: Floats, walls: Floats, reach: float) -> bool:
     """True if both back corners of a box lie within ``reach`` metres of one and the same wall.
 
     >>> wall = np.array([[0.0, 0.0, 4.0, 0.0]])
-    >>> backed(np.array([2.0, 0.5, np.pi / 2, 1.0, 1.0]), wall, 0.01)
+    >>> is_backed(np.array([2.0, 0.5, np.pi / 2, 1.0, 1.0]), wall, 0.01)
     True
-    >>> backed(np.array([2.0, 0.6, np.pi / 2, 1.0, 1.0]), wall, 0.01)
+    >>> is_backed(np.array([2.0, 0.6, np.pi / 2, 1.0, 1.0]), wall, 0.01)
     False
     """
     c, s = np.cos(box[2]), np.sin(box[2])
@@ -148,9 +165,13 @@ def _room_beside(
 
 
 def settle(
-    boxes: Floats, may: NDArray[np.bool_], grow: NDArray[np.bool_], edges: Floats, zones: Floats,
+    boxes: Floats,
+    may: NDArray[np.bool_],
+    grow: NDArray[np.bool_],
+    edges: Floats,
+    zones: Floats,
     most: float,
-) -> Floats:  # fmt: skip
+) -> Floats:
     """Boxes ``(n, 5)`` pushed sideways against the nearer neighbour or wall, where a gap of less
     than ``most`` metres lies between; only those that ``may``, one after the other. Those that may
     ``grow`` also widen over such a gap on their other side.
@@ -168,9 +189,13 @@ def settle(
 
 @compiled
 def _settle(
-    found: Floats, may: NDArray[np.bool_], grow: NDArray[np.bool_], edges: Floats, zones: Floats,
+    found: Floats,
+    may: NDArray[np.bool_],
+    grow: NDArray[np.bool_],
+    edges: Floats,
+    zones: Floats,
     most: float,
-) -> None:  # fmt: skip
+) -> None:
     for i in range(found.shape[0]):
         if may[i] and _stands(found[i, 0], found[i, 1], found, i, edges, zones):
             right = _room_beside(found, i, 1.0, most, edges, zones)

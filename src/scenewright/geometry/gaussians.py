@@ -55,8 +55,7 @@ def _reach(points: Floats, i: int, row: int, layer: int, far: float) -> float:
 
 
 @compiled
-def gaussian_sums(points: Floats, held: Floats, starts: Ints, shape: Ints,
-                  sums: Floats) -> None:  # fmt: skip
+def gaussian_sums(points: Floats, held: Floats, starts: Ints, shape: Ints, sums: Floats) -> None:
     """Sums ``(n, 8, 2)`` over the points within 2σ of exp(-d²/(2σ²)) times what they hold.
 
     ``points`` (n, 3) are measured from the grid's low corner and sorted by cell; ``held`` (n, 2)
@@ -84,8 +83,11 @@ def gaussian_sums(points: Floats, held: Floats, starts: Ints, shape: Ints,
 @inlined
 def _meet(points: Floats, held: Floats, i: int, j: int, sums: Floats) -> None:
     """Both points' sums at all widths that reach. Powers of two roots of Gaussians give all."""
-    dx, dy, dz = (points[i, 0] - points[j, 0], points[i, 1] - points[j, 1],
-                  points[i, 2] - points[j, 2])  # fmt: skip
+    dx, dy, dz = (
+        points[i, 0] - points[j, 0],
+        points[i, 1] - points[j, 1],
+        points[i, 2] - points[j, 2],
+    )
     square = dx * dx + dy * dy + dz * dz
     if square > 576.0:
         return
@@ -125,8 +127,9 @@ def _meet(points: Floats, held: Floats, i: int, j: int, sums: Floats) -> None:
 
 
 @compiled
-def peaks(points: Floats, values: Floats, starts: Ints, shape: Ints,
-          slack: float, top: NDArray[np.bool_]) -> None:  # fmt: skip
+def peaks(
+    points: Floats, values: Floats, starts: Ints, shape: Ints, slack: float, top: NDArray[np.bool_]
+) -> None:
     """Unmark in ``top`` (n, 5) each point that has a larger value within the level's width.
 
     Values (n, 5) that differ by less than ``slack`` are equal, and equal ones are all peaks.
@@ -147,8 +150,9 @@ def peaks(points: Floats, values: Floats, starts: Ints, shape: Ints,
 
 
 @inlined
-def _compare(points: Floats, values: Floats, i: int, j: int, slack: float,
-             top: NDArray[np.bool_]) -> None:  # fmt: skip
+def _compare(
+    points: Floats, values: Floats, i: int, j: int, slack: float, top: NDArray[np.bool_]
+) -> None:
     square = 0.0
     for k in range(3):
         square += (points[i, k] - points[j, k]) ** 2
@@ -161,18 +165,28 @@ def _compare(points: Floats, values: Floats, i: int, j: int, slack: float,
 
 
 @compiled
-def blend(points: Floats, values: Floats, starts: Ints, shape: Ints, width: float,
-          places: Floats, out: Floats) -> None:  # fmt: skip
+def blend(
+    points: Floats,
+    values: Floats,
+    starts: Ints,
+    shape: Ints,
+    width: float,
+    places: Floats,
+    out: Floats,
+) -> None:
     """Values at other ``places`` (q, 3): the Gaussian mean, ``width`` units wide, of the points
     within four widths; 0 where there are none."""
     far = 4.0 * width
     for i in range(places.shape[0]):
         top = total = 0.0
         x, y, z = places[i, 0], places[i, 1], places[i, 2]
-        for c in range(max(math.floor((z - far) / CELL), 0),
-                       min(math.floor((z + far) / CELL) + 1, shape[2])):  # fmt: skip
-            for b in range(max(math.floor((y - far) / CELL), 0),
-                           min(math.floor((y + far) / CELL) + 1, shape[1])):  # fmt: skip
+        for c in range(
+            max(math.floor((z - far) / CELL), 0), min(math.floor((z + far) / CELL) + 1, shape[2])
+        ):
+            for b in range(
+                max(math.floor((y - far) / CELL), 0),
+                min(math.floor((y + far) / CELL) + 1, shape[1]),
+            ):
                 first = max(math.floor((x - far) / CELL), 0)
                 last = min(math.floor((x + far) / CELL), shape[0] - 1)
                 if first > last:

@@ -14,22 +14,22 @@ from typing import NamedTuple
 Point = Sequence[float]
 
 
-class Node(NamedTuple):
+class KdNode(NamedTuple):
     """A point by its number, the coordinate it parts by, and what lies below and above it there."""
 
     number: int
     point: Point
     axis: int
-    below: Node | None
-    above: Node | None
+    below: KdNode | None
+    above: KdNode | None
 
 
-def plant(points: Sequence[Point]) -> Node | None:
+def plant(points: Sequence[Point]) -> KdNode | None:
     """The balanced tree of some points; ``None`` without any."""
-    return _planted(points, list(range(len(points))), 0)
+    return _build_tree(points, list(range(len(points))), 0)
 
 
-def nearest_first(tree: Node | None, place: Point, most: Point | None = None) -> Iterator[int]:
+def nearest_first(tree: KdNode | None, place: Point, most: Point | None = None) -> Iterator[int]:
     """Indices of the points by their distance from ``place``, the lower index first where equal.
 
     ``most`` leaves out every point with a coordinate greater than its own.
@@ -38,7 +38,7 @@ def nearest_first(tree: Node | None, place: Point, most: Point | None = None) ->
     >>> list(nearest_first(tree, (4.0, 0.0))), list(nearest_first(tree, (4.0, 0.0), (4.0, 9.0)))
     ([1, 2, 0], [2, 0])
     """
-    queue: list[tuple[float, int, Node | None]] = [(0.0, -1, tree)]
+    queue: list[tuple[float, int, KdNode | None]] = [(0.0, -1, tree)]
     while queue:
         distance, index, node = heappop(queue)
         if index >= 0:
@@ -53,13 +53,16 @@ def nearest_first(tree: Node | None, place: Point, most: Point | None = None) ->
                 heappush(queue, (math.dist(node.point, place), node.number, None))
 
 
-def _planted(points: Sequence[Point], chosen: list[int], axis: int) -> Node | None:
+def _build_tree(points: Sequence[Point], chosen: list[int], axis: int) -> KdNode | None:
     if not chosen:
         return None
     chosen.sort(key=lambda i: points[i][axis])
     half = len(chosen) // 2
     other = (axis + 1) % len(points[0])
-    return Node(
-        chosen[half], points[chosen[half]], axis,
-        _planted(points, chosen[:half], other), _planted(points, chosen[half + 1 :], other),
-    )  # fmt: skip
+    return KdNode(
+        chosen[half],
+        points[chosen[half]],
+        axis,
+        _build_tree(points, chosen[:half], other),
+        _build_tree(points, chosen[half + 1 :], other),
+    )

@@ -53,10 +53,10 @@ def loft(rings: ArrayLike) -> Mesh:
     sides = np.stack([np.stack([a, b, c], -1), np.stack([a, c, d], -1)], 2).reshape(-1, 3)
     fan = np.stack([np.zeros(size - 2, int), np.arange(1, size - 1), np.arange(2, size)], -1)
     faces = np.concatenate([fan[:, ::-1], sides, fan + (count - 1) * size])
-    return welded(Mesh(stack.reshape(-1, 3), faces.astype(np.int64)))
+    return weld_mesh(Mesh(stack.reshape(-1, 3), faces.astype(np.int64)))
 
 
-def welded(mesh: Mesh) -> Mesh:
+def weld_mesh(mesh: Mesh) -> Mesh:
     """The mesh with equal vertices joined (to 1e-9 m) and faces that vanish by it dropped.
 
     Vertices are told apart by a 64-bit mix of their rounded coordinates.
@@ -96,10 +96,7 @@ def clipped_ears(points: Floats) -> Ints:
     found: list[tuple[int, int, int]] = []
     while len(left) > 3:
         count = len(left)
-        best = next(
-            (k for k in range(count) if _is_ear(points, left, k)),
-            0,
-        )
+        best = next((k for k in range(count) if _is_ear(points, left, k)), 0)
         found.append((left[best - 1], left[best], left[(best + 1) % count]))
         del left[best]
     found.append((left[0], left[1], left[2]))
@@ -131,12 +128,12 @@ def merge(meshes: Sequence[Mesh]) -> Mesh:
     )
 
 
-def moved(mesh: Mesh, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Mesh:
+def translate_mesh(mesh: Mesh, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Mesh:
     """The mesh shifted."""
     return Mesh(mesh.vertices + np.array([x, y, z]), mesh.faces)
 
 
-def turned(mesh: Mesh, axis: str, angle: float, about: ArrayLike = (0.0, 0.0, 0.0)) -> Mesh:
+def rotate_mesh(mesh: Mesh, axis: str, angle: float, about: ArrayLike = (0.0, 0.0, 0.0)) -> Mesh:
     """The mesh turned by ``angle`` radians about the x, y or z axis through a point."""
     i, j = {"x": (1, 2), "y": (2, 0), "z": (0, 1)}[axis]
     centre, cos, sin = np.asarray(about, np.float64), np.cos(angle), np.sin(angle)
@@ -149,12 +146,12 @@ def turned(mesh: Mesh, axis: str, angle: float, about: ArrayLike = (0.0, 0.0, 0.
     return Mesh(out + centre, mesh.faces)
 
 
-def mirrored(mesh: Mesh) -> Mesh:
+def mirror_mesh(mesh: Mesh) -> Mesh:
     """The mesh mirrored in x, faces still outward."""
     return Mesh(mesh.vertices * np.array([-1.0, 1.0, 1.0]), mesh.faces[:, ::-1])
 
 
-def mapped(points: Floats, source: tuple[Floats, Floats], low: Floats, high: Floats) -> Floats:
+def map_points(points: Floats, source: tuple[Floats, Floats], low: Floats, high: Floats) -> Floats:
     """Points taken affinely, axis by axis, from the box ``source`` to the box ``low``, ``high``."""
     start, end = source
     scale = (high - low) / np.maximum(end - start, 1e-12)

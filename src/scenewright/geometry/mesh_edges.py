@@ -19,7 +19,7 @@ Ints = NDArray[np.int64]
 Signs = NDArray[np.int8]
 
 
-class Seams(NamedTuple):
+class FaceAdjacency(NamedTuple):
     """Edges with exactly two faces.
 
     ``ends`` (e, 2) run as the first face's winding does, ``faces`` (e, 2) are the two faces, and
@@ -33,7 +33,7 @@ class Seams(NamedTuple):
     beside: Ints
 
 
-def seams(faces: Ints) -> Seams:
+def seams(faces: Ints) -> FaceAdjacency:
     """Edges where exactly two faces meet.
 
     >>> found = seams(np.array([[0, 1, 2], [2, 1, 3], [2, 4, 0], [2, 5, 0]]))
@@ -51,13 +51,15 @@ def seams(faces: Ints) -> Seams:
     other = order[firsts[counts == 2] + 1]
     beside = np.full(len(start), -1, np.int64)
     beside[one], beside[other] = other // 3, one // 3
-    return Seams(
-        np.stack([start[one], end[one]], 1), np.stack([one // 3, other // 3], 1),
-        start[one] == end[other], beside.reshape(-1, 3),
-    )  # fmt: skip
+    return FaceAdjacency(
+        np.stack([start[one], end[one]], 1),
+        np.stack([one // 3, other // 3], 1),
+        start[one] == end[other],
+        beside.reshape(-1, 3),
+    )
 
 
-def sides(mesh: Mesh, found: Seams) -> Signs:
+def sides(mesh: Mesh, found: FaceAdjacency) -> Signs:
     """1 for each face (m,) wound counter-clockwise seen from outside, -1 for the others.
 
     Neighbours agree as far as the surface has two sides. The outside of a closed part is where
@@ -70,24 +72,24 @@ def sides(mesh: Mesh, found: Seams) -> Signs:
     parts = spread(found.beside, differs, np.empty(count, np.int64), side, part)
     a, b, c = (mesh.vertices[mesh.faces[:, k]] for k in range(3))
     across = np.cross(b - a, c - a)
-    area = summed(part, side * np.linalg.norm(across, axis=1), parts)
-    volume = summed(part, side * np.einsum("ij,ij->i", a, across), parts)
-    is_open = summed(part, np.sum(found.beside < 0, axis=1) * 1.0, parts) > 0
+    area = sum_by_name(part, side * np.linalg.norm(across, axis=1), parts)
+    volume = sum_by_name(part, side * np.einsum("ij,ij->i", a, across), parts)
+    is_open = sum_by_name(part, np.sum(found.beside < 0, axis=1) * 1.0, parts) > 0
     wrong = np.where(is_open, area, volume) < 0.0
     turned: Signs = np.where(wrong[part], -side, side).astype(np.int8)
     return turned
 
 
-def summed(names: Ints, values: Floats, count: int) -> Floats:
+def sum_by_name(names: Ints, values: Floats, count: int) -> Floats:
     """The sum ``(count,)`` of the values under each name.
 
-    >>> summed(np.array([0, 2, 0]), np.array([1.0, 2.0, 3.0]), 3).tolist()
+    >>> sum_by_name(np.array([0, 2, 0]), np.array([1.0, 2.0, 3.0]), 3).tolist()
     [4.0, 0.0, 2.0]
     """
     return np.asarray(np.bincount(names, weights=values, minlength=count), np.float64)
 
 
-def _mark(found: Seams, faces: Ints, differs: NDArray[np.bool_]) -> None:
+def _mark(found: FaceAdjacency, faces: Ints, differs: NDArray[np.bool_]) -> None:
     """Mark both half edges of every seam whose faces are wound differently."""
     unlike = ~found.alike
     for k in range(3):

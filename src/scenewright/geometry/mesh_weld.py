@@ -26,7 +26,7 @@ CELL = 8.0
 _MIX = np.array([0x2545F4914F6CDD1D, 0x369DEA0F31A53F85, 0x5851F42D4C957F2D], np.int64)
 
 
-class Sound(NamedTuple):
+class CleanMesh(NamedTuple):
     """A sound mesh about the origin, and where it came from.
 
     ``mesh`` holds the kept corners, moved by ``-centre``; ``vertex`` (n,) gives each given vertex
@@ -41,7 +41,7 @@ class Sound(NamedTuple):
     size: float
 
 
-def sound(mesh: Mesh) -> Sound:
+def clean_mesh(mesh: Mesh) -> CleanMesh:
     """The mesh with corners joined and useless faces left out.
 
     ``size`` stands for the diagonal of the bounding box (they are equal for a cuboid), but does
@@ -52,14 +52,14 @@ def sound(mesh: Mesh) -> Sound:
 
     >>> sheet = Mesh(np.array([[0.0, 0, 0], [3, 0, 0], [3, 4, 0], [0, 0, 0], [3, 4, 0], [0, 4, 0]]),
     ...              np.array([[0, 1, 2], [3, 4, 5], [2, 1, 0], [0, 0, 1]]))
-    >>> found = sound(sheet)
+    >>> found = clean_mesh(sheet)
     >>> found.vertex.tolist(), found.face.tolist(), found.size
     ([0, 1, 2, 0, 2, 3], [0, 1], 5.0)
     """
-    vertices, faces = _checked(mesh)
+    vertices, faces = _check_mesh(mesh)
     about, rough = _extent(vertices, faces)
     local = vertices - about
-    number, kept = _joined(local, faces, CLOSE * rough)
+    number, kept = _join_points(local, faces, CLOSE * rough)
     triangles = number[faces]
     alive = _alive(local[kept], triangles, CLOSE * rough)
     if not len(alive):
@@ -69,10 +69,10 @@ def sound(mesh: Mesh) -> Sound:
     renamed = np.where(used, np.cumsum(used) - 1, -1)
     points, names = local[kept][used[:-1]], renamed[triangles[alive]]
     middle, size = _extent(points, names)  # doubled faces no longer count twice
-    return Sound(Mesh(points - middle, names), renamed[number], alive, about + middle, size)
+    return CleanMesh(Mesh(points - middle, names), renamed[number], alive, about + middle, size)
 
 
-def _checked(mesh: Mesh) -> tuple[Floats, Ints]:
+def _check_mesh(mesh: Mesh) -> tuple[Floats, Ints]:
     vertices = np.asarray(mesh.vertices, np.float64)
     faces = np.asarray(mesh.faces, np.int64)
     if not len(faces) or not len(vertices):
@@ -103,7 +103,7 @@ def _extent(vertices: Floats, faces: Ints) -> tuple[Floats, float]:
     return near + middle, 2.0 * reach
 
 
-def _joined(points: Floats, faces: Ints, close: float) -> tuple[Ints, Ints]:
+def _join_points(points: Floats, faces: Ints, close: float) -> tuple[Ints, Ints]:
     """For each point the number of the one it is joined to, and the given numbers of those."""
     room = 1 << max(4, math.ceil(math.log2(2 * len(points))))
     heads, following = np.full(room, -1, np.int64), np.full(len(points), -1, np.int64)
@@ -115,8 +115,16 @@ def _joined(points: Floats, faces: Ints, close: float) -> tuple[Ints, Ints]:
 
 
 @compiled
-def join(points: Floats, used: NDArray[np.bool_], close: float, mix: Ints, heads: Ints,
-         following: Ints, number: Ints, kept: Ints) -> int:  # fmt: skip
+def join(
+    points: Floats,
+    used: NDArray[np.bool_],
+    close: float,
+    mix: Ints,
+    heads: Ints,
+    following: Ints,
+    number: Ints,
+    kept: Ints,
+) -> int:
     """Number the points in turn: that of a kept point nearer than ``close``, else a new one.
 
     ``heads`` and ``following`` are the lists of a hash grid; kept points lie ``close`` apart, so
@@ -142,8 +150,11 @@ def join(points: Floats, used: NDArray[np.bool_], close: float, mix: Ints, heads
                             found = k
                         k = following[k]
         if found < 0:
-            spot = (math.floor(x / cell) * mix[0] + math.floor(y / cell) * mix[1]
-                    + math.floor(z / cell) * mix[2])  # fmt: skip
+            spot = (
+                math.floor(x / cell) * mix[0]
+                + math.floor(y / cell) * mix[1]
+                + math.floor(z / cell) * mix[2]
+            )
             place = (spot ^ (spot >> 29)) & mask
             kept[count], following[count], heads[place] = i, heads[place], count
             found = count

@@ -22,7 +22,7 @@ SQUARE = 1e-12
 CLEAR, SET, LOOK = np.int64(0), np.int64(1), np.int64(2)
 
 
-class Grid(NamedTuple):
+class RouteGrid(NamedTuple):
     """Corner ``x0, y0`` and ``cell`` size in metres, ``radius`` things are kept off by,
     ``free`` (h, k) bits of cells free of walls and fixed pieces, ``doors`` (d, h, k)."""
 
@@ -108,7 +108,7 @@ def sweep_cells(bits: Bits, row: int, first: int, last: int, task: np.int64) -> 
 
 
 @inlined
-def sweep_box(bits: Bits, grid: Grid, frame: Frame, radius: float, task: np.int64) -> bool:
+def sweep_box(bits: Bits, grid: RouteGrid, frame: Frame, radius: float, task: np.int64) -> bool:
     """Clear (0), set (1) or only look at (2) the cells whose centres lie within ``radius`` of a
     box; true if one of them was set before.
 
@@ -137,7 +137,7 @@ def sweep_box(bits: Bits, grid: Grid, frame: Frame, radius: float, task: np.int6
 
 
 @inlined
-def mark_inside(bits: Bits, grid: Grid, edges: Floats) -> None:
+def mark_inside(bits: Bits, grid: RouteGrid, edges: Floats) -> None:
     """Set the cells whose centres lie inside the outline and outside the holes.
 
     Every edge a row crosses flips all cells to its right.
@@ -173,7 +173,7 @@ def share_in_box(edge: Floats, frame: Frame) -> tuple[float, float]:
 
 
 @inlined
-def clear_wall(bits: Bits, grid: Grid, edge: Floats, doors: Floats) -> None:
+def clear_wall(bits: Bits, grid: RouteGrid, edge: Floats, doors: Floats) -> None:
     """Clear the cells near an edge, leaving out its parts in door boxes (at least as wide as
     the route)."""
     here = 0.0
@@ -196,7 +196,7 @@ def clear_wall(bits: Bits, grid: Grid, edge: Floats, doors: Floats) -> None:
 
 
 @compiled
-def fill_grid(edges: Floats, obstacles: Floats, doors: Floats, grid: Grid) -> None:
+def fill_grid(edges: Floats, obstacles: Floats, doors: Floats, grid: RouteGrid) -> None:
     """Write what is free of walls and fixed pieces, and the cells of the doors.
 
     ``obstacles`` and ``doors`` are frames (k, 8). A door box is free of its own wall.
@@ -213,19 +213,31 @@ def fill_grid(edges: Floats, obstacles: Floats, doors: Floats, grid: Grid) -> No
 
 def make_grid(
     edges: Floats, obstacles: Floats, doors: Floats, bounds: Floats, cell: float, width: float
-) -> Grid:
+) -> RouteGrid:
     """The grid of a room for a route of some width: over its bounds (x0, y0, x1, y1) and doors.
 
     ``edges`` (e, 4), ``obstacles`` and ``doors`` as frames (k, 8). Without doors it is empty.
     """
     if not len(doors):
-        return Grid(0.0, 0.0, cell, 0.5 * width + 0.5 * cell, np.zeros((0, 0), np.uint64),
-                    np.zeros((0, 0, 0), np.uint64))  # fmt: skip
+        return RouteGrid(
+            0.0,
+            0.0,
+            cell,
+            0.5 * width + 0.5 * cell,
+            np.zeros((0, 0), np.uint64),
+            np.zeros((0, 0, 0), np.uint64),
+        )
     low = np.minimum(bounds[:2], (doors[:, :2] - doors[:, 6:7]).min(axis=0))
     high = np.maximum(bounds[2:], (doors[:, :2] + doors[:, 6:7]).max(axis=0))
     columns, rows = (np.ceil((high - low) / cell).astype(int) + 1).tolist()
     shape = (rows, (columns + 63) // 64)
-    grid = Grid(float(low[0]), float(low[1]), cell, 0.5 * width + 0.5 * cell,
-                np.zeros(shape, np.uint64), np.zeros((len(doors), *shape), np.uint64))  # fmt: skip
+    grid = RouteGrid(
+        float(low[0]),
+        float(low[1]),
+        cell,
+        0.5 * width + 0.5 * cell,
+        np.zeros(shape, np.uint64),
+        np.zeros((len(doors), *shape), np.uint64),
+    )
     fill_grid(edges, obstacles, doors, grid)
     return grid

@@ -50,8 +50,10 @@ def prism(outline: Floats, base: float, top: float, holes: Sequence[Floats] = ()
     for ring in (outline, *holes):
         here = np.arange(start, start + len(ring))
         there = np.roll(here, -1)
-        sides += [np.stack([here, there, there + count], 1),
-                  np.stack([here, there + count, here + count], 1)]  # fmt: skip
+        sides += [
+            np.stack([here, there, there + count], 1),
+            np.stack([here, there + count, here + count], 1),
+        ]
         start += len(ring)
     faces = np.vstack([flat + count, flat[:, ::-1], *sides])
     return Mesh(np.vstack([lower, upper]), faces)
@@ -73,10 +75,7 @@ def face_normals(vertices: Floats, faces: Ints) -> Floats:
 
 
 def corner_normals(
-    vertices: Floats,
-    faces: Ints,
-    bodies: Ints | None = None,
-    crease: float = np.deg2rad(40.0),
+    vertices: Floats, faces: Ints, bodies: Ints | None = None, crease: float = np.deg2rad(40.0)
 ) -> Floats:
     """Normals ``(m, 3, 3)`` at the corners of each face, smooth across edges below ``crease``.
 
@@ -133,8 +132,16 @@ def row_keys(rows: Floats) -> Ints:
     >>> bool(keys[0] == keys[1]), bool(keys[0] == keys[2])
     (True, False)
     """
-    odd = np.array([-7046029254386353131, -4417276706812531889, 1609587929392839161,
-                    -8796714831421723037, 2870177450012600261, 6620516959819538809])  # fmt: skip
+    odd = np.array(
+        [
+            -7046029254386353131,
+            -4417276706812531889,
+            1609587929392839161,
+            -8796714831421723037,
+            2870177450012600261,
+            6620516959819538809,
+        ]
+    )
     whole = np.round(rows).astype(np.int64)
     mixed = np.zeros(len(rows), np.int64)
     with np.errstate(over="ignore"):

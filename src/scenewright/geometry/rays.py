@@ -67,13 +67,13 @@ def hits(
     return distance, met, normal
 
 
-def occluded(
+def is_occluded(
     caster: Caster, origins: ArrayLike, directions: ArrayLike, reach: float = np.inf
 ) -> NDArray[np.bool_]:
     """Whether each ray meets anything nearer than ``reach``; faster than :func:`hits`.
 
     >>> roof = build([[0, 0, 2], [1, 0, 2], [0, 1, 2]], [[0, 1, 2]])
-    >>> [bool(occluded(roof, [[0.2, 0.2, 0]], [[0, 0, 1]], reach)[0]) for reach in (3.0, 1.0)]
+    >>> [bool(is_occluded(roof, [[0.2, 0.2, 0]], [[0, 0, 1]], reach)[0]) for reach in (3.0, 1.0)]
     [True, False]
     """
     start, way = _rays(origins, directions)

@@ -23,8 +23,8 @@ from scenewright.geometry import rays
 from scenewright.geometry.best_view import directions, parallel_rays
 from scenewright.geometry.gaussians import LEVELS, WIDTHS
 from scenewright.geometry.mesh import Mesh
-from scenewright.geometry.mesh_weld import sound
-from scenewright.geometry.saliency import UNIT, Grid, Saliency, saliency
+from scenewright.geometry.mesh_weld import clean_mesh
+from scenewright.geometry.saliency import UNIT, PointGrid, Saliency, saliency
 
 Floats = NDArray[np.float64]
 
@@ -47,16 +47,16 @@ def relief(mesh: Mesh) -> Saliency:
     >>> bool(edge > 0.7), bool(wall < 0.01)
     (True, True)
     """
-    return saliency(mesh, relieved)
+    return saliency(mesh, measure_relief)
 
 
-def relieved(levels: Floats, grid: Grid) -> Floats:  # noqa: ARG001
+def measure_relief(levels: Floats, grid: PointGrid) -> Floats:  # noqa: ARG001
     """What each scale ``(n, 5)`` adds: a fifth of its difference over that of a right angle."""
     scaled = levels * (np.array(WIDTHS[:LEVELS]) * UNIT / RIGHT_ANGLE)
     return np.minimum(scaled, 1.0) / LEVELS
 
 
-class Shown(NamedTuple):
+class ReliefView(NamedTuple):
     """What one sees of a model from all round: mean ``relief`` of what is in view, and the
     ``variety`` of directions it faces, both in [0, 1]; the ``quality`` is their product."""
 
@@ -69,7 +69,7 @@ class Shown(NamedTuple):
         return self.relief * self.variety
 
 
-def shown(mesh: Mesh, found: Saliency) -> Shown:
+def measure_all_round(mesh: Mesh, found: Saliency) -> ReliefView:
     """What a mesh with some relief shows from :data:`VIEWS` directions round it, at eye height
     and from a little above, all views by their share of the pictures.
 
@@ -79,10 +79,10 @@ def shown(mesh: Mesh, found: Saliency) -> Shown:
 
     >>> from scenewright.geometry.prisms import box
     >>> tower = box((0, 0, 0), (20, 20, 60))
-    >>> round(shown(tower, relief(tower)).variety * 26, 1)
+    >>> round(measure_all_round(tower, relief(tower)).variety * 26, 1)
     4.5
     """
-    base = sound(mesh)
+    base = clean_mesh(mesh)
     caster = rays.build(*mesh)
     relieves, counts = [], np.zeros(len(COMPASS))
     for way in directions(VIEWS, 0.0, STEEPEST):
@@ -93,7 +93,7 @@ def shown(mesh: Mesh, found: Saliency) -> Shown:
         towards = normal[there] * np.sign(normal[there] @ way)[:, None]
         counts += np.bincount(np.argmax(towards @ COMPASS.T, axis=1), minlength=len(COMPASS))
     if not counts.any():
-        return Shown(0.0, 0.0)
+        return ReliefView(0.0, 0.0)
     share = counts[counts > 0] / counts.sum()
     entropy = float(-(share * np.log2(share)).sum())
-    return Shown(float(np.concatenate(relieves).mean()), 2.0**entropy / len(COMPASS))
+    return ReliefView(float(np.concatenate(relieves).mean()), 2.0**entropy / len(COMPASS))

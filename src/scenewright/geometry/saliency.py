@@ -9,7 +9,7 @@ peak is the greatest value within σ, not among the vertices that happen to be j
 is a share of twice the greatest distance from the centroid, not of an axis-parallel box.
 
 Any scale divided by its own greatest value makes a model with one fine point look plain all over.
-:func:`scenewright.geometry.relief.relieved` weighs scales without that.
+:func:`scenewright.geometry.relief.measure_relief` weighs scales without that.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from scenewright.geometry.gaussians import CELL, LEVELS, WIDTHS, blend, gaussian_sums, peaks
 from scenewright.geometry.mesh import Mesh
-from scenewright.geometry.mesh_edges import summed
-from scenewright.geometry.mesh_weld import Sound, sound
-from scenewright.geometry.surface_samples import Samples, sampled
+from scenewright.geometry.mesh_edges import sum_by_name
+from scenewright.geometry.mesh_weld import CleanMesh, clean_mesh
+from scenewright.geometry.surface_samples import Samples, sample_surface
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -38,7 +38,7 @@ FAINT = 2.0
 sphere as large as the mesh."""
 
 
-class Grid(NamedTuple):
+class PointGrid(NamedTuple):
     """Points in the order of the cells of a uniform grid, in units from its ``low`` corner."""
 
     points: Floats
@@ -48,7 +48,7 @@ class Grid(NamedTuple):
     unit: float
 
 
-Weighed = Callable[[Floats, Grid], Floats]
+Weighed = Callable[[Floats, PointGrid], Floats]
 """From differences of curvature times the size ``(n, 5)`` to what each scale adds."""
 
 
@@ -67,7 +67,7 @@ class Saliency(NamedTuple):
     values: Floats
     areas: Floats
     size: float
-    grid: Grid
+    grid: PointGrid
     order: Ints
     spacing: float
 
@@ -75,7 +75,7 @@ class Saliency(NamedTuple):
 def saliency(mesh: Mesh, weighed: Weighed | None = None) -> Saliency:
     """The saliency of a mesh of any quality: open, of several parts, coarse or with loose faces.
 
-    ``weighed`` brings the differences of the five scales together (:func:`suppressed`).
+    ``weighed`` brings the differences of the five scales together (:func:`suppress_weak_scales`).
 
     Takes less than a second for 100,000 triangles; points closer than can matter are put
     together, so that ten times as many take four. What :func:`.mesh_weld.sound` cannot use
@@ -88,22 +88,30 @@ def saliency(mesh: Mesh, weighed: Weighed | None = None) -> Saliency:
     >>> bool(corner > edge > 10 * face)
     True
     """
-    base = sound(mesh)
+    base = clean_mesh(mesh)
     unit = UNIT * base.size
-    every = sampled(base.mesh, 2.0 * unit)
-    group, samples = _thinned(every, unit)
-    grid, order = arranged(samples.points, unit)
+    every = sample_surface(base.mesh, 2.0 * unit)
+    group, samples = _thin_samples(every, unit)
+    grid, order = arrange_on_grid(samples.points, unit)
     held = np.stack([samples.area, samples.bend], 1)[order]
     sums = np.zeros((len(order), len(WIDTHS), 2))
     gaussian_sums(grid.points, held, grid.starts, grid.shape, sums)
     levels = contrasts(sums) * base.size
-    sorted_values = np.sum((weighed or suppressed)(levels, grid), 1)
+    sorted_values = np.sum((weighed or suppress_weak_scales)(levels, grid), 1)
     values = np.empty(len(order))
     values[order] = sorted_values
     spacing = max(2.0, every.step / unit)
-    result = Saliency(np.zeros(len(mesh.vertices)), np.zeros(len(mesh.faces)),
-                      samples.points + base.centre, values, samples.area, base.size,
-                      grid, order, spacing)  # fmt: skip
+    result = Saliency(
+        np.zeros(len(mesh.vertices)),
+        np.zeros(len(mesh.faces)),
+        samples.points + base.centre,
+        values,
+        samples.area,
+        base.size,
+        grid,
+        order,
+        spacing,
+    )
     _hand_back(result, base, every, values[group])
     return result
 
@@ -122,7 +130,7 @@ def contrasts(sums: Floats) -> Floats:
     return np.asarray(np.abs(mean[:, :LEVELS] - mean[:, twice]))
 
 
-def suppressed(levels: Floats, grid: Grid) -> Floats:
+def suppress_weak_scales(levels: Floats, grid: PointGrid) -> Floats:
     """Each scale ``(n, 5)`` brought to [0, 1] and weighed by (1 - mean of the other peaks)².
 
     Scales without anything above :data:`FAINT` stay as low as they are.
@@ -138,7 +146,7 @@ def suppressed(levels: Floats, grid: Grid) -> Floats:
     return np.asarray(shares * weights)
 
 
-def arranged(points: Floats, unit: float) -> tuple[Grid, Ints]:
+def arrange_on_grid(points: Floats, unit: float) -> tuple[PointGrid, Ints]:
     """The grid over some points, and their numbers in its order."""
     low = points.min(0) - 1e-3 * unit
     scaled = (points - low) / unit
@@ -147,7 +155,7 @@ def arranged(points: Floats, unit: float) -> tuple[Grid, Ints]:
     key = (cells[:, 2] * shape[1] + cells[:, 1]) * shape[0] + cells[:, 0]
     order = np.argsort(key, kind="stable")
     starts = np.concatenate([[0], np.cumsum(np.bincount(key, minlength=int(np.prod(shape))))])
-    return Grid(scaled[order], starts, shape, low, unit), order
+    return PointGrid(scaled[order], starts, shape, low, unit), order
 
 
 def values_at(found: Saliency, places: ArrayLike) -> Floats:
@@ -156,8 +164,15 @@ def values_at(found: Saliency, places: ArrayLike) -> Floats:
     middle = found.points[found.order[0]] - grid.points[0] * grid.unit
     local = (np.asarray(places, np.float64).reshape(-1, 3) - middle) / grid.unit
     out = np.zeros(len(local))
-    blend(grid.points, found.values[found.order], grid.starts, grid.shape,
-          0.5 * found.spacing, local, out)  # fmt: skip
+    blend(
+        grid.points,
+        found.values[found.order],
+        grid.starts,
+        grid.shape,
+        0.5 * found.spacing,
+        local,
+        out,
+    )
     return out
 
 
@@ -180,7 +195,7 @@ def relative_quality(qualities: Sequence[float]) -> Floats:
     return np.maximum(given / greatest, 1e-6) if greatest > 0.0 else np.ones(len(given))
 
 
-def _thinned(every: Samples, unit: float) -> tuple[Ints, Samples]:
+def _thin_samples(every: Samples, unit: float) -> tuple[Ints, Samples]:
     """The points, those within a cell put together where there are too many; and for each given
     point the number of the one it went to."""
     group, samples, side = np.arange(len(every.points)), every, 0.4 * unit
@@ -192,9 +207,9 @@ def _thinned(every: Samples, unit: float) -> tuple[Ints, Samples]:
         _, group = np.unique(key, return_inverse=True)
         count = int(group.max()) + 1
         share = every.area + 1e-9 * every.area.sum() / len(group)
-        weight = summed(group, share, count)
-        middle = [summed(group, share * every.points[:, k], count) / weight for k in range(3)]
-        area, bend = (summed(group, held, count) for held in (every.area, every.bend))
+        weight = sum_by_name(group, share, count)
+        middle = [sum_by_name(group, share * every.points[:, k], count) / weight for k in range(3)]
+        area, bend = (sum_by_name(group, held, count) for held in (every.area, every.bend))
         samples = every._replace(points=np.stack(middle, 1), area=area, bend=bend)
     return group, samples
 
@@ -210,13 +225,13 @@ def _pairs(points: Floats, unit: float) -> float:
     return float((counts * near).sum()) / 3.0
 
 
-def _hand_back(result: Saliency, base: Sound, every: Samples, values: Floats) -> None:
+def _hand_back(result: Saliency, base: CleanMesh, every: Samples, values: Floats) -> None:
     """Fill in what the given vertices and faces have."""
     own = values[: len(base.mesh.vertices)]
     result.vertices[:] = np.where(base.vertex >= 0, own[base.vertex], 0.0)
     means = own[base.mesh.faces].mean(1)
     inside = every.face >= 0
-    weight = summed(every.face[inside], every.area[inside], len(means))
-    total = summed(every.face[inside], (every.area * values)[inside], len(means))
+    weight = sum_by_name(every.face[inside], every.area[inside], len(means))
+    total = sum_by_name(every.face[inside], (every.area * values)[inside], len(means))
     means = np.divide(total, weight, out=means, where=weight > 0.0)
     result.faces[base.face] = means

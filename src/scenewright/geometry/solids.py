@@ -12,7 +12,7 @@ from math import cos, pi, sin
 import numpy as np
 from numpy.typing import ArrayLike
 
-from scenewright.geometry.mesh import Floats, Mesh, extrude, loft, moved, turned
+from scenewright.geometry.mesh import Floats, Mesh, extrude, loft, rotate_mesh, translate_mesh
 
 Interval = tuple[float, float]
 Spot = tuple[float, float]
@@ -29,9 +29,21 @@ def block(x: Interval, y: Interval, z: Interval) -> Mesh:
 
 
 _BLOCK = np.array(
-    [(0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
-     (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5)]
-)  # fmt: skip
+    [
+        (0, 2, 3),
+        (0, 3, 1),
+        (4, 5, 7),
+        (4, 7, 6),
+        (0, 1, 5),
+        (0, 5, 4),
+        (2, 6, 7),
+        (2, 7, 3),
+        (0, 4, 6),
+        (0, 6, 2),
+        (1, 3, 7),
+        (1, 7, 5),
+    ]
+)
 
 
 def rectangle_ring(
@@ -79,17 +91,19 @@ def cushion(
         inset += puff * radius * 0.5 * (k in (0, 2 * steps + 1))
         round_by = max(radius - inset, 1e-12)
         level = middle + radius * sin(angle)
-        ring = rectangle_ring(_drawn(x, inset), _drawn(y, inset), level, round_by, steps)
+        ring = rectangle_ring(
+            _inset_interval(x, inset), _inset_interval(y, inset), level, round_by, steps
+        )
         rings.append(ring)
     return loft(rings)
 
 
-def _drawn(span: Interval, inset: float) -> Interval:
+def _inset_interval(span: Interval, inset: float) -> Interval:
     inset = min(inset, (span[1] - span[0]) / 2)
     return span[0] + inset, span[1] - inset
 
 
-def bevelled(x: Interval, y: Interval, z: Interval, bevel: float = 0.008) -> Mesh:
+def make_bevelled_box(x: Interval, y: Interval, z: Interval, bevel: float = 0.008) -> Mesh:
     """A box with chamfered edges, 44 triangles."""
     return cushion(x, y, z, bevel, 1)
 
@@ -102,25 +116,37 @@ def rod(
     return _swept(path, [radius, radius if tip is None else tip], sides)
 
 
-def leg(x: float, y: float, z: Interval, top: float, foot: float | None = None, sides: int = 8,
-        lean: Spot = (0.0, 0.0)) -> Mesh:  # fmt: skip
+def leg(
+    x: float,
+    y: float,
+    z: Interval,
+    top: float,
+    foot: float | None = None,
+    sides: int = 8,
+    lean: Spot = (0.0, 0.0),
+) -> Mesh:
     """An upright leg with flat ends; ``lean`` is how far its foot stands out from its top."""
     foot = top if foot is None else foot
-    return loft([
-        oval_ring(foot, foot, z[0], sides, (x + lean[0], y + lean[1])),
-        oval_ring(top, top, z[1], sides, (x, y)),
-    ])  # fmt: skip
+    return loft(
+        [
+            oval_ring(foot, foot, z[0], sides, (x + lean[0], y + lean[1])),
+            oval_ring(top, top, z[1], sides, (x, y)),
+        ]
+    )
 
 
-def post(x: float, y: float, z: Interval, top: float, foot: float | None = None,
-         lean: Spot = (0.0, 0.0)) -> Mesh:  # fmt: skip
+def post(
+    x: float, y: float, z: Interval, top: float, foot: float | None = None, lean: Spot = (0.0, 0.0)
+) -> Mesh:
     """A square leg of half width ``top`` above and ``foot`` below, flat ends."""
     foot = top if foot is None else foot
     fx, fy = x + lean[0], y + lean[1]
-    return loft([
-        rectangle_ring((fx - foot, fx + foot), (fy - foot, fy + foot), z[0]),
-        rectangle_ring((x - top, x + top), (y - top, y + top), z[1]),
-    ])  # fmt: skip
+    return loft(
+        [
+            rectangle_ring((fx - foot, fx + foot), (fy - foot, fy + foot), z[0]),
+            rectangle_ring((x - top, x + top), (y - top, y + top), z[1]),
+        ]
+    )
 
 
 def tube(path: ArrayLike, radius: float, sides: int = 6) -> Mesh:
@@ -149,8 +175,9 @@ def _swept(path: Floats, radii: Sequence[float], sides: int) -> Mesh:
     return loft(rings)
 
 
-def lathe(profile: Sequence[Spot], at: Spot = (0.0, 0.0), sides: int = 16,
-          squash: float = 1.0) -> Mesh:  # fmt: skip
+def lathe(
+    profile: Sequence[Spot], at: Spot = (0.0, 0.0), sides: int = 16, squash: float = 1.0
+) -> Mesh:
     """A profile of ``(radius, height)`` points turned about the upright axis through ``at``.
 
     The profile starts and ends near the axis and runs so that the outside lies on its right
@@ -162,8 +189,9 @@ def lathe(profile: Sequence[Spot], at: Spot = (0.0, 0.0), sides: int = 16,
     return loft([oval_ring(max(r, 0.0), max(r, 0.0) * squash, z, sides, at) for r, z in profile])
 
 
-def disc(radius: float, z: Interval, at: Spot = (0.0, 0.0), sides: int = 16,
-         squash: float = 1.0) -> Mesh:  # fmt: skip
+def disc(
+    radius: float, z: Interval, at: Spot = (0.0, 0.0), sides: int = 16, squash: float = 1.0
+) -> Mesh:
     """A round plate or cylinder."""
     return loft([oval_ring(radius, radius * squash, level, sides, at) for level in z])
 
@@ -174,7 +202,7 @@ def pipe(outer: float, inner: float, z: Interval, at: Spot = (0.0, 0.0), sides: 
     circle = np.column_stack([np.cos(angle), np.sin(angle)])
     corners = [(outer, z[0]), (outer, z[1]), (inner, z[1]), (inner, z[0])]
     stack = [np.column_stack([circle * r + at, np.full(sides, level)]) for r, level in corners]
-    return ringed(np.array(stack))
+    return connect_rings(np.array(stack))
 
 
 def frame(x: Interval, y: Interval, z: Interval, rim: float, radius: float = 0.0) -> Mesh:
@@ -185,10 +213,10 @@ def frame(x: Interval, y: Interval, z: Interval, rim: float, radius: float = 0.0
         rectangle_ring(a, b, level, r, 2)[:, [0, 2, 1]]
         for (a, b, level), r in zip(corners, (radius, radius, radius / 2, radius / 2), strict=True)
     ]
-    return ringed(np.array(stack))
+    return connect_rings(np.array(stack))
 
 
-def ringed(stack: Floats) -> Mesh:
+def connect_rings(stack: Floats) -> Mesh:
     """A closed ring of rings ``(k, n, 3)``: sides between each and the next, the last and first."""
     k, n = stack.shape[:2]
     i, j = np.meshgrid(np.arange(k), np.arange(n), indexing="ij")
@@ -198,23 +226,35 @@ def ringed(stack: Floats) -> Mesh:
     return Mesh(stack.reshape(-1, 3), faces)
 
 
-def trough(x: Interval, y: Interval, z: Interval, rim: float, floor: float, radius: float = 0.0,
-           slope: float = 0.0, steps: int = 3) -> Mesh:  # fmt: skip
+def trough(
+    x: Interval,
+    y: Interval,
+    z: Interval,
+    rim: float,
+    floor: float,
+    radius: float = 0.0,
+    slope: float = 0.0,
+    steps: int = 3,
+) -> Mesh:
     """A rectangular tub: walls ``rim`` thick at the top, inner floor at height ``floor``, drawn
     in by ``slope`` on the way down."""
     inner = max(radius - rim, 0.01)
     top = rectangle_ring((x[0] + rim, x[1] - rim), (y[0] + rim, y[1] - rim), z[1], inner, steps)
     low = rim + slope
     down = rectangle_ring((x[0] + low, x[1] - low), (y[0] + low, y[1] - low), floor, inner, steps)
-    return loft([
-        rectangle_ring(x, y, z[0], max(radius, 0.001), steps),
-        rectangle_ring(x, y, z[1], max(radius, 0.001), steps),
-        top, down,
-    ])  # fmt: skip
+    return loft(
+        [
+            rectangle_ring(x, y, z[0], max(radius, 0.001), steps),
+            rectangle_ring(x, y, z[1], max(radius, 0.001), steps),
+            top,
+            down,
+        ]
+    )
 
 
-def ball(rx: float, ry: float, rz: float, at: tuple[float, float, float], sides: int = 10,
-         rows: int = 5) -> Mesh:  # fmt: skip
+def ball(
+    rx: float, ry: float, rz: float, at: tuple[float, float, float], sides: int = 10, rows: int = 5
+) -> Mesh:
     """An ellipsoid around ``at``."""
     levels = [pi * (k / rows - 0.5) for k in range(rows + 1)]
     rings = [
@@ -225,8 +265,14 @@ def ball(rx: float, ry: float, rz: float, at: tuple[float, float, float], sides:
     return loft([poles[0], *rings, poles[1]])
 
 
-def leaf(length: float, width: float, rise: float, droop: float, turn: float,
-         at: tuple[float, float, float]) -> Mesh:  # fmt: skip
+def leaf(
+    length: float,
+    width: float,
+    rise: float,
+    droop: float,
+    turn: float,
+    at: tuple[float, float, float],
+) -> Mesh:
     """A thin leaf from ``at`` outwards: ``rise`` is its slope in radians at the root, ``droop``
     how much it bends down along its length, ``turn`` its direction in plan."""
     spine = [(0.0, 0.0, 0.15)]
@@ -237,15 +283,19 @@ def leaf(length: float, width: float, rise: float, droop: float, turn: float,
         angle -= droop / 2
     thick = 0.06 * width
     rings = [
-        [(x, -w * width / 2, z), (x, 0, z - thick * (w + 0.05)), (x, w * width / 2, z),
-         (x, 0, z + thick * (w + 0.05) * 0.2)]
+        [
+            (x, -w * width / 2, z),
+            (x, 0, z - thick * (w + 0.05)),
+            (x, w * width / 2, z),
+            (x, 0, z + thick * (w + 0.05) * 0.2),
+        ]
         for x, z, w in spine[:-1]
-    ]  # fmt: skip
+    ]
     x, z, _ = spine[-1]
     mesh = loft([*rings, [(x, 0.0, z)] * 4])
     if mesh_is_inside_out(mesh):
         mesh = Mesh(mesh.vertices, mesh.faces[:, ::-1])
-    return moved(turned(mesh, "z", turn), *at)
+    return translate_mesh(rotate_mesh(mesh, "z", turn), *at)
 
 
 def mesh_is_inside_out(mesh: Mesh) -> bool:

@@ -84,8 +84,13 @@ def sunrise(latitude: float, day: float, altitude: float = 0.0) -> float:
     return float(12.0 - 12.0 * turn / np.pi)
 
 
-def sun_path(latitude: float, day: float, hours: tuple[float, float] = (FIRST_HOUR, LAST_HOUR),
-             minutes: float = MINUTES, north: float = np.pi / 2) -> Floats:  # fmt: skip
+def sun_path(
+    latitude: float,
+    day: float,
+    hours: tuple[float, float] = (FIRST_HOUR, LAST_HOUR),
+    minutes: float = MINUTES,
+    north: float = np.pi / 2,
+) -> Floats:
     """The sun through the day: rows ``(s, 4)`` of the unit direction towards it and the hours it
     stands for; only while it is up.
 
@@ -118,9 +123,14 @@ def open_hours(headings: ArrayLike, path: Floats) -> Floats:
     return np.asarray((outward @ path[:, :2].T > 0.0) @ path[:, 3])
 
 
-def sun_hours(boxes: ArrayLike, heights: ArrayLike, path: Floats,
-              obstacles: tuple[ArrayLike, ArrayLike] | None = None, places: int = 1,
-              sill: float = SILL) -> Floats:  # fmt: skip
+def sun_hours(
+    boxes: ArrayLike,
+    heights: ArrayLike,
+    path: Floats,
+    obstacles: tuple[ArrayLike, ArrayLike] | None = None,
+    places: int = 1,
+    sill: float = SILL,
+) -> Floats:
     """Hours of direct sun ``(n, 4)`` on the front, left, back and right side of buildings.
 
     ``boxes`` (n, 5) and ``heights`` (n,) in metres; ``path`` from :func:`sun_path`;
@@ -162,8 +172,9 @@ def highest(grid: BoxGrid) -> float:
 
 
 @inlined
-def lit_hours(grid: BoxGrid, path: Floats, places: int, sill: float, top: float, i: int,
-              side: int) -> float:  # fmt: skip
+def lit_hours(
+    grid: BoxGrid, path: Floats, places: int, sill: float, top: float, i: int, side: int
+) -> float:
     """Hours of sun on a side of a box, none of them higher than ``top``."""
     x, y, c, s = grid.frames[i, 0], grid.frames[i, 1], grid.frames[i, 2], grid.frames[i, 3]
     for _ in range(side):

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from scenewright.geometry.curvature import Bends, bends
 from scenewright.geometry.mesh import Mesh
-from scenewright.geometry.mesh_edges import summed
+from scenewright.geometry.mesh_edges import sum_by_name
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -45,12 +45,12 @@ class Samples(NamedTuple):
     step: float
 
 
-def sampled(mesh: Mesh, step: float, most: int = 60_000) -> Samples:
+def sample_surface(mesh: Mesh, step: float, most: int = 60_000) -> Samples:
     """Points for a sound mesh, ``step`` apart at most, or more if ``most`` would not do.
 
     >>> square = Mesh(np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]),
     ...               np.array([[0, 1, 2], [0, 2, 3]]))
-    >>> found = sampled(square, 0.25)
+    >>> found = sample_surface(square, 0.25)
     >>> len(found.points), round(float(found.area.sum()), 9), float(abs(found.bend).max())
     (22, 1.0, 0.0)
     """
@@ -63,7 +63,7 @@ def sampled(mesh: Mesh, step: float, most: int = 60_000) -> Samples:
     found = bends(mesh)
     for _ in range(ROUNDS):
         large = longest > SMALL * step
-        if _needed(area[large], longest[large], found, step) <= most:
+        if _estimate_count(area[large], longest[large], found, step) <= most:
             break
         step *= 1.25
     dense = _spread_bend(found, len(area)) / area
@@ -73,8 +73,8 @@ def sampled(mesh: Mesh, step: float, most: int = 60_000) -> Samples:
     small = ~large
     names = mesh.faces[small].reshape(-1)
     count = len(mesh.vertices)
-    own_area = summed(names, np.repeat(area[small] / 3, 3), count)
-    own_bend = summed(names, np.repeat((dense * area)[small] / 3, 3), count)
+    own_area = sum_by_name(names, np.repeat(area[small] / 3, 3), count)
+    own_bend = sum_by_name(names, np.repeat((dense * area)[small] / 3, 3), count)
     return Samples(
         np.concatenate([mesh.vertices, inside[0], edges[0]]),
         np.concatenate([own_area, inside[1], np.zeros(len(edges[1]))]),
@@ -84,7 +84,7 @@ def sampled(mesh: Mesh, step: float, most: int = 60_000) -> Samples:
     )
 
 
-def _needed(area: Floats, longest: Floats, found: Bends, step: float) -> float:
+def _estimate_count(area: Floats, longest: Floats, found: Bends, step: float) -> float:
     """About how many points the large faces and the sharp edges would get."""
     rows, columns = np.ceil(2 * area / longest / step), np.ceil(longest / step)
     long = found.length[np.abs(found.angle) > BLUNT] / (ALONG * step)
@@ -100,11 +100,12 @@ def _spread_bend(found: Bends, faces: int) -> Floats:
     """What each face (m,) gets of its edges' curvature as far as they are blunt: half of each."""
     half = 0.5 * found.total() * (1.0 - _sharpness(found))
     one, other = found.seams.faces.T
-    return summed(one, half, faces) + summed(other, half, faces)
+    return sum_by_name(one, half, faces) + sum_by_name(other, half, faces)
 
 
-def _inside(corners: Floats, lengths: Floats, area: Floats, step: float
-            ) -> tuple[Floats, Floats, Ints]:  # fmt: skip
+def _inside(
+    corners: Floats, lengths: Floats, area: Floats, step: float
+) -> tuple[Floats, Floats, Ints]:
     """Points, their areas and the number of their triangle.
 
     Each triangle is cut into strips along its longest side, each strip into equal cells; a point
@@ -139,7 +140,7 @@ def _along(mesh: Mesh, found: Bends, step: float) -> tuple[Floats, Floats, Float
     parts = np.ceil(found.length[sharp] / (ALONG * step)).astype(np.int64)
     few = found.length[sharp] <= SMALL * ALONG * step
     ends = found.seams.ends[sharp]
-    handed = summed(ends[few].reshape(-1), np.repeat(0.5 * bend[few], 2), len(mesh.vertices))
+    handed = sum_by_name(ends[few].reshape(-1), np.repeat(0.5 * bend[few], 2), len(mesh.vertices))
     sharp, parts, bend, ends = sharp[~few], parts[~few], bend[~few], ends[~few]
     edge = np.repeat(np.arange(len(sharp)), parts)
     part = np.arange(len(edge)) - np.repeat(np.cumsum(parts) - parts, parts)

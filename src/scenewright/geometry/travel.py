@@ -16,15 +16,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.geometry.boxes import Floats
-from scenewright.geometry.clearway import Raster
 from scenewright.geometry.compiled import compiled, inlined
+from scenewright.geometry.distance_raster import DistanceRaster
 
 Ints = NDArray[np.int32]
 Flags = NDArray[np.bool_]
 FASTEST = 1.0  # least seconds a metre: what the search may hope for
 
 
-class Search(NamedTuple):
+class TravelSearch(NamedTuple):
     """State of a search over n cells: travel ``times`` (n,), the cell each was come ``before``
     from (-1: none), the number of the ``source`` it belongs to, and a heap of cells by key:
     ``keys`` and ``heap`` (n,), with the ``place`` of every cell in it."""
@@ -37,16 +37,16 @@ class Search(NamedTuple):
     place: Ints
 
 
-def make_search(cells: int) -> Search:
+def make_search(cells: int) -> TravelSearch:
     """A search over so many cells, nothing reached yet."""
     numbers = np.full((4, cells), -1, np.int32)
-    return Search(
+    return TravelSearch(
         np.full(cells, np.inf), numbers[0], numbers[1], np.empty(cells), numbers[2], numbers[3]
     )
 
 
 @inlined
-def settle_in(search: Search, key: float, cell: int, hole: int) -> None:
+def settle_in(search: TravelSearch, key: float, cell: int, hole: int) -> None:
     """Let a cell rise from a hole in the heap to where its key belongs."""
     while hole > 0:
         above = (hole - 1) >> 1
@@ -60,7 +60,7 @@ def settle_in(search: Search, key: float, cell: int, hole: int) -> None:
 
 
 @inlined
-def take_first(search: Search, size: int) -> int:
+def take_first(search: TravelSearch, size: int) -> int:
     """Remove the cell of least key from a heap of ``size`` cells."""
     first, hole, end = search.heap[0], 0, size - 1
     key, cell = search.keys[end], search.heap[end]
@@ -80,7 +80,7 @@ def take_first(search: Search, size: int) -> int:
 
 
 @compiled
-def spread(search: Search, slow: Floats, cell: float, starts: Ints, goal: int) -> None:
+def spread(search: TravelSearch, slow: Floats, cell: float, starts: Ints, goal: int) -> None:
     """Travel times from the nearest of the cells ``starts`` to every cell, or until ``goal`` (a
     cell, -1: none) is reached; ``slow`` (rows, columns), ``cell`` in metres."""
     columns, size = slow.shape[1], starts.shape[0]
@@ -141,8 +141,9 @@ def shorten(times: Floats, slow: Floats, cell: float, cells: Ints) -> None:
 
 
 @compiled
-def mark_near(near: Flags, slow: Floats, cell: float, places: Ints, others: Ints,
-              reach: float) -> None:  # fmt: skip
+def mark_near(
+    near: Flags, slow: Floats, cell: float, places: Ints, others: Ints, reach: float
+) -> None:
     """Mark which of the ``others`` (m,) can be walked to from each of the ``places`` (k,)
     straight, over at most ``reach`` metres."""
     columns, most = slow.shape[1], (reach / cell) ** 2
@@ -156,7 +157,7 @@ def mark_near(near: Flags, slow: Floats, cell: float, places: Ints, others: Ints
 
 
 @compiled
-def pull(path: Ints, slow: Floats, times: Floats, cell: float, kept: Ints) -> int:
+def string_pull(path: Ints, slow: Floats, times: Floats, cell: float, kept: Ints) -> int:
     """Leave out cells of a path where the straight line is no slower; how many are ``kept``.
 
     ``path`` (k,) cells in order, ``times`` at each of them. From each cell kept the line is
@@ -179,7 +180,7 @@ def pull(path: Ints, slow: Floats, times: Floats, cell: float, kept: Ints) -> in
 
 
 @inlined
-def between_cells(raster: Raster, x: float, y: float) -> float:
+def between_cells(raster: DistanceRaster, x: float, y: float) -> float:
     """The value at a point, bilinear between the four cell centres around it."""
     u, v = (x - raster.x0) / raster.cell - 0.5, (y - raster.y0) / raster.cell - 0.5
     rows, columns = raster.values.shape
@@ -191,8 +192,9 @@ def between_cells(raster: Raster, x: float, y: float) -> float:
 
 
 @compiled
-def round_off(points: Floats, home: Floats, clear: Raster, least: float, reach: float,
-              rounds: int) -> None:  # fmt: skip
+def round_off(
+    points: Floats, home: Floats, clear: DistanceRaster, least: float, reach: float, rounds: int
+) -> None:
     """Move every point but the ends towards the middle of its neighbours, again and again.
 
     It stays within ``reach`` of where it was, its ``home`` (k, 2), and keeps a clearance of

@@ -51,7 +51,7 @@ class Sights(NamedTuple):
     values: Floats
 
 
-class Seen(NamedTuple):
+class VisibleQuality(NamedTuple):
     """Visible quality: ``points`` (p,) V(e) of each eye and ``buildings`` (n,) what each one adds
     to their mean: it is the sum of all buildings'. ``nearest`` (n,) the eye that sees
     most of a building (-1: it is never seen) and ``most`` (n,) what it adds there."""
@@ -88,13 +88,24 @@ def sights(eyes: ArrayLike, rays: int = RAYS, height: float = EYE) -> Sights:
     if points.shape[-1] == 2:
         points = np.column_stack([points, np.full(len(points), height)])
     shape = (len(points), rays)
-    return Sights(np.ascontiguousarray(points), directions(rays, *BAND),
-                  GOLDEN / rays * np.arange(len(points)), np.full(shape, -1, np.int64),
-                  np.full(shape, np.inf), np.zeros(shape))  # fmt: skip
+    return Sights(
+        np.ascontiguousarray(points),
+        directions(rays, *BAND),
+        GOLDEN / rays * np.arange(len(points)),
+        np.full(shape, -1, np.int64),
+        np.full(shape, np.inf),
+        np.zeros(shape),
+    )
 
 
-def sights_of_boxes(grid: BoxGrid, density: ArrayLike, eyes: ArrayLike, best: float | None = None,
-                    rays: int = RAYS, reach: float = REACH) -> Sights:  # fmt: skip
+def sights_of_boxes(
+    grid: BoxGrid,
+    density: ArrayLike,
+    eyes: ArrayLike,
+    best: float | None = None,
+    rays: int = RAYS,
+    reach: float = REACH,
+) -> Sights:
     """What eyes see of the buildings of a grid (:func:`scenewright.geometry.box_grid.box_grid`).
 
     ``density`` (n,) mean saliency of each building's surface, or (n, 5) of its front, left, back
@@ -136,8 +147,7 @@ def way_of(made: Sights, e: int, r: int) -> tuple[float, float, float]:
 
 
 @inlined
-def look_along(grid: BoxGrid, quality: Floats, made: Sights, reach: float, e: int,
-               r: int) -> None:  # fmt: skip
+def look_along(grid: BoxGrid, quality: Floats, made: Sights, reach: float, e: int, r: int) -> None:
     """Fill in what one ray of an eye sees."""
     x, y, z = made.eyes[e, 0], made.eyes[e, 1], made.eyes[e, 2]
     ax, ay, az = way_of(made, e, r)
@@ -149,7 +159,7 @@ def look_along(grid: BoxGrid, quality: Floats, made: Sights, reach: float, e: in
     made.distances[e, r] = distance if b >= 0 else np.inf
 
 
-def seen_of(made: Sights, count: int) -> Seen:
+def seen_of(made: Sights, count: int) -> VisibleQuality:
     """The visible quality of eyes and of ``count`` buildings."""
     p, r = made.found.shape
     eye, ray = np.nonzero(made.values > 0.0)
@@ -161,11 +171,18 @@ def seen_of(made: Sights, count: int) -> Seen:
     nearest, most = np.full(count, -1, np.int64), np.zeros(count)
     nearest[of[order]], most[of[order]] = at[order], adds[order]
     points = np.minimum(made.values.mean(1), 1.0)
-    return Seen(points, np.bincount(of, adds, count) / max(p, 1), nearest, most)
+    return VisibleQuality(points, np.bincount(of, adds, count) / max(p, 1), nearest, most)
 
 
-def seen(eyes: ArrayLike, boxes: ArrayLike, heights: ArrayLike, density: ArrayLike,
-         best: float | None = None, rays: int = RAYS, reach: float = REACH) -> Seen:  # fmt: skip
+def seen(
+    eyes: ArrayLike,
+    boxes: ArrayLike,
+    heights: ArrayLike,
+    density: ArrayLike,
+    best: float | None = None,
+    rays: int = RAYS,
+    reach: float = REACH,
+) -> VisibleQuality:
     """The visible quality of buildings ``(n, 5)`` of ``heights`` (n,) from eyes ``(p, 2)``.
 
     >>> found = seen([[0, 0]], [[0, 30, 0, 20, 20], [0, 60, 0, 20, 20]], [9.0, 9.0], [1.0, 1.0])

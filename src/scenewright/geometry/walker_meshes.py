@@ -28,7 +28,7 @@ reaches and how much one looks up."""
 BINS = 72
 
 
-class Model(NamedTuple):
+class SaliencyModel(NamedTuple):
     """A mesh in its own frame (front to +y, standing on z = 0 over the origin) and the saliency
     ``density`` (m,) of each of its faces."""
 
@@ -46,7 +46,7 @@ class Street(NamedTuple):
     best: float
 
 
-class Spot(NamedTuple):
+class Viewpoint(NamedTuple):
     """Where to stand, ``point`` (3,), where to look, unit ``way`` (3,), and what is in view."""
 
     point: Floats
@@ -54,7 +54,9 @@ class Spot(NamedTuple):
     score: float
 
 
-def street(models: Sequence[Model], which: ArrayLike, poses: ArrayLike, most: int = MOST) -> Street:
+def street(
+    models: Sequence[SaliencyModel], which: ArrayLike, poses: ArrayLike, most: int = MOST
+) -> Street:
     """Buildings of models ``which`` (n,) at ``poses`` (n, 4): x, y, z and heading of the front.
 
     Where all would have more than ``most`` triangles, those with most are replaced by boxes.
@@ -64,7 +66,7 @@ def street(models: Sequence[Model], which: ArrayLike, poses: ArrayLike, most: in
     vertices, faces, density, owner, start = [], [], [], [], 0
     for i, k in enumerate(used):
         mesh = plain[k].mesh
-        vertices.append(_placed(mesh.vertices, rows[i]))
+        vertices.append(_place_vertices(mesh.vertices, rows[i]))
         faces.append(mesh.faces + start)
         density.append(plain[k].density)
         owner.append(np.full(len(mesh.faces), i, np.int64))
@@ -74,11 +76,12 @@ def street(models: Sequence[Model], which: ArrayLike, poses: ArrayLike, most: in
     return Street(
         rays.build(np.concatenate(vertices or none), np.concatenate(faces or none)),
         np.concatenate([np.zeros(0), *density]),
-        np.concatenate([np.zeros(0, np.int64), *owner]), best,
-    )  # fmt: skip
+        np.concatenate([np.zeros(0, np.int64), *owner]),
+        best,
+    )
 
 
-def _within(models: Sequence[Model], used: Ints, most: int) -> list[Model]:
+def _within(models: Sequence[SaliencyModel], used: Ints, most: int) -> list[SaliencyModel]:
     """The models, the largest as boxes if all together would be too many triangles."""
     out = list(models)
     times = np.bincount(used, minlength=len(out))
@@ -86,34 +89,39 @@ def _within(models: Sequence[Model], used: Ints, most: int) -> list[Model]:
     for k in np.argsort(-sizes):
         if sizes.sum() <= most:
             break
-        out[k] = boxed(out[k])
+        out[k] = to_bounding_box(out[k])
         sizes[k] = len(out[k].mesh.faces) * times[k]
     return out
 
 
-def boxed(model: Model) -> Model:
+def to_bounding_box(model: SaliencyModel) -> SaliencyModel:
     """A model's bounding box, all of it as salient as the model is on the mean."""
     low, high = model.mesh.vertices.min(0), model.mesh.vertices.max(0)
     mesh = box(low.tolist(), high.tolist())
-    return Model(mesh, np.full(len(mesh.faces), _mean(model)))
+    return SaliencyModel(mesh, np.full(len(mesh.faces), _mean(model)))
 
 
-def _mean(model: Model) -> float:
+def _mean(model: SaliencyModel) -> float:
     """Mean saliency of a model's surface, by area."""
     a, b, c = (model.mesh.vertices[model.mesh.faces[:, k]] for k in range(3))
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     return float(areas @ model.density / areas.sum()) if areas.sum() > 0.0 else 0.0
 
 
-def _placed(vertices: Floats, pose: Floats) -> Floats:
+def _place_vertices(vertices: Floats, pose: Floats) -> Floats:
     """Vertices at a pose: +y goes to the heading, +x to the right of it."""
     c, s = np.cos(pose[3]), np.sin(pose[3])
     turn = np.array([[s, -c, 0.0], [c, s, 0.0], [0.0, 0.0, 1.0]])
     return np.asarray(vertices @ turn + pose[:3])
 
 
-def sights_of_meshes(of: Street, eyes: ArrayLike, best: float | None = None,
-                     count: int = PICTURE_RAYS, reach: float = REACH) -> Sights:  # fmt: skip
+def sights_of_meshes(
+    of: Street,
+    eyes: ArrayLike,
+    best: float | None = None,
+    count: int = PICTURE_RAYS,
+    reach: float = REACH,
+) -> Sights:
     """What eyes ``(p, 2)`` or ``(p, 3)`` see of the models of a street, by ``count`` rays each;
     ``best`` is q* (left out: the greatest mean of one of the models)."""
     made = sights(eyes, count)
@@ -139,7 +147,7 @@ def ways_of(made: Sights) -> Floats:
     return np.stack([x * c - y * s, x * s + y * c, np.broadcast_to(z, (len(c), len(z)))], -1)
 
 
-def side_densities(model: Model, count: int = 2000) -> Floats:
+def side_densities(model: SaliencyModel, count: int = 2000) -> Floats:
     """Mean saliency (5,) of a model as its front, left, back and right side and its roof show it,
     over that side of its box; where the model leaves the box empty, nothing is seen.
 
@@ -161,14 +169,14 @@ def side_densities(model: Model, count: int = 2000) -> Floats:
     return out
 
 
-def best_spot(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> Spot:
+def best_spot(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> Viewpoint:
     """Where a picture from the path shows most: the first of :func:`best_spots`."""
     if not made.found.size:
         raise ValueError("no eyes")
     return best_spots(made, view, standoff)[0]
 
 
-def best_spots(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> list[Spot]:
+def best_spots(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> list[Viewpoint]:
     """Of every eye the direction in which a picture shows most, the best eye first.
 
     A view ``view`` radians wide is judged by (Σ √v)², v being what one building adds to it: as
@@ -185,19 +193,19 @@ def best_spots(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> 
     turn = np.arctan2(ways[..., 1], ways[..., 0])
     bins = ((turn / (2.0 * np.pi)) % 1.0 * BINS).astype(np.int64) % BINS
     wide = min(max(round(view / (2.0 * np.pi) * BINS), 1), BINS)
-    scores = np.array([
-        _views(made.found[e], bins[e], worth[e], wide) for e in range(len(bins))
-    ]).reshape(-1, BINS)  # fmt: skip
+    scores = np.array(
+        [_views(made.found[e], bins[e], worth[e], wide) for e in range(len(bins))]
+    ).reshape(-1, BINS)
     firsts = scores.argmax(1)
     order = np.argsort(-scores.max(1), kind="stable")
     return [_spot(made.eyes[e], firsts[e] + wide / 2, scores[e, firsts[e]]) for e in order]
 
 
-def _spot(eye: Floats, middle: float, score: float) -> Spot:
+def _spot(eye: Floats, middle: float, score: float) -> Viewpoint:
     """The view whose middle is so many bins from +x."""
     turn = middle / BINS * 2.0 * np.pi
     way = np.array([np.cos(RISE) * np.cos(turn), np.cos(RISE) * np.sin(turn), np.sin(RISE)])
-    return Spot(eye, way, float(score))
+    return Viewpoint(eye, way, float(score))
 
 
 def _views(found: Ints, bins: Ints, worth: Floats, wide: int) -> Floats:

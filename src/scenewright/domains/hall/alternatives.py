@@ -14,9 +14,11 @@ from typing import Any
 import numpy as np
 import shapely
 
-from scenewright.brief import Brief
-from scenewright.domains.hall import solve
-from scenewright.solution import Solution
+from scenewright.building.plan import plan_rooms
+from scenewright.core.brief import Brief
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.domains.hall.solving import solve
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -28,18 +30,25 @@ DIFFERENT = 0.5
 
 
 def alternatives(
-    brief: Brief, count: int, *, seed: int = 0, progress: Progress | None = None,
-    cancel: Cancel | None = None, **options: Any,
-) -> tuple[Solution, ...]:  # fmt: skip
+    brief: Brief,
+    count: int,
+    *,
+    plan: Plan | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+    **options: Any,
+) -> tuple[Solution, ...]:
     """``count`` plans that differ, best first; ``options`` are those of
-    :func:`scenewright.domains.hall.solve`."""
+    :func:`scenewright.domains.hall.solving.solve`."""
+    made = plan or plan_rooms(brief)
     tried = TRIED * count + 2
     found: list[Solution] = []
     for k in range(tried):
         if cancel is not None and cancel() and found:
             break
-        found.append(solve(brief, seed=seed + k, variant=k % (count + 1), lean=k, cancel=cancel,
-                           **options))  # fmt: skip
+        varied: dict[str, Any] = {"seed": seed + k, "variant": k % (count + 1), "lean": k}
+        found.append(solve(brief, plan=made, cancel=cancel, **varied, **options))
         if progress:
             progress((k + 1) / tried, f"plan {k + 1} of {tried}")
     chosen = choose(found, count)
@@ -69,23 +78,27 @@ def difference(one: Solution, other: Solution) -> float:
     """How much two plans differ, 0 to 3: the share of groups in another pattern or zone, how far
     groups lie apart (in diagonals of their hall, at most 1), and the share of zoned floor that
     belongs to another zone."""
-    if one.graph is None or other.graph is None:
+    if one.detail is None or other.detail is None:
         return 0.0
-    theirs = {group.id: group for group in other.graph.groups}
-    pairs = [(g, theirs[g.id]) for g in one.graph.groups if g.id in theirs]
-    lost = len(one.graph.groups) + len(theirs) - 2 * len(pairs)
+    theirs = {group.id: group for group in other.detail.layout.groups}
+    pairs = [(g, theirs[g.id]) for g in one.detail.layout.groups if g.id in theirs]
+    lost = len(one.detail.layout.groups) + len(theirs) - 2 * len(pairs)
     changed = sum(a.pattern != b.pattern or a.zone != b.zone for a, b in pairs) + lost
-    span = max((float(np.hypot(*np.ptp(z.outline, axis=0))) for z in one.graph.zones), default=1.0)
+    span = max(
+        (float(np.hypot(*np.ptp(z.outline, axis=0))) for z in one.detail.layout.zones), default=1.0
+    )
     far = [np.hypot(a.pose[0] - b.pose[0], a.pose[1] - b.pose[1]) / span for a, b in pairs]
     groups = max(len(pairs) + lost, 1)
-    return changed / groups + min(float(np.sum(far)) / groups, 1.0) + _rezoned(one, other)
+    return (
+        changed / groups + min(float(np.sum(far)) / groups, 1.0) + _measure_zone_change(one, other)
+    )
 
 
-def _rezoned(one: Solution, other: Solution) -> float:
-    assert one.graph is not None
-    assert other.graph is not None
-    theirs = {(z.space, z.id): shapely.Polygon(z.outline) for z in other.graph.zones}
-    mine = {(z.space, z.id): shapely.Polygon(z.outline) for z in one.graph.zones}
+def _measure_zone_change(one: Solution, other: Solution) -> float:
+    assert one.detail is not None
+    assert other.detail is not None
+    theirs = {(z.space, z.id): shapely.Polygon(z.outline) for z in other.detail.layout.zones}
+    mine = {(z.space, z.id): shapely.Polygon(z.outline) for z in one.detail.layout.zones}
     total = sum(shape.area for shape in mine.values())
     same = sum(shape.intersection(theirs[k]).area for k, shape in mine.items() if k in theirs)
     return 1.0 - float(same / total) if total else 0.0
@@ -93,3 +106,17 @@ def _rezoned(one: Solution, other: Solution) -> float:
 
 def _rank(solution: Solution) -> tuple[int, float]:
     return len(solution.left_out), sum(solution.energies.values())
+
+
+def compare(one: Solution, other: Solution, plan: Plan | None = None) -> float:
+    """How much two plans differ, 0 to 1: a third of :func:`difference`, whatever the ``plan``."""
+    del plan
+    return difference(one, other) / 3.0
+
+
+def summary(solution: Solution, plan: Plan | None = None) -> str:
+    """How the groups are laid out, whatever the ``plan``: ``showcases grid, panels chain``."""
+    del plan
+    groups = () if solution.detail is None else solution.detail.layout.groups
+    words = [f"{group.demand} {group.pattern}" for group in groups if len(group.objects) > 1]
+    return ", ".join(words)

@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.domains.hall.wanted import Wanted
-from scenewright.hall_problem import Floats
+from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.problem import Floats
 
 KAPPA = 0.1
 LEAST = 3
@@ -30,14 +30,14 @@ class Unit(NamedTuple):
     last: int
 
 
-def area_of(wish: Wanted) -> float:
+def area_of(wish: HallDemand) -> float:
     """Footprint and clearance of one average object, in square metres."""
     front, left, back, right = wish.clearance
     areas = [(s.width + left + right) * (s.depth + front + back) for s in wish.sizes]
     return sum(areas) / len(areas)
 
 
-def length_of(wish: Wanted) -> float:
+def length_of(wish: HallDemand) -> float:
     """Wall taken by one average object, in metres; 0 if it stands free."""
     if not wish.at_wall:
         return 0.0
@@ -46,7 +46,7 @@ def length_of(wish: Wanted) -> float:
 
 
 def assign(
-    wishes: list[Wanted], names: tuple[str, ...], areas: Floats, walls: Floats, whole: bool
+    wishes: list[HallDemand], names: tuple[str, ...], areas: Floats, walls: Floats, whole: bool
 ) -> list[Unit]:
     """Units for every demand. ``areas`` (z,) and ``walls`` (z,) are square metres and metres of
     wall of the zones called ``names``; ``whole`` keeps groups together as the paper does."""
@@ -54,12 +54,12 @@ def assign(
     need = np.array([area_of(wish) * len(wish.sizes) for wish in wishes])
     target = need.sum() / max(areas.sum(), 1e-9)
     wall = sum(length_of(wish) * len(wish.sizes) for wish in wishes) / max(walls.sum(), 1e-9)
-    choice = [_allowed(wish, names) for wish in wishes]
-    so_far = Taken(used, taken, areas, walls, (float(target), float(wall)))
+    choice = [_list_allowed_zones(wish, names) for wish in wishes]
+    so_far = ZoneLoad(used, taken, areas, walls, (float(target), float(wall)))
     units: list[Unit] = []
     for k in sorted(range(len(wishes)), key=lambda k: (len(choice[k]), -need[k])):
         alone = whole or len(choice[k]) == 1
-        mine = (_whole if alone else _shared)(wishes[k], k, choice[k], so_far)
+        mine = (_whole if alone else _share_demand)(wishes[k], k, choice[k], so_far)
         for unit in mine:
             used[unit.zone] += area_of(wishes[k]) * (unit.last - unit.first)
             taken[unit.zone] += length_of(wishes[k]) * (unit.last - unit.first)
@@ -67,11 +67,11 @@ def assign(
     return sorted(units)
 
 
-def _allowed(wish: Wanted, names: tuple[str, ...]) -> list[int]:
+def _list_allowed_zones(wish: HallDemand, names: tuple[str, ...]) -> list[int]:
     return [names.index(zone) for zone in wish.zones] or list(range(len(names)))
 
 
-class Taken(NamedTuple):
+class ZoneLoad(NamedTuple):
     """What zones come to so far: square metres and metres of wall (z,), of how much they have,
     and the utilisations of the whole hall, U_a and U_w."""
 
@@ -82,7 +82,7 @@ class Taken(NamedTuple):
     targets: tuple[float, float]
 
 
-def _whole(wish: Wanted, number: int, zones: list[int], so_far: Taken) -> list[Unit]:
+def _whole(wish: HallDemand, number: int, zones: list[int], so_far: ZoneLoad) -> list[Unit]:
     """All of a demand to the first zone that stays in the band, else to the emptiest."""
     count = len(wish.sizes)
     inside = [zone for zone in zones if _capacity(wish, zone, so_far) >= count]
@@ -90,7 +90,7 @@ def _whole(wish: Wanted, number: int, zones: list[int], so_far: Taken) -> list[U
     return [Unit(number, zone, 0, count)]
 
 
-def _shared(wish: Wanted, number: int, zones: list[int], so_far: Taken) -> list[Unit]:
+def _share_demand(wish: HallDemand, number: int, zones: list[int], so_far: ZoneLoad) -> list[Unit]:
     """A demand shared out: the emptiest zones take what they have room for, the rest goes to all
     by their floor. Nothing is split off that would be less than three objects."""
     count, given = len(wish.sizes), dict.fromkeys(zones, 0)
@@ -114,7 +114,7 @@ def _by_floor(count: int, areas: Floats) -> list[int]:
     return [int(share) for share in np.diff(ends, prepend=0)]
 
 
-def _capacity(wish: Wanted, zone: int, so_far: Taken) -> int:
+def _capacity(wish: HallDemand, zone: int, so_far: ZoneLoad) -> int:
     """How many objects of a demand a zone takes before it leaves the band or has no wall left."""
     most = (so_far.targets[0] + KAPPA) * so_far.areas[zone] - so_far.used[zone]
     fits = math.floor(most / area_of(wish))
@@ -124,7 +124,7 @@ def _capacity(wish: Wanted, zone: int, so_far: Taken) -> int:
     return fits
 
 
-def _room(zone: int, so_far: Taken, length: float) -> float:
+def _room(zone: int, so_far: ZoneLoad, length: float) -> float:
     """How far a zone is from what it should come to: its area, or its wall, in shares."""
     if length > 0.0:
         return float(so_far.targets[1] - so_far.taken[zone] / max(so_far.walls[zone], 1e-9))

@@ -5,53 +5,42 @@ from __future__ import annotations
 import math
 from collections.abc import Collection
 from dataclasses import replace
-from typing import NamedTuple
 
-from scenewright.catalog import Catalog
+from scenewright.core.catalog import Catalog
+from scenewright.core.kind import TableChairs
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.geometry.boxes import Frame, common_area, make_frame
-from scenewright.scene import Piece, Pose, Size
 
-
-class Company(NamedTuple):
-    """Chairs of one category along the front and back of a table, ``pitch`` metres apart, pushed
-    in by ``tuck``."""
-
-    category: str
-    pitch: float
-    tuck: float
-
-
-COMPANY = {
-    "reading_table": Company("reading_chair", 0.75, 0.1),
-    "dining_table": Company("dining_chair", 0.65, 0.1),
-}
 TOUCH = 1e-4
+CHAIRS = "/chairs"
+"""What the function of chairs that came with a table ends with."""
 
 
 def out_of_table(category: str, asked: Collection[str], catalog: Catalog) -> float:
     """How far the chairs that come with a table stand out before and behind it, in metres; 0 for
     what has none, or where chairs are ``asked`` for by themselves."""
-    company = COMPANY.get(category)
+    company = _company(category, catalog)
     if company is None or company.category in asked:
         return 0.0
     return catalog.of(company.category)[0].usual[1] - company.tuck
 
 
-def grown(table: Piece, out: float) -> Piece:
+def grow_table(table: Piece, out: float) -> Piece:
     """A table as large as the floor it takes with chairs that stand ``out`` metres before and
     behind it: nobody walks between them."""
     return replace(table, size=table.size._replace(depth=table.size.depth + 2 * out))
 
 
-def with_chairs(pieces: tuple[Piece, ...], others: tuple[Piece, ...], catalog: Catalog
-                ) -> tuple[Piece, ...]:  # fmt: skip
+def with_chairs(
+    pieces: tuple[Piece, ...], others: tuple[Piece, ...], catalog: Catalog
+) -> tuple[Piece, ...]:
     """Chairs for all tables among ``pieces`` that have none nearby asked for by themselves; a
     chair that would stand in something is left out."""
-    asked = {piece.category for piece in (*pieces, *others)}
+    asked = {p.category for p in (*pieces, *others) if not p.function.endswith(CHAIRS)}
     tables = [
         piece
         for piece in pieces
-        if piece.category in COMPANY and COMPANY[piece.category].category not in asked
+        if (company := _company(piece.category, catalog)) and company.category not in asked
     ]
     chairs: list[Piece] = []
     solid = [_frame(piece) for piece in (*pieces, *others)] if tables else []
@@ -65,8 +54,15 @@ def with_chairs(pieces: tuple[Piece, ...], others: tuple[Piece, ...], catalog: C
     return tuple(chairs)
 
 
+def _company(category: str, catalog: Catalog) -> TableChairs | None:
+    """The chairs that come with a table; None if none do."""
+    return catalog.kinds[category].chairs if category in catalog.kinds else None
+
+
 def _chairs(table: Piece, catalog: Catalog) -> list[Piece]:
-    company = COMPANY[table.category]
+    company = _company(table.category, catalog)
+    if company is None:
+        return []
     asset = catalog.of(company.category)[0]
     size = Size(*asset.usual)
     count = max(int(table.size.width / company.pitch), 1)
@@ -79,10 +75,15 @@ def _chairs(table: Piece, catalog: Catalog) -> list[Piece]:
             found.append(
                 Piece(
                     id=f"{table.id}/{company.category}_{side * count + k + 1}",
-                    category=company.category, asset=asset.id, space=table.space, pose=pose,
-                    size=size, group=table.group, function=f"{table.function}/chairs",
+                    category=company.category,
+                    asset=asset.id,
+                    space=table.space,
+                    pose=pose,
+                    size=size,
+                    group=table.group,
+                    function=f"{table.function}{CHAIRS}",
                 )
-            )  # fmt: skip
+            )
     return found
 
 

@@ -8,18 +8,22 @@ import numpy as np
 import shapely
 
 from scenewright.domains.hall.assign import Unit
-from scenewright.domains.hall.pose import Hall
+from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.patterns import SINGLE
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.solvers.outcome import HallLayout, measure_layout
 from scenewright.domains.hall.tour import ways_in
-from scenewright.domains.hall.wanted import Wanted
-from scenewright.encodings.patterns import SINGLE
-from scenewright.hall_problem import Floats, HallProblem
-from scenewright.solvers.hall_found import HallLayout, measured
 
 SERVING = ("info_desk", "counter", "checkout")
 
 
-def turned(
-    hall: Hall, wishes: list[Wanted], units: list[Unit], problem: HallProblem, layout: HallLayout
+def turn_desks(
+    hall: HallContext,
+    wishes: list[HallDemand],
+    units: list[Unit],
+    problem: HallProblem,
+    layout: HallLayout,
 ) -> HallLayout:
     """A layout with desks that stand by themselves turned half round where their front looks away
     from visitors, unless the route would then miss more. Their footprints stay."""
@@ -35,12 +39,12 @@ def turned(
         row = int(problem.units.spans[number, 0])
         if _welcome(hall, units[number].zone, layout.boxes[row]) < 0.0:
             other = _half_round(layout, number, row)
-            if measured(problem, other)[2] <= measured(problem, layout)[2]:
+            if measure_layout(problem, other)[2] <= measure_layout(problem, layout)[2]:
                 layout = other
     return layout
 
 
-def _welcome(hall: Hall, zone: int, box: Floats) -> float:
+def _welcome(hall: HallContext, zone: int, box: Floats) -> float:
     """Cosines of the angles between a front and the ways to the middle of its zone and to the
     entrance, summed: -2 to 2."""
     middle = shapely.Polygon(hall.plan.zones[zone].outline).centroid

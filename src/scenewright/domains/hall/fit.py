@@ -10,17 +10,22 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.catalog import Catalog
+from scenewright.core.catalog import Catalog
 from scenewright.domains.hall.assign import Unit, assign
+from scenewright.domains.hall.build_problem import (
+    HallContext,
+    build_problem,
+    wall_lengths,
+    zone_areas,
+)
+from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.partitions import Host, hosts, lacking, visiting_order
-from scenewright.domains.hall.pose import Hall, pose, wall_lengths, zone_areas
-from scenewright.domains.hall.shortfall import spared
-from scenewright.domains.hall.wanted import Wanted
-from scenewright.hall_energy import capacity
-from scenewright.hall_problem import HallProblem
-from scenewright.solve import Budget
-from scenewright.solvers.hall_chains import anneal_hall, first_layout
-from scenewright.terms.hall_state import Kept
+from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.shortfall import drop_unplaceable
+from scenewright.domains.hall.solvers.chains import anneal_hall, first_layout
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.engine.solve import Budget
 
 ROUNDS = 12
 MOST_ROUNDS = 10 * ROUNDS
@@ -44,9 +49,13 @@ class Fitted(NamedTuple):
 
 
 def fit(
-    hall: Hall, wishes: list[Wanted], weights: dict[str, float], catalog: Catalog, seed: int,
+    hall: HallContext,
+    wishes: list[HallDemand],
+    weights: dict[str, float],
+    catalog: Catalog,
+    seed: int,
     whole: bool,
-) -> Fitted:  # fmt: skip
+) -> Fitted:
     """Assign, pose and place; see the module.
 
     Where only a little does not fit, other first layouts are tried; else more is left out until
@@ -69,29 +78,34 @@ def fit(
 
 
 def _fit(
-    hall: Hall, wishes: list[Wanted], weights: dict[str, float], catalog: Catalog, seed: int,
-    whole: bool, share: float,
-) -> Fitted:  # fmt: skip
+    hall: HallContext,
+    wishes: list[HallDemand],
+    weights: dict[str, float],
+    catalog: Catalog,
+    seed: int,
+    whole: bool,
+    share: float,
+) -> Fitted:
     walls = wall_lengths(hall)
     units = assign(wishes, hall.names, zone_areas(hall), walls, whole)
-    units = spared(hall, wishes, units, share)
+    units = drop_unplaceable(hall, wishes, units, share)
     lack = lacking(units, wishes, walls, whole)
     order = visiting_order(hall.plan.links, hall.names, _first_zone(hall))
     built = hosts(hall.borders, hall.plan.links, hall.names, order, lack)
     spans = np.array([host.span for host in built]).reshape(-1, 2)
     for attempt in range(MOST_ROUNDS):
-        problem = pose(hall, wishes, units, built, weights, catalog)
+        problem = build_problem(hall, wishes, units, built, weights, catalog)
         if not units:
             return Fitted([], built, problem, NOTHING)
         start, lost = first_layout(problem, spans, seed + attempt, TRIES)
         if not lost:
             return Fitted(units, built, problem, start)
         if attempt + 1 < MOST_ROUNDS:
-            units = _mended(units, lost, whole, attempt)
+            units = _reduce_units(units, lost, whole, attempt)
     stay = [k for k in range(len(units)) if k not in lost]
     start = without(start, problem, stay)
     units = [units[k] for k in stay]
-    return Fitted(units, built, pose(hall, wishes, units, built, weights, catalog), start)
+    return Fitted(units, built, build_problem(hall, wishes, units, built, weights, catalog), start)
 
 
 def _all_reached(problem: HallProblem, start: Kept, seed: int) -> bool:
@@ -109,7 +123,7 @@ def without(start: Kept, problem: HallProblem, stay: list[int]) -> Kept:
     return Kept(start.pose[stay], layers, start.rows[stay], start.walls)
 
 
-def _first_zone(hall: Hall) -> int:
+def _first_zone(hall: HallContext) -> int:
     """The zone nearest to the first door."""
     doors = [opening for opening in hall.space.openings if opening.kind != "window"]
     if not doors:
@@ -119,7 +133,9 @@ def _first_zone(hall: Hall) -> int:
     return int(np.argmin(far))
 
 
-def _mended(units: list[Unit], lost: tuple[int, ...], whole: bool, attempt: int) -> list[Unit]:
+def _reduce_units(
+    units: list[Unit], lost: tuple[int, ...], whole: bool, attempt: int
+) -> list[Unit]:
     """Units after those without a place were split, or gave objects up."""
     found: list[Unit] = []
     for k, unit in enumerate(units):

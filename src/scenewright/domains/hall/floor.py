@@ -7,11 +7,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright import outlines
-from scenewright.catalog import Catalog
-from scenewright.geometry.clearway import Raster, clearance, walls_between
-from scenewright.scene import Piece
-from scenewright.space import Opening, Points, Space
+from scenewright.building import outlines
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece
+from scenewright.core.space import Opening, Points, Space
+from scenewright.geometry.distance_raster import DistanceRaster, clearance, walls_between
 
 Floats = NDArray[np.float64]
 
@@ -29,16 +29,18 @@ LEAST = 0.15
 """Nobody passes with less clearance to both sides, in metres."""
 
 
-class Floor(NamedTuple):
+class WalkingFloor(NamedTuple):
     """``clear``: the clearance of every cell, at most :data:`AT_EASE`; ``slow`` (rows, columns)
     seconds a metre; ``solids`` (k, 5) boxes of all walls and whatever stands in the way."""
 
-    clear: Raster
+    clear: DistanceRaster
     slow: Floats
     solids: Floats
 
 
-def find_floor(space: Space, pieces: tuple[Piece, ...], catalog: Catalog, width: float) -> Floor:
+def find_floor(
+    space: Space, pieces: tuple[Piece, ...], catalog: Catalog, width: float
+) -> WalkingFloor:
     """The floor of a hall for a visitor who would like ways of ``width`` metres.
 
     Speed rises from half at the least width to 1 m/s where 1.2 m are free to both sides.
@@ -57,10 +59,10 @@ def find_floor(space: Space, pieces: tuple[Piece, ...], catalog: Catalog, width:
     clear = clearance(
         edges, walls, strips, stands, np.concatenate([low, high]), cell, AT_EASE, width / 2
     )
-    return Floor(clear, _slowness(clear, width / 2), np.vstack([walls, stands]))
+    return WalkingFloor(clear, _slowness(clear, width / 2), np.vstack([walls, stands]))
 
 
-def _slowness(clear: Raster, half: float) -> Floats:
+def _slowness(clear: DistanceRaster, half: float) -> Floats:
     """Seconds a metre; half a cell is let pass, since a way seldom runs along cell centres.
 
     Nobody passes where cells are too coarse to tell whether a wall is between them.

@@ -13,11 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.borders import Border
 from scenewright.domains.hall.assign import Unit
-from scenewright.domains.hall.wanted import Wanted
-from scenewright.hall_problem import Floats
-from scenewright.scene_graph import ZoneLink
+from scenewright.domains.hall.borders import Border
+from scenewright.domains.hall.hall_layout import ZoneLink
+from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.problem import Floats
 
 BETWEEN = 1.0
 SHORTEST = 1.2
@@ -33,14 +33,14 @@ class Host(NamedTuple):
     span: tuple[float, float]
 
 
-def wall_needed(wish: Wanted, count: int, printed: bool) -> float:
+def wall_needed(wish: HallDemand, count: int, printed: bool) -> float:
     """Metres of wall for some objects of a demand."""
     side = wish.clearance[1] + wish.clearance[3]
     between = BETWEEN if printed else min(BETWEEN, side)
     return sum(size.width for size in wish.sizes[:count]) + between * (count + 1)
 
 
-def lacking(units: list[Unit], wishes: list[Wanted], walls: Floats, printed: bool) -> Floats:
+def lacking(units: list[Unit], wishes: list[HallDemand], walls: Floats, printed: bool) -> Floats:
     """Metres of wall (z,) that the zones have less than they need; 0 or less: none."""
     need = -np.array(walls, np.float64)
     for unit in units:
@@ -66,9 +66,12 @@ def visiting_order(links: tuple[ZoneLink, ...], names: tuple[str, ...], first: i
 
 
 def hosts(
-    borders: tuple[Border, ...], links: tuple[ZoneLink, ...], names: tuple[str, ...],
-    order: list[int], lack: Floats,
-) -> tuple[Host, ...]:  # fmt: skip
+    borders: tuple[Border, ...],
+    links: tuple[ZoneLink, ...],
+    names: tuple[str, ...],
+    order: list[int],
+    lack: Floats,
+) -> tuple[Host, ...]:
     """Walls on borders until no zone lacks any, or borders run out."""
     widths = {frozenset((link.first, link.second)): link.width for link in links}
     left = np.array(lack, np.float64)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from scenewright.terms.hall_terms import HALL_TERMS, PRINTED
+from scenewright.domains.hall.terms.table import HALL_TERMS, PRINTED
 
 
 class HallPreset(NamedTuple):
@@ -28,6 +28,11 @@ PRESETS: dict[str, HallPreset] = {
     "default": HallPreset("our seven terms, four chains annealed", OURS, "anneal", 24_000),
     "quick": HallPreset("the default with a quarter of the work", OURS, "anneal", 6_000),
     "fine": HallPreset("the default with eight times the work", OURS, "anneal", 192_000),
-    "paper": HallPreset("Cao, Cheng, Zhang 2024: four energies, 1000 iterations, groups whole",
-                        PAPER, "gd-mh", 1000, True),
-}  # fmt: skip
+    "paper": HallPreset(
+        "Cao, Cheng, Zhang 2024: four energies, 1000 iterations, groups whole",
+        PAPER,
+        "gd-mh",
+        1000,
+        True,
+    ),
+}

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
-from scenewright.brief.hall import Demand, PatternName
+from scenewright.core.brief.zones import Demand, PatternName
 
 UTILISATION = 0.52
 """Share of the floor that footprints and clearances may take together, at most."""
@@ -56,8 +56,9 @@ def _around(depth: float) -> Sides:
 
 _TILL = Fixture("checkout", (2.0, 0.9, 0.95), _SERVED, each=250, required=True)
 _WALL = Fixture("wall_shelving", (1.0, 0.45, 2.2), _FRONT, share=0.35, place="wall")
-_GONDOLA = Fixture("gondola", (1.25, 0.9, 1.5), _BOTH, share=0.6, patterns=("chain",),
-                   fills=True, required=True)  # fmt: skip
+_GONDOLA = Fixture(
+    "gondola", (1.25, 0.9, 1.5), _BOTH, share=0.6, patterns=("chain",), fills=True, required=True
+)
 _TABLE = Fixture("display_table", (1.4, 0.8, 0.85), _around(0.6), share=0.5, fills=True)
 _BASKETS = Fixture("basket_stack", (0.45, 0.35, 0.9), _FRONT, each=400)
 _COUNTER = Fixture("counter", (2.0, 0.8, 1.0), _SERVED, each=60, required=True)
@@ -67,16 +68,25 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
         _TILL,
         Fixture("fitting_room", (1.1, 1.1, 2.1), (0.9, 0.0, 0.0, 0.0), each=45, place="wall"),
         _WALL._replace(share=0.25),
-        Fixture("clothes_rail", (1.5, 0.6, 1.5), _BOTH, share=0.45, patterns=("chain", "grid"),
-                fills=True, required=True),
+        Fixture(
+            "clothes_rail",
+            (1.5, 0.6, 1.5),
+            _BOTH,
+            share=0.45,
+            patterns=("chain", "grid"),
+            fills=True,
+            required=True,
+        ),
         Fixture("round_rack", (1.0, 1.0, 1.4), _around(0.6), share=0.4),
         Fixture("mannequin", (0.5, 0.5, 1.8), _around(0.4), each=35),
         _TABLE,
     ),
     "grocery": (
-        _TILL._replace(each=150), _BASKETS,
+        _TILL._replace(each=150),
+        _BASKETS,
         Fixture("fridge_shelf", (1.25, 0.8, 2.0), (0.9, 0.0, 0.0, 0.0), share=0.15, place="wall"),
-        _WALL._replace(share=0.2), _GONDOLA._replace(share=1.0),
+        _WALL._replace(share=0.2),
+        _GONDOLA._replace(share=1.0),
     ),
     "books": (
         _TILL,
@@ -94,8 +104,15 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
     "generic": (_TILL, _WALL, _GONDOLA, _TABLE),
     "food": (
         _COUNTER._replace(each=120),
-        Fixture("round_table", (0.8, 0.8, 0.75), _around(0.75), share=0.8, fills=True,
-                patterns=("grid", "chain"), required=True),
+        Fixture(
+            "round_table",
+            (0.8, 0.8, 0.75),
+            _around(0.75),
+            share=0.8,
+            fills=True,
+            patterns=("grid", "chain"),
+            required=True,
+        ),
     ),
     "service": (
         _COUNTER._replace(each=25),
@@ -103,22 +120,49 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
         Fixture("display_table", (1.2, 0.6, 0.85), _around(0.6), each=60),
     ),
     "waiting": (
-        Fixture("lounge_seat", (0.8, 0.8, 0.8), (0.8, 0.1, 0.3, 0.1), share=1.0, fills=True,
-                patterns=("chain", "grid"), required=True),
+        Fixture(
+            "lounge_seat",
+            (0.8, 0.8, 0.8),
+            (0.8, 0.1, 0.3, 0.1),
+            share=1.0,
+            fills=True,
+            patterns=("chain", "grid"),
+            required=True,
+        ),
     ),
     "lockers": (
         Fixture("info_desk", (1.6, 0.8, 1.0), _SERVED, each=200),
-        Fixture("lockers", (0.9, 0.55, 1.9), (0.9, 0.0, 0.0, 0.0), share=0.4, place="wall",
-                required=True),
-        Fixture("lockers", (0.9, 0.55, 1.9), (0.9, 0.0, 0.0, 0.0), share=1.0, fills=True,
-                patterns=("chain",), name="Lockers in rows"),
+        Fixture(
+            "lockers",
+            (0.9, 0.55, 1.9),
+            (0.9, 0.0, 0.0, 0.0),
+            share=0.4,
+            place="wall",
+            required=True,
+        ),
+        Fixture(
+            "lockers",
+            (0.9, 0.55, 1.9),
+            (0.9, 0.0, 0.0, 0.0),
+            share=1.0,
+            fills=True,
+            patterns=("chain",),
+            name="Lockers in rows",
+        ),
     ),
     "library": (
-        Fixture("book_stack", (1.0, 0.6, 2.0), _BOTH, share=0.6, patterns=("chain",), fills=True,
-                required=True),
+        Fixture(
+            "book_stack",
+            (1.0, 0.6, 2.0),
+            _BOTH,
+            share=0.6,
+            patterns=("chain",),
+            fills=True,
+            required=True,
+        ),
         Fixture("reading_table", (1.6, 0.9, 0.75), _around(0.75), share=1.0, required=True),
     ),
-}  # fmt: skip
+}
 """What each kind of unit holds. A row may name one category twice, at walls and in rows."""
 
 _KINDS = {
@@ -208,7 +252,13 @@ def _counts(rows: tuple[Fixture, ...], left: float, area: float, wall: float) ->
 
 def _demand(row: Fixture, count: int, demand_id: str) -> Demand:
     return Demand(
-        id=demand_id, name=row.name or row.category.replace("_", " ").capitalize(),
-        category=row.category, count=count, size=row.size, clearance=row.clear,
-        place=row.place, patterns=list(row.patterns), required=row.required,
-    )  # fmt: skip
+        id=demand_id,
+        name=row.name or row.category.replace("_", " ").capitalize(),
+        category=row.category,
+        count=count,
+        size=row.size,
+        clearance=row.clear,
+        place=row.place,
+        patterns=list(row.patterns),
+        required=row.required,
+    )

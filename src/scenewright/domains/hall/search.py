@@ -6,17 +6,17 @@ import time
 from collections.abc import Callable
 from typing import NamedTuple
 
-from scenewright.catalog import Catalog
+from scenewright.core.catalog import Catalog
 from scenewright.domains.hall.assign import Unit
+from scenewright.domains.hall.build_problem import HallContext, build_problem
 from scenewright.domains.hall.fit import TRIES, Fitted
-from scenewright.domains.hall.pose import Hall, pose
+from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.presets import HallPreset
-from scenewright.domains.hall.wanted import Wanted
-from scenewright.hall_problem import HallProblem
-from scenewright.solve import Budget
-from scenewright.solvers.hall_chains import MANY, cooled_hall, first_layout
-from scenewright.solvers.hall_found import HallFound, HallLayout
-from scenewright.solvers.halls import HALL_SOLVERS
+from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.solvers import HALL_SOLVERS
+from scenewright.domains.hall.solvers.chains import MANY, cooled_hall, first_layout
+from scenewright.domains.hall.solvers.outcome import HallFound, HallLayout
+from scenewright.engine.solve import Budget
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -32,11 +32,11 @@ LARGE = 6
 """Groups of so many objects are tried in halves in the end."""
 
 
-class Search(NamedTuple):
+class HallSearch(NamedTuple):
     """A hall to solve, and how; ``stated`` if a user said how many steps."""
 
-    hall: Hall
-    wishes: list[Wanted]
+    hall: HallContext
+    wishes: list[HallDemand]
     preset: HallPreset
     solver: str
     budget: Budget
@@ -54,8 +54,8 @@ class Answer(NamedTuple):
     found: HallFound
 
 
-def searched(
-    search: Search, fitted: Fitted, progress: Progress | None, cancel: Cancel | None
+def search_layout(
+    search: HallSearch, fitted: Fitted, progress: Progress | None, cancel: Cancel | None
 ) -> tuple[Fitted, HallFound]:
     """The solver's answer. While it leaves something that nobody reaches, or a passage too
     narrow, ours tries again: from other first layouts, then with large groups in halves. Of
@@ -68,9 +68,9 @@ def searched(
     for attempt in range(tries):
         seed = search.seed + 104_729 * attempt
         if attempt > 0 and attempt + 1 == tries:
-            fitted = halved(search, fitted, seed)
+            fitted = halve_groups(search, fitted, seed)
         budget = _share(search.budget, AGAIN if attempt else FIRST) if shared else search.budget
-        heard = None if progress is None else _heard(progress, attempt, shared)
+        heard = None if progress is None else _make_progress_reporter(progress, attempt, shared)
         run = HALL_SOLVERS[search.solver].run
         problem = _heavy(fitted.problem) if shared and attempt else fitted.problem
         found = run(problem, fitted.start, budget, seed, heard, cancel)
@@ -81,8 +81,8 @@ def searched(
     best = min(answers, key=lambda answer: answer.wrong)
     if shared and not (cancel is not None and cancel()):
         rest = _rest(search.budget, seen, time.perf_counter() - begun)
-        heard = None if progress is None else _heard(progress, ATTEMPTS, shared)
-        found = _improved(best, rest, search.seed, heard, cancel)
+        heard = None if progress is None else _make_progress_reporter(progress, ATTEMPTS, shared)
+        found = _improve_answer(best, rest, search.seed, heard, cancel)
         seen, best = seen + found.evaluations - best.found.evaluations, best._replace(found=found)
     return best.fitted, best.found._replace(evaluations=seen)
 
@@ -109,7 +109,7 @@ def _rest(budget: Budget, steps: int, seconds: float) -> Budget:
     return budget._replace(steps=left, seconds=time_left)
 
 
-def _improved(
+def _improve_answer(
     answer: Answer, rest: Budget, seed: int, progress: Heard | None, cancel: Cancel | None
 ) -> HallFound:
     """What was found, cooled again for as long as there is; never worse. While something is
@@ -129,7 +129,7 @@ def _heavy(problem: HallProblem) -> HallProblem:
     return problem._replace(weights=problem.weights | heavy)
 
 
-def _heard(progress: Progress, attempt: int, shared: bool) -> Heard:
+def _make_progress_reporter(progress: Progress, attempt: int, shared: bool) -> Heard:
     """Tells how far a search is, and never goes back. Attempts that share a budget have their
     parts of it, the improvement (after the last) the rest; else all is done but for the attempts
     after the first."""
@@ -141,7 +141,7 @@ def _heard(progress: Progress, attempt: int, shared: bool) -> Heard:
     return lambda share, best: progress(low + (high - low) * share, f"energy {best:.1f}{again}")
 
 
-def halved(search: Search, fitted: Fitted, seed: int) -> Fitted:
+def halve_groups(search: HallSearch, fitted: Fitted, seed: int) -> Fitted:
     """The same with every free group of six or more in two; unchanged if that finds no room."""
     units: list[Unit] = []
     for unit in fitted.units:
@@ -150,7 +150,8 @@ def halved(search: Search, fitted: Fitted, seed: int) -> Fitted:
             units += [unit._replace(last=middle), unit._replace(first=middle)]
         else:
             units.append(unit)
-    problem = pose(search.hall, search.wishes, units, fitted.hosts, search.preset.weights,
-                   search.catalog)  # fmt: skip
+    problem = build_problem(
+        search.hall, search.wishes, units, fitted.hosts, search.preset.weights, search.catalog
+    )
     start, lost = first_layout(problem, fitted.start.walls, seed, TRIES)
     return fitted if lost else fitted._replace(units=units, problem=problem, start=start)

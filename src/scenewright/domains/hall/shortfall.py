@@ -9,15 +9,17 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
+from scenewright.core.scene import Size
+from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.assign import Unit, area_of
-from scenewright.domains.hall.pose import Hall, wall_lengths, zone_areas
-from scenewright.domains.hall.wanted import Wanted
-from scenewright.hall_problem import Floats
-from scenewright.scene import Size
-from scenewright.solution import LeftOut
+from scenewright.domains.hall.build_problem import HallContext, wall_lengths, zone_areas
+from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.problem import Floats
 
 
-def spared(hall: Hall, wishes: list[Wanted], units: list[Unit], share: float) -> list[Unit]:
+def drop_unplaceable(
+    hall: HallContext, wishes: list[HallDemand], units: list[Unit], share: float
+) -> list[Unit]:
     """Units less what finds no room: objects too large, and more than a zone holds if each has
     a share of its clearances for itself. Objects that stand by themselves are units of one."""
     fitting = [part for unit in units for part in _fitting(hall, wishes[unit.demand], unit)]
@@ -26,15 +28,17 @@ def spared(hall: Hall, wishes: list[Wanted], units: list[Unit], share: float) ->
     for required in (True, False):
         some = [unit for unit in fitting if wishes[unit.demand].required == required]
         stay = _shares(wishes, some, np.maximum(left, 0.0), share)
-        left = left - _taken(wishes, stay, share, left.shape[1])
+        left = left - _measure_demand(wishes, stay, share, left.shape[1])
         found += [one for unit in stay for one in _by_pattern(unit, wishes[unit.demand])]
     return sorted(found)
 
 
-def _shares(wishes: list[Wanted], units: list[Unit], left: Floats, share: float) -> list[Unit]:
+def _shares(wishes: list[HallDemand], units: list[Unit], left: Floats, share: float) -> list[Unit]:
     """Units of which every one keeps the same share of its objects, by what is left of floor
     and walls (2, z)."""
-    most = np.minimum(left / np.maximum(_taken(wishes, units, share, left.shape[1]), 1e-9), 1.0)
+    most = np.minimum(
+        left / np.maximum(_measure_demand(wishes, units, share, left.shape[1]), 1e-9), 1.0
+    )
     carried, found = np.full(left.shape[1], 0.999), []
     for unit in units:
         kept = most[:, unit.zone].min() if wishes[unit.demand].at_wall else most[0, unit.zone]
@@ -46,7 +50,9 @@ def _shares(wishes: list[Wanted], units: list[Unit], left: Floats, share: float)
     return found
 
 
-def _taken(wishes: list[Wanted], units: list[Unit], share: float, zones: int) -> Floats:
+def _measure_demand(
+    wishes: list[HallDemand], units: list[Unit], share: float, zones: int
+) -> Floats:
     """Square metres and metres of wall (2, z) that units take of every zone."""
     taken = np.zeros((2, zones))
     for unit in units:
@@ -55,7 +61,7 @@ def _taken(wishes: list[Wanted], units: list[Unit], share: float, zones: int) ->
     return taken
 
 
-def _by_pattern(unit: Unit, wish: Wanted) -> list[Unit]:
+def _by_pattern(unit: Unit, wish: HallDemand) -> list[Unit]:
     if wish.patterns != ("single",):
         return [unit]
     return [unit._replace(first=k, last=k + 1) for k in range(unit.first, unit.last)]
@@ -79,7 +85,7 @@ def excess(zone: Floats, size: Size) -> float:
     return float(np.minimum(one, other).min())
 
 
-def left_out(hall: Hall, wishes: list[Wanted], units: list[Unit]) -> tuple[LeftOut, ...]:
+def left_out(hall: HallContext, wishes: list[HallDemand], units: list[Unit]) -> tuple[LeftOut, ...]:
     """What was not placed, and by how much it does not fit."""
     areas = zone_areas(hall)
     used = np.zeros(len(areas))
@@ -98,7 +104,7 @@ def left_out(hall: Hall, wishes: list[Wanted], units: list[Unit]) -> tuple[LeftO
     return tuple(found)
 
 
-def _fitting(hall: Hall, wish: Wanted, unit: Unit) -> list[Unit]:
+def _fitting(hall: HallContext, wish: HallDemand, unit: Unit) -> list[Unit]:
     """The runs of a unit's objects that are not too large for its zone."""
     too_large = {
         size: _excess(hall, wish, unit.zone, size) > 0.0
@@ -115,18 +121,18 @@ def _fitting(hall: Hall, wish: Wanted, unit: Unit) -> list[Unit]:
     return found
 
 
-def _excess(hall: Hall, wish: Wanted, zone: int, size: Size) -> float:
+def _excess(hall: HallContext, wish: HallDemand, zone: int, size: Size) -> float:
     """By how many metres an object is too large for a zone, or for its walls."""
     over = excess(hall.plan.zones[zone].outline, size)
     return max(over, size.width - _longest_wall(hall, zone)) if wish.at_wall else over
 
 
-def _longest_wall(hall: Hall, zone: int) -> float:
+def _longest_wall(hall: HallContext, zone: int) -> float:
     walls = [np.hypot(wall.x1 - wall.x0, wall.y1 - wall.y0) for wall in hall.walls[zone]]
     return float(max([0.0, *walls, *_borders(hall, zone)]))
 
 
-def _borders(hall: Hall, zone: int) -> list[float]:
+def _borders(hall: HallContext, zone: int) -> list[float]:
     """Lengths of a zone's borders, on which walls may be built."""
     return [
         float(np.hypot(*np.subtract(border.end, border.start)))
@@ -135,24 +141,24 @@ def _borders(hall: Hall, zone: int) -> list[float]:
     ]
 
 
-def _wall_room(hall: Hall) -> Floats:
+def _wall_room(hall: HallContext) -> Floats:
     """Metres of wall (z,) of the zones if every border carried one."""
     more: Floats = np.array([sum(_borders(hall, zone)) for zone in range(len(hall.names))])
     return wall_lengths(hall) + more
 
 
-def _wall_width(wish: Wanted) -> float:
+def _wall_width(wish: HallDemand) -> float:
     return float(np.mean([size.width for size in wish.sizes])) if wish.at_wall else 0.0
 
 
-def _shared_area(wish: Wanted, share: float) -> float:
+def _shared_area(wish: HallDemand, share: float) -> float:
     front, left, back, right = (share * depth for depth in wish.clearance)
     return area_of(wish._replace(clearance=(front, left, back, right)))
 
 
 def _reason(
-    hall: Hall, wish: Wanted, absent: list[Size], areas: Floats, used: Floats
-) -> str:  # fmt: skip
+    hall: HallContext, wish: HallDemand, absent: list[Size], areas: Floats, used: Floats
+) -> str:
     zones = [hall.names.index(name) for name in wish.zones] or list(range(len(areas)))
     where = ", ".join(wish.zones[:5]) + f" and {len(wish.zones) - 5} more" * (len(wish.zones) > 5)
     where = where or "the hall"

@@ -8,12 +8,12 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.catalog import Catalog
-from scenewright.domains.hall.floor import AT_EASE, Floor
-from scenewright.geometry.clearway import Raster
+from scenewright.core.catalog import Catalog
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece
+from scenewright.domains.hall.floor import AT_EASE, WalkingFloor
+from scenewright.geometry.distance_raster import DistanceRaster
 from scenewright.geometry.travel import mark_near
-from scenewright.layout import corners
-from scenewright.scene import Piece
 
 Floats = NDArray[np.float64]
 Cells = NDArray[np.int64]
@@ -50,7 +50,7 @@ class Views(NamedTuple):
 def stops_of(
     members: tuple[Piece, ...],
     catalog: Catalog,
-    floor: Floor,
+    floor: WalkingFloor,
     times: Floats,
     half: float,
     most: int = MOST,
@@ -70,10 +70,12 @@ def stops_of(
         views = _at_the_rim(views, boxes)
     if not len(views.cells):
         return []
-    return _cover(floor, _thinned(views), views, min(most, MOST_OF_SEATS) if seats else most)
+    return _cover(floor, _thin_views(views), views, min(most, MOST_OF_SEATS) if seats else most)
 
 
-def _views(boxes: Floats, members: tuple[Piece, ...], catalog: Catalog, clear: Raster) -> Views:
+def _views(
+    boxes: Floats, members: tuple[Piece, ...], catalog: Catalog, clear: DistanceRaster
+) -> Views:
     """Places before every side in use."""
     lines = [np.zeros((0, len(AWAY) + 1, 2))]
     owners = []
@@ -102,7 +104,7 @@ def _before(box: Floats, side: int, close: float) -> Floats:
     return np.stack([x, y], axis=-1)
 
 
-def _look_up(clear: Raster, points: Floats) -> tuple[Floats, Cells]:
+def _look_up(clear: DistanceRaster, points: Floats) -> tuple[Floats, Cells]:
     """The clearance (k,) at points (k, 2) and the cells they are in; 0 off the raster."""
     shape = np.array(clear.values.shape)
     at = np.floor((points - (clear.x0, clear.y0)) / clear.cell).astype(np.int64)[:, ::-1]
@@ -111,7 +113,7 @@ def _look_up(clear: Raster, points: Floats) -> tuple[Floats, Cells]:
     return np.where(inside, clear.values[row, column], 0.0), row * shape[1] + column
 
 
-def _in_sight(clear: Raster, starts: Floats, points: Floats) -> NDArray[np.bool_]:
+def _in_sight(clear: DistanceRaster, starts: Floats, points: Floats) -> NDArray[np.bool_]:
     """Whether nothing lies between two points, looked at every 10 cm."""
     seen = np.ones(len(points), bool)
     for share in np.linspace(0.0, 1.0, 12, endpoint=False):
@@ -142,7 +144,7 @@ def _at_the_rim(views: Views, boxes: Floats) -> Views:
     return _some(views, outside) if outside.any() else views
 
 
-def _thinned(views: Views) -> Views:
+def _thin_views(views: Views) -> Views:
     """The place with most room of every square, smaller ones for smaller groups."""
     low, high = views.points.min(axis=0), views.points.max(axis=0)
     square = max(0.5, float((high - low).max()) / 25)
@@ -152,10 +154,10 @@ def _thinned(views: Views) -> Views:
     return _some(views, np.isin(np.arange(len(at)), best[first]))
 
 
-def _cover(floor: Floor, places: Views, views: Views, most: int) -> list[Cells]:
+def _cover(floor: WalkingFloor, places: Views, views: Views, most: int) -> list[Cells]:
     """Cells of places that together show as many objects as possible, each with the others that
     show what it adds."""
-    shown = _shown(floor, places, views)
+    shown = _find_visible_objects(floor, places, views)
     left = shown.copy()
     ease = 0.5 + 0.5 * np.minimum(places.room, AT_EASE) / AT_EASE
     found: list[Cells] = []
@@ -171,7 +173,7 @@ def _cover(floor: Floor, places: Views, views: Views, most: int) -> list[Cells]:
     return found
 
 
-def _shown(floor: Floor, places: Views, views: Views) -> NDArray[np.bool_]:
+def _find_visible_objects(floor: WalkingFloor, places: Views, views: Views) -> NDArray[np.bool_]:
     """Which objects (n,) each of the places (k,) shows: those with a view
     that is near and not behind anything."""
     number = np.unique(views.objects, return_inverse=True)[1]

@@ -12,14 +12,14 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog import Catalog
-from scenewright.domains.hall.floor import Floor, find_floor
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece
+from scenewright.core.space import Opening, Points, Space
+from scenewright.domains.hall.floor import WalkingFloor, find_floor
+from scenewright.domains.hall.hall_layout import HallLayout, Stop, Tour
 from scenewright.domains.hall.visits import find_places, find_visits, search_from
-from scenewright.geometry.clearway import Raster, distances
-from scenewright.geometry.travel import Search, make_search, pull, round_off
-from scenewright.scene import Piece
-from scenewright.scene_graph import SceneGraph, Stop, Tour
-from scenewright.space import Opening, Points, Space
+from scenewright.geometry.distance_raster import DistanceRaster, distances
+from scenewright.geometry.travel import TravelSearch, make_search, round_off, string_pull
 
 Floats = NDArray[np.float64]
 Cells = NDArray[np.int64]
@@ -32,11 +32,7 @@ SWERVE, ROUNDS = 0.6, 40
 
 
 def tour(
-    space: Space,
-    pieces: tuple[Piece, ...],
-    graph: SceneGraph,
-    catalog: Catalog,
-    width: float,
+    space: Space, pieces: tuple[Piece, ...], graph: HallLayout, catalog: Catalog, width: float
 ) -> Tour | None:
     """The route of a visitor through a hall, ``None`` if it has no door one can come in by.
 
@@ -70,14 +66,14 @@ def tour(
 
 def ways_in(space: Space) -> list[Opening]:
     """The doors visitors may come in by, the main entrance first."""
-    return _ranked(space, "entrance", "exit")
+    return _rank_doors(space, "entrance", "exit")
 
 
 def _ways_out(space: Space) -> list[Opening]:
-    return _ranked(space, "exit", "entrance")
+    return _rank_doors(space, "exit", "entrance")
 
 
-def _ranked(space: Space, use: str, other: str) -> list[Opening]:
+def _rank_doors(space: Space, use: str, other: str) -> list[Opening]:
     """Doors for one use, those for it alone first, then those to the outside, then wide ones."""
     doors = [door for door in space.openings if door.kind != "window"]
     uses = [door.use if door.spaces[:1] in ((), (space.id,)) else "both" for door in doors]
@@ -90,7 +86,7 @@ def _ranked(space: Space, use: str, other: str) -> list[Opening]:
 
 
 def _last_doors(
-    floor: Floor, times: Floats, entrance: Opening, exits: list[Opening]
+    floor: WalkingFloor, times: Floats, entrance: Opening, exits: list[Opening]
 ) -> list[Opening]:
     """The doors the tour may end at: of the best rank, another than the entrance if possible."""
     usable = [
@@ -107,7 +103,7 @@ def _last_doors(
     ]
 
 
-def _line(search: Search, floor: Floor, cells: list[int]) -> tuple[Points, Cells]:
+def _line(search: TravelSearch, floor: WalkingFloor, cells: list[int]) -> tuple[Points, Cells]:
     """The way over the cells as a line (k, 2) and where along it each of them is."""
     line, at = _centres(floor, cells[:1]), [0]
     for start, goal in pairwise(cells):
@@ -117,7 +113,7 @@ def _line(search: Search, floor: Floor, cells: list[int]) -> tuple[Points, Cells
     return line, np.array(at)
 
 
-def _onward(floor: Floor, line: Points) -> Floor:
+def _onward(floor: WalkingFloor, line: Points) -> WalkingFloor:
     """The floor for one who came along a line and would rather not turn round: slow behind."""
     along = _lengths(line)
     if along[-1] < BEHIND:
@@ -134,13 +130,13 @@ def _onward(floor: Floor, line: Points) -> Floor:
     return floor._replace(slow=slow)
 
 
-def _centres(floor: Floor, cells: list[int]) -> Points:
+def _centres(floor: WalkingFloor, cells: list[int]) -> Points:
     row, column = np.divmod(np.array(cells), floor.slow.shape[1])
     clear = floor.clear
     return clear.cell * (np.column_stack([column, row]) + 0.5) + (clear.x0, clear.y0)
 
 
-def _leg(search: Search, floor: Floor, start: int, goal: int) -> list[int]:
+def _leg(search: TravelSearch, floor: WalkingFloor, start: int, goal: int) -> list[int]:
     """The corners of the quickest way between two cells, without the first."""
     search_from(search, floor, [start], goal)
     back = [goal]
@@ -148,19 +144,19 @@ def _leg(search: Search, floor: Floor, start: int, goal: int) -> list[int]:
         back.append(int(search.before[back[-1]]))
     path = np.array(back[::-1], np.int32)
     kept = np.empty(len(path), np.int32)
-    count = pull(path, floor.slow, search.times[path], floor.clear.cell, kept)
+    count = string_pull(path, floor.slow, search.times[path], floor.clear.cell, kept)
     return [int(cell) for cell in kept[1:count]]
 
 
-def _smooth(line: Points, at: Cells, clear: Raster, least: float) -> tuple[Points, Cells]:
+def _smooth(line: Points, at: Cells, clear: DistanceRaster, least: float) -> tuple[Points, Cells]:
     """A line rounded off, with a point at least every 0.5 m, and where its marks are now."""
     along = _lengths(line)
-    home = _resampled(line, along, FINE)
+    home = _resample_line(line, along, FINE)
     points = home.copy()
     round_off(points, home, clear, least + clear.cell / 2, SWERVE, ROUNDS)
     share = np.searchsorted(np.linspace(0, along[-1], len(home)), along[at] - 1e-9)
     grown = _lengths(points)
-    done = _resampled(points, grown, STEP)
+    done = _resample_line(points, grown, STEP)
     marks = np.rint(grown[share] / max(grown[-1], 1e-9) * (len(done) - 1)).astype(np.int64)
     return done, marks
 
@@ -170,7 +166,7 @@ def _lengths(line: Points) -> Floats:
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
-def _resampled(line: Points, along: Floats, step: float) -> Points:
+def _resample_line(line: Points, along: Floats, step: float) -> Points:
     """Points at equal distances of at most ``step`` along a line with its lengths."""
     places = np.linspace(0.0, along[-1], max(math.ceil(along[-1] / step), 1) + 1)
     return np.column_stack([np.interp(places, along, line[:, axis]) for axis in (0, 1)])
@@ -180,7 +176,7 @@ def _middle(door: Opening) -> tuple[float, float]:
     return door.x, door.y
 
 
-def _cell(floor: Floor, door: Opening) -> int:
+def _cell(floor: WalkingFloor, door: Opening) -> int:
     """The cell of the raster the middle of a door is in."""
     column = int((door.x - floor.clear.x0) / floor.clear.cell)
     row = int((door.y - floor.clear.y0) / floor.clear.cell)

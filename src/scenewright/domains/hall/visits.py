@@ -8,13 +8,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog import Catalog
-from scenewright.domains.hall.floor import Floor
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece
+from scenewright.domains.hall.floor import WalkingFloor
+from scenewright.domains.hall.hall_layout import PlacedGroup
 from scenewright.domains.hall.stops import MOST, stops_of
-from scenewright.geometry.rounds import shortest_round
-from scenewright.geometry.travel import Search, shorten, spread
-from scenewright.scene import Piece
-from scenewright.scene_graph import PlacedGroup
+from scenewright.geometry.travel import TravelSearch, shorten, spread
+from scenewright.geometry.visiting_order import shortest_path_through
 
 Floats = NDArray[np.float64]
 Cells = NDArray[np.int64]
@@ -39,7 +39,7 @@ class Places(NamedTuple):
 
 
 def find_places(
-    floor: Floor,
+    floor: WalkingFloor,
     times: Floats,
     groups: list[PlacedGroup],
     pieces: tuple[Piece, ...],
@@ -62,7 +62,7 @@ def find_places(
 
 
 def find_visits(
-    search: Search, floor: Floor, places: Places, doors: list[int]
+    search: TravelSearch, floor: WalkingFloor, places: Places, doors: list[int]
 ) -> tuple[Cells, list[int]]:
     """The order (n,) of the places and the cells to pass, the one of the door to leave by last.
 
@@ -79,7 +79,7 @@ def find_visits(
 
 
 def _find_order(
-    search: Search, floor: Floor, places: Places, doors: list[int]
+    search: TravelSearch, floor: WalkingFloor, places: Places, doors: list[int]
 ) -> tuple[Cells, int]:
     """The order of the places, and the number of the door to leave by."""
     n = len(places.cells)
@@ -89,11 +89,11 @@ def _find_order(
     costs[1:n, 1:n] += LEAVE_ZONE * (places.zones[1:, None] != places.zones[1:])
     costs[1:n, 1:n] += LEAVE_GROUP * (places.groups[1:, None] != places.groups[1:])
     costs[n, :n] = costs[:n, n] = times[:n, n:].min(axis=1)
-    order = shortest_round(costs)[:-1]
+    order = shortest_path_through(costs)[:-1]
     return order, int(np.argmin(times[order[-1], n:]))
 
 
-def _slide(floor: Floor, choices: list[Cells]) -> list[int]:
+def _slide(floor: WalkingFloor, choices: list[Cells]) -> list[int]:
     """One cell of each of the choices in turn, so that the way over them is short and in the
     open: by dynamic programming over straight distances (Bellman 1957)."""
     columns, clear = floor.slow.shape[1], floor.clear
@@ -110,7 +110,7 @@ def _slide(floor: Floor, choices: list[Cells]) -> list[int]:
     return [int(cells[k]) for cells, k in zip(choices, best[::-1], strict=True)]
 
 
-def _travel_times(search: Search, floor: Floor, cells: Cells) -> Floats:
+def _travel_times(search: TravelSearch, floor: WalkingFloor, cells: Cells) -> Floats:
     """Travel times (n, n) between cells of the raster.
 
     All of them start at once; where the areas nearest to two of them touch, there is a way
@@ -135,9 +135,7 @@ def _travel_times(search: Search, floor: Floor, cells: Cells) -> Floats:
     return times[np.ix_(number, number)]
 
 
-def _neighbours(
-    cell: float,
-) -> list[tuple[tuple[slice, slice], tuple[slice, slice], float]]:
+def _neighbours(cell: float) -> list[tuple[tuple[slice, slice], tuple[slice, slice], float]]:
     """Views of a raster shifted against each other by one cell, and the distance."""
     every, first, last = slice(None), slice(None, -1), slice(1, None)
     return [
@@ -148,6 +146,8 @@ def _neighbours(
     ]
 
 
-def search_from(search: Search, floor: Floor, starts: list[int], goal: int = -1) -> None:
+def search_from(
+    search: TravelSearch, floor: WalkingFloor, starts: list[int], goal: int = -1
+) -> None:
     """Travel times on a floor from some cells, to a goal or (-1) everywhere."""
     spread(search, floor.slow, floor.clear.cell, np.array(starts, np.int32), goal)

@@ -16,12 +16,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import shapely
 
-from scenewright.brief import Brief
-from scenewright.check import check
-from scenewright.domains.home import solve
-from scenewright.plan import spaces
-from scenewright.solution import Patch, Solution
-from scenewright.space import Space
+from scenewright.building.plan import plan_rooms
+from scenewright.core.brief import Brief
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Patch, Solution
+from scenewright.core.space import Space
+from scenewright.domains import check
+from scenewright.domains.home.solving import solve
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -52,36 +53,46 @@ class Candidate(NamedTuple):
 
 
 def alternatives(
-    brief: Brief, count: int, *, seed: int = 0, progress: Progress | None = None,
-    cancel: Cancel | None = None, **options: Any,
-) -> tuple[Solution, ...]:  # fmt: skip
+    brief: Brief,
+    count: int,
+    *,
+    plan: Plan | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+    **options: Any,
+) -> tuple[Solution, ...]:
     """Up to ``count`` plans that differ by at least :data:`LEAST`, best first; ``options`` are
-    those of :func:`scenewright.domains.home.solve`."""
+    those of :func:`scenewright.domains.home.solving.solve`."""
+    made = plan or plan_rooms(brief)
     tried = TRIED * count + 2
     found: list[Solution] = []
     for k in range(tried):
         if cancel is not None and cancel() and found:
             break
-        found.append(solve(brief, seed=seed + k, variant=k, cancel=cancel, **options))
+        found.append(solve(brief, plan=made, seed=seed + k, variant=k, cancel=cancel, **options))
         if progress:
             progress((k + 1) / tried, f"plan {k + 1} of {tried}")
-    return choose(found, count)
+    return choose(found, count, made)
 
 
-def choose(found: Sequence[Solution], count: int) -> tuple[Solution, ...]:
+def choose(found: Sequence[Solution], count: int, plan: Plan | None = None) -> tuple[Solution, ...]:
     """Plans put together room by room from whole ones: the best, then those that add most."""
-    rooms = spaces(found[0].brief)
+    made = plan or plan_rooms(found[0].brief)
+    rooms = made.spaces
     ordered = sorted(found, key=_rank)
     chosen: dict[str, list[Candidate]] = {room.id: [] for room in rooms}
     plans: list[Solution] = []
     for _ in range(count):
         for room in rooms:
             chosen[room.id].append(_next(ordered, room, chosen[room.id]))
-        plan = composed(ordered, [chosen[room.id][-1].number for room in rooms], rooms)
-        if not check(plan).valid:
-            plan = min(ordered, key=lambda s: -min((difference(s, p) for p in plans), default=0.0))
-        if all(difference(plan, other) >= LEAST for other in plans):
-            plans.append(plan)
+        home = compose_home(ordered, [chosen[room.id][-1].number for room in rooms], rooms)
+        if not check(home, plan=made).valid:
+            home = max(
+                ordered, key=lambda s: min((difference(s, p, made) for p in plans), default=0.0)
+            )
+        if all(difference(home, other, made) >= LEAST for other in plans):
+            plans.append(home)
     return tuple(sorted(plans, key=_rank))
 
 
@@ -105,7 +116,9 @@ def _candidate(number: int, solution: Solution, room: str) -> Candidate:
     return Candidate(number, patches, solution.energies.get(room, 0.0), lacking)
 
 
-def composed(found: Sequence[Solution], take: Sequence[int], rooms: Sequence[Space]) -> Solution:
+def compose_home(
+    found: Sequence[Solution], take: Sequence[int], rooms: Sequence[Space]
+) -> Solution:
     """One home of which each room is that of the solution with the given number."""
     parts = [(room.id, found[k]) for room, k in zip(rooms, take, strict=True)]
     return replace(
@@ -120,11 +133,11 @@ def composed(found: Sequence[Solution], take: Sequence[int], rooms: Sequence[Spa
     )
 
 
-def difference(one: Solution, other: Solution) -> float:
+def difference(one: Solution, other: Solution, plan: Plan | None = None) -> float:
     """How much two plans of a home differ, 0 to 1: the mean over its rooms, by floor area, of the
     share of furniture, by area, that stands elsewhere, looks another way or is in one only."""
     total, summed = 0.0, 0.0
-    for room in spaces(one.brief):
+    for room in (plan or plan_rooms(one.brief)).spaces:
         area = float(shapely.Polygon(room.outline, list(room.holes)).area)
         mine, theirs = (tuple(p for p in s.patches if p.space == room.id) for s in (one, other))
         if mine or theirs:
@@ -135,36 +148,36 @@ def difference(one: Solution, other: Solution) -> float:
 
 def _apart(mine: Sequence[Patch], theirs: Sequence[Patch]) -> float:
     """How much two layouts of one room differ, 0 to 1, whichever comes first."""
-    return (_changed(mine, theirs) + _changed(theirs, mine)) / 2
+    return (_measure_change(mine, theirs) + _measure_change(theirs, mine)) / 2
 
 
-def _changed(mine: Sequence[Patch], theirs: Sequence[Patch]) -> float:
+def _measure_change(mine: Sequence[Patch], theirs: Sequence[Patch]) -> float:
     """The share of the furniture, by area, that is not where the other layout has the like."""
     left = list(theirs)
     changed, total = 0.0, 0.0
     for patch in mine:
         area = patch.box[3] * patch.box[4]
         same = [p for p in left if p.function == patch.function]
-        nearest = min(same, key=lambda p: _moved(patch, p), default=None)
+        nearest = min(same, key=lambda p: _measure_move(patch, p), default=None)
         if nearest is not None:
             left.remove(nearest)
         total += area
-        changed += area * (1.0 if nearest is None else _moved(patch, nearest))
+        changed += area * (1.0 if nearest is None else _measure_move(patch, nearest))
     alone = sum(p.box[3] * p.box[4] for p in left)
     return (changed + alone) / max(total + alone, 1e-9)
 
 
-def _moved(one: Patch, other: Patch) -> float:
+def _measure_move(one: Patch, other: Patch) -> float:
     """How much a group stands elsewhere, 0 to 1: wholly if it looks another way."""
     if cos(one.box[2] - other.box[2]) < 0.7:
         return 1.0
     return min(float(np.hypot(one.box[0] - other.box[0], one.box[1] - other.box[1])) / FAR, 1.0)
 
 
-def sides(solution: Solution) -> str:
+def sides(solution: Solution, plan: Plan | None = None) -> str:
     """Where what makes its rooms stands, in words: ``Bedroom: bed at the east wall; …``."""
     told = []
-    for room in spaces(solution.brief):
+    for room in (plan or plan_rooms(solution.brief)).spaces:
         stand = [
             f"{MAKES[p.function]} at the {WINDS[round((p.box[2] + pi) / (pi / 4)) % 8]} wall"
             for p in solution.patches

@@ -9,27 +9,33 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.brief import Room
-from scenewright.catalog import Catalog
+from scenewright.core.brief import Room
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece
+from scenewright.core.space import Space
+from scenewright.domains.home.build_problem import build_problem, scale_area_weights
 from scenewright.domains.home.cases.library import SHIPPED, Library
-from scenewright.domains.home.dressing.dress import Dressed, Refused, dress_patch, pieces_of
-from scenewright.domains.home.dressing.facing import faced
-from scenewright.domains.home.dressing.high_walls import raised
-from scenewright.domains.home.dressing.obstacles import joined, standing_of
-from scenewright.domains.home.dressing.tidy import tidied
-from scenewright.domains.home.pose import firm, problem_of
+from scenewright.domains.home.energy import evaluate
+from scenewright.domains.home.furnishing.facing import face_screen
+from scenewright.domains.home.furnishing.furnish import (
+    FurnishedPatch,
+    Refused,
+    furnish_patch,
+    pieces_of,
+)
+from scenewright.domains.home.furnishing.high_walls import raise_tall_items
+from scenewright.domains.home.furnishing.obstacles import join_standing, standing_of
+from scenewright.domains.home.furnishing.tidy import tidy_groups
+from scenewright.domains.home.furnishing.whole import Gone
 from scenewright.domains.home.presets import Preset
+from scenewright.domains.home.problem import Ground, Problem
 from scenewright.domains.home.programme import Wish, part_of
-from scenewright.domains.home.ways import unreached
-from scenewright.domains.home.wished.heard import unheard
-from scenewright.domains.home.wished.places import placed as at_places
-from scenewright.domains.home.wished.wishes import swayed
-from scenewright.energy import evaluate
-from scenewright.problem import Ground, Problem
-from scenewright.scene import Piece
-from scenewright.solve import Budget
-from scenewright.solvers import SOLVERS
-from scenewright.space import Space
+from scenewright.domains.home.solvers import SOLVERS
+from scenewright.domains.home.ways import find_unreached
+from scenewright.domains.home.wished.places import assign_places as at_places
+from scenewright.domains.home.wished.unmet import count_unmet_wishes
+from scenewright.domains.home.wished.wishes import apply_preferences
+from scenewright.engine.solve import Budget
 
 Floats = NDArray[np.float64]
 Cancel = Callable[[], bool]
@@ -45,14 +51,16 @@ DOOR = "door "
 LAYOUTS = 5  # how many of the solver's layouts are dressed
 
 
-class Task(NamedTuple):
+class RoomTask(NamedTuple):
     """All that does not change while one room is furnished.
 
     ``route_width`` is that of the way from door to door, ``use_width`` of the way to the pieces;
     ``tight`` names the doors and fixed pieces no route reaches even while the room is empty;
     ``forbidden`` are kinds of pieces the household will not have; sizes are those of a room
     ``amount`` times as large, and ``welcome`` the welcome groups (none: the usual); ``asked`` is
-    the room of the brief."""
+    the room of the brief; ``beside`` is what stands in other rooms and reaches into this one. In an
+    open space groups may stand ``elsewhere``, in another room of it, and this one has others
+    ``instead``. ``entered`` are the doors one comes in by (none: any)."""
 
     space: Space
     ground: Ground
@@ -71,14 +79,18 @@ class Task(NamedTuple):
     amount: float = 1.0
     welcome: tuple[str, ...] | None = None
     asked: Room | None = None
+    beside: tuple[Piece, ...] = ()
+    elsewhere: frozenset[str] = frozenset()
+    instead: tuple[Wish, ...] = ()
+    entered: tuple[int, ...] = ()
 
 
-class Placed(NamedTuple):
+class FurnishedGroup(NamedTuple):
     """A wish that came true: the item's name, its dressed patch and its pieces."""
 
     wish: Wish
     name: str
-    dressed: Dressed
+    dressed: FurnishedPatch
     pieces: tuple[Piece, ...]
 
 
@@ -89,18 +101,19 @@ class Missing(NamedTuple):
     reason: str
 
 
-class Furnished(NamedTuple):
+class RoomAnswer(NamedTuple):
     """One answer for a room; the lower ``score`` the better. ``unheard`` counts the wishes for
-    places and the outlets it does not meet."""
+    places and the outlets it does not meet; ``gone`` are pieces that gave way when all was done."""
 
     score: float
-    placed: tuple[Placed, ...]
+    placed: tuple[FurnishedGroup, ...]
     missing: tuple[Missing, ...]
     unreached: tuple[str, ...]
     problem: Problem | None
     energy: float
     evaluations: int
     unheard: int = 0
+    gone: tuple[Gone, ...] = ()
 
 
 def penalty(wish: Wish) -> float:
@@ -113,91 +126,119 @@ def floor_of(ground: Ground) -> float:
     return ground.area + float(ground.obstacles[:, 3:].prod(-1).sum())
 
 
-def furnished_as(task: Task) -> float:
+def furnished_as(task: RoomTask) -> float:
     """The area by which sizes are chosen, square metres."""
     return part_of(task.space.functions, floor_of(task.ground) * task.amount)
 
 
-def posed(task: Task, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
+def build_task_problem(task: RoomTask, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
     """The problem of placing wishes on a ground, by the task's preset."""
     preset = task.preset
-    problem = problem_of(
-        ground, wishes, preset.weights, preset.printed, task.route_width,
-        furnished_as(task), task.library,
-    )  # fmt: skip
-    items = problem.items if preset.printed else raised(problem.items, wishes, ground)
+    problem = build_problem(
+        ground,
+        wishes,
+        preset.weights,
+        preset.printed,
+        task.route_width,
+        furnished_as(task),
+        task.library,
+    )
+    items = problem.items if preset.printed else raise_tall_items(problem.items, wishes, ground)
     items = at_places(items, wishes, task.space, task.fixed, task.library)
-    weights = preset.weights if preset.printed else firm(preset.weights, items)
-    return problem._replace(items=swayed(items, wishes), weights=weights)
+    weights = preset.weights if preset.printed else scale_area_weights(preset.weights, items)
+    return problem._replace(items=apply_preferences(items, wishes), weights=weights)
 
 
-def attempt(task: Task, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> Furnished:
+def attempt(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> RoomAnswer:
     """One run of the solver; the best of its layouts once dressed. Those whose energy alone counts
     more than the best's score are not looked at."""
     preset = task.preset
-    problem = posed(task, wishes, task.ground)
+    problem = build_task_problem(task, wishes, task.ground)
     found = SOLVERS[task.solver].run(problem, budget, seed, cancel=task.cancel)
     first, *others = found.layouts[: LAYOUTS if preset.exact else 1]
-    best = dressed(task, wishes, problem, first.boxes, first.energy)
+    best = furnish_layout(task, wishes, problem, first.boxes, first.energy)
     for layout in others:
         if ENERGY * layout.energy >= best.score:
             continue
-        other = dressed(task, wishes, problem, layout.boxes, layout.energy, most=best.score)
+        other = furnish_layout(task, wishes, problem, layout.boxes, layout.energy, most=best.score)
         best = other if other.score < best.score else best
     return best._replace(evaluations=found.evaluations)
 
 
-def dressed(
-    task: Task, wishes: tuple[Wish, ...], problem: Problem, boxes: Floats, energy: float,
-    before: tuple[Placed, ...] = (), most: float = math.inf,
-) -> Furnished:  # fmt: skip
+def furnish_layout(
+    task: RoomTask,
+    wishes: tuple[Wish, ...],
+    problem: Problem,
+    boxes: Floats,
+    energy: float,
+    before: tuple[FurnishedGroup, ...] = (),
+    most: float = math.inf,
+) -> RoomAnswer:
     """Dress a layout; then with the patches pushed together, and with the screen before the seat.
     An answer that will not score below ``most`` is given up as soon as that shows."""
-    placed, missing = _placed(task, wishes, problem.names, boxes, before, most)
+    placed, missing = _place_groups(task, wishes, problem.names, boxes, before, most)
     if sum(penalty(m.wish) for m in missing) >= most:
-        return Furnished(math.inf, placed, missing, (), problem, energy, 0)
+        return RoomAnswer(math.inf, placed, missing, (), problem, energy, 0)
     if task.preset.exact and placed:
         new = np.array([p not in before for p in placed])
         groups = tuple(p.wish.group for p in placed)
-        placed = _again(task, placed, tidied(groups, _boxes(placed), new, task.ground))
+        placed = _again(task, placed, tidy_groups(groups, _boxes(placed), new, task.ground))
         cases = [p.dressed.case for p in placed]
-        placed = _again(task, placed, faced(cases, _boxes(placed), new, task.ground))
-    return scored(task, placed, missing, problem, energy, most)
+        placed = _again(task, placed, face_screen(cases, _boxes(placed), new, task.ground))
+    return score_answer(task, placed, missing, problem, energy, most)
 
 
-def _again(task: Task, placed: tuple[Placed, ...], boxes: Floats) -> tuple[Placed, ...]:
+def _again(
+    task: RoomTask, placed: tuple[FurnishedGroup, ...], boxes: Floats
+) -> tuple[FurnishedGroup, ...]:
     """The same groups dressed on other boxes; as they were where something would be lost."""
     if np.array_equal(boxes, _boxes(placed)):
         return placed
     names = tuple(p.name for p in placed)
-    again, lost = _placed(task, tuple(p.wish for p in placed), names, boxes, ())
-    return again if not lost and _lost(again) <= _lost(placed) else placed
+    again, lost = _place_groups(task, tuple(p.wish for p in placed), names, boxes, ())
+    return again if not lost and _count_lost(again) <= _count_lost(placed) else placed
 
 
-def _boxes(placed: tuple[Placed, ...]) -> Floats:
+def _boxes(placed: tuple[FurnishedGroup, ...]) -> Floats:
     return np.array([p.dressed.box for p in placed])
 
 
-def _lost(placed: tuple[Placed, ...]) -> int:
+def _count_lost(placed: tuple[FurnishedGroup, ...]) -> int:
     return sum(p.dressed.lost for p in placed)
 
 
-def _placed(
-    task: Task, wishes: tuple[Wish, ...], names: tuple[str, ...], boxes: Floats,
-    before: tuple[Placed, ...], most: float = math.inf,
-) -> tuple[tuple[Placed, ...], tuple[Missing, ...]]:  # fmt: skip
+def _place_groups(
+    task: RoomTask,
+    wishes: tuple[Wish, ...],
+    names: tuple[str, ...],
+    boxes: Floats,
+    before: tuple[FurnishedGroup, ...],
+    most: float = math.inf,
+) -> tuple[tuple[FurnishedGroup, ...], tuple[Missing, ...]]:
     """Dress the patches one by one, in order, beside what was placed before; those after the one
     with which ``most`` is missed are not looked at."""
     flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
-    standing = standing_of((*task.fixed, *(q for p in before for q in p.pieces)), flat)
+    standing = standing_of(
+        (*task.fixed, *task.beside, *(q for p in before for q in p.pieces)), flat
+    )
     placed, missing = list(before), []
     taken = {p.name for p in before} | {p.group.rpartition("/")[2] for p in task.fixed}
     for wish, wanted, box in zip(wishes, names, boxes, strict=True):
-        name = wanted if wanted not in taken else f"{wanted}_{len(taken) + 1}"
-        worn = dress_patch(
-            wish.group, box, task.ground, standing, task.catalog, task.space.height,
-            task.preset.exact, task.library, task.space.outlets,
-        )  # fmt: skip
+        name, number = wanted, len(taken)
+        while name in taken:
+            number += 1
+            name = f"{wanted}_{number}"
+        worn = furnish_patch(
+            wish.group,
+            box,
+            task.ground,
+            standing,
+            task.catalog,
+            task.space.height,
+            task.preset.exact,
+            task.library,
+            task.space.outlets,
+        )
         if isinstance(worn, Refused):
             missing.append(Missing(wish, worn.reason))
             if sum(penalty(m.wish) for m in missing) >= most:
@@ -205,74 +246,82 @@ def _placed(
             continue
         group = f"{task.space.id}/{name}"
         pieces = pieces_of(worn, task.space.id, group, wish.group, task.catalog)
-        placed.append(Placed(wish, name, worn, pieces))
+        placed.append(FurnishedGroup(wish, name, worn, pieces))
         taken.add(name)
-        standing = joined(standing, standing_of(pieces, flat))
+        standing = join_standing(standing, standing_of(pieces, flat))
     return tuple(placed), tuple(missing)
 
 
-def scored(
-    task: Task, placed: tuple[Placed, ...], missing: tuple[Missing, ...], problem: Problem,
-    energy: float, most: float = math.inf,
-) -> Furnished:  # fmt: skip
+def score_answer(
+    task: RoomTask,
+    placed: tuple[FurnishedGroup, ...],
+    missing: tuple[Missing, ...],
+    problem: Problem,
+    energy: float,
+    most: float = math.inf,
+) -> RoomAnswer:
     """The answer that groups so placed make, ways kept open; ``energy`` if nothing stands. Its
     score is infinite as soon as it is not below ``most``."""
     blocked: tuple[str, ...] = ()
     if task.preset.exact:
-        placed, gone, blocked = _opened(task, placed)
+        placed, gone, blocked = _open_ways(task, placed)
         missing = (*missing, *gone)
     standing = (*task.fixed, *(p for item in placed for p in item.pieces))
-    deaf = unheard(task.asked, task.space, standing, task.catalog)
+    deaf = count_unmet_wishes(task.asked, task.space, standing, task.catalog)
     score = (
         sum(penalty(m.wish) for m in missing)
         + sum(BARRED if b.startswith(DOOR) else UNREACHED for b in blocked)
-        + LOST * _lost(placed)
+        + LOST * _count_lost(placed)
         + UNHEARD * deaf
     )
     if score >= most:
-        return Furnished(math.inf, placed, missing, blocked, problem, energy, 0)
+        return RoomAnswer(math.inf, placed, missing, blocked, problem, energy, 0)
     energy = _energy(task, placed, problem, energy)
     total = score + ENERGY * energy
-    return Furnished(total, placed, missing, blocked, problem, energy, 0, deaf)
+    return RoomAnswer(total, placed, missing, blocked, problem, energy, 0, deaf)
 
 
-def _energy(task: Task, placed: tuple[Placed, ...], asked: Problem, otherwise: float) -> float:
+def _energy(
+    task: RoomTask, placed: tuple[FurnishedGroup, ...], asked: Problem, otherwise: float
+) -> float:
     """Energy of the patches as they are dressed; ``asked`` is the problem they answer."""
     if not placed:
         return otherwise
     same = asked.ground is task.ground and asked.names == tuple(p.name for p in placed)
-    problem = asked if same else posed(task, tuple(p.wish for p in placed), task.ground)
+    problem = (
+        asked if same else build_task_problem(task, tuple(p.wish for p in placed), task.ground)
+    )
     return float(evaluate(problem, np.array([[p.dressed.box for p in placed]]))[0])
 
 
-def _opened(
-    task: Task, placed: tuple[Placed, ...]
-) -> tuple[tuple[Placed, ...], tuple[Missing, ...], tuple[str, ...]]:
+def _open_ways(
+    task: RoomTask, placed: tuple[FurnishedGroup, ...]
+) -> tuple[tuple[FurnishedGroup, ...], tuple[Missing, ...], tuple[str, ...]]:
     """Take out welcome and usual groups, the least important first, while that opens a way to
     something that cannot be reached."""
-    blocked = _blocked(task, placed)
+    blocked = find_blocked(task, placed)
     gone: list[Missing] = []
     for candidate in sorted(placed, key=lambda p: -p.wish.rank):
         barred = any(b.startswith(DOOR) for b in blocked)
         if not blocked or candidate.wish.core or (candidate.wish.rank == 0 and not barred):
             break
         others = tuple(p for p in placed if p is not candidate)
-        still = _blocked(task, others)
+        still = find_blocked(task, others)
         if len(still) < len(blocked):
             opened = sorted(set(blocked) - set(still))
             placed, blocked = others, still
-            gone.append(Missing(candidate.wish, _barred(candidate.name, opened)))
+            gone.append(Missing(candidate.wish, _explain_barring(candidate.name, opened)))
     return placed, tuple(gone), blocked
 
 
-def _barred(name: str, opened: list[str]) -> str:
+def _explain_barring(name: str, opened: list[str]) -> str:
     others = [o.replace("_", " ") for o in opened if o != name]
     if not others:
         return "no walking route of the stated width would reach it"
     return f"it would bar the walking route to the {' and the '.join(others)}"
 
 
-def _blocked(task: Task, placed: tuple[Placed, ...]) -> tuple[str, ...]:
+def find_blocked(task: RoomTask, placed: tuple[FurnishedGroup, ...]) -> tuple[str, ...]:
     """What no route reaches though one would in the empty room: doors and fixed pieces by name,
     and the groups with a piece out of reach."""
     pieces = tuple(p for item in placed for p in item.pieces)
@@ -282,12 +331,12 @@ def _blocked(task: Task, placed: tuple[Placed, ...]) -> tuple[str, ...]:
     return (*sorted(others), *groups)
 
 
-def out_of_reach(task: Task, pieces: tuple[Piece, ...]) -> frozenset[str]:
+def out_of_reach(task: RoomTask, pieces: tuple[Piece, ...]) -> frozenset[str]:
     """Doors that no route joins to the first, and pieces that none reaches."""
-    standing = (*task.fixed, *pieces)
-    far = unreached(task.ground, standing, task.catalog, task.route_width)
+    standing = (*task.fixed, *task.beside, *pieces)
+    far = find_unreached(task.ground, standing, task.catalog, task.route_width, task.entered)
     if task.use_width == task.route_width:
         return far
     doors = frozenset(name for name in far if name.startswith(DOOR))
-    near = unreached(task.ground, standing, task.catalog, task.use_width)
+    near = find_unreached(task.ground, standing, task.catalog, task.use_width, task.entered)
     return doors | frozenset(name for name in near if not name.startswith(DOOR))

@@ -5,12 +5,20 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.ceiling import planes
-from scenewright.domains.standing import RADIATED, is_radiator
-from scenewright.gates import Gate, before, door_zone, edges_of, gates, landing, throat
-from scenewright.problem import Ground
-from scenewright.scene import Piece
-from scenewright.space import Space
+from scenewright.building.ceiling import planes
+from scenewright.building.door_approach import (
+    DoorApproach,
+    before,
+    door_zone,
+    edges_of,
+    gates,
+    landing,
+    throat,
+)
+from scenewright.building.standing import RADIATED, is_radiator
+from scenewright.core.scene import Piece
+from scenewright.core.space import Space
+from scenewright.domains.home.problem import Ground
 
 Floats = NDArray[np.float64]
 
@@ -21,8 +29,10 @@ HEAD_HEIGHT = 2.0
 MAIN_WALL = 1.5  # the paper's least length of a main wall, metres
 
 
-def ground_of(space: Space, fixed: tuple[Piece, ...], area: float) -> Ground:
-    """The ground of a space with what already stands in it."""
+def ground_of(
+    space: Space, fixed: tuple[Piece, ...], area: float, beside: tuple[Piece, ...] = ()
+) -> Ground:
+    """The ground of a space with what already stands in it, and ``beside`` it and reaches in."""
     seen = gates(space)
     doors = tuple(g for g in seen if g.opening.kind != "window")
     windows = [_window(g) for g in seen if g.opening.kind == "window"]
@@ -35,8 +45,10 @@ def ground_of(space: Space, fixed: tuple[Piece, ...], area: float) -> Ground:
         keep_free=_rows(
             [*(box for g in doors for box in door_zone(space, g)), *map(landing, space.stairs)], 5
         ),
-        corridors=_rows(_corridors(doors) + [_ahead(p, USE) for p in fixed if _used(p)], 5),
-        obstacles=_rows([_footprint(p) for p in fixed if _in_the_way(p)], 5),
+        corridors=_rows(
+            _corridors(doors) + [_ahead(p, USE) for p in fixed if _needs_use_space(p)], 5
+        ),
+        obstacles=_rows([_footprint(p) for p in (*fixed, *beside) if _in_the_way(p)], 5),
         windows=_rows(windows, 6),
         doors=_rows([*map(throat, doors), *map(landing, space.stairs)], 5),
         main_wall=_rows([] if main is None else [main], 4),
@@ -67,7 +79,7 @@ def _distance(point: Floats, walls: Floats) -> Floats:
     return np.linalg.norm(start + along * np.clip(t, 0, 1)[:, None] - point, axis=1)
 
 
-def _window(gate: Gate) -> list[float]:
+def _window(gate: DoorApproach) -> list[float]:
     if gate.opening.roof is not None:
         near, far = gate.opening.roof
         under = gate._replace(face=gate.face + near * gate.inward)
@@ -75,7 +87,7 @@ def _window(gate: Gate) -> list[float]:
     return [*before(gate, gate.opening.width, WINDOW_DEPTH), gate.opening.sill + 0.04]
 
 
-def _corridors(doors: tuple[Gate, ...]) -> list[list[float]]:
+def _corridors(doors: tuple[DoorApproach, ...]) -> list[list[float]]:
     """Straight ways joining every pair of doors (Liu et al. 2017, cost 3, *Path*)."""
     found = []
     for i, first in enumerate(doors):
@@ -94,7 +106,7 @@ def _ahead(piece: Piece, depth: float) -> list[float]:
     return [float(x), float(y), pose.heading, piece.size.width, depth]
 
 
-def _used(piece: Piece) -> bool:
+def _needs_use_space(piece: Piece) -> bool:
     """Whether a fixed piece is better left room to use it."""
     return _in_the_way(piece) and not is_radiator(piece)
 

@@ -5,38 +5,42 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog import Group
+from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import (
-    Furnished,
+    FurnishedGroup,
     Missing,
-    Placed,
-    Task,
+    RoomAnswer,
+    RoomTask,
+    build_task_problem,
     furnished_as,
-    posed,
-    scored,
+    score_answer,
 )
-from scenewright.domains.home.dressing.dress import (
+from scenewright.domains.home.furnishing.furnish import (
     BACKED,
     SLACK,
-    Dressed,
+    FurnishedPatch,
     Refused,
     pieces_of,
     too_tall,
     why_not,
     world,
 )
-from scenewright.domains.home.dressing.obstacles import Standing, joined, standing_of
-from scenewright.domains.home.dressing.pieces import Parts, as_laid, parts_of, posed_pieces
+from scenewright.domains.home.furnishing.obstacles import (
+    StandingObstacles,
+    join_standing,
+    standing_of,
+)
+from scenewright.domains.home.furnishing.pieces import Parts, as_laid, parts_of, posed_pieces
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.programme import Wish
-from scenewright.geometry.fit import backed, faults
-from scenewright.solve import Budget
-from scenewright.solvers import SOLVERS
+from scenewright.domains.home.solvers import SOLVERS
+from scenewright.engine.solve import Budget
+from scenewright.geometry.fit import faults, is_backed
 
 Floats = NDArray[np.float64]
 
 
-def piecewise(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
+def piecewise(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
     """Place all pieces of the wished groups at once; what then runs into something is left out,
     and a group with it if it is what makes it. Presets that are not exact leave all standing."""
     preset = task.preset
@@ -46,43 +50,43 @@ def piecewise(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished
         task.ground, parts, task.catalog, preset.weights, preset.printed, task.route_width
     )
     found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
-    placed, missing = laid_out(task, parts, found.layouts[0].boxes)
-    answer = scored(task, placed, missing, posed(task, wishes, task.ground), 0.0)
+    placed, missing = lay_out_parts(task, parts, found.layouts[0].boxes)
+    answer = score_answer(task, placed, missing, build_task_problem(task, wishes, task.ground), 0.0)
     return answer._replace(evaluations=found.evaluations)
 
 
-def laid_out(
-    task: Task, parts: tuple[Parts, ...], boxes: Floats
-) -> tuple[tuple[Placed, ...], tuple[Missing, ...]]:
+def lay_out_parts(
+    task: RoomTask, parts: tuple[Parts, ...], boxes: Floats
+) -> tuple[tuple[FurnishedGroup, ...], tuple[Missing, ...]]:
     """Groups whose pieces stand on ``boxes`` (n, 5), and those that could not."""
     flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
-    standing, placed, missing = standing_of(task.fixed, flat), [], []
-    names = posed(task, tuple(p.wish for p in parts), task.ground).names
+    standing, placed, missing = standing_of((*task.fixed, *task.beside), flat), [], []
+    names = build_task_problem(task, tuple(p.wish for p in parts), task.ground).names
     taken = {p.group.rpartition("/")[2] for p in task.fixed}
     first = 0
     for part, wanted in zip(parts, names, strict=True):
         case, box = as_laid(part, boxes[first : first + len(part.placed)])
         first += len(part.placed)
-        worn = _worn(task, part, case, box, standing)
+        worn = _furnish_part(task, part, case, box, standing)
         if isinstance(worn, Refused):
             missing.append(Missing(part.wish, worn.reason))
             continue
         name = wanted if wanted not in taken else f"{wanted}_{len(taken) + 1}"
         group = f"{task.space.id}/{name}"
         pieces = pieces_of(worn, task.space.id, group, part.wish.group, task.catalog)
-        placed.append(Placed(part.wish, name, worn, pieces))
+        placed.append(FurnishedGroup(part.wish, name, worn, pieces))
         taken.add(name)
-        standing = joined(standing, standing_of(pieces, flat))
+        standing = join_standing(standing, standing_of(pieces, flat))
     return tuple(placed), tuple(missing)
 
 
-def _worn(
-    task: Task, part: Parts, case: Group, box: Floats, standing: Standing
-) -> Dressed | Refused:
+def _furnish_part(
+    task: RoomTask, part: Parts, case: Group, box: Floats, standing: StandingObstacles
+) -> FurnishedPatch | Refused:
     """Which members of a group stand: the placed ones in turn, then what rides with them."""
     count = len(case.members)
     if not task.preset.exact:
-        return Dressed(case, box, (True,) * count, 0)
+        return FurnishedPatch(case, box, (True,) * count, 0)
     boxes, spans, flat = world(case.members, box, task.catalog)
     stands = [False] * count
     order = [part.anchor, *(i for i in part.placed if i != part.anchor)]
@@ -91,28 +95,40 @@ def _worn(
         code, offender = _fault(task, member.category, boxes[i], spans[i], flat[i], standing)
         held = code == 0 and (i in part.placed or stands[part.rides[i]])
         if task.catalog.kinds[member.category].support == "wall":
-            held = held and bool(backed(boxes[i], task.ground.walls, BACKED))
+            held = held and bool(is_backed(boxes[i], task.ground.walls, BACKED))
         stands[i] = held and (member.on < 0 or stands[member.on])
         if not stands[i] and member.category in GROUPS[part.wish.group].essential:
             return Refused(why_not(member, code, offender, standing))
         if stands[i] and i in part.placed:
-            here = Standing(boxes[i][None], spans[i][None], (member.category,))
-            standing = joined(standing, here)
+            here = StandingObstacles(boxes[i][None], spans[i][None], (member.category,))
+            standing = join_standing(standing, here)
     lost = sum(not stands[i] for i in part.placed)
-    return Dressed(case, box, tuple(stands), lost)
+    return FurnishedPatch(case, box, tuple(stands), lost)
 
 
 def _fault(
-    task: Task, category: str, box: Floats, span: Floats, flat: bool, standing: Standing
+    task: RoomTask,
+    category: str,
+    box: Floats,
+    span: Floats,
+    flat: bool,
+    standing: StandingObstacles,
 ) -> tuple[int, int]:
     """What is wrong with a piece where it stands; what it may be pushed under is no obstacle."""
     under = task.catalog.kinds[category].under
     open_ = np.array([name not in under for name in standing.names], bool)
     ground = task.ground
     codes, offenders = faults(
-        box[None], span[None], np.array([flat]), ground.edges, ground.keep_free, ground.windows,
-        standing.boxes[open_], standing.spans[open_], SLACK,
-    )  # fmt: skip
+        box[None],
+        span[None],
+        np.array([flat]),
+        ground.edges,
+        ground.keep_free,
+        ground.windows,
+        standing.boxes[open_],
+        standing.spans[open_],
+        SLACK,
+    )
     codes = too_tall(box[None], span[None], ground, task.space.height, codes)
     offender = int(offenders[0])
     return int(codes[0]), int(np.flatnonzero(open_)[offender]) if codes[0] == 4 else offender

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from scenewright.errors import InputError
+from scenewright.core.errors import InputError
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,17 +22,37 @@ class Preset:
 
 
 PAPER = {
-    "boundary": 5000.0, "overlap": 600.0, "keep_free": 600.0, "corridors": 600.0,
-    "main_wall": 1500.0, "against_wall": 1000.0, "pairs": 110.0, "size": 50.0,
-}  # fmt: skip
+    "boundary": 5000.0,
+    "overlap": 600.0,
+    "keep_free": 600.0,
+    "corridors": 600.0,
+    "main_wall": 1500.0,
+    "against_wall": 1000.0,
+    "pairs": 110.0,
+    "size": 50.0,
+}
 
 HOME = {
-    "boundary": 8000.0, "overlap": 6000.0, "keep_free": 6000.0, "obstacles": 6000.0,
-    "window": 4000.0, "slope": 4000.0, "corridors": 150.0, "against_wall": 1000.0,
-    "alignment": 400.0, "main_wall": 70.0, "clear_room": 900.0, "clear_items": 900.0,
-    "pairs": 110.0, "daylight": 30.0, "nestle": 40.0, "wish": 200.0, "route": 900.0,
-    "balance": 60.0, "places": 110.0,
-}  # fmt: skip
+    "boundary": 8000.0,
+    "overlap": 6000.0,
+    "keep_free": 6000.0,
+    "obstacles": 6000.0,
+    "window": 4000.0,
+    "slope": 4000.0,
+    "corridors": 150.0,
+    "against_wall": 1000.0,
+    "alignment": 400.0,
+    "main_wall": 70.0,
+    "clear_room": 900.0,
+    "clear_items": 900.0,
+    "pairs": 110.0,
+    "daylight": 30.0,
+    "nestle": 40.0,
+    "wish": 200.0,
+    "route": 900.0,
+    "balance": 60.0,
+    "places": 110.0,
+}
 
 PRESETS: dict[str, Preset] = {
     "default": Preset("our terms in repaired form, every piece checked", HOME),
@@ -40,10 +60,14 @@ PRESETS: dict[str, Preset] = {
     "fine": Preset("the default with eight times the work", HOME, steps=96_000),
     "paper": Preset(
         "Liu, Jiang, Mao, Wang 2017 as printed: seven costs, 40 x 100 GA, nearest case",
-        PAPER, solver="paper-ga", printed=True, exact=False, steps=None,
+        PAPER,
+        solver="paper-ga",
+        printed=True,
+        exact=False,
+        steps=None,
     ),
     "paper-repaired": Preset("the paper's seven costs, repaired, by our solver", PAPER),
-}  # fmt: skip
+}
 
 
 def preset_named(name: str) -> Preset:

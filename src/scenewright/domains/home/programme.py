@@ -6,14 +6,16 @@ metres of free floor.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from math import inf
 from typing import NamedTuple
 
-from scenewright.space import Space
+from scenewright.catalog.kinds import KINDS
+from scenewright.core.space import Space
+from scenewright.domains.home.groups.alone import own_groups
 
 
-class Draw(NamedTuple):
+class Attraction(NamedTuple):
     """What draws a group, or keeps it away: a ``window``, ``door`` or ``wall``, or groups and
     kinds, from ``near`` to ``far`` metres off; ``facing`` 1 to look at it."""
 
@@ -23,12 +25,12 @@ class Draw(NamedTuple):
     facing: float = 0.0
 
 
-class Sway(NamedTuple):
+class PlacementPreference(NamedTuple):
     """Where a group is wished: how much by a window, in a corner, and what else draws it."""
 
     daylight: float = 0.0
     corner: float = 0.0
-    draws: tuple[Draw, ...] = ()
+    draws: tuple[Attraction, ...] = ()
 
 
 class Wish(NamedTuple):
@@ -43,10 +45,10 @@ class Wish(NamedTuple):
     most: tuple[float, float] | None = None
     small: bool = False
     core: bool = False
-    sway: Sway = Sway()
+    sway: PlacementPreference = PlacementPreference()
 
 
-class Row(NamedTuple):
+class ProgrammeRow(NamedTuple):
     """Wish for ``group`` in rooms of at least ``least`` m² (and less than ``below``), unless one
     of ``unless`` is among the room's functions or, with a ``home:`` prefix, the home's."""
 
@@ -57,55 +59,113 @@ class Row(NamedTuple):
     unless: tuple[str, ...] = ()
 
 
-PROGRAMME: dict[str, tuple[Row, ...]] = {
+WELCOME = 2  # the rank of what is welcome
+
+_PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
     "living": (
-        Row("seating", 0), Row("media", 0),
-        Row("dining", 1, 22, unless=("dining", "home:dining")),
-        Row("shelf", 1, 16), Row("sideboard", 2, 24), Row("reading", 2, 26), Row("plant", 2, 12),
+        ProgrammeRow("seating", 0),
+        ProgrammeRow("media", 0),
+        ProgrammeRow("dining", 1, 22, unless=("dining", "home:dining")),
+        ProgrammeRow("shelf", 1, 16),
+        ProgrammeRow("sideboard", 2, 24),
+        ProgrammeRow("reading", 2, 26),
+        ProgrammeRow("plant", 2, 12),
     ),
-    "dining": (Row("dining", 0), Row("sideboard", 1, 9, unless=("living",)), Row("plant", 2, 9)),
+    "dining": (
+        ProgrammeRow("dining", 0),
+        ProgrammeRow("sideboard", 1, 9, unless=("living",)),
+        ProgrammeRow("plant", 2, 9),
+    ),
     "kitchen": (
-        Row("kitchen", 0), Row("counter", 1, 9, unless=("living",)),
-        Row("dining_wall", 1, 8, unless=("dining", "living", "home:dining")),
-        Row("island", 2, 34),
+        ProgrammeRow("kitchen", 0),
+        ProgrammeRow("counter", 1, 9, unless=("living",)),
+        ProgrammeRow("dining_wall", 1, 8, unless=("dining", "living", "home:dining")),
+        ProgrammeRow("island", 2, 34),
     ),
     "double_bedroom": (
-        Row("sleeping", 0), Row("wardrobe", 0), Row("chest", 1, 11.5), Row("vanity", 2, 15),
-        Row("plant", 2, 12), Row("reading", 2, 18),
+        ProgrammeRow("sleeping", 0),
+        ProgrammeRow("wardrobe", 0),
+        ProgrammeRow("chest", 1, 11.5),
+        ProgrammeRow("vanity", 2, 15),
+        ProgrammeRow("plant", 2, 12),
+        ProgrammeRow("reading", 2, 18),
     ),
     "single_bedroom": (
-        Row("single", 0), Row("wardrobe", 0), Row("desk", 1, 6.5), Row("shelf", 2, 9),
-        Row("chest", 2, 11),
+        ProgrammeRow("single", 0),
+        ProgrammeRow("wardrobe", 0),
+        ProgrammeRow("desk", 1, 6.5),
+        ProgrammeRow("shelf", 2, 9),
+        ProgrammeRow("chest", 2, 11),
     ),
     "child_bedroom": (
-        Row("single", 0, below=14), Row("bunk", 0, 14), Row("wardrobe", 0),
-        Row("kids_desk", 1, 7), Row("play", 1, 8), Row("shelf", 2, 12),
+        ProgrammeRow("single", 0, below=14),
+        ProgrammeRow("bunk", 0, 14),
+        ProgrammeRow("wardrobe", 0),
+        ProgrammeRow("kids_desk", 1, 7),
+        ProgrammeRow("play", 1, 8),
+        ProgrammeRow("shelf", 2, 12),
     ),
     "study": (
-        Row("desk", 0), Row("shelf", 0), Row("reading", 1, 8), Row("shelf", 2, 10),
-        Row("plant", 2, 9),
+        ProgrammeRow("desk", 0),
+        ProgrammeRow("shelf", 0),
+        ProgrammeRow("reading", 1, 8),
+        ProgrammeRow("shelf", 2, 10),
+        ProgrammeRow("plant", 2, 9),
     ),
     "bathroom": (
-        Row("bath", 0, 3.4), Row("shower", 0, below=3.4), Row("basin", 0),
-        Row("toilet", 0, 2.6, unless=("home:toilet",)), Row("toilet", 1, 4.5),
-        Row("shower", 2, 7), Row("washer", 1, 4.8, unless=("home:washroom",)),
-        Row("linen", 2, 5), Row("basket", 2, 4.5),
+        ProgrammeRow("bath", 0, 3.4),
+        ProgrammeRow("shower", 0, below=3.4),
+        ProgrammeRow("basin", 0),
+        ProgrammeRow("toilet", 0, 2.6, unless=("home:toilet",)),
+        ProgrammeRow("toilet", 1, 4.5),
+        ProgrammeRow("shower", 2, 7),
+        ProgrammeRow("washer", 1, 4.8, unless=("home:washroom",)),
+        ProgrammeRow("linen", 2, 5),
+        ProgrammeRow("basket", 2, 4.5),
     ),
-    "toilet": (Row("toilet", 0), Row("basin", 1, 1.3)),
+    "toilet": (ProgrammeRow("toilet", 0), ProgrammeRow("basin", 1, 1.3)),
     "washroom": (
-        Row("basin", 0), Row("washer", 0), Row("linen", 1, 3), Row("basket", 2, 3),
+        ProgrammeRow("basin", 0),
+        ProgrammeRow("washer", 0),
+        ProgrammeRow("linen", 1, 3),
+        ProgrammeRow("basket", 2, 3),
     ),
     "hall": (
-        Row("shoes", 1, 1.5), Row("coats", 2, 4), Row("console", 2, 9),
-        Row("plant", 2, 12),
+        ProgrammeRow("shoes", 1, 1.5),
+        ProgrammeRow("coats", 2, 4),
+        ProgrammeRow("console", 2, 9),
+        ProgrammeRow("plant", 2, 12),
     ),
-    "storage": (Row("storage", 0), Row("storage", 1, 2.2), Row("storage", 2, 7.5)),
+    "storage": (
+        ProgrammeRow("storage", 0),
+        ProgrammeRow("storage", 1, 2.2),
+        ProgrammeRow("storage", 2, 7.5),
+    ),
     "balcony": (
-        Row("terrace", 1, 3.5), Row("lounger", 1, 1.6, 3.5), Row("planter", 1, 3),
-        Row("drying", 2, 6),
+        ProgrammeRow("terrace", 1, 3.5),
+        ProgrammeRow("lounger", 1, 1.6, 3.5),
+        ProgrammeRow("planter", 1, 3),
+        ProgrammeRow("drying", 2, 6),
     ),
     "other": (),
-}  # fmt: skip
+}
+_OPEN_PLAN = ("living", "dining", "kitchen")
+
+
+def _welcome(function: str) -> tuple[ProgrammeRow, ...]:
+    """Rows of single pieces that are welcome in rooms of a function, not in an open plan."""
+    return tuple(
+        ProgrammeRow(kind.alone.name, WELCOME, least, unless=_OPEN_PLAN)
+        for kind in KINDS.values()
+        if kind.alone
+        for room, least in kind.alone.rooms
+        if room == function
+    )
+
+
+PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
+    function: (*rows, *_welcome(function)) for function, rows in _PROGRAMME.items()
+}
 
 FALLBACK: dict[str, str] = {
     "sleeping": "single",
@@ -115,25 +175,40 @@ FALLBACK: dict[str, str] = {
     "terrace": "lounger",
 }
 ALSO: dict[str, str] = {"kitchenette": "fridge"}
+LAST: dict[str, str] = {"wardrobe": "chest", "bunk": "single", "shower": "bath"}
+"""Fallbacks that are taken only where all else fails: a chest of drawers or a bathtub stands below
+a window, a wardrobe or a shower does not."""
 _BED = ("double_bed", "single_bed", "bunk_bed", "cot")
 _TABLE = ("dining_table", "round_table")
 _COATS = ("shoe_cabinet", "coat_rack", "console_table")
 STANDS_FOR: dict[str, tuple[str, ...]] = {
-    "sleeping": _BED, "single": _BED, "bunk": _BED,
-    "wardrobe": ("wardrobe",), "desk": ("desk", "kids_desk"), "kids_desk": ("desk", "kids_desk"),
-    "seating": ("sofa", "loveseat", "corner_sofa"), "media": ("tv", "tv_stand", "fireplace"),
-    "dining": _TABLE, "dining_wall": _TABLE,
-    "kitchen": ("hob_cabinet", "sink_cabinet"), "kitchenette": ("hob_cabinet", "sink_cabinet"),
-    "fridge": ("fridge",), "toilet": ("toilet",),
-    "bath": ("bathtub", "shower"), "shower": ("bathtub", "shower"),
-    "basin": ("basin", "pedestal_basin", "vanity"), "washer": ("washing_machine",),
-    "shoes": _COATS, "coats": _COATS, "terrace": ("outdoor_table",),
-}  # fmt: skip
+    "sleeping": _BED,
+    "single": _BED,
+    "bunk": _BED,
+    "wardrobe": ("wardrobe",),
+    "desk": ("desk", "kids_desk"),
+    "kids_desk": ("desk", "kids_desk"),
+    "seating": ("sofa", "loveseat", "corner_sofa"),
+    "media": ("tv", "tv_stand", "fireplace"),
+    "dining": _TABLE,
+    "dining_wall": _TABLE,
+    "kitchen": ("hob_cabinet", "sink_cabinet"),
+    "kitchenette": ("hob_cabinet", "sink_cabinet"),
+    "fridge": ("fridge",),
+    "toilet": ("toilet",),
+    "bath": ("bathtub", "shower"),
+    "shower": ("bathtub", "shower"),
+    "basin": ("basin", "pedestal_basin", "vanity"),
+    "washer": ("washing_machine",),
+    "shoes": _COATS,
+    "coats": _COATS,
+    "terrace": ("outdoor_table",),
+} | {name: tuple(kind.category for kind in kinds) for name, kinds in own_groups().items()}
 """Fixed pieces of these categories make a group unnecessary."""
 
-WELCOME = 2  # the rank of what is welcome
+NOTED = frozenset(("shoes",))  # usual, and all that a hall is for
 BEDS = ("sleeping", "single", "bunk")
-PRIVATE = Sway(draws=(Draw(("door",), near=3.0),))
+PRIVATE = PlacementPreference(draws=(Attraction(("door",), near=3.0),))
 ROOMY = 40.0
 """A bed in a room of so many square metres that is also lived or cooked in is away from doors."""
 
@@ -142,10 +217,10 @@ SHARED = 0.15  # by how much the k-th further function of an open plan, times k,
 CORE: dict[str, int] = {"bathroom": 5, "child_bedroom": 2, "washroom": 2}  # leading rows; else 1
 
 
-def resolved(functions: Iterable[str], area: float) -> tuple[str, ...]:
+def resolve_bedrooms(functions: Iterable[str], area: float) -> tuple[str, ...]:
     """Room functions with a plain ``bedroom`` decided by its size.
 
-    >>> resolved(["bedroom"], 12.0), resolved(["bedroom"], 7.0)
+    >>> resolve_bedrooms(["bedroom"], 12.0), resolve_bedrooms(["bedroom"], 7.0)
     (('double_bedroom',), ('single_bedroom',))
     """
     bedroom = "double_bedroom" if area >= DOUBLE_BEDROOM else "single_bedroom"
@@ -170,7 +245,7 @@ def programme(
     ``home`` are the functions of all other rooms: a living room gets a dining table only where
     there is no dining room. ``have`` are the categories that stand there already.
     """
-    functions = resolved(space.functions, area)
+    functions = resolve_bedrooms(space.functions, area)
     shared = area >= ROOMY and bool({"living", "kitchen"} & set(functions))
     area = part_of(functions, area)
     avoid = set(functions) | {f"home:{f}" for f in home}
@@ -179,7 +254,7 @@ def programme(
             row.group,
             row.rank,
             core=row.rank == 0 and number < CORE.get(function, 1),
-            sway=PRIVATE if row.group in BEDS and shared else Sway(),
+            sway=PRIVATE if row.group in BEDS and shared else PlacementPreference(),
         )
         for function in functions
         for number, row in enumerate(PROGRAMME[function])
@@ -198,3 +273,23 @@ def _once(wishes: list[Wish]) -> list[Wish]:
         if not again or (wish.group in ("storage", "shelf") and again[-1].rank != wish.rank):
             kept.append(wish)
     return kept
+
+
+def is_essential(wish: Wish) -> bool:
+    """Whether a room is incomplete without a wish: it fails its function, or the referee notes it.
+
+    >>> [is_essential(Wish(group, 1)) for group in ("shoes", "coats")]
+    [True, False]
+    """
+    return wish.rank == 0 or wish.group in NOTED
+
+
+def instead_of(wish: Wish, others: Mapping[str, str] = FALLBACK) -> tuple[Wish, ...]:
+    """A wish in its smallest form: its fallback, with what that needs beside it.
+
+    >>> [wish.group for wish in instead_of(Wish("kitchen", 0))]
+    ['kitchenette', 'fridge']
+    """
+    other = others.get(wish.group, wish.group)
+    also = [ALSO[other]] if other in ALSO else []
+    return tuple(wish._replace(group=group, small=True) for group in (other, *also))

@@ -5,18 +5,18 @@ from __future__ import annotations
 import numpy as np
 
 from scenewright.domains.home.attempt import (
-    Furnished,
     Missing,
-    Task,
+    RoomAnswer,
+    RoomTask,
     attempt,
-    dressed,
+    build_task_problem,
+    furnish_layout,
     penalty,
-    posed,
 )
 from scenewright.domains.home.piecewise import piecewise
-from scenewright.domains.home.programme import ALSO, FALLBACK, Wish
-from scenewright.solve import Budget
-from scenewright.solvers import SOLVERS
+from scenewright.domains.home.programme import FALLBACK, Wish, instead_of
+from scenewright.domains.home.solvers import SOLVERS
+from scenewright.engine.solve import Budget
 
 FIRST, AGAIN, FILL = 0.5, 0.3, 0.2  # shares of a room's work: first, each later try, the rest
 INSTEAD = 200.0  # what it costs to take a fallback
@@ -25,7 +25,7 @@ HEARING = 2  # further tries of a room that does not meet a wish for a place, or
 ROOMY = 4  # placed groups that make another try worth its time
 
 
-def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
+def furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
     """The best answer found: all wishes at once; if that fails, what held and fallbacks for the
     rest; then, where only a way is missing, the same afresh; then the core alone; what is still
     missing is tried in the room that is left. The same wishes are tried again only afresh, or
@@ -35,84 +35,78 @@ def furnish(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
         return piecewise(task, wishes, budget)
     if not task.preset.exact:
         return attempt(task, wishes, budget, task.seed)
-    best = attempt(task, wishes, _share(budget, FIRST), task.seed)
+    best = attempt(task, wishes, share_of(budget, FIRST), task.seed)
     if budget.seconds is not None and _sound(best):
         rest = budget._replace(seconds=budget.seconds * (1 - FIRST / ALL_SHARES))
         return _better(best, attempt(task, wishes, rest, task.seed + 1))
-    known = {_sorted(wishes)}
+    known = {_sort_wishes(wishes)}
     for round_, fewer in enumerate(FEWER, 1):
         again = () if _sound(best) else fewer(best, wishes)
-        if again and (fewer is _afresh or _sorted(again) not in known):
-            known.add(_sorted(again))
-            tried = attempt(task, again, _share(budget, AGAIN), task.seed + round_)
-            best = _better(best, _reported(tried, wishes, best))
+        if again and (fewer is _afresh or _sort_wishes(again) not in known):
+            known.add(_sort_wishes(again))
+            tried = attempt(task, again, share_of(budget, AGAIN), task.seed + round_)
+            best = _better(best, _report_dropped(tried, wishes, best))
     for round_ in range(HEARING if budget.seconds is None else 0):
         if best.unheard:
             seed = task.seed + len(FEWER) + 1 + round_
-            tried = attempt(task, wishes, _share(budget, AGAIN), seed)
-            best = _better(best, _reported(tried, wishes, best))
-    return best if not best.missing else _filled(task, best, _share(budget, FILL))
+            tried = attempt(task, wishes, share_of(budget, AGAIN), seed)
+            best = _better(best, _report_dropped(tried, wishes, best))
+    return best if not best.missing else fill_rest(task, best, share_of(budget, FILL))
 
 
-def _sorted(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
+def _sort_wishes(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
     return tuple(sorted(wishes, key=repr))
 
 
-def _sound(answer: Furnished) -> bool:
+def _sound(answer: RoomAnswer) -> bool:
     """Nothing essential is missing and everything can be reached."""
     return not answer.unreached and not any(m.wish.rank == 0 for m in answer.missing)
 
 
-def _held(answer: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
+def _keep_standing(answer: RoomAnswer, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
     """What stood and could be reached, and fallbacks for the essential that did not or that bars
     a way."""
     kept: list[Wish] = []
     for wish in wishes:
         stood = [p for p in answer.placed if p.wish == wish]
-        reached = bool(stood) and stood[0].name not in answer.unreached and not _barred(answer)
+        reached = bool(stood) and stood[0].name not in answer.unreached and not _is_barred(answer)
         if reached:
             kept.append(wish)
         elif wish.rank == 0 or (wish.group in FALLBACK and not stood):
-            kept += _instead(wish)
+            kept += instead_of(wish)
     return tuple(kept)
 
 
-def _afresh(answer: Furnished, _: tuple[Wish, ...]) -> tuple[Wish, ...]:
+def _afresh(answer: RoomAnswer, _: tuple[Wish, ...]) -> tuple[Wish, ...]:
     """All that is placed, to be laid out anew, if something of a roomy room is out of reach."""
     if not answer.unreached or len(answer.placed) < ROOMY:
         return ()
     return tuple(p.wish for p in answer.placed)
 
 
-def _barred(answer: Furnished) -> bool:
+def _is_barred(answer: RoomAnswer) -> bool:
     """True if a door or fixed piece is cut off."""
     return bool(set(answer.unreached) - {p.name for p in answer.placed})
 
 
-def _core(_: Furnished, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
+def _core(_: RoomAnswer, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
     """What makes the room's functions alone, in its smallest form."""
-    return tuple(other for w in wishes if w.core for other in _instead(w))
+    return tuple(other for w in wishes if w.core for other in instead_of(w))
 
 
-def _instead(wish: Wish) -> list[Wish]:
-    other = FALLBACK.get(wish.group, wish.group)
-    also = [ALSO[other]] if other in ALSO else []
-    return [wish._replace(group=group, small=True) for group in (other, *also)]
-
-
-def _filled(task: Task, answer: Furnished, budget: Budget) -> Furnished:
+def fill_rest(task: RoomTask, answer: RoomAnswer, budget: Budget) -> RoomAnswer:
     """Try what is missing in the room that is left, with what stands taken as fixed."""
     wanted = [m.wish for m in answer.missing if m.wish.rank < 2 or len(answer.missing) < 4]
     wishes = tuple(w._replace(small=True) for w in wanted)
     taken = np.array([p.dressed.box for p in answer.placed]).reshape(-1, 5)
     ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, taken]))
-    problem = posed(task, wishes, ground)
+    problem = build_task_problem(task, wishes, ground)
     found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
     best = answer
     others = tuple(m for m in answer.missing if m.wish not in wanted)
     lacking = sum(penalty(m.wish) for m in others)
     for layout in found.layouts[:FILLS]:
-        more = dressed(
+        more = furnish_layout(
             task, wishes, problem, layout.boxes, answer.energy, answer.placed, best.score - lacking
         )
         more = more._replace(missing=(*more.missing, *others), score=more.score + lacking)
@@ -120,7 +114,7 @@ def _filled(task: Task, answer: Furnished, budget: Budget) -> Furnished:
     return best._replace(evaluations=answer.evaluations + found.evaluations)
 
 
-def _reported(tried: Furnished, wishes: tuple[Wish, ...], before: Furnished) -> Furnished:
+def _report_dropped(tried: RoomAnswer, wishes: tuple[Wish, ...], before: RoomAnswer) -> RoomAnswer:
     """A later answer, also telling what it no longer attempted, scored against all wishes."""
     asked = [p.wish for p in tried.placed] + [m.wish for m in tried.missing]
     groups = [w.group for w in asked]
@@ -138,12 +132,12 @@ def _reported(tried: Furnished, wishes: tuple[Wish, ...], before: Furnished) -> 
     return tried._replace(missing=(*tried.missing, *dropped), score=score)
 
 
-def _better(first: Furnished, second: Furnished) -> Furnished:
+def _better(first: RoomAnswer, second: RoomAnswer) -> RoomAnswer:
     evaluations = first.evaluations + second.evaluations
     return (second if second.score < first.score else first)._replace(evaluations=evaluations)
 
 
-def _share(budget: Budget, share: float) -> Budget:
+def share_of(budget: Budget, share: float) -> Budget:
     """A share of the work; all shares a room may take together stay within its seconds."""
     return budget._replace(
         seconds=None if budget.seconds is None else budget.seconds * share / ALL_SHARES,
@@ -151,5 +145,5 @@ def _share(budget: Budget, share: float) -> Budget:
     )
 
 
-FEWER = (_held, _afresh, _afresh, _afresh, _afresh, _core)
+FEWER = (_keep_standing, _afresh, _afresh, _afresh, _afresh, _core)
 ALL_SHARES = FIRST + len(FEWER) * AGAIN + FILL

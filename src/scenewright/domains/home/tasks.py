@@ -9,20 +9,27 @@ from zlib import crc32
 import numpy as np
 import shapely
 
-from scenewright.brief import Brief, Room
-from scenewright.catalog import Catalog
-from scenewright.ceiling import living_area, planes
-from scenewright.domains.home.asked import sized
-from scenewright.domains.home.attempt import Task, floor_of, out_of_reach
+from scenewright.building.ceiling import living_area, planes
+from scenewright.core.brief import Brief, Room
+from scenewright.core.catalog import Catalog
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece
+from scenewright.core.space import Space
+from scenewright.domains.home.attempt import RoomTask, floor_of, out_of_reach
 from scenewright.domains.home.cases.library import Library
-from scenewright.domains.home.dressing.extras import extras
+from scenewright.domains.home.furnishing.extras import extras
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.presets import Preset
-from scenewright.domains.home.programme import STANDS_FOR, WELCOME, Wish, programme, resolved
-from scenewright.domains.home.wished.wishes import granted
-from scenewright.scene import Piece
-from scenewright.space import Space
+from scenewright.domains.home.programme import (
+    STANDS_FOR,
+    WELCOME,
+    Wish,
+    programme,
+    resolve_bedrooms,
+)
+from scenewright.domains.home.requests import limit_sizes
+from scenewright.domains.home.wished.wishes import apply_wishes
 
 Cancel = Callable[[], bool]
 
@@ -30,35 +37,65 @@ SIDEWAYS = 0.4  # the width of a person turned sideways, metres
 
 
 def task_of(
-    brief: Brief, room: Room, space: Space, fixed: tuple[Piece, ...], catalog: Catalog,
-    library: Library, preset: Preset, solver: str, seed: int, cancel: Cancel | None = None,
-) -> Task:  # fmt: skip
+    brief: Brief,
+    room: Room,
+    space: Space,
+    fixed: tuple[Piece, ...],
+    catalog: Catalog,
+    library: Library,
+    preset: Preset,
+    solver: str,
+    seed: int,
+    cancel: Cancel | None = None,
+    beside: tuple[Piece, ...] = (),
+    entered: tuple[int, ...] = (),
+) -> RoomTask:
     """One room as a task: the ground that ``fixed`` pieces leave, its stream of random numbers,
-    and what no route reaches even while the room is empty."""
+    and what no route reaches even while the room is empty; ``entered`` are the doors that one comes
+    in by."""
     shape = shapely.Polygon(space.outline, list(space.holes))
     taken = sum(p.size.width * p.size.depth for p in fixed if p.size.height > 0.05)
+    taken += covered_by(shape, beside)
     floor = living_area(shape, planes(space), space.height)
     area = max(floor - taken, 0.1)
     stream = int(np.random.SeedSequence([seed, crc32(space.id.encode())]).generate_state(1)[0])
-    ground = ground_of(space, fixed, area)
-    task = Task(
-        space, ground, fixed, catalog, preset, solver, brief.route_width,
-        _use_width(shape, brief.route_width), frozenset(),
-        stream % 2**31, cancel, sized(library, room), brief.accessible,
-        frozenset(w.what for w in room.wishes if w.forbid), asked=room,
-    )  # fmt: skip
+    ground = ground_of(space, fixed, area, beside)
+    task = RoomTask(
+        space,
+        ground,
+        fixed,
+        catalog,
+        preset,
+        solver,
+        brief.route_width,
+        _use_width(shape, brief.route_width),
+        frozenset(),
+        stream % 2**31,
+        cancel,
+        limit_sizes(library, room),
+        brief.accessible,
+        frozenset(w.what for w in room.wishes if w.forbid),
+        asked=room,
+        beside=beside,
+        entered=entered,
+    )
     return task._replace(tight=out_of_reach(task, ()))
 
 
-def completed(task: Task, placed: tuple[Piece, ...]) -> list[Piece]:
+def covered_by(floor: shapely.Polygon, pieces: tuple[Piece, ...]) -> float:
+    """Square metres of a floor that pieces of other rooms take."""
+    boxes = np.array([[*p.pose[:2], p.pose.heading, *p.size[:2]] for p in pieces]).reshape(-1, 5)
+    shapes = shapely.polygons(corners(boxes)) if len(boxes) else []
+    return float(sum(floor.intersection(shape).area for shape in shapes))
+
+
+def add_lamps_and_curtains(task: RoomTask, placed: tuple[Piece, ...]) -> list[Piece]:
     """What is placed with the lamps and curtains that go with it."""
     if not task.preset.exact:
         return list(placed)
     there = {p.id for p in placed}
-    more = extras(task.space, task.ground, placed, task.catalog)
-    return [
-        *placed, *(p for p in more if p.id not in there and p.category not in task.forbidden)
-    ]  # fmt: skip
+    more = extras(task.space, task.ground, (*placed, *task.beside), task.catalog)
+    return [*placed, *(p for p in more if p.id not in there and p.category not in task.forbidden)]
 
 
 def _use_width(shape: shapely.Polygon, width: float) -> float:
@@ -68,7 +105,7 @@ def _use_width(shape: shapely.Polygon, width: float) -> float:
 
 
 def wishes_of(
-    room: Room, task: Task, rooms: tuple[Space, ...], fixed: tuple[Piece, ...]
+    room: Room, task: RoomTask, rooms: tuple[Space, ...], fixed: tuple[Piece, ...]
 ) -> tuple[Wish, ...]:
     """What the user asked for in a room, else what its function and size bring, less what
     already stands there."""
@@ -83,15 +120,18 @@ def wishes_of(
             for ask in room.ask
             for _ in range(ask.count)
         )
-        return granted(_less(asked, standing), room, task.library, there)
+        return apply_wishes(_less(asked, standing), room, task.library, there)
     others = frozenset(
-        f for s in rooms if s.id != task.space.id for f in resolved(s.functions, 0.0)
+        f for s in rooms if s.id != task.space.id for f in resolve_bedrooms(s.functions, 0.0)
     )
     usual = programme(task.space, floor_of(task.ground), others, have)
     if task.welcome is not None:
-        usual = (*(w for w in usual if w.rank < WELCOME),
-                 *(Wish(group, WELCOME) for group in task.welcome))  # fmt: skip
-    return granted(_less(usual, standing), room, task.library, there)
+        usual = (
+            *(w for w in usual if w.rank < WELCOME),
+            *(Wish(group, WELCOME) for group in task.welcome),
+        )
+    usual = tuple(w for w in (*task.instead, *usual) if w.group not in task.elsewhere)
+    return apply_wishes(_less(usual, standing), room, task.library, there)
 
 
 def _less(wishes: tuple[Wish, ...], standing: Counter[str]) -> tuple[Wish, ...]:

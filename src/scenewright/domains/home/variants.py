@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from scenewright.domains.home.attempt import Task
+from scenewright.domains.home.attempt import RoomTask
 from scenewright.domains.home.ground import MAIN_WALL, main_wall
 from scenewright.domains.home.programme import Wish
 
@@ -15,7 +15,7 @@ INSTEAD = {"bath": "shower", "dining": "dining_wall", "vanity": "desk", "bunk": 
 FIRMLY = 8.0  # how many times more a variant's main wall weighs
 
 
-def varied(task: Task, variant: int) -> Task:
+def vary_task(task: RoomTask, variant: int) -> RoomTask:
     """The task arranged around the ``variant``-th of its long walls, from 1; 0: as it is."""
     walls = long_walls(task) if variant and task.preset.exact else ()
     if not len(walls):
@@ -30,7 +30,7 @@ def varied(task: Task, variant: int) -> Task:
     )
 
 
-def long_walls(task: Task) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def long_walls(task: RoomTask) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
     """Walls ``(w, 4)`` that a room may be arranged around: straight for at least 1.5 m; those that
     look another way than the usual one first, the longer the earlier."""
     walls = task.ground.walls

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog import Catalog
-from scenewright.ceiling import BENDING, HEADROOM, low_floor, lowest
+from scenewright.building.ceiling import BENDING, HEADROOM, low_floor, lowest
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece
+from scenewright.domains.home.problem import Ground
 from scenewright.geometry.boxes import frames_of, read_frame
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.flood import Bits, flood
-from scenewright.geometry.paths import LOOK, Grid, make_grid, sweep_box
-from scenewright.problem import Ground
-from scenewright.scene import Piece
+from scenewright.geometry.paths import LOOK, RouteGrid, make_grid, sweep_box
 
 Floats = NDArray[np.float64]
 
@@ -22,10 +22,15 @@ HEAD_HEIGHT = 2.0
 SIDES = ("front", "left", "back", "right")
 
 
-def unreached(
-    ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog, width: float
+def find_unreached(
+    ground: Ground,
+    pieces: tuple[Piece, ...],
+    catalog: Catalog,
+    width: float,
+    entered: tuple[int, ...] = (),
 ) -> frozenset[str]:
-    """Ids of the pieces that no route of ``width`` metres from any door reaches.
+    """Ids of the pieces that no route of ``width`` metres from any door reaches; only from the
+    doors that one has ``entered`` by, if stated (their numbers).
 
     A piece is reached if a disc as wide as the route, having come from a door, can stand with its
     centre in front of one of the sides its kind is used from, at most half a route and
@@ -44,9 +49,15 @@ def unreached(
             zones.append(_used_from(piece, SIDES.index(side), width / 2 + REACH, ground.slopes))
             owner.append(i)
     reached, joined = reach(
-        ground.edges, _rows([*ground.obstacles.tolist(), *solid, *low.tolist()]), ground.doors,
-        _rows(zones), ground.bounds, CELL, width,
-    )  # fmt: skip
+        ground.edges,
+        _rows([*ground.obstacles.tolist(), *solid, *low.tolist()]),
+        ground.doors,
+        _rows(zones),
+        ground.bounds,
+        CELL,
+        width,
+        entered,
+    )
     found = np.zeros(len(used), bool)
     np.logical_or.at(found, np.array(owner, np.int64), reached)
     far = {p.id for p, seen in zip(used, found, strict=True) if not seen}
@@ -54,27 +65,46 @@ def unreached(
 
 
 def reach(
-    edges: Floats, solid: Floats, doors: Floats, zones: Floats, bounds: Floats, cell: float,
+    edges: Floats,
+    solid: Floats,
+    doors: Floats,
+    zones: Floats,
+    bounds: Floats,
+    cell: float,
     width: float,
-) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:  # fmt: skip
-    """Which of the boxes ``zones`` a route of ``width`` from any door reaches, and which of the
-    ``doors`` are joined to the first; ``solid`` stands in the way. All boxes are ``(k, 5)``."""
+    entered: tuple[int, ...] = (),
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which of the boxes ``zones`` a route of ``width`` reaches from any door, or any of those
+    ``entered`` by, and which of the ``doors`` are joined to the first; ``solid`` stands in the
+    way. All boxes are ``(k, 5)``."""
     grid = make_grid(edges, frames_of(solid), frames_of(doors), bounds, cell, width)
     first = grid.doors[0] & grid.free
     flood(first, grid.free)
     joined = (grid.doors & first).any(axis=(1, 2))
-    reached = first.copy()
-    for k in np.flatnonzero(~joined):
-        more = grid.doors[k] & grid.free
-        flood(more, grid.free)
-        reached |= more
+    come_in = np.isin(np.arange(len(doors)), entered)
+    reached = _flooded(grid, first, joined, come_in)
+    if not reached.any():
+        reached = _flooded(grid, first, joined, np.ones(len(doors), bool))
     found = np.zeros(len(zones), bool)
-    touched(reached, grid, frames_of(zones), found)
+    mark_touched(reached, grid, frames_of(zones), found)
     return found, joined
 
 
+def _flooded(
+    grid: RouteGrid, first: Bits, joined: NDArray[np.bool_], come_in: NDArray[np.bool_]
+) -> Bits:
+    """The cells reached from some of the doors; ``first`` are those from the first, which some are
+    ``joined`` to."""
+    reached = first.copy() if (joined & come_in).any() else np.zeros_like(first)
+    for k in np.flatnonzero(~joined & come_in):
+        more = grid.doors[k] & grid.free
+        flood(more, grid.free)
+        reached |= more
+    return reached
+
+
 @compiled
-def touched(reached: Bits, grid: Grid, zones: Floats, found: NDArray[np.bool_]) -> None:
+def mark_touched(reached: Bits, grid: RouteGrid, zones: Floats, found: NDArray[np.bool_]) -> None:
     """Write into ``found`` whether a reached cell lies in each of the zones (frames)."""
     for k in range(zones.shape[0]):
         found[k] = sweep_box(reached, grid, read_frame(zones, k), 0.0, LOOK)
@@ -105,8 +135,12 @@ def _access(piece: Piece, side: int, depth: float) -> list[float]:
     along, out = (size.width, size.depth) if side % 2 == 0 else (size.depth, size.width)
     shift = (out + depth) / 2
     return [
-        pose.x + np.cos(heading) * shift, pose.y + np.sin(heading) * shift, heading, along, depth,
-    ]  # fmt: skip
+        pose.x + np.cos(heading) * shift,
+        pose.y + np.sin(heading) * shift,
+        heading,
+        along,
+        depth,
+    ]
 
 
 def _rows(rows: list[list[float]]) -> Floats:

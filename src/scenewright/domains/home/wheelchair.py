@@ -12,19 +12,20 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.catalog import Group, Member
-from scenewright.ceiling import low_floor
-from scenewright.domains.home.attempt import Furnished, Missing, Placed, Task, penalty
-from scenewright.domains.home.cases.library import Library, cases, planted
-from scenewright.domains.home.changes.edits import frame_of, laid_on
-from scenewright.domains.home.dressing.dress import SLACK
-from scenewright.domains.home.dressing.obstacles import standing_of
+from scenewright.building.ceiling import low_floor
+from scenewright.core.brief import ACCESSIBLE_ROUTE, Brief
+from scenewright.core.catalog import Group, Member
+from scenewright.core.layout import corners
+from scenewright.core.piece_edits import frame_of, transfer_frame
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask, penalty
+from scenewright.domains.home.cases.library import Library, cases, index_cases
+from scenewright.domains.home.furnishing.furnish import SLACK
+from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.room import furnish
+from scenewright.engine.solve import Budget
 from scenewright.geometry.fit import COLLIDES, faults
-from scenewright.layout import corners
-from scenewright.scene import Piece
-from scenewright.solve import Budget
 
 Floats = NDArray[np.float64]
 
@@ -40,15 +41,19 @@ NO_TRANSFER = 900.0  # for a bed or toilet one cannot get to
 APART = frozenset(("storage", "balcony", "other"))
 
 
-def widened(library: Library) -> Library:
+def widen_library(library: Library) -> Library:
     """A library whose beds and toilets have a strip of free floor on one side."""
     own = dict(library.own)
     for function, category in WIDENED.items():
         known = cases(function, library).groups
-        own[function] = planted(
-            tuple(wide for case in known for left in (True, False)
-                  for wide in _with_strip(case, category, left))
-        )  # fmt: skip
+        own[function] = index_cases(
+            tuple(
+                wide
+                for case in known
+                for left in (True, False)
+                for wide in _with_strip(case, category, left)
+            )
+        )
     return library._replace(own=own)
 
 
@@ -88,27 +93,30 @@ def _strip(main: Member, sign: float) -> tuple[float, float, float, float]:
     return min(inner, outer), max(inner, outer), main.y + d / 2 - long, main.y + d / 2
 
 
-def furnish_by_use(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
+def furnish_by_use(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
     """Furnish a room, with room to turn and to get to bed and toilet if the home is accessible."""
-    return for_wheelchairs(task, wishes, budget) if task.accessible else furnish(
-        task, wishes, budget
-    )  # fmt: skip
+    return (
+        for_wheelchairs(task, wishes, budget) if task.accessible else furnish(task, wishes, budget)
+    )
 
 
-def for_wheelchairs(task: Task, wishes: tuple[Wish, ...], budget: Budget) -> Furnished:
+def for_wheelchairs(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
     """The best answer for a room with room to turn in it, if there is any place for that."""
-    wishes = _eased(wishes)
-    answers = [_freed(task, furnish(_reserved(task, spot), wishes, budget)) for spot in spots(task)]
+    wishes = _prefer_accessible(wishes)
+    answers = [
+        _clear_approaches(task, furnish(_reserve_turning_circle(task, spot), wishes, budget))
+        for spot in spots(task)
+    ]
     if not answers or any(m.wish.core for m in min(answers, key=_score).missing):
-        plain = _freed(task, furnish(task, wishes, budget))
+        plain = _clear_approaches(task, furnish(task, wishes, budget))
         more = NO_TURN if answers else 0.0
         answers.append(plain._replace(score=plain.score + more))
     best = min(answers, key=_score)
-    told = tuple(m._replace(reason=_told(m.reason)) for m in best.missing)
+    told = tuple(m._replace(reason=_reword_reason(m.reason)) for m in best.missing)
     return best._replace(missing=told, evaluations=sum(a.evaluations for a in answers))
 
 
-def _eased(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
+def _prefer_accessible(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
     """Wishes with what is easier to use in the place of what is not, unless both are wished."""
     have = {w.group for w in wishes}
     return tuple(
@@ -119,15 +127,15 @@ def _eased(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
     )
 
 
-def _told(reason: str) -> str:
+def _reword_reason(reason: str) -> str:
     return reason.replace("before a door", "before a door or where a wheelchair turns")
 
 
-def _score(answer: Furnished) -> float:
+def _score(answer: RoomAnswer) -> float:
     return answer.score
 
 
-def spots(task: Task) -> list[tuple[float, float]]:
+def spots(task: RoomTask) -> list[tuple[float, float]]:
     """Where a wheelchair might turn: in the middle, by the door, far from it; none if nowhere."""
     space = task.space
     if set(space.functions) & APART or not task.preset.exact:
@@ -156,7 +164,7 @@ def _nearest(shape: shapely.Geometry, point: shapely.Point) -> tuple[float, floa
     return float(at[0]), float(at[1])
 
 
-def _reserved(task: Task, spot: tuple[float, float]) -> Task:
+def _reserve_turning_circle(task: RoomTask, spot: tuple[float, float]) -> RoomTask:
     """The task with an octagon round the circle kept free: four boxes turned by an eighth."""
     across = TURN + SPARE
     side = across * (2**0.5 - 1)
@@ -166,13 +174,18 @@ def _reserved(task: Task, spot: tuple[float, float]) -> Task:
     return task._replace(ground=ground._replace(keep_free=kept))
 
 
-def _freed(task: Task, answer: Furnished) -> Furnished:
+def _clear_approaches(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     """An answer less the welcome and usual groups that stand where one gets to bed or toilet."""
     while True:
         blocked = {p.id: _in_strips(task, answer, p) for p in _pieces(answer) if _main(p)}
         shut = {i: names for i, names in blocked.items() if names is not None}
-        giving = [g for g in answer.placed if g.wish.rank > 0 and not any(map(_main, g.pieces))
-                  and any(q.id in names for q in g.pieces for names in shut.values())]  # fmt: skip
+        giving = [
+            g
+            for g in answer.placed
+            if g.wish.rank > 0
+            and not any(map(_main, g.pieces))
+            and any(q.id in names for q in g.pieces for names in shut.values())
+        ]
         if not giving:
             return answer._replace(score=answer.score + NO_TRANSFER * len(shut))
         gone = max(giving, key=lambda g: g.wish.rank)
@@ -188,31 +201,47 @@ def _main(piece: Piece) -> bool:
     return piece.category in BEDS or piece.category == "toilet"
 
 
-def _pieces(answer: Furnished) -> tuple[Piece, ...]:
-    groups: tuple[Placed, ...] = answer.placed
+def _pieces(answer: RoomAnswer) -> tuple[Piece, ...]:
+    groups: tuple[FurnishedGroup, ...] = answer.placed
     return tuple(p for group in groups for p in group.pieces)
 
 
-def _in_strips(task: Task, answer: Furnished, piece: Piece) -> frozenset[str] | None:
+def _in_strips(task: RoomTask, answer: RoomAnswer, piece: Piece) -> frozenset[str] | None:
     """Ids of what stands in both strips beside a piece; ``None`` if one is free."""
     flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
     others = tuple(
-        p for p in (*task.fixed, *_pieces(answer))
+        p
+        for p in (*task.fixed, *task.beside, *_pieces(answer))
         if p.id != piece.id and p.on is None and p.category not in flat and p.pose.z < 2.0
-    )  # fmt: skip
+    )
     standing = standing_of(others, flat)
     main = Member(piece.category, 0, 0, 0, 0, piece.size)
     found = []
     for sign in (-1.0, 1.0):
         x0, x1, y0, y1 = _strip(main, sign)
-        x, y, h = laid_on(((x0 + x1) / 2, (y0 + y1) / 2, 0.0), (0.0, 0.0, pi / 2), frame_of(piece))
+        x, y, h = transfer_frame(
+            ((x0 + x1) / 2, (y0 + y1) / 2, 0.0), (0.0, 0.0, pi / 2), frame_of(piece)
+        )
         box = np.array([[x, y, h + pi / 2, x1 - x0, y1 - y0]])
         codes, offenders = faults(
-            box, np.array([[0.05, 2.0]]), np.zeros(1, bool), task.ground.edges,
-            np.zeros((0, 5)), np.zeros((0, 6)), standing.boxes, standing.spans, SLACK,
-        )  # fmt: skip
+            box,
+            np.array([[0.05, 2.0]]),
+            np.zeros(1, bool),
+            task.ground.edges,
+            np.zeros((0, 5)),
+            np.zeros((0, 6)),
+            standing.boxes,
+            standing.spans,
+            SLACK,
+        )
         if codes[0] == 0:
             return None
         if codes[0] == COLLIDES:
             found.append(others[int(offenders[0])].id)
     return frozenset(found)
+
+
+def accessible(brief: Brief) -> Brief:
+    """The brief of a home with room for wheelchairs and routes of at least 0.9 m."""
+    width = max(brief.route_width, ACCESSIBLE_ROUTE)
+    return brief.model_copy(update={"accessible": True, "route_width": width})

@@ -5,13 +5,13 @@ from __future__ import annotations
 from itertools import takewhile
 from math import sqrt
 
-from scenewright.brief.site import Site
-from scenewright.catalog import Asset, Catalog
-from scenewright.errors import InputError
-from scenewright.models.words import ASIDE, tokens_of
-from scenewright.site.fit import fits
-from scenewright.site.plan import SitePlan
-from scenewright.stock import BUILDING, ONLY_NAMED, OWN
+from scenewright.catalog.loading import BUILDING, ONLY_NAMED, OWN
+from scenewright.catalog.models.words import ASIDE, tokens_of
+from scenewright.core.catalog import Asset, Catalog
+from scenewright.core.errors import InputError
+from scenewright.domains.site.brief import Site
+from scenewright.ground.fit import fits
+from scenewright.ground.plan import SitePlan
 
 STOREY = 3.0
 HOUSING = ("modern_residential", "point_tower", "row_houses", "villa")
@@ -23,13 +23,61 @@ MOST = 20_000
 SLENDER, LOW = 3.0, 2.0
 """Least side in plan and height of what fills a site, in metres."""
 BESIDE = (
-    "road", "street", "crossing", "pavement", "path", "bridge", "grass", "ground", "terrain",
-    "tile", "base", "floor", "hill", "water", "tree", "trees", "bush", "hedge", "plant", "rock",
-    "mountain", "cloud", "fence", "wall", "gate", "lamp", "light", "lights", "sign", "car",
-    "truck", "bus", "van", "taxi", "train", "boat", "ship", "plane", "vehicle", "person",
-    "animal", "fountain", "wheel", "turret", "roof", "top", "door", "window", "stairs",
-    "chimney", "part", "saw", "arm", "projectile",
-)  # fmt: skip
+    "road",
+    "street",
+    "crossing",
+    "pavement",
+    "path",
+    "bridge",
+    "grass",
+    "ground",
+    "terrain",
+    "tile",
+    "base",
+    "floor",
+    "hill",
+    "water",
+    "tree",
+    "trees",
+    "bush",
+    "hedge",
+    "plant",
+    "rock",
+    "mountain",
+    "cloud",
+    "fence",
+    "wall",
+    "gate",
+    "lamp",
+    "light",
+    "lights",
+    "sign",
+    "car",
+    "truck",
+    "bus",
+    "van",
+    "taxi",
+    "train",
+    "boat",
+    "ship",
+    "plane",
+    "vehicle",
+    "person",
+    "animal",
+    "fountain",
+    "wheel",
+    "turret",
+    "roof",
+    "top",
+    "door",
+    "window",
+    "stairs",
+    "chimney",
+    "part",
+    "saw",
+    "arm",
+    "projectile",
+)
 """Words of large things that are no buildings, or parts of one."""
 
 
@@ -42,10 +90,10 @@ def amounts(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[tu
     floor = float("inf") if ratio is None else ratio * plan.buildable
     counts = [0] * len(models)
     areas = [asset.usual.width * asset.usual.depth for asset in models]
-    floors = [area * max(round(a.usual.height / STOREY), 1)
-              for a, area in zip(models, areas, strict=True)]  # fmt: skip
-    weights = [1.0 if a.id.startswith(OWN) else area
-               for a, area in zip(models, areas, strict=True)]  # fmt: skip
+    floors = [
+        area * max(round(a.usual.height / STOREY), 1) for a, area in zip(models, areas, strict=True)
+    ]
+    weights = [1.0 if a.id.startswith(OWN) else area for a, area in zip(models, areas, strict=True)]
     open_ = list(range(len(models)))
     while open_ and sum(counts) < MOST:
         k = min(open_, key=lambda i: (counts[i] + 0.5) * weights[i])
@@ -73,23 +121,27 @@ def _models(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[As
             raise InputError(
                 f"no dwelling is as low as the height limit of {limit:g} m: the lowest, "
                 f"{least.id}, is {least.usual.height:g} m high",
-                "raise height_limit, or list buildings with their size", place=place,
-            )  # fmt: skip
+                "raise height_limit, or list buildings with their size",
+                place=place,
+            )
         return low
     built = [a for a in own if fills(a)]
     if not built:
         raise InputError(
             f"none of the {len(own)} models of the catalogues is as large as a building: "
-            f"{_told(own)}", "give the catalogue a scale, or list buildings with their size",
+            f"{_describe_range(own)}",
+            "give the catalogue a scale, or list buildings with their size",
             place=place,
-        )  # fmt: skip
+        )
     spread = _spread([a for a in built if a.usual.height <= limit])
     found = [a for a in spread if fits(plan, a.usual.width, a.usual.depth)]
     if not found:
         raise InputError(
             f"none of the {len(built)} buildings of the catalogues fits the ground or the height "
-            f"limit: {_told(built)}", "give the catalogue a scale, or other models", place=place,
-        )  # fmt: skip
+            f"limit: {_describe_range(built)}",
+            "give the catalogue a scale, or other models",
+            place=place,
+        )
     return found
 
 
@@ -97,7 +149,7 @@ def fills(asset: Asset) -> bool:
     """Whether a model may fill a site by itself: a building, neither slender nor low, and not
     named like what stands or lies beside buildings.
 
-    >>> from scenewright.assets import shipped
+    >>> from scenewright.catalog.assets import shipped
     >>> [fills(shipped().assets[name]) for name in ("villa", "sofa")]
     [True, False]
     """
@@ -105,9 +157,10 @@ def fills(asset: Asset) -> bool:
     built = asset.category == BUILDING and min(width, depth) >= SLENDER and height >= LOW
     names = (asset.id.removeprefix(OWN).rpartition("/")[2], asset.name)
     return built and not any(
-        _beside(word) for name in names
+        _beside(word)
+        for name in names
         for word in takewhile(lambda word: word not in ASIDE, tokens_of(name))
-    )  # fmt: skip
+    )
 
 
 def _beside(word: str) -> bool:
@@ -115,14 +168,15 @@ def _beside(word: str) -> bool:
     return word in BESIDE or any(word.endswith(end) for end in BESIDE if len(end) > 3)
 
 
-def _told(assets: list[Asset]) -> str:
+def _describe_range(assets: list[Asset]) -> str:
     """The largest and the smallest, in words."""
     order = sorted(assets, key=lambda a: a.usual.width * a.usual.depth * a.usual.height)
     rows = {"the largest": order[-1], "the smallest": order[0]} if order[1:] else {"": order[0]}
     return ", ".join(
         f"{word} '{a.id.removeprefix(OWN)}' is {a.usual.width:.3g} x {a.usual.depth:.3g} x "
-        f"{a.usual.height:.3g} m".strip() for word, a in rows.items()
-    )  # fmt: skip
+        f"{a.usual.height:.3g} m".strip()
+        for word, a in rows.items()
+    )
 
 
 def _spread(assets: list[Asset]) -> list[Asset]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
-from scenewright.appearance import Measure
+from scenewright.catalog.appearance import Measure
 
 
 class SitePreset(NamedTuple):
@@ -24,10 +24,25 @@ PRESETS: dict[str, SitePreset] = {
     "default": SitePreset("blocks filled row by row, eight layouts of each", "fill", 8, {}),
     "quick": SitePreset("two layouts of each block", "fill", 2, {}),
     "fine": SitePreset("forty layouts of each block", "fill", 40, {}),
-    "plain": SitePreset("the default without aims: what fits, and no more", "fill", 8,
-                        {"seen": 0.0, "sun": 0.0, "even": 0.0}),
-    "paper": SitePreset("Zhang, Yang 2023 as printed, without the person: 10 layouts, at most 200 "
-                        "generations, ended by (12)", "vp", 2000, {}, "printed", "printed"),
-    "paper-repaired": SitePreset("the same with position costs, local search after (12) and our "
-                                 "measure of visual quality", "vp", 2000, {}),
-}  # fmt: skip
+    "plain": SitePreset(
+        "the default without aims: what fits, and no more",
+        "fill",
+        8,
+        {"seen": 0.0, "sun": 0.0, "even": 0.0},
+    ),
+    "paper": SitePreset(
+        "Zhang, Yang 2023 as printed, without the person: 10 layouts, at most 200 "
+        "generations, ended by (12)",
+        "vp",
+        2000,
+        {},
+        "printed",
+        "printed",
+    ),
+    "paper-repaired": SitePreset(
+        "the same with position costs, local search after (12) and our measure of visual quality",
+        "vp",
+        2000,
+        {},
+    ),
+}

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from math import isfinite
 
-from scenewright.geometry.sun import open_hours, sun_path
-from scenewright.site_problem import SiteProblem
-from scenewright.solution import TermValue
-from scenewright.solvers.site_answer import score
-from scenewright.solvers.site_block import noon
-from scenewright.solvers.site_found import SiteFound
-from scenewright.terms.site_terms import (
+from scenewright.core.solution import TermValue
+from scenewright.domains.site.problem import SiteProblem
+from scenewright.domains.site.solvers.answer import score
+from scenewright.domains.site.solvers.block import noon
+from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.terms.table import (
     MUCH,
     QUALITY,
     SITE_AIMS,
@@ -19,6 +18,7 @@ from scenewright.terms.site_terms import (
     read_site_aims,
     read_site_weights,
 )
+from scenewright.geometry.sun import open_hours, sun_path
 
 
 def reasons(problem: SiteProblem, found: SiteFound, site: str) -> tuple[TermValue, ...]:
@@ -32,8 +32,11 @@ def reasons(problem: SiteProblem, found: SiteFound, site: str) -> tuple[TermValu
         lacks = count - value if row.number == QUALITY else value
         rows.append(TermValue(site, "", row.name, value, weight, weight * lacks))
     best = float(open_hours([noon(problem)], sun_path(problem.latitude, problem.day))[0, 0])
-    lacking = {"seen": 1.0 - known["seen"] / MUCH, "sun": 1.0 - known["sun"] / max(best, 1e-9),
-               "even": known["even"]}  # fmt: skip
+    lacking = {
+        "seen": 1.0 - known["seen"] / MUCH,
+        "sun": 1.0 - known["sun"] / max(best, 1e-9),
+        "even": known["even"],
+    }
     for aim, weight in zip(SITE_AIMS, read_site_aims(problem.weights).tolist(), strict=True):
         cost = weight * max(lacking[aim.name], 0.0)
         rows.append(TermValue(site, "", aim.name, known[aim.name], weight, cost))

@@ -12,29 +12,44 @@ from functools import lru_cache
 from math import log
 from typing import NamedTuple
 
-from scenewright.assets.sizes import SIZES
-from scenewright.catalog import Asset, Catalog, Group, Member
-from scenewright.domains.home.cases.refit import Chosen, refitted
+from scenewright.catalog.kinds import SIZES
+from scenewright.catalog.loading import OWN
+from scenewright.core.catalog import Asset, Catalog, Group, Member
+from scenewright.core.scene import Size
+from scenewright.domains.home.cases.refit import Chosen, refit_case
 from scenewright.domains.home.groups import GROUPS
-from scenewright.scene import Size
-from scenewright.stock import OWN
 
 REACH = 1.6  # how many times longer or shorter a model may be than the member it stands for
 FLAT = 1.25  # the same for rugs, pictures, mirrors
-LOOSE: dict[str, tuple[int, int]] = {"rug": (0, 1), "picture": (0, 2), "mirror": (0, 2),
-                                     "curtain": (0, 2)}  # fmt: skip
+LOOSE: dict[str, tuple[int, int]] = {
+    "rug": (0, 1),
+    "picture": (0, 2),
+    "mirror": (0, 2),
+    "curtain": (0, 2),
+}
 """Sheets, and which two of their sides count."""
 HEIGHT = 0.3  # what a different height counts beside a different footprint
 UNLIKE = 0.4  # what the wrong style or colour counts, as the logarithm of a side's ratio
-RUN = ("base_cabinet", "drawer_cabinet", "sink_cabinet", "hob_cabinet", "oven_cabinet",
-       "dishwasher")  # fmt: skip
+RUN = (
+    "base_cabinet",
+    "drawer_cabinet",
+    "sink_cabinet",
+    "hob_cabinet",
+    "oven_cabinet",
+    "dishwasher",
+)
 """Units of one worktop: of one height and depth."""
 ALIKE: dict[str, tuple[str, ...]] = {
-    "dining_table": ("round_table",), "drawer_cabinet": ("base_cabinet",),
-    "base_cabinet": ("drawer_cabinet",), "basin": ("pedestal_basin",),
-    "pedestal_basin": ("basin",), "sofa": ("loveseat",), "loveseat": ("sofa",),
-    "bookcase": ("shelf_unit",), "storage_shelf": ("shelf_unit",),
-}  # fmt: skip
+    "dining_table": ("round_table",),
+    "drawer_cabinet": ("base_cabinet",),
+    "base_cabinet": ("drawer_cabinet",),
+    "basin": ("pedestal_basin",),
+    "pedestal_basin": ("basin",),
+    "sofa": ("loveseat",),
+    "loveseat": ("sofa",),
+    "bookcase": ("shelf_unit",),
+    "storage_shelf": ("shelf_unit",),
+}
 """Kinds that may stand for another."""
 
 
@@ -76,8 +91,9 @@ def nearest_own(category: str, size: Size, catalog: Catalog) -> Asset | None:
     return min(suited, key=lambda a: _unlike(like, a, Taste()), default=None)
 
 
-def furnished(function: str, cases: tuple[Group, ...], stock: Stock, catalog: Catalog,
-              taste: Taste) -> tuple[Group, ...]:  # fmt: skip
+def substitute_models(
+    function: str, cases: tuple[Group, ...], stock: Stock, catalog: Catalog, taste: Taste
+) -> tuple[Group, ...]:
     """The cases of a function with real models; as they are where none suits.
 
     Of each case there is one with the models nearest to its sizes, and for each model that makes
@@ -95,42 +111,59 @@ def furnished(function: str, cases: tuple[Group, ...], stock: Stock, catalog: Ca
     return (*_once(real), *smaller)
 
 
-def _about(asset: Asset, cases: tuple[Group, ...], essential: tuple[str, ...], stock: Stock,
-           catalog: Catalog, taste: Taste) -> Iterator[Real]:  # fmt: skip
+def _about(
+    asset: Asset,
+    cases: tuple[Group, ...],
+    essential: tuple[str, ...],
+    stock: Stock,
+    catalog: Catalog,
+    taste: Taste,
+) -> Iterator[Real]:
     """The case nearest to a model that makes the group, with that model."""
 
     def off(case: Group) -> float:
-        return min((_unlike(m, asset, Taste()) for m in case.members
-                    if m.category in essential), default=9.0)  # fmt: skip
+        return min(
+            (_unlike(m, asset, Taste()) for m in case.members if m.category in essential),
+            default=9.0,
+        )
 
     for case in sorted(cases, key=off)[:2]:
-        fixed = {i: Chosen(asset.id, asset.usual) for i, m in enumerate(case.members)
-                 if m.category in essential and _suits(m, asset)}  # fmt: skip
+        fixed = {
+            i: Chosen(asset.id, asset.usual)
+            for i, m in enumerate(case.members)
+            if m.category in essential and _suits(m, asset)
+        }
         found = _with(case, fixed, stock, catalog, taste) if fixed else None
         if found:
             yield found
             return
 
 
-def _with(case: Group, fixed: Mapping[int, Chosen], stock: Stock, catalog: Catalog, taste: Taste
-          ) -> Real | None:  # fmt: skip
+def _with(
+    case: Group, fixed: Mapping[int, Chosen], stock: Stock, catalog: Catalog, taste: Taste
+) -> Real | None:
     """The case with models: all that suit, else only the piece that makes it; None if neither."""
     anchor = anchor_of(case)
     chosen = {**_choice(case, stock, taste), **fixed}
     if not chosen:
         return None
     for some in (chosen, {i: c for i, c in chosen.items() if i == anchor or i in fixed}):
-        sized = _levelled(case, some)
-        found = refitted(case, sized, anchor, catalog) if some else None
+        sized = _level_worktops(case, some)
+        found = refit_case(case, sized, anchor, catalog) if some else None
         if found:
-            return Real(found._replace(name=_named(case, found, catalog)), _strain(case, found))
+            return Real(
+                found._replace(name=_rename_case(case, found, catalog)), _strain(case, found)
+            )
     return None
 
 
 def _strain(case: Group, found: Group) -> float:
     """How far the sizes of a case had to change, and how many of its members are not real."""
-    change = sum(abs(log(a / b)) for old, new in zip(case.members, found.members, strict=True)
-                 for a, b in zip(new.size, old.size, strict=True))  # fmt: skip
+    change = sum(
+        abs(log(a / b))
+        for old, new in zip(case.members, found.members, strict=True)
+        for a, b in zip(new.size, old.size, strict=True)
+    )
     return change + UNLIKE * sum(not m.asset for m in found.members)
 
 
@@ -184,7 +217,7 @@ def misses(asset: Asset, taste: Taste) -> int:
     return lacks + (bool(taste.colour) and asset.colour.casefold() != taste.colour.casefold())
 
 
-def _levelled(case: Group, chosen: dict[int, Chosen]) -> dict[int, Chosen]:
+def _level_worktops(case: Group, chosen: dict[int, Chosen]) -> dict[int, Chosen]:
     """Units of a worktop beside real ones get their depth and height."""
     units = [
         chosen[i].size for i, m in enumerate(case.members) if i in chosen and m.category in RUN
@@ -194,8 +227,9 @@ def _levelled(case: Group, chosen: dict[int, Chosen]) -> dict[int, Chosen]:
     depth, height = units[0].depth, sorted(size.height for size in units)[0]
     return chosen | {
         i: Chosen("", Size(m.size.width, *_within(m.category, depth, height)))
-        for i, m in enumerate(case.members) if m.category in RUN and i not in chosen
-    }  # fmt: skip
+        for i, m in enumerate(case.members)
+        if m.category in RUN and i not in chosen
+    }
 
 
 def _within(kind: str, depth: float, height: float) -> tuple[float, float]:
@@ -203,7 +237,7 @@ def _within(kind: str, depth: float, height: float) -> tuple[float, float]:
     return (min(max(depth, low.depth), high.depth), min(max(height, low.height), high.height))
 
 
-def _named(case: Group, found: Group, catalog: Catalog) -> str:
+def _rename_case(case: Group, found: Group, catalog: Catalog) -> str:
     """The case's name, after the model that makes it."""
     anchor = found.members[anchor_of(case)]
     name = catalog.assets[anchor.asset].name if anchor.asset else ""
@@ -217,9 +251,14 @@ def _once(real: list[Real]) -> Iterator[Group]:
     seen = set()
     for case, _ in sorted(real, key=lambda one: one.strain):
         anchor = case.members[anchor_of(case)]
-        key = (anchor.asset, anchor.size, round(case.width, 1), round(case.depth, 1),
-               tuple(sorted(m.category for m in case.members if m.z == 0)),
-               tuple(m.category for m in case.members[:2]))  # fmt: skip
+        key = (
+            anchor.asset,
+            anchor.size,
+            round(case.width, 1),
+            round(case.depth, 1),
+            tuple(sorted(m.category for m in case.members if m.z == 0)),
+            tuple(m.category for m in case.members[:2]),
+        )
         if key not in seen:
             seen.add(key)
             yield case

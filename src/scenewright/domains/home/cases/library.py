@@ -18,10 +18,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog import Group
+from scenewright.core.catalog import Group
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.habits import NONE, Habits
-from scenewright.geometry.kd_tree import Node, nearest_first, plant
+from scenewright.geometry.kd_tree import KdNode, nearest_first, plant
 
 SLACK = 0.005
 LARGER = 0.45
@@ -36,7 +36,7 @@ class Cases(NamedTuple):
 
     groups: tuple[Group, ...]
     sizes: NDArray[np.float64]
-    tree: Node | None
+    tree: KdNode | None
     real: NDArray[np.bool_]
     areas: NDArray[np.float64]
     smallest: int
@@ -56,10 +56,10 @@ SHIPPED = Library()
 @cache
 def shipped_cases(function: str) -> Cases:
     """The shipped cases of a group function."""
-    return planted(tuple(GROUPS[function].cases()))
+    return index_cases(tuple(GROUPS[function].cases()))
 
 
-def planted(
+def index_cases(
     groups: tuple[Group, ...], real: tuple[bool, ...] = (), areas: tuple[float, ...] = ()
 ) -> Cases:
     """Cases, ready to be found by size; ``real`` tells which come first, ``areas`` of what rooms
@@ -71,11 +71,11 @@ def planted(
     return Cases(groups, sizes, plant(sizes.tolist()), first, of_rooms, smallest)
 
 
-def those(known: Cases, chosen: NDArray[np.bool_]) -> Cases:
+def subset(known: Cases, chosen: NDArray[np.bool_]) -> Cases:
     """Some of the cases, at least one, with all that is known of them."""
     groups = tuple(group for group, stays in zip(known.groups, chosen, strict=True) if stays)
     real, areas = known.real[chosen].tolist(), known.areas[chosen].tolist()
-    return planted(groups, tuple(real), tuple(areas))
+    return index_cases(groups, tuple(real), tuple(areas))
 
 
 def cases(function: str, library: Library = SHIPPED) -> Cases:
@@ -122,7 +122,7 @@ def each_fitting(
     return (found.groups[i] for i in order)
 
 
-def wished(function: str, area: float, library: Library = SHIPPED) -> Group:
+def find_preferred_case(function: str, area: float, library: Library = SHIPPED) -> Group:
     """The case a designer would wish for in a room of this area.
 
     The cases ordered by footprint, at the share that the area takes of the row's ``roomy`` span;

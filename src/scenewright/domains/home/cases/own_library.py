@@ -5,10 +5,10 @@ from __future__ import annotations
 from functools import lru_cache
 from pathlib import Path
 
-from scenewright.brief import Brief, Room
-from scenewright.catalog import Catalog, Group
-from scenewright.domains.home.cases.furnishing import Taste, anchor_of, furnished, stock_of
-from scenewright.domains.home.cases.library import SHIPPED, Library, planted, shipped_cases
+from scenewright.core.brief import Brief, Room
+from scenewright.core.catalog import Catalog, Group
+from scenewright.domains.home.cases.furnishing import Taste, anchor_of, stock_of, substitute_models
+from scenewright.domains.home.cases.library import SHIPPED, Library, index_cases, shipped_cases
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.groups import Known, read
 from scenewright.domains.home.learned.habits import habits_of
@@ -25,10 +25,11 @@ def taste_of(brief: Brief, room: Room) -> Taste:
 def libraries_of(brief: Brief, catalog: Catalog) -> dict[Taste, Library]:
     """The case library of each taste there is in a home."""
     learned = tuple(
-        (read(Path(entry)), False) if isinstance(entry, str)
+        (read(Path(entry)), False)
+        if isinstance(entry, str)
         else (read(Path(entry.path)), entry.beside)
         for entry in brief.groups
-    )  # fmt: skip
+    )
     tastes = {taste_of(brief, room) for room in brief.rooms}
     return {taste: library_of(catalog, taste, learned) for taste in tastes}
 
@@ -44,10 +45,10 @@ def library_of(catalog: Catalog, taste: Taste, learned: Learned = ()) -> Library
     for name in GROUPS:
         known, areas = _known(name, learned)
         if stock:
-            cases = furnished(name, known, stock, catalog, taste)
-            own[name] = planted(cases, _first(cases, known))
+            cases = substitute_models(name, known, stock, catalog, taste)
+            own[name] = index_cases(cases, _first(cases, known))
         else:
-            own[name] = planted(known, (), areas)
+            own[name] = index_cases(known, (), areas)
     return Library(own, habits_of(one.targets for one, _ in learned))
 
 

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog import Catalog, Group, Member
-from scenewright.scene import Size
+from scenewright.core.catalog import Catalog, Group, Member
+from scenewright.core.scene import Size
 
 Floats = NDArray[np.float64]
 
@@ -34,8 +34,9 @@ class Chosen(NamedTuple):
     size: Size
 
 
-def refitted(case: Group, chosen: Mapping[int, Chosen], anchor: int, catalog: Catalog
-             ) -> Group | None:  # fmt: skip
+def refit_case(
+    case: Group, chosen: Mapping[int, Chosen], anchor: int, catalog: Catalog
+) -> Group | None:
     """The case with some members chosen anew; None if they do not go together.
 
     ``chosen`` is by the members' numbers, ``anchor`` the one that stays in the middle of things.
@@ -43,10 +44,10 @@ def refitted(case: Group, chosen: Mapping[int, Chosen], anchor: int, catalog: Ca
     members = list(case.members)
     for i, one in chosen.items():
         members[i] = members[i]._replace(size=one.size, asset=one.asset)
-    moved = _placed(case.members, members, anchor, catalog)
+    moved = _place_members(case.members, members, anchor, catalog)
     if _clash(case.members, moved, catalog) or any(m.z + m.size.height > HIGHEST for m in moved):
         return None
-    return _boxed(case, moved)
+    return _rebuild_case(case, moved)
 
 
 def reach(member: Member) -> tuple[float, float]:
@@ -56,14 +57,17 @@ def reach(member: Member) -> tuple[float, float]:
     return (d, w) if across else (w, d)
 
 
-def _placed(old: tuple[Member, ...], new: list[Member], anchor: int, catalog: Catalog
-            ) -> tuple[Member, ...]:  # fmt: skip
+def _place_members(
+    old: tuple[Member, ...], new: list[Member], anchor: int, catalog: Catalog
+) -> tuple[Member, ...]:
     """Members of new sizes, moved along the chain from the anchor."""
     done = {anchor: new[anchor]}
     floor = [i for i, m in enumerate(old) if _on_floor(m, catalog) and i != anchor]
     while floor:
-        i, parent = min(((i, p) for i in floor for p in done),
-                        key=lambda pair: _apart(old, pair[0], pair[1], anchor))  # fmt: skip
+        i, parent = min(
+            ((i, p) for i in floor for p in done),
+            key=lambda pair: _apart(old, pair[0], pair[1], anchor),
+        )
         done[i] = _beside(old[i], old[parent], new[i], done[parent])
         floor.remove(i)
     standing = tuple(done)
@@ -130,7 +134,7 @@ def _over(old: Member, parent: Member, new: Member, to: Member) -> Member:
         return new._replace(x=x, y=y, z=to.z + to.size.height)
     if old.category in ROW and abs(new.size.width - to.size.width) > SHARED:
         new = new._replace(size=old.size, asset="")
-    size = new.size if new.asset else _scaled(new.size, float(share[0]))
+    size = new.size if new.asset else _scale_size(new.size, float(share[0]))
     if old.z >= RAISED:
         back = old.y - reach(old)[1] - (parent.y - reach(parent)[1])
         y = to.y - reach(to)[1] + back + reach(new)[1]
@@ -140,7 +144,7 @@ def _over(old: Member, parent: Member, new: Member, to: Member) -> Member:
     return new._replace(x=x, y=y, size=size)
 
 
-def _scaled(size: Size, share: float) -> Size:
+def _scale_size(size: Size, share: float) -> Size:
     return Size(size.width * share, size.depth, size.height)
 
 
@@ -173,7 +177,7 @@ def _level(a: Member, b: Member) -> bool:
     return bool(a.z < b.z + b.size.height - SHARED and b.z < a.z + a.size.height - SHARED)
 
 
-def _boxed(case: Group, members: tuple[Member, ...]) -> Group:
+def _rebuild_case(case: Group, members: tuple[Member, ...]) -> Group:
     """The case about its new members, with the margins the old one had."""
     low, high = _extent(case.members)
     new_low, new_high = _extent(members)

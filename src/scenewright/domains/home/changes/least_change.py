@@ -12,22 +12,22 @@ from typing import NamedTuple
 
 import numpy as np
 
+from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import (
     UNREACHED,
-    Furnished,
-    Placed,
-    Task,
-    dressed,
+    FurnishedGroup,
+    RoomAnswer,
+    RoomTask,
+    build_task_problem,
+    furnish_layout,
     out_of_reach,
     penalty,
-    posed,
 )
-from scenewright.domains.home.changes.regroup import as_standing, misplaced
+from scenewright.domains.home.changes.regroup import as_standing, newly_misplaced
 from scenewright.domains.home.room import furnish
+from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.wheelchair import furnish_by_use
-from scenewright.scene import Piece
-from scenewright.solve import Budget
-from scenewright.solvers import SOLVERS
+from scenewright.engine.solve import Budget
 
 TRIED = 6  # layouts that are dressed
 SHIFT = 10.0  # what it costs to put a group a metre away from where it was
@@ -37,11 +37,11 @@ ALIKE = 0.5  # share of the work for the groups that are placed anew
 class Rest(NamedTuple):
     """Groups that stayed as they were, and the answer for the others."""
 
-    stay: tuple[Placed, ...]
-    answer: Furnished
+    stay: tuple[FurnishedGroup, ...]
+    answer: RoomAnswer
 
 
-def rearranged(task: Task, groups: Sequence[Placed], budget: Budget) -> Rest:
+def rearrange_groups(task: RoomTask, groups: Sequence[FurnishedGroup], budget: Budget) -> Rest:
     """The groups of a room about the fixed pieces of a task, with the least change."""
     if not task.preset.exact or SOLVERS[task.solver].encoding == "pieces":
         return Rest((), furnish(task, tuple(g.wish for g in groups), budget))
@@ -59,24 +59,25 @@ def rearranged(task: Task, groups: Sequence[Placed], budget: Budget) -> Rest:
     return Rest(stay, answer._replace(evaluations=evaluations))
 
 
-def _trouble(answer: Furnished) -> float:
+def _trouble(answer: RoomAnswer) -> float:
     """What is wrong with an answer apart from its energy."""
     return sum(penalty(m.wish) for m in answer.missing) + UNREACHED * len(answer.unreached)
 
 
-def _unhurt(task: Task, groups: Sequence[Placed]) -> tuple[Placed, ...]:
+def _unhurt(task: RoomTask, groups: Sequence[FurnishedGroup]) -> tuple[FurnishedGroup, ...]:
     """The groups none of whose pieces runs into what is fixed."""
-    fixed = as_standing(task.fixed, task.catalog)
-    return tuple(g for g in groups if not misplaced(task, g.pieces, fixed))
+    fixed = as_standing((*task.fixed, *task.beside), task.catalog)
+    return tuple(g for g in groups if not newly_misplaced(task, g.pieces, fixed))
 
 
-def _open(task: Task, stay: tuple[Placed, ...]) -> tuple[Placed, ...]:
+def _open(task: RoomTask, stay: tuple[FurnishedGroup, ...]) -> tuple[FurnishedGroup, ...]:
     """The groups that can be reached and bar nothing else's way."""
     while far := _far(task, stay):
         cut = [g for g in stay if any(p.id in far for p in g.pieces)]
         if not cut:
-            gains = [(len(_far(task, [o for o in stay if o is not g])), k)
-                     for k, g in enumerate(stay)]  # fmt: skip
+            gains = [
+                (len(_far(task, [o for o in stay if o is not g])), k) for k, g in enumerate(stay)
+            ]
             left, k = min(gains, default=(len(far), 0))
             cut = [stay[k]] if left < len(far) else []
         if not cut:
@@ -85,33 +86,37 @@ def _open(task: Task, stay: tuple[Placed, ...]) -> tuple[Placed, ...]:
     return stay
 
 
-def _far(task: Task, groups: Sequence[Placed]) -> frozenset[str]:
+def _far(task: RoomTask, groups: Sequence[FurnishedGroup]) -> frozenset[str]:
     pieces = tuple(p for g in groups for p in g.pieces)
     return out_of_reach(task, pieces) - task.tight
 
 
-def _anew(task: Task, freed: Sequence[Placed], stay: tuple[Placed, ...], budget: Budget
-          ) -> Furnished:  # fmt: skip
+def _anew(
+    task: RoomTask,
+    freed: Sequence[FurnishedGroup],
+    stay: tuple[FurnishedGroup, ...],
+    budget: Budget,
+) -> RoomAnswer:
     """The freed groups placed around all others: where they were if they can stand there, smaller
     or not, else as the solver finds, the nearer the better."""
     if not freed:
-        return Furnished(0.0, (), (), (), None, 0.0, 0)
+        return RoomAnswer(0.0, (), (), (), None, 0.0, 0)
     wishes = tuple(g.wish for g in freed)
     kept: tuple[Piece, ...] = tuple(p for g in stay for p in g.pieces)
     firm = task._replace(fixed=(*task.fixed, *kept))
     boxes = np.array([g.dressed.box for g in stay]).reshape(-1, 5)
     ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, boxes]))
-    problem = posed(task, wishes, ground)
+    problem = build_task_problem(task, wishes, ground)
     found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
     before = np.array([g.dressed.box for g in freed])
     layouts = [before, *(layout.boxes for layout in found.layouts[:TRIED])]
     energy = found.layouts[0].energy
-    answers = [dressed(firm, wishes, problem, layout, energy) for layout in layouts]
-    best = min(answers, key=lambda a: a.score + SHIFT * _moved(a, freed))
+    answers = [furnish_layout(firm, wishes, problem, layout, energy) for layout in layouts]
+    best = min(answers, key=lambda a: a.score + SHIFT * _measure_displacement(a, freed))
     return best._replace(evaluations=found.evaluations)
 
 
-def _moved(answer: Furnished, before: Sequence[Placed]) -> float:
+def _measure_displacement(answer: RoomAnswer, before: Sequence[FurnishedGroup]) -> float:
     """How far groups lie from where they were, metres; a quarter turn counts as one."""
     was = {id(g.wish): g.dressed.box for g in before}
     total = 0.0

@@ -6,25 +6,33 @@ from collections.abc import Mapping, Sequence
 from math import cos, pi, remainder, sin
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
-from scenewright.catalog import Catalog, Group, Member
-from scenewright.domains.home.attempt import Placed, Task
-from scenewright.domains.home.changes.edits import carried, leads, near_poses
-from scenewright.domains.home.dressing.dress import BACKED, SLACK, Dressed, too_tall, why_not
-from scenewright.domains.home.dressing.obstacles import Standing, standing_of
+from scenewright.core.catalog import Catalog, Group, Member
+from scenewright.core.layout import corners
+from scenewright.core.piece_edits import carry_pieces
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.changes.edits import leads, near_poses
+from scenewright.domains.home.furnishing.furnish import (
+    BACKED,
+    SLACK,
+    FurnishedPatch,
+    too_tall,
+    why_not,
+)
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.programme import FALLBACK, Wish
-from scenewright.geometry.fit import OUTSIDE, backed, faults
-from scenewright.layout import corners
-from scenewright.scene import Piece
+from scenewright.geometry.fit import OUTSIDE, faults, is_backed
 
 Floats = NDArray[np.float64]
 
 
-def regrouped(
+def regroup_pieces(
     pieces: Sequence[Piece], boxes: Mapping[str, Floats], wishes: Sequence[Wish]
-) -> tuple[Placed, ...]:
+) -> tuple[FurnishedGroup, ...]:
     """The groups that pieces of one room make, in the order of their first pieces.
 
     ``boxes`` (5,) are their patches by group where they are known, else the box round the pieces;
@@ -38,8 +46,8 @@ def regrouped(
     for group, members in groups.items():
         wish = _wish(members[0].function, left)
         box = boxes.get(group)
-        worn = _worn(members, _round(members) if box is None else box)
-        found.append(Placed(wish, group.rpartition("/")[2], worn, tuple(members)))
+        worn = _to_furnished_patch(members, _round(members) if box is None else box)
+        found.append(FurnishedGroup(wish, group.rpartition("/")[2], worn, tuple(members)))
     return tuple(found)
 
 
@@ -53,7 +61,7 @@ def _wish(function: str, left: list[Wish]) -> Wish:
     return Wish(function, 1)
 
 
-def _worn(pieces: Sequence[Piece], box: Floats) -> Dressed:
+def _to_furnished_patch(pieces: Sequence[Piece], box: Floats) -> FurnishedPatch:
     """Pieces as a dressed patch: each in the frame of the box."""
     ids = [p.id for p in pieces]
     s, c = sin(box[2]), cos(box[2])
@@ -62,11 +70,19 @@ def _worn(pieces: Sequence[Piece], box: Floats) -> Dressed:
         dx, dy = p.pose.x - box[0], p.pose.y - box[1]
         on = ids.index(p.on) if p.on in ids else -1
         members.append(
-            Member(p.category, dx * s - dy * c, dx * c + dy * s, p.pose.z,
-                   remainder(p.pose.heading - box[2], 2 * pi), p.size, on, p.asset)
-        )  # fmt: skip
+            Member(
+                p.category,
+                dx * s - dy * c,
+                dx * c + dy * s,
+                p.pose.z,
+                remainder(p.pose.heading - box[2], 2 * pi),
+                p.size,
+                on,
+                p.asset,
+            )
+        )
     case = Group(pieces[0].function, "as it stands", float(box[3]), float(box[4]), tuple(members))
-    return Dressed(case, box, (True,) * len(members), 0)
+    return FurnishedPatch(case, box, (True,) * len(members), 0)
 
 
 def _round(pieces: Sequence[Piece]) -> Floats:
@@ -82,12 +98,14 @@ def _round(pieces: Sequence[Piece]) -> Floats:
     return np.array([x, y, h, *(high - low)])
 
 
-def as_standing(pieces: Sequence[Piece], catalog: Catalog) -> Standing:
+def as_standing(pieces: Sequence[Piece], catalog: Catalog) -> StandingObstacles:
     """Pieces as what others are to keep clear of."""
     return standing_of(tuple(pieces), frozenset(c for c, k in catalog.kinds.items() if k.flat))
 
 
-def misplaced(task: Task, pieces: Sequence[Piece], standing: Standing) -> dict[str, str]:
+def find_misplaced(
+    task: RoomTask, pieces: Sequence[Piece], standing: StandingObstacles
+) -> dict[str, str]:
     """Why pieces cannot stand where they are, by id: outside the room, before a door or window,
     in something else, off their wall, or on something of which this is so."""
     if not pieces:
@@ -97,15 +115,22 @@ def misplaced(task: Task, pieces: Sequence[Piece], standing: Standing) -> dict[s
     kinds = [task.catalog.kinds[p.category] for p in pieces]
     ground = task.ground
     codes, offenders = faults(
-        boxes, spans, np.array([k.flat for k in kinds]), ground.edges, ground.keep_free,
-        ground.windows, standing.boxes, standing.spans, SLACK,
-    )  # fmt: skip
+        boxes,
+        spans,
+        np.array([k.flat for k in kinds]),
+        ground.edges,
+        ground.keep_free,
+        ground.windows,
+        standing.boxes,
+        standing.spans,
+        SLACK,
+    )
     codes = too_tall(boxes, spans, ground, task.space.height, codes)
     found: dict[str, str] = {}
     for i, (piece, kind) in enumerate(zip(pieces, kinds, strict=True)):
         code = int(codes[i])
         hangs = kind.support == "wall" and piece.on is None
-        if code == 0 and hangs and not backed(boxes[i], ground.walls, BACKED):
+        if code == 0 and hangs and not is_backed(boxes[i], ground.walls, BACKED):
             code = OUTSIDE
         if code or piece.on in found:
             member = Member(piece.category, 0, 0, piece.pose.z, 0, piece.size)
@@ -113,7 +138,29 @@ def misplaced(task: Task, pieces: Sequence[Piece], standing: Standing) -> dict[s
     return found
 
 
-def settled(task: Task, pieces: Sequence[Piece], standing: Standing) -> tuple[Piece, ...]:
+def newly_misplaced(
+    task: RoomTask, pieces: Sequence[Piece], standing: StandingObstacles
+) -> dict[str, str]:
+    """What of :func:`find_misplaced` is due to ``standing``: what was wrong with a piece in the
+    empty room has not come of a change to something else."""
+    alone = find_misplaced(task, pieces, as_standing((), task.catalog))
+    wrong = find_misplaced(task, pieces, standing)
+    meets = {p.id for p in pieces if p.id in alone and _runs_into(p, standing)}
+    return {name: why for name, why in wrong.items() if name not in alone or name in meets}
+
+
+def _runs_into(piece: Piece, standing: StandingObstacles) -> bool:
+    low, high = piece.pose.z, piece.pose.z + piece.size.height
+    level = (standing.spans[:, 0] < high - SLACK) & (standing.spans[:, 1] > low + SLACK)
+    box = np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]])
+    others = shapely.polygons(corners(standing.boxes[level]))
+    area = shapely.area(shapely.intersection(others, shapely.polygons(corners(box))[0]))
+    return bool((area > SLACK).any())
+
+
+def settle_group(
+    task: RoomTask, pieces: Sequence[Piece], standing: StandingObstacles
+) -> tuple[Piece, ...]:
     """A group at the nearest place where most of it can stand, what makes it first."""
     if not pieces:
         return ()
@@ -121,8 +168,8 @@ def settled(task: Task, pieces: Sequence[Piece], standing: Standing) -> tuple[Pi
     start = (main.pose.x, main.pose.y, main.pose.heading)
     best, least = tuple(pieces), float("inf")
     for end in near_poses(start):
-        there = carried(pieces, start, end, main.space)
-        wrong = misplaced(task, there, standing)
+        there = carry_pieces(pieces, start, end)
+        wrong = find_misplaced(task, there, standing)
         worth = sum(len(pieces) if leads(p) else 1 for p in there if p.id in wrong)
         if worth < least:
             best, least = there, worth

@@ -3,75 +3,103 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.brief import Brief
-from scenewright.domains.home.attempt import Furnished, Placed, Task
+from scenewright.building.plan import plan_rooms
+from scenewright.building.standing import is_item, item_of, reaching_in
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.edits import Adjusted, Edits
+from scenewright.core.piece_edits import frame_of, transfer_frame
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece
+from scenewright.core.solution import LeftOut, Solution
+from scenewright.core.space import Space
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
-from scenewright.domains.home.changes.edits import Edited, Edits, edited, frame_of, laid_on, leads
-from scenewright.domains.home.changes.least_change import Rest, rearranged
-from scenewright.domains.home.changes.regroup import as_standing, misplaced, regrouped, settled
+from scenewright.domains.home.changes.belonging import consistent
+from scenewright.domains.home.changes.edits import LIGHT, Edited, apply_edits, leads
+from scenewright.domains.home.changes.lacking import moved_out, still_missing
+from scenewright.domains.home.changes.least_change import Rest, rearrange_groups
+from scenewright.domains.home.changes.lights import completed_as_before
+from scenewright.domains.home.changes.listing import changes_of
+from scenewright.domains.home.changes.needless import take_back
+from scenewright.domains.home.changes.regroup import (
+    as_standing,
+    find_misplaced,
+    regroup_pieces,
+    settle_group,
+)
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.learned.amount import accustomed
+from scenewright.domains.home.learned.density import match_learned_density
+from scenewright.domains.home.open_plan import held_elsewhere
 from scenewright.domains.home.presets import preset_named
 from scenewright.domains.home.reasons import left_out, patches, terms
-from scenewright.domains.home.tasks import completed, task_of, wishes_of
-from scenewright.domains.home.wheelchair import furnish_by_use, widened
-from scenewright.domains.home.wished.wishes import allowed
-from scenewright.domains.home.yielding import yielded
-from scenewright.domains.standing import is_item, item_of
-from scenewright.plan import spaces
-from scenewright.scene import Piece
-from scenewright.solution import LeftOut, Solution
-from scenewright.solve import Budget
-from scenewright.space import Space
-from scenewright.stock import catalog_of
+from scenewright.domains.home.remove_blockers import remove_blockers
+from scenewright.domains.home.tasks import task_of, wishes_of
+from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
+from scenewright.domains.home.wished.wishes import restrict_library
+from scenewright.engine.solve import Budget
 
 Floats = NDArray[np.float64]
-
-LIGHT = "light"  # the function of lamps and curtains, which follow the rest
 
 
 class Revised(NamedTuple):
     """One room after the edits: its task with all that is fixed, the same without the groups that
-    are ``held``, the other groups, and what of a moved group had to be given up."""
+    are ``held``, the other groups, what of a moved group had to be given up, and why groups
+    changed, by their ids."""
 
-    task: Task
-    bare: Task
-    held: tuple[Placed, ...]
+    task: RoomTask
+    bare: RoomTask
+    held: tuple[FurnishedGroup, ...]
     rest: Rest
     given_up: tuple[LeftOut, ...]
+    reasons: Mapping[str, str]
 
 
-def resolve(
-    solution: Solution, edits: Edits, *, steps: int | None = None, seed: int | None = None
-) -> Solution:
+def adjust(
+    solution: Solution,
+    edits: Edits,
+    *,
+    plan: Plan | None = None,
+    steps: int | None = None,
+    seed: int | None = None,
+) -> Adjusted:
     """Make ``edits`` and solve again the rooms they touch; all others stay as they are.
 
     In a room where something was moved as little as possible changes; rooms to be furnished
     ``again`` are laid out anew around what is locked. ``steps`` are for one item, else by the
-    solution's preset; ``seed`` is the solution's unless given.
+    solution's preset; ``seed`` is the solution's and ``plan`` is made unless given.
     """
     started = time.perf_counter()
-    rooms = spaces(solution.brief)
-    change = edited(solution.pieces, solution.patches, rooms, edits)
+    rooms = (plan or plan_rooms(solution.brief)).spaces
+    change = apply_edits(solution.pieces, solution.patches, rooms, edits)
     brief = _with_moved(solution.brief, rooms, solution.pieces, change)
     start = replace(solution, brief=brief, seed=solution.seed if seed is None else seed)
-    found = {room: _revised(start, rooms, room, change, edits, steps)
-             for room in sorted(change.touched)}  # fmt: skip
+    found = {
+        room: _revise_room(start, rooms, room, change, edits, steps)
+        for room in sorted(change.touched)
+    }
     _yield(found, rooms, start, change)
-    return _told(start, rooms, found, change, time.perf_counter() - started)
+    after = _assemble_solution(start, rooms, found, change, time.perf_counter() - started)
+    again = {room.id for room in rooms if {room.id, room.name} & set(edits.again)}
+    reasons = {k: why for revised in found.values() for k, why in revised.reasons.items()}
+    return Adjusted(after, changes_of(solution, after, change, again, reasons))
 
 
-def _revised(
-    solution: Solution, rooms: tuple[Space, ...], room: str, change: Edited, edits: Edits,
+def _revise_room(
+    solution: Solution,
+    rooms: tuple[Space, ...],
+    room: str,
+    change: Edited,
+    edits: Edits,
     steps: int | None,
-) -> Revised:  # fmt: skip
+) -> Revised:
     """One touched room."""
     number = next(i for i, space in enumerate(rooms) if space.id == room)
     space, asked = rooms[number], solution.brief.rooms[number]
@@ -80,32 +108,49 @@ def _revised(
     firm = [p for p in here if p.fixed or p.group in groups or _plain(p)]
     catalog = catalog_of(solution.brief.catalogs)
     library = libraries_of(solution.brief, catalog)[taste_of(solution.brief, asked)]
-    library = allowed(widened(library) if solution.brief.accessible else library, asked)
+    library = restrict_library(
+        widen_library(library) if solution.brief.accessible else library, asked
+    )
     preset = preset_named(solution.preset)
 
-    def task_with(fixed: list[Piece]) -> Task:
+    others = [[p for p in solution.pieces if p.fixed and p.space == s.id] for s in rooms]
+    beside = reaching_in(others, rooms)[[s.id for s in rooms].index(space.id)]
+    elsewhere = held_elsewhere(room, change.pieces, rooms)
+
+    def task_with(fixed: list[Piece]) -> RoomTask:
         task = task_of(
-            solution.brief, asked, space, tuple(fixed), catalog, library, preset, solution.solver,
+            solution.brief,
+            asked,
+            space,
+            tuple(fixed),
+            catalog,
+            library,
+            preset,
+            solution.solver,
             solution.seed,
-        )  # fmt: skip
-        return accustomed(task, asked, rooms)
+            beside=beside,
+        )
+        return match_learned_density(task._replace(elsewhere=elsewhere), asked, rooms)
 
     plain = [p for p in firm if p.function not in GROUPS]
     bare = task_with(plain)
-    firm, given_up = _mended(bare, firm, change)
+    firm, given_up, reasons = _repair_fixed(bare, firm, change)
     task = task_with(firm)
-    boxes = _boxes(solution, [*firm, *here])
+    boxes = _boxes(solution, [*firm, *here], change.moved)
     wishes = wishes_of(asked, bare, rooms, bare.fixed)
-    held = regrouped(firm, boxes, wishes)
-    free = regrouped([p for p in here if p.group not in groups], boxes, wishes)
+    held = regroup_pieces(firm, boxes, wishes)
+    free = regroup_pieces([p for p in here if p.group not in groups], boxes, wishes)
     again = {space.id, space.name} & set(edits.again)
     wanted = wishes_of(asked, task, rooms, tuple(firm)) if again else tuple(g.wish for g in free)
     budget = Budget(threads=1, steps=(steps or preset.steps or 1000) * max(len(wanted), 1))
     if again:
         rest = Rest((), furnish_by_use(task, wanted, budget) if wanted else _nothing())
     else:
-        rest = rearranged(task, free, budget)
-    return Revised(task, bare, held, rest, given_up)
+        rest = rearrange_groups(task, free, budget)
+        if preset.exact:
+            rest, more = take_back(bare, held, free, rest)
+            reasons |= more
+    return Revised(task, bare, held, rest, given_up, reasons)
 
 
 def _plain(piece: Piece) -> bool:
@@ -113,46 +158,63 @@ def _plain(piece: Piece) -> bool:
     return piece.function not in GROUPS and piece.function != LIGHT
 
 
-def _nothing() -> Furnished:
-    return Furnished(0.0, (), (), (), None, 0.0, 0)
+def _nothing() -> RoomAnswer:
+    return RoomAnswer(0.0, (), (), (), None, 0.0, 0)
 
 
-def _boxes(solution: Solution, here: Sequence[Piece]) -> dict[str, Floats]:
+def _boxes(
+    solution: Solution, here: Sequence[Piece], moved: Mapping[str, str]
+) -> dict[str, Floats]:
     """Patches by group, carried along with the piece that makes the group."""
+    ids = {former: present for present, former in moved.items()}
     now = {p.id: p for p in reversed(here)}
-    was = {p.group: p for p in reversed(solution.pieces) if leads(p) and p.id in now}
+    leaders = {
+        former.group: (former, now[i])
+        for former in reversed(solution.pieces)
+        if leads(former) and (i := ids.get(former.id, former.id)) in now
+    }
     found = {}
     for patch in solution.patches:
-        lead = was.get(patch.id)
-        if lead is not None:
-            frame = laid_on(patch.box[:3], frame_of(lead), frame_of(now[lead.id]))
-            found[patch.id] = np.array([*frame, *patch.box[3:]])
+        if patch.id in leaders:
+            former, lead = leaders[patch.id]
+            frame = transfer_frame(patch.box[:3], frame_of(former), frame_of(lead))
+            found[lead.group] = np.array([*frame, *patch.box[3:]])
     return found
 
 
-def _mended(
-    task: Task, firm: list[Piece], change: Edited
-) -> tuple[list[Piece], tuple[LeftOut, ...]]:
+def _repair_fixed(
+    task: RoomTask, firm: list[Piece], change: Edited
+) -> tuple[list[Piece], tuple[LeftOut, ...], dict[str, str]]:
     """Fixed pieces without those of moved groups that cannot follow; what makes a group stays
     where the user put it, fitting or not. Swapped groups are put where they fit near by."""
-    firm = _settled(task, firm, change.swapped & {p.group for p in firm})
-    company = [p for p in firm if p.id in change.moved and p.function in GROUPS
-               and p.category not in GROUPS[p.function].essential]  # fmt: skip
+    firm = _settle_swapped(task, firm, change.swapped)
+    company = [
+        p
+        for p in firm
+        if p.id in change.moved
+        and p.function in GROUPS
+        and p.category not in GROUPS[p.function].essential
+    ]
     others = as_standing([p for p in firm if p.id not in change.moved], task.catalog)
-    why = misplaced(task, company, others)
-    told = tuple(LeftOut(task.space.id, p.category, why[p.id], False)
-                 for p in company if p.id in why and p.on is None)  # fmt: skip
-    return [p for p in firm if p.id not in why], told
+    why = find_misplaced(task, company, others)
+    told = tuple(
+        LeftOut(task.space.id, p.category, why[p.id], False)
+        for p in company
+        if p.id in why and p.on is None
+    )
+    return [p for p in firm if p.id not in why], told, why
 
 
-def _settled(task: Task, firm: list[Piece], swapped: frozenset[str]) -> list[Piece]:
-    """Fixed pieces with swapped groups put where they fit near by: each first as if the others
+def _settle_swapped(
+    task: RoomTask, firm: list[Piece], swapped: Sequence[frozenset[str]]
+) -> list[Piece]:
+    """Fixed pieces with what was swapped put where it fits near by: each first as if the others
     that are swapped were not there, then beside them."""
-    for ignored in (swapped, frozenset[str]()):
-        for group in sorted(swapped):
-            rest = [p for p in firm if p.group != group]
-            others = as_standing([p for p in rest if p.group not in ignored], task.catalog)
-            there = settled(task, [p for p in firm if p.group == group], others)
+    for ignored in (frozenset[str]().union(*swapped), frozenset[str]()):
+        for together in swapped:
+            rest = [p for p in firm if p.id not in together]
+            others = as_standing([p for p in rest if p.id not in ignored], task.catalog)
+            there = settle_group(task, [p for p in firm if p.id in together], others)
             firm = [*rest, *there]
     return firm
 
@@ -174,16 +236,19 @@ def _yield(
             standing.append(revised.task.fixed)
             answers.append(answer._replace(placed=(*stay, *answer.placed)))
     catalog = catalog_of(solution.brief.catalogs)
-    after = yielded(standing, answers, rooms, catalog, solution.brief.route_width)
+    after = remove_blockers(standing, answers, rooms, catalog, solution.brief.route_width)
     for space, answer in zip(rooms, after, strict=True):
         if space.id in found:
             found[space.id] = found[space.id]._replace(rest=Rest((), answer))
 
 
-def _told(
-    solution: Solution, rooms: tuple[Space, ...], found: dict[str, Revised], change: Edited,
+def _assemble_solution(
+    solution: Solution,
+    rooms: tuple[Space, ...],
+    found: dict[str, Revised],
+    change: Edited,
     seconds: float,
-) -> Solution:  # fmt: skip
+) -> Solution:
     """The whole solution: new in the touched rooms, as it was in all others."""
     pieces, drawn, values, missing = [], [], [], []
     order = {piece.id: number for number, piece in enumerate(solution.pieces)}
@@ -196,45 +261,46 @@ def _told(
             missing += [o for o in solution.left_out if o.space == space.id]
             continue
         revised = found[space.id]
-        pieces += sorted(_pieces(revised), key=lambda p: order.get(p.id, len(order)))
+        here = [p for p in solution.pieces if p.space == space.id]
+        pieces += sorted(_pieces(revised, here), key=lambda p: order.get(p.id, len(order)))
         answer = revised.rest.answer
         whole = answer._replace(placed=(*revised.held, *answer.placed))
+        standing = (*revised.task.fixed, *(p for g in answer.placed for p in g.pieces))
         costs = terms(revised.bare, whole)
         drawn += patches(revised.bare, whole)
         values += costs
         energies[space.id] = sum(value.cost for value in costs)
         missing += [
-            *_still(solution, space.id, whole),
+            *still_missing(solution, space.id, whole),
+            *moved_out(revised.bare, rooms, standing, solution.pieces, change),
             *left_out(revised.bare, answer),
             *revised.given_up,
         ]
     return replace(
-        solution, pieces=tuple(pieces), patches=tuple(drawn), terms=tuple(values),
-        left_out=tuple(dict.fromkeys(missing)), energies=energies, seconds=seconds,
+        solution,
+        pieces=consistent(pieces),
+        patches=tuple(drawn),
+        terms=tuple(values),
+        left_out=tuple(dict.fromkeys(missing)),
+        energies=energies,
+        seconds=seconds,
         evaluations=sum(r.rest.answer.evaluations for r in found.values()),
-    )  # fmt: skip
+    )
 
 
-def _pieces(revised: Revised) -> list[Piece]:
-    """All that stands in a revised room, with lamps and curtains anew."""
+def _pieces(revised: Revised, before: Sequence[Piece]) -> list[Piece]:
+    """All that stands in a revised room, with lamps and curtains anew where they must be."""
     task = revised.task
     placed = (*task.fixed, *(p for g in revised.rest.answer.placed for p in g.pieces))
-    return completed(task, placed)
-
-
-def _still(solution: Solution, space: str, answer: Furnished) -> list[LeftOut]:
-    """Groups that were left out before and still are: neither placed nor told anew."""
-    now = {p.wish.group for p in answer.placed} | {m.wish.group for m in answer.missing}
-    lacking = GROUPS.keys() - now
-    return [out for out in solution.left_out if out.space == space and out.what in lacking]
+    return completed_as_before(task, placed, before)
 
 
 def _with_moved(
     brief: Brief, rooms: Sequence[Space], pieces: Sequence[Piece], change: Edited
 ) -> Brief:
     """The brief with its fixed items where they were moved to."""
-    before = [p for p in pieces if p.id in change.moved]
-    after = {p.id: p for p in change.pieces if p.id in change.moved}
+    after = {change.moved[p.id]: p for p in change.pieces if p.id in change.moved}
+    before = [p for p in pieces if p.id in after]
     listed = []
     carried: dict[str, list[object]] = {space.id: [] for space in rooms}
     for room, space in zip(brief.rooms, rooms, strict=True):

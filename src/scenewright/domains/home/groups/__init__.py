@@ -1,24 +1,21 @@
 """The table of furniture groups: how each is used, and the cases it can take.
 
 A row says how a patch of that function behaves in a room; its cases are concrete groups with real
-furniture sizes. Adding a group is one generator of cases and one row here.
+furniture sizes. Adding a group is one generator of cases and one row here; a piece that stands by
+itself needs neither, only a kind that is ``alone`` (:mod:`.alone`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 
-from scenewright.catalog import Group
-from scenewright.domains.home.groups import (
-    bath,
-    dining,
-    entry,
-    kitchen,
-    living,
-    outdoor,
-    sleeping,
-)
+from scenewright.core.catalog import Group
+from scenewright.core.errors import InputError
+from scenewright.core.kind import Kind
+from scenewright.domains.home.groups import bath, dining, entry, kitchen, living, outdoor, sleeping
+from scenewright.domains.home.groups.alone import access_of, cases_of, clearance_of, own_groups
 
 Sides = tuple[float, float, float, float]
 NONE: Sides = (0, 0, 0, 0)
@@ -54,72 +51,197 @@ class GroupKind:
     lean: str = ""
 
 
-GROUPS: dict[str, GroupKind] = {
-    "media": GroupKind(living.media, 1.2, ("tv_stand",), main=-1, clear=(0.9, 0, 0, 0),
-                       access=NONE, roomy=(8, 34)),
-    "seating": GroupKind(living.seating, 0.85, ("sofa", "loveseat"), back=0.4, main=1,
-                         access=THREE, inset=(0, 0, 0, 0), roomy=(10, 34)),
-    "reading": GroupKind(living.reading, 1.55, ("armchair",), nestle=1, clear=(0.4, 0, 0, 0),
-                         daylight=0.5, back=0.5, roomy=(8, 22), lean="floor_lamp"),
+_GROUPS: dict[str, GroupKind] = {
+    "media": GroupKind(
+        living.media, 1.2, ("tv_stand",), main=-1, clear=(0.9, 0, 0, 0), access=NONE, roomy=(8, 34)
+    ),
+    "seating": GroupKind(
+        living.seating,
+        0.85,
+        ("sofa", "loveseat"),
+        back=0.4,
+        main=1,
+        access=THREE,
+        inset=(0, 0, 0, 0),
+        roomy=(10, 34),
+    ),
+    "reading": GroupKind(
+        living.reading,
+        1.55,
+        ("armchair",),
+        nestle=1,
+        clear=(0.4, 0, 0, 0),
+        daylight=0.5,
+        back=0.5,
+        roomy=(8, 22),
+        lean="floor_lamp",
+    ),
     "shelf": GroupKind(living.shelf, 2.0, ("bookcase",), nestle=1, roomy=(8, 40)),
     "sideboard": GroupKind(living.sideboard, 0.8, ("sideboard",), roomy=(12, 36)),
-    "plant": GroupKind(living.plant, 1.5, ("potted_tree",), back=0.5, nestle=1, clear=NONE,
-                       access=NONE, daylight=0.3, roomy=(8, 30)),
-    "sleeping": GroupKind(sleeping.sleeping, 0.9, ("double_bed",), main=-1, access=THREE,
-                          inset=(0, 0.45, 0, 0.45), roomy=(8, 19)),
-    "single": GroupKind(sleeping.single, 0.9, ("single_bed",), access=THREE, nestle=1,
-                        clear=(0.3, 0, 0, 0), inset=NONE, roomy=(5, 14), lean="single_bed"),
-    "bunk": GroupKind(sleeping.bunk, 1.65, ("bunk_bed",), access=THREE, nestle=1,
-                      clear=(0.3, 0, 0, 0)),
-    "wardrobe": GroupKind(sleeping.wardrobe, 2.2, ("wardrobe",), nestle=1,
-                          clear=(0.75, 0, 0, 0), roomy=(5, 20)),
-    "chest": GroupKind(sleeping.chest, 0.85, ("chest_of_drawers",), clear=(0.7, 0, 0, 0),
-                       roomy=(9, 18)),
-    "vanity": GroupKind(sleeping.vanity, 0.95, ("vanity",), clear=(0.3, 0, 0, 0), daylight=0.5,
-                        inset=(0.45, 0, 0, 0)),
+    "plant": GroupKind(
+        living.plant,
+        1.5,
+        ("potted_tree",),
+        back=0.5,
+        nestle=1,
+        clear=NONE,
+        access=NONE,
+        daylight=0.3,
+        roomy=(8, 30),
+    ),
+    "sleeping": GroupKind(
+        sleeping.sleeping,
+        0.9,
+        ("double_bed",),
+        main=-1,
+        access=THREE,
+        inset=(0, 0.45, 0, 0.45),
+        roomy=(8, 19),
+    ),
+    "single": GroupKind(
+        sleeping.single,
+        0.9,
+        ("single_bed",),
+        access=THREE,
+        nestle=1,
+        clear=(0.3, 0, 0, 0),
+        inset=NONE,
+        roomy=(5, 14),
+        lean="single_bed",
+    ),
+    "bunk": GroupKind(
+        sleeping.bunk, 1.65, ("bunk_bed",), access=THREE, nestle=1, clear=(0.3, 0, 0, 0)
+    ),
+    "wardrobe": GroupKind(
+        sleeping.wardrobe, 2.2, ("wardrobe",), nestle=1, clear=(0.75, 0, 0, 0), roomy=(5, 20)
+    ),
+    "chest": GroupKind(
+        sleeping.chest, 0.85, ("chest_of_drawers",), clear=(0.7, 0, 0, 0), roomy=(9, 18)
+    ),
+    "vanity": GroupKind(
+        sleeping.vanity,
+        0.95,
+        ("vanity",),
+        clear=(0.3, 0, 0, 0),
+        daylight=0.5,
+        inset=(0.45, 0, 0, 0),
+    ),
     "play": GroupKind(sleeping.play, 1.0, ("shelf_unit",), nestle=0.5, roomy=(8, 16)),
-    "dining": GroupKind(dining.dining, 0.8, ("dining_table", "round_table"), back=0.0,
-                        clear=(0.4, 0.25, 0.4, 0.25), access=ALL, inset=(0.5, 0.1, 0.5, 0.1),
-                        daylight=0.4, roomy=(8, 34)),
-    "dining_wall": GroupKind(dining.dining_wall, 0.8, ("dining_table",), access=THREE,
-                             clear=(0.3, 0.1, 0, 0.1), inset=(0.3, 0, 0, 0), daylight=0.3,
-                             roomy=(6, 14)),
-    "kitchen": GroupKind(kitchen.kitchen, 0.92, ("sink_cabinet",), clear=(0.9, 0, 0, 0),
-                         nestle=1, roomy=(5, 16), lean="fridge"),
-    "kitchenette": GroupKind(kitchen.kitchenette, 0.92, ("sink_cabinet",),
-                             clear=(0.8, 0, 0, 0), nestle=1, roomy=(3, 12)),
-    "counter": GroupKind(kitchen.counter, 0.92, ("drawer_cabinet",), clear=(0.9, 0, 0, 0),
-                         nestle=1, roomy=(8, 18)),
+    "dining": GroupKind(
+        dining.dining,
+        0.8,
+        ("dining_table", "round_table"),
+        back=0.0,
+        clear=(0.4, 0.25, 0.4, 0.25),
+        access=ALL,
+        inset=(0.5, 0.1, 0.5, 0.1),
+        daylight=0.4,
+        roomy=(8, 34),
+    ),
+    "dining_wall": GroupKind(
+        dining.dining_wall,
+        0.8,
+        ("dining_table",),
+        access=THREE,
+        clear=(0.3, 0.1, 0, 0.1),
+        inset=(0.3, 0, 0, 0),
+        daylight=0.3,
+        roomy=(6, 14),
+    ),
+    "kitchen": GroupKind(
+        kitchen.kitchen,
+        0.92,
+        ("sink_cabinet",),
+        clear=(0.9, 0, 0, 0),
+        nestle=1,
+        roomy=(5, 16),
+        lean="fridge",
+    ),
+    "kitchenette": GroupKind(
+        kitchen.kitchenette, 0.92, ("sink_cabinet",), clear=(0.8, 0, 0, 0), nestle=1, roomy=(3, 12)
+    ),
+    "counter": GroupKind(
+        kitchen.counter, 0.92, ("drawer_cabinet",), clear=(0.9, 0, 0, 0), nestle=1, roomy=(8, 18)
+    ),
     "fridge": GroupKind(kitchen.fridge, 1.9, ("fridge",), clear=(0.8, 0, 0, 0), nestle=1),
-    "island": GroupKind(kitchen.island, 0.95, ("kitchen_island",), back=0, access=ALL,
-                        clear=(0.4, 0.7, 0.9, 0.7), inset=(0.4, 0, 0, 0), roomy=(14, 30)),
+    "island": GroupKind(
+        kitchen.island,
+        0.95,
+        ("kitchen_island",),
+        back=0,
+        access=ALL,
+        clear=(0.4, 0.7, 0.9, 0.7),
+        inset=(0.4, 0, 0, 0),
+        roomy=(14, 30),
+    ),
     "toilet": GroupKind(bath.toilet, 0.8, ("toilet",), clear=(0.5, 0, 0, 0), roomy=(1.2, 5)),
-    "basin": GroupKind(bath.basin, 0.9, ("basin", "pedestal_basin"), clear=(0.55, 0, 0, 0),
-                       roomy=(1.2, 9)),
-    "bath": GroupKind(bath.bath, 0.6, ("bathtub",), clear=(0.5, 0, 0, 0), nestle=1,
-                      roomy=(2.5, 8)),
-    "shower": GroupKind(bath.shower, 2.0, ("shower",), clear=(0.5, 0, 0, 0), nestle=1,
-                        roomy=(2, 7)),
-    "washer": GroupKind(bath.washer, 0.86, ("washing_machine",), clear=(0.6, 0, 0, 0), nestle=1,
-                        roomy=(2, 9)),
+    "basin": GroupKind(
+        bath.basin, 0.9, ("basin", "pedestal_basin"), clear=(0.55, 0, 0, 0), roomy=(1.2, 9)
+    ),
+    "bath": GroupKind(bath.bath, 0.6, ("bathtub",), clear=(0.5, 0, 0, 0), nestle=1, roomy=(2.5, 8)),
+    "shower": GroupKind(
+        bath.shower, 2.0, ("shower",), clear=(0.5, 0, 0, 0), nestle=1, roomy=(2, 7)
+    ),
+    "washer": GroupKind(
+        bath.washer, 0.86, ("washing_machine",), clear=(0.6, 0, 0, 0), nestle=1, roomy=(2, 9)
+    ),
     "linen": GroupKind(bath.linen, 1.7, ("bathroom_cabinet",), clear=(0.5, 0, 0, 0), nestle=1),
-    "basket": GroupKind(bath.basket, 0.55, ("laundry_basket",), clear=NONE, access=NONE,
-                        nestle=1),
-    "desk": GroupKind(entry.desk, 0.8, ("desk",), clear=(0.25, 0, 0, 0), daylight=4,
-                      inset=(0.55, 0, 0, 0), nestle=0.3, roomy=(6, 16)),
-    "kids_desk": GroupKind(entry.kids_desk, 0.8, ("kids_desk",), clear=(0.25, 0, 0, 0),
-                           daylight=4, inset=(0.55, 0, 0, 0), nestle=0.3, roomy=(6, 14)),
-    "shoes": GroupKind(entry.shoes, 1.0, ("shoe_cabinet",), clear=(0.5, 0, 0, 0), nestle=0.5,
-                       roomy=(2, 8)),
+    "basket": GroupKind(bath.basket, 0.55, ("laundry_basket",), clear=NONE, access=NONE, nestle=1),
+    "desk": GroupKind(
+        entry.desk,
+        0.8,
+        ("desk",),
+        clear=(0.25, 0, 0, 0),
+        daylight=4,
+        inset=(0.55, 0, 0, 0),
+        nestle=0.3,
+        roomy=(6, 16),
+    ),
+    "kids_desk": GroupKind(
+        entry.kids_desk,
+        0.8,
+        ("kids_desk",),
+        clear=(0.25, 0, 0, 0),
+        daylight=4,
+        inset=(0.55, 0, 0, 0),
+        nestle=0.3,
+        roomy=(6, 14),
+    ),
+    "shoes": GroupKind(
+        entry.shoes, 1.0, ("shoe_cabinet",), clear=(0.5, 0, 0, 0), nestle=0.5, roomy=(2, 8)
+    ),
     "coats": GroupKind(entry.coats, 1.75, ("coat_rack",), clear=(0.3, 0, 0, 0), nestle=1),
     "console": GroupKind(entry.console, 0.8, ("console_table",), roomy=(5, 12)),
-    "storage": GroupKind(entry.storage, 1.9, ("storage_shelf",), clear=(0.5, 0, 0, 0), nestle=1,
-                         roomy=(0.4, 5)),
-    "terrace": GroupKind(outdoor.terrace, 0.8, ("outdoor_table",), clear=NONE, access=THREE,
-                         back=0.6, roomy=(3, 10)),
-    "lounger": GroupKind(outdoor.lounger, 0.8, ("outdoor_chair",), clear=(0.3, 0, 0, 0),
-                         back=0.6),
-    "planter": GroupKind(outdoor.planter, 0.6, ("planter",), clear=NONE, access=NONE, nestle=1,
-                         roomy=(2, 10)),
+    "storage": GroupKind(
+        entry.storage, 1.9, ("storage_shelf",), clear=(0.5, 0, 0, 0), nestle=1, roomy=(0.4, 5)
+    ),
+    "terrace": GroupKind(
+        outdoor.terrace, 0.8, ("outdoor_table",), clear=NONE, access=THREE, back=0.6, roomy=(3, 10)
+    ),
+    "lounger": GroupKind(outdoor.lounger, 0.8, ("outdoor_chair",), clear=(0.3, 0, 0, 0), back=0.6),
+    "planter": GroupKind(
+        outdoor.planter, 0.6, ("planter",), clear=NONE, access=NONE, nestle=1, roomy=(2, 10)
+    ),
     "drying": GroupKind(outdoor.drying, 0.95, ("drying_rack",), clear=(0.3, 0, 0, 0)),
-}  # fmt: skip
+}
+
+
+def _own_group(name: str, kinds: tuple[Kind, ...]) -> GroupKind:
+    """How a group of one piece behaves, by the first of the kinds that make it."""
+    first = kinds[0]
+    if name in _GROUPS or first.alone is None or not all(kind.sizes for kind in kinds):
+        fault = "has no sizes" if name not in _GROUPS else f"makes a second group '{name}'"
+        raise InputError(f"the kind '{first.category}' {fault}", "mend its row")
+    return GroupKind(
+        partial(cases_of, kinds),
+        max(kind.sizes[1].height for kind in kinds if kind.sizes),
+        tuple(kind.category for kind in kinds),
+        back=first.alone.back,
+        clear=clearance_of(first),
+        access=access_of(first),
+    )
+
+
+GROUPS: dict[str, GroupKind] = _GROUPS | {
+    name: _own_group(name, kinds) for name, kinds in own_groups().items()
+}

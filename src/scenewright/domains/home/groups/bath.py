@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scenewright.catalog import Group, Member
-from scenewright.scene import Size
+from scenewright.core.catalog import Group, Member
+from scenewright.core.scene import Size
 
 
 def toilet() -> Iterator[Group]:
@@ -48,10 +48,16 @@ def shower() -> Iterator[Group]:
 def washer() -> Iterator[Group]:
     """A washing machine, with a dryer beside it where there is room."""
     machine = Size(0.6, 0.6, 0.85)
-    yield Group("washer", "washing machine", 0.62, 0.64,
-                (Member("washing_machine", 0, 0, 0, 0, machine),))  # fmt: skip
-    yield Group("washer", "small washing machine", 0.5, 0.5,
-                (Member("washing_machine", 0, 0, 0, 0, Size(0.48, 0.48, 0.85)),))  # fmt: skip
+    yield Group(
+        "washer", "washing machine", 0.62, 0.64, (Member("washing_machine", 0, 0, 0, 0, machine),)
+    )
+    yield Group(
+        "washer",
+        "small washing machine",
+        0.5,
+        0.5,
+        (Member("washing_machine", 0, 0, 0, 0, Size(0.48, 0.48, 0.85)),),
+    )
     pair = (
         Member("washing_machine", -0.31, 0, 0, 0, machine),
         Member("dryer", 0.31, 0, 0, 0, machine),

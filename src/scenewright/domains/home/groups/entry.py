@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import pi
 
-from scenewright.catalog import Group, Member
-from scenewright.scene import Size
+from scenewright.core.catalog import Group, Member
+from scenewright.core.scene import Size
 
 
 def desk() -> Iterator[Group]:
@@ -76,8 +76,9 @@ def storage() -> Iterator[Group]:
             count = max(1, round(width / 1.0))
             each = width / count
             members = tuple(
-                Member("storage_shelf", (i - (count - 1) / 2) * each, 0, 0, 0,
-                       Size(each, depth, 1.9))
+                Member(
+                    "storage_shelf", (i - (count - 1) / 2) * each, 0, 0, 0, Size(each, depth, 1.9)
+                )
                 for i in range(count)
-            )  # fmt: skip
+            )
             yield Group("storage", f"{width:.1f} m of shelving", width, depth + 0.01, members)

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from scenewright.catalog import Group, Member
-from scenewright.scene import Size
+from scenewright.core.catalog import Group, Member
+from scenewright.core.scene import Size
 
 UNIT_DEPTH, WORKTOP = 0.6, 0.9
 FRIDGE = Size(0.6, 0.64, 1.9)
@@ -22,6 +22,22 @@ def kitchen() -> Iterator[Group]:
         units = _sequence(float(width) - FRIDGE.width)
         yield _run("kitchen", float(width), units, fridge=True)
         yield _run("kitchen", float(width), units, fridge=True, mirrored=True)
+
+
+def short_runs() -> Iterator[Group]:
+    """Pantry kitchens, the longest first: fridge, sink and hob in 1.7 to 1.45 m, for rooms in which
+    no longer run fits."""
+    for width in (1.7, 1.6, 1.5, 1.45):
+        units = _sequence(width - FRIDGE.width)
+        yield _run("kitchen", width, units, fridge=True)
+        yield _run("kitchen", width, units, fridge=True, mirrored=True)
+
+
+def shortest_kitchenettes() -> Iterator[Group]:
+    """Sink and hob of 0.45 or 0.4 m each, side by side, for rooms in which no longer run fits."""
+    for width in (0.9, 0.8):
+        yield _run("kitchenette", width, _sequence(width), fridge=False)
+        yield _run("kitchenette", width, _sequence(width), fridge=False, mirrored=True)
 
 
 def kitchenette() -> Iterator[Group]:
@@ -73,8 +89,13 @@ def _sequence(length: float) -> list[Unit]:
     after = _fill(_beyond(rest, bool(washer)))
     used = sum(w for _, w in before + after)
     return [
-        *before, ("sink_cabinet", sink), *washer, *_fill(rest - used), ("hob_cabinet", hob), *after,
-    ]  # fmt: skip
+        *before,
+        ("sink_cabinet", sink),
+        *washer,
+        *_fill(rest - used),
+        ("hob_cabinet", hob),
+        *after,
+    ]
 
 
 def _beyond(rest: float, washer: bool) -> float:

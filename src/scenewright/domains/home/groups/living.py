@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import pi
 
-from scenewright.catalog import Group, Member
-from scenewright.scene import Size
+from scenewright.core.catalog import Group, Member
+from scenewright.core.scene import Size
 
 SOFA_DEPTH, SOFA_HEIGHT = 0.9, 0.8
 OUT = 0.6  # how far an armchair is turned out of its corner, radians
@@ -118,9 +118,12 @@ def _one_armchair(sofa: float) -> Group:
     width = sofa / 2 + max(reach, sofa / 2)
     x = sofa / 2 - width / 2
     members = (
-        _rug(min(table + 1.0, sofa), depth, x), _sofa(sofa, depth, x), _table(table, depth, x),
-        _armchair(x + reach - 0.4, depth, pi / 2), _picture_above(depth, x, sofa),
-    )  # fmt: skip
+        _rug(min(table + 1.0, sofa), depth, x),
+        _sofa(sofa, depth, x),
+        _table(table, depth, x),
+        _armchair(x + reach - 0.4, depth, pi / 2),
+        _picture_above(depth, x, sofa),
+    )
     return Group("seating", f"{sofa:.1f} m sofa and an armchair", width, depth, members)
 
 
@@ -129,10 +132,13 @@ def _two_armchairs(sofa: float) -> Group:
     reach = table / 2 + 0.3 + 0.8
     width = 2 * max(reach, sofa / 2)
     members = (
-        _rug(table + 1.2, depth), _sofa(sofa, depth), _table(table, depth),
-        _armchair(reach - 0.4, depth, pi / 2), _armchair(0.4 - reach, depth, -pi / 2),
+        _rug(table + 1.2, depth),
+        _sofa(sofa, depth),
+        _table(table, depth),
+        _armchair(reach - 0.4, depth, pi / 2),
+        _armchair(0.4 - reach, depth, -pi / 2),
         _picture_above(depth, 0, sofa),
-    )  # fmt: skip
+    )
     return Group("seating", f"{sofa:.1f} m sofa and two armchairs", width, depth, members)
 
 

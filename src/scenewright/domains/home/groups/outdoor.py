@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import pi
 
-from scenewright.catalog import Group, Member
-from scenewright.scene import Size
+from scenewright.core.catalog import Group, Member
+from scenewright.core.scene import Size
 
 CHAIR = Size(0.52, 0.54, 0.82)
 

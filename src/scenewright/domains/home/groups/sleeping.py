@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import pi
 
-from scenewright.catalog import Group, Member
-from scenewright.scene import Size
+from scenewright.core.catalog import Group, Member
+from scenewright.core.scene import Size
 
 BED_LENGTH = 2.05
 
@@ -36,9 +36,14 @@ def bunk() -> Iterator[Group]:
 
 
 def _bed(
-    function: str, category: str, bed: float, left: float, right: float,
-    length: float = BED_LENGTH, mirrored: bool = False,
-) -> Group:  # fmt: skip
+    function: str,
+    category: str,
+    bed: float,
+    left: float,
+    right: float,
+    length: float = BED_LENGTH,
+    mirrored: bool = False,
+) -> Group:
     width, depth = bed + left + right, length + 0.03
     back = -depth / 2
     x = left + bed / 2 - width / 2
@@ -53,9 +58,12 @@ def _bed(
         members = [m._replace(x=-m.x, heading=-m.heading) for m in members]
     stands = (left > 0) + (right > 0)
     return Group(
-        function, f"{bed:.1f} m bed, {stands} nightstand{'s' * (stands != 1)}",
-        width, depth, tuple(members),
-    )  # fmt: skip
+        function,
+        f"{bed:.1f} m bed, {stands} nightstand{'s' * (stands != 1)}",
+        width,
+        depth,
+        tuple(members),
+    )
 
 
 def _nightstand(x: float, back: float, index: int) -> list[Member]:
@@ -99,9 +107,7 @@ def play() -> Iterator[Group]:
     """A child's corner: low shelf and toy box in a row."""
     for width in (0.8, 1.2, 1.5):
         shelf = min(width, 0.9)
-        members = [
-            Member("shelf_unit", shelf / 2 - width / 2, 0, 0, 0, Size(shelf, 0.35, 1.0)),
-        ]
+        members = [Member("shelf_unit", shelf / 2 - width / 2, 0, 0, 0, Size(shelf, 0.35, 1.0))]
         if width > shelf + 0.25:
             wide = width - shelf - 0.05
             members.append(Member("toy_box", width / 2 - wide / 2, 0, 0, 0, Size(wide, 0.35, 0.42)))

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog import Group
-from scenewright.domains.home.learned.learning import Found
+from scenewright.core.catalog import Group
+from scenewright.domains.home.learned.learning import GroupOccurrence
 
 Floats = NDArray[np.float64]
 
@@ -30,19 +30,19 @@ class LearnedCase(NamedTuple):
     homes: tuple[str, ...]
 
 
-def merged(found: Sequence[Found]) -> tuple[LearnedCase, ...]:
+def merge_similar_cases(found: Sequence[GroupOccurrence]) -> tuple[LearnedCase, ...]:
     """Like cases as one: of the same function and pieces, and nearly the same width and depth.
 
     The middle one of them stands for all.
     """
-    clusters: list[list[Found]] = []
+    clusters: list[list[GroupOccurrence]] = []
     for one in sorted(found, key=lambda f: (f.case.function, f.case.width * f.case.depth)):
         near = [c for c in clusters if _alike(c[0].case, one.case)]
         if near:
             near[0].append(one)
         else:
             clusters.append([one])
-    return tuple(_merged(cluster) for cluster in clusters)
+    return tuple(_merge_cluster(cluster) for cluster in clusters)
 
 
 def _alike(a: Group, b: Group) -> bool:
@@ -51,18 +51,22 @@ def _alike(a: Group, b: Group) -> bool:
     return a.function == b.function and kinds[0] == kinds[1] and near
 
 
-def _merged(cluster: Sequence[Found]) -> LearnedCase:
+def _merge_cluster(cluster: Sequence[GroupOccurrence]) -> LearnedCase:
     size = np.array([(f.case.width, f.case.depth) for f in cluster])
     middle = cluster[int(np.argmin(((size - np.median(size, axis=0)) ** 2).sum(1)))].case
     ranges = [_sizes(f.case, middle) for f in cluster]
     areas = [f.area for f in cluster]
     doors = [f.door for f in cluster if np.isfinite(f.door)]
     return LearnedCase(
-        middle, _rows(np.min(ranges, axis=0)), _rows(np.max(ranges, axis=0)),
-        (min(areas), max(areas)), float(np.median([f.wall for f in cluster])),
-        float(np.median(doors)) if doors else float("nan"), len(cluster),
+        middle,
+        _rows(np.min(ranges, axis=0)),
+        _rows(np.max(ranges, axis=0)),
+        (min(areas), max(areas)),
+        float(np.median([f.wall for f in cluster])),
+        float(np.median(doors)) if doors else float("nan"),
+        len(cluster),
         tuple(sorted({f.home for f in cluster})),
-    )  # fmt: skip
+    )
 
 
 def _sizes(case: Group, like: Group) -> list[tuple[float, float, float]]:

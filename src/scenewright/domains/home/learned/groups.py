@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -14,17 +13,28 @@ from typing import Annotated, Any, Literal, NamedTuple
 import numpy as np
 from pydantic import Field, ValidationError
 
-from scenewright.assets import shipped
-from scenewright.brief.fields import Coordinate, Heading, Height, Length, Model, Number, Side, Whole
-from scenewright.catalog import Catalog, Group, Member
-from scenewright.document_faults import told as told_of
+from scenewright.catalog.assets import shipped
+from scenewright.catalog.models.files import check_json
+from scenewright.core.atomic_file import note_read, write_atomically
+from scenewright.core.brief.fields import (
+    Coordinate,
+    Heading,
+    Height,
+    Length,
+    Number,
+    Side,
+    StrictModel,
+    Whole,
+)
+from scenewright.core.catalog import Catalog, Group, Member
+from scenewright.core.document_faults import to_input_error as told_of
+from scenewright.core.errors import InputError
+from scenewright.core.scene import Size
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.learned.cases import LearnedCase, merged
-from scenewright.domains.home.learned.learning import Furnished, found_in
+from scenewright.domains.home.learned.cases import LearnedCase, merge_similar_cases
+from scenewright.domains.home.learned.learning import FurnishedSpace, found_in
 from scenewright.domains.home.learned.rows import Clearance, Distance, Share, Targets
 from scenewright.domains.home.learned.targets import targets_of
-from scenewright.errors import InputError
-from scenewright.scene import Size
 
 FORMAT = "scenewright/groups"
 MOST_BYTES = 32 * 2**20
@@ -33,7 +43,7 @@ Sides = tuple[Side, Side, Side]
 Text = Annotated[str, Field(max_length=200)]
 
 
-class MemberRecord(Model):
+class MemberRecord(StrictModel):
     """A member of a case as in the file; ``smallest`` and ``largest`` are the sizes seen."""
 
     category: Text
@@ -47,7 +57,7 @@ class MemberRecord(Model):
     on: Annotated[Whole, Field(ge=-1, le=200)] = -1
 
 
-class CaseRecord(Model):
+class CaseRecord(StrictModel):
     """A case as in the file; ``rooms`` is the range of areas it was seen in."""
 
     function: Text
@@ -62,7 +72,7 @@ class CaseRecord(Model):
     homes: Annotated[list[Text], Field(max_length=1000)] = []
 
 
-class GroupsRecord(Model):
+class GroupsRecord(StrictModel):
     """The file."""
 
     format: Literal["scenewright/groups"] = "scenewright/groups"
@@ -92,63 +102,80 @@ class Known:
     targets: Targets
 
 
-def learn(rooms: Sequence[Furnished], catalog: Catalog) -> Learned:
+def learn(rooms: Sequence[FurnishedSpace], catalog: Catalog) -> Learned:
     """Groups and statistics of furnished rooms."""
     furnished = [room for room in rooms if room.pieces]
     found = [one for room in furnished for one in found_in(room, catalog)]
-    return Learned(len(furnished), merged(found), targets_of(furnished, found, catalog))
+    return Learned(
+        len(furnished), merge_similar_cases(found), targets_of(furnished, found, catalog)
+    )
 
 
 def document(learned: Learned) -> dict[str, Any]:
     """The file's content."""
     return {
-        "format": FORMAT, "version": 1, "rooms": learned.rooms,
+        "format": FORMAT,
+        "version": 1,
+        "rooms": learned.rooms,
         "cases": [_case(case) for case in learned.cases],
-        **{key: [_rounded(row._asdict()) for row in rows]
-           for key, rows in learned.targets._asdict().items()},
-    }  # fmt: skip
+        **{
+            key: [_round_row(row._asdict()) for row in rows]
+            for key, rows in learned.targets._asdict().items()
+        },
+    }
 
 
 def write(learned: Learned, path: Path) -> None:
-    """Write the file under a temporary name and rename it."""
+    """Write the file; it appears whole or not at all."""
     told = document(learned)
     head = {key: value for key, value in told.items() if not isinstance(value, list)}
-    lists = [f' "{key}": [\n' + ",\n".join("  " + _line(row) for row in rows) + "\n ]"
-             for key, rows in told.items() if isinstance(rows, list)]  # fmt: skip
+    lists = [
+        f' "{key}": [\n' + ",\n".join("  " + _line(row) for row in rows) + "\n ]"
+        for key, rows in told.items()
+        if isinstance(rows, list)
+    ]
     start = ",\n".join(f' "{key}": {json.dumps(value)}' for key, value in head.items())
-    partial = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     try:
-        partial.write_text("{\n" + ",\n".join([start, *lists]) + "\n}\n", encoding="utf-8")
-        partial.replace(path)
+        write_atomically(path, "{\n" + ",\n".join([start, *lists]) + "\n}\n")
     except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise InputError(f"cannot be written: {error.strerror}", "choose another place",
-                         file=str(path)) from None  # fmt: skip
+        raise InputError(
+            f"cannot be written: {error.strerror}", "choose another place", file=str(path)
+        ) from None
 
 
 def read(path: Path) -> Known:
     """What a brief uses of a file; InputError where it cannot be used."""
+    note_read(path)
     try:
         told = path.stat()
         return _read(path, told.st_mtime_ns, told.st_size)
     except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}", "check the path",
-                         file=str(path)) from None  # fmt: skip
+        raise InputError(
+            f"cannot be read: {error.strerror}", "check the path", file=str(path)
+        ) from None
 
 
 @lru_cache(maxsize=16)
 def _read(path: Path, changed: int, size: int) -> Known:
     del changed
     if size > MOST_BYTES:
-        raise InputError(f"is larger than {MOST_BYTES >> 20} MiB", "learn from fewer homes",
-                         file=str(path))  # fmt: skip
+        raise InputError(
+            f"is larger than {MOST_BYTES >> 20} MiB", "learn from fewer homes", file=str(path)
+        )
     try:
-        record = GroupsRecord.model_validate_json(path.read_bytes())
+        content = path.read_bytes()
+        check_json(content)
+        record = GroupsRecord.model_validate_json(content)
+    except InputError as error:
+        raise error.located(file=str(path)) from None
     except ValidationError as error:
         fault = told_of(error)
-        raise InputError(f"is no file of learned groups: {fault.fault}",
-                         "make it with scenewright catalog learn", file=str(path),
-                         place=fault.place) from None  # fmt: skip
+        raise InputError(
+            f"is no file of learned groups: {fault.fault}",
+            "make it with scenewright catalog learn",
+            file=str(path),
+            place=fault.place,
+        ) from None
     for number, case in enumerate(record.cases):
         _check(case, f"cases[{number}]", str(path))
     return _known(record)
@@ -157,16 +184,25 @@ def _read(path: Path, changed: int, size: int) -> Known:
 def _check(case: CaseRecord, place: str, file: str) -> None:
     """Raise unless a case is of a known function and its members of known kinds, in its box."""
     if case.function not in GROUPS:
-        raise InputError(f"there is no group '{case.function}'", "see scenewright list groups",
-                         file=file, place=place)  # fmt: skip
+        raise InputError(
+            f"there is no group '{case.function}'",
+            "see scenewright list groups",
+            file=file,
+            place=place,
+        )
     for number, member in enumerate(case.members):
         at = f"{place}.members[{number}]"
         if member.category not in shipped().kinds:
-            raise InputError(f"there is no category '{member.category}'",
-                             "see scenewright list assets", file=file, place=at)  # fmt: skip
+            raise InputError(
+                f"there is no category '{member.category}'",
+                "see scenewright list assets",
+                file=file,
+                place=at,
+            )
         if member.on >= number:
-            raise InputError("stands on a member that comes later", "list that one first",
-                             file=file, place=at)  # fmt: skip
+            raise InputError(
+                "stands on a member that comes later", "list that one first", file=file, place=at
+            )
         if max(abs(member.x) - case.width, abs(member.y) - case.depth) > 0:
             raise InputError("is outside its group", "correct its place", file=file, place=at)
 
@@ -175,41 +211,59 @@ def _known(record: GroupsRecord) -> Known:
     cases: dict[str, list[Group]] = {}
     areas: dict[str, list[float]] = {}
     for case in record.cases:
-        members = tuple(Member(m.category, m.x, m.y, m.z, m.heading, Size(*m.size), m.on)
-                        for m in case.members)  # fmt: skip
+        members = tuple(
+            Member(m.category, m.x, m.y, m.z, m.heading, Size(*m.size), m.on) for m in case.members
+        )
         group = Group(case.function, case.name, case.width, case.depth, members)
         cases.setdefault(case.function, []).append(group)
         middle = float(np.mean(case.rooms)) if case.rooms else float("nan")
         areas.setdefault(case.function, []).append(middle)
     targets = Targets(tuple(record.distances), tuple(record.clearances), tuple(record.shares))
-    return Known({name: tuple(own) for name, own in cases.items()},
-                 {name: tuple(own) for name, own in areas.items()}, targets)  # fmt: skip
+    return Known(
+        {name: tuple(own) for name, own in cases.items()},
+        {name: tuple(own) for name, own in areas.items()},
+        targets,
+    )
 
 
 def _case(learned: LearnedCase) -> dict[str, Any]:
     case = learned.case
     members = [
-        {"category": m.category, "x": round(m.x, 4), "y": round(m.y, 4), "z": round(m.z, 4),
-         "heading": round(m.heading, 4), "size": _sides(m.size), "smallest": _sides(low),
-         "largest": _sides(high), "on": m.on}
+        {
+            "category": m.category,
+            "x": round(m.x, 4),
+            "y": round(m.y, 4),
+            "z": round(m.z, 4),
+            "heading": round(m.heading, 4),
+            "size": _sides(m.size),
+            "smallest": _sides(low),
+            "largest": _sides(high),
+            "on": m.on,
+        }
         for m, low, high in zip(case.members, learned.smallest, learned.largest, strict=True)
-    ]  # fmt: skip
+    ]
     return {
-        "function": case.function, "name": case.name, "width": round(case.width, 4),
-        "depth": round(case.depth, 4), "rooms": [round(a, 2) for a in learned.areas],
+        "function": case.function,
+        "name": case.name,
+        "width": round(case.width, 4),
+        "depth": round(case.depth, 4),
+        "rooms": [round(a, 2) for a in learned.areas],
         "wall": round(learned.wall, 3),
         "door": round(learned.door, 3) if isfinite(learned.door) else None,
-        "seen": learned.seen, "homes": list(learned.homes), "members": members,
-    }  # fmt: skip
+        "seen": learned.seen,
+        "homes": list(learned.homes),
+        "members": members,
+    }
 
 
 def _sides(size: Sequence[float]) -> list[float]:
     return [round(side, 4) for side in size]
 
 
-def _rounded(row: dict[str, Any]) -> dict[str, Any]:
-    return {key: round(value, 3) if isinstance(value, float) else value
-            for key, value in row.items()}  # fmt: skip
+def _round_row(row: dict[str, Any]) -> dict[str, Any]:
+    return {
+        key: round(value, 3) if isinstance(value, float) else value for key, value in row.items()
+    }
 
 
 def _line(row: dict[str, Any]) -> str:

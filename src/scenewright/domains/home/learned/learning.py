@@ -16,7 +16,10 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.catalog import Catalog, Group, Member
+from scenewright.catalog.models.furniture import LIKELY, misfits
+from scenewright.core.catalog import Catalog, Group, Member
+from scenewright.core.scene import Piece, Size
+from scenewright.core.space import Space
 from scenewright.domains.home.cases.trial import usable
 from scenewright.domains.home.learned.space import (
     BACKED,
@@ -28,7 +31,7 @@ from scenewright.domains.home.learned.space import (
     local,
     on,
     pushed_out,
-    turned,
+    rotate_to_frame,
 )
 from scenewright.domains.home.learned.words import (
     ABOVE,
@@ -37,11 +40,8 @@ from scenewright.domains.home.learned.words import (
     ROOMS,
     RUNS,
     SEATS,
-    Company,
+    GroupCompanions,
 )
-from scenewright.models.furniture import LIKELY, misfits
-from scenewright.scene import Piece, Size
-from scenewright.space import Space
 
 Floats = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ RUG = 0.6  # by how much a rug may be longer than the group on it, metres
 STAND = 0.5  # height of a stand that was drawn together with its television, metres
 
 
-class Furnished(NamedTuple):
+class FurnishedSpace(NamedTuple):
     """A furnished room: the home's name, the space and the pieces in it."""
 
     home: str
@@ -62,7 +62,7 @@ class Furnished(NamedTuple):
     pieces: tuple[Piece, ...]
 
 
-class Found(NamedTuple):
+class GroupOccurrence(NamedTuple):
     """One group as found: its case, the home, the room and its area, how far its back is from a
     wall and its middle from the nearest door (NaN: there is none), and the middle and heading of
     its box in the room."""
@@ -76,7 +76,7 @@ class Found(NamedTuple):
     box: tuple[float, float, float]
 
 
-def found_in(room: Furnished, catalog: Catalog) -> Iterator[Found]:
+def found_in(room: FurnishedSpace, catalog: Catalog) -> Iterator[GroupOccurrence]:
     """The groups of a room that a person can use."""
     free = [p for p in room.pieces if p.category in catalog.kinds]
     for anchor in sorted(free, key=_rank):
@@ -86,21 +86,22 @@ def found_in(room: Furnished, catalog: Catalog) -> Iterator[Found]:
         members = _members(anchor, function, free, catalog)
         for piece in members:
             free.remove(piece)
-        function = _named(function, members, anchor, room)
+        function = _identify_function(function, members, anchor, room)
         case = _usable(function, anchor, members, room, catalog) if function else None
         if case:
-            yield _found(case, anchor, room)
+            yield _record_group(case, anchor, room)
 
 
-def _usable(function: str, anchor: Piece, members: list[Piece], room: Furnished,
-            catalog: Catalog) -> Group | None:  # fmt: skip
+def _usable(
+    function: str, anchor: Piece, members: list[Piece], room: FurnishedSpace, catalog: Catalog
+) -> Group | None:
     """The case of the members, without the last of those on the floor until a person can use it."""
     floor = [p for p in members if p is not anchor and p.pose.z <= TOP]
     for count in range(len(floor) + 1):
         left = [p for p in members if p not in floor[len(floor) - count :]]
         case = _case(function, anchor, left, room, catalog)
         if case and usable(case, catalog):
-            return case if _named(function, left, anchor, room) or count == 0 else None
+            return case if _identify_function(function, left, anchor, room) or count == 0 else None
     return None
 
 
@@ -110,14 +111,14 @@ def _rank(piece: Piece) -> tuple[int, float]:
     return rank, -piece.size.width * piece.size.depth
 
 
-def _function(anchor: Piece, room: Furnished) -> str:
+def _function(anchor: Piece, room: FurnishedSpace) -> str:
     """A table in a bedroom or study is a desk."""
     return ROOMS.get((anchor.category, *room.space.functions[:1]), ANCHORS[anchor.category])
 
 
 def _members(anchor: Piece, function: str, free: Sequence[Piece], catalog: Catalog) -> list[Piece]:
     """The anchor and what keeps it company: on the floor first, then on them and above."""
-    company = COMPANIONS.get(function, Company(()))
+    company = COMPANIONS.get(function, GroupCompanions(()))
     members = [anchor]
     if company.row:
         members += _row(anchor, company, free)
@@ -140,15 +141,20 @@ def _members(anchor: Piece, function: str, free: Sequence[Piece], catalog: Catal
     return members
 
 
-def _row(anchor: Piece, company: Company, free: Sequence[Piece]) -> list[Piece]:
+def _row(anchor: Piece, company: GroupCompanions, free: Sequence[Piece]) -> list[Piece]:
     """Units side by side with the anchor, with the same heading."""
     row = [anchor]
     grown = True
     while grown:
-        more = [p for p in free if p not in row and p.category in company.kinds
-                and abs(remainder(p.pose.heading - anchor.pose.heading, 2 * pi)) < STRAIGHT
-                and any(gap(p, q) < TOUCHING for q in row)
-                and abs(local(p, anchor)[1]) < 0.25]  # fmt: skip
+        more = [
+            p
+            for p in free
+            if p not in row
+            and p.category in company.kinds
+            and abs(remainder(p.pose.heading - anchor.pose.heading, 2 * pi)) < STRAIGHT
+            and any(gap(p, q) < TOUCHING for q in row)
+            and abs(local(p, anchor)[1]) < 0.25
+        ]
         row += more
         grown = bool(more)
     return row[1:]
@@ -162,7 +168,9 @@ def _faces(piece: Piece, anchor: Piece) -> bool:
     return abs(remainder(float(way) - piece.pose.heading, 2 * pi)) < FACING
 
 
-def _named(function: str, members: Sequence[Piece], anchor: Piece, room: Furnished) -> str:
+def _identify_function(
+    function: str, members: Sequence[Piece], anchor: Piece, room: FurnishedSpace
+) -> str:
     """The function by what the group turned out to hold; empty if it is of none."""
     kinds = {piece.category for piece in members}
     if function in ("kitchen", "fridge", "counter"):
@@ -174,7 +182,7 @@ def _named(function: str, members: Sequence[Piece], anchor: Piece, room: Furnish
     return "" if function == "desk" and not seats else function
 
 
-def _heading(anchor: Piece, room: Furnished) -> float:
+def _heading(anchor: Piece, room: FurnishedSpace) -> float:
     """Where the group looks: as its anchor, but a table looks away from the wall it is at."""
     heading = anchor.pose.heading
     if "table" not in anchor.category and anchor.category != "desk":
@@ -188,7 +196,7 @@ def _heading(anchor: Piece, room: Furnished) -> float:
     return heading + turns[best[1] if best[0] < BACKED else 0]
 
 
-def _wall_gap(anchor: Piece, heading: float, room: Furnished) -> float:
+def _wall_gap(anchor: Piece, heading: float, room: FurnishedSpace) -> float:
     """How far the back of a piece is from the nearest wall, were its heading so."""
     across = abs(sin(heading - anchor.pose.heading)) > 0.5
     half = (anchor.size.width if across else anchor.size.depth) / 2
@@ -196,16 +204,17 @@ def _wall_gap(anchor: Piece, heading: float, room: Furnished) -> float:
     return float(shapely.LinearRing(room.space.outline).distance(back))
 
 
-def _case(function: str, anchor: Piece, pieces: Sequence[Piece], room: Furnished,
-          catalog: Catalog) -> Group | None:  # fmt: skip
+def _case(
+    function: str, anchor: Piece, pieces: Sequence[Piece], room: FurnishedSpace, catalog: Catalog
+) -> Group | None:
     """The pieces as a case in the group's frame, without what runs into something."""
     heading = _heading(anchor, room)
-    clear = [_cleared(piece, anchor) for piece in pieces]
+    clear = [_pull_clear(piece, anchor) for piece in pieces]
     kept = apart(anchor, clear, catalog)
     kept.sort(key=lambda p: p.pose.z > TOP)
     members: list[Member] = []
     for piece in kept:
-        x, y = turned(piece.pose.x - anchor.pose.x, piece.pose.y - anchor.pose.y, heading)
+        x, y = rotate_to_frame(piece.pose.x - anchor.pose.x, piece.pose.y - anchor.pose.y, heading)
         turn = remainder(piece.pose.heading - heading, 2 * pi)
         quarter = round(turn / (pi / 2)) * pi / 2
         straight = abs(turn - quarter) < STRAIGHT or piece.category == "rug"
@@ -213,15 +222,24 @@ def _case(function: str, anchor: Piece, pieces: Sequence[Piece], room: Furnished
         below = next((k for k, q in enumerate(kept) if q is not piece and on(piece, q)), -1)
         top = members[below].z + members[below].size.height if 0 <= below < len(members) else None
         category = function if function in ("desk",) and piece is anchor else piece.category
-        members.append(Member(category, x, y, piece.pose.z if top is None else top,
-                              turn, piece.size, below if top is not None else -1))  # fmt: skip
+        members.append(
+            Member(
+                category,
+                x,
+                y,
+                piece.pose.z if top is None else top,
+                turn,
+                piece.size,
+                below if top is not None else -1,
+            )
+        )
     first = members[0]
     if max(misfits(first.category, first.size)) > LIKELY:
         return None
-    return boxed(function, _mended(members))
+    return box_members(function, _repair_members(members))
 
 
-def _cleared(piece: Piece, anchor: Piece) -> Piece:
+def _pull_clear(piece: Piece, anchor: Piece) -> Piece:
     """A seat drawn out of its table, a table out of the corner of an L-shaped sofa."""
     if piece.category in SEATS:
         return drawn_out(piece, anchor)
@@ -230,10 +248,10 @@ def _cleared(piece: Piece, anchor: Piece) -> Piece:
     return piece
 
 
-def _mended(members: list[Member]) -> list[Member]:
+def _repair_members(members: list[Member]) -> list[Member]:
     """Without a rug that reaches far out of the group; a television in one with its stand
     becomes two."""
-    solid = boxed("", [m for m in members if m.category != "rug"])
+    solid = box_members("", [m for m in members if m.category != "rug"])
     most = max(solid.width, solid.depth) + RUG
     kept = [m for m in members if m.category != "rug" or max(m.size[:2]) <= most]
     first = kept[0]
@@ -242,18 +260,20 @@ def _mended(members: list[Member]) -> list[Member]:
         stand = first._replace(size=Size(first.size.width, first.size.depth, STAND))
         screen = Size(wide, min(0.2, first.size.depth), 0.62 * wide)
         kept = [stand, Member("tv", first.x, first.y, STAND, first.heading, screen, 0)]
-    return kept if len(kept) == len(members) or first.category == "tv_stand" else _renumbered(
-        members, kept
-    )  # fmt: skip
+    return (
+        kept
+        if len(kept) == len(members) or first.category == "tv_stand"
+        else _renumber_members(members, kept)
+    )
 
 
-def _renumbered(members: list[Member], kept: list[Member]) -> list[Member]:
+def _renumber_members(members: list[Member], kept: list[Member]) -> list[Member]:
     """Members with the numbers of what they stand on after some were left out."""
     new = {k: kept.index(m) for k, m in enumerate(members) if m in kept}
     return [m._replace(on=new.get(m.on, -1)) for m in kept]
 
 
-def boxed(function: str, members: Sequence[Member]) -> Group:
+def box_members(function: str, members: Sequence[Member]) -> Group:
     """Members as a case: the box round what stands, with room to rise from chairs."""
     low, high = np.full(2, np.inf), np.full(2, -np.inf)
     for member in members:
@@ -270,8 +290,9 @@ def boxed(function: str, members: Sequence[Member]) -> Group:
     middle, size = (low + high) / 2, high - low
     moved = tuple(m._replace(x=m.x - float(middle[0]), y=m.y - float(middle[1])) for m in members)
     floor = [m.category.replace("_", " ") for m in members if m.on < 0 and m.z <= TOP]
-    named = ", ".join(f"{floor.count(k)} {k}" if floor.count(k) > 1 else k
-                      for k in dict.fromkeys(floor))  # fmt: skip
+    named = ", ".join(
+        f"{floor.count(k)} {k}" if floor.count(k) > 1 else k for k in dict.fromkeys(floor)
+    )
     return Group(function, named, float(size[0]), float(size[1]) + 0.01, moved)
 
 
@@ -281,15 +302,22 @@ def _half(member: Member) -> Floats:
     return np.array([w * c + d * s, w * s + d * c])
 
 
-def _found(case: Group, anchor: Piece, room: Furnished) -> Found:
+def _record_group(case: Group, anchor: Piece, room: FurnishedSpace) -> GroupOccurrence:
     at = shapely.Point(anchor.pose.x, anchor.pose.y)
     doors = [o for o in room.space.openings if o.kind != "window"]
     door = min((at.distance(shapely.Point(o.x, o.y)) for o in doors), default=float("nan"))
     first = case.members[0]
     area = shapely.Polygon(room.space.outline, list(room.space.holes)).area
     heading = _heading(anchor, room)
-    return Found(case, room.home, room.space.id, float(area), _wall_gap(anchor, heading, room),
-                 float(door), _centre(anchor, first, heading))  # fmt: skip
+    return GroupOccurrence(
+        case,
+        room.home,
+        room.space.id,
+        float(area),
+        _wall_gap(anchor, heading, room),
+        float(door),
+        _centre(anchor, first, heading),
+    )
 
 
 def _centre(anchor: Piece, first: Member, heading: float) -> tuple[float, float, float]:

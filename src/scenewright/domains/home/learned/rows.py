@@ -6,7 +6,7 @@ from typing import Annotated, Literal, NamedTuple
 
 from pydantic import Field
 
-from scenewright.brief.fields import Number
+from scenewright.core.brief.fields import Number
 
 Apart = Annotated[Number, Field(ge=0, lt=100)]
 Floor = Annotated[Number, Field(gt=0, le=10_000)]

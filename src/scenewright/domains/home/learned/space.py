@@ -8,8 +8,8 @@ from math import cos, sin
 
 import shapely
 
-from scenewright.catalog import Catalog
-from scenewright.scene import Piece
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece
 
 TOP = 0.15  # a thing this near to a piece's top stands on it, metres
 BACKED = 0.25  # a back nearer to a wall than this belongs to it, metres
@@ -47,10 +47,12 @@ def above(piece: Piece, standing: Sequence[Piece]) -> bool:
 
 def local(piece: Piece, frame: Piece) -> tuple[float, float]:
     """A piece's middle in another's frame."""
-    return turned(piece.pose.x - frame.pose.x, piece.pose.y - frame.pose.y, frame.pose.heading)
+    return rotate_to_frame(
+        piece.pose.x - frame.pose.x, piece.pose.y - frame.pose.y, frame.pose.heading
+    )
 
 
-def turned(dx: float, dy: float, heading: float) -> tuple[float, float]:
+def rotate_to_frame(dx: float, dy: float, heading: float) -> tuple[float, float]:
     """A vector in the frame of a heading: across it to the right, and along it."""
     return dx * sin(heading) - dy * cos(heading), dx * cos(heading) + dy * sin(heading)
 
@@ -100,12 +102,14 @@ def _ahead(ends: list[tuple[float, float]], c: float, s: float) -> shapely.Polyg
 def footprint(piece: Piece) -> shapely.Polygon:
     """The floor a piece covers."""
     w, d, h = piece.size.width / 2, piece.size.depth / 2, piece.pose.heading
-    corners = [(x * sin(h) + y * cos(h), -x * cos(h) + y * sin(h))
-               for x, y in ((-w, -d), (w, -d), (w, d), (-w, d))]  # fmt: skip
+    corners = [
+        (x * sin(h) + y * cos(h), -x * cos(h) + y * sin(h))
+        for x, y in ((-w, -d), (w, -d), (w, d), (-w, d))
+    ]
     return shapely.Polygon([(piece.pose.x + x, piece.pose.y + y) for x, y in corners])
 
 
-def covered(pieces: Sequence[Piece]) -> float:
+def measure_coverage(pieces: Sequence[Piece]) -> float:
     """The floor that pieces cover together, square metres; rugs and what hangs cover none."""
     low = [footprint(p) for p in pieces if p.pose.z < 0.05 and p.size.height > 0.05]
     return float(shapely.union_all(low).area)

@@ -9,33 +9,28 @@ from math import cos, hypot, pi, remainder, sin
 import numpy as np
 import shapely
 
-from scenewright.catalog import Catalog
-from scenewright.domains.home.learned.learning import Found, Furnished
-from scenewright.domains.home.learned.rows import (
-    SIDES,
-    Beside,
-    Clearance,
-    Distance,
-    Share,
-    Targets,
-)
-from scenewright.domains.home.learned.space import covered, footprint
-from scenewright.scene import Piece, Pose, Size
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains.home.learned.learning import FurnishedSpace, GroupOccurrence
+from scenewright.domains.home.learned.rows import SIDES, Beside, Clearance, Distance, Share, Targets
+from scenewright.domains.home.learned.space import footprint, measure_coverage
 
 HAIR = 0.02
 FARTHEST = 3.0
 """Free floor is looked for so far before a piece, in metres."""
 
 
-def targets_of(rooms: Sequence[Furnished], found: Sequence[Found], catalog: Catalog) -> Targets:
+def targets_of(
+    rooms: Sequence[FurnishedSpace], found: Sequence[GroupOccurrence], catalog: Catalog
+) -> Targets:
     """Statistics of rooms and of the groups found in them."""
     return Targets(
         _distances(found), _clearances(rooms, found, catalog), tuple(_shares(rooms, found))
     )
 
 
-def _distances(found: Iterable[Found]) -> tuple[Distance, ...]:
-    rooms: dict[tuple[str, str], list[Found]] = defaultdict(list)
+def _distances(found: Iterable[GroupOccurrence]) -> tuple[Distance, ...]:
+    rooms: dict[tuple[str, str], list[GroupOccurrence]] = defaultdict(list)
     for one in found:
         rooms[one.home, one.room].append(one)
     pairs: dict[tuple[str, str], list[tuple[float, int]]] = defaultdict(list)
@@ -57,7 +52,7 @@ def _distance(pair: tuple[str, str], seen: list[tuple[float, int]]) -> Distance:
 
 
 def _clearances(
-    rooms: Iterable[Furnished], found: Sequence[Found], catalog: Catalog
+    rooms: Iterable[FurnishedSpace], found: Sequence[GroupOccurrence], catalog: Catalog
 ) -> tuple[Clearance, ...]:
     """Free floor round the boxes of groups; what stands in a box is no hindrance to it."""
     depths: dict[tuple[str, Beside], list[float]] = defaultdict(list)
@@ -75,7 +70,7 @@ def _clearances(
     )
 
 
-def _side(one: Found, number: int) -> Piece:
+def _side(one: GroupOccurrence, number: int) -> Piece:
     """A group's box as a piece that looks over one of its sides."""
     x, y, heading = one.box
     width, depth = one.case.width, one.case.depth
@@ -87,24 +82,28 @@ def free_before(piece: Piece, others: Sequence[shapely.Polygon], floor: shapely.
     """Depth of the free floor before a piece, over its whole width."""
     c, s = cos(piece.pose.heading), sin(piece.pose.heading)
     half, start = piece.size.width / 2 - HAIR, piece.size.depth / 2 + HAIR
-    strip = shapely.Polygon([
-        (piece.pose.x + c * y + s * x, piece.pose.y + s * y - c * x)
-        for x, y in ((-half, start), (half, start), (half, FARTHEST), (-half, FARTHEST))
-    ])  # fmt: skip
+    strip = shapely.Polygon(
+        [
+            (piece.pose.x + c * y + s * x, piece.pose.y + s * y - c * x)
+            for x, y in ((-half, start), (half, start), (half, FARTHEST), (-half, FARTHEST))
+        ]
+    )
     taken = shapely.union_all([strip.difference(floor), *(strip.intersection(o) for o in others)])
-    ahead = [(x - piece.pose.x) * c + (y - piece.pose.y) * s
-             for x, y in shapely.get_coordinates(taken).tolist()]  # fmt: skip
+    ahead = [
+        (x - piece.pose.x) * c + (y - piece.pose.y) * s
+        for x, y in shapely.get_coordinates(taken).tolist()
+    ]
     free = min(ahead, default=FARTHEST) - piece.size.depth / 2
     return free if free > HAIR + 1e-3 else 0.0
 
 
-def _shares(rooms: Iterable[Furnished], found: Sequence[Found]) -> Iterable[Share]:
+def _shares(rooms: Iterable[FurnishedSpace], found: Sequence[GroupOccurrence]) -> Iterable[Share]:
     groups: dict[tuple[str, str], set[str]] = defaultdict(set)
     for one in found:
         groups[one.home, one.room].add(one.case.function)
     for room in rooms:
         area = float(shapely.Polygon(room.space.outline, list(room.space.holes)).area)
-        taken = covered(room.pieces)
+        taken = measure_coverage(room.pieces)
         if taken and room.space.functions:
             here = tuple(sorted(groups[room.home, room.space.id]))
             yield Share(room.space.functions[0], area, min(taken / area, 1.0), here)

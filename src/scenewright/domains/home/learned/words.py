@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from scenewright.catalog.kinds import KINDS
 
-class Company(NamedTuple):
+
+class GroupCompanions(NamedTuple):
     """Categories that join a group, how near they must be in metres, and whether they stand in
     a row with what makes it."""
 
@@ -14,49 +16,96 @@ class Company(NamedTuple):
     row: bool = False
 
 
-ANCHORS: dict[str, str] = {
-    "double_bed": "sleeping", "bunk_bed": "bunk", "single_bed": "single",
-    "dining_table": "dining", "round_table": "dining", "outdoor_table": "terrace",
-    "desk": "desk", "kids_desk": "kids_desk", "vanity": "vanity",
-    "corner_sofa": "seating", "sofa": "seating", "loveseat": "seating",
-    "tv_stand": "media", "sink_cabinet": "kitchen", "drawer_cabinet": "counter",
-    "base_cabinet": "counter", "fridge": "fridge", "wardrobe": "wardrobe",
-    "chest_of_drawers": "chest", "sideboard": "sideboard", "bookcase": "shelf",
-    "console_table": "console", "shoe_cabinet": "shoes", "coat_rack": "coats",
-    "toilet": "toilet", "basin": "basin", "pedestal_basin": "basin", "bathtub": "bath",
-    "shower": "shower", "washing_machine": "washer", "armchair": "reading",
-    "potted_tree": "plant", "deck_chair": "lounger",
-}  # fmt: skip
-"""The piece that makes a group and its function; earlier ones take their company first."""
+ORDER = (
+    "sleeping",
+    "bunk",
+    "single",
+    "dining",
+    "terrace",
+    "desk",
+    "kids_desk",
+    "vanity",
+    "seating",
+    "media",
+    "kitchen",
+    "counter",
+    "fridge",
+    "wardrobe",
+    "chest",
+    "sideboard",
+    "shelf",
+    "console",
+    "shoes",
+    "coats",
+    "toilet",
+    "basin",
+    "bath",
+    "shower",
+    "washer",
+    "reading",
+    "plant",
+    "lounger",
+)
+"""Earlier groups take their company first; any others come last."""
+
+
+def _order(function: str) -> int:
+    return ORDER.index(function) if function in ORDER else len(ORDER)
+
+
+ANCHORS: dict[str, str] = dict(
+    sorted(
+        ((kind.category, kind.forms) for kind in KINDS.values() if kind.forms),
+        key=lambda anchor: _order(anchor[1]),
+    )
+)
+"""The piece that makes a group and its function, in the order they take their company."""
 
 SEATS = ("dining_chair", "office_chair", "stool", "bench")
-_UNITS = ("base_cabinet", "drawer_cabinet", "sink_cabinet", "hob_cabinet", "oven_cabinet",
-          "dishwasher", "fridge", "tall_cabinet")  # fmt: skip
+_UNITS = (
+    "base_cabinet",
+    "drawer_cabinet",
+    "sink_cabinet",
+    "hob_cabinet",
+    "oven_cabinet",
+    "dishwasher",
+    "fridge",
+    "tall_cabinet",
+)
 
-COMPANIONS: dict[str, Company] = {
-    "sleeping": Company(("nightstand", "rug", "pouf", "bench")),
-    "single": Company(("nightstand", "rug")),
-    "dining": Company((*SEATS, "rug"), 0.5),
-    "terrace": Company(("outdoor_chair", "bench"), 0.5),
-    "desk": Company(("office_chair", "dining_chair", "stool"), 0.4),
-    "kids_desk": Company(("office_chair", "dining_chair", "stool"), 0.4),
-    "vanity": Company(("stool", "pouf", "dining_chair"), 0.4),
-    "seating": Company(("coffee_table", "side_table", "armchair", "loveseat", "pouf",
-                        "floor_lamp", "rug"), 1.1),
-    "media": Company(("speaker",)),
-    "reading": Company(("floor_lamp", "side_table", "pouf"), 0.5),
-    "washer": Company(("dryer", "washing_machine"), row=True),
-    "shelf": Company(("bookcase",), row=True),
-    "wardrobe": Company(("wardrobe",), row=True),
-    "kitchen": Company(_UNITS, row=True),
-    "counter": Company(("base_cabinet", "drawer_cabinet", "dishwasher", "oven_cabinet"), row=True),
-}  # fmt: skip
+COMPANIONS: dict[str, GroupCompanions] = {
+    "sleeping": GroupCompanions(("nightstand", "rug", "pouf", "bench")),
+    "single": GroupCompanions(("nightstand", "rug")),
+    "dining": GroupCompanions((*SEATS, "rug"), 0.5),
+    "terrace": GroupCompanions(("outdoor_chair", "bench"), 0.5),
+    "desk": GroupCompanions(("office_chair", "dining_chair", "stool"), 0.4),
+    "kids_desk": GroupCompanions(("office_chair", "dining_chair", "stool"), 0.4),
+    "vanity": GroupCompanions(("stool", "pouf", "dining_chair"), 0.4),
+    "seating": GroupCompanions(
+        ("coffee_table", "side_table", "armchair", "loveseat", "pouf", "floor_lamp", "rug"), 1.1
+    ),
+    "media": GroupCompanions(("speaker",)),
+    "reading": GroupCompanions(("floor_lamp", "side_table", "pouf"), 0.5),
+    "washer": GroupCompanions(("dryer", "washing_machine"), row=True),
+    "shelf": GroupCompanions(("bookcase",), row=True),
+    "wardrobe": GroupCompanions(("wardrobe",), row=True),
+    "kitchen": GroupCompanions(_UNITS, row=True),
+    "counter": GroupCompanions(
+        ("base_cabinet", "drawer_cabinet", "dishwasher", "oven_cabinet"), row=True
+    ),
+}
 
 ABOVE: dict[str, tuple[str, ...]] = {
-    "basin": ("mirror",), "vanity": ("mirror",), "chest": ("mirror", "picture"),
-    "console": ("mirror", "picture"), "sideboard": ("picture",), "sleeping": ("picture",),
-    "seating": ("picture",), "kitchen": ("wall_cabinet", "hood"), "counter": ("wall_cabinet",),
-}  # fmt: skip
+    "basin": ("mirror",),
+    "vanity": ("mirror",),
+    "chest": ("mirror", "picture"),
+    "console": ("mirror", "picture"),
+    "sideboard": ("picture",),
+    "sleeping": ("picture",),
+    "seating": ("picture",),
+    "kitchen": ("wall_cabinet", "hood"),
+    "counter": ("wall_cabinet",),
+}
 """What hangs on the wall above a group and belongs to it."""
 
 ROOMS: dict[tuple[str, ...], str] = {

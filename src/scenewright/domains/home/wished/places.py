@@ -11,24 +11,24 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.assets.service_use import NEEDS
+from scenewright.building.door_approach import gates
+from scenewright.catalog.kinds import services_of
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece
+from scenewright.core.space import Space
 from scenewright.domains.home.cases.library import Library, cases
-from scenewright.domains.home.programme import Draw, Wish
-from scenewright.gates import gates
-from scenewright.layout import corners
-from scenewright.problem import Items
-from scenewright.scene import Piece
-from scenewright.space import Space
+from scenewright.domains.home.problem import Items
+from scenewright.domains.home.programme import Attraction, Wish
 
 Floats = NDArray[np.float64]
 
 WISHED = 4.0  # weight of a place that is wished for
 CONNECTED = 2.0  # weight of an outlet within reach
-BACKWARD = frozenset(("desk", "kids_desk", "vanity"))
+BACKWARD = frozenset(("desk", "kids_desk", "vanity", "piano"))
 """Groups at which one sits before the piece and looks over it."""
 
 
-class Row(NamedTuple):
+class PlaceRow(NamedTuple):
     """One place an item wants: its spots (k, 4), least and greatest distance, facing, weight."""
 
     item: int
@@ -39,32 +39,40 @@ class Row(NamedTuple):
     weight: float
 
 
-def placed(
-    items: Items, wishes: tuple[Wish, ...], space: Space, fixed: tuple[Piece, ...],
-    library: Library,
-) -> Items:  # fmt: skip
+def assign_places(
+    items: Items, wishes: tuple[Wish, ...], space: Space, fixed: tuple[Piece, ...], library: Library
+) -> Items:
     """Items with the places their groups want in a room; as they are where none wants any."""
-    rows = [row for i, wish in enumerate(wishes) for row in _wished(i, wish, space, fixed)]
+    rows = [
+        row
+        for i, wish in enumerate(wishes)
+        for row in _collect_wished_places(i, wish, space, fixed)
+    ]
     for i, wish in enumerate(wishes):
-        rows += _connected(i, items, wish, space, library)
+        rows += _collect_outlet_places(i, items, wish, space, library)
     if not rows:
         return items
     ends = np.cumsum([len(row.spots) for row in rows])
     return items._replace(
         placed=np.array([row.item for row in rows], np.int64),
-        places=np.array([
-            (end - len(row.spots), end, row.near, row.far, row.facing, row.weight)
-            for row, end in zip(rows, ends, strict=True)
-        ], np.float64),
+        places=np.array(
+            [
+                (end - len(row.spots), end, row.near, row.far, row.facing, row.weight)
+                for row, end in zip(rows, ends, strict=True)
+            ],
+            np.float64,
+        ),
         spots=np.concatenate([row.spots for row in rows]),
-    )  # fmt: skip
+    )
 
 
-def _wished(i: int, wish: Wish, space: Space, fixed: tuple[Piece, ...]) -> list[Row]:
+def _collect_wished_places(
+    i: int, wish: Wish, space: Space, fixed: tuple[Piece, ...]
+) -> list[PlaceRow]:
     turned = -1.0 if wish.group in BACKWARD else 1.0
     found = [(draw, spots_of(draw.to, space, fixed)) for draw in wish.sway.draws]
     return [
-        Row(i, spots, draw.near, draw.far, turned * draw.facing, WISHED)
+        PlaceRow(i, spots, draw.near, draw.far, turned * draw.facing, WISHED)
         for draw, spots in found
         if len(spots)
     ]
@@ -76,19 +84,23 @@ def spots_of(to: tuple[str, ...], space: Space, fixed: tuple[Piece, ...]) -> Flo
     if to == ("wall",):
         return np.hstack([space.outline, np.roll(space.outline, -1, 0)])
     if to in (("window",), ("door",)):
-        return np.array([
-            (*(g.face - half), *(g.face + half))
-            for g in gates(space)
-            if (g.opening.kind == "window") == (to == ("window",))
-            for half in [np.array([g.opening.ux, g.opening.uy]) * g.opening.width / 2]
-        ]).reshape(-1, 4)  # fmt: skip
+        return np.array(
+            [
+                (*(g.face - half), *(g.face + half))
+                for g in gates(space)
+                if (g.opening.kind == "window") == (to == ("window",))
+                for half in [np.array([g.opening.ux, g.opening.uy]) * g.opening.width / 2]
+            ]
+        ).reshape(-1, 4)
     there = [p for p in fixed if p.category in to or p.function in to]
     boxes = np.array([(p.pose.x, p.pose.y, p.pose.heading, *p.size[:2]) for p in there])
     points = corners(boxes.reshape(-1, 5))
     return np.concatenate([points, np.roll(points, -1, axis=1)], axis=2).reshape(-1, 4)
 
 
-def _connected(i: int, items: Items, wish: Wish, space: Space, library: Library) -> list[Row]:
+def _collect_outlet_places(
+    i: int, items: Items, wish: Wish, space: Space, library: Library
+) -> list[PlaceRow]:
     """The outlets a group's pieces need, of the kinds its room lists."""
     found = []
     for kind in sorted({outlet.kind for outlet in space.outlets}):
@@ -96,15 +108,15 @@ def _connected(i: int, items: Items, wish: Wish, space: Space, library: Library)
             need.reach - max(float(items.wish[i, 0]) - member.size.width, 0.0) / 2
             for case in cases(wish.group, library).groups
             for member in case.members
-            for need in NEEDS.get(member.category, ())
+            for need in services_of(member.category)
             if need.outlet == kind
         ]
         if reaches:
             spots = np.array([(o.x, o.y, o.x, o.y) for o in space.outlets if o.kind == kind])
-            found.append(Row(i, spots, 0.0, max(min(reaches), 0.0), 0.0, CONNECTED))
+            found.append(PlaceRow(i, spots, 0.0, max(min(reaches), 0.0), 0.0, CONNECTED))
     return found
 
 
-def drawn_to(wish: Wish) -> tuple[Draw, ...]:
+def list_attractions(wish: Wish) -> tuple[Attraction, ...]:
     """The places among a wish's that are other groups, not parts of the room."""
     return tuple(d for d in wish.sway.draws if d.to not in (("wall",), ("window",), ("door",)))

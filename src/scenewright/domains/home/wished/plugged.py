@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.assets.service_use import NEEDS
-from scenewright.catalog import Member
-from scenewright.space import Outlet
+from scenewright.catalog.kinds import services_of
+from scenewright.core.catalog import Member
+from scenewright.core.space import Outlet
 
 Floats = NDArray[np.float64]
 
@@ -19,7 +19,7 @@ def out_of_reach(members: Sequence[Member], boxes: Floats, outlets: Sequence[Out
     short for the nearest of the outlets; 0 for kinds of outlets the room does not list."""
     total = 0.0
     for member, box in zip(members, boxes, strict=True):
-        for need in NEEDS.get(member.category, ()):
+        for need in services_of(member.category):
             at = np.array([(o.x, o.y) for o in outlets if o.kind == need.outlet])
             if len(at):
                 total += max(float(_distances(at, box).min()) - need.reach, 0.0)

@@ -13,17 +13,18 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.brief import Brief, Room
-from scenewright.brief.wishes import OPENINGS, WishBrief
-from scenewright.catalog import Catalog, Group, Member
-from scenewright.domains.home.cases.library import Library, cases, planted
+from scenewright.building.plan import place
+from scenewright.catalog.kinds import name_of
+from scenewright.core.brief import Brief, Room
+from scenewright.core.brief.wishes import OPENINGS, WishBrief
+from scenewright.core.catalog import Catalog, Group, Member
+from scenewright.core.errors import InputError
+from scenewright.core.solution import LeftOut
+from scenewright.domains.home.cases.library import Library, cases, index_cases
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.programme import Draw, Sway, Wish
-from scenewright.domains.home.wished.places import BACKWARD, drawn_to
-from scenewright.errors import InputError
-from scenewright.plan import place
-from scenewright.problem import Items
-from scenewright.solution import LeftOut
+from scenewright.domains.home.problem import Items
+from scenewright.domains.home.programme import Attraction, PlacementPreference, Wish
+from scenewright.domains.home.wished.places import BACKWARD, list_attractions
 
 Floats = NDArray[np.float64]
 
@@ -53,10 +54,11 @@ def check_wishes(brief: Brief, catalog: Catalog) -> None:
                     )
             if not wish.forbid and not groups_of(wish.what):
                 raise InputError(
-                    f"no furniture group holds a {wish.what}",
+                    f"no furniture group holds a {name_of(wish.what)}",
                     'put it among the room\'s "fixed" items, or wish for a group: '
-                    "scenewright list groups", place=place(brief, number, f"wishes[{k}]"),
-                )  # fmt: skip
+                    "scenewright list groups",
+                    place=place(brief, number, f"wishes[{k}]"),
+                )
 
 
 def groups_of(name: str) -> tuple[str, ...]:
@@ -71,7 +73,7 @@ def _holds(case: Group, category: str) -> bool:
     return any(member.category == category for member in case.members)
 
 
-def allowed(library: Library, room: Room) -> Library:
+def restrict_library(library: Library, room: Room) -> Library:
     """A library without what is forbidden in a room, and with what is wanted where cases differ
     in it."""
     own = dict(library.own)
@@ -85,7 +87,7 @@ def allowed(library: Library, room: Room) -> Library:
             else:
                 left = tuple(case for case in known if _holds(case, wish.what))
             if left and left != known:
-                own[group] = planted(left)
+                own[group] = index_cases(left)
     return library if own == library.own else library._replace(own=own)
 
 
@@ -105,27 +107,30 @@ def _without(case: Group, category: str) -> Group | None:
     return case._replace(members=tuple(members))
 
 
-def barred(room: Room, library: Library) -> frozenset[str]:
+def list_barred_groups(room: Room, library: Library) -> frozenset[str]:
     """The groups that cannot stand in a room because of what is forbidden there."""
-    return frozenset(g for w in room.wishes if w.forbid for g in barred_by(w.what, library))
+    return frozenset(
+        g for w in room.wishes if w.forbid for g in list_groups_barred_by(w.what, library)
+    )
 
 
-def barred_by(what: str, library: Library) -> frozenset[str]:
+def list_groups_barred_by(what: str, library: Library) -> frozenset[str]:
     """The groups that cannot stand where a group or kind of piece is forbidden."""
     if what in GROUPS:
         return frozenset((what,))
     return frozenset(
-        g for g in groups_of(what)
+        g
+        for g in groups_of(what)
         if all(_without(c, what) is None for c in cases(g, library).groups)
-    )  # fmt: skip
+    )
 
 
-def granted(
+def apply_wishes(
     wishes: Sequence[Wish], room: Room, library: Library, there: frozenset[str] = frozenset()
 ) -> tuple[Wish, ...]:
     """A room's programme with the household's wishes: less what is barred, with what is wanted and
     not ``there`` already (groups and kinds of pieces), each drawn to its place."""
-    out = barred(room, library)
+    out = list_barred_groups(room, library)
     found = [wish for wish in wishes if wish.group not in out]
     for asked in (w for w in room.wishes if not w.forbid):
         groups = groups_of(asked.what)
@@ -136,14 +141,16 @@ def granted(
         number = next(i for i, wish in enumerate(found) if wish.group in groups)
         rank = 0 if asked.required else found[number].rank
         found[number] = found[number]._replace(
-            sway=_sway(found[number].sway, asked), rank=rank,
+            sway=_sway(found[number].sway, asked),
+            rank=rank,
             required=asked.required or found[number].required,
-        )  # fmt: skip
+        )
     return tuple(sorted(found, key=lambda w: (w.rank, not w.core)))
 
 
-def substituted(room: Room, space: str, placed: Iterable[str], told: Iterable[str]
-                ) -> list[LeftOut]:  # fmt: skip
+def list_substitutes(
+    room: Room, space: str, placed: Iterable[str], told: Iterable[str]
+) -> list[LeftOut]:
     """What is required and has only something else of its use in its place; ``placed`` are the
     functions of groups, ``told`` those that are told as left out."""
     known = {*placed, *told}
@@ -154,32 +161,33 @@ def substituted(room: Room, space: str, placed: Iterable[str], told: Iterable[st
     ]
 
 
-def _sway(sway: Sway, asked: WishBrief) -> Sway:
+def _sway(sway: PlacementPreference, asked: WishBrief) -> PlacementPreference:
     draws = (draw for draw in _draws(asked) if draw not in sway.draws)
-    return Sway(
+    return PlacementPreference(
         DAYLIGHT if asked.by == "window" else sway.daylight,
         CORNER if asked.by == "corner" else sway.corner,
         (*sway.draws, *draws),
     )
 
 
-def _draws(asked: WishBrief) -> Iterable[Draw]:
+def _draws(asked: WishBrief) -> Iterable[Attraction]:
     """What draws a wished group or keeps it away, as parts of the room and other groups."""
     if asked.by in BY:
-        yield Draw((asked.by,), far=BY[asked.by])
+        yield Attraction((asked.by,), far=BY[asked.by])
     if asked.near:
-        yield Draw((asked.near, *groups_of(asked.near)), far=asked.within)
+        yield Attraction((asked.near, *groups_of(asked.near)), far=asked.within)
     for name, draw in (
-        (asked.face, Draw((), facing=1.0)), (asked.away_from, Draw((), near=asked.beyond)),
-    ):  # fmt: skip
+        (asked.face, Attraction((), facing=1.0)),
+        (asked.away_from, Attraction((), near=asked.beyond)),
+    ):
         if name:
             meant = (name,) if name in OPENINGS else (name, *groups_of(name))
             yield draw._replace(to=meant)
 
 
-def swayed(items: Items, wishes: Sequence[Wish]) -> Items:
+def apply_preferences(items: Items, wishes: Sequence[Wish]) -> Items:
     """Items drawn to the places wished for."""
-    if not any(wish.sway != Sway() for wish in wishes):
+    if not any(wish.sway != PlacementPreference() for wish in wishes):
         return items
     daylight = np.maximum(items.daylight, [w.sway.daylight for w in wishes])
     nestle = np.maximum(items.nestle, [w.sway.corner for w in wishes])
@@ -187,16 +195,17 @@ def swayed(items: Items, wishes: Sequence[Wish]) -> Items:
     pairs = [(i, j) for i, j, _ in drawn]
     targets = [_target(draw, wishes[i].group, items.wish[i], items.wish[j]) for i, j, draw in drawn]
     return items._replace(
-        daylight=daylight, nestle=nestle,
+        daylight=daylight,
+        nestle=nestle,
         pairs=np.concatenate([items.pairs, np.array(pairs, np.int64).reshape(-1, 2)]),
         pair_targets=np.concatenate(
             [items.pair_targets, np.array(targets, np.float64).reshape(-1, 3)]
         ),
         pair_weights=np.concatenate([items.pair_weights, np.full(len(pairs), NEAR)]),
-    )  # fmt: skip
+    )
 
 
-def _target(draw: Draw, group: str, own: Floats, other: Floats) -> tuple[float, float, float]:
+def _target(draw: Attraction, group: str, own: Floats, other: Floats) -> tuple[float, float, float]:
     """What a draw to another group means for the relation of both, of their wished sizes (2,):
     side by side, apart (below zero: at least so far), or looking at it."""
     nan = float("nan")
@@ -207,10 +216,10 @@ def _target(draw: Draw, group: str, own: Floats, other: Floats) -> tuple[float, 
     return -apart if draw.near else nan, nan, ahead if draw.facing else nan
 
 
-def _between(wishes: Sequence[Wish]) -> Iterable[tuple[int, int, Draw]]:
+def _between(wishes: Sequence[Wish]) -> Iterable[tuple[int, int, Attraction]]:
     """The wishes that draw a group to another, keep it away or have it look there."""
     for i, wish in enumerate(wishes):
-        for draw in drawn_to(wish):
+        for draw in list_attractions(wish):
             others = [j for j, w in enumerate(wishes) if j != i and w.group in draw.to]
             if others:
                 yield i, others[0], draw

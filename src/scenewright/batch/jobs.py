@@ -1,0 +1,156 @@
+"""What is to be done: the files of a batch, the names of their results, and what they depend on."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from functools import cache
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from scenewright._version import __version__
+from scenewright.batch.fingerprints import Look, list_dependencies, look
+from scenewright.core.atomic_file import note_read
+from scenewright.core.errors import InputError
+from scenewright.formats import SAMPLE, formats, suffix_of
+
+TAKEN = ("summary",)
+"""Names in the folder of results that are not a scene's."""
+
+
+class Limits(NamedTuple):
+    """Workers, memory of each in GiB, and seconds for a file."""
+
+    jobs: int
+    memory: float
+    time: float
+
+
+class BatchOptions(NamedTuple):
+    """How every file is laid out and written."""
+
+    formats: tuple[str, ...]
+    preset: str
+    solver: str | None
+    seconds: float | None
+    steps: int | None
+    seed: int
+    keep: bool
+    catalogs: tuple[str, ...] = ()
+    groups: tuple[str, ...] = ()
+    scale: float = 1.0
+    hidden_levels: bool = False
+    accessible: bool = False
+
+
+class Job(NamedTuple):
+    """One file to be done: where it is, the name of its results without suffix (with ``/``
+    between folders), where they go, and a digest of all they depend on."""
+
+    source: str
+    name: str
+    outputs: tuple[Path, ...]
+    key: str
+
+
+def list_jobs(
+    sources: Sequence[str | os.PathLike[str]], out: Path, options: BatchOptions
+) -> tuple[Job, ...]:
+    """The files of a batch, each once, in the order given; folders are searched through.
+
+    Results are named as the files, in the same folders below; the suffix of the file is kept
+    where two files would share a name, and a number added where that is not enough.
+    """
+    found = _find_files(sources, out)
+    if not found:
+        raise InputError("there is nothing to do", "give files or folders that hold briefs")
+    once = cache(look)  # many files name one catalogue
+    return tuple(
+        Job(
+            source,
+            name,
+            tuple(out / f"{name}{s}" for s in options.formats),
+            _key(source, options, once),
+        )
+        for source, name in zip(found, _names(found), strict=True)
+    )
+
+
+def _find_files(sources: Sequence[str | os.PathLike[str]], out: Path) -> dict[str, PurePosixPath]:
+    """The files by where they are, with their place below the folder they were found in."""
+    suffixes = {row.suffix for row in formats() if row.reader}
+    found: dict[str, PurePosixPath] = {}
+    seen: set[Path] = set()
+    for source in sources:
+        text = os.fspath(source)
+        if text.startswith(SAMPLE):
+            found[text] = PurePosixPath(text.removeprefix(SAMPLE) + ".json")
+            continue
+        for path, place in _files(Path(text), out, suffixes):
+            if path.resolve() not in seen:
+                seen.add(path.resolve())
+                found[str(path)] = place
+    return found
+
+
+def _files(path: Path, out: Path, suffixes: set[str]) -> Iterator[tuple[Path, PurePosixPath]]:
+    """A file, or those of a folder that can be read, but for hidden ones and the results."""
+    if not path.is_dir():
+        yield path, PurePosixPath(path.name)
+        return
+    if path.resolve() == out.resolve():
+        raise InputError("is where the results go", "give another -o", file=str(path))
+    for top, folders, names in os.walk(path):
+        folders[:] = sorted(
+            f for f in folders if not f.startswith(".") and Path(top, f).resolve() != out.resolve()
+        )
+        for name in sorted(names):
+            file = Path(top, name)
+            if file.suffix.lower() in suffixes and not name.startswith("."):
+                yield file, PurePosixPath(file.relative_to(path).as_posix())
+
+
+def _names(found: dict[str, PurePosixPath]) -> list[str]:
+    """A name for each, none twice, not even on systems that do not tell A from a."""
+    places = list(found.values())
+    stems = Counter(_stem(place).casefold() for place in places)
+    names: list[str] = []
+    taken = set(TAKEN)
+    for place in places:
+        plain = _stem(place)
+        wanted = plain if stems[plain.casefold()] == 1 else str(place)
+        name, count = wanted, 1
+        while name.casefold() in taken:
+            count += 1
+            name = f"{wanted}-{count}"
+        taken.add(name.casefold())
+        names.append(name)
+    return names
+
+
+def _stem(place: PurePosixPath) -> str:
+    """The place of a file without the suffix of its format.
+
+    >>> _stem(PurePosixPath("old/town.city.json"))
+    'old/town'
+    """
+    return str(place).removesuffix(suffix_of(place))
+
+
+def _key(source: str, options: BatchOptions, stamps: Look) -> str:
+    """A digest of a file's content, of names, times and sizes of the catalogues it names, of the
+    options and the version; a file that cannot be read has that of nothing."""
+    beside = [
+        stamps(path) for path in list_dependencies(source, (*options.catalogs, *options.groups))
+    ]
+    digest = hashlib.blake2b(repr((__version__, options, beside)).encode(), digest_size=16)
+    try:
+        if not source.startswith(SAMPLE):
+            note_read(source)
+            with open(source, "rb") as file:
+                digest.update(hashlib.file_digest(file, "blake2b").digest())
+    except OSError:
+        pass
+    return digest.hexdigest()

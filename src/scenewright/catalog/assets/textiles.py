@@ -1,0 +1,140 @@
+"""Rugs and curtains."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from scenewright.catalog.assets.drawing import Drawing
+from scenewright.catalog.assets.joinery import spread
+from scenewright.catalog.assets.materials import (
+    BLACK,
+    FABRIC_LIGHT,
+    MUSTARD,
+    NAVY,
+    SAGE_FABRIC,
+    SHEER,
+    TERRACOTTA,
+    WOOL,
+)
+from scenewright.catalog.assets.model import Parts, parts, pick
+from scenewright.catalog.assets.objects import Stuff
+from scenewright.catalog.assets.symbols import Lines, rectangle
+from scenewright.core.catalog import Material
+from scenewright.core.scene import Size
+from scenewright.geometry.mesh import Mesh, extrude
+from scenewright.geometry.solids import Interval, ball, block, frame, rod, slab
+
+
+def _rug(size: Size) -> Parts:
+    return pick(size, (_lozenge_rug, _striped_rug, _plain_rug))(size)
+
+
+def _ground(size: Size, edge: float, border: Material, field: Material) -> Stuff:
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    return {
+        border: [slab((-w, w), (-d, d), (0, 0.6 * h), 0.01)],
+        field: [block((-w + edge, w - edge), (-d + edge, d - edge), (0.3 * h, 0.8 * h))],
+    }
+
+
+def _striped_rug(size: Size) -> Parts:
+    """Bands near both ends, across the longer side."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    edge, long, short = 0.05 * min(w, d), max(w, d), min(w, d)
+    found = _ground(size, edge, FABRIC_LIGHT, WOOL)
+    for cloth, middle, half in (
+        (NAVY, 0.8, 0.05),
+        (TERRACOTTA, 0.68, 0.03),
+        (MUSTARD, 0.6, 0.015),
+        (NAVY, 0.5, 0.015),
+    ):
+        for s in (-1, 1):
+            band = (s * middle * long - half * long, s * middle * long + half * long)
+            across = (-short + edge + 0.002, short - edge - 0.002)
+            x, y = (band, across) if w >= d else (across, band)
+            found.setdefault(cloth, []).append(block(x, y, (0.5 * h, h)))
+    return parts(size, found)
+
+
+def _plain_rug(size: Size) -> Parts:
+    """One colour with a light line near the edge."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    found: Stuff = {SAGE_FABRIC: [slab((-w, w), (-d, d), (0, 0.8 * h), 0.01)]}
+    found[WOOL] = [_border(w - 0.12 * min(w, d), d - 0.12 * min(w, d), 0.03 * min(w, d), h)]
+    return parts(size, found)
+
+
+def _border(w: float, d: float, rim: float, h: float) -> Mesh:
+    """A flat frame on a rug."""
+    upright = frame((-w, w), (0.0, 0.5 * h), (-d, d), rim)
+    flat = upright.vertices[:, [0, 2, 1]] + (0, 0, 0.5 * h)
+    return Mesh(flat, upright.faces[:, ::-1])
+
+
+def _lozenge_rug(size: Size) -> Parts:
+    """Lozenges within two fine lines and a border."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    edge = min(0.06, 0.1 * min(w, d))
+    stripe = min(0.1, 0.12 * min(w, d))
+    inner = edge + 2.2 * stripe
+    lines = [_border(w - k, d - k, 0.3 * stripe, h) for k in (edge + stripe, edge + 1.7 * stripe)]
+    diamonds = _diamonds(w - inner, d - inner, (0.5 * h, h))
+    found = _ground(size, edge, FABRIC_LIGHT, WOOL)
+    return parts(size, {**found, TERRACOTTA: lines, SAGE_FABRIC: diamonds})
+
+
+def _diamonds(w: float, d: float, z: Interval) -> list[Mesh]:
+    """A few lozenges along the longer side."""
+    count = max(1, round(max(w, d) / min(w, d) * 1.5))
+    found = []
+    for a, b in spread(-max(w, d), max(w, d), count):
+        middle, long, short = (a + b) / 2, 0.4 * (b - a), 0.62 * min(w, d)
+        ring = [(middle + long, 0), (middle, short), (middle - long, 0), (middle, -short)]
+        if d > w:
+            ring = [(-y, x) for x, y in ring]
+        found.append(extrude(ring, *z))
+    return found
+
+
+def _curtain(size: Size) -> Parts:
+    """Two drawn-back lengths in folds on a rod."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    each = min(0.3 * size.width, 0.6)
+    rail = h - 0.035
+    lengths = [
+        _folds((-w + 0.02, -w + 0.02 + each), d, rail),
+        _folds((w - 0.02 - each, w - 0.02), d, rail),
+    ]
+    bar = [rod((-w + 0.015, 0, rail + 0.012), (w - 0.015, 0, rail + 0.012), 0.011, sides=8)]
+    bar += [
+        ball(0.02, min(0.02, d), 0.022, (s * (w - 0.02), 0, rail + 0.012), 8, 4) for s in (-1, 1)
+    ]
+    return parts(size, {SHEER: lengths, BLACK: bar})
+
+
+def _folds(x: Interval, d: float, high: float) -> Mesh:
+    waves = max(2, round((x[1] - x[0]) / 0.09))
+    share = np.linspace(0, 1, 4 * waves + 1)
+    thin = min(0.008, 0.2 * d)
+    across = x[0] + share * (x[1] - x[0])
+    swing = (d - thin) * np.sin(share * waves * 2 * pi)
+    front = np.column_stack([across, swing + thin / 2])
+    rear = np.column_stack([across, swing - thin / 2])
+    return extrude(np.concatenate([rear, front[::-1]]), 0.0, high)
+
+
+def _rug_symbol(size: Size) -> Lines:
+    return rectangle(size), rectangle(size, min(0.08, 0.1 * min(size[:2])))
+
+
+def _curtain_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    count = max(6, round(size.width / 0.09))
+    share = np.linspace(0, 1, 6 * count + 1)
+    wave = np.column_stack([-w + share * 2 * w, 0.9 * d * np.sin(share * count * 2 * pi)])
+    return (wave,)
+
+
+ASSETS = (Drawing("rug", _rug, _rug_symbol), Drawing("curtain", _curtain, _curtain_symbol))

@@ -1,0 +1,109 @@
+"""The kinds of object: one row each, one file a theme, and the tables read off them.
+
+Reach depths follow usual dimensioning guides (Neufert; Panero & Zelnik): about 0.5 m to sit or to
+pass, 0.75 m before doors and drawers, 0.9 m before cooking units. Sizes follow what shops sell.
+
+Services are measured in plan, from the outlet to the nearest point of the piece. Appliances come
+with a mains lead of about 1.5 m and supply and drain hoses of about 1.5 m; a computer's lead of
+1.8 m has to go down from the desk and along it. Basins and sinks are joined by hoses of 0.3 to
+0.5 m and a trap, so the outlet is behind them or just beside; a toilet stands at its drain. Baths
+and showers are plumbed under their tray, a metre at most to keep the fall.
+
+Clearances in halls follow planning guides (Neufert, *Architects' Data*; Panero & Zelnik, *Human
+Dimension and Interior Space*, 1979): half of an aisle of 1.2 to 1.5 m before a shelf, since two
+that face each other share it; about 0.45 m of seatway in a row of seats; 0.75 to 0.9 m for those
+who stop and look; nothing beside what stands side by side with its like.
+
+Other packages add kinds by the entry point ``scenewright.kinds``: ``gym = "gym.kinds:KINDS"``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib import import_module
+from importlib.metadata import entry_points
+
+from scenewright.core.errors import InputError
+from scenewright.core.kind import HallUse, Kind, Service, SizeRange, free
+
+GROUP = "scenewright.kinds"
+"""The entry points by which other packages add rows."""
+
+_THEMES = (
+    "seating",
+    "tables",
+    "beds",
+    "storage",
+    "kitchen",
+    "bath",
+    "appliances",
+    "lighting",
+    "decor",
+    "outdoor",
+    "fixtures",
+    "leisure",
+    "exhibition",
+    "shop",
+    "reading",
+    "auditorium",
+    "reception",
+    "grounds",
+)
+
+
+def _rows() -> Iterator[tuple[str, Kind]]:
+    """Where each row is from, and the row."""
+    for theme in _THEMES:
+        yield from ((theme, kind) for kind in import_module(f"{__name__}.{theme}").KINDS)
+    for entry in sorted(entry_points(group=GROUP), key=lambda entry: entry.name):
+        yield from ((entry.name, kind) for kind in entry.load())
+
+
+def _by_category() -> dict[str, Kind]:
+    found: dict[str, Kind] = {}
+    for origin, kind in _rows():
+        if kind.category in found:
+            raise InputError(
+                f"there are two kinds '{kind.category}', one of them of '{origin}'",
+                f"rename it, or remove the package that adds {GROUP} '{origin}'",
+            )
+        found[kind.category] = kind
+    return found
+
+
+KINDS: dict[str, Kind] = _by_category()
+SIZES: dict[str, SizeRange] = {kind.category: kind.sizes for kind in KINDS.values() if kind.sizes}
+"""Smallest, usual and largest size of every kind, in metres."""
+
+ELSE = free("chain grid single", 0.6)
+"""How halls lay out a kind whose row does not say."""
+
+
+def hall_use(category: str) -> HallUse:
+    """How a kind is placed in a hall; where its row says nothing, free, 0.6 m clear all around.
+
+    >>> hall_use("gondola").clearance
+    (0.7, 0.0, 0.7, 0.0)
+    >>> hall_use("fountain").place
+    'free'
+    """
+    kind = KINDS.get(category)
+    return kind.hall if kind and kind.hall else ELSE
+
+
+def services_of(category: str) -> tuple[Service, ...]:
+    """What a kind is connected to; nothing for what is no kind.
+
+    >>> [service.outlet for service in services_of("dishwasher")]
+    ['power', 'water']
+    """
+    return KINDS[category].services if category in KINDS else ()
+
+
+def name_of(category: str) -> str:
+    """What people call a kind.
+
+    >>> name_of("tv_stand"), name_of("office_chair"), name_of("garden_gnome")
+    ('TV stand', 'office chair', 'garden gnome')
+    """
+    return (KINDS.get(category) or Kind(category)).name

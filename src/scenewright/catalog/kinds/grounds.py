@@ -1,0 +1,75 @@
+"""What stands or lies outside buildings, and buildings."""
+
+from __future__ import annotations
+
+from scenewright.catalog.kinds.usual import FRONT
+from scenewright.core.kind import Kind, size_range, words
+
+KINDS = (
+    Kind(
+        "building",
+        access=FRONT,
+        reach=1.5,
+        sizes=size_range("540 2400 12000", "540 1800 9600", "480 1400 15000"),
+        drawn_by=(".eastern", ".sacred", ".civic", ".houses", ".towers", ".works"),
+    ),
+    Kind(
+        "tree",
+        sizes=size_range("200 700 1600", "200 700 1600", "300 900 2500"),
+        words=(
+            words(
+                "potted_tree",
+                en="tree, pine, oak tree",
+                fr="arbre",
+                de="baum",
+                es="arbol",
+                zh="树, 樹",
+                ja="木",
+            ),
+            words(
+                en="oak, poplar, cypress, maple, sycamore, acacia, birch",
+                de="eiche, birke",
+                es="roble",
+            ),
+        ),
+        drawn_by=(".street_furniture",),
+    ),
+    Kind(
+        "road",
+        flat=True,
+        sizes=size_range("100 600 4000", "100 4000 50000", "1 4 5"),
+        drawn_by=(".street_furniture",),
+    ),
+    Kind(
+        "lamp_post",
+        sizes=size_range("12 30 60", "60 140 250", "300 600 1200"),
+        words=(
+            words(
+                en="lamp post, lamppost, street light, street lamp, park light",
+                fr="lampadaire de rue, reverbere",
+                de="strassenlaterne",
+                es="farola",
+                zh="路灯, 停车灯",
+                ja="街灯",
+            ),
+        ),
+        drawn_by=(".street_furniture",),
+    ),
+    Kind(
+        "site_bench",
+        label="park bench",
+        access=FRONT,
+        sizes=size_range("120 180 300", "45 60 90", "70 82 100"),
+        words=(
+            words(
+                en="park bench, painted bench, concrete bench",
+                fr="banc public",
+                de="parkbank",
+                es="banco de parque",
+                zh="公园长椅",
+                ja="公園ベンチ",
+            ),
+        ),
+        drawn_by=(".street_furniture",),
+    ),
+)

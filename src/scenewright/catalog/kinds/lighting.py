@@ -1,0 +1,89 @@
+"""Lamps."""
+
+from __future__ import annotations
+
+from scenewright.core.kind import Kind, size_range, words
+
+KINDS = (
+    Kind(
+        "floor_lamp",
+        airy=True,
+        sizes=size_range("22 38 70", "22 38 70", "110 155 195"),
+        words=(
+            words(
+                en="floor lamp, floor uplight, standing lamp, torchiere",
+                fr="lampadaire",
+                de="stehlampe, stehleuchte",
+                es="lampara de pie",
+                zh="落地灯",
+                ja="フロアランプ",
+            ),
+        ),
+        drawn_by=(".lighting",),
+    ),
+    Kind(
+        "table_lamp",
+        support="top",
+        airy=True,
+        sizes=size_range("14 28 45", "14 28 45", "22 45 70"),
+        words=(
+            words(
+                en="table lamp, bedside lamp",
+                fr="lampe de chevet, lampe de table",
+                de="tischlampe, tischleuchte",
+                es="lampara de mesa",
+                zh="台灯, 桌灯",
+                ja="テーブルランプ",
+            ),
+        ),
+        drawn_by=(".lighting",),
+    ),
+    Kind(
+        "desk_lamp",
+        support="top",
+        sizes=size_range("12 18 30", "20 40 60", "28 45 65"),
+        words=(
+            words(
+                en="desk lamp, work lamp, reading lamp",
+                fr="lampe de bureau",
+                de="schreibtischlampe",
+                es="flexo",
+                zh="工作灯",
+                ja="デスクライト",
+            ),
+        ),
+        drawn_by=(".lighting",),
+    ),
+    Kind(
+        "pendant_lamp",
+        support="ceiling",
+        sizes=size_range("15 42 90", "15 42 90", "25 90 180"),
+        words=(
+            words(
+                en="pendant, pendant lamp, chandelier, hanging light, hanging lamp",
+                fr="suspension, lustre",
+                de="hangelampe, pendelleuchte",
+                es="lampara colgante, arana",
+                zh="吊灯",
+                ja="ペンダント",
+            ),
+        ),
+        drawn_by=(".lighting",),
+    ),
+    Kind(
+        "ceiling_lamp",
+        support="ceiling",
+        sizes=size_range("18 45 120", "18 45 120", "4 14 35"),
+        words=(
+            words(
+                en="ceiling light, ceiling lamp, spotlight, uplight, ceiling spot",
+                fr="plafonnier, spot",
+                de="deckenlampe, deckenleuchte",
+                es="plafon, lampara de techo",
+                zh="吸顶灯",
+                ja="シーリング",
+            ),
+        ),
+        drawn_by=(".lighting",),
+    ),
+)

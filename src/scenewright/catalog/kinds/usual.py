@@ -1,0 +1,22 @@
+"""What many kinds share: sides people use them from, what they are connected by, what chairs go
+under."""
+
+from __future__ import annotations
+
+from scenewright.core.kind import Service, Side
+
+FRONT: tuple[Side, ...] = ("front",)
+ALL_SIDES: tuple[Side, ...] = ("front", "back", "left", "right")
+SEAT: tuple[Side, ...] = ("back", "left", "right")
+"""One sits down at a table from any side but the table's."""
+FLANKS: tuple[Side, ...] = ("left", "right")
+THREE: tuple[Side, ...] = ("front", "left", "right")
+BOTH: tuple[Side, ...] = ("front", "back")
+
+TABLES = ("dining_table", "round_table", "outdoor_table")
+DESKS = ("desk", "kids_desk", "vanity")
+
+LEAD = Service("power", 1.5, "lead")
+HOSE = Service("water", 1.5, "hose")
+PIPE = Service("water", 0.5, "pipe")
+TRAY = Service("water", 1.0, "pipe")

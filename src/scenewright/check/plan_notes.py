@@ -1,0 +1,47 @@
+"""Plans that are not what they seem: what reading left out, and a scale that is hardly right."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from statistics import median
+
+from scenewright.check.report import Note
+from scenewright.core.brief import Brief
+from scenewright.core.space import Space
+
+NARROW = 0.65
+"""Doors that hang on hinges are hardly ever narrower, in metres: the least leaf in general use in
+homes is about 0.61 to 0.63 m, for toilets and cupboards."""
+USUAL = 0.8
+"""A usual width of such doors, in metres; it gives the factor."""
+LEAST_DOORS = 2
+
+
+def note_plan(brief: Brief, spaces: Sequence[Space]) -> list[Note]:
+    """What was left out or assumed on reading, and whether a home is probably drawn too small."""
+    read = [Note("", "plan", "", text) for text in brief.notes]
+    return [*read, *note_small_doors(spaces)] if brief.domain == "home" else read
+
+
+def note_small_doors(spaces: Sequence[Space]) -> list[Note]:
+    """A note if more than half of the hinged doors of a home, of at least two, are narrower than
+    :data:`NARROW`: with the factor that gives their median the width :data:`USUAL`.
+
+    >>> from scenewright.building.plan import spaces
+    >>> doors = [{"at": [1, 0], "width": 0.55}, {"at": [3, 0], "width": 0.6}]
+    >>> room = {"outline": [[0, 0], [4, 0], [4, 3], [0, 3]], "doors": doors}
+    >>> note_small_doors(spaces(Brief.model_validate({"rooms": [room]})))[0].message[:60]
+    '2 of 2 doors are narrower than 0.65 m: the plan is probably '
+    """
+    openings = {opening.id: opening for space in spaces for opening in space.openings}
+    widths = [o.width for o in openings.values() if o.kind == "door" and o.hinge]
+    narrow = sum(width < NARROW for width in widths)
+    if len(widths) < LEAST_DOORS or 2 * narrow <= len(widths):
+        return []
+    factor = f"{USUAL / median(widths):.2g}"
+    text = (
+        f"{narrow} of {len(widths)} doors are narrower than {NARROW:g} m: the plan is probably "
+        f"drawn too small, by a factor of about {factor}; "
+        f'if so, add --scale {factor} or "scale": {factor} to the brief'
+    )
+    return [Note("", "plan", "scale", text)]

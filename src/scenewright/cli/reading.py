@@ -1,0 +1,22 @@
+"""Options of ``arrange`` that say how a plan is read, and with what beside it."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+ScaleOption = Annotated[
+    float, typer.Option(min=0.05, max=20, help="Multiply all lengths in plan, if drawn too small.")
+]
+HiddenOption = Annotated[
+    bool, typer.Option("--hidden-levels", help="Include the hidden levels of a .sh3d.")
+]
+CatalogOption = Annotated[
+    list[str] | None,
+    typer.Option("--catalog", metavar="PATH", help="Models of your own; may be repeated."),
+]
+GroupsOption = Annotated[
+    list[str] | None,
+    typer.Option("--groups", metavar="PATH", help="Learned groups; may be repeated."),
+]

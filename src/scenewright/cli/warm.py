@@ -1,0 +1,128 @@
+"""Compile beforehand: one small run a kind of scene, kinds side by side in processes of their own.
+
+The compiler works on one thread a process. A kind's run reads a sample, solves it briefly, judges
+the answer and draws it, which compiles what the default preset, the referee and the pictures need.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from rich.console import Console
+
+from scenewright.core.errors import InputError
+
+SAMPLES = {
+    "home": ("home-flat", "home-attic"),
+    "hall": ("hall-reading-room", "hall-exhibition"),
+    "site": ("site-30", "site-landmarks"),
+}
+"""What is solved to compile a kind of scene."""
+STEPS = 200
+"""How long, in steps."""
+OUTPUTS = ("scene.glb", "plan.svg", "picture.png", "solution.json")
+
+
+class Warmed(NamedTuple):
+    """What compiling one kind took: ``kernels`` compiled now, seconds of compiling and of the
+    whole run."""
+
+    kind: str
+    kernels: int
+    compiling: float
+    seconds: float
+
+
+def check_kinds(kinds: Sequence[str]) -> tuple[str, ...]:
+    """The kinds given, each once; all if none is given."""
+    for kind in kinds:
+        if kind not in SAMPLES:
+            raise InputError(f"there is no kind of scene {kind!r}", f"give {', '.join(SAMPLES)}")
+    return tuple(dict.fromkeys(kinds)) or tuple(SAMPLES)
+
+
+def warm_here(kind: str) -> Warmed:
+    """Compile one kind in this process."""
+    begun = time.perf_counter()
+    from scenewright.geometry.compile_clock import compile_clock
+
+    with compile_clock() as clock, tempfile.TemporaryDirectory() as folder:
+        for name in SAMPLES[kind]:
+            _run_once(name, Path(folder))
+    seconds = round(time.perf_counter() - begun, 2)
+    return Warmed(kind, clock.kernels, round(clock.seconds, 2), seconds)
+
+
+def _run_once(name: str, folder: Path) -> None:
+    from scenewright import domains, formats
+    from scenewright.domains import check
+
+    solution = domains.solve(formats.read(f"sample:{name}"), steps=STEPS)
+    check(solution)
+    for output in OUTPUTS:
+        formats.write(solution, folder / output)
+
+
+def warm_all(kinds: Sequence[str], done: Callable[[Warmed], None]) -> list[Warmed]:
+    """Compile several kinds, as many at once as there are processors; ``done`` is called as each
+    ends."""
+    with ThreadPoolExecutor(min(len(kinds), os.cpu_count() or 1)) as pool:
+        waiting = [pool.submit(_warm_there, kind) for kind in reversed(kinds)]
+        results = []
+        for each in as_completed(waiting):
+            results.append(each.result())
+            done(results[-1])
+    return sorted(results, key=lambda row: kinds.index(row.kind))
+
+
+def _warm_there(kind: str) -> Warmed:
+    """Compile one kind in a process of its own."""
+    command = [sys.executable, "-m", "scenewright", "warm", kind, "--json"]
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
+    if ended.returncode:
+        reason = ended.stderr.strip().rpartition("\n")[2] or f"exit {ended.returncode}"
+        raise InputError(f"compiling for {kind}s failed: {reason}", "run it again")
+    return Warmed(**json.loads(ended.stdout)[0])
+
+
+def run(kinds: Sequence[str], console: Console) -> list[Warmed]:
+    """Compile the kinds given, or all, and say of each when it is done."""
+    chosen = check_kinds(kinds)
+    ended: list[Warmed] = []
+
+    def done(row: Warmed) -> None:
+        ended.append(row)
+        console.print(f"{tell(row)} ({len(ended)} of {len(chosen)})", highlight=False)
+
+    names = ", ".join(f"{kind}s" for kind in chosen)
+    console.print(f"compiling for {names}; once, up to a minute or two", style="dim")
+    if len(chosen) > 1:
+        return warm_all(chosen, done)
+    done(warm_here(chosen[0]))
+    return ended
+
+
+def document(rows: Sequence[Warmed]) -> list[dict[str, Any]]:
+    """The rows as plain values."""
+    return [row._asdict() for row in rows]
+
+
+def tell(row: Warmed) -> str:
+    """One line on a kind.
+
+    >>> tell(Warmed("home", 31, 19.5, 22.04))
+    'homes: 31 kernels compiled, 22.0 s'
+    >>> tell(Warmed("home", 0, 0.0, 1.9))
+    'homes: already compiled, 1.9 s'
+    """
+    work = f"{row.kernels} kernels compiled" if row.kernels else "already compiled"
+    return f"{row.kind}s: {work}, {row.seconds:.1f} s"

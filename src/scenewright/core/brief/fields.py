@@ -1,0 +1,36 @@
+"""The fields briefs are made of: numbers with their limits, points, outlines."""
+
+from __future__ import annotations
+
+from math import tau
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field
+
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Whole = Annotated[int, Field(strict=True)]
+Switch = Annotated[bool, Field(strict=True)]
+Coordinate = Annotated[Number, Field(ge=-1e4, le=1e4)]
+FURNITURE = 30.0
+"""Greatest side of a piece of furniture in metres, wherever one is read."""
+BUILT_IN = 300.0
+"""Greatest side of what is built into a room: a partition, a curtain."""
+BUILDING = 500.0
+"""Greatest side of a building in metres, wherever one is read."""
+
+Length = Annotated[Number, Field(gt=0, le=1e3)]
+Side = Annotated[Number, Field(gt=0, le=FURNITURE)]
+Storey = Annotated[Number, Field(gt=0, le=100)]
+Height = Annotated[Number, Field(ge=0, le=100)]
+Heading = Annotated[Number, Field(ge=-tau, le=tau)]
+Clearance = Annotated[Number, Field(ge=0, le=20)]
+Words = Annotated[str, Field(max_length=80)]
+Point = tuple[Coordinate, Coordinate]
+Outline = Annotated[list[Point], Field(min_length=3, max_length=5000)]
+
+
+class StrictModel(BaseModel):
+    """Immutable, and strict about names: an unknown key is a mistake worth telling. Texts are
+    checked to be whole Unicode, which a text without any limit is not."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", str_min_length=0)

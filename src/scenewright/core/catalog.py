@@ -1,0 +1,135 @@
+"""The catalog: kinds of object, the assets that draw them, and groups of them.
+
+A *kind* states how an object is used (:mod:`scenewright.core.kind`); an *asset* is one model that
+can be drawn at a range of sizes; a *group* is a set of members laid out to serve one function.
+Assets are found by kind and size.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.core.kind import Kind
+from scenewright.core.scene import Piece, Size
+
+
+@dataclass(frozen=True, slots=True)
+class Material:
+    """A plain physically based material: sRGB colour in [0, 1], roughness, metallic, opacity."""
+
+    name: str
+    color: tuple[float, float, float]
+    roughness: float = 0.8
+    metallic: float = 0.0
+    opacity: float = 1.0
+    emission: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """Triangles of one material: ``vertices`` (n, 3) float64, ``faces`` (m, 3) int64,
+    counter-clockwise seen from outside; in the local frame described in
+    :mod:`scenewright.core.scene`.
+    """
+
+    material: Material
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int64]
+
+
+Mesher = Callable[[Size], tuple[Part, ...]]
+Symbol = Callable[[Size], tuple[NDArray[np.float64], ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Asset:
+    """One model: its kind, the sizes it can take, how to draw it in 3D and in plan.
+
+    ``mesh(size)`` gives parts that fill exactly ``[-w/2, w/2] x [-d/2, d/2] x [0, h]``;
+    ``symbol(size)`` polylines ``(k, 2)`` in the same frame seen from above (closed ones repeat
+    their first point). ``style`` and ``colour`` are words, where somebody told or they show.
+    """
+
+    id: str
+    category: str
+    name: str
+    smallest: Size
+    usual: Size
+    largest: Size
+    mesh: Mesher
+    symbol: Symbol
+    licence: str = "Apache-2.0"
+    author: str = "Scenewright"
+    style: str = ""
+    colour: str = ""
+
+
+class Member(NamedTuple):
+    """One object of a group, in the group's frame (origin in the middle of its footprint, front
+    to +y): centre ``x, y``, height ``z`` of the underside, ``heading`` relative to the group's
+    front, ``size``, ``on``, the index of the member it stands on (-1: none), and ``asset``, the
+    model to draw it with (empty: any that suits)."""
+
+    category: str
+    x: float
+    y: float
+    z: float
+    heading: float
+    size: Size
+    on: int = -1
+    asset: str = ""
+
+
+class Group(NamedTuple):
+    """A furniture group: objects that serve one function together, with their footprint.
+
+    ``width`` (local x) and ``depth`` (local y) include the free space the group needs inside.
+    """
+
+    function: str
+    name: str
+    width: float
+    depth: float
+    members: tuple[Member, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Catalog:
+    """Kinds by category and assets by id; for models of a user's own catalogues ``names``, other
+    names in lower case with the ids they may mean, and ``broken``, why one could not be read."""
+
+    kinds: dict[str, Kind] = field(default_factory=dict)
+    assets: dict[str, Asset] = field(default_factory=dict)
+    names: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    broken: dict[str, str] = field(default_factory=dict)
+
+    def of(self, category: str) -> tuple[Asset, ...]:
+        """All assets of a category, in table order (empty if there are none)."""
+        return tuple(a for a in self.assets.values() if a.category == category)
+
+    def choose(self, category: str, size: Size) -> Asset | None:
+        """The asset of a category whose size range lies nearest to ``size``; ``None`` if none."""
+        return _chosen(self, category, size)
+
+
+@lru_cache(maxsize=8192)
+def _chosen(catalog: Catalog, category: str, size: Size) -> Asset | None:
+    found = catalog.of(category)
+    return min(found, key=lambda a: _misfit(a, size)) if found else None
+
+
+def _misfit(asset: Asset, size: Size) -> float:
+    limits = zip(asset.smallest, size, asset.largest, strict=True)
+    outside = sum(max(low - wish, 0.0) + max(wish - high, 0.0) for low, wish, high in limits)
+    return outside + 1e-3 * sum(abs(a - b) for a, b in zip(size, asset.usual, strict=True))
+
+
+def asset_of(piece: Piece, catalog: Catalog) -> Asset | None:
+    """The asset that draws a piece: the one it names, else the nearest of its category."""
+    return catalog.assets.get(piece.asset) or catalog.choose(piece.category, piece.size)

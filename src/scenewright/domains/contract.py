@@ -1,0 +1,148 @@
+"""What a kind of scene is: a value with its part of the brief, its verbs and its tables.
+
+A domain is one package with a value :class:`Domain`. Verbs and tables are written as
+``".module:name"`` below the domain's package, or as ``"package.module:name"``, and loaded when
+first used, so that listing domains or reading a brief compiles nothing. A verb a domain does not
+have is refused by name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from importlib import import_module
+from typing import Any, Literal, NamedTuple, Protocol
+
+from scenewright.check.report import Report
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
+from scenewright.core.registry import Format
+from scenewright.core.scene import Scene
+from scenewright.core.solution import Solution
+
+Verb = Literal[
+    "plan",
+    "validate",
+    "solve",
+    "check",
+    "scene",
+    "draw",
+    "problems",
+    "solution",
+    "alternatives",
+    "differ",
+    "adjust",
+    "describe",
+    "lock",
+    "detail_document",
+    "detail_of",
+    "accessible",
+]
+Table = Literal["presets", "solvers", "terms", "patterns", "groups", "kinds"]
+
+PLAN = "brief -> Plan: valid spaces, or an InputError that names the place"
+
+
+class Planning(Protocol):
+    """``plan``: everything later stages rely on, checked once."""
+
+    def __call__(self, brief: Brief) -> Plan: ...
+
+
+class Solving(Protocol):
+    """``solve``: ``plan`` is that of the brief, made once a run. The work is ``steps`` or
+    ``seconds``, else what the preset says. ``progress`` is called with the share done and what is
+    being done; when ``cancel`` answers true, the best so far is returned."""
+
+    def __call__(
+        self,
+        brief: Brief,
+        *,
+        plan: Plan,
+        preset: str = "default",
+        solver: str | None = None,
+        seconds: float | None = None,
+        steps: int | None = None,
+        seed: int = 0,
+        threads: int | None = None,
+        progress: Callable[[float, str], None] | None = None,
+        cancel: Callable[[], bool] | None = None,
+    ) -> Solution: ...
+
+
+class Checking(Protocol):
+    """``check``: the referee's report on a solution."""
+
+    def __call__(self, solution: Solution, plan: Plan, **given: Any) -> Report: ...
+
+
+class Staging(Protocol):
+    """``scene``: what writers of 3D and pictures draw."""
+
+    def __call__(self, solution: Solution, plan: Plan) -> Scene: ...
+
+
+class Drawing(Protocol):
+    """``draw``: the plan as SVG text."""
+
+    def __call__(self, solution: Solution, plan: Plan) -> str: ...
+
+
+class Domain(NamedTuple):
+    """One kind of scene.
+
+    ``name`` is what a brief says; ``about`` one line for lists; ``package`` where its modules
+    are. ``part`` names the pydantic model of the keys only its briefs have (empty: none), and
+    ``detail`` that of the keys only its solutions have. ``rooms`` tells whether its briefs have
+    rooms; ``lacks`` and ``rooms_lack`` are common keys of briefs and rooms it does
+    not know. ``defaults`` are values of common keys its briefs leave out. ``noun`` names one of its
+    spaces in messages. ``verbs`` and ``tables`` give the function or table of each name as
+    ``"module:name"`` below the package. ``samples`` are names of briefs in its folder
+    ``samples``; ``formats`` files only it reads or writes. ``documents`` read a parsed JSON
+    document of another program: its ``type`` -> ``"module:name"``. ``maps`` is the module that
+    reads GeoJSON as such a brief: ``recognises(collection)`` and ``brief_of(collection, name)``.
+    """
+
+    name: str
+    about: str
+    package: str
+    part: str = ""
+    detail: str = ""
+    rooms: bool = True
+    lacks: tuple[str, ...] = ()
+    rooms_lack: tuple[str, ...] = ()
+    defaults: Mapping[str, Any] = {}
+    noun: str = "room"
+    verbs: Mapping[str, str] = {}
+    tables: Mapping[str, str] = {}
+    formats: tuple[Format, ...] = ()
+    documents: Mapping[str, str] = {}
+    maps: str = ""
+
+    def part_model(self) -> Any:
+        """The model of the keys only its briefs have; ``None`` if there are none."""
+        return self.load(self.part) if self.part else None
+
+    def detail_model(self) -> Any:
+        """The model of the keys only its solutions have; ``None`` if there are none."""
+        return self.load(self.detail) if self.detail else None
+
+    def has(self, verb: Verb) -> bool:
+        """Whether the domain has a verb."""
+        return verb in self.verbs
+
+    def verb(self, name: Verb) -> Any:
+        """The function of a verb; raises :class:`InputError` if the domain has none."""
+        if name not in self.verbs:
+            words = name.replace("_", " ")
+            raise InputError(f"scenes of the domain '{self.name}' do not support '{words}'")
+        return self.load(self.verbs[name])
+
+    def table(self, name: Table) -> Any:
+        """A table by name, empty if the domain has none."""
+        return self.load(self.tables[name]) if name in self.tables else {}
+
+    def load(self, reference: str) -> Any:
+        """What ``"module:name"`` names; a module with a leading dot is the package's own."""
+        module, _, name = reference.partition(":")
+        return getattr(import_module(module, self.package), name)

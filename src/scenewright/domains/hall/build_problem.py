@@ -1,0 +1,284 @@
+"""From a hall and the units to lay out in it to the problem that is solved."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.building.door_approach import (
+    DoorApproach,
+    before,
+    door_zone,
+    edges_of,
+    gates,
+    throat,
+)
+from scenewright.core.catalog import Catalog
+from scenewright.core.kind import Kind
+from scenewright.core.scene import Piece
+from scenewright.core.space import Space
+from scenewright.domains.hall.assign import Unit
+from scenewright.domains.hall.borders import Border, WallStretch, wall_stretches, zone_edges
+from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.partitions import Host
+from scenewright.domains.hall.patterns import PATTERNS
+from scenewright.domains.hall.problem import Floats, HallGround, HallProblem, Ints, Units
+from scenewright.domains.hall.zones import HallPlan
+
+LANDING = 1.5
+"""Kept free inside a door, in metres: people stop there."""
+WINDOW = 0.3
+SHARE, MOST = 0.75, 0.8
+"""δ_min: this share of what its objects demand of a zone, and at most."""
+MARGIN = 0.1
+"""Passages are planned this much wider than asked for, in metres."""
+SEATS = ("auditorium_seat",)
+HEAD_HEIGHT = 2.0
+SIDES = ("front", "left", "back", "right")
+
+
+class HallContext(NamedTuple):
+    """A hall ready to be posed: its space, zones and links, borders between zones, the walls of
+    each zone, what stands there already, the width of the route, and what stands in other
+    rooms and reaches in."""
+
+    space: Space
+    plan: HallPlan
+    borders: tuple[Border, ...]
+    walls: tuple[tuple[WallStretch, ...], ...]
+    fixed: tuple[Piece, ...]
+    route: float
+    beside: tuple[Piece, ...] = ()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Ids of the zones."""
+        return tuple(zone.id for zone in self.plan.zones)
+
+
+def hall_of(
+    space: Space,
+    plan: HallPlan,
+    borders: tuple[Border, ...],
+    fixed: tuple[Piece, ...],
+    route: float,
+    beside: tuple[Piece, ...] = (),
+) -> HallContext:
+    """Everything about a hall that does not depend on what it is to hold."""
+    walls = tuple(_without_windows(wall_stretches(zone, space)) for zone in plan.zones)
+    return HallContext(space, plan, borders, walls, fixed, route, beside)
+
+
+def wall_lengths(hall: HallContext) -> Floats:
+    """Metres of wall (z,) that rows may stand along in each zone."""
+    return np.array([sum(_length(wall) for wall in walls) for walls in hall.walls])
+
+
+def zone_areas(hall: HallContext) -> Floats:
+    """Square metres of each zone less what stands there already."""
+    shapes = [shapely.Polygon(zone.outline, zone.holes) for zone in hall.plan.zones]
+    taken = [
+        shapely.Polygon(_corners(piece)) for piece in (*hall.fixed, *hall.beside) if _solid(piece)
+    ]
+    solid = shapely.union_all(taken) if taken else shapely.Polygon()
+    return np.array([shape.difference(solid).area for shape in shapes])
+
+
+def build_problem(
+    hall: HallContext,
+    wishes: list[HallDemand],
+    units: list[Unit],
+    hosts: tuple[Host, ...],
+    weights: dict[str, float],
+    catalog: Catalog,
+) -> HallProblem:
+    """The problem of laying out some units."""
+    sizes = [s for u in units for s in wishes[u.demand].sizes[u.first : u.last]]
+    counts = np.array([unit.last - unit.first for unit in units], np.int64)
+    ends = np.cumsum(counts)
+    clear = np.repeat(
+        np.array([wishes[u.demand].clearance for u in units]).reshape(-1, 4), counts, axis=0
+    )
+    flat = np.array([(size.width, size.depth) for size in sizes], np.float64).reshape(-1, 2)
+    return HallProblem(
+        ground=_ground(hall, wishes, units, hosts),
+        units=Units(
+            sizes=flat,
+            clear=np.array(clear, np.float64).reshape(-1, 4),
+            access=_access(wishes, units, catalog),
+            spans=np.stack([ends - counts, ends], 1),
+            zones=np.array([unit.zone for unit in units], np.int64),
+            choices=_choices(wishes, units),
+            demands=np.array([unit.demand for unit in units], np.int64),
+            targets=_targets(wishes, units),
+        ),
+        names=unit_names(hall, wishes, units),
+        zone_names=hall.names,
+        weights=weights,
+        route=hall.route,
+    )
+
+
+def unit_names(hall: HallContext, wishes: list[HallDemand], units: list[Unit]) -> tuple[str, ...]:
+    """Ids of the groups: the demand's, numbered where it is in several or stands already."""
+    taken = {piece.group for piece in hall.fixed}
+    names: list[str] = []
+    for unit in units:
+        stem, count = f"{hall.space.id}/{wishes[unit.demand].id}", 1
+        name = stem
+        while name in taken:
+            count += 1
+            name = f"{stem}-{count}"
+        taken.add(name)
+        names.append(name)
+    return tuple(names)
+
+
+def _ground(
+    hall: HallContext, wishes: list[HallDemand], units: list[Unit], hosts: tuple[Host, ...]
+) -> HallGround:
+    zones, names = hall.plan.zones, hall.names
+    rings = [zone_edges(zone) for zone in zones]
+    ends = np.cumsum([len(ring) for ring in rings])
+    areas = zone_areas(hall)
+    pairs = [(names.index(k.first), names.index(k.second)) for k in hall.plan.links]
+    low, high = hall.space.outline.min(0), hall.space.outline.max(0)
+    seen = gates(hall.space)
+    doors = [gate for gate in seen if gate.opening.kind != "window"]
+    solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
+    return HallGround(
+        edges=edges_of(hall.space),
+        obstacles=_rows([_box(piece) for piece in solid], 5),
+        keep_free=_rows(_kept_free(hall.space, seen), 5),
+        doors=_rows([throat(gate) for gate in doors], 5),
+        zone_edges=np.concatenate(rings),
+        zone_spans=np.stack([ends - [len(ring) for ring in rings], ends], 1),
+        zone_areas=areas,
+        zone_bounds=np.array([[*z.outline.min(0), *z.outline.max(0)] for z in zones]),
+        zone_least=_least(wishes, units, areas),
+        stretches=_rows(_stretches(hall), 6),
+        borders=_rows(_link_borders(hall.borders, pairs), 5),
+        links=_rows(
+            [[*p, k.width + MARGIN] for p, k in zip(pairs, hall.plan.links, strict=True)], 3
+        ),
+        hosts=_rows([list(host.row) for host in hosts], 6),
+        bounds=np.concatenate([low, high]),
+    )
+
+
+def _least(wishes: list[HallDemand], units: list[Unit], areas: Floats) -> Floats:
+    demanded = np.zeros(len(areas))
+    for unit in units:
+        front, left, back, right = wishes[unit.demand].clearance
+        for size in wishes[unit.demand].sizes[unit.first : unit.last]:
+            demanded[unit.zone] += (size.width + left + right) * (size.depth + front + back)
+    return np.minimum(SHARE * demanded / np.maximum(areas, 1e-9), MOST)
+
+
+def _kept_free(space: Space, seen: tuple[DoorApproach, ...]) -> list[list[float]]:
+    boxes = []
+    for gate in seen:
+        if gate.opening.kind == "window":
+            boxes.append(before(gate, gate.opening.width, WINDOW))
+        else:
+            boxes += door_zone(space, gate)
+            boxes.append(before(gate, gate.opening.width, LANDING))
+    return boxes
+
+
+def _stretches(hall: HallContext) -> list[list[float]]:
+    floor = shapely.Polygon(hall.space.outline, hall.space.holes)
+    return [
+        [wall.x0, wall.y0, wall.x1, wall.y1, float(number), _in_corner(wall, floor)]
+        for number, walls in enumerate(hall.walls)
+        for wall in walls
+    ]
+
+
+def _in_corner(wall: WallStretch, floor: shapely.Polygon) -> float:
+    """1 if another wall stands at the start of a stretch."""
+    start, way = np.array([wall.x0, wall.y0]), np.array([wall.x1 - wall.x0, wall.y1 - wall.y0])
+    way = way / np.hypot(*way)
+    probe = start - 0.12 * way + 0.1 * np.array([-way[1], way[0]])
+    return 0.0 if shapely.contains_xy(floor, *probe) else 1.0
+
+
+def _without_windows(walls: tuple[WallStretch, ...]) -> tuple[WallStretch, ...]:
+    """Stretches without their windows, which what stands at a wall would cover."""
+    found = []
+    for wall in walls:
+        cuts = [0.0, *(t for low, high, _ in sorted(wall.windows) for t in (low, high))]
+        cuts.append(_length(wall))
+        for low, high in zip(cuts[::2], cuts[1::2], strict=True):
+            if high - low > 0.4:
+                found.append(_piece_of(wall, low, high))
+    return tuple(found)
+
+
+def _piece_of(wall: WallStretch, low: float, high: float) -> WallStretch:
+    length = _length(wall)
+    dx, dy = (wall.x1 - wall.x0) / length, (wall.y1 - wall.y0) / length
+    return WallStretch(
+        wall.x0 + dx * low, wall.y0 + dy * low, wall.x0 + dx * high, wall.y0 + dy * high
+    )
+
+
+def _length(wall: WallStretch) -> float:
+    return float(np.hypot(wall.x1 - wall.x0, wall.y1 - wall.y0))
+
+
+def _link_borders(borders: tuple[Border, ...], pairs: list[tuple[int, int]]) -> list[list[float]]:
+    numbers = {frozenset(pair): number for number, pair in enumerate(pairs)}
+    return [
+        [*border.start, *border.end, float(numbers[frozenset((border.first, border.second))])]
+        for border in borders
+        if frozenset((border.first, border.second)) in numbers
+    ]
+
+
+def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Floats:
+    rows = []
+    for unit in units:
+        category = wishes[unit.demand].category
+        sides = catalog.kinds.get(category, Kind(category)).access
+        if any(word in category for word in SEATS):
+            sides = ()  # one goes along the row, sideways
+        rows += [[float(side in sides) for side in SIDES]] * (unit.last - unit.first)
+    return _rows(rows, 4)
+
+
+def _choices(wishes: list[HallDemand], units: list[Unit]) -> Ints:
+    rows = np.zeros((len(units), len(PATTERNS)), np.int64)
+    codes = {name: code for code, name in enumerate(PATTERNS)}
+    for row, unit in zip(rows, units, strict=True):
+        alone = unit.last - unit.first == 1
+        for name in wishes[unit.demand].patterns:
+            row[codes["single" if alone and name != "wall" else name]] = 1
+    return rows
+
+
+def _targets(wishes: list[HallDemand], units: list[Unit]) -> Ints:
+    """The first unit of the demand each unit looks at."""
+    first = {wishes[unit.demand].id: k for k, unit in reversed(list(enumerate(units)))}
+    return np.array([first.get(wishes[u.demand].facing, -1) for u in units], np.int64)
+
+
+def _solid(piece: Piece) -> bool:
+    return piece.pose.z < HEAD_HEIGHT and piece.size.height > 0.05 and piece.on is None
+
+
+def _box(piece: Piece) -> list[float]:
+    pose, size = piece.pose, piece.size
+    return [pose.x, pose.y, pose.heading, size.width, size.depth]
+
+
+def _corners(piece: Piece) -> Floats:
+    from scenewright.core.layout import corners
+
+    return corners(np.array([_box(piece)]))[0]
+
+
+def _rows(rows: list[list[float]], width: int) -> Floats:
+    return np.array(rows, np.float64).reshape(-1, width)

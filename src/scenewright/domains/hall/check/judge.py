@@ -1,0 +1,37 @@
+"""The referee of halls: what all rooms share, then zones, passages, tours and ways out."""
+
+from __future__ import annotations
+
+from scenewright.building.plan import room_ids
+from scenewright.check.report import Finding, Report
+from scenewright.check.rooms import counted, judge_rooms, missing_ways, walk_rooms
+from scenewright.core.catalog import Catalog
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.domains.hall.check.figures import Verdict, judge_halls
+from scenewright.domains.hall.check.halls import JudgedHall, halls_of
+
+
+def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
+    """Judge a hall as laid out; see :func:`scenewright.domains.check`."""
+    brief, detail = solution.brief, solution.detail
+    walked = walk_rooms(brief, solution.pieces, plan.spaces, kinds)
+    asked = dict(zip(room_ids(brief), brief.rooms, strict=True))
+    halls: list[JudgedHall] = []
+    faults: list[Finding] = []
+    if detail is not None:
+        halls, faults = halls_of(
+            detail.layout, detail.tours, asked, brief.passage_width, walked.bodies, walked.rooms
+        )
+    shared = judge_rooms(walked, [group for hall in halls for group in hall.groups])
+    verdict = Verdict([], [], {})
+    if halls:
+        verdict = judge_halls(
+            brief, asked, halls, walked.bodies, walked.grounds, walked.walks, walked.narrow
+        )
+    findings = (*shared.findings, *faults, *verdict.findings)
+    notes = (*missing_ways(brief, walked), *shared.notes, *verdict.notes)
+    figures = {**counted(solution.pieces, findings), **shared.figures}
+    if halls:
+        figures["halls"] = verdict.figures
+    return Report(findings, notes, figures)

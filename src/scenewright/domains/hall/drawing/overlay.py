@@ -1,0 +1,68 @@
+"""The plan of a hall to print: its rooms with zones, groups, tours, and a legend of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from shapely import Geometry
+
+from scenewright.building.shell import scene_of_rooms
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.catalog import Catalog
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Scene
+from scenewright.core.solution import Solution
+from scenewright.domains.hall.drawing.legend_rows import legend_rows
+from scenewright.domains.hall.drawing.plan import (
+    Halls,
+    floor_mark,
+    halls_of,
+    list_labelled_spaces,
+    part_of,
+    route_of,
+    solid_of,
+    ways_mark,
+)
+from scenewright.drawing.labels import area_words, polygon_of
+from scenewright.drawing.legend import LegendRow
+from scenewright.drawing.rooms import Overlay, Storey, counted, plan
+
+
+def draw(solution: Solution, made: Plan) -> str:
+    """The SVG text of a laid out hall."""
+    scene = scene_of_rooms(solution, made)
+    catalog, halls = catalog_of(solution.brief.catalogs), halls_of(solution)
+    return plan(scene, catalog, overlay_of(halls, catalog) if halls else None)
+
+
+def overlay_of(halls: Halls, catalog: Catalog) -> Overlay:
+    """What halls add to a plan: zones, groups, tours, and a legend of them."""
+
+    def mine(storey: Storey) -> Halls:
+        return part_of(halls, {space.id for space in storey.scene.spaces})
+
+    def solid(storey: Storey) -> Geometry:
+        return solid_of(storey.walls, storey.scene.pieces, catalog)
+
+    def legend(scene: Scene, storeys: Sequence[Storey]) -> Sequence[LegendRow]:
+        solids = {space.id: solid(s) for s in storeys for space in s.scene.spaces}
+        return legend_rows(halls, scene, solids)
+
+    return Overlay(
+        floor=lambda view, s: floor_mark(view, mine(s), s.walls, s.scene.pieces),
+        ways=lambda view, s: ways_mark(view, mine(s), solid(s)),
+        keep_off=lambda view, s: [route_of(mine(s)).buffer(2.0 / view.scale)],
+        labels=lambda s: list_labelled_spaces(mine(s), s.scene.spaces),
+        legend=legend,
+        summary=lambda scene: hall_summary(scene, halls),
+        inward=True,
+    )
+
+
+def hall_summary(scene: Scene, halls: Halls) -> str:
+    """The line below the title: floor area, zones, groups, objects."""
+    objects = sum(piece.category != "partition" for piece in scene.pieces)
+    counts = (len(halls.graph.zones), "zone"), (len(halls.graph.groups), "group")
+    words = [counted(*count) for count in (*counts, (objects, "object"))]
+    total = area_words(sum(polygon_of(space).area for space in scene.spaces))
+    return " · ".join(["Hall plan", total, *words])

@@ -1,0 +1,227 @@
+"""Energy of halls: from a problem to arrays for kernels, one layout's energy and its parts."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from scenewright.domains.hall.problem import HallProblem, Units
+from scenewright.domains.hall.terms.measure import block_solids
+from scenewright.domains.hall.terms.state import (
+    STEP,
+    Floats,
+    Ints,
+    Kept,
+    PreparedHall,
+    State,
+    make_scratch,
+)
+from scenewright.domains.hall.terms.table import HALL_TERMS, REACH, read_hall_weights
+from scenewright.engine.energy import Part
+from scenewright.geometry.boxes import frames_of
+from scenewright.geometry.buckets import make_buckets
+from scenewright.geometry.paths import RouteGrid, make_grid
+
+STAGE = 2.5
+"""Least distance from the apex of a fan to its first row, in metres."""
+
+
+def _fresh(array: Floats | Ints, width: int) -> Floats:
+    return np.array(array, np.float64, order="C").reshape(-1, width)
+
+
+def prepare(problem: HallProblem) -> PreparedHall:
+    """Arrays and weights of a problem, ready for compiled code."""
+    ground, units = problem.ground, problem.units
+    hosts = _fresh(ground.hosts, 6)
+    stretches = _stretches(problem, hosts)
+    loops, loop_spans = _by_zone(stretches[:, 5], len(ground.zone_areas))
+    borders = _fresh(ground.borders, 5)
+    counts = np.floor(np.hypot(*(borders[:, 2:4] - borders[:, :2]).T) / STEP).astype(np.int64)
+    starts = np.concatenate([[0], np.cumsum(counts)[:-1]]) if len(counts) else counts
+    cells = np.stack([starts, counts], 1).astype(np.int64).reshape(-1, 2)
+    p = PreparedHall(
+        edges=_fresh(ground.edges, 4),
+        obstacles=frames_of(_fresh(ground.obstacles, 5)),
+        keep_free=frames_of(_fresh(ground.keep_free, 5)),
+        zone_edges=_fresh(ground.zone_edges, 4),
+        zone_spans=np.array(ground.zone_spans, np.int64).reshape(-1, 2),
+        zone_areas=np.array(ground.zone_areas, np.float64),
+        zone_bounds=_fresh(ground.zone_bounds, 4),
+        least=np.array(ground.zone_least, np.float64),
+        middles=_middles(problem),
+        borders=borders,
+        border_cells=cells,
+        blocked=np.zeros(int(counts.sum()), np.uint8),
+        links=_fresh(ground.links, 3),
+        hosts=hosts,
+        stretches=stretches,
+        loops=loops,
+        loop_spans=loop_spans,
+        thickness=float(ground.thickness),
+        weights=read_hall_weights(problem.weights),
+        **_unit_arrays(units),
+    )
+    _block(p)
+    return p
+
+
+def _stretches(problem: HallProblem, hosts: Floats) -> Floats:
+    """Stretches with direction and length, and two empty ones for every host."""
+    given = _fresh(problem.ground.stretches, 6)
+    way = given[:, 2:4] - given[:, :2]
+    length = np.maximum(np.hypot(way[:, 0], way[:, 1]), 1e-9)
+    rows = np.column_stack([given[:, :2], way / length[:, None], length, given[:, 4:]])
+    sides = np.zeros((2 * len(hosts), 7))
+    sides[0::2, 5], sides[1::2, 5] = hosts[:, 4], hosts[:, 5]
+    return np.concatenate([rows, sides])
+
+
+def _by_zone(zone: Floats, zones: int) -> tuple[Ints, Ints]:
+    """Row numbers sorted by zone, and the span of each zone among them."""
+    order = np.argsort(zone, kind="stable").astype(np.int64)
+    ends = np.searchsorted(zone[order], np.arange(zones + 1)).astype(np.int64)
+    return order, np.stack([ends[:-1], ends[1:]], 1)
+
+
+def _middles(problem: HallProblem) -> Floats:
+    """Centroids of the zones (holes are rows of edges like the outline)."""
+    found = []
+    for first, last in np.asarray(problem.ground.zone_spans).reshape(-1, 2):
+        x0, y0, x1, y1 = np.asarray(problem.ground.zone_edges)[first:last].T
+        cross = x0 * y1 - x1 * y0
+        twice = 3.0 * cross.sum()
+        found.append([((x0 + x1) * cross).sum() / twice, ((y0 + y1) * cross).sum() / twice])
+    return np.array(found, np.float64).reshape(-1, 2)
+
+
+def capacity(counts: Ints) -> Ints:
+    """How many layers units of so many objects may have."""
+    rows = 6 + 3 * np.ceil(np.sqrt(counts)).astype(np.int64)
+    found: Ints = np.maximum(np.minimum(counts, rows), 1)
+    return found
+
+
+def _unit_arrays(units: Units) -> dict[str, Any]:
+    sizes, clear = _fresh(units.sizes, 2), _fresh(units.clear, 4)
+    spans = np.array(units.spans, np.int64).reshape(-1, 2)
+    counts = spans[:, 1] - spans[:, 0]
+    rows = capacity(counts)
+    ends = np.cumsum(rows)
+    demanded = (sizes[:, 0] + clear[:, 1] + clear[:, 3]) * (sizes[:, 1] + clear[:, 0] + clear[:, 2])
+    beta, largest, gaps = np.zeros(len(spans)), np.zeros((len(spans), 2)), np.zeros((len(spans), 2))
+    for u, (first, last) in enumerate(spans):
+        beta[u] = (demanded - sizes.prod(1))[first:last].sum()
+        largest[u] = sizes[first:last].max(0)
+        ahead, left, back, right = clear[first:last].max(0)
+        gaps[u] = left + right, ahead + back
+    return {
+        "sizes": sizes,
+        "clear": clear,
+        "access": _fresh(units.access, 4),
+        "unit_of": np.repeat(np.arange(len(spans)), counts).astype(np.int64),
+        "spans": spans,
+        "zones": np.array(units.zones, np.int64),
+        "choices": np.array(units.choices, np.int64).reshape(len(spans), -1),
+        "beta": np.maximum(beta, 1e-9),
+        "iota": clear.max(1, initial=0.0),
+        "largest": largest,
+        "gaps": gaps,
+        "near": np.full(len(spans), STAGE),
+        "targets": np.array(units.targets, np.int64),
+        "layer_spans": np.stack([ends - rows, ends], 1).astype(np.int64),
+    }
+
+
+def _block(p: PreparedHall) -> None:
+    """Mark what walls and obstacles block of every border."""
+    work = make_scratch(p)
+    way = p.edges[:, 2:] - p.edges[:, :2]
+    heading = np.arctan2(way[:, 0], -way[:, 1])
+    boxes = np.column_stack(
+        [(p.edges[:, :2] + p.edges[:, 2:]) / 2, heading, np.hypot(*way.T), np.zeros(len(way))]
+    )
+    frames = frames_of(np.ascontiguousarray(boxes))
+    for k, (start, count) in enumerate(p.border_cells):
+        work.cells[:] = 0
+        block_solids(p, k, float(p.links[int(p.borders[k, 4]), 2]), frames, work)
+        p.blocked[start : start + count] = work.cells[:count]
+
+
+def make_state(p: PreparedHall) -> State:
+    """An empty state: nothing filed, no partitions."""
+    n, g = len(p.sizes), len(p.spans)
+    rows = int(p.layer_spans[-1, 1]) if g else 0
+    many = max(g, len(p.zone_areas), len(p.links), 1)
+    clear = p.clear
+    radii = 0.5 * np.hypot(
+        p.sizes[:, 0] + clear[:, 1] + clear[:, 3], p.sizes[:, 1] + clear[:, 0] + clear[:, 2]
+    )
+    low, high = p.edges.reshape(-1, 2).min(0), p.edges.reshape(-1, 2).max(0)
+    return State(
+        np.zeros(g, np.int64),
+        np.zeros((g, 4)),
+        np.zeros((rows, 5)),
+        np.ones(g, np.int64),
+        np.zeros((n, 8)),
+        np.zeros((n, 8)),
+        np.zeros((len(p.hosts), 2)),
+        np.zeros((len(p.hosts), 8)),
+        p.stretches.copy(),
+        np.zeros((g, 3)),
+        np.zeros((g, 3)),
+        np.zeros((len(HALL_TERMS), many)),
+        make_buckets(np.concatenate([low, high]), radii),
+    )
+
+
+def route_grid(problem: HallProblem, p: PreparedHall) -> RouteGrid:
+    """The grid of the visitors' route: cells of 0.1 m, larger in large halls; empty if the route
+    is not weighed."""
+    ground = problem.ground
+    doors = frames_of(_fresh(ground.doors if p.weights[REACH] else np.zeros((0, 5)), 5))
+    span = np.asarray(ground.bounds, np.float64)
+    area = float((span[2] - span[0]) * (span[3] - span[1]))
+    cell = max(0.1, math.sqrt(area / 250_000))
+    return make_grid(
+        p.edges, p.obstacles, doors, span * (1.0 if len(doors) else 0.0), cell, float(problem.route)
+    )
+
+
+def kept_of(s: State) -> Kept:
+    """A copy of what makes a state's layout."""
+    rows = np.stack([s.code, s.used], 1).astype(np.float64)
+    return Kept(s.pose.copy(), s.layers.copy(), rows, s.partitions.copy())
+
+
+def parts_of(problem: HallProblem, p: PreparedHall, s: State, missed: float) -> tuple[Part, ...]:
+    """Every part of the energy of a measured state, told of groups, zones and links by number
+    where they have no name; their costs sum to the energy."""
+    found = []
+    for row in HALL_TERMS:
+        weight = float(p.weights[row.number])
+        if weight == 0.0:
+            continue
+        if row.of == "hall":
+            found.append(Part("", row.name, missed, weight, weight * missed))
+            continue
+        names = _names_of(problem, row.of)
+        values = s.costs[row.number, : len(names)]
+        found += [
+            Part(name, row.name, float(v), weight, weight * float(v))
+            for name, v in zip(names, values, strict=True)
+        ]
+    return tuple(found)
+
+
+def _names_of(problem: HallProblem, of: str) -> tuple[str, ...]:
+    if of == "group":
+        return problem.names
+    if of == "zone":
+        return problem.zone_names
+    return tuple(
+        f"{problem.zone_names[int(i)]} & {problem.zone_names[int(j)]}"
+        for i, j in np.asarray(problem.ground.links).reshape(-1, 3)[:, :2]
+    )

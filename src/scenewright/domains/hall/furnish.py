@@ -1,0 +1,176 @@
+"""From a solved hall to its pieces and its scene graph."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import shapely
+
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains.hall.assign import Unit
+from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
+from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.patterns import ACROSS, ALONG, CODE, NUMBER, PART, PATTERNS
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.terms.state import Kept
+
+NAMES = tuple(PATTERNS)
+CEILING = 0.3
+"""A partition stays this far below the ceiling, and under four metres, in metres."""
+TALLEST = 4.0
+
+
+def furnish_hall(
+    hall: HallContext,
+    wishes: list[HallDemand],
+    units: list[Unit],
+    problem: HallProblem,
+    boxes: Floats,
+    catalog: Catalog,
+) -> tuple[Piece, ...]:
+    """One piece an object, in the order of the problem."""
+    pieces: list[Piece] = []
+    row = 0
+    for unit, group in zip(units, problem.names, strict=True):
+        wish = wishes[unit.demand]
+        for number, size in enumerate(wish.sizes[unit.first : unit.last], 1):
+            low = min(size.height, hall.space.height)
+            fitted = Size(size.width, round(size.depth - 2 * wish.chairs, 9), low)
+            asset = catalog.choose(wish.category, fitted)
+            x, y, heading = (float(v) for v in boxes[row, :3])
+            pieces.append(
+                Piece(
+                    id=f"{group}/{wish.category}_{number}",
+                    category=wish.category,
+                    asset=asset.id if asset else "",
+                    space=hall.space.id,
+                    pose=Pose(x, y, 0.0, _wrap_angle(heading)),
+                    size=fitted,
+                    group=group,
+                    function=wish.id,
+                )
+            )
+            row += 1
+    return tuple(pieces)
+
+
+def partitions(
+    hall: HallContext, problem: HallProblem, kept: Kept, catalog: Catalog
+) -> list[Piece]:
+    """The generated walls as pieces."""
+    height = min(max(hall.space.height - CEILING, 2.0), TALLEST, hall.space.height)
+    found: list[Piece] = []
+    for host, (low, high) in zip(problem.ground.hosts, kept.walls, strict=True):
+        if high - low < 0.3:
+            continue
+        start, end = np.array(host[:2]), np.array(host[2:4])
+        way = (end - start) / np.hypot(*(end - start))
+        x, y = start + way * (low + high) / 2
+        size = Size(float(high - low), problem.ground.thickness, height)
+        asset = catalog.choose("partition", size)
+        found.append(
+            Piece(
+                id=f"{hall.space.id}/partitions/partition_{len(found) + 1}",
+                category="partition",
+                asset=asset.id if asset else "",
+                space=hall.space.id,
+                pose=Pose(float(x), float(y), 0.0, _wrap_angle(math.atan2(way[0], -way[1]))),
+                size=size,
+                group=f"{hall.space.id}/partitions",
+                function="partition",
+            )
+        )
+    return found
+
+
+def placed_groups(
+    hall: HallContext,
+    wishes: list[HallDemand],
+    units: list[Unit],
+    problem: HallProblem,
+    kept: Kept,
+    pieces: tuple[Piece, ...],
+) -> tuple[PlacedGroup, ...]:
+    """The groups of the scene graph."""
+    found: list[PlacedGroup] = []
+    row, layer = 0, 0
+    for number, (unit, name) in enumerate(zip(units, problem.names, strict=True)):
+        count = unit.last - unit.first
+        mine = pieces[row : row + count]
+        used = int(kept.rows[number, 1])
+        layers = kept.layers[layer : layer + used]
+        pattern = NAMES[int(kept.rows[number, 0])]
+        parts = _parts(pattern, layers, float(kept.pose[number, 3]), count)
+        found.append(
+            PlacedGroup(
+                id=name,
+                demand=wishes[unit.demand].id,
+                space=hall.space.id,
+                zone=hall.names[unit.zone],
+                pattern=pattern,
+                pose=_pose(pattern, kept.pose[number], mine),
+                parts=parts,
+                objects=tuple(piece.id for piece in mine),
+            )
+        )
+        row, layer = row + count, layer + int(capacity(np.array(count)))
+    return tuple(found)
+
+
+def kept_groups(hall: HallContext, locked: tuple[Piece, ...]) -> tuple[PlacedGroup, ...]:
+    """Groups that stand already, as single objects; their zone is where their middle lies."""
+    found = []
+    for name in dict.fromkeys(piece.group for piece in locked if piece.function != "partition"):
+        mine = tuple(piece for piece in locked if piece.group == name)
+        x, y = np.mean([piece.pose[:2] for piece in mine], axis=0)
+        inside = [
+            zone.id
+            for zone in hall.plan.zones
+            if shapely.Polygon(zone.outline).contains(shapely.Point(x, y))
+        ]
+        found.append(
+            PlacedGroup(
+                id=name,
+                demand=mine[0].function,
+                space=hall.space.id,
+                zone=inside[0] if inside else hall.names[0],
+                pattern="single",
+                pose=(float(x), float(y), mine[0].pose.heading),
+                parts=(PatternPart("single", (Layer(len(mine), 0.0, 0.0),)),),
+                objects=tuple(piece.id for piece in mine),
+            )
+        )
+    return tuple(found)
+
+
+def _parts(pattern: str, layers: Floats, extra: float, count: int) -> tuple[PatternPart, ...]:
+    if pattern == "wall":
+        return (PatternPart("wall", (Layer(count, extra, 0.0),)),)
+    if pattern == "single":
+        return (PatternPart("single", (Layer(count, 0.0, 0.0),)),)
+    parts: list[PatternPart] = []
+    for number in np.unique(layers[:, PART]):
+        rows = layers[layers[:, PART] == number]
+        parts.append(
+            PatternPart(
+                NAMES[int(rows[0, CODE])],
+                tuple(Layer(int(r[NUMBER]), float(r[ALONG]), float(r[ACROSS])) for r in rows),
+                extra if pattern == "fan" else 0.0,
+            )
+        )
+    return tuple(parts)
+
+
+def _pose(pattern: str, pose: Floats, pieces: tuple[Piece, ...]) -> tuple[float, float, float]:
+    if pattern not in ("wall", "single"):
+        return (float(pose[0]), float(pose[1]), _wrap_angle(float(pose[2])))
+    x, y = np.mean([piece.pose[:2] for piece in pieces], axis=0)
+    return (float(x), float(y), pieces[0].pose.heading)
+
+
+def _wrap_angle(angle: float) -> float:
+    return (angle + math.pi) % (2 * math.pi) - math.pi

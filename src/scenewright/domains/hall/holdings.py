@@ -1,0 +1,140 @@
+"""What a hall is to hold: demands with everything filled in that the brief leaves open."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.catalog.kinds import hall_use, name_of
+from scenewright.core.brief import Brief
+from scenewright.core.brief.zones import Demand
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece, Size
+from scenewright.domains.hall.chairs import out_of_table
+from scenewright.domains.hall.demands import ids_of, sizes_of
+
+MIXTURE_FROM = 6
+SEATWAY = 0.45
+"""Free floor to get to a chair from behind, in metres (Neufert)."""
+SPECTATORS, SHOWS = ("auditorium_seat",), ("stage", "screen", "lectern")
+"""What looks, unless told otherwise, at what."""
+
+
+class HallDemand(NamedTuple):
+    """One demand: its id, what to call it, the sizes of its objects, the free depth at front,
+    left, back and right of each, the patterns it may take, the zones it may go to (empty: any),
+    the id of the demand it looks at (empty: none) and whether leaving it out is a failure.
+
+    Tables that bring chairs are placed with them: ``sizes`` are those of the floor they take
+    together, ``chairs`` metres of it before and behind each table."""
+
+    id: str
+    name: str
+    category: str
+    sizes: tuple[Size, ...]
+    clearance: tuple[float, float, float, float]
+    patterns: tuple[str, ...]
+    zones: tuple[str, ...]
+    facing: str
+    required: bool
+    chairs: float = 0.0
+
+    @property
+    def at_wall(self) -> bool:
+        """Whether its objects stand at walls."""
+        return self.patterns == ("wall",)
+
+
+def collect_demands(
+    brief: Brief, number: int, locked: tuple[Piece, ...], catalog: Catalog
+) -> list[HallDemand]:
+    """The demands of room ``number`` less what stands there ``locked`` already."""
+    room = brief.rooms[number]
+    ids = ids_of(room.demands)
+    asked = {demand.category for demand in room.demands}
+    found = []
+    for demand, name in zip(room.demands, ids, strict=True):
+        filled = _fill_defaults(demand, name)
+        sizes = _less(filled.sizes, [piece.size for piece in locked if piece.function == name])
+        if sizes:
+            chairs = out_of_table(demand.category, asked, catalog)
+            found.append(_with_chairs(filled._replace(sizes=sizes), chairs))
+    shows = [wish.id for wish in found if wish.category in SHOWS]
+    return [
+        wish._replace(facing=wish.facing or shows[0])
+        if shows and wish.category in SPECTATORS
+        else wish
+        for wish in found
+    ]
+
+
+def _with_chairs(wish: HallDemand, chairs: float) -> HallDemand:
+    """Tables with their chairs as one footprint. Clearances are measured from the table, so the
+    chairs stand on them; a seatway stays behind the chairs."""
+    if not chairs:
+        return wish
+    front, left, back, right = wish.clearance
+    front, back = (max(depth - chairs, min(depth, SEATWAY)) for depth in (front, back))
+    sizes = tuple(size._replace(depth=size.depth + 2 * chairs) for size in wish.sizes)
+    return wish._replace(sizes=sizes, clearance=(front, left, back, right), chairs=chairs)
+
+
+def _less(sizes: tuple[Size, ...], there: list[Size]) -> tuple[Size, ...]:
+    """Sizes without one for each that is there already: the most alike."""
+    left = list(sizes)
+    for size in there[: len(sizes)]:
+        left.remove(
+            min(left, key=lambda one: abs(one.width - size.width) + abs(one.depth - size.depth))
+        )
+    return tuple(left)
+
+
+def restrict_patterns(wishes: list[HallDemand], lean: int) -> list[HallDemand]:
+    """Demands narrowed to one of their patterns each, drawn by ``lean``; all of them for 0."""
+    if lean == 0:
+        return wishes
+    rng = np.random.default_rng(lean)
+    return [
+        wish._replace(patterns=(wish.patterns[int(rng.integers(len(wish.patterns)))],))
+        for wish in wishes
+    ]
+
+
+def _fill_defaults(demand: Demand, name: str) -> HallDemand:
+    use = hall_use(demand.category)
+    zones = (demand.zone,) if isinstance(demand.zone, str) else tuple(demand.zone or ())
+    sizes = tuple(Size(*size) for size in sizes_of(demand))
+    patterns = _patterns(demand, use.place, use.patterns, len(sizes))
+    return HallDemand(
+        id=name,
+        name=demand.name or demand.id or name_of(demand.category),
+        category=demand.category,
+        sizes=sizes,
+        clearance=_clearance(demand, use.clearance, patterns == ("wall",)),
+        patterns=patterns,
+        zones=zones,
+        facing=demand.facing or "",
+        required=demand.required,
+    )
+
+
+def _clearance(
+    demand: Demand, usual: tuple[float, float, float, float], at_wall: bool
+) -> tuple[float, float, float, float]:
+    stated = usual if demand.clearance is None else demand.clearance
+    front, left, back, right = stated if isinstance(stated, tuple) else (stated,) * 4
+    return (front, left, 0.0 if at_wall else back, right)
+
+
+def _patterns(demand: Demand, place: str, usual: tuple[str, ...], count: int) -> tuple[str, ...]:
+    where = demand.place or ("wall" if demand.patterns == ["wall"] else None)
+    if where == "wall" or (where is None and not demand.patterns and place == "wall"):
+        return ("wall",)
+    free = tuple(name for name in usual if name != "wall") or ("chain", "grid")
+    chosen: tuple[str, ...] = tuple(demand.patterns) or free
+    if count == 1 or set(chosen) == {"single"}:
+        return ("single",)
+    least = {"single": math.inf, "mixture": MIXTURE_FROM}
+    return tuple(name for name in chosen if count >= least.get(name, 0)) or ("chain",)

@@ -1,0 +1,50 @@
+"""Grid: rows and columns of equal pitch, aligned both ways. Ours.
+
+Layer i is a row of n_i objects; the pitch across a row is the widest object and the gap, between
+rows the deepest object and the gap, so unequal objects still line up by their middles.
+"""
+
+from __future__ import annotations
+
+from scenewright.domains.hall.patterns import ACROSS, ALONG, CODE, GRID, NUMBER, PART
+from scenewright.geometry.boxes import Floats
+from scenewright.geometry.compiled import inlined
+
+
+@inlined
+def place_grid(
+    layers: Floats, first: int, last: int, sizes: Floats, start: int, out: Floats, at: int
+) -> int:
+    """Write x, y and turn of every object; see :func:`.chain.place_chain`."""
+    number, columns = 0, 0
+    for k in range(first, last):
+        number += int(layers[k, NUMBER])
+        columns = max(columns, int(layers[k, NUMBER]))
+    wide, deep = 0.0, 0.0
+    for j in range(start, start + number):
+        wide, deep = max(wide, sizes[j, 0]), max(deep, sizes[j, 1])
+    i, y = 0, 0.0
+    for k in range(first, last):
+        y -= deep + layers[k, ACROSS] if k > first else 0.5 * deep
+        for j in range(int(layers[k, NUMBER])):
+            out[at + i, 0] = (j - 0.5 * (columns - 1)) * (wide + layers[k, ALONG])
+            out[at + i, 1], out[at + i, 2] = y, 0.0
+            i += 1
+    return i
+
+
+@inlined
+def seed_grid(
+    layers: Floats, first: int, number: int, rows: int, along: float, across: float, part: int
+) -> int:
+    """Write rows of equal length, the last shorter; returns the layer after the last."""
+    rows = max(min(rows, number, layers.shape[0] - first), 1)
+    columns = -(-number // rows)
+    k, left = first, number
+    while left > 0:
+        layers[k, NUMBER] = min(columns, left)
+        layers[k, ALONG], layers[k, ACROSS] = along, across
+        layers[k, CODE], layers[k, PART] = GRID, part
+        left -= columns
+        k += 1
+    return k

@@ -1,0 +1,43 @@
+"""Mixture: T = {T_1 … T_M}, any patterns side by side (Cao, Cheng, Zhang 2024).
+
+The parts stand left to right, ``gap`` metres apart, their middles on one line. Seeded as the
+paper draws it: a radiation between two chains.
+"""
+
+from __future__ import annotations
+
+from scenewright.domains.hall.patterns import ALONG, CHAIN, CODE, NUMBER, PART
+from scenewright.domains.hall.patterns.chain import seed_chain
+from scenewright.domains.hall.patterns.radiation import seed_radiation
+from scenewright.geometry.boxes import Floats
+from scenewright.geometry.compiled import inlined
+
+
+@inlined
+def seed_mixture(
+    layers: Floats,
+    first: int,
+    number: int,
+    rows: int,
+    wide: float,
+    deep: float,
+    along: float,
+    across: float,
+) -> int:
+    """Write two chains of a third of the objects each and a radiation between them; of fewer
+    than six objects a chain."""
+    if number < 6 or layers.shape[0] - first < 6:
+        return seed_chain(layers, first, number, rows, along, across, 0)
+    side = number // 3
+    rows = min(rows, (layers.shape[0] - first - 2) // 2)
+    k = seed_chain(layers, first, side, rows, along, across, 0)
+    k = seed_radiation(layers, k, number - 2 * side, 1, wide, deep, along, across, 1)
+    return seed_chain(layers, k, side, rows, along, across, 2)
+
+
+@inlined
+def seed_single(layers: Floats, first: int, number: int) -> int:
+    """Write one layer for an object by itself."""
+    layers[first, NUMBER], layers[first, ALONG] = number, 0.0
+    layers[first, CODE], layers[first, PART] = CHAIN, 0
+    return first + 1

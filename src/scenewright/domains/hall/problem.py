@@ -1,0 +1,83 @@
+"""The problem of a hall as plain arrays, ready for compiled code.
+
+Where :mod:`scenewright.domains.home.problem` places boxes, this places *units*: a unit is a group
+of objects laid out by one pattern inside one zone. NamedTuples of C-contiguous float64 / int64
+arrays. Sides are numbered 0 front, 1 left, 2 back, 3 right.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+class HallGround(NamedTuple):
+    """The hall and its zones.
+
+    ``edges`` (e, 4): directed edges x0, y0, x1, y1 of outline and holes, the inside on the left.
+    ``obstacles`` (o, 5) boxes of what stands there already, ``keep_free`` (k, 5) boxes before
+    doors, ``doors`` (d, 5) boxes of the ways in through the wall.
+    ``zone_edges`` (f, 4) the directed edges of all zones, zone z owning rows ``zone_spans[z]``
+    (start, end); ``zone_areas`` (z,) in square metres, ``zone_bounds`` (z, 4).
+    ``zone_least`` (z,) the share of each zone that should be in use, δ_min.
+    ``stretches`` (s, 6): wall a row may stand along: x0, y0, x1, y1 with the zone on the left, the
+    zone's number, and 1 if it starts in a corner of walls; no doors in it.
+    ``borders`` (b, 5): x0, y0, x1, y1 of the straight pieces of border between two linked zones,
+    and the number of the link; ``links`` (l, 3): zones i, j and the least clear width.
+    ``hosts`` (p, 6): borders on which a partition may be built: x0, y0, x1, y1 and the zones to
+    the left and to the right. ``bounds`` (4,).
+    """
+
+    edges: Floats
+    obstacles: Floats
+    keep_free: Floats
+    doors: Floats
+    zone_edges: Floats
+    zone_spans: Ints
+    zone_areas: Floats
+    zone_bounds: Floats
+    zone_least: Floats
+    stretches: Floats
+    borders: Floats
+    links: Floats
+    hosts: Floats
+    bounds: Floats
+    thickness: float = 0.15
+
+
+class Units(NamedTuple):
+    """What is to be placed: ``n`` objects in ``g`` units.
+
+    ``sizes`` (n, 2) width and depth; ``clear`` (n, 4) free depth wished for beyond each side;
+    ``access`` (n, 4) 1 for sides of which one must be reached. Unit u owns objects ``spans[u]``
+    (start, end) and stands in zone ``zones[u]``. ``walls`` (g,) 1 for a row along walls.
+    ``choices`` (g, 8) 1 for each pattern (row of the pattern table) the unit may take.
+    ``demands`` (g,) the number of the demand each unit serves, ``targets`` (g,) the unit each
+    one looks at, -1: none.
+    """
+
+    sizes: Floats
+    clear: Floats
+    access: Floats
+    spans: Ints
+    zones: Ints
+    choices: Ints
+    demands: Ints
+    targets: Ints
+
+
+class HallProblem(NamedTuple):
+    """One hall to solve. ``names`` of the units and ``zone_names``, ``weights`` by name of the
+    term, ``route`` the width of the route every object must be reached by, in metres."""
+
+    ground: HallGround
+    units: Units
+    names: tuple[str, ...]
+    zone_names: tuple[str, ...]
+    weights: dict[str, float]
+    route: float

@@ -1,0 +1,249 @@
+"""Solvers of halls by chains: the paper's GD-MH, and ours: several annealed chains, best kept.
+
+A run starts from a layout in which every unit found a place (:func:`begin_chain`); units that
+find none are told, for the domain to split or leave out.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.domains.hall.energy import kept_of, make_state, prepare, route_grid
+from scenewright.domains.hall.patterns import WALL
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.solvers.guided_metropolis import bring_back, count_missed, run
+from scenewright.domains.hall.solvers.outcome import HallFound, HallLayout, lacking
+from scenewright.domains.hall.solvers.start import copy_frames, place_units
+from scenewright.domains.hall.terms.place import build
+from scenewright.domains.hall.terms.state import Kept, PreparedHall, Scratch, State, make_scratch
+from scenewright.domains.hall.terms.table import REACH
+from scenewright.domains.hall.terms.whole import measure_all
+from scenewright.engine.draws import Stream, streams
+from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
+from scenewright.geometry.flood import Bits
+from scenewright.geometry.paths import RouteGrid
+
+PAPER_STEPS = 1000
+PAPER_RATE = 0.1
+SECONDS = 0.4
+SLICE = 256
+CHAINS = 4
+COLD = (0.05, 20.0)
+"""λ at the start and end of our schedule."""
+TEPID = 0.25
+"""Share of the schedule that is left out where a good layout is improved."""
+FREE = 0.6
+"""Share of our moves that energies do not lead."""
+TRIES = 600
+MANY = 64
+"""Units of a hall from which on all chains start alike."""
+
+
+class HallChain(NamedTuple):
+    """One chain with all it needs; ``tally`` (5,) energy now, of the route in it, of the best,
+    moves accepted, energy of ``last``, the layout last looked at whole; ``best`` the best."""
+
+    p: PreparedHall
+    s: State
+    work: Scratch
+    grid: RouteGrid
+    bits: Bits
+    inset: Floats
+    stream: Stream
+    tally: Floats
+    last: Kept
+    best: Kept
+
+
+def first_layout(
+    problem: HallProblem, walls: Floats, seed: int, tries: int = TRIES
+) -> tuple[Kept, tuple[int, ...]]:
+    """A layout without overlap and the units that found no place in it: wall rows first, which
+    can stand nowhere else, then the largest. ``walls`` (p, 2) are the partitions to start with."""
+    p = prepare(problem)
+    s, work = make_state(p), make_scratch(p)
+    s.partitions[:] = walls
+    for host in range(len(walls)):
+        build(p, s, host)
+    need = np.array([p.sizes[a:b].prod(1).sum() + p.beta[u] for u, (a, b) in enumerate(p.spans)])
+    order = np.lexsort([-need, -p.choices[:, WALL]]).astype(np.int64)
+    placed = np.zeros(len(need))
+    place_units(p, s, work, order, tries, streams(seed, 1)[0], placed)
+    return kept_of(s), tuple(int(u) for u in order if not placed[u])
+
+
+def begin_chain(problem: HallProblem, start: Kept, stream: Stream) -> HallChain:
+    """A chain that stands at a layout."""
+    p = prepare(problem)
+    s, work, grid = make_state(p), make_scratch(p), route_grid(problem, p)
+    bits, inset = np.zeros((3, *grid.free.shape), np.uint64), np.zeros((len(p.sizes), 4))
+    last, best = (Kept(*(array.copy() for array in start)) for _ in range(2))
+    energy = bring_back(p, s, work, start)
+    ways = p.weights[REACH] * count_missed(p, s, grid, bits[0], bits[1], bits[2], inset)
+    tally = np.array([energy + ways, ways, energy + ways, 0.0, 0.0])
+    return HallChain(p, s, work, grid, bits, inset, stream, tally, last, best)
+
+
+def advance(chain: HallChain, schedule: Floats, first: int, steps: int) -> None:
+    """Run a chain on; energies are measured afresh before, so that no rounding adds up."""
+    bare = measure_all(chain.p, chain.s, chain.work)
+    chain.tally[0] = bare + chain.tally[1]
+    run(
+        chain.p,
+        chain.s,
+        chain.work,
+        chain.grid,
+        chain.bits,
+        chain.inset,
+        chain.stream,
+        chain.tally,
+        schedule,
+        first,
+        steps,
+        chain.last,
+        chain.best,
+    )
+
+
+def layout_of(chain: HallChain) -> HallLayout:
+    """The best layout of a chain, measured afresh."""
+    energy = bring_back(chain.p, chain.s, chain.work, chain.best)
+    count = count_missed(
+        chain.p, chain.s, chain.grid, chain.bits[0], chain.bits[1], chain.bits[2], chain.inset
+    )
+    boxes = np.zeros((len(chain.p.sizes), 5))
+    copy_frames(chain.s, boxes)
+    total = energy + chain.p.weights[REACH] * count
+    return HallLayout(kept_of(chain.s), boxes, total, count, lacking(chain.p, chain.s))
+
+
+def gd_mh(
+    problem: HallProblem,
+    start: Kept,
+    budget: Budget,
+    seed: int,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> HallFound:
+    """GD-MH as printed: one chain, λ = 0.1, 1000 iterations, every move led by the energies.
+
+    The paper keeps the last state; this keeps the best on the way, which is never worse.
+    """
+    watch = BudgetWatch(budget, progress, cancel)
+    steps = budget.steps or PAPER_STEPS
+    chain = begin_chain(problem, start, streams(seed, 1)[0])
+    schedule = np.array([PAPER_RATE, PAPER_RATE, float(steps), 0.0])
+    made = 0
+    while made < steps and not watch.over(made, float(chain.tally[2])):
+        length = min(SLICE, steps - made)
+        advance(chain, schedule, made, length)
+        made += length
+    return HallFound((layout_of(chain),), made)
+
+
+def anneal_hall(
+    problem: HallProblem,
+    start: Kept,
+    budget: Budget,
+    seed: int,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> HallFound:
+    """Several chains, λ rising geometrically; then the better half goes on, cold.
+
+    Chains run on all threads; without ``seconds`` the result depends on the seed alone.
+    """
+    if budget.seconds is None and budget.steps is None:
+        budget = budget._replace(seconds=SECONDS)
+    watch = BudgetWatch(budget, progress, cancel)
+    threads = min(budget.threads or os.cpu_count() or 1, CHAINS)
+    starts = _starts(problem, start, seed)
+    chains = [
+        begin_chain(problem, first, stream)
+        for first, stream in zip(starts, streams(seed, CHAINS), strict=True)
+    ]
+    made = 0
+    with ThreadPoolExecutor(threads) as pool:
+        for first, share, kept in ((0.0, 0.6, CHAINS), (0.45, 1.0, CHAINS // 2)):
+            chains = sorted(chains, key=lambda c: float(c.tally[2]))[:kept]
+            if first:
+                chains = [_restart_from_best(problem, chain) for chain in chains]
+            made += _stage(chains, pool, watch, first, share, made)
+    found = sorted((layout_of(chain) for chain in chains), key=lambda layout: layout.energy)
+    return HallFound(tuple(found), made)
+
+
+def cooled_hall(
+    problem: HallProblem,
+    start: Kept,
+    budget: Budget,
+    seed: int,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> HallFound:
+    """Two chains from a layout that is good already, annealed from the middle of the schedule."""
+    watch = BudgetWatch(budget, progress, cancel)
+    chains = [begin_chain(problem, start, stream) for stream in streams(seed, CHAINS // 2)]
+    threads = min(budget.threads or os.cpu_count() or 1, len(chains))
+    with ThreadPoolExecutor(threads) as pool:
+        made = _stage(chains, pool, watch, TEPID, 1.0, 0)
+    found = sorted((layout_of(chain) for chain in chains), key=lambda layout: layout.energy)
+    return HallFound(tuple(found), made)
+
+
+def _starts(problem: HallProblem, start: Kept, seed: int) -> list[Kept]:
+    """A first layout for every chain: the given one, and others where they hold as much; only
+    the given one in halls so large that finding one takes longer than improving it."""
+    if len(problem.names) > MANY:
+        return [start] * CHAINS
+    found = [start]
+    for k in range(1, CHAINS):
+        other, lost = first_layout(problem, start.walls, seed + 7919 * k)
+        found.append(start if lost else other)
+    return found
+
+
+def _restart_from_best(problem: HallProblem, chain: HallChain) -> HallChain:
+    """A chain that goes on from its best layout."""
+    return begin_chain(problem, chain.best, chain.stream)
+
+
+def _stage(
+    chains: list[HallChain],
+    pool: ThreadPoolExecutor,
+    watch: BudgetWatch,
+    first: float,
+    until: float,
+    before: int,
+) -> int:
+    """Anneal chains side by side until a share of the budget is spent; the steps made.
+
+    The schedule is a hundredth at a time, each as many steps as the clock (or the number of
+    steps) leaves.
+    """
+    made, share = 0, watch.share(before)
+    begun, opened = time.perf_counter(), share
+    parts = 1_000_000
+    schedule = np.array([*COLD, float(parts), FREE])
+    steps = SLICE if watch.budget.steps is None else max(watch.budget.steps // 400, 16)
+    while share < until:
+        done = (share - opened) / max(until - opened, 1e-9)
+        at = int(parts * (first + (1.0 - first) * min(done, 0.999)))
+        list(pool.map(partial(advance, schedule=schedule, first=at, steps=steps), chains))
+        made += steps * len(chains)
+        best = min(float(chain.tally[2]) for chain in chains)
+        if watch.over(before + made, best):
+            break
+        share = watch.share(before + made)
+        if watch.budget.steps is None:
+            rate = steps / max(time.perf_counter() - begun, 1e-6)
+            begun = time.perf_counter()
+            left = max((watch.budget.seconds or 0.0) / 60.0, 1e-3)
+            steps = int(np.clip(rate * left, 16, 100_000))
+    return made

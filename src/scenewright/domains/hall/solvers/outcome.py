@@ -1,0 +1,94 @@
+"""What solvers of halls find: layouts of patterns, or of objects as they stand, measured."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from scenewright.domains.hall.energy import make_state, parts_of, prepare, route_grid
+from scenewright.domains.hall.patterns import SINGLE
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.solvers.guided_metropolis import bring_back, count_missed
+from scenewright.domains.hall.solvers.start import copy_frames, write_boxes
+from scenewright.domains.hall.terms.place import build
+from scenewright.domains.hall.terms.state import Kept, PreparedHall, State, make_scratch
+from scenewright.domains.hall.terms.table import ACCESS
+from scenewright.domains.hall.terms.whole import measure_all, measure_frames
+from scenewright.engine.solve import Budget, Cancel, Progress
+
+
+class HallLayout(NamedTuple):
+    """A layout: what makes it, its boxes (n, 5), its energy, what the route misses and how many
+    metres passages lack. The boxes of a ``loose`` one stand where no pattern puts them."""
+
+    kept: Kept
+    boxes: Floats
+    energy: float
+    missed: float
+    lacking: float
+    loose: bool = False
+
+
+class HallFound(NamedTuple):
+    """Layouts, best first, and how many were looked at."""
+
+    layouts: tuple[HallLayout, ...]
+    evaluations: int
+
+
+HallRun = Callable[[HallProblem, Kept, Budget, int, Progress | None, Cancel | None], HallFound]
+
+
+ObjectRun = Callable[[HallProblem, Budget, int, Progress | None, Cancel | None, Floats | None], Any]
+"""A solver of single objects; it answers with ``boxes`` (n, 5) and ``evaluations``."""
+
+
+def measure_layout(problem: HallProblem, layout: HallLayout) -> tuple[PreparedHall, State, float]:
+    """A measured state of a layout, and what the route misses there."""
+    p, kept = prepare(problem), layout.kept
+    s, work, grid = make_state(p), make_scratch(p), route_grid(problem, p)
+    s.code[:], s.used[:] = kept.rows[:, 0], kept.rows[:, 1]
+    s.pose[:], s.layers[:], s.partitions[:] = kept.pose, kept.layers, kept.walls
+    for host in range(len(kept.walls)):
+        build(p, s, host)
+    if layout.loose:
+        write_boxes(p, s, np.ascontiguousarray(layout.boxes))
+        measure_frames(p, s, work, False)
+    else:
+        measure_all(p, s, work)
+    bits = np.zeros((3, *grid.free.shape), np.uint64)
+    inset = np.zeros((len(p.sizes), 4))
+    return p, s, count_missed(p, s, grid, bits[0], bits[1], bits[2], inset)
+
+
+def by_objects(
+    solve: ObjectRun,
+    problem: HallProblem,
+    start: Kept,
+    budget: Budget,
+    seed: int,
+    progress: Progress | None,
+    cancel: Cancel | None,
+) -> HallFound:
+    """A solver that places objects one by one, from the same first layout: its answer as a layout
+    of single objects."""
+    p = prepare(problem)
+    s, work = make_state(p), make_scratch(p)
+    bring_back(p, s, work, start)
+    boxes = np.zeros((len(p.sizes), 5))
+    copy_frames(s, boxes)
+    found = solve(problem, budget, seed, progress, cancel, boxes)
+    rows = np.stack([np.full(len(p.spans), SINGLE), start.rows[:, 1]], 1).astype(np.float64)
+    layout = HallLayout(start._replace(rows=rows), found.boxes, 0.0, 0.0, 0.0, True)
+    p, s, lost = measure_layout(problem, layout)
+    energy = sum(part.cost for part in parts_of(problem, p, s, lost))
+    return HallFound(
+        (layout._replace(energy=energy, missed=lost, lacking=lacking(p, s)),), found.evaluations
+    )
+
+
+def lacking(p: PreparedHall, s: State) -> float:
+    """Metres that the passages of a measured state lack, rounding aside."""
+    return float(np.round(np.log1p(s.costs[ACCESS, : len(p.links)]).sum(), 6))

@@ -1,0 +1,298 @@
+"""Halls: exhibitions, shops, reading rooms, auditoria.
+
+Graph-driven Metropolis-Hastings after Cao, Cheng, Zhang 2024: groups of like objects follow
+patterns, patterns stand in functional zones; the parameters of the patterns are optimised.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
+from zlib import crc32
+
+import numpy as np
+
+from scenewright._version import __version__
+from scenewright.building.plan import plan_rooms
+from scenewright.building.standing import fixed_pieces, reaching_in
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Catalog
+from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece
+from scenewright.core.solution import LeftOut, Solution, TermValue
+from scenewright.core.space import Space
+from scenewright.domains.hall.build_problem import HallContext, hall_of
+from scenewright.domains.hall.chairs import grow_table, with_chairs
+from scenewright.domains.hall.desks import turn_desks
+from scenewright.domains.hall.energy import parts_of
+from scenewright.domains.hall.fit import Fitted, fit
+from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
+from scenewright.domains.hall.hall_layout import HallDetail, HallLayout, PlacedGroup, Tour
+from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
+from scenewright.domains.hall.presets import PRESETS, USUAL, HallPreset
+from scenewright.domains.hall.search import HallSearch, search_layout
+from scenewright.domains.hall.shortfall import left_out
+from scenewright.domains.hall.solvers.outcome import HallLayout as MeasuredLayout
+from scenewright.domains.hall.solvers.outcome import measure_layout
+from scenewright.domains.hall.tour import tour
+from scenewright.domains.hall.zones import borders_of, zones_of
+from scenewright.engine.energy import Part
+from scenewright.engine.solve import Budget
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+
+__all__ = ["PRESETS", "solve"]
+
+
+class HallTask(NamedTuple):
+    """One hall to lay out, and how."""
+
+    hall: HallContext
+    number: int
+    preset: HallPreset
+    solver: str
+    budget: Budget
+    seed: int
+    lean: int
+
+
+class Laid(NamedTuple):
+    """One hall laid out."""
+
+    pieces: tuple[Piece, ...]
+    groups: tuple[PlacedGroup, ...]
+    partitions: tuple[str, ...]
+    parts: tuple[Part, ...]
+    left_out: tuple[LeftOut, ...]
+    energy: float
+    evaluations: int
+    tour: Tour | None
+
+
+def solve(
+    brief: Brief,
+    *,
+    plan: Plan | None = None,
+    preset: str = "default",
+    solver: str | None = None,
+    seconds: float | None = None,
+    steps: int | None = None,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+    variant: int = 0,
+    lean: int = 0,
+) -> Solution:
+    """Lay out every hall of a brief.
+
+    The work is ``steps`` looked-at layouts for each hall, or ``seconds`` for all, else what the
+    preset says. The same seed and steps give the same answer on any number of ``threads``.
+    ``plan`` is that of the brief (made unless given).
+    ``variant`` takes another proposal of zones where the brief leaves them open; ``lean`` above 0
+    narrows every demand to one of its patterns, another for another number. ``progress`` hears
+    the share done and what is done; when ``cancel`` answers true, what was found so far is
+    returned.
+    """
+    started = time.perf_counter()
+    chosen = _preset(preset)
+    named = solver or chosen.solver
+    catalog, rooms = catalog_of(brief.catalogs), (plan or plan_rooms(brief)).spaces
+    threads = min(threads or os.cpu_count() or 1, 16)
+    halls = hall_contexts(brief, rooms, catalog, seed, variant)
+    busy = [k for k, room in enumerate(brief.rooms) if room.demands]
+    each = Budget(threads=threads if len(busy) == 1 else 1)
+    share = min(threads, max(len(busy), 1)) / max(len(busy), 1)
+    if seconds is not None:
+        each = each._replace(seconds=seconds * share)
+    tasks = {
+        k: HallTask(halls[k], k, chosen, named, each._replace(steps=steps), stream, lean)
+        for k, stream in ((k, _stream(seed, rooms[k])) for k in busy)
+    }
+    laid = _run(brief, tasks, catalog, threads, progress, cancel)
+    return assemble_solution(brief, halls, laid, preset, named, seed, time.perf_counter() - started)
+
+
+def _preset(name: str) -> HallPreset:
+    if name not in PRESETS:
+        raise InputError(f"there is no preset '{name}'", "one of " + ", ".join(PRESETS))
+    return PRESETS[name]
+
+
+def _stream(seed: int, space: Space) -> int:
+    sequence = np.random.SeedSequence([seed, crc32(space.id.encode())])
+    return int(sequence.generate_state(1)[0]) % 2**31
+
+
+def hall_contexts(
+    brief: Brief, rooms: tuple[Space, ...], catalog: Catalog, seed: int, variant: int
+) -> list[HallContext]:
+    """Every hall of a brief: its zones, walls and what stands there."""
+    pairs = zip(brief.rooms, rooms, strict=True)
+    standing = [tuple(fixed_pieces(room, space, catalog)) for room, space in pairs]
+    beside = reaching_in(standing, rooms)
+    return [
+        _hall(brief, k, rooms[k], standing[k], beside[k], seed, variant) for k in range(len(rooms))
+    ]
+
+
+def _hall(
+    brief: Brief,
+    number: int,
+    space: Space,
+    fixed: tuple[Piece, ...],
+    beside: tuple[Piece, ...],
+    seed: int,
+    variant: int,
+) -> HallContext:
+    plan = zones_of(brief, number, space, seed=seed, variant=variant)
+    return hall_of(space, plan, borders_of(plan, space), fixed, brief.route_width, beside)
+
+
+def _run(
+    brief: Brief,
+    tasks: dict[int, HallTask],
+    catalog: Catalog,
+    threads: int,
+    progress: Progress | None,
+    cancel: Cancel | None,
+) -> dict[int, Laid]:
+    """Halls in parallel; compiled code runs without the interpreter's lock."""
+    alone = len(tasks) == 1
+
+    def lay(task: HallTask) -> Laid | None:
+        if cancel is not None and cancel():
+            return None
+        inner = progress if alone else None
+        return _lay(brief, task, catalog, inner, cancel)
+
+    answers: dict[int, Laid] = {}
+    with ThreadPoolExecutor(max(min(threads, len(tasks)), 1)) as pool:
+        futures = {number: pool.submit(lay, task) for number, task in tasks.items()}
+        for done, (number, future) in enumerate(futures.items(), 1):
+            found = future.result()
+            if found is not None:
+                answers[number] = found
+            if progress:
+                progress(done / len(tasks), tasks[number].hall.space.name)
+    return answers
+
+
+def _lay(
+    brief: Brief, task: HallTask, catalog: Catalog, progress: Progress | None, cancel: Cancel | None
+) -> Laid:
+    hall, preset = task.hall, task.preset
+    locked = tuple(piece for piece in hall.fixed if piece.function not in ("", "fixed"))
+    wishes = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
+    fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.whole)
+    if not fitted.units:
+        missing = left_out(hall, wishes, fitted.units)
+        kept = kept_groups(hall, locked)
+        layout = HallLayout(hall.plan.zones, hall.plan.links, kept)
+        way = tour(hall.space, hall.fixed, layout, catalog, hall.route) if kept else None
+        return Laid((), kept, (), (), missing, 0.0, 0, way)
+    budget = task.budget
+    if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
+        scale = 1.0 if preset.whole else max(len(fitted.units) / USUAL, 1.0)
+        budget = budget._replace(steps=int(preset.steps * scale))
+    search = HallSearch(
+        hall, wishes, preset, task.solver, budget, task.seed, catalog, task.budget.steps is not None
+    )
+    fitted, found = search_layout(search, fitted, progress, cancel)
+    missing = left_out(hall, wishes, fitted.units)
+    best = turn_desks(hall, wishes, fitted.units, fitted.problem, found.layouts[0])
+    return furnish_layout(hall, wishes, fitted, best, locked, missing, found.evaluations, catalog)
+
+
+def furnish_layout(
+    hall: HallContext,
+    wishes: list[HallDemand],
+    fitted: Fitted,
+    best: MeasuredLayout,
+    locked: tuple[Piece, ...],
+    missing: tuple[LeftOut, ...],
+    evaluations: int,
+    catalog: Catalog,
+) -> Laid:
+    """A hall with the objects of a layout, its walls, chairs, groups, terms and tour."""
+    p, s, lost = measure_layout(fitted.problem, best)
+    objects = furnish_hall(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)
+    walls = partitions(hall, fitted.problem, best.kept, catalog)
+    chairs = with_chairs(objects, (*hall.fixed, *walls), catalog)
+    groups = (
+        *kept_groups(hall, locked),
+        *placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, objects),
+    )
+    parts = parts_of(fitted.problem, p, s, lost)
+    layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
+    out = {wish.id: wish.chairs for wish in wishes}
+    seated = (grow_table(piece, out[piece.function]) for piece in objects)
+    every = (*hall.fixed, *walls, *seated)
+    way = tour(hall.space, every, layout, catalog, hall.route)
+    return Laid(
+        (*walls, *objects, *chairs),
+        groups,
+        layout.partitions,
+        parts,
+        missing,
+        sum(part.cost for part in parts),
+        evaluations,
+        way,
+    )
+
+
+def assemble_solution(
+    brief: Brief,
+    halls: list[HallContext],
+    laid: dict[int, Laid],
+    preset: str,
+    solver: str,
+    seed: int,
+    seconds: float,
+) -> Solution:
+    """The solution of all halls of a brief; those not in ``laid`` hold what stands there."""
+    found = [laid.get(number) for number in range(len(halls))]
+    done = [answer for answer in found if answer is not None]
+    pieces = [
+        piece
+        for hall, answer in zip(halls, found, strict=True)
+        for piece in (*hall.fixed, *(answer.pieces if answer else ()))
+    ]
+    layout = HallLayout(
+        tuple(zone for hall in halls for zone in hall.plan.zones),
+        tuple(link for hall in halls for link in hall.plan.links),
+        tuple(group for answer in done for group in answer.groups),
+        tuple(wall for answer in done for wall in answer.partitions),
+    )
+    terms = tuple(
+        TermValue(hall.space.id, part.item, part.term, part.value, part.weight, part.cost)
+        for hall, answer in zip(halls, found, strict=True)
+        for part in (answer.parts if answer else ())
+    )
+    return Solution(
+        brief=brief,
+        pieces=tuple(pieces),
+        patches=(),
+        terms=terms,
+        left_out=tuple(out for answer in done for out in answer.left_out),
+        energies={
+            hall.space.id: answer.energy
+            for hall, answer in zip(halls, found, strict=True)
+            if answer is not None
+        },
+        preset=preset,
+        solver=solver,
+        seed=seed,
+        version=__version__,
+        brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
+        seconds=seconds,
+        evaluations=sum(answer.evaluations for answer in done),
+        detail=HallDetail(layout, tuple(answer.tour for answer in done if answer.tour is not None)),
+    )

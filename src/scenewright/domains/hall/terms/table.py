@@ -1,0 +1,147 @@
+"""Terms of halls (Cao, Cheng, Zhang 2024, eqs. 1-5), as repaired, and their table.
+
+Each is a scalar function; the sums over units, zones, links and neighbours are written once, in
+:mod:`scenewright.domains.hall.terms.measure`. A new term is one function, one number, one row here
+and one line there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.engine.weights import vector_of
+from scenewright.geometry.compiled import compiled
+
+TAU = 0.05
+EPSILON = 1.5
+NEAR = 1.0
+"""Z of the proportion: what neighbours may stand apart beyond their clearances, in metres."""
+
+SPACE, FILL, ACCESS, PROPORTION, REACH, BALANCE, FACING = range(7)
+
+
+class HallTerm(NamedTuple):
+    """One row: what weights are given by, its place in the vector of weights, what it is told
+    of, its default weight, what it says and where it comes from."""
+
+    name: str
+    number: int
+    of: Literal["group", "zone", "link", "hall"]
+    weight: float
+    doc: str
+    source: str
+
+
+_PAPER = "Cao, Cheng, Zhang 2024, eq. "
+HALL_TERMS: tuple[HallTerm, ...] = (
+    HallTerm(
+        "space",
+        SPACE,
+        "group",
+        1,
+        "clearance covered by others, by walls or by doors",
+        _PAPER + "1 with its lost divisor",
+    ),
+    HallTerm("fill", FILL, "zone", 1, "zone less used than it should be", _PAPER + "3"),
+    HallTerm("access", ACCESS, "link", 40, "passage between linked zones too narrow", _PAPER + "4"),
+    HallTerm(
+        "proportion",
+        PROPORTION,
+        "group",
+        1,
+        "neighbours further apart than they need",
+        _PAPER + "5",
+    ),
+    HallTerm("reach", REACH, "hall", 30, "objects and doors that the route does not reach", "ours"),
+    HallTerm("balance", BALANCE, "zone", 4, "groups crowded at one side of their zone", "ours"),
+    HallTerm("facing", FACING, "group", 10, "groups turned away from what they look at", "ours"),
+)
+MEANINGS: dict[str, str] = {row.name: row.doc for row in HALL_TERMS}
+"""What each term says, in one line."""
+PRINTED = ("space", "fill", "access", "proportion")
+
+
+def read_hall_weights(weights: Mapping[str, float]) -> NDArray[np.float64]:
+    """Weights by name to the vector ``(terms,)``; a name left out weighs nothing.
+
+    >>> read_hall_weights({"fill": 2.0}).tolist()
+    [0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    """
+    places = {row.name: row.number for row in HALL_TERMS}
+    return vector_of(weights, places, np.zeros(len(HALL_TERMS)), "term of halls")
+
+
+@compiled
+def barrier(x: float) -> float:
+    """φ(x) = 1 / (x + √(x² + τ²)), τ = 0.05: 1/(2x) for large x, 20 at 0, steep below.
+
+    >>> round(barrier(0.0), 6), round(barrier(1.0), 3)
+    (20.0, 0.5)
+    """
+    root = math.sqrt(x * x + TAU * TAU)
+    return 1.0 / (x + root) if x > 0.0 else (root - x) / (TAU * TAU)
+
+
+@compiled
+def space_cost(covered: float, demanded: float) -> float:
+    """E_s of one group, φ(ε - 2ε σ(α / β)): α covered and β demanded clearance, square metres.
+
+    The division by β is lost in print; β is defined right after. 20 for nothing covered.
+
+    >>> round(space_cost(0.0, 1.0), 6)
+    20.0
+    """
+    share = covered / max(demanded, 1e-9)
+    return barrier(EPSILON - 2.0 * EPSILON / (1.0 + math.exp(-min(share, 50.0))))
+
+
+@compiled
+def fill_cost(least: float, used: float) -> float:
+    """E_u of one zone, φ(1 - δ_min / δ): least and actual share of its floor in use.
+
+    The paper's δ sums footprints and clearances, which no expansion changes, although expanding
+    is its remedy for a high E_u; ours sums the extents of the patterns.
+
+    >>> round(fill_cost(0.4, 0.4), 6)
+    20.0
+    """
+    return barrier(1.0 - least / max(used, 1e-6))
+
+
+@compiled
+def access_cost(least: float, width: float) -> float:
+    """E_a of one link, exp(max(0, d_min - d)) - 1, widths in metres.
+
+    >>> access_cost(1.2, 1.5)
+    0.0
+    """
+    return math.exp(max(least - width, 0.0)) - 1.0
+
+
+@compiled
+def proportion_cost(gap: float, most: float) -> float:
+    """E_p of two neighbours, φ(1 - max(0, μ - μ_max) / μ_max): gap and greatest gap, metres.
+
+    >>> round(proportion_cost(2.0, 1.0), 6)
+    20.0
+    """
+    return barrier(1.0 - max(gap - most, 0.0) / most)
+
+
+@compiled
+def facing_cost(x: float, y: float, heading: float, to_x: float, to_y: float) -> float:
+    """1 - cos of the angle between a group's front and the way to what it looks at, 0 to 2, and
+    a tenth of the metres it stands off the axis of what it looks at.
+
+    >>> facing_cost(0.0, 0.0, 0.0, 5.0, 0.0)
+    0.0
+    """
+    dx, dy = to_x - x, to_y - y
+    far = max(math.sqrt(dx * dx + dy * dy), 1e-9)
+    c, s = math.cos(heading), math.sin(heading)
+    return 1.0 - (dx * c + dy * s) / far + 0.1 * abs(dy * c - dx * s)

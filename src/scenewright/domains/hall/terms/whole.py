@@ -1,0 +1,159 @@
+"""The energy of a hall layout measured afresh: every object filed, every term summed up.
+
+:func:`measure_all` starts from patterns, :func:`measure_frames` from footprints as they stand; the
+parts are those that :mod:`scenewright.domains.hall.terms.trial` measures again for what a move
+touches.
+"""
+
+from __future__ import annotations
+
+import math
+
+from scenewright.domains.hall.terms.measure import (
+    access_of,
+    crowd,
+    meets,
+    proportion_of,
+    used_area,
+    wall_covered,
+    within,
+)
+from scenewright.domains.hall.terms.place import middle_of, unfold
+from scenewright.domains.hall.terms.state import PreparedHall, Scratch, State
+from scenewright.domains.hall.terms.table import (
+    ACCESS,
+    BALANCE,
+    FACING,
+    FILL,
+    PROPORTION,
+    SPACE,
+    facing_cost,
+    fill_cost,
+    space_cost,
+)
+from scenewright.geometry.boxes import read_frame
+from scenewright.geometry.buckets import insert, remove
+from scenewright.geometry.compiled import compiled, inlined
+
+REFUSED = math.inf
+
+
+@inlined
+def forget(work: Scratch) -> None:
+    """Nothing is touched."""
+    g = work.marks.shape[0]
+    for k in range(work.touched[g]):
+        work.marks[work.touched[k]] = 0
+    work.touched[g] = 0
+
+
+@inlined
+def place_all(
+    p: PreparedHall, s: State, work: Scratch, unit: int, strict: bool
+) -> tuple[float, float]:
+    """File the objects of a unit one by one; α_S and α_W, the first -1 if a hard rule breaks
+    (only where ``strict``)."""
+    zone, inside, at_walls = p.zones[unit], 0.0, 0.0
+    for i in range(p.spans[unit, 0], p.spans[unit, 1]):
+        frame, clear = read_frame(s.frames, i), read_frame(s.clears, i)
+        if strict:
+            if not within(frame, p, zone) or meets(frame, p.keep_free):
+                return -1.0, 0.0
+            if meets(frame, p.obstacles) or meets(frame, s.walls):
+                return -1.0, 0.0
+        shared = crowd(p, s, work, i, frame, clear, 1.0, strict)
+        if shared < 0.0:
+            return -1.0, 0.0
+        inside += shared
+        at_walls += wall_covered(clear, p, s.walls)
+        insert(s.buckets, i, clear[0], clear[1], clear[6])
+    return inside, at_walls
+
+
+@inlined
+def facing_of(p: PreparedHall, s: State, unit: int) -> float:
+    """How far a unit is turned away from what it looks at; 0 if it looks at nothing."""
+    target = p.targets[unit]
+    if target < 0:
+        return 0.0
+    x, y = middle_of(s, p.spans[unit, 0], p.spans[unit, 1])
+    to_x, to_y = middle_of(s, p.spans[target, 0], p.spans[target, 1])
+    return facing_cost(x, y, s.pose[unit, 2], to_x, to_y)
+
+
+@inlined
+def fill_and_balance(
+    p: PreparedHall, s: State, zone: int, unit: int, area: float, x: float, y: float
+) -> tuple[float, float]:
+    """E_u of a zone and how far its groups' common middle lies from the zone's, with other
+    values for one unit (-1: none)."""
+    total, cx, cy = 0.0, 0.0, 0.0
+    for u in range(p.zones.shape[0]):
+        if p.zones[u] == zone:
+            used = area if u == unit else s.extent[u, 0]
+            ux, uy = (x, y) if u == unit else (s.extent[u, 1], s.extent[u, 2])
+            total, cx, cy = total + used, cx + used * ux, cy + used * uy
+    if total <= 0.0:
+        return 0.0, 0.0
+    dx, dy = cx / total - p.middles[zone, 0], cy / total - p.middles[zone, 1]
+    size = p.zone_areas[zone]
+    return fill_cost(p.least[zone], total / size), math.sqrt((dx * dx + dy * dy) / size)
+
+
+@inlined
+def sum_up(p: PreparedHall, s: State, work: Scratch) -> float:
+    """Costs of all terms from what is covered and where things stand; the weighted sum."""
+    total = 0.0
+    for unit in range(p.spans.shape[0]):
+        covered = s.covered[unit, 0] + s.covered[unit, 1] + s.covered[unit, 2]
+        s.costs[SPACE, unit] = space_cost(covered, p.beta[unit])
+        s.costs[PROPORTION, unit] = proportion_of(p, s, unit)
+        s.extent[unit, 0] = used_area(p, s, unit)
+        x, y = middle_of(s, p.spans[unit, 0], p.spans[unit, 1])
+        s.extent[unit, 1], s.extent[unit, 2] = x, y
+        s.costs[FACING, unit] = facing_of(p, s, unit)
+        total += p.weights[FACING] * s.costs[FACING, unit]
+        total += p.weights[SPACE] * s.costs[SPACE, unit]
+        total += p.weights[PROPORTION] * s.costs[PROPORTION, unit]
+    for zone in range(p.zone_areas.shape[0]):
+        fill, balance = fill_and_balance(p, s, zone, -1, 0.0, 0.0, 0.0)
+        s.costs[FILL, zone], s.costs[BALANCE, zone] = fill, balance
+        total += p.weights[FILL] * fill + p.weights[BALANCE] * balance
+    for link in range(p.links.shape[0]):
+        s.costs[ACCESS, link] = access_of(p, s, work, link)
+        total += p.weights[ACCESS] * s.costs[ACCESS, link]
+    return total
+
+
+@compiled
+def measure_frames(p: PreparedHall, s: State, work: Scratch, strict: bool) -> float:
+    """As :func:`measure_all` for footprints and clearances as they stand, whatever the patterns
+    say; hard rules only count where ``strict``."""
+    for i in range(s.frames.shape[0]):
+        remove(s.buckets, i)
+    for unit in range(p.spans.shape[0]):
+        for k in range(3):
+            s.covered[unit, k] = 0.0
+    for unit in range(p.spans.shape[0]):
+        forget(work)
+        inside, at_walls = place_all(p, s, work, unit, strict)
+        if inside < 0.0:
+            return REFUSED
+        s.covered[unit, 0], s.covered[unit, 2] = inside, at_walls
+        g = work.marks.shape[0]
+        for k in range(work.touched[g]):
+            s.covered[work.touched[k], 1] += work.delta[work.touched[k]]
+    return sum_up(p, s, work)
+
+
+@compiled
+def measure_all(p: PreparedHall, s: State, work: Scratch) -> float:
+    """Every part of the energy afresh; the energy without the route, infinite if a hard rule is
+    broken or a wall row finds no room. Objects are filed anew."""
+    for host in range(s.walls.shape[0]):
+        if s.walls[host, 4] > 0.0 and meets(read_frame(s.walls, host), p.keep_free):
+            return REFUSED
+    for unit in range(p.spans.shape[0]):
+        if not unfold(p, s, work, unit):
+            return REFUSED
+    return measure_frames(p, s, work, True)

@@ -1,0 +1,50 @@
+"""The referee of homes: what all rooms share, what a home is to hold, wishes and wheelchairs."""
+
+from __future__ import annotations
+
+from scenewright.building.plan import room_ids
+from scenewright.check.bodies import bodies_of
+from scenewright.check.report import Report
+from scenewright.check.rooms import Walked, counted, judge_rooms, missing_ways, walk_rooms
+from scenewright.core.catalog import Catalog
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.domains.home.check.accessible import Barriers, find_barriers
+from scenewright.domains.home.check.complete import (
+    find_idle_hoods,
+    find_incomplete,
+    find_unknown,
+    find_unmet_asks,
+)
+from scenewright.domains.home.check.wishes import wishes_told
+
+
+def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
+    """Judge a furnished home; see :func:`scenewright.domains.check`."""
+    brief = solution.brief
+    walked = walk_rooms(brief, solution.pieces, plan.spaces, kinds)
+    rooms, bodies = walked.rooms, walked.bodies
+    shared = judge_rooms(walked)
+    barriers = _barriers(solution, walked, kinds) if brief.accessible else Barriers([], [], {})
+    findings = (*shared.findings, *barriers.findings)
+    asked = dict(zip(room_ids(brief), brief.rooms, strict=True))
+    notes = (
+        *missing_ways(brief, walked),
+        *find_incomplete(bodies, rooms),
+        *find_unmet_asks(asked, bodies, rooms),
+        *find_idle_hoods(bodies, rooms),
+        *find_unknown(asked, bodies, rooms),
+        *shared.notes,
+        *barriers.notes,
+    )
+    figures = {**counted(solution.pieces, findings), **shared.figures, **barriers.figures}
+    if any(room.wishes for room in brief.rooms):
+        figures["wishes"] = wishes_told(bodies, rooms, brief.rooms)
+    return Report(findings, notes, figures)
+
+
+def _barriers(solution: Solution, walked: Walked, kinds: Catalog) -> Barriers:
+    """What keeps a wheelchair out, beside what the brief itself put in the way."""
+    fixed = tuple(piece for piece in solution.pieces if piece.fixed)
+    given, _ = bodies_of(fixed, walked.rooms, kinds)
+    return find_barriers(walked.bodies, given, walked.rooms, walked.grounds, walked.walks)

@@ -1,0 +1,51 @@
+"""Where wheelchairs turn, in plan: a dashed circle of 1.5 m in every room that has room for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.domains.home.check.judge import check
+from scenewright.drawing.marks import LINE, ROUTE, PaperView, group, plate, tag, to_paper
+
+DIAMETER = 1.5
+WORD = 1.9
+"""Height of the figure in the circle, millimetres."""
+
+Turns = Mapping[str, tuple[float, float]]
+"""Middles of turning circles by space, metres."""
+
+
+def turning_of(solution: Solution, plan: Plan) -> Turns:
+    """Where the referee found room to turn in the rooms of an accessible home; else nothing."""
+    if not solution.brief.accessible:
+        return {}
+
+    kinds = catalog_of(solution.brief.catalogs)
+    found = check(solution, plan, kinds).figures.get("turning", {})
+    return {space: (float(x), float(y)) for space, (x, y) in found.items()}
+
+
+def turning_mark(view: PaperView, middles: Iterable[tuple[float, float]]) -> str:
+    """Circles with their diameter."""
+    marks = []
+    for middle in middles:
+        x, y = to_paper(view, middle)
+        radius = DIAMETER / 2 * view.scale
+        marks.append(
+            tag(
+                "circle",
+                cx=x,
+                cy=y,
+                r=radius,
+                fill="none",
+                stroke=ROUTE,
+                stroke_width=LINE,
+                stroke_dasharray="1.6 0.9",
+            )
+        )
+        foot = (x, y + radius - 0.9 * WORD)
+        marks.append(plate(f"\u2300 {DIAMETER:.2f}", foot, WORD, fill=ROUTE))
+    return group(marks)

@@ -1,0 +1,235 @@
+"""Energy: the weighted terms of a layout, for whole populations, and where each part comes from."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from scenewright.building.ceiling import BENDING, low_floor, strips
+from scenewright.core.layout import Layout
+from scenewright.domains.home.problem import Ground, Items, Problem
+from scenewright.domains.home.terms.assemble import Costs, Ints, PreparedHome, make_costs, measure
+from scenewright.domains.home.terms.orientation import inward
+from scenewright.domains.home.terms.table import (
+    CLEAR_ITEMS,
+    CLEAR_ROOM,
+    CORRIDORS,
+    KEEP_FREE,
+    OBSTACLES,
+    ROUTE,
+    SLOPE,
+    TERMS,
+    WINDOW,
+    Term,
+    read_weights,
+)
+from scenewright.engine.energy import Evaluation, Part
+from scenewright.geometry.boxes import Floats, fill_frames, frames_of
+from scenewright.geometry.circulation import route
+from scenewright.geometry.compiled import compiled
+from scenewright.geometry.flood import Bits
+from scenewright.geometry.paths import RouteGrid, make_grid
+
+
+def _fresh(array: Floats, *shape: int) -> Floats:
+    return np.array(array, dtype=np.float64, order="C").reshape(-1, *shape)
+
+
+def _zones(ground: Ground, tops: Floats) -> Floats:
+    """Boxes to be kept free ``(k, 10)``: frame, term, the height it starts from; the slopes are
+    cut for items as high as ``tops``."""
+    windows = _fresh(ground.windows, 6)
+    low = strips(_fresh(ground.slopes, 6), tops, ground.bounds)
+    kinds = (
+        (KEEP_FREE, ground.keep_free),
+        (KEEP_FREE, ground.fronts),
+        (CORRIDORS, ground.corridors),
+        (OBSTACLES, ground.obstacles),
+        (WINDOW, windows[:, :5]),
+        (SLOPE, low[:, :5]),
+    )
+    boxes = np.concatenate([_fresh(boxes, 5) for _, boxes in kinds])
+    zones = np.empty((len(boxes), 10))
+    zones[:, :8], zones[:, 9] = frames_of(boxes), -np.inf
+    zones[:, 8] = np.repeat([term for term, _ in kinds], [len(boxes) for _, boxes in kinds])
+    glass = len(boxes) - len(windows) - len(low)
+    zones[glass:, 9] = np.concatenate([windows[:, 5], low[:, 5]])
+    return zones
+
+
+def _traits(items: Items, reach: Floats, role: Floats) -> Floats:
+    columns = (items.height, items.back_to_wall, role, items.daylight, items.nestle, items.wish)
+    return np.array(np.column_stack((*columns, reach)), np.float64, order="C")
+
+
+def _index_relations(pairs: Ints, n: int) -> tuple[Ints, Ints]:
+    """For each item the relations it is in, as one list, and where each item's part starts."""
+    items = pairs.ravel()
+    order = np.argsort(items, kind="stable").astype(np.int64)
+    start = np.searchsorted(items[order], np.arange(n + 1)).astype(np.int64)
+    return start, order // 2
+
+
+def _middle(ground: Ground) -> Floats:
+    """Centroid of the room, moments of the fixed pieces about it, their area, root of its area."""
+    edges, fixed = _fresh(ground.edges, 4), _fresh(ground.obstacles, 5)
+    cross = edges[:, 0] * edges[:, 3] - edges[:, 2] * edges[:, 1]
+    whole = max(float(cross.sum()), 1e-9)
+    x, y = cross @ (edges[:, :2] + edges[:, 2:]) / (3.0 * whole)
+    areas = fixed[:, 3] * fixed[:, 4]
+    moments = areas @ (fixed[:, :2] - np.array([x, y]))
+    return np.array([x, y, *moments, areas.sum(), math.sqrt(0.5 * whole)])
+
+
+def prepare(problem: Problem) -> PreparedHome:
+    """Arrays and weights of a problem, ready for compiled code."""
+    ground, items = problem.ground, problem.items
+    weights = read_weights(problem.weights, problem.printed)
+    main, bounds = _fresh(ground.main_wall, 4), _fresh(ground.bounds, 4)[0].copy()
+    zoned = weights[CLEAR_ROOM] != 0.0 or weights[CLEAR_ITEMS] != 0.0
+    reach = items.clear.max(axis=1, initial=0.0) * (1.0 if zoned else 0.0)
+    pairs = np.array(items.pairs, np.int64, order="C").reshape(-1, 2)
+    placed = np.argsort(items.placed, kind="stable")
+    start, related = _index_relations(pairs, len(items.low))
+    return PreparedHome(
+        edges=_fresh(ground.edges, 4),
+        walls=_fresh(ground.walls, 4),
+        zones=_zones(ground, items.height),
+        clear=_fresh(items.clear, 4),
+        access=_fresh(items.access, 4),
+        inset=_fresh(items.inset, 4),
+        traits=_traits(items, reach, items.main_wall * (1.0 if len(main) else 0.0)),
+        limits=np.hstack([_fresh(items.low, 2), _fresh(items.high, 2)]),
+        pairs=pairs,
+        targets=np.hstack([_fresh(items.pair_targets, 3), _fresh(items.pair_weights, 1)]),
+        related_start=start,
+        related=related,
+        place_start=np.searchsorted(items.placed[placed], np.arange(len(items.low) + 1)),
+        places=_fresh(items.places[placed], 6),
+        spots=_fresh(items.spots, 4),
+        weights=weights,
+        bounds=bounds,
+        middle=_middle(ground),
+        area=float(ground.area),
+        normal=float(inward(main[0])) if len(main) else float("nan"),
+        span=float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])),
+    )
+
+
+def route_grid(problem: Problem, cell: float) -> RouteGrid:
+    """The grid the walking route is looked for on; empty if the route is not weighed."""
+    ground = problem.ground
+    wanted = problem.weights.get("route", 0.0) != 0.0
+    doors = frames_of(_fresh(ground.doors if wanted else np.zeros((0, 5)), 5))
+    bounds = _fresh(ground.bounds, 4)[0] * (1.0 if len(doors) else 0.0)
+    low = low_floor(_fresh(ground.slopes, 6), problem.route_width, ground.bounds, BENDING)
+    solid = np.concatenate([_fresh(ground.obstacles, 5), low])
+    return make_grid(
+        _fresh(ground.edges, 4),
+        frames_of(solid),
+        doors,
+        bounds,
+        float(cell),
+        float(problem.route_width),
+    )
+
+
+@compiled
+def fill_energies(
+    p: PreparedHome,
+    grid: RouteGrid,
+    population: Floats,
+    energies: Floats,
+    routes: Floats,
+    frames: Floats,
+    costs: Costs,
+    free: Bits,
+    reached: Bits,
+) -> None:
+    """Write energies and, of these, what the route costs ``(P,)`` for layouts ``(P, n, 5)``.
+
+    The rest is scratch; ``costs`` keeps the parts of the last layout.
+    """
+    for k in range(population.shape[0]):
+        fill_frames(population[k], frames)
+        energies[k], routes[k] = measure(frames, p, costs), 0.0
+        if p.weights[ROUTE] != 0.0:
+            routes[k] = p.weights[ROUTE] * route(
+                frames, p.access, p.inset, grid, free, reached, math.inf
+            )
+            energies[k] += routes[k]
+
+
+def energies_of(
+    p: PreparedHome, grid: RouteGrid, population: Floats
+) -> tuple[Floats, Floats, Costs]:
+    """Energies ``(P,)``, the route's share in them, and the parts of the last layout."""
+    count, n = len(population), len(p.limits)
+    energies, routes, costs = np.empty(count), np.empty(count), make_costs(n, len(p.pairs))
+    free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
+    boxes = np.array(population, np.float64, order="C").reshape(count, n, 5)
+    fill_energies(p, grid, boxes, energies, routes, np.empty((n, 8)), costs, free, reached)
+    return energies, routes, costs
+
+
+def evaluate(problem: Problem, boxes: Floats, cell: float = 0.1) -> Floats:
+    """Energies ``(P,)`` of a population of layouts ``(P, n, 5)``; lower is better.
+
+    ``cell`` is the size of the cells of the walking route's grid.
+    """
+    grid = route_grid(problem, cell)
+    return energies_of(prepare(problem), grid, boxes)[0]
+
+
+def empty_layout(problem: Problem) -> Layout:
+    """The only layout of a problem without items."""
+    return Layout(np.zeros((0, 5)), float(evaluate(problem, np.zeros((1, 0, 5)))[0]))
+
+
+def _parts(
+    row: Term,
+    weight: float,
+    p: PreparedHome,
+    grid: RouteGrid,
+    boxes: Floats,
+    names: tuple[str, ...],
+) -> list[Part]:
+    """The parts of one term: the kernels run with its weight 1 and all others 0."""
+    only = np.zeros(len(TERMS))
+    only[row.number] = 1.0
+    energies, _, costs = energies_of(p._replace(weights=only), grid, boxes[None])
+    divisor = float(costs.boxes[:, 2].sum()) if row.per_area else 1.0
+    if row.kind == "whole":
+        found = [("", energies[0])]
+    elif row.kind == "box":
+        found = list(zip(names, costs.boxes[:, 0 if row.per_area else 1] / divisor, strict=True))
+    else:
+        places = np.argwhere(np.triu(costs.pairs)) if row.per_area else p.pairs
+        values = costs.pairs[tuple(places.T)] if row.per_area else costs.relations
+        labels = [f"{names[i]} & {names[j]}" for i, j in places]
+        found = list(zip(labels, values / divisor, strict=True))
+    return [
+        Part(item, row.name, float(value), weight, weight * float(value))
+        for item, value in found
+        if value != 0.0
+    ]
+
+
+def explain(problem: Problem, boxes: Floats, cell: float = 0.05) -> list[Part]:
+    """Every part of the energy of a layout ``(n, 5)`` that is not zero, term by term; the costs
+    sum to the energy."""
+    prepared, grid = prepare(problem), route_grid(problem, cell)
+    layout = np.array(boxes, np.float64, order="C")
+    parts: list[Part] = []
+    for row in TERMS:
+        weight = float(prepared.weights[row.number])
+        if weight != 0.0:
+            parts += _parts(row, weight, prepared, grid, layout, problem.names)
+    return parts
+
+
+def judge(problem: Problem, boxes: Floats, cell: float = 0.05) -> Evaluation:
+    """Energy and parts of one layout ``(n, 5)``."""
+    parts = tuple(explain(problem, boxes, cell))
+    return Evaluation(float(evaluate(problem, boxes[None], cell)[0]), parts)

@@ -1,0 +1,329 @@
+"""Dress patches with furniture: the fitting case of each, checked piece by piece.
+
+The paper puts the nearest case in the patch and stops. Here a patch takes the nearest case that
+fits it, is drawn in to that case, and every piece is tried against the room, the doors, the
+windows and what stands already; what is not essential to the group gives way.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from itertools import chain, islice
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.building.ceiling import lowest
+from scenewright.building.standing import RADIATOR
+from scenewright.catalog.kinds import name_of
+from scenewright.core.catalog import Catalog, Group, Member
+from scenewright.core.scene import Piece, Pose
+from scenewright.core.space import Outlet
+from scenewright.domains.home.cases.library import SHIPPED, Library, cases, each_fitting, nearest
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.furnishing.whole import below
+from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.problem import Ground
+from scenewright.domains.home.wished.plugged import out_of_reach
+from scenewright.geometry.fit import (
+    AT_WINDOW,
+    COLLIDES,
+    IN_ZONE,
+    OUTSIDE,
+    faults,
+    is_backed,
+    side_gaps,
+)
+
+Floats = NDArray[np.float64]
+
+UNDER_SLOPE = 5  # a code beside those of geometry.fit
+SLACK = 0.003
+BACKED = 0.03
+FLUSH = 0.04
+TRIED = 8
+OPEN = 0.4  # what belongs to a wall and has none this near behind it is left out, metres
+
+
+class FurnishedPatch(NamedTuple):
+    """A patch with its furniture: the case, the box it was drawn in to, which of its members
+    stand, how many had to give way, and how many metres they are out of reach of outlets."""
+
+    case: Group
+    box: Floats
+    stands: tuple[bool, ...]
+    lost: int
+    far: float = 0.0
+
+
+class Refused(NamedTuple):
+    """Why nothing could stand on a patch."""
+
+    reason: str
+
+
+def furnish_patch(
+    function: str,
+    box: Floats,
+    ground: Ground,
+    standing: StandingObstacles,
+    catalog: Catalog,
+    height: float,
+    exact: bool = True,
+    library: Library = SHIPPED,
+    outlets: tuple[Outlet, ...] = (),
+) -> FurnishedPatch | Refused:
+    """The best case for a patch: fewest members lost, then least out of reach of the outlets, then
+    nearest in size.
+
+    With ``exact`` false the nearest case is taken as the paper prints, fitting or not.
+    """
+    if not exact:
+        case = nearest(function, box[3], box[4], library)
+        return FurnishedPatch(case, box, tuple(True for _ in case.members), 0)
+    best: FurnishedPatch | None = None
+    reason = Refused("no case of it is small enough for the free floor")
+    known = cases(function, library)
+    smallest = known.groups[known.smallest]
+    for case in chain(islice(each_fitting(function, box[3], box[4], library), TRIED), (smallest,)):
+        drawn = _drawn_in(case, box, ground)
+        tried = _try(function, case, drawn, ground, standing, catalog, height)
+        if outlets and isinstance(tried, FurnishedPatch):
+            boxes = world(case.members, drawn, catalog)[0]
+            tried = tried._replace(far=out_of_reach(case.members, boxes, outlets))
+        if isinstance(tried, Refused):
+            reason = tried
+        elif best is None or _worth(tried) < _worth(best):
+            best = tried
+        if best is not None and _worth(best) == (0, 0.0):
+            break
+    return best or reason
+
+
+def dress_case(
+    function: str,
+    case: Group,
+    box: Floats,
+    ground: Ground,
+    standing: StandingObstacles,
+    catalog: Catalog,
+    height: float,
+) -> FurnishedPatch | Refused:
+    """One case on a box of its own size, whichever of its ends is at a side wall."""
+    return _try(function, case, box, ground, standing, catalog, height, lean=False)
+
+
+def needed_of(case: Group) -> tuple[int, ...]:
+    """The numbers of the members without which a group is refused."""
+    must = _MUST | set(essential_of(case))
+    return tuple(i for i, member in enumerate(case.members) if member.category in must)
+
+
+def _worth(worn: FurnishedPatch) -> tuple[int, float]:
+    """What is wrong with a dressed patch; less is better."""
+    return worn.lost, worn.far
+
+
+def _drawn_in(case: Group, box: Floats, ground: Ground) -> Floats:
+    """The patch drawn in to its case: the back edge stays, and a side that stands at a wall."""
+    spare_width, spare_depth = box[3] - case.width, box[4] - case.depth
+    left, right = side_gaps(box, ground.walls)
+    shift = 0.0
+    if spare_width > 0 and min(left, right) < FLUSH:
+        shift = spare_width / 2 * (1 if right < left else -1)
+    cos, sin = np.cos(box[2]), np.sin(box[2])
+    x = box[0] + sin * shift - cos * spare_depth / 2
+    y = box[1] - cos * shift - sin * spare_depth / 2
+    return np.array([x, y, box[2], case.width, case.depth])
+
+
+def _try(
+    function: str,
+    case: Group,
+    box: Floats,
+    ground: Ground,
+    standing: StandingObstacles,
+    catalog: Catalog,
+    height: float,
+    lean: bool = True,
+) -> FurnishedPatch | Refused:
+    if lean and not _leans(function, case, box, ground):
+        return Refused("its closed end would stand in the open")
+    if GROUPS[function].back == 1 and not is_backed(box, ground.walls, OPEN):
+        return Refused("no wall is left for its back")
+    boxes, spans, flat = world(case.members, box, catalog)
+    codes, offenders = faults(
+        boxes,
+        spans,
+        flat,
+        ground.edges,
+        ground.keep_free,
+        ground.windows,
+        standing.boxes,
+        standing.spans,
+        SLACK,
+    )
+    codes = too_tall(boxes, spans, ground, height, codes)
+    stands = _find_supported(case.members, codes == 0, boxes, ground, catalog)
+    essential = essential_of(case)
+    for i, member in enumerate(case.members):
+        if member.category in essential and not stands[i]:
+            return Refused(why_not(member, int(codes[i]), int(offenders[i]), standing))
+    lost = [m for m, stood in zip(case.members, stands, strict=True) if not stood]
+    heavy = sum(m.on < 0 and m.z < 0.05 and m.category != "rug" for m in lost)
+    if _MUST & {m.category for m in lost} or _without_table(case, lost):
+        return Refused(why_not(lost[0], int(codes[stands.index(False)]), -1, standing))
+    return FurnishedPatch(case, box, stands, heavy)
+
+
+def too_tall(
+    boxes: Floats, spans: Floats, ground: Ground, height: float, codes: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """The codes of boxes without fault changed to :data:`UNDER_SLOPE` where they rise above the
+    lowest ceiling over them; ``height`` is that of the flat ceiling."""
+    if not len(ground.slopes) and spans[:, 1].max() <= height:
+        return codes
+    over = spans[:, 1] > lowest(boxes, ground.slopes, height) + 1e-9
+    return np.where((codes == 0) & over, UNDER_SLOPE if len(ground.slopes) else OUTSIDE, codes)
+
+
+def essential_of(case: Group) -> tuple[str, ...]:
+    """The categories that make a group: its row's, or of a learned case without any of these that
+    of its largest piece on the floor."""
+    known = GROUPS[case.function].essential
+    if any(m.category in known for m in case.members):
+        return known
+    floor = [m for m in case.members if m.on < 0 and m.category != "rug"]
+    return (max(floor or case.members, key=lambda m: m.size.width * m.size.depth).category,)
+
+
+_MUST = frozenset(
+    ("hob_cabinet", "fridge", "office_chair", "dining_chair", "coffee_table", "tv", "outdoor_chair")
+)
+
+
+def _without_table(case: Group, lost: list[Member]) -> bool:
+    tables = [m for m in case.members if m.category in ("coffee_table", "side_table")]
+    return bool(tables) and all(m in lost for m in tables)
+
+
+def _leans(function: str, case: Group, box: Floats, ground: Ground) -> bool:
+    """Whether the end that belongs to a side wall is at the nearer one."""
+    lean = GROUPS[function].lean
+    xs = [m.x for m in case.members if m.category == lean]
+    if not xs or abs(xs[0]) < 0.05:
+        return True
+    left, right = side_gaps(box, ground.walls)
+    if abs(left - right) < 0.05 or min(left, right) > 0.6:
+        return True
+    return bool((xs[0] < 0) == (left < right))
+
+
+def world(
+    members: tuple[Member, ...], box: Floats, catalog: Catalog
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """Members of a group on a box as boxes ``(m, 5)``, underside and top ``(m, 2)``, and which
+    are flat."""
+    local, spans = _laid(members)
+    cos, sin = np.cos(box[2]), np.sin(box[2])
+    boxes = local.copy()
+    boxes[:, 0] = box[0] + local[:, 0] * sin + local[:, 1] * cos
+    boxes[:, 1] = box[1] - local[:, 0] * cos + local[:, 1] * sin
+    boxes[:, 2] = box[2] + local[:, 2]
+    flat = np.array([catalog.kinds[m.category].flat for m in members])
+    return boxes, spans.copy(), flat
+
+
+@lru_cache(maxsize=4096)
+def _laid(members: tuple[Member, ...]) -> tuple[Floats, Floats]:
+    """Boxes of members in their group's frame ``(m, 5)``, underside and top ``(m, 2)``."""
+    local = np.array([(m.x, m.y, m.heading, m.size.width, m.size.depth) for m in members])
+    spans = np.array([(m.z, m.z + m.size.height) for m in members])
+    return local, spans
+
+
+def _find_supported(
+    members: tuple[Member, ...],
+    fits: NDArray[np.bool_],
+    boxes: Floats,
+    ground: Ground,
+    catalog: Catalog,
+) -> tuple[bool, ...]:
+    """Which members stand: those that fit, hang on a wall if they hang, stand on what stands; what
+    hangs above another only where that one stands."""
+    stands: list[bool] = []
+    under = _below(members)
+    for i, member in enumerate(members):
+        held = bool(fits[i])
+        if held and member.on < 0 and catalog.kinds[member.category].support == "wall":
+            held = bool(is_backed(boxes[i], ground.walls, BACKED))
+        if held and member.on >= 0:
+            held = stands[member.on]
+        stands.append(held)
+    return tuple(held and (under[i] < 0 or stands[under[i]]) for i, held in enumerate(stands))
+
+
+@lru_cache(maxsize=4096)
+def _below(members: tuple[Member, ...]) -> tuple[int, ...]:
+    return below(members)
+
+
+def why_not(member: Member, code: int, offender: int, standing: StandingObstacles) -> str:
+    """What is told of a member that cannot stand, by the code of its fault."""
+    what = name_of(member.category)
+    if code == OUTSIDE:
+        size = member.size
+        return (
+            f"no place found: the {what} of {size.width:.2f} x {size.depth:.2f} m would stick out"
+        )
+    if code == UNDER_SLOPE:
+        return f"no place found: the {what} of {member.size.height:.2f} m is too tall for the slope"
+    if code == IN_ZONE:
+        return f"no place found: the {what} would stand before a door"
+    if code == AT_WINDOW:
+        return f"no place found: the {what} would stand before a window"
+    if code == COLLIDES and offender >= 0:
+        other = standing.names[offender].replace("_", " ")
+        if other == RADIATOR:
+            return f"no place found: the {what} would stand before a radiator"
+        return f"no place found: the {what} would run into the {other}"
+    return f"no place found for the {what}"
+
+
+def pieces_of(
+    dressed: FurnishedPatch, space: str, group: str, function: str, catalog: Catalog
+) -> tuple[Piece, ...]:
+    """The standing members as placed pieces, named ``space/group/category``."""
+    boxes, _, _ = world(dressed.case.members, dressed.box, catalog)
+    names: dict[int, str] = {}
+    found = []
+    for i, member in enumerate(dressed.case.members):
+        if not dressed.stands[i]:
+            continue
+        names[i] = _name(f"{group}/{member.category}", names)
+        asset = catalog.assets.get(member.asset) or catalog.choose(member.category, member.size)
+        x, y, heading = (float(v) for v in boxes[i, :3])
+        found.append(
+            Piece(
+                id=names[i],
+                category=member.category,
+                asset=asset.id if asset else "",
+                space=space,
+                pose=Pose(x, y, member.z, _wrap_angle(heading)),
+                size=member.size,
+                group=group,
+                function=function,
+                on=names.get(member.on),
+            )
+        )
+    return tuple(found)
+
+
+def _name(wanted: str, taken: dict[int, str]) -> str:
+    count = sum(n == wanted or n.startswith(f"{wanted}_") for n in taken.values())
+    return f"{wanted}_{count + 1}" if count else wanted
+
+
+def _wrap_angle(angle: float) -> float:
+    return float((angle + np.pi) % (2 * np.pi) - np.pi)

@@ -1,0 +1,252 @@
+"""Homes: every room posed, solved, dressed and told about.
+
+The composite model of Liu, Jiang, Mao, Wang (2017): functional areas (patches) are laid out first,
+furniture groups are fitted into them second.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+
+from scenewright._version import __version__
+from scenewright.building.plan import plan_rooms
+from scenewright.building.standing import fixed_pieces, reaching_in
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief, Room
+from scenewright.core.catalog import Catalog
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece
+from scenewright.core.solution import LeftOut, Solution
+from scenewright.core.space import Space
+from scenewright.domains.home.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.cases.own_library import libraries_of, taste_of
+from scenewright.domains.home.entrances import entered_by
+from scenewright.domains.home.learned.density import match_learned_density
+from scenewright.domains.home.open_plan import share_open_plans
+from scenewright.domains.home.presets import PRESETS, Preset, preset_named
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.reasons import left_out, patches, terms
+from scenewright.domains.home.remove_blockers import remove_blockers
+from scenewright.domains.home.requests import check_asks, check_possible
+from scenewright.domains.home.second_try import tried_again
+from scenewright.domains.home.shortfall import complete_account
+from scenewright.domains.home.tasks import add_lamps_and_curtains, task_of, wishes_of
+from scenewright.domains.home.variants import other_groups, vary_task
+from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
+from scenewright.domains.home.wished.wishes import check_wishes, list_substitutes, restrict_library
+from scenewright.engine.solve import Budget
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+
+__all__ = ["PRESETS", "solve"]
+
+MOST_THREADS = 16
+MANY = 9
+"""Items from which on a room takes more steps for each: they are in one another's way."""
+
+
+def solve(
+    brief: Brief,
+    *,
+    plan: Plan | None = None,
+    preset: str = "default",
+    solver: str | None = None,
+    seconds: float | None = None,
+    steps: int | None = None,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+    variant: int = 0,
+) -> Solution:
+    """Furnish every room of a home.
+
+    The work is at most ``steps`` layouts looked at for each item (less where several starts agree;
+    more for a room tried again), or ``seconds`` for the whole home, else
+    what the preset says, else what the solver does of itself. The same seed and steps give the
+    same answer, whatever the number of ``threads`` (one for each processor, if not stated); each
+    room has its own stream of random numbers.
+    ``plan`` is that of the brief (made unless given).
+    ``progress`` hears the share done and the room's name; when ``cancel`` answers true, what was
+    found so far is returned. A ``variant`` above 0 arranges rooms around other walls and takes
+    other groups for the same use; its energies are told as those of the usual problem.
+    """
+    started = time.perf_counter()
+    chosen = preset_named(preset)
+    named = solver or chosen.solver
+    check_asks(brief)
+    rooms = (plan or plan_rooms(brief)).spaces
+    catalog = catalog_of(brief.catalogs)
+    check_wishes(brief, catalog)
+    tasks, usual = prepare_rooms(brief, rooms, catalog, chosen, named, seed, cancel)
+    wishes = [other_groups(asked, variant) for asked in usual]
+    work = [float(len(w)) ** 1.5 for w in wishes]
+    threads = min(threads or os.cpu_count() or 1, MOST_THREADS)
+    each = Budget(threads=1 if len(rooms) > 1 else threads)
+    pool = min(threads, len(rooms))
+    budgets = [
+        _budget(each, chosen, named, len(w), pool * b / (sum(work) or 1), seconds, steps)
+        for w, b in zip(wishes, work, strict=True)
+    ]
+    turned = [vary_task(task, variant) for task in tasks]
+    answers = _run(turned, wishes, budgets, pool, progress)
+    if chosen.exact:
+        standing = [task.fixed for task in tasks]
+        opened = partial(
+            remove_blockers, standing, rooms=rooms, catalog=catalog, width=brief.route_width
+        )
+        answers = tried_again(turned, wishes, budgets, answers, opened)
+    return assemble_solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
+
+
+def prepare_rooms(
+    brief: Brief,
+    rooms: tuple[Space, ...],
+    catalog: Catalog,
+    preset: Preset,
+    solver: str,
+    seed: int,
+    cancel: Cancel | None = None,
+) -> tuple[list[RoomTask], list[tuple[Wish, ...]]]:
+    """Every room as a task, and what it is to hold."""
+    tasks = _tasks(brief, rooms, catalog, preset, solver, seed, cancel)
+    tasks = share_open_plans(tasks, brief.rooms, rooms)
+    tasks = [match_learned_density(*each, rooms) for each in zip(tasks, brief.rooms, strict=True)]
+    wishes = [
+        wishes_of(brief_room, task, rooms, task.fixed)
+        for brief_room, task in zip(brief.rooms, tasks, strict=True)
+    ]
+    return tasks, wishes
+
+
+def _tasks(
+    brief: Brief,
+    rooms: tuple[Space, ...],
+    catalog: Catalog,
+    preset: Preset,
+    solver: str,
+    seed: int,
+    cancel: Cancel | None,
+) -> list[RoomTask]:
+    """Every room as a task, with the library that its wishes and asks leave."""
+    libraries = libraries_of(brief, catalog)
+    if brief.accessible:
+        libraries = {taste: widen_library(library) for taste, library in libraries.items()}
+    own = [restrict_library(libraries[taste_of(brief, room)], room) for room in brief.rooms]
+    check_possible(brief, own)
+    standing = [
+        tuple(fixed_pieces(*each, catalog)) for each in zip(brief.rooms, rooms, strict=True)
+    ]
+    each = zip(brief.rooms, rooms, standing, own, reaching_in(standing, rooms), strict=True)
+    return [
+        task_of(
+            brief,
+            room,
+            space,
+            fixed,
+            catalog,
+            library,
+            preset,
+            solver,
+            seed,
+            cancel,
+            beside,
+            entered_by(space, rooms),
+        )
+        for room, space, fixed, library, beside in each
+    ]
+
+
+def _run(
+    tasks: list[RoomTask],
+    wishes: list[tuple[Wish, ...]],
+    budgets: list[Budget],
+    threads: int,
+    progress: Progress | None,
+) -> list[RoomAnswer]:
+    """Rooms in parallel, the largest first; compiled code runs without the interpreter's lock."""
+    order = sorted(range(len(tasks)), key=lambda i: -len(wishes[i]))
+    answers: dict[int, RoomAnswer] = {}
+    with ThreadPoolExecutor(threads) as pool:
+        futures = {i: pool.submit(_furnish, tasks[i], wishes[i], budgets[i]) for i in order}
+        for done, i in enumerate(order, 1):
+            answers[i] = futures[i].result()
+            if progress:
+                progress(done / len(tasks), tasks[i].space.name or tasks[i].space.id)
+    return [answers[i] for i in range(len(tasks))]
+
+
+def _furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
+    if not wishes or (task.cancel is not None and task.cancel()):
+        return RoomAnswer(0.0, (), (), (), None, 0.0, 0)
+    return furnish_by_use(task, wishes, budget)
+
+
+def _budget(
+    least: Budget,
+    preset: Preset,
+    solver: str,
+    items: int,
+    share: float,
+    seconds: float | None,
+    steps: int | None,
+) -> Budget:
+    if seconds is not None:
+        return least._replace(seconds=seconds * share)
+    each = steps or (preset.steps if solver == preset.solver else None)
+    if each is None:
+        return least
+    return least._replace(steps=int(each * max(items, 1) * max(items / MANY, 1.0)))
+
+
+def assemble_solution(
+    brief: Brief,
+    tasks: list[RoomTask],
+    answers: list[RoomAnswer],
+    preset: str,
+    seed: int,
+    seconds: float,
+) -> Solution:
+    """The solution of all rooms, with lamps and curtains."""
+    stands = [
+        add_lamps_and_curtains(
+            task, (*task.fixed, *(p for item in answer.placed for p in item.pieces))
+        )
+        for task, answer in zip(tasks, answers, strict=True)
+    ]
+    pairs = list(zip(tasks, answers, strict=True))
+    told = {task.space.id: terms(task, answer) for task, answer in pairs}
+    return Solution(
+        brief=brief,
+        pieces=tuple(piece for here in stands for piece in here),
+        patches=tuple(p for task, answer in pairs for p in patches(task, answer)),
+        terms=tuple(value for values in told.values() for value in values),
+        left_out=tuple(
+            out
+            for room, (task, answer), here in zip(brief.rooms, pairs, stands, strict=True)
+            for out in _left_out(room, task, answer, here)
+        ),
+        energies={space: sum(value.cost for value in values) for space, values in told.items()},
+        preset=preset,
+        solver=tasks[0].solver,
+        seed=seed,
+        version=__version__,
+        brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
+        seconds=seconds,
+        evaluations=sum(a.evaluations for a in answers),
+    )
+
+
+def _left_out(
+    room: Room, task: RoomTask, answer: RoomAnswer, pieces: Sequence[Piece]
+) -> list[LeftOut]:
+    """What is missing in a room, and what was asked for and has a substitute."""
+    told = complete_account(left_out(task, answer), room, task, answer, pieces)
+    standing = [p.function for p in task.fixed] + [p.wish.group for p in answer.placed]
+    return [*told, *list_substitutes(room, task.space.id, standing, (out.what for out in told))]

@@ -1,0 +1,207 @@
+"""Where terms meet: what one box, one pair and the whole layout cost, weighted.
+
+Each line calls one term if its weight is not zero. Costs per box come in two sums, because
+areas are divided by the summed area of all items: ``shared`` (weight times square metres) and
+``own`` (weight times value). Energy = Σ shared / Σ area + Σ own + whole.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.domains.home.terms import (
+    clearance,
+    composition,
+    orientation,
+    packing,
+    places,
+    relations,
+)
+from scenewright.domains.home.terms.table import (
+    AGAINST_WALL,
+    AGAINST_WALL_PRINTED,
+    ALIGNMENT,
+    BALANCE,
+    BOUNDARY,
+    CLEAR_ITEMS,
+    CLEAR_ROOM,
+    DAYLIGHT,
+    MAIN_WALL,
+    MAIN_WALL_PRINTED,
+    NESTLE,
+    OVERLAP,
+    PAIRS,
+    PAIRS_PRINTED,
+    PLACES,
+    SIZE,
+    WISH,
+)
+from scenewright.geometry.boxes import Floats, Frame, common_area, read_frame, read_sides
+from scenewright.geometry.compiled import inlined
+
+Ints = NDArray[np.int64]
+
+
+class PreparedHome(NamedTuple):
+    """A problem ready for compiled code, in few arrays.
+
+    ``zones`` (k, 10): frame of a box to be kept free, its term, the height it starts from.
+    ``clear``, ``access``, ``inset`` (n, 4) as of the items. ``traits`` (n, 8): height,
+    back to wall, main wall, daylight, nestle, preferred width and depth, how far clear zones
+    stick out.
+    ``limits`` (n, 4): least width and depth, greatest width and depth. ``pairs`` (p, 2) and
+    ``targets`` (p, 4) with the weight last. ``related`` (2p,) lists the relations item i is in
+    from ``related_start[i]`` to ``related_start[i + 1]``; ``places`` (s, 6) those it wants from
+    ``place_start[i]`` on, of the ``spots`` (k, 4). ``normal`` is the main wall's inward
+    direction (NaN without one), ``span`` the diagonal of the bounds, ``middle`` (6,) as
+    :func:`scenewright.domains.home.terms.composition.balance` takes it.
+    """
+
+    edges: Floats
+    walls: Floats
+    zones: Floats
+    clear: Floats
+    access: Floats
+    inset: Floats
+    traits: Floats
+    limits: Floats
+    pairs: Ints
+    targets: Floats
+    related_start: Ints
+    related: Ints
+    place_start: Ints
+    places: Floats
+    spots: Floats
+    weights: Floats
+    bounds: Floats
+    middle: Floats
+    area: float
+    normal: float
+    span: float
+
+
+@inlined
+def box_cost(
+    frame: Frame, i: int, p: PreparedHome, most: float
+) -> tuple[float, float, float, float]:
+    """Weighted costs of item ``i`` standing at ``frame``: shared, own, its area, and its printed
+    main-wall turn. The rest is not looked at once the place alone costs over ``most`` (shared)."""
+    w, shared, own, turn = p.weights, 0.0, 0.0, 0.0
+    back, role, light, snug = p.traits[i, 1], p.traits[i, 2], p.traits[i, 3], p.traits[i, 4]
+    if w[BOUNDARY] != 0.0:
+        shared += w[BOUNDARY] * packing.outside(frame, p.edges)
+    shared += clearance.measure_entered_area(frame, p.traits[i, 0], p.zones, w)
+    if shared > most:
+        return shared, own, 4.0 * frame[4] * frame[5], turn
+    if w[CLEAR_ROOM] != 0.0 and p.traits[i, 7] > 0.0:
+        clear = read_sides(p.clear, i)
+        shared += w[CLEAR_ROOM] * clearance.zone_blocked(frame, clear, p.edges, p.zones)
+    if w[MAIN_WALL] != 0.0 and role != 0.0:
+        own += w[MAIN_WALL] * orientation.main_wall(frame[7], role, p.normal)
+    if w[MAIN_WALL_PRINTED] != 0.0 and role != 0.0:
+        turn = orientation.main_wall_turn(frame[7], role, p.normal)
+    if w[AGAINST_WALL] != 0.0 and back != 0.0:
+        own += w[AGAINST_WALL] * back * orientation.against_wall(frame, p.walls)
+    if w[AGAINST_WALL_PRINTED] != 0.0 and back != 0.0:
+        own += w[AGAINST_WALL_PRINTED] * back * orientation.against_wall_printed(frame, p.walls)
+    if w[ALIGNMENT] != 0.0 and back < 1.0:
+        own += w[ALIGNMENT] * (1.0 - back) * orientation.alignment(frame, p.walls)
+    if w[DAYLIGHT] != 0.0 and light != 0.0:
+        own += w[DAYLIGHT] * light * relations.daylight(frame, p.zones, p.span)
+    if w[NESTLE] != 0.0 and snug != 0.0:
+        own += w[NESTLE] * snug * relations.nestle(frame, p.walls, p.zones)
+    if w[WISH] != 0.0:
+        own += w[WISH] * packing.wish(frame, p.traits[i, 5], p.traits[i, 6])
+    for k in range(p.place_start[i], p.place_start[i + 1]):
+        own += w[PLACES] * places.place(frame, k, p.places, p.spots)
+    return shared, own, 4.0 * frame[4] * frame[5], turn
+
+
+@inlined
+def pair_cost(a: Frame, b: Frame, i: int, j: int, p: PreparedHome) -> float:
+    """Weighted shared cost of items ``i`` at ``a`` and ``j`` at ``b``."""
+    beyond_box = max(p.traits[i, 7], p.traits[j, 7])
+    dx, dy, reach = b[0] - a[0], b[1] - a[1], a[6] + b[6] + beyond_box
+    if dx * dx + dy * dy >= reach * reach:
+        return 0.0
+    shared = 0.0
+    if p.weights[OVERLAP] != 0.0:
+        shared += p.weights[OVERLAP] * common_area(a, b)
+    if p.weights[CLEAR_ITEMS] != 0.0 and beyond_box > 0.0:
+        clear_a, clear_b = read_sides(p.clear, i), read_sides(p.clear, j)
+        shared += p.weights[CLEAR_ITEMS] * clearance.zones_covered(a, b, clear_a, clear_b)
+    return shared
+
+
+@inlined
+def relation_cost(a: Frame, b: Frame, r: int, p: PreparedHome) -> float:
+    """Weighted own cost of relation ``r`` between its first item at ``a`` and second at ``b``."""
+    own, distance, angle = 0.0, p.targets[r, 0], p.targets[r, 1]
+    if p.weights[PAIRS] != 0.0:
+        own += p.weights[PAIRS] * relations.pair(a, b, distance, angle, p.targets[r, 2])
+    if p.weights[PAIRS_PRINTED] != 0.0:
+        own += p.weights[PAIRS_PRINTED] * relations.pair_printed(a, b, distance, angle)
+    return own * p.targets[r, 3]
+
+
+@inlined
+def whole_cost(shared: float, own: float, area: float, turn: float, p: PreparedHome) -> float:
+    """Energy from the sums over boxes and pairs; all but the route."""
+    energy = own + p.weights[MAIN_WALL_PRINTED] * abs(turn)
+    if area > 0.0:
+        energy += shared / area
+    if p.weights[SIZE] != 0.0:
+        energy += p.weights[SIZE] * packing.size(area, p.area)
+    return energy
+
+
+@inlined
+def measure_composition(frames: Floats, i: int, frame: Frame, p: PreparedHome) -> float:
+    """Weighted costs of how all items hang together, item ``i`` (-1: none) taken to ``frame``."""
+    if p.weights[BALANCE] == 0.0:
+        return 0.0
+    return p.weights[BALANCE] * composition.balance(frames, i, frame, p.middle)
+
+
+class Costs(NamedTuple):
+    """All parts of a layout's energy but the route: of ``boxes`` (n, 4) as :func:`box_cost` gives
+    them, ``pairs`` (n, n) symmetric, ``relations`` (r,), and the ``sums`` (4,) of the columns of
+    boxes with pairs and relations added."""
+
+    boxes: Floats
+    pairs: Floats
+    relations: Floats
+    sums: Floats
+
+
+def make_costs(n: int, relations: int) -> Costs:
+    """Room for the parts of a layout of ``n`` items."""
+    return Costs(np.zeros((n, 4)), np.zeros((n, n)), np.zeros(relations), np.zeros(4))
+
+
+@inlined
+def measure(frames: Floats, p: PreparedHome, costs: Costs) -> float:
+    """Energy without the route of frames (n, 8); all its parts are written to ``costs``."""
+    shared, own, area, turn = 0.0, 0.0, 0.0, 0.0
+    for i in range(frames.shape[0]):
+        frame = read_frame(frames, i)
+        cost = box_cost(frame, i, p, math.inf)
+        boxes = costs.boxes
+        boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3] = cost
+        shared, own, area, turn = shared + cost[0], own + cost[1], area + cost[2], turn + cost[3]
+        for j in range(i):
+            value = pair_cost(frame, read_frame(frames, j), i, j, p)
+            costs.pairs[i, j] = costs.pairs[j, i] = value
+            shared += value
+    for r in range(p.pairs.shape[0]):
+        i, j = p.pairs[r, 0], p.pairs[r, 1]
+        value = relation_cost(read_frame(frames, i), read_frame(frames, j), r, p)
+        costs.relations[r] = value
+        own += value
+    costs.sums[0], costs.sums[1], costs.sums[2], costs.sums[3] = shared, own, area, turn
+    nowhere = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return whole_cost(shared, own, area, turn, p) + measure_composition(frames, -1, nowhere, p)

@@ -1,0 +1,52 @@
+"""Which buildings of a layout a way of the width of ``fire_access`` leads to.
+
+Layouts keep such ways between rows and around courts; where ground is ragged or holes bar the way,
+a building may still be cut off, and is left out rather than built.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from scenewright.core.layout import corners
+from scenewright.domains.site.problem import Flags, Floats
+from scenewright.ground.plan import SitePlan
+
+ARRIVE, SLACK, ROUND = 1.95, 0.008, 8
+"""How near a way must come, in metres; what a way may lack of its width on each side, so that one
+exactly wide enough counts; segments of a quarter of a circle."""
+
+
+def find_reached_buildings(plan: SitePlan, boxes: Floats, width: float) -> Flags:
+    """Which of the buildings (n, 5) the middle of a way of some width comes near to, from a road
+    or an entrance, or from anywhere on the outline of a site without either."""
+    radius = 0.5 * width - SLACK
+    footprints = shapely.polygons(corners(boxes))
+    marks = [shapely.Polygon(row.footprint) for row in (*plan.landmarks, *plan.fixed)]
+    solid = np.concatenate([footprints, np.array(marks, object)])
+    floor = shapely.Polygon(plan.outline, plan.holes)
+    around = shapely.union_all(shapely.buffer(solid, radius, quad_segs=ROUND))
+    free = shapely.get_parts(shapely.difference(floor.buffer(-radius, quad_segs=ROUND), around))
+    start = _start(plan, floor, radius)
+    shapely.prepare(start)
+    driven = free[shapely.intersects(start, free)]
+    shapely.prepare(driven)
+    got = np.zeros(len(boxes), np.bool_)
+    for part in driven:
+        got |= shapely.dwithin(part, footprints, radius + ARRIVE)
+    return got
+
+
+def _start(plan: SitePlan, floor: shapely.Polygon, radius: float) -> shapely.Geometry:
+    """Where ways begin."""
+    roads = [
+        shapely.Polygon(area.outline, area.holes)
+        for way in plan.roads
+        if way.kind == "road"
+        for area in way.areas
+    ]
+    doors = [shapely.Point(e.x, e.y).buffer(1.5 * radius) for e in plan.entrances]
+    return (
+        shapely.union_all(roads + doors) if roads or doors else floor.exterior.buffer(1.5 * radius)
+    )

@@ -1,0 +1,136 @@
+"""The part of the brief that only sites have: ground, roads, landmarks, buildings asked for.
+
+A site is ground between streets: its outline, roads and paths, a few fixed landmarks, and
+buildings to be placed on it (Zhang, Yang 2023). Buildings are models: shipped styles by name, or
+models of the brief's catalogues.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from scenewright.core.brief.fields import (
+    BUILDING,
+    Clearance,
+    Coordinate,
+    Heading,
+    Length,
+    Number,
+    Outline,
+    Point,
+    StrictModel,
+    Switch,
+    Whole,
+)
+
+Place = Annotated[Number, Field(ge=-1e9, le=1e9)]
+Metres = Annotated[Number, Field(gt=0, le=BUILDING)]
+Side = Annotated[Number, Field(ge=0.5, le=BUILDING)]
+FormName = Literal["parallel", "staggered", "peripheral", "mixed"]
+
+
+class Road(StrictModel):
+    """A road or path by its middle line. Roads divide the ground; paths are where people walk
+    and look. Nothing may stand on either."""
+
+    id: str = ""
+    name: str = ""
+    line: Annotated[list[Point], Field(min_length=2, max_length=5000)]
+    width: Annotated[Number, Field(ge=0.5, le=100)] = 6.0
+    kind: Literal["road", "path"] = "road"
+
+
+class Landmark(StrictModel):
+    """A building that stands where it stands: a shipped style or a model of the brief's
+    ``catalogs``, as large as it is unless ``size`` (width, depth, height) is given, or just a
+    footprint with a height."""
+
+    id: str = ""
+    name: str = ""
+    model: str = ""
+    at: Point | None = None
+    heading: Heading = -pi / 2
+    size: tuple[Metres, Metres, Metres] | None = None
+    outline: Outline | None = None
+    height: Length | None = None
+
+
+class Building(StrictModel):
+    """Buildings of one model to be placed: ``model`` names a shipped style
+    (``scenewright list assets``) or a model of the brief's ``catalogs``; ``size`` width, depth and
+    height in metres (left out: the model's own); ``count`` how many; ``floors`` storeys, for the
+    floor-area ratio. ``forms`` are the planar forms they may take (left out: all): rows
+    ``parallel`` or ``staggered``, ``peripheral`` around a court, ``mixed``."""
+
+    id: str = ""
+    name: str = ""
+    model: Annotated[str, Field(min_length=1, max_length=500)]
+    count: Annotated[Whole, Field(ge=1, le=20_000)] = 1
+    size: tuple[Side, Side, Side] | None = None
+    floors: Annotated[Whole, Field(ge=1, le=300)] | None = None
+    forms: Annotated[list[FormName], Field(max_length=4)] = []
+    required: Switch = True
+
+
+class LockedBuilding(StrictModel):
+    """A building asked for that stays where it stands: one locked in a saved solution. ``name`` is
+    that of the row of ``buildings`` it counts for, ``size`` width, depth and height in metres."""
+
+    id: Annotated[str, Field(min_length=1, max_length=500)]
+    name: str = ""
+    model: Annotated[str, Field(min_length=1, max_length=500)]
+    at: Point
+    heading: Heading = -pi / 2
+    size: tuple[Metres, Metres, Metres]
+
+
+class Site(StrictModel):
+    """One site. Lengths in metres, y to the north.
+
+    ``setback`` is kept from the outline, ``road_setback`` from roads and paths; ``spacing`` is
+    the least distance of buildings to each other, ``sun_spacing`` the least distance behind a
+    building to the south in heights of that building (0: by hours of sun alone).
+    ``facing`` is the preferred heading of fronts (south); ``fire_access`` the width of the way
+    that must reach each building. ``latitude`` (degrees) and ``day`` (of the year; 355 is the
+    winter solstice in the north, 20 January is 20) are for hours of sun, at least ``sun_hours``.
+    ``fixed`` are buildings that stay where they stand and count for what is asked.
+    Without ``buildings`` those of the brief's ``catalogs``, or shipped dwellings, fill the site
+    up to ``floor_area_ratio`` and ``coverage``. ``origin`` is the longitude and latitude of
+    (0, 0), if known; ``shift`` is to be added to coordinates for those of the reference
+    ``system`` of the map or city model that the site came from.
+    """
+
+    id: str = ""
+    name: str = ""
+    outline: Outline
+    holes: Annotated[list[Outline], Field(max_length=200)] = []
+    roads: Annotated[list[Road], Field(max_length=5000)] = []
+    landmarks: Annotated[list[Landmark], Field(max_length=2000)] = []
+    buildings: Annotated[list[Building], Field(max_length=1000)] = []
+    fixed: Annotated[list[LockedBuilding], Field(max_length=20_000)] = []
+    floor_area_ratio: Annotated[Number, Field(gt=0, le=30)] | None = None
+    coverage: Annotated[Number, Field(gt=0, le=0.9)] | None = None
+    height_limit: Length | None = None
+    setback: Clearance = 3.0
+    road_setback: Clearance = 3.0
+    spacing: Clearance = 6.0
+    sun_spacing: Annotated[Number, Field(ge=0, le=5)] = 0.0
+    facing: Heading = -pi / 2
+    fire_access: Annotated[Number, Field(gt=0, le=20)] = 4.0
+    latitude: Annotated[Number, Field(ge=-89, le=89)] = 35.0
+    day: Annotated[Whole, Field(ge=1, le=366)] = 20
+    sun_hours: Annotated[Number, Field(ge=0, le=12)] = 2.0
+    origin: tuple[Coordinate, Coordinate] | None = None
+    system: Annotated[str, Field(max_length=200)] = ""
+    shift: tuple[Place, Place] = (0.0, 0.0)
+
+
+class SitePart(StrictModel):
+    """The keys only briefs of sites have."""
+
+    sites: Annotated[list[Site], Field(min_length=1, max_length=100)] = Field(
+        default=[], validate_default=True
+    )

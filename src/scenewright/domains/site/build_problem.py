@@ -1,0 +1,120 @@
+"""From the plan of a site and its buildings to the problem that is solved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.building.outlines import edges
+from scenewright.catalog.appearance import PLAIN, Facts, Measure, qualities
+from scenewright.core.space import Points
+from scenewright.domains.site.brief import Site
+from scenewright.domains.site.holdings import BuildingDemand
+from scenewright.domains.site.problem import Buildings, Floats, SiteGround, SiteProblem
+from scenewright.ground.plan import SitePlan
+
+PACE = 5.0
+"""Distance of the points from which people look, along ways, in metres."""
+
+
+class Looks(NamedTuple):
+    """How the models of a site look: facts by the id of the asset, the assets of its landmarks
+    and buildings that stay ("": none known), and the measure of visual quality."""
+
+    facts: Mapping[str, Facts]
+    landmarks: tuple[str, ...]
+    measure: Measure = "relief"
+
+
+def build_problem(
+    site: Site,
+    plan: SitePlan,
+    buildings: list[BuildingDemand],
+    weights: dict[str, float],
+    looks: Looks,
+) -> SiteProblem:
+    """The problem of placing some buildings on a site."""
+    sizes = np.array([tuple(b.size) for b in buildings], np.float64).reshape(-1, 3)
+    facts = [looks.facts[b.asset.id] for b in buildings]
+    marks = [looks.facts.get(name, PLAIN) for name in looks.landmarks]
+    quality, sides = qualities([*facts, *marks], looks.measure)
+    count = len(buildings)
+    return SiteProblem(
+        ground=_ground(plan, float(sizes[:, :2].min(initial=np.inf)))._replace(
+            landmark_quality=quality[count:], landmark_sides=sides[count:]
+        ),
+        buildings=Buildings(
+            sizes=sizes,
+            quality=quality[:count],
+            sides=sides[:count],
+            tone=np.array([f.tone for f in facts]),
+            symmetry=np.array([f.symmetry for f in facts]),
+            models=np.array([b.wish for b in buildings], np.int64),
+            floors=np.array([b.floors for b in buildings], np.int64),
+            forms=tuple(b.forms for b in buildings),
+        ),
+        names=tuple(f"{plan.id}/{b.asset.id}_{k}" for k, b in enumerate(buildings, 1)),
+        weights=weights,
+        spacing=site.spacing,
+        sun_spacing=site.sun_spacing,
+        facing=site.facing,
+        fire_access=site.fire_access,
+        latitude=site.latitude,
+        day=site.day,
+    )
+
+
+def _ground(plan: SitePlan, least: float) -> SiteGround:
+    """The ground, with the blocks that are at least ``least`` metres wide somewhere."""
+    blocks = [block for block in plan.free if 2.02 * block.radius >= least]
+    rings = [_rings(block.outline, block.holes) for block in blocks]
+    ends = np.cumsum([len(ring) for ring in rings])
+    standing = (*plan.landmarks, *plan.fixed)
+    ways = [line for way in plan.roads for line in way.inside]
+    outline = _rings(plan.outline, plan.holes)
+    low, high = plan.outline.min(0), plan.outline.max(0)
+    return SiteGround(
+        edges=outline,
+        block_edges=np.concatenate([np.zeros((0, 4)), *rings]),
+        block_spans=np.stack([ends - [len(ring) for ring in rings], ends], 1).astype(np.int64)
+        if rings
+        else np.zeros((0, 2), np.int64),
+        block_areas=np.array([block.area for block in blocks]),
+        roads=np.concatenate(
+            [
+                np.zeros((0, 5)),
+                *(_pieces(line, way.width) for way in plan.roads for line in way.inside),
+            ]
+        ),
+        landmarks=np.array([row.box for row in standing]).reshape(-1, 5),
+        landmark_heights=np.array([row.height for row in standing]),
+        landmark_quality=np.ones(len(standing)),
+        eyes=np.concatenate([np.zeros((0, 2)), *(_space_points(line) for line in ways)]),
+        bounds=np.concatenate([low, high]),
+        area=plan.area,
+    )
+
+
+def _rings(outline: Points, holes: tuple[Points, ...]) -> Floats:
+    return np.concatenate([edges(ring) for ring in (outline, *holes)])
+
+
+def _pieces(line: Points, width: float) -> Floats:
+    """Boxes of the straight pieces of a way, fronts along it."""
+    step = np.diff(line, axis=0)
+    length = np.hypot(step[:, 0], step[:, 1])
+    middle = 0.5 * (line[1:] + line[:-1])
+    return np.column_stack(
+        [middle, np.arctan2(step[:, 1], step[:, 0]), np.full(len(step), width), length]
+    )
+
+
+def _space_points(line: Points) -> Floats:
+    """Points along a line, about :data:`PACE` metres apart."""
+    step = np.hypot(*np.diff(line, axis=0).T)
+    along = np.concatenate([[0.0], np.cumsum(step)])
+    count = max(int(along[-1] / PACE), 1) + 1
+    at = np.linspace(0.0, along[-1], count)
+    return np.stack([np.interp(at, along, line[:, k]) for k in (0, 1)], 1)

@@ -1,0 +1,20 @@
+"""The referee of sites."""
+
+from __future__ import annotations
+
+from scenewright.check.report import Report
+from scenewright.check.rooms import counted
+from scenewright.core.catalog import Catalog
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.domains.site.check.figures import judge_sites
+from scenewright.domains.site.check.notes import find_small
+
+
+def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
+    """Judge the buildings of every site; see :func:`scenewright.domains.check`. ``kinds`` holds the
+    models that the sites name."""
+    sites = solution.brief.part.sites
+    findings, by_site = judge_sites(sites, solution.pieces, kinds, plan.detail)
+    figures = {**counted(solution.pieces, findings), "sites": by_site}
+    return Report(tuple(findings), tuple(find_small(sites, plan.detail)), figures)

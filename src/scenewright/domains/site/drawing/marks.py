@@ -1,0 +1,280 @@
+"""Marks of a site plan: ground, roads, buildings by storeys, hatched landmarks, trees, faults."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
+
+import numpy as np
+import shapely
+
+from scenewright.check.report import Finding
+from scenewright.core.scene import Piece
+from scenewright.core.space import Points
+from scenewright.domains.site.shapes import StandingBuilding
+from scenewright.drawing.marks import (
+    FINE,
+    GREY,
+    INK,
+    LINE,
+    OUTLINE,
+    PaperView,
+    group,
+    line,
+    plate,
+    shape,
+    tag,
+    text_width,
+    title,
+    to_paper,
+)
+from scenewright.ground.plan import SitePlan, Way
+
+GROUND, ASPHALT, PAVING, LEAF, FAULT = "#f1f4ea", "#d9d9d6", "#ece3d0", "#bcd6a8", "#d1121f"
+HATCH = "url(#hatch)"
+FAINT, FULL = np.array([236.0, 226.0, 240.0]), np.array([106.0, 27.0, 130.0])
+"""Colours of what walkers see: nothing, and most."""
+MUCH, BAND = 0.3, 1.1
+"""Visual quality V drawn as most, and how wide the band along the ways is in millimetres."""
+
+STOREYS = ((3, "#fbe9d3"), (6, "#f5cfa3"), (11, "#e9ac73"), (18, "#cf8850"), (10_000, "#a8643a"))
+"""Fills of buildings up to so many storeys."""
+
+LABEL, SMALLEST = 2.1, 1.15
+"""Height of labels in millimetres, and the least at which they are still written."""
+
+
+def tint(floors: int) -> str:
+    """The fill of a building.
+
+    >>> tint(1) == tint(3) != tint(4)
+    True
+    """
+    return next(colour for most, colour in STOREYS if floors <= most)
+
+
+def hatch() -> str:
+    """The pattern of landmarks, defined once."""
+    stroke = tag("path", d="M0,0L0,1.4", stroke=INK, stroke_width=0.22)
+    paper = tag("rect", width=1.4, height=1.4, fill="#ffffff")
+    return tag(
+        "pattern",
+        paper + stroke,
+        id="hatch",
+        width=1.4,
+        height=1.4,
+        patternUnits="userSpaceOnUse",
+        patternTransform="rotate(45)",
+    )
+
+
+def ground_mark(view: PaperView, plan: SitePlan) -> str:
+    """The ground, its outline as a border of dashes and dots, its holes white."""
+    rings = [to_paper(view, ring) for ring in (plan.outline, *plan.holes)]
+    return shape(
+        rings,
+        fill=GROUND,
+        fill_rule="evenodd",
+        stroke=INK,
+        stroke_width=OUTLINE,
+        stroke_dasharray="5 1 0.6 1",
+    )
+
+
+def setback_mark(view: PaperView, plan: SitePlan, setback: float) -> str:
+    """The line up to which may be built, dashed."""
+    floor = shapely.Polygon(plan.outline, plan.holes)
+    inner = shapely.buffer(floor, -setback, join_style="mitre", mitre_limit=2.0)
+    rings = (
+        [
+            shape([to_paper(view, shapely.get_coordinates(ring)[:-1])])
+            for part in shapely.get_parts(inner)
+            for ring in (part.exterior, *part.interiors)
+        ]
+        if setback > 0
+        else []
+    )
+    return group(rings, fill="none", stroke=GREY, stroke_width=LINE, stroke_dasharray="1.6 1")
+
+
+def ways_mark(view: PaperView, ways: Sequence[Way]) -> str:
+    """Paths, then roads over them with their middle line; names along the longest piece."""
+    ordered = sorted(ways, key=lambda way: way.kind != "path")
+    areas, middles, names = [], [], []
+    for way in ordered:
+        fill = ASPHALT if way.kind == "road" else PAVING
+        for area in way.areas:
+            rings = [to_paper(view, ring) for ring in (area.outline, *area.holes)]
+            areas.append(shape(rings, fill=fill, fill_rule="evenodd"))
+        if way.kind == "road" and way.width * view.scale > 2.0:
+            middles += [line(to_paper(view, part)) for part in way.inside]
+        names.append(_name(view, way))
+    dashed = group(
+        middles, fill="none", stroke="#ffffff", stroke_width=0.25, stroke_dasharray="2.4 1.6"
+    )
+    return group([*areas, dashed, *names])
+
+
+def _name(view: PaperView, way: Way) -> str:
+    """The name of a way on the longest straight piece inside the site, if it fits there."""
+    steps = [(a, b) for part in way.inside for a, b in pairwise(part)]
+    size = min(LABEL, 0.7 * way.width * view.scale)
+    if not way.name or not steps or size < SMALLEST:
+        return ""
+    a, b = max(steps, key=lambda step: float(np.hypot(*(step[1] - step[0]))))
+    if np.hypot(*(b - a)) * view.scale < text_width(way.name, size) + 2:
+        return ""
+    turn = float(np.degrees(np.arctan2(b[1] - a[1], b[0] - a[0])))
+    turn = (turn + 90.0) % 180.0 - 90.0
+    return plate(way.name, to_paper(view, (a + b) / 2), size, turn=turn, fill=INK)
+
+
+def trees_mark(view: PaperView, pieces: Iterable[Piece]) -> str:
+    """Crowns with a dot for the stem."""
+    marks = []
+    for piece in pieces:
+        x, y = to_paper(view, piece.pose[:2])
+        radius = max(min(piece.size[:2]) / 2 * view.scale, 0.3)
+        marks.append(tag("circle", cx=x, cy=y, r=radius))
+    return group(marks, fill=LEAF, fill_opacity=0.8, stroke="#7d9c66", stroke_width=FINE)
+
+
+def buildings_mark(view: PaperView, rows: Sequence[StandingBuilding]) -> str:
+    """Buildings by their storeys with a mark at the middle of the front, landmarks hatched."""
+    marks = []
+    for row in rows:
+        words = model_of(row)
+        fill = HATCH if row.landmark else tint(row.floors)
+        body = shape([to_paper(view, row.footprint)], fill=fill)
+        marks.append(group([title(words), body, "" if row.landmark else _front(view, row)]))
+    return group(marks, stroke=INK, stroke_width=LINE, stroke_linejoin="round")
+
+
+def _front(view: PaperView, row: StandingBuilding) -> str:
+    """A small triangle at the middle of the front, pointing out."""
+    middle = row.footprint[1:3].mean(0)
+    ahead = np.array([np.cos(row.heading), np.sin(row.heading)])
+    size = min(1.3 / view.scale, 0.25 * float(np.hypot(*(row.footprint[2] - row.footprint[1]))))
+    side = np.array([-ahead[1], ahead[0]]) * size
+    corners = [
+        middle + side - ahead * size * 0.2,
+        middle - side - ahead * size * 0.2,
+        middle + ahead * size,
+    ]
+    return shape([to_paper(view, np.array(corners))], fill=INK, stroke="none")
+
+
+def labels_mark(
+    view: PaperView, rows: Sequence[StandingBuilding], letters: Mapping[str, str]
+) -> str:
+    """The letter of each building's model (by :func:`model_of`) and its storeys, the name and
+    height of landmarks, where there is room."""
+    marks = []
+    for row in rows:
+        told = [row.name, f"{row.high - row.low:.0f} m"]
+        if not row.landmark:
+            told = [letters.get(model_of(row), ""), f"{row.floors} st"]
+        marks.append(_label(view, row.footprint, told))
+    return group(marks, fill=INK)
+
+
+def model_of(row: StandingBuilding) -> str:
+    """What tells the models of a plan apart: name, storeys and height."""
+    return f"{row.name} · {row.floors} storeys · {row.high - row.low:.1f} m"
+
+
+def walks_mark(view: PaperView, lines: Iterable[shapely.LineString]) -> str:
+    """Walks from the ways to the doors."""
+    marks = [line(to_paper(view, shapely.get_coordinates(walk))) for walk in lines]
+    return group(marks, fill="none", stroke=PAVING, stroke_width=max(1.8 * view.scale, FINE))
+
+
+def _label(view: PaperView, footprint: Points, words: list[str]) -> str:
+    """Two short lines, or one joined, as large as fits upright in the footprint."""
+    polygon = shapely.Polygon(footprint)
+    circle = shapely.maximum_inscribed_circle(polygon, tolerance=0.1)
+    radius = float(circle.length)
+    x0, y0, x1, y1 = map(float, polygon.bounds)
+    central = polygon.centroid.within(shapely.buffer(polygon, -0.8 * radius))
+    middle = shapely.get_coordinates(polygon.centroid if central else circle)[0]
+    wide, high = (max(2 * radius, 0.7 * (b - a)) * view.scale for a, b in ((x0, x1), (y0, y1)))
+    for lines in (words, [" · ".join(words)], words[:1]):
+        longest = max(text_width(line_, 1.0) for line_ in lines)
+        size = min(LABEL, 0.9 * wide / longest, 0.8 * high / (1.25 * len(lines)))
+        if size >= SMALLEST:
+            at = to_paper(view, middle)
+            offsets = (np.arange(len(lines)) - (len(lines) - 1) / 2) * 1.25 * size
+            return group(
+                [
+                    plate(line_, (at[0], at[1] + off), size)
+                    for line_, off in zip(lines, offsets, strict=True)
+                ]
+            )
+    return ""
+
+
+def faults_mark(
+    view: PaperView, rows: Sequence[StandingBuilding], findings: Sequence[Finding]
+) -> str:
+    """What the referee found, in red: the gap between buildings too close with its length, all
+    else as an outline of the building."""
+    known = {row.id: shapely.Polygon(row.footprint) for row in rows}
+    marks, ringed, words = [], set(), []
+    for found in findings:
+        first, second = known.get(found.piece), known.get(found.other)
+        if found.kind == "spacing" and first is not None and second is not None:
+            ends = shapely.get_coordinates(shapely.shortest_line(first, second))
+            gap = float(np.hypot(*(ends[1] - ends[0])))
+            points = to_paper(view, ends)
+            marks.append(group([title(found.message), line(points, stroke_width=0.5)]))
+            x, y = points.mean(0)
+            words.append(plate(f"{gap:.1f}", (x + 2.6, y), 1.8, fill=FAULT))
+        elif first is not None and found.piece not in ringed:
+            ringed.add(found.piece)
+            body = shape([to_paper(view, shapely.get_coordinates(first)[:-1])])
+            marks.append(group([title(found.message), body]))
+    return group([*marks, *words], fill="none", stroke=FAULT, stroke_width=0.5)
+
+
+def entrances_mark(view: PaperView, plan: SitePlan) -> str:
+    """Where roads and paths come in: a triangle pointing inwards."""
+    floor = shapely.Polygon(plan.outline, plan.holes)
+    marks = []
+    for entrance in plan.entrances:
+        at = np.array([entrance.x, entrance.y])
+        way = plan.roads[entrance.way]
+        near = way.line - at
+        along = near[int(np.argmax(np.hypot(*near.T)))]
+        along = along / max(float(np.hypot(*along)), 1e-9)
+        if not floor.intersects(shapely.Point(at + along * 0.5)):
+            along = -along
+        tip, side = at + along * 1.6 / view.scale, np.array([-along[1], along[0]]) / view.scale
+        foot = at - along * 1.2 / view.scale
+        marks.append(shape([to_paper(view, np.array([tip, foot + side * 1.4, foot - side * 1.4]))]))
+    return group(marks, fill="#007a4d", stroke="#ffffff", stroke_width=FINE)
+
+
+def views_mark(view: PaperView, points: Points, values: Points) -> str:
+    """What walkers see, a band along the ways: the deeper the violet, the more. ``points`` (n, 2)
+    that follow each other closely are joined; ``values`` (n,) are visual qualities V."""
+    places, marks = to_paper(view, points), []
+    shades = np.clip(values / MUCH, 0.0, 1.0)
+    gaps = np.hypot(*np.diff(points, axis=0).T) if len(points) > 1 else np.zeros(0)
+    near = gaps <= 1.5 * float(np.median(gaps)) if len(gaps) else gaps
+    for k in range(len(places)):
+        first, last = k > 0 and bool(near[k - 1]), k < len(near) and bool(near[k])
+        start = (places[k - 1] + places[k]) / 2 if first else places[k]
+        end = (places[k] + places[k + 1]) / 2 if last else places[k]
+        ends = [tuple(map(float, point)) for point in (start, places[k], end)]
+        marks.append(line(ends, stroke=view_colour(float(shades[k]))))
+    return group(marks, stroke_width=BAND, stroke_linecap="round", fill="none")
+
+
+def view_colour(share: float) -> str:
+    """The colour of a place from which so much is seen, of the most.
+
+    >>> view_colour(0.0), view_colour(1.0)
+    ('#ece2f0', '#6a1b82')
+    """
+    mixed = (1 - share) * FAINT + share * FULL
+    return "#" + "".join(f"{round(part):02x}" for part in mixed.tolist())

@@ -1,0 +1,264 @@
+"""The plan of a site to print: SVG 1.1 to scale, north up, sites of a brief side by side.
+
+Outline, setback, roads and paths, landmarks hatched, buildings tinted by storeys with a mark at
+their front, trees, entrances; what the referee finds is drawn in red. Beside it the legend with
+the figures of the referee.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from string import ascii_uppercase
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from scenewright.check.report import Finding
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.core.space import Points
+from scenewright.domains.site.brief import Site
+from scenewright.domains.site.check.figures import judge_sites
+from scenewright.domains.site.drawing import marks as marks
+from scenewright.domains.site.drawing.views import Views, views_of
+from scenewright.domains.site.shapes import StandingBuilding, standing
+from scenewright.drawing import sheet as sheets
+from scenewright.drawing.legend import LegendRow, arrange, legend_mark
+from scenewright.drawing.marks import PaperView, clean, group, tag, text
+from scenewright.ground.plan import SitePlan
+from scenewright.ground.walks import Walk, walks
+
+MARGIN, CAPTION = 6.0, 7.0
+"""Millimetres around a site, and below it for its name."""
+LARGE, MODELS = 2000, 30
+"""The scale from which papers above A3 are used; most models listed."""
+
+
+class Drawing(NamedTuple):
+    """One site with what stands on it, what was found, and its bounds in metres."""
+
+    site: Site
+    plan: SitePlan
+    rows: tuple[StandingBuilding, ...]
+    trees: tuple[Piece, ...]
+    walks: tuple[Walk, ...]
+    findings: tuple[Finding, ...]
+    figures: dict[str, Any]
+    bounds: tuple[float, float, float, float]
+
+
+def draw(solution: Solution, made: Plan) -> str:
+    """The SVG text of the plan of a solution's sites, with what walkers see along the ways."""
+    return plan(solution, made.detail, views_of(solution, made.detail))
+
+
+def plan(solution: Solution, plans: tuple[SitePlan, ...], views: Views | None = None) -> str:
+    """The SVG text of a plan of all sites; ``views`` adds what walkers see along the ways."""
+    views = views or {}
+    drawings = drawings_of(solution, plans)
+    wide = sum(d.bounds[2] - d.bounds[0] for d in drawings)
+    high = max(d.bounds[3] - d.bounds[1] for d in drawings)
+    extra = (len(drawings) + 1) * MARGIN, 2 * MARGIN + CAPTION
+    letters = letters_of(drawings)
+    rows = legend(drawings, letters, views)
+    arranged = arrange((wide, high), extra, rows, LARGE)
+    sheet, (room_wide, room_high) = arranged.sheet, arranged.room
+    scale = 1000 / sheet.scale
+    spare = (room_wide - wide * scale) / (len(drawings) + 1)
+    left, body = sheets.EDGE, []
+    for drawing in drawings:
+        west, south, east, north = drawing.bounds
+        left += spare
+        bottom = sheets.EDGE + (room_high - CAPTION + (north - south) * scale) / 2
+        view = sheets.view_at(sheet, west, south, left, bottom)
+        body.append(_site_mark(view, drawing, letters, views.get(drawing.plan.id)))
+        if len(drawings) > 1:
+            middle = left + (east - west) * scale / 2
+            body.append(text(drawing.plan.name, (middle, bottom + MARGIN), 2.6))
+        left += (east - west) * scale
+    head = [
+        tag("defs", marks.hatch()),
+        sheets.sheet_mark(sheet, solution.brief.name, _summary(drawings, views)),
+    ]
+    return sheets.document(sheet, solution.brief.name, [*head, *body, legend_mark(arranged)])
+
+
+def drawings_of(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[Drawing, ...]:
+    """What there is to draw of each site of a solution."""
+    rows = standing(solution, plans)
+    verdict = judge_sites(solution.brief.part.sites, solution.pieces, plans=plans)
+    return tuple(
+        _drawing(
+            site,
+            plan,
+            tuple(row for row in rows if row.site == plan.id),
+            tuple(p for p in solution.pieces if p.space == plan.id and p.category == "tree"),
+            walks(
+                plan,
+                [p for p in solution.pieces if p.space == plan.id and p.category == "building"],
+            ),
+            tuple(f for f in verdict.findings if f.space == plan.id),
+            verdict.figures[plan.id],
+        )
+        for site, plan in zip(solution.brief.part.sites, plans, strict=True)
+    )
+
+
+def _drawing(
+    site: Site,
+    plan: SitePlan,
+    rows: tuple[StandingBuilding, ...],
+    trees: tuple[Piece, ...],
+    walks: tuple[Walk, ...],
+    findings: tuple[Finding, ...],
+    figures: dict[str, Any],
+) -> Drawing:
+    """Bounds take in the site and what stands no farther outside than it is long."""
+    low, high = plan.outline.min(0), plan.outline.max(0)
+    reach = float((high - low).max()) / 2
+    inside = [
+        row.footprint
+        for row in rows
+        if np.isfinite(row.footprint).all()
+        and (row.footprint > low - reach).all()
+        and (row.footprint < high + reach).all()
+    ]
+    corners = np.vstack([plan.outline, *inside])
+    (west, south), (east, north) = corners.min(0).tolist(), corners.max(0).tolist()
+    drawn = tuple(row for row in rows if any(row.footprint is kept for kept in inside))
+    return Drawing(site, plan, drawn, trees, walks, findings, figures, (west, south, east, north))
+
+
+def letters_of(drawings: Sequence[Drawing]) -> dict[str, str]:
+    """A letter for every model, the most frequent first: A to Z, then A1 …"""
+    counts = Counter(marks.model_of(r) for d in drawings for r in d.rows if not r.landmark)
+    return {
+        name: f"{ascii_uppercase[k % 26]}{k // 26 or ''}"
+        for k, (name, _) in enumerate(counts.most_common())
+    }
+
+
+def _site_mark(
+    view: PaperView,
+    drawing: Drawing,
+    letters: Mapping[str, str],
+    seen: tuple[Points, Points] | None,
+) -> str:
+    plan, rows = drawing.plan, drawing.rows
+    return group(
+        [
+            marks.ground_mark(view, plan),
+            marks.walks_mark(view, drawing.walks),
+            marks.ways_mark(view, plan.roads),
+            marks.views_mark(view, *seen) if seen else "",
+            marks.setback_mark(view, plan, drawing.site.setback),
+            marks.trees_mark(view, drawing.trees),
+            marks.buildings_mark(view, rows),
+            marks.labels_mark(view, rows, letters),
+            marks.entrances_mark(view, plan),
+            marks.faults_mark(view, rows, drawing.findings),
+        ]
+    )
+
+
+def legend(
+    drawings: Sequence[Drawing], letters: Mapping[str, str], views: Views
+) -> tuple[LegendRow, ...]:
+    """Signs that occur, the models with their numbers, then the figures of each site."""
+    rows = [LegendRow("heading", "Legend")]
+    used = {marks.tint(r.floors) for d in drawings for r in d.rows if not r.landmark}
+    least = 1
+    for most, colour in marks.STOREYS:
+        told = f"{least}–{most} storeys" if most < 1000 else f"{least} storeys and more"
+        rows += [LegendRow("swatch", told, value=colour)] if colour in used else []
+        least = most + 1
+    ways = {way.kind for d in drawings for way in d.plan.roads}
+    signs = (
+        (any(r.landmark for d in drawings for r in d.rows), "swatch", "Landmark", marks.HATCH),
+        ("road" in ways, "swatch", "Road", marks.ASPHALT),
+        ("path" in ways, "swatch", "Path", marks.PAVING),
+        (any(d.trees for d in drawings), "swatch", "Tree", marks.LEAF),
+        (any(d.site.setback for d in drawings), "border", "Setback", ""),
+        (bool(letters), "entrance", "Front of a building", ""),
+        (any(d.plan.entrances for d in drawings), "exit", "Way in", ""),
+        (bool(views), "swatch", "Little to see from the way", marks.view_colour(0.0)),
+        (bool(views), "swatch", "Much to see", marks.view_colour(1.0)),
+        (any(d.findings for d in drawings), "swatch", "Fault, distance in metres", marks.FAULT),
+    )
+    rows += [LegendRow(sign, words, value=value) for used_, sign, words, value in signs if used_]
+    rows += _models(drawings, letters)
+    for drawing in drawings:
+        heading = drawing.plan.name if len(drawings) > 1 else "Figures"
+        rows += _figures(drawing, heading, views.get(drawing.plan.id))
+    return tuple(rows)
+
+
+def _models(drawings: Sequence[Drawing], letters: Mapping[str, str]) -> list[LegendRow]:
+    """The models by letter: how many there are, storeys and height."""
+    counts = Counter(marks.model_of(r) for d in drawings for r in d.rows if not r.landmark)
+    first = {marks.model_of(r): r for d in drawings for r in d.rows if not r.landmark}
+    rows = [
+        LegendRow(
+            "letter",
+            first[name].name,
+            f"{counts[name]} × {first[name].floors} st, {first[name].high - first[name].low:.0f} m",
+            letter,
+        )
+        for name, letter in list(letters.items())[:MODELS]
+    ]
+    more = len(letters) - MODELS
+    if more > 0:
+        rows.append(LegendRow("", f"and {more} more models"))
+    return [LegendRow("heading", "Models"), *rows] if rows else []
+
+
+def _figures(drawing: Drawing, heading: str, seen: tuple[Points, Points] | None) -> list[LegendRow]:
+    found, site = drawing.figures, drawing.site
+    least, sun = found["least_spacing"], found["sun_mean"]
+    told = [
+        ("Ground", f"{found['area']:,.0f} m²"),
+        ("Buildings", f"{found['buildings']}"),
+        ("Coverage", _against(f"{found['coverage']:.1%}", site.coverage, ".0%")),
+        (
+            "Floor area ratio",
+            _against(f"{found['floor_area_ratio']:.2f}", site.floor_area_ratio, ".2f"),
+        ),
+        ("Least distance", "–" if least is None else f"{least:.1f} m of {site.spacing:g} m"),
+        ("Fronts to the preferred side", f"{found['south_share']:.0%}"),
+        (
+            f"At least {site.sun_hours:g} h of winter sun" if sun is not None else "",
+            f"{found['sun_share']:.0%}",
+        ),
+        ("Winter sun, mean" if sun is not None else "", f"{sun or 0.0:.1f} h"),
+        (
+            "Visual quality seen from the ways" if seen else "",
+            f"{seen[1].mean():.3f}" if seen else "",
+        ),
+        ("Reached by the fire brigade", f"{found['reached_share']:.0%}"),
+        ("Faults", f"{sum(not f.given for f in drawing.findings)}"),
+    ]
+    return [
+        LegendRow("heading", clean(heading, 40)),
+        *(LegendRow("", w, right) for w, right in told if w),
+    ]
+
+
+def _against(value: str, wanted: float | None, form: str) -> str:
+    return value if wanted is None else f"{value} of {wanted:{form}}"
+
+
+def _summary(drawings: Sequence[Drawing], views: Views) -> str:
+    buildings = sum(d.figures["buildings"] for d in drawings)
+    area = sum(d.plan.area for d in drawings)
+    faults = sum(not f.given for d in drawings for f in d.findings)
+    told = [f"{area / 1e4:.2f} ha", f"{buildings} buildings"]
+    hours = [d.figures["sun_mean"] for d in drawings if d.figures["sun_mean"] is not None]
+    told += [f"{float(np.mean(hours)):.1f} h of winter sun"] if hours else []
+    told += (
+        [f"visual quality {np.concatenate([v for _, v in views.values()]).mean():.3f}"]
+        if views
+        else []
+    )
+    return " · ".join(["Site plan", *told, *([f"{faults} faults"] if faults else [])])

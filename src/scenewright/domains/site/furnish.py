@@ -1,0 +1,105 @@
+"""From a solved site to its pieces: buildings and landmarks."""
+
+from __future__ import annotations
+
+import math
+
+from scenewright.catalog.assets import shipped
+from scenewright.core.catalog import Asset, Catalog
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece, Pose, Scene, Size
+from scenewright.core.solution import Solution
+from scenewright.domains.site.holdings import BuildingDemand
+from scenewright.domains.site.problem import Flags, Floats
+from scenewright.ground.plan import SitePlan
+from scenewright.ground.surfaces import surfaces
+
+
+def buildings(
+    plan: SitePlan, rows: list[BuildingDemand], boxes: Floats, present: Flags
+) -> tuple[Piece, ...]:
+    """One piece a building that found a place; ids count by model, past those that stay."""
+    counts: dict[str, int] = {}
+    taken = {row.id for row in plan.fixed}
+    found = []
+    for row, box, there in zip(rows, boxes, present, strict=True):
+        if not there:
+            continue
+        counts[row.asset.id] = counts.get(row.asset.id, 0) + 1
+        while f"{plan.id}/{row.asset.id}_{counts[row.asset.id]}" in taken:
+            counts[row.asset.id] += 1
+        x, y, heading = (float(v) for v in box[:3])
+        found.append(
+            Piece(
+                id=f"{plan.id}/{row.asset.id}_{counts[row.asset.id]}",
+                category="building",
+                asset=row.asset.id,
+                space=plan.id,
+                pose=Pose(x, y, 0.0, wrap_angle(heading)),
+                size=row.size,
+                group=f"{plan.id}/buildings",
+                function=row.name,
+            )
+        )
+    return tuple(found)
+
+
+def landmark_assets(plan: SitePlan, catalog: Catalog) -> tuple[Asset | None, ...]:
+    """The models that draw the landmarks: those named, else shipped ones of about their size."""
+    return tuple(
+        catalog.assets[row.model]
+        if row.model
+        else shipped().choose("building", Size(row.box[3], row.box[4], row.height))
+        for row in plan.landmarks
+    )
+
+
+def landmarks(plan: SitePlan, catalog: Catalog) -> tuple[Piece, ...]:
+    """What stands already."""
+    found = []
+    for row, chosen in zip(plan.landmarks, landmark_assets(plan, catalog), strict=True):
+        x, y, heading, width, depth = row.box
+        size = Size(width, depth, row.height)
+        found.append(
+            Piece(
+                id=f"{plan.id}/{row.id}",
+                category="building",
+                asset=chosen.id if chosen else "",
+                space=plan.id,
+                pose=Pose(x, y, 0.0, wrap_angle(heading)),
+                size=size,
+                group=f"{plan.id}/landmarks",
+                function="landmark",
+                fixed=True,
+            )
+        )
+    return tuple(found)
+
+
+def fixed_buildings(plan: SitePlan) -> tuple[Piece, ...]:
+    """The buildings that stay where they stand."""
+    return tuple(
+        Piece(
+            id=row.id,
+            category="building",
+            asset=row.model,
+            space=plan.id,
+            pose=Pose(*row.box[:2], 0.0, row.box[2]),
+            size=Size(row.box[3], row.box[4], row.height),
+            group=f"{plan.id}/buildings",
+            function=row.name,
+            fixed=True,
+        )
+        for row in plan.fixed
+    )
+
+
+def wrap_angle(angle: float) -> float:
+    """An angle in [-π, π)."""
+    return (angle + math.pi) % (2 * math.pi) - math.pi
+
+
+def scene_of_sites(solution: Solution, plan: Plan) -> Scene:
+    """The scene of a solution of sites: what lies on the ground, and what stands on it."""
+    ground = surfaces(plan.detail, solution.pieces)
+    return Scene(solution.brief.name, plan.levels, plan.spaces, (), (), solution.pieces, ground, ())

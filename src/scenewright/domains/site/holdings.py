@@ -1,0 +1,109 @@
+"""What a site is to hold: one row a building, with the model that draws it."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from scenewright.catalog.loading import OWN
+from scenewright.core.catalog import Asset, Catalog
+from scenewright.core.errors import InputError
+from scenewright.core.scene import Size
+from scenewright.domains.site.amounts import STOREY, amounts
+from scenewright.domains.site.brief import Building, Site
+from scenewright.ground.plan import SitePlan, Standing
+
+MOST = 20_000
+LEAST = 1.5
+"""Least side in plan, in metres, that a model may have by itself to be taken for a building."""
+
+
+class BuildingDemand(NamedTuple):
+    """One building to be placed: the number of its wish, its model, size, storeys, whether it must
+    stand, and the planar forms it may take (empty: all)."""
+
+    wish: int
+    name: str
+    asset: Asset
+    size: Size
+    floors: int
+    required: bool
+    forms: frozenset[str]
+
+
+def collect_buildings(
+    site: Site, plan: SitePlan, place: str, catalog: Catalog
+) -> list[BuildingDemand]:
+    """The buildings a site asks for, or those that bring its floor-area ratio and coverage, less
+    those that stand already."""
+    asked = (_listed if site.buildings else _filling)(site, plan, place, catalog)
+    return without_standing(asked, plan.fixed)
+
+
+def without_standing(
+    asked: list[BuildingDemand], standing: Sequence[Standing]
+) -> list[BuildingDemand]:
+    """Demands without one for each building that stands: one of its model, of its name and the
+    nearest size where there are several."""
+    left, met = Counter(asked), Counter[BuildingDemand]()
+    for there in standing:
+        size = (*there.box[3:], there.height)
+        same = [row for row, count in left.items() if count and row.asset.id == there.model]
+        if same:
+            best = min(same, key=lambda r: (r.name != there.name, math.dist(r.size, size)))
+            left[best] -= 1
+            met[best] += 1
+    found = []
+    for row in asked:
+        if met[row]:
+            met[row] -= 1
+        else:
+            found.append(row)
+    return found
+
+
+def _listed(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[BuildingDemand]:
+    found: list[BuildingDemand] = []
+    for number, (row, model) in enumerate(zip(site.buildings, plan.models, strict=True)):
+        asset = catalog.assets[model]
+        told = f"{place} buildings[{number}] '{row.name or row.model}'"
+        size = _size(row, asset, told)
+        if site.height_limit is not None and size.height > site.height_limit + 1e-6:
+            raise InputError(
+                f"is {size.height:g} m high, the limit of the site is {site.height_limit:g} m",
+                "give it a lower size or raise height_limit",
+                place=told,
+            )
+        floors = row.floors or max(round(size.height / STOREY), 1)
+        one = BuildingDemand(
+            number, row.name or asset.name, asset, size, floors, row.required, frozenset(row.forms)
+        )
+        found += [one] * row.count
+    if len(found) > MOST:
+        raise InputError(f"asks for {len(found)} buildings", f"ask for {MOST} at most", place=place)
+    return found
+
+
+def _filling(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[BuildingDemand]:
+    found: list[BuildingDemand] = []
+    for number, (asset, count) in enumerate(amounts(site, plan, place, catalog)):
+        floors = max(round(asset.usual.height / STOREY), 1)
+        one = BuildingDemand(number, asset.name, asset, asset.usual, floors, False, frozenset())
+        found += [one] * min(count, MOST - len(found))
+    return found
+
+
+def _size(row: Building, asset: Asset, place: str) -> Size:
+    """The size given, else that of the model if it is one of a building."""
+    if row.size:
+        return Size(*row.size)
+    size = asset.usual
+    if asset.id.startswith(OWN) and min(size.width, size.depth) < LEAST:
+        raise InputError(
+            f"is only {size.width:.3g} x {size.depth:.3g} m, {size.height:.3g} m high by its file",
+            "give its size, or its catalogue a scale",
+            place=place,
+        )
+    return size

@@ -1,0 +1,206 @@
+"""The plan of a site: from a brief to ground that can be built on, roads and landmarks.
+
+Everything the later stages rely on is checked here, once: an outline that is simple, a setback
+that leaves something, landmarks that stand inside and apart, roads that reach the site.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import Protocol
+
+import numpy as np
+import shapely
+
+from scenewright.building.outlines import rings
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Catalog
+from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
+from scenewright.core.space import Level, Points, Space
+from scenewright.domains.site.brief import Site
+from scenewright.domains.site.models import building_models, fixed_of, landmarks_of
+from scenewright.ground import outlines as shapes
+from scenewright.ground.fit import main_direction
+from scenewright.ground.plan import Area, Block, Entrance, SitePlan, Standing, Way
+
+LEVEL = Level("0", "", 0.0, 2.6)
+SKY = 600.0
+"""What may be built up to on a site that states no limit, in metres."""
+
+
+class Named(Protocol):
+    """What has an id and a name, either of which may be empty."""
+
+    @property
+    def id(self) -> str:
+        """Given by the user, or empty."""
+
+    @property
+    def name(self) -> str:
+        """What people call it."""
+
+
+def plan_sites(brief: Brief) -> Plan:
+    """The plan of a brief of sites: open ground without walls; ``detail`` holds the
+    :class:`~scenewright.ground.plan.SitePlan` of each."""
+    plans = plans_of(brief)
+    spaces = tuple(
+        Space(plan.id, plan.name, ("site",), LEVEL.id, plan.outline, plan.holes, SKY)
+        for plan in plans
+    )
+    return Plan((LEVEL,), spaces, {plan.id: plan.name for plan in plans}, plans)
+
+
+def plans_of(brief: Brief) -> tuple[SitePlan, ...]:
+    """The plans of the sites of a brief, with the models it names."""
+    return site_plans(brief.part.sites, catalog_of(brief.catalogs))
+
+
+def site_plans(sites: Sequence[Site], catalog: Catalog | None = None) -> tuple[SitePlan, ...]:
+    """The plans of some sites; ``catalog`` holds the models of landmarks (else shipped ones).
+
+    Raises InputError, with the place in the brief, for anything that cannot be built on.
+    """
+    models = catalog_of(()) if catalog is None else catalog
+    told = assign_ids(sites, "site", "sites")
+    return tuple(
+        _plan(site, told[number], f"sites[{number}] '{site.name or told[number]}'", models)
+        for number, site in enumerate(sites)
+    )
+
+
+def site_plan(site: Site, catalog: Catalog | None = None) -> SitePlan:
+    """The plan of one site.
+
+    >>> plan = site_plan(Site(outline=[(0, 0), (100, 0), (100, 60), (0, 60)],
+    ...                       roads=[{"line": [(50, 0), (50, 60)], "width": 8}]))
+    >>> [round(block.area) for block in plan.blocks], len(plan.entrances)
+    ([2160, 2160], 2)
+    """
+    return site_plans([site], catalog)[0]
+
+
+def assign_ids(rows: Sequence[Named], word: str, key: str, place: str = "") -> tuple[str, ...]:
+    """The id of every row: the one given, else its name in plain letters, else ``road-3``;
+    InputError if one is given twice."""
+    given = Counter(row.id for row in rows if row.id)
+    taken, found = set(given), []
+    for number, row in enumerate(rows):
+        if row.id and given[row.id] > 1:
+            told = f"{place} {key}[{number}]".strip()
+            raise InputError(f"the id '{row.id}' is used twice", "give each its own", place=told)
+        wish = re.sub(r"[\W_]+", "-", row.name.casefold()).strip("-") or f"{word}-{number + 1}"
+        fresh = (wish if k == 1 else f"{wish}-{k}" for k in range(1, len(taken) + 2))
+        found.append(row.id or next(name for name in fresh if name not in taken))
+        taken.add(found[-1])
+    return tuple(found)
+
+
+def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
+    try:
+        floor = shapes.ground(site.outline, site.holes)
+        built = shapes.inset(floor, site.setback)
+    except InputError as error:
+        raise error.located(place=place) from None
+    assign_ids(site.buildings, "building", "buildings", place)
+    models = building_models(site.buildings, place, catalog)
+    roads = _roads(site, floor, place)
+    marks = assign_ids(site.landmarks, "landmark", "landmarks", place)
+    landmarks = landmarks_of(site.landmarks, marks, floor, place, catalog)
+    fixed = fixed_of(site.fixed, floor, place, catalog)
+    taken = [
+        shapes.kept_free(
+            [shapes.way(road.line, road.width)[1] for road in roads], site.road_setback
+        ),
+        shapes.kept_free([shapely.Polygon(row.footprint) for row in landmarks], site.spacing),
+    ]
+    blocks = tuple(_block(part) for part in shapes.less(built, taken))
+    if not blocks:
+        raise InputError(
+            "roads, paths and landmarks with their distances leave nothing to build on",
+            "lower road_setback or spacing, or take some out",
+            place=place,
+        )
+    outline, holes = rings(floor)
+    return SitePlan(
+        name,
+        site.name or name,
+        outline,
+        holes,
+        floor.area,
+        sum(b.area for b in blocks),
+        blocks,
+        roads,
+        landmarks,
+        tuple(_entrances(floor, roads)),
+        models,
+        fixed,
+        _beside(blocks, fixed, site.spacing),
+    )
+
+
+def _block(part: shapely.Polygon) -> Block:
+    outline, holes = rings(part)
+    return Block(
+        outline, holes, part.area, main_direction((outline, *holes)), shapes.inscribed_radius(part)
+    )
+
+
+def _beside(
+    blocks: tuple[Block, ...], fixed: Sequence[Standing], spacing: float
+) -> tuple[Block, ...]:
+    """What is left of blocks at a distance from buildings that stay."""
+    if not fixed:
+        return blocks
+    taken = [shapes.kept_free([shapely.Polygon(row.footprint) for row in fixed], spacing)]
+    whole = [shapely.Polygon(block.outline, block.holes) for block in blocks]
+    return tuple(_block(part) for part in shapes.less(whole, taken))
+
+
+def _area(part: shapely.Polygon) -> Area:
+    return Area(*rings(part), part.area)
+
+
+def _roads(site: Site, floor: shapely.Polygon, place: str) -> tuple[Way, ...]:
+    found = []
+    if shapes.crossings([np.array(r.line) for r in site.roads]) > shapes.MOST_CROSSINGS:
+        raise InputError(
+            f"the roads cross each other more than {shapes.MOST_CROSSINGS} times",
+            "leave some out, or make several sites",
+            place=f"{place} roads",
+        )
+    shapely.prepare(floor)
+    for number, name in enumerate(assign_ids(site.roads, "road", "roads", place)):
+        road, told = site.roads[number], f"{place} roads[{number}]"
+        try:
+            line, area = shapes.way(road.line, road.width)
+        except InputError as error:
+            raise error.located(place=told) from None
+        away = shapely.distance(floor, area)
+        if away > shapes.TOUCH:
+            raise InputError(f"lies {away:.2f} m outside the site", "leave it out", place=told)
+        inside = shapes.lines(shapely.intersection(shapely.LineString(line), floor))
+        covered = shapes.polygons(shapely.intersection(area, floor, grid_size=shapes.GRID))
+        parts = tuple(_area(part) for part in covered)
+        found.append(Way(name, road.name, road.kind, road.width, line, inside, parts))
+    return tuple(found)
+
+
+def _entrances(floor: shapely.Polygon, roads: Sequence[Way]) -> Iterator[Entrance]:
+    """Where middle lines cross the outline, and their ends that stop short of it by less than
+    half of their width and half a metre."""
+    border = floor.exterior
+    for number, road in enumerate(roads):
+        line = shapely.LineString(road.line)
+        met = shapely.get_coordinates(shapely.intersection(line, border))
+        ends = road.line[[0, -1]]
+        near = shapely.distance(shapely.points(ends), border) <= road.width / 2 + 0.5
+        seen: list[Points] = []
+        for point in [*met, *ends[near]]:
+            if all(np.hypot(*(point - other)) > road.width for other in seen):
+                seen.append(point)
+                yield Entrance(float(point[0]), float(point[1]), number)

@@ -1,0 +1,208 @@
+"""Trees and lamps of a site: rows along the streets, groves on the open ground.
+
+They are dressing: placed after the buildings, clear of them, of ways and of the walks to doors.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.core.catalog import Asset, Catalog
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains.site.problem import Floats
+from scenewright.ground.plan import SitePlan, Way
+from scenewright.ground.surfaces import kerb
+from scenewright.ground.walks import walks
+
+TREES = 900
+"""Most trees of a site."""
+AVENUE, VERGE = 10.0, 1.6
+"""Distance of the trees of a street, and of their stems from its edge, in metres."""
+GROVE = 6.5
+"""Side of the squares that hold at most one tree of a grove, in metres."""
+LAMPS, LAMP_IN = 28.0, 0.45
+"""Distance of the lamps of a street, and how far inside its edge they stand, in metres."""
+FROM_BUILDINGS, FROM_WAYS, FROM_WALKS, FROM_BORDER = 4.6, 1.4, 2.0, 2.5
+SCALES = (0.75, 0.88, 1.0, 1.15)
+"""Sizes of trees, few so that files can share their meshes."""
+
+
+class GreenGround(NamedTuple):
+    """The site, shrunk by what trees keep from its border, and what they keep clear of."""
+
+    floor: shapely.Polygon
+    buildings: shapely.STRtree
+    ways: shapely.STRtree
+    walks: shapely.STRtree
+
+
+def green(
+    plan: SitePlan, buildings: Sequence[Piece], catalog: Catalog, rng: np.random.Generator
+) -> tuple[Piece, ...]:
+    """Trees and lamps of a site with its buildings and landmarks."""
+    kinds = catalog.of("tree")
+    if not kinds:
+        return ()
+    ground = _ground(plan, buildings)
+    beside = np.concatenate([np.zeros((0, 2)), *(_avenue(way) for way in plan.roads)])
+    beside = beside[:: max(1, len(beside) // (8 * TREES))]
+    rows = _apart(_clear(beside, ground), 0.55 * AVENUE)[: 2 * TREES // 3]
+    groves = _groves(plan, ground, rows, rng)[: TREES - len(rows)]
+    species = np.concatenate([np.zeros(len(rows)), _waves(groves, 55.0, rng) < -0.35])
+    sizes = rng.integers(len(SCALES), size=len(rows) + len(groves))
+    sizes[: len(rows)] = 2
+    trees = [
+        _tree(f"{plan.id}/tree_{k}", plan, kinds[int(kind) % len(kinds)], at, SCALES[size], rng)
+        for k, (at, kind, size) in enumerate(
+            zip(np.vstack([rows, groves]), species, sizes, strict=True), 1
+        )
+    ]
+    return (*trees, *_lamps(plan, catalog))
+
+
+def _ground(plan: SitePlan, buildings: Sequence[Piece]) -> GreenGround:
+    boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in buildings]
+    areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
+    return GreenGround(
+        shapely.Polygon(plan.outline, plan.holes).buffer(-FROM_BORDER),
+        shapely.STRtree(shapely.polygons(corners(np.array(boxes).reshape(-1, 5)))),
+        shapely.STRtree(areas),
+        shapely.STRtree(walks(plan, buildings)),
+    )
+
+
+def _clear(points: Floats, ground: GreenGround, border: bool = True) -> Floats:
+    """The points that keep their distances."""
+    if border:
+        points = points[shapely.contains_xy(ground.floor, points[:, 0], points[:, 1])]
+    for tree, distance in (
+        (ground.buildings, FROM_BUILDINGS),
+        (ground.ways, FROM_WAYS),
+        (ground.walks, FROM_WALKS),
+    ):
+        near = tree.query(shapely.points(points), predicate="dwithin", distance=distance)[0]
+        points = np.delete(points, np.unique(near), axis=0)
+    return points
+
+
+def _avenue(way: Way) -> Floats:
+    """Places of trees on both sides of a way."""
+    at = [
+        _beside(line, side * (way.width / 2 + VERGE), AVENUE, AVENUE / 2)[:, :2]
+        for line in way.inside
+        for side in (1, -1)
+    ]
+    return np.concatenate([np.zeros((0, 2)), *at])
+
+
+def _beside(line: Floats, off: float, step: float, start: float) -> Floats:
+    """Points ``(n, 3)`` every ``step`` metres along a line, ``off`` metres to its left, and the
+    direction of the line there."""
+    length = np.hypot(*np.diff(line, axis=0).T)
+    along = np.concatenate([[0.0], np.cumsum(length)])
+    at = np.arange(start, along[-1], step)
+    piece = np.clip(np.searchsorted(along, at, side="right") - 1, 0, len(length) - 1)
+    ways = np.diff(line, axis=0)[piece] / length[piece, None]
+    points = line[piece] + ways * (at - along[piece])[:, None]
+    left = np.stack([-ways[:, 1], ways[:, 0]], 1)
+    return np.column_stack([points + off * left, np.arctan2(ways[:, 1], ways[:, 0])])
+
+
+def _groves(plan: SitePlan, ground: GreenGround, rows: Floats, rng: np.random.Generator) -> Floats:
+    """Points of a shaken grid where a slow wave is high: groves, and lawns between them."""
+    low, high = plan.outline.min(0), plan.outline.max(0)
+    step = max(GROVE, math.sqrt(0.5 * plan.area / TREES))
+    grid = np.stack(np.meshgrid(*(np.arange(a, b, step) for a, b in zip(low, high, strict=True))))
+    points = grid.reshape(2, -1).T + rng.uniform(-0.35, 0.35, (grid[0].size, 2)) * step
+    points = points[_waves(points, 38.0, rng) > 0.1]
+    points = _clear(points, ground)
+    if len(rows) and len(points):
+        near = shapely.STRtree(shapely.points(rows)).query(
+            shapely.points(points), predicate="dwithin", distance=0.7 * AVENUE
+        )[0]
+        points = np.delete(points, np.unique(near), axis=0)
+    return points[rng.permutation(len(points))]
+
+
+def _waves(points: Floats, long: float, rng: np.random.Generator) -> Floats:
+    """A smooth random field, about -1 to 1, that changes over ``long`` metres."""
+    angle, shift = rng.uniform(0, 2 * math.pi, (2, 5))
+    ways = np.stack([np.cos(angle), np.sin(angle)]) * 2 * math.pi / long
+    return np.asarray(np.cos(points @ (ways * np.linspace(0.6, 1.5, 5)) + shift).sum(1) / 2.0)
+
+
+def _apart(points: Floats, distance: float) -> Floats:
+    """Points without those nearer than ``distance`` to one before them."""
+    if not len(points):
+        return points
+    made = shapely.points(points)
+    first, second = shapely.STRtree(made).query(made, predicate="dwithin", distance=distance)
+    gone: set[int] = set()
+    for a, b in sorted(zip(first.tolist(), second.tolist(), strict=True)):
+        if a < b and a not in gone:
+            gone.add(b)
+    return np.delete(points, sorted(gone), axis=0)
+
+
+def _tree(
+    name: str, plan: SitePlan, asset: Asset, at: Floats, scale: float, rng: np.random.Generator
+) -> Piece:
+    return Piece(
+        id=name,
+        category="tree",
+        asset=asset.id,
+        space=plan.id,
+        pose=Pose(float(at[0]), float(at[1]), 0.0, float(rng.uniform(-math.pi, math.pi))),
+        size=Size(*(side * scale for side in asset.usual)),
+        group=f"{plan.id}/green",
+        function="tree",
+    )
+
+
+def _lamps(plan: SitePlan, catalog: Catalog) -> Iterator[Piece]:
+    """Lamps on the pavements, their arms over the road."""
+    assets = catalog.of("lamp_post")
+    for count, (x, y, heading) in enumerate(_lamp_spots(plan)[:TREES] if assets else (), 1):
+        yield Piece(
+            id=f"{plan.id}/lamp_{count}",
+            category="lamp_post",
+            asset=assets[0].id,
+            space=plan.id,
+            pose=Pose(x, y, 0.0, heading),
+            size=assets[0].usual,
+            group=f"{plan.id}/green",
+            function="lamp",
+        )
+
+
+def _lamp_spots(plan: SitePlan) -> list[tuple[float, float, float]]:
+    """Place and heading of lamps on both sides of the roads in turn, inside, off other ways."""
+    found, owners = [np.zeros((0, 3))], [np.zeros(0, np.int64)]
+    for number, way in enumerate(plan.roads):
+        if way.kind != "road" or not kerb(way.width):
+            continue
+        for line in way.inside:
+            for side, start in ((1, LAMPS / 4), (-1, 3 * LAMPS / 4)):
+                at = _beside(line, side * (way.width / 2 - LAMP_IN), LAMPS, start)
+                at[:, 2] = (at[:, 2] - side * math.pi / 2 + math.pi) % (2 * math.pi) - math.pi
+                found.append(at)
+                owners.append(np.full(len(at), number))
+    spots, owner = np.concatenate(found), np.concatenate(owners)
+    areas = [
+        (number, shapely.Polygon(a.outline, a.holes))
+        for number, way in enumerate(plan.roads)
+        for a in way.areas
+    ]
+    floor = shapely.Polygon(plan.outline, plan.holes)
+    good = shapely.contains_xy(floor, spots[:, 0], spots[:, 1])
+    lamp, area = shapely.STRtree([shape for _, shape in areas]).query(
+        shapely.points(spots[:, :2]), predicate="intersects"
+    )
+    good[lamp[owner[lamp] != np.array([number for number, _ in areas], np.int64)[area]]] = False
+    return [(x, y, turn) for x, y, turn in spots[good].tolist()]

@@ -1,0 +1,128 @@
+"""What the default solver chooses by among layouts of a block: what is seen, sun, even spread."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.domains.site.problem import Flags, Floats, SiteProblem, sides_of
+from scenewright.domains.site.solvers.block import BlockLayout
+from scenewright.domains.site.solvers.front import inside
+from scenewright.domains.site.terms.table import MUCH, read_site_aims
+from scenewright.geometry.box_grid import box_grid
+from scenewright.geometry.sun import open_hours, sun_hours, sun_path
+from scenewright.geometry.walker import sights_of_boxes
+
+FAR, NEAR = 150.0, 60.0
+"""Buildings and eyes up to so many metres from a block are looked at with it."""
+EYES, RAYS = 48, 32
+"""Most eyes about a block, and rays of each."""
+LIT, MINUTES = 40, 60.0
+"""Most buildings of a block whose sun is looked at, and how often."""
+SEEN, SUN, EVEN = range(3)
+
+
+class Around(NamedTuple):
+    """A block about to be filled: its middle (2,) and size in metres, eyes (e, 2) near it, what
+    stands near, boxes (m, 5) with heights (m,) and sides (m, 5), the path of the sun (s, 4), and
+    the weights (3,) of the aims, 0 where there is nothing to look at."""
+
+    middle: Floats
+    size: float
+    eyes: Floats
+    boxes: Floats
+    heights: Floats
+    sides: Floats
+    path: Floats
+    weights: Floats
+
+
+def around(problem: SiteProblem, edges: Floats, boxes: Floats, present: Flags) -> Around:
+    """What is near a block of ``edges`` (e, 4), while ``boxes`` (n, 5) stand as far as
+    ``present`` (n,)."""
+    low, high = edges.reshape(-1, 2).min(0), edges.reshape(-1, 2).max(0)
+    ground, made = problem.ground, problem.buildings
+    every = np.concatenate([boxes[present], ground.landmarks])
+    near = ((every[:, :2] > low - FAR) & (every[:, :2] < high + FAR)).all(1)
+    heights = np.concatenate([made.sizes[present, 2], ground.landmark_heights])
+    sides = np.concatenate(
+        [
+            sides_of(made.sides, made.quality)[present],
+            sides_of(ground.landmark_sides, ground.landmark_quality),
+        ]
+    )
+    eyes = ground.eyes[((ground.eyes > low - NEAR) & (ground.eyes < high + NEAR)).all(1)]
+    eyes = eyes[np.unique(np.linspace(0, len(eyes) - 1, min(len(eyes), EYES)).astype(int))]
+    middle, area = _middle(edges)
+    path = sun_path(problem.latitude, problem.day, minutes=MINUTES)
+    weights = read_site_aims(problem.weights) * (len(eyes) > 0, len(path) > 0, 1.0)
+    return Around(middle, area**0.5, eyes, every[near], heights[near], sides[near], path, weights)
+
+
+def lacking(problem: SiteProblem, about: Around, found: BlockLayout) -> float:
+    """What a layout of a block lacks in the aims, by their weights; 0 is all one can wish for."""
+    if not len(found.numbers):
+        return float(about.weights.sum())
+    numbers, weights, made = list(found.numbers), about.weights, problem.buildings
+    heights = made.sizes[numbers, 2]
+    cost = 0.0
+    if weights[SEEN]:
+        every = np.concatenate([found.boxes, about.boxes])
+        sides = np.concatenate([sides_of(made.sides, made.quality)[numbers], about.sides])
+        grid = box_grid(every, np.concatenate([heights, about.heights]))
+        view = sights_of_boxes(grid, sides, about.eyes, 1.0, RAYS).values.mean()
+        cost += weights[SEEN] * (1.0 - float(view) / MUCH)
+    if weights[SUN]:
+        cost += weights[SUN] * (1.0 - _sunny(about, found.boxes, heights))
+    if weights[EVEN]:
+        cost += weights[EVEN] * uneven(found.boxes, about.middle, about.size)
+    return cost
+
+
+def uneven(boxes: Floats, middle: Floats, size: float) -> float:
+    """How far the middle of some boxes' ground lies off the ``middle`` (2,) of a block, in halves
+    of its ``size``, the root of its area in metres; at most 1.
+
+    >>> uneven(np.array([[3, 0, 0, 2, 2], [6, 0, 0, 2, 4.0]]), np.zeros(2), 20.0)
+    0.5
+    """
+    area = boxes[:, 3] * boxes[:, 4]
+    off = (area[:, None] * boxes[:, :2]).sum(0) / area.sum() - middle
+    return min(2.0 * float(np.hypot(*off)) / size, 1.0)
+
+
+def uneven_of(problem: SiteProblem, boxes: Floats) -> float:
+    """The mean of :func:`uneven` over the blocks of a site, by the ground that boxes (k, 5) take
+    in each; 0 without boxes in blocks."""
+    ground, sums, taken = problem.ground, 0.0, 0.0
+    for first, last in ground.block_spans.tolist():
+        edges = ground.block_edges[first:last]
+        own = boxes[inside(edges, boxes[:, :2])]
+        if len(own):
+            middle, area = _middle(edges)
+            share = float((own[:, 3] * own[:, 4]).sum())
+            sums += share * uneven(own, middle, area**0.5)
+            taken += share
+    return sums / taken if taken else 0.0
+
+
+def _sunny(about: Around, boxes: Floats, heights: Floats) -> float:
+    """Sun on the fronts of some of a block's buildings as a share of what a front to the sun
+    gets that has nothing before it."""
+    some = np.unique(np.linspace(0, len(boxes) - 1, min(len(boxes), LIT)).astype(int))
+    rest = np.setdiff1d(np.arange(len(boxes)), some)
+    others = np.concatenate([boxes[rest], about.boxes])
+    tops = np.concatenate([heights[rest], about.heights])
+    hours = sun_hours(boxes[some], heights[some], about.path, (others, tops))[:, 0]
+    best = open_hours([np.arctan2(about.path[:, 1].sum(), about.path[:, 0].sum())], about.path)
+    return float(hours.mean() / max(float(best[0, 0]), 1e-9))
+
+
+def _middle(edges: Floats) -> tuple[Floats, float]:
+    """The centroid (2,) and area of a polygon by its directed edges, holes included."""
+    x0, y0, x1, y1 = (edges - np.tile(edges[0, :2], 2)).T
+    cross = x0 * y1 - x1 * y0
+    area = 0.5 * float(cross.sum())
+    moments = np.array([((x0 + x1) * cross).sum(), ((y0 + y1) * cross).sum()])
+    return edges[0, :2] + moments / (6.0 * max(area, 1e-9)), max(area, 1e-9)

@@ -1,0 +1,211 @@
+"""The default solver of sites: blocks filled row by row, forms chosen block by block.
+
+Every block gets its share of the buildings and tries forms (rows parallel or staggered, around
+its rim, both), headings and orders (low models first, or those that look best); gaps widen until
+the block is just filled. Placed buildings keep their distances by construction, so the search only
+chooses among valid layouts, and the work grows with the number of blocks and rows, not with pairs
+of buildings.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from scenewright.domains.site.problem import Flags, Floats, SiteProblem, sides_of
+from scenewright.domains.site.solvers.aims import Around, around, lacking
+from scenewright.domains.site.solvers.block import (
+    BlockLayout,
+    forms,
+    headings,
+    lay_out_block,
+    list_reserved_edges,
+    loosen_layout,
+)
+from scenewright.domains.site.solvers.improve import improve_layout
+from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
+
+TRIED = 8
+LOOSEST = (3.0, 1.5, 1.0, 1.0, 1.0)
+VARIETY = 0.05  # how much chance has a say among forms about as good
+ASKEW = 0.5  # what half a turn off the preferred heading costs, in shares of a block's buildings
+
+
+def fill_site(
+    problem: SiteProblem,
+    budget: Budget,
+    seed: int,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> SiteFound:
+    """Fill all blocks of a site from the sunny side on; what finds no place in its block goes on
+    to the next. If anything is left over, gaps may widen less, in the end not at all. ``steps`` are
+    layouts tried for each block. Deterministic by seed unless the budget is in seconds."""
+    watch = BudgetWatch(budget._replace(steps=None), None, cancel)
+    tried = max((budget.steps or TRIED), 1)
+    best: SiteFound | None = None
+    done, rng = 0, np.random.default_rng(seed)
+    for loosest in LOOSEST:
+        if progress is not None:
+            progress(done / (done + 1.0), 0.0)
+        found = _fill_blocks(problem, loosest, tried, rng, watch, done)
+        done += found.evaluations
+        if best is None or found.present.sum() > best.present.sum():
+            best = found
+        if best.present.all() or watch.over(done, 0.0):
+            break
+    assert best is not None
+    return improve_layout(problem, best._replace(evaluations=done), seed, watch)
+
+
+def _fill_blocks(
+    problem: SiteProblem,
+    loosest: float,
+    tried: int,
+    rng: np.random.Generator,
+    watch: BudgetWatch,
+    before: int,
+) -> SiteFound:
+    """One filling of all blocks, gaps at most ``loosest`` times the least; at 1 each block takes
+    all it can, not its share."""
+    n = len(problem.buildings.sizes)
+    boxes, present, forms = np.zeros((n, 5)), np.zeros(n, bool), [""] * n
+    order = _southern_first(problem)
+    left, done = _low_first(problem), 0
+    for count, b in enumerate(order):
+        if watch.over(before + done, 0.0) and count:
+            break
+        share = left if loosest == 1.0 else _share(problem, left, order[count:])
+        ground = _ground(problem, b, boxes, present, share)
+        about = around(problem, _edges(problem, b), boxes, present)
+        found = _best(
+            problem, about, ground, share, (tried if loosest > 1.0 else 4 * tried, loosest), rng
+        )
+        done += tried
+        left = _record_block(found, left, boxes, present, forms)
+    for b in order if left else []:
+        ground = _ground(problem, b, boxes, present, left)
+        found = lay_out_block(problem, ground, left, problem.facing, "parallel", 1.0)
+        left = _record_block(found, left, boxes, present, forms)
+    return SiteFound(boxes, present, {}, done, 1, tuple(forms))
+
+
+def _record_block(
+    found: BlockLayout, left: list[int], boxes: Floats, present: Flags, forms: list[str]
+) -> list[int]:
+    """Write the buildings of a block down; those that are still left."""
+    for i, box in zip(found.numbers, found.boxes, strict=True):
+        boxes[i], present[i], forms[i] = box, True, found.form
+    return [i for i in left if not present[i]]
+
+
+def _southern_first(problem: SiteProblem) -> list[int]:
+    """Blocks from the side the fronts look to."""
+    front = np.array([math.cos(problem.facing), math.sin(problem.facing)])
+    middles = [_edges(problem, b)[:, :2].mean(0) @ front for b in range(len(_areas(problem)))]
+    return np.argsort(-np.array(middles), kind="stable").tolist()
+
+
+def _low_first(problem: SiteProblem) -> list[int]:
+    """Buildings by model, the lowest models first: like ones together, tall ones where their
+    shadow falls on few."""
+    sizes, models = problem.buildings.sizes, problem.buildings.models
+    tall = {m: float(sizes[models == m, 2].max()) for m in np.unique(models).tolist()}
+    return sorted(range(len(sizes)), key=lambda i: (tall[int(models[i])], int(models[i]), i))
+
+
+def _areas(problem: SiteProblem) -> Floats:
+    return np.asarray(problem.ground.block_areas, np.float64)
+
+
+def _share(problem: SiteProblem, left: list[int], blocks: list[int]) -> list[int]:
+    """The buildings the first of some blocks takes of those that are left: the next ones, up to
+    its share of the ground."""
+    areas, sizes = _areas(problem), problem.buildings.sizes
+    share = float(areas[blocks[0]] / areas[blocks].sum())
+    floor = np.array([_ground_of(problem, sizes[i]) for i in left])
+    if not len(floor):
+        return []
+    count = int(np.searchsorted(np.cumsum(floor) - 0.5 * floor, share * floor.sum()))
+    return left[:count]
+
+
+def _ground_of(problem: SiteProblem, size: Floats) -> float:
+    """Ground a building needs with its distances."""
+    behind = max(problem.spacing, problem.sun_spacing * float(size[2]))
+    return float((size[0] + problem.spacing) * (size[1] + behind))
+
+
+def _edges(problem: SiteProblem, b: int) -> Floats:
+    first, last = problem.ground.block_spans[b]
+    return problem.ground.block_edges[first:last]
+
+
+def _ground(
+    problem: SiteProblem, b: int, boxes: Floats, present: Flags, waiting: list[int]
+) -> Floats:
+    """Edges of a block less what stands near with its distances."""
+    edges, sizes = _edges(problem, b), problem.buildings.sizes
+    low, high = edges.reshape(-1, 2).min(0), edges.reshape(-1, 2).max(0)
+    standing = np.concatenate([boxes[present], problem.ground.landmarks])
+    heights = np.concatenate([sizes[present, 2], problem.ground.landmark_heights])
+    ahead = float(sizes[waiting, 2].max()) if waiting else 0.0
+    far = (
+        problem.spacing
+        + problem.sun_spacing * np.maximum(heights, ahead)
+        + standing[:, 3:].max(1, initial=0.0)
+    )
+    near = ((standing[:, :2] + far[:, None] > low) & (standing[:, :2] - far[:, None] < high)).all(1)
+    if not near.any():
+        return edges
+    return np.concatenate(
+        [edges, list_reserved_edges(problem, standing[near], heights[near], ahead)]
+    )
+
+
+def _best(
+    problem: SiteProblem,
+    about: Around,
+    edges: Floats,
+    share: list[int],
+    effort: tuple[int, float],
+    rng: np.random.Generator,
+) -> BlockLayout:
+    """The best of several layouts of one block: most floor placed, then what it lacks in the aims
+    and how far fronts are turned away. Aims are looked at only where they may decide."""
+    ways, allowed = headings(problem, edges), forms(problem, share)
+    best, least = BlockLayout((), np.zeros((0, 5)), "parallel"), math.inf
+    looks = sides_of(problem.buildings.sides, problem.buildings.quality)[:, :4].mean(1)
+    handsome = sorted(share, key=lambda i: (-float(looks[i]), i))
+    for k in range(effort[0] if share else 0):
+        heading = ways[0] if k < 4 else ways[int(rng.integers(len(ways)))]
+        form, queue = allowed[k % len(allowed)], list(share)
+        if k and effort[1] == 1.0:
+            queue = _shuffle_buildings(problem, share, rng)
+        elif k % 8 >= 4:
+            queue = handsome
+        found = loosen_layout(problem, edges, queue, heading, form, effort[1])
+        cost = _cost(problem, found, share) + VARIETY * float(rng.random())
+        cost += lacking(problem, about, found) if cost < least else 0.0
+        if cost < least:
+            best, least = found, cost
+    return best
+
+
+def _shuffle_buildings(
+    problem: SiteProblem, share: list[int], rng: np.random.Generator
+) -> list[int]:
+    """The buildings model by model, the models in any order."""
+    models = problem.buildings.models
+    drawn = rng.permutation(np.unique(models[share])).tolist()
+    return sorted(share, key=lambda i: (drawn.index(int(models[i])), i))
+
+
+def _cost(problem: SiteProblem, found: BlockLayout, share: list[int]) -> float:
+    """Share of the floor not placed, and how far fronts are turned from the preferred heading."""
+    area = problem.buildings.sizes[:, :2].prod(1)
+    missing = 1.0 - area[list(found.numbers)].sum() / max(float(area[share].sum()), 1e-9)
+    turns = np.abs((found.boxes[:, 2] - problem.facing + math.pi) % (2 * math.pi) - math.pi)
+    return float(missing) * 10.0 + ASKEW * float(turns.mean() if len(turns) else 0.0) / math.pi

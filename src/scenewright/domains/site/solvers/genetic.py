@@ -1,0 +1,261 @@
+"""Genetic algorithms over the matrix code of sites (Zhang, Yang 2023): theirs, and a simple one.
+
+Ask / tell, so what is told may come from a measure or from a person who rates layouts: an energy
+is a rating with its sign turned. Chromosomes travel as rows (cells · 3,) of whole numbers.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from scenewright.domains.site.encodings.cell_moves import (
+    CROSSOVER,
+    MUTATION,
+    cross,
+    mutate,
+    random_genes,
+    repair_genes,
+    roulette,
+    spread,
+    tournament,
+)
+from scenewright.domains.site.encodings.cells import Ints, SiteLattice, decode_genes
+from scenewright.domains.site.problem import Floats, SiteProblem
+from scenewright.domains.site.solvers.answer import Measure, answer, make_measure
+from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.terms.measure import lay
+from scenewright.domains.site.terms.table import LEFT, QUALITY
+from scenewright.domains.site.terms.value import OMEGA, Worth, make_worth, value_parts
+from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
+
+POPULATION, GENERATIONS = 10, 200
+ALIKE = 0.002
+"""δ of (12): how little the values may differ when the global search ends."""
+POSITION = 0.1
+"""What a building's mean position cost of (5) takes off the value of (22)."""
+STALLED = 40
+"""Generations of local search without gain after which a run without a budget ends."""
+
+
+class Bred(NamedTuple):
+    """A generation: genes (P, cells · 3) and their energies (P,), its number, the generation in
+    which ρ <= 0 ended the global search (-1: not yet), and generations without gain since."""
+
+    genes: Floats
+    energies: Floats
+    age: int
+    settled: int
+    stalled: int
+
+
+class MatrixGenetic(NamedTuple):
+    """Ask / tell over matrix codes, as :class:`scenewright.engine.solve.PopulationSolver`.
+
+    ``points`` of the crossover; ``keep`` how many of the best stay; ``led`` how much the visual
+    quality rules the first layouts; ``local`` whether, once the individuals are alike, the best
+    one is searched around by single-point mutations; ``ends`` whether the search ends there.
+
+    Ratings may come from anybody who looks at the layouts: told with their sign turned, the best
+    rated breed. Here somebody likes buildings in the west.
+
+    >>> from scenewright import read
+    >>> from scenewright.domains.site.solving import problems
+    >>> from scenewright.domains.site.solvers.lattice import make_cells
+    >>> problem = problems(read("sample:site-30"))[0]
+    >>> cells = make_cells(problem)
+    >>> solver, judge = MatrixGenetic(cells, problem.buildings.quality), make_judge(problem, cells)
+    >>> rng, wide = np.random.default_rng(0), np.zeros(cells.fits.shape[2] * 3)
+    >>> state, likings = solver.init(rng, wide, wide), []
+    >>> for generation in range(12):
+    ...     genes, state = solver.ask(state, rng)
+    ...     boxes = judge.boxes(genes)
+    ...     ratings = -np.array([one[one[:, 3] > 0, 0].mean() for one in boxes])
+    ...     state = solver.tell(state, genes, -ratings)
+    ...     likings.append(float(ratings.max()))
+    >>> likings[-1] > likings[0]
+    True
+    """
+
+    cells: SiteLattice
+    quality: Floats
+    population: int = POPULATION
+    crossover: float = CROSSOVER
+    mutation: float = MUTATION
+    selection: Literal["tournament", "roulette"] = "tournament"
+    points: int = 2
+    keep: int = 1
+    led: float = 0.5
+    local: bool = True
+    ends: bool = False
+
+    def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Bred:  # noqa: ARG002
+        """Nothing judged yet."""
+        return Bred(np.empty((0, len(low))), np.empty(0), 0, -1, 0)
+
+    def ask(self, state: Bred, rng: np.random.Generator) -> tuple[Floats, Bred]:
+        """Layouts to be judged: random ones at first, then the kept best and children."""
+        if state.age == 0:
+            first = [
+                random_genes(self.cells, rng, self.quality, self.led)
+                for _ in range(self.population)
+            ]
+            return np.array(first, float).reshape(self.population, -1), state
+        order = np.argsort(state.energies, kind="stable")
+        parents = state.genes.astype(np.int64).reshape(len(order), -1, 3)
+        if self.local and state.settled >= 0:
+            children = self._around(parents[order[0]], rng)
+        else:
+            children = self._bred(parents, state.energies, rng)
+        rows = [*parents[order[: self.keep]], *children][: self.population]
+        return np.array(rows, float).reshape(self.population, -1), state
+
+    def _around(self, best: Ints, rng: np.random.Generator) -> list[Ints]:
+        """Local search: the best one with one to three mutations."""
+        children = [best.copy() for _ in range(self.population)]
+        for child in children:
+            for _ in range(int(rng.integers(1, 4))):
+                mutate(self.cells, child, rng)
+        return children
+
+    def _bred(self, parents: Ints, energies: Floats, rng: np.random.Generator) -> list[Ints]:
+        """Global search: parents drawn, crossed, repaired, mutated."""
+        draw = tournament if self.selection == "tournament" else roulette
+        chosen = draw(energies, 2 * ((self.population + 1) // 2), rng)
+        children: list[Ints] = []
+        for a, b in chosen.reshape(-1, 2):
+            pair = parents[a].copy(), parents[b].copy()
+            if rng.random() < self.crossover:
+                crossed = cross(parents[a], parents[b], rng, self.points)
+                pair = (
+                    repair_genes(self.cells, crossed[0], rng),
+                    repair_genes(self.cells, crossed[1], rng),
+                )
+            children += pair
+        for child in children:
+            if rng.random() < self.mutation:
+                mutate(self.cells, child, rng)
+        return children
+
+    def tell(self, state: Bred, genes: Floats, energies: Floats) -> Bred:
+        """The next generation's parents; whether they are alike by (12)."""
+        settled, before = state.settled, state.energies.min(initial=math.inf)
+        if settled < 0 and spread(-energies, ALIKE) <= 0.0:
+            settled = state.age + 1
+        gained = energies.min() < before - 1e-12
+        stalled = 0 if gained or settled < 0 or not self.local else state.stalled + 1
+        return Bred(genes, energies, state.age + 1, settled, stalled)
+
+
+class MatrixJudge(NamedTuple):
+    """What judges chromosomes without a person: -F_eva of (22), and ``position`` times the mean
+    position costs of (5), which are none as printed."""
+
+    cells: SiteLattice
+    measure: Measure
+    worth: Worth
+    omega: tuple[float, ...] = OMEGA
+    position: float = POSITION
+
+    def energies(self, genes: Floats) -> Floats:
+        """Energies (P,) of chromosomes (P, cells · 3), about -1 … 0; lower is better."""
+        p, s = self.measure
+        parts, found = np.empty(len(OMEGA)), np.empty(len(genes))
+        weights = p.weights.copy()
+        weights[[QUALITY, LEFT]] = 0.0
+        for k, boxes in enumerate(self.boxes(genes)):
+            lay(p, s, boxes)
+            value_parts(s, self.worth, parts)
+            position = float(weights @ s.sums) / max(len(boxes), 1)
+            found[k] = self.position * position - float(parts @ np.array(self.omega))
+        return found
+
+    def boxes(self, genes: Floats) -> Floats:
+        """Boxes (P, n, 5) of chromosomes; of no width: left out."""
+        found = np.empty((len(genes), len(self.cells.members), 5))
+        used = np.zeros_like(self.cells.counts())
+        for k, row in enumerate(genes):
+            whole = np.ascontiguousarray(row.reshape(-1, 3).astype(np.int64))
+            decode_genes(self.cells, whole, used, found[k])
+        return found
+
+
+def make_judge(
+    problem: SiteProblem, cells: SiteLattice, liked: Floats | None = None
+) -> MatrixJudge:
+    """A judge of a problem's chromosomes; ``liked`` (n,) a person's preference of buildings."""
+    return MatrixJudge(cells, make_measure(problem), make_worth(problem, liked))
+
+
+def evolve(
+    problem: SiteProblem,
+    solver: MatrixGenetic,
+    judge: MatrixJudge,
+    budget: Budget,
+    seed: int,
+    progress: Progress | None,
+    cancel: Cancel | None,
+) -> SiteFound:
+    """Breed until the budget is spent; without one 200 generations, or until nothing is gained;
+    or until (12) says that all are alike, if the search ends there."""
+    watch, rng = BudgetWatch(budget, progress, cancel), np.random.default_rng(seed)
+    if budget.steps:
+        solver = solver._replace(population=min(solver.population, budget.steps))
+    width = solver.cells.fits.shape[2] * 3
+    state, done = solver.init(rng, np.zeros(width), np.zeros(width)), 0
+    best, least = np.zeros(width), math.inf
+    bounded = budget.steps is not None or budget.seconds is not None
+    while True:
+        genes, state = solver.ask(state, rng)
+        energies = judge.energies(genes)
+        state, done = solver.tell(state, genes, energies), done + len(genes)
+        first = int(energies.argmin())
+        if energies[first] < least:
+            best, least = genes[first].copy(), float(energies[first])
+        spent = not bounded and (state.age == GENERATIONS or state.stalled > STALLED)
+        spent = spent or (solver.ends and state.settled >= 0)
+        full = budget.steps is not None and done + solver.population > budget.steps
+        if watch.over(done, least) or spent or full:
+            break
+    settled = state.settled if state.settled >= 0 else state.age
+    return answer(problem, judge.boxes(best[None])[0], done, settled)
+
+
+def viewpoint_site(
+    problem: SiteProblem,
+    budget: Budget,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> SiteFound:
+    """The paper's algorithm with its measure in place of the person; a step is a layout. In the
+    form printed, (22) alone judges, and (12) ends the search."""
+    cells, printed = make_cells(problem), problem.form == "printed"
+    solver = MatrixGenetic(cells, problem.buildings.quality, local=not printed, ends=printed)
+    judge = make_judge(problem, cells)._replace(position=0.0 if printed else POSITION)
+    return evolve(problem, solver, judge, budget, seed, progress, cancel)
+
+
+def simple_site(
+    problem: SiteProblem,
+    budget: Budget,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> SiteFound:
+    """The simple genetic algorithm (Goldberg 1989) over the same code and measure: selection in
+    proportion to fitness, one-point crossover, nobody kept, no local search."""
+    cells = make_cells(problem)
+    solver = MatrixGenetic(
+        cells,
+        problem.buildings.quality,
+        selection="roulette",
+        points=1,
+        keep=0,
+        led=0.0,
+        local=False,
+    )
+    return evolve(problem, solver, make_judge(problem, cells), budget, seed, progress, cancel)

@@ -1,0 +1,237 @@
+"""Sites: groups of buildings on ground between streets, around landmarks that stand.
+
+After Zhang, Yang 2023: buildings of a library fill the ground in planar forms; ours fills block
+by block with rows and courts that keep their distances by construction.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections import Counter
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright._version import __version__
+from scenewright.catalog.appearance import facts
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Catalog
+from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece
+from scenewright.core.solution import LeftOut, Solution, TermValue
+from scenewright.domains.site.access import find_reached_buildings
+from scenewright.domains.site.brief import Site
+from scenewright.domains.site.build_problem import Looks, build_problem
+from scenewright.domains.site.furnish import buildings, fixed_buildings, landmark_assets, landmarks
+from scenewright.domains.site.holdings import BuildingDemand, collect_buildings
+from scenewright.domains.site.plan import site_plans
+from scenewright.domains.site.planting import green
+from scenewright.domains.site.presets import PRESETS, SitePreset
+from scenewright.domains.site.problem import Flags, SiteProblem
+from scenewright.domains.site.reasons import reasons
+from scenewright.domains.site.solvers import SITE_SOLVERS
+from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.engine.solve import Budget
+from scenewright.ground.plan import SitePlan
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+
+__all__ = ["PRESETS", "problems", "solve"]
+
+
+class Built(NamedTuple):
+    """One site built on."""
+
+    site: str
+    pieces: tuple[Piece, ...]
+    terms: tuple[TermValue, ...]
+    left_out: tuple[LeftOut, ...]
+    evaluations: int
+
+
+def solve(
+    brief: Brief,
+    *,
+    plan: Plan | None = None,
+    preset: str = "default",
+    solver: str | None = None,
+    seconds: float | None = None,
+    steps: int | None = None,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Solution:
+    """Place the buildings of every site of a brief.
+
+    ``steps`` are layouts looked at (of each block, by the default solver); the same seed and
+    steps give the same answer. ``plan`` is that of the brief (made unless given). ``progress``
+    hears the share done; when ``cancel`` answers true, what was found so far is returned.
+    """
+    started = time.perf_counter()
+    if preset not in PRESETS:
+        raise InputError(f"there is no preset '{preset}'", "one of " + ", ".join(PRESETS))
+    chosen, catalog = PRESETS[preset], catalog_of(brief.catalogs)
+    named = solver or chosen.solver
+    budget = Budget(seconds, steps, threads=threads)
+    found = []
+    grounds = plan.detail if plan else site_plans(brief.part.sites, catalog)
+    for number, (site, ground) in enumerate(zip(brief.part.sites, grounds, strict=True)):
+        place = f"sites[{number}]"
+        heard = None if progress is None else _part(progress, number, len(grounds), ground.name)
+        rng_seed = seed + 7919 * number
+        found.append(
+            _build(site, ground, place, catalog, chosen, named, budget, rng_seed, heard, cancel)
+        )
+    return assemble_solution(brief, found, preset, named, seed, time.perf_counter() - started)
+
+
+def assemble_solution(
+    brief: Brief, found: list[Built], preset: str, solver: str, seed: int, seconds: float
+) -> Solution:
+    """The solution of all sites of a brief."""
+    return Solution(
+        brief=brief,
+        pieces=tuple(piece for one in found for piece in one.pieces),
+        patches=(),
+        terms=tuple(term for one in found for term in one.terms),
+        left_out=tuple(out for one in found for out in one.left_out),
+        energies={one.site: sum(term.cost for term in one.terms) for one in found},
+        preset=preset,
+        solver=solver,
+        seed=seed,
+        version=__version__,
+        brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
+        seconds=seconds,
+        evaluations=sum(one.evaluations for one in found),
+    )
+
+
+def _part(progress: Progress, number: int, count: int, name: str) -> Callable[[float, float], None]:
+    return lambda share, _best: progress((number + share) / count, name)
+
+
+def _build(
+    site: Site,
+    plan: SitePlan,
+    place: str,
+    catalog: Catalog,
+    preset: SitePreset,
+    solver: str,
+    budget: Budget,
+    seed: int,
+    progress: Callable[[float, float], None] | None,
+    cancel: Cancel | None,
+) -> Built:
+    rows, problem = build_site_problem(site, plan, place, catalog, preset, progress)
+    if budget.steps is None and budget.seconds is None and solver == preset.solver:
+        budget = budget._replace(steps=preset.steps)
+    found = SITE_SOLVERS[solver].run(problem, budget, seed, progress, cancel)
+    found, cut_off = _reached_only(plan, found, site.fire_access)
+    return furnish_site(site, plan, rows, problem, found, cut_off, catalog, seed)
+
+
+def furnish_site(
+    site: Site,
+    plan: SitePlan,
+    rows: list[BuildingDemand],
+    problem: SiteProblem,
+    found: SiteFound,
+    cut_off: Flags,
+    catalog: Catalog,
+    seed: int,
+) -> Built:
+    """A site as built: its pieces, terms, and what was left out, ``cut_off`` (n,) for want of a
+    way."""
+    standing = (*landmarks(plan, catalog), *fixed_buildings(plan))
+    placed = buildings(plan, rows, found.boxes, found.present)
+    grown = green(plan, (*standing, *placed), catalog, np.random.default_rng(seed))
+    return Built(
+        plan.id,
+        (*standing, *placed, *grown),
+        reasons(problem, found, plan.id),
+        (*_left_out(plan, rows, found.present | cut_off), *_cut_off(site, plan, rows, cut_off)),
+        found.evaluations,
+    )
+
+
+def problems(brief: Brief, preset: str = "default") -> tuple[SiteProblem, ...]:
+    """The sites of a brief as problems, for solvers of :data:`SITE_SOLVERS` run by oneself."""
+    catalog = catalog_of(brief.catalogs)
+    return tuple(
+        build_site_problem(site, plan, f"sites[{number}]", catalog, PRESETS[preset], None)[1]
+        for number, (site, plan) in enumerate(
+            zip(brief.part.sites, site_plans(brief.part.sites, catalog), strict=True)
+        )
+    )
+
+
+def build_site_problem(
+    site: Site,
+    plan: SitePlan,
+    place: str,
+    catalog: Catalog,
+    preset: SitePreset,
+    progress: Callable[[float, float], None] | None,
+) -> tuple[list[BuildingDemand], SiteProblem]:
+    """What a site is to hold, one row a building, and the problem of placing it."""
+    rows = collect_buildings(site, plan, place, catalog)
+    looks = _looks(plan, rows, catalog, preset, progress)
+    return rows, build_problem(site, plan, rows, preset.weights, looks)._replace(form=preset.form)
+
+
+def _looks(
+    plan: SitePlan,
+    rows: list[BuildingDemand],
+    catalog: Catalog,
+    preset: SitePreset,
+    progress: Callable[[float, float], None] | None,
+) -> Looks:
+    """How all models of a site look."""
+    stay = (catalog.assets[row.model] for row in plan.fixed)
+    marks = (*landmark_assets(plan, catalog), *stay)
+    heard = None if progress is None else lambda _share, _name: progress(0.0, 0.0)
+    found = facts([*(row.asset for row in rows), *(mark for mark in marks if mark)], heard)
+    return Looks(found, tuple(mark.id if mark else "" for mark in marks), preset.measure)
+
+
+def _reached_only(plan: SitePlan, found: SiteFound, width: float) -> tuple[SiteFound, Flags]:
+    """What was found without the buildings that no way leads to, and which those are."""
+    cut_off = np.zeros(len(found.present), np.bool_)
+    cut_off[found.present] = ~find_reached_buildings(plan, found.boxes[found.present], width)
+    if cut_off.any():
+        found = found._replace(present=found.present & ~cut_off, score={})
+    return found, cut_off
+
+
+def _cut_off(
+    site: Site, plan: SitePlan, rows: list[BuildingDemand], cut_off: Flags
+) -> tuple[LeftOut, ...]:
+    """Buildings that no way leads to where they would stand, by model."""
+    told = f"no way {site.fire_access:g} m wide leads to where there is room for it"
+    missing = Counter(row for row, lost in zip(rows, cut_off, strict=True) if lost)
+    return tuple(
+        LeftOut(plan.id, f"{count} of {row.name}" if count > 1 else row.name, told, row.required)
+        for row, count in missing.items()
+    )
+
+
+def _left_out(plan: SitePlan, rows: list[BuildingDemand], present: Flags) -> tuple[LeftOut, ...]:
+    """Buildings without a place, by model, and how much ground they lack."""
+    missing = Counter(row for row, there in zip(rows, present, strict=True) if not there)
+    asked = Counter(rows)
+    return tuple(
+        LeftOut(
+            plan.id,
+            f"{count} of {asked[row]} {row.name}" if asked[row] > 1 else row.name,
+            f"no place left for {row.size.width:g} x {row.size.depth:g} m on "
+            f"{plan.buildable:.0f} m² that can be built on",
+            row.required,
+        )
+        for row, count in missing.items()
+    )

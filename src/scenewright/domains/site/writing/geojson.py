@@ -1,0 +1,136 @@
+"""A solved site as GeoJSON (RFC 7946): outline, roads, footprints with heights and names.
+
+In longitude and latitude (WGS 84) if every site has an ``origin``; else in the metres of the
+reference system that all sites came from, which the file names (``crs``, of GeoJSON before the
+RFC). Other metres are not written: every reader would take them for degrees. The tags are those of
+OpenStreetMap, and the file reads as a site again.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+import numpy as np
+
+from scenewright.catalog import credits as authorship
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.atomic_file import write_atomically
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.core.space import Points
+from scenewright.domains.site.brief import Site
+from scenewright.domains.site.plan import plans_of
+from scenewright.domains.site.shapes import StandingBuilding, standing
+from scenewright.ground.plan import SitePlan, Way
+from scenewright.ground.projection import Projection, coordinates_of, projection
+from scenewright.ground.reference_system import urn_of
+
+FIELDS = (
+    "setback",
+    "road_setback",
+    "spacing",
+    "sun_spacing",
+    "floor_area_ratio",
+    "coverage",
+    "height_limit",
+    "fire_access",
+    "sun_hours",
+    "day",
+)
+
+
+def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
+    """Write the map of a solution to ``path``; the file appears whole or not at all."""
+    write_atomically(path, json.dumps(document(solution, plan), ensure_ascii=False) + "\n")
+
+
+def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
+    """The FeatureCollection of a solution of sites."""
+    check(solution.brief)
+    plans: tuple[SitePlan, ...] = made.detail if made else plans_of(solution.brief)
+    rows = standing(solution, plans)
+    in_degrees = _in_degrees(solution.brief)
+    features: list[dict[str, Any]] = []
+    for site, plan in zip(solution.brief.part.sites, plans, strict=True):
+        map_ = _projection(site, in_degrees)
+        features.append(_site(site, plan, map_))
+        features += [_way(way, map_) for way in plan.roads]
+        features += [_building(row, map_) for row in rows if row.site == plan.id]
+    found: dict[str, Any] = {
+        "type": "FeatureCollection",
+        "name": solution.brief.name,
+        "features": features,
+    }
+    models = catalog_of(solution.brief.catalogs)
+    found["credits"] = authorship.document(authorship.credits_of(solution.pieces, models))
+    if not in_degrees:
+        name = {"name": urn_of(solution.brief.part.sites[0].system)}
+        found["crs"] = {"type": "name", "properties": name}
+    return found
+
+
+def check(brief: Brief) -> None:
+    """Raise :class:`InputError` if it is not known where on earth the sites of a brief lie."""
+    systems = {urn_of(site.system) for site in brief.part.sites}
+    if not _in_degrees(brief) and (len(systems) != 1 or "" in systems):
+        raise InputError(
+            "GeoJSON is in degrees, and the brief does not tell where its sites lie",
+            'give each site an "origin": [longitude, latitude]',
+        )
+
+
+def _in_degrees(brief: Brief) -> bool:
+    return all(site.origin for site in brief.part.sites)
+
+
+def _projection(site: Site, in_degrees: bool) -> Projection:
+    if in_degrees:
+        return projection(np.array([site.origin], float))
+    return Projection(site.shift, (1.0, 1.0), False)
+
+
+def _site(site: Site, plan: SitePlan, map_: Projection) -> dict[str, Any]:
+    values = {field: getattr(site, field) for field in FIELDS}
+    stated = {field: value for field, value in values.items() if value is not None}
+    rings = [_ring(ring, map_) for ring in (plan.outline, *plan.holes)]
+    return _feature(plan.id, "Polygon", rings, {"site": "yes", "name": plan.name} | stated)
+
+
+def _way(way: Way, map_: Projection) -> dict[str, Any]:
+    kind = "residential" if way.kind == "road" else "footway"
+    told = {"highway": kind, "name": way.name, "width": way.width}
+    return _feature(way.id, "LineString", _points(way.line, map_), told)
+
+
+def _building(row: StandingBuilding, map_: Projection) -> dict[str, Any]:
+    north = (90.0 - float(np.rad2deg(row.heading))) % 360.0
+    told: dict[str, Any] = {
+        "building": "yes",
+        "name": row.name,
+        "height": round(row.high - row.low, 3),
+        "building:levels": row.floors,
+        "model": row.model,
+        "direction": round(north, 2),
+        "landmark": "yes" if row.landmark else "no",
+    }
+    return _feature(row.id, "Polygon", [_ring(row.footprint, map_)], told)
+
+
+def _feature(name: str, kind: str, coordinates: Any, told: dict[str, Any]) -> dict[str, Any]:
+    properties = {key: value for key, value in told.items() if value != ""}
+    geometry = {"type": kind, "coordinates": coordinates}
+    return {"type": "Feature", "id": name, "properties": properties, "geometry": geometry}
+
+
+def _ring(ring: Points, map_: Projection) -> list[list[float]]:
+    return _points(np.vstack([ring, ring[:1]]), map_)
+
+
+def _points(points: Points, map_: Projection) -> list[list[float]]:
+    """Degrees to 1e-8 (a millimetre), metres to a millimetre."""
+    found: list[list[float]] = coordinates_of(map_, points).round(8 if map_.turns else 3).tolist()
+    return found

@@ -1,0 +1,113 @@
+"""Which way people go in and out: triangles at the doors to the outside, and door widths."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from scenewright.core.space import Opening
+from scenewright.drawing.marks import (
+    EXIT,
+    FINE,
+    GREY,
+    INK,
+    PaperView,
+    group,
+    plate,
+    shape,
+    text,
+    text_width,
+    to_paper,
+)
+from scenewright.drawing.shell import frame_of
+
+AWAY, LONG, WIDE = 0.9, 2.3, 2.6
+"""Millimetres from the wall to a triangle, its length and its width."""
+
+FIGURE, NOTE, LEAST = 1.5, 1.8, 1.1
+"""Text heights in millimetres: widths in doors, notes beside them, the least that can be read."""
+
+WORDS = {"entrance": "Entrance", "exit": "Exit", "both": "In and out"}
+
+Vector = NDArray[np.float64]
+
+
+def doors_mark(
+    view: PaperView, openings: Sequence[Opening], middle: ArrayLike | None = None
+) -> str:
+    """Widths in the doors between rooms and a triangle at those that lead outside. In halls
+    there are words and the width beside the triangle, towards the ``middle`` of the plan."""
+    doors = [opening for opening in openings if opening.kind != "window"]
+    marks = []
+    for door in doors:
+        if len(door.spaces) > 1:
+            marks.append(_width(view, door))
+        elif middle is None:
+            marks.append(_width(view, door) + _before(view, door))
+        else:
+            marks.append(_note(view, door, np.asarray(middle, dtype=float)))
+    return group(marks)
+
+
+def outwards(door: Opening) -> Vector:
+    """Unit vector of the plan out of the first of the door's spaces, which lies on its left."""
+    return -frame_of(door)[2]
+
+
+def _before(view: PaperView, door: Opening) -> str:
+    """A triangle before the door, or behind it where its leaf turns outwards."""
+    side = outwards(door) * (-1.0 if door.swing < 0 else 1.0)
+    face = frame_of(door)[0] + side * door.thickness / 2
+    at = to_paper(view, face) + (AWAY + LONG / 2) * _paper(side)
+    return triangle(at, _paper(-outwards(door)), INK)
+
+
+def triangle(at: Vector, way: Vector, fill: str) -> str:
+    """A triangle on paper, its middle at ``at``, that points along ``way``."""
+    half = WIDE / 2 * np.array([-way[1], way[0]])
+    foot = at - LONG / 2 * way
+    corners = [at + LONG / 2 * way, foot + half, foot - half]
+    return shape([corners], fill=fill, stroke="#ffffff", stroke_width=FINE)
+
+
+def _width(view: PaperView, door: Opening) -> str:
+    """The clear width in metres, set into the opening where the wall is thick enough."""
+    size = min(FIGURE, 0.62 * door.thickness * view.scale)
+    words = f"{door.width:.2f}"
+    room = door.width * view.scale - 0.6
+    if size < LEAST or text_width(words, size) > room or (door.kind == "door" and not door.hinge):
+        return ""
+    middle, along, _ = frame_of(door)
+    return text(words, to_paper(view, middle), size, _turn(along), fill=GREY, stroke="none")
+
+
+def _note(view: PaperView, door: Opening, middle: Vector) -> str:
+    """Triangles in and out, what the door is for and its width: outside, beside it."""
+    at, along, _ = frame_of(door)
+    out = _paper(outwards(door))
+    sign = 1.0 if (middle - at) @ along > 0 else -1.0
+    along = sign * _paper(along)
+    place = to_paper(view, at) + out * (door.thickness / 2 * view.scale + AWAY + LONG / 2)
+    place = place + along * (door.width / 2 * view.scale + 0.8 + WIDE / 2)
+    marks = []
+    for use, way, fill in (("entrance", -out, INK), ("exit", out, EXIT)):
+        if door.use in (use, "both"):
+            marks.append(triangle(place, way, fill))
+            place = place + (WIDE + 0.5) * along
+    words = f"{WORDS[door.use]} {door.width:.2f} m"
+    place = place + along * (text_width(words, NOTE) * 1.1 / 2 - WIDE / 2)
+    fill = EXIT if door.use == "exit" else INK
+    turn = _turn(_paper(along))
+    return group([*marks, plate(words, place, NOTE, turn=turn, fill=fill, font_weight="bold")])
+
+
+def _paper(vector: Vector) -> Vector:
+    return np.asarray(vector, dtype=float) * (1.0, -1.0)
+
+
+def _turn(along: Vector) -> float:
+    """Degrees at which text along a wall reads from below or from the right."""
+    degrees = float(np.degrees(np.arctan2(along[1], along[0])))
+    return (degrees + 90.0 - 1e-6) % 180.0 - 90.0 + 1e-6

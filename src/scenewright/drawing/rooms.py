@@ -1,0 +1,259 @@
+"""A plan to print: SVG 1.1 to scale, in millimetres, levels side by side.
+
+Cut at 1.2 m: walls solid, windows and doors by their symbols, furniture by the symbols of its
+assets, room names and areas, dimension chains, scale bar, north arrow and title block. The file
+holds no script, no style sheet, no image and no font; names are escaped.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from shapely import Geometry, Polygon, union_all
+
+from scenewright.building.ceiling import living_area_of
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece, Scene
+from scenewright.core.space import Level, Space
+from scenewright.drawing import dimensions as dimensions
+from scenewright.drawing import sheet as sheets
+from scenewright.drawing.doors import doors_mark
+from scenewright.drawing.labels import area_words, labels_mark, polygon_of
+from scenewright.drawing.legend import LegendRow, arrange, legend_mark
+from scenewright.drawing.marks import INK, PaperView, clean, group, tag, text
+from scenewright.drawing.outlets import outlets_mark
+from scenewright.drawing.pieces import (
+    Symbols,
+    define_repeated_symbols,
+    footprint,
+    hangs,
+    pieces_mark,
+)
+from scenewright.drawing.shell import (
+    cut_walls,
+    floors,
+    openings_mark,
+    partition_walls,
+    roof_windows,
+    swing_square,
+    tile_pattern,
+    walls_mark,
+)
+from scenewright.drawing.slopes import low_lines, slopes_mark
+from scenewright.drawing.stairs import stairs_mark
+
+CAPTION = 8.0
+"""Millimetres below a level's plan for its name."""
+
+
+class Storey(NamedTuple):
+    """One level's part of a scene, with its outer bounds and dimension chains."""
+
+    level: Level
+    scene: Scene
+    walls: Geometry
+    bounds: dimensions.Bounds
+    chains: dict[dimensions.Side, list[dimensions.DimensionChain]]
+
+
+def _nothing(view: PaperView, storey: Storey) -> str:
+    del view, storey
+    return ""
+
+
+def _keep_nothing(view: PaperView, storey: Storey) -> list[Geometry]:
+    del view, storey
+    return []
+
+
+def _plain_labels(storey: Storey) -> list[tuple[Space, str]]:
+    return [(space, "#ffffff") for space in storey.scene.spaces]
+
+
+def _no_rows(scene: Scene, storeys: Sequence[Storey]) -> Sequence[LegendRow]:
+    del scene, storeys
+    return ()
+
+
+def furnished_summary(scene: Scene) -> str:
+    """The line below the title: rooms, floor area, pieces."""
+    rooms, pieces = counted(len(scene.spaces), "room"), counted(len(scene.pieces), "piece")
+    return f"Furnished plan · {rooms} · {_total_area(scene)} floor area · {pieces}"
+
+
+class Overlay(NamedTuple):
+    """What a domain adds to the plan of its rooms.
+
+    ``floor`` is drawn under the furniture, ``over`` above it, ``ways`` above walls and doors, each
+    of a storey; ``keep_off`` are shapes that names of rooms do not cover; ``labels`` what is named,
+    with the colour around the words; ``legend`` the rows of the legend; ``summary`` the line below
+    the title; ``inward`` whether the triangles at doors point to the middle of the storey.
+    """
+
+    floor: Callable[[PaperView, Storey], str] = _nothing
+    over: Callable[[PaperView, Storey], str] = _nothing
+    ways: Callable[[PaperView, Storey], str] = _nothing
+    keep_off: Callable[[PaperView, Storey], list[Geometry]] = _keep_nothing
+    labels: Callable[[Storey], list[tuple[Space, str]]] = _plain_labels
+    legend: Callable[[Scene, Sequence[Storey]], Sequence[LegendRow]] = _no_rows
+    summary: Callable[[Scene], str] = furnished_summary
+    inward: bool = False
+
+
+class Paper(NamedTuple):
+    """What all storeys are drawn with."""
+
+    catalog: Catalog
+    sheet: sheets.PaperSheet
+    symbols: Symbols
+    overlay: Overlay
+
+
+def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> str:
+    """The SVG text of a scene's plan, with what its domain adds."""
+    overlay = overlay or Overlay()
+    found = [_storey(scene, level) for level in scene.levels]
+    storeys = [storey for storey in found if storey is not None]
+    margins = [dimensions.margins(storey.chains) for storey in storeys]
+    wide = sum(s.bounds[2] - s.bounds[0] for s in storeys)
+    high = max((s.bounds[3] - s.bounds[1] for s in storeys), default=1.0)
+    extra_wide = sum(m["west"] + m["east"] for m in margins)
+    extra_high = max((m["south"] + m["north"] for m in margins), default=0.0) + CAPTION
+    rows = tuple(overlay.legend(scene, storeys))
+    arranged = arrange((wide, high), (extra_wide, extra_high), rows)
+    sheet, (room_wide, room_high) = arranged.sheet, arranged.room
+    symbols = define_repeated_symbols(1000 / sheet.scale, scene.pieces, catalog)
+    paper = Paper(catalog, sheet, symbols, overlay)
+    summary = overlay.summary(scene)
+    marks = [paper_defs(paper), sheets.sheet_mark(sheet, scene.name, summary)]
+    spare = (room_wide - wide * 1000 / sheet.scale - extra_wide) / (len(storeys) + 1)
+    below = max((m["south"] for m in margins), default=0.0)
+    bottom = sheets.EDGE + room_high - CAPTION - below
+    bottom -= (room_high - high * 1000 / sheet.scale - extra_high) / 2
+    left = sheets.EDGE
+    for storey, margin in zip(storeys, margins, strict=True):
+        left += spare + margin["west"]
+        marks.append(_storey_mark(storey, paper, left, bottom, below))
+        left += (storey.bounds[2] - storey.bounds[0]) * 1000 / sheet.scale + margin["east"]
+    return sheets.document(sheet, scene.name, [*marks, legend_mark(arranged)])
+
+
+def _storey(scene: Scene, level: Level) -> Storey | None:
+    """What belongs to a level; ``None`` if nothing does."""
+    spaces = tuple(space for space in scene.spaces if space.level == level.id)
+    walls = tuple(wall for wall in scene.walls if wall.level == level.id)
+    ids = {space.id for space in spaces}
+    part = Scene(
+        scene.name,
+        (level,),
+        spaces,
+        walls,
+        tuple(opening for opening in scene.openings if opening.level == level.id),
+        tuple(piece for piece in scene.pieces if piece.space in ids),
+        (),
+        scene.stairs,
+    )
+    drawn = [Polygon(prism.outline) for wall in walls for prism in wall.prisms]
+    everything = union_all([*drawn, *(polygon_of(space) for space in spaces)])
+    if everything.is_empty:
+        return None
+    west, south, east, north = map(float, everything.bounds)
+    bounds = (west, south, east, north)
+    cut = cut_walls(walls)
+    solid = union_all([cut, *(polygon_of(space) for space in spaces)])
+    chains = dimensions.chains(bounds, solid, spaces, part.openings)
+    return Storey(level, part, cut, bounds, chains)
+
+
+def paper_defs(paper: Paper) -> str:
+    """What is defined once: floor tiles and the symbols that occur more than once."""
+    view = PaperView(1000 / paper.sheet.scale, 0.0, 0.0)
+    return tag("defs", "\n".join([tile_pattern(view), *paper.symbols.definitions]))
+
+
+def _storey_mark(storey: Storey, paper: Paper, left: float, bottom: float, below: float) -> str:
+    view = sheets.view_at(paper.sheet, storey.bounds[0], storey.bounds[1], left, bottom)
+    part, overlay = storey.scene, paper.overlay
+    west, south, east, north = storey.bounds
+    middle = (west + east) / 2, (south + north) / 2
+    marks = [
+        floors(view, part.spaces),
+        overlay.floor(view, storey),
+        stairs_mark(view, part.stairs, storey.level.id, part.spaces),
+        pieces_mark(view, part.pieces, paper.catalog, paper.symbols),
+        overlay.over(view, storey),
+        slopes_mark(
+            view,
+            part.spaces,
+            union_all([*_covered(part.pieces, paper.catalog), *roof_windows(part.openings)]),
+        ),
+        walls_mark(view, (*part.walls, *partition_walls(part.pieces))),
+        openings_mark(view, part.openings),
+        outlets_mark(view, part.spaces),
+        doors_mark(view, part.openings, middle if overlay.inward else None),
+        overlay.ways(view, storey),
+        _labels(view, storey, paper),
+        dimensions.chains_mark(view, storey.bounds, storey.chains),
+        _caption(storey, (left + (east - west) * view.scale / 2, bottom + below + CAPTION / 2)),
+    ]
+    return group(marks)
+
+
+def _labels(view: PaperView, storey: Storey, paper: Paper) -> str:
+    """Names of rooms and zones off the furniture, doors' swings and routes."""
+    part = storey.scene
+    named = paper.overlay.labels(storey)
+    over: list[Geometry] = [
+        s for opening in part.openings if (s := swing_square(opening)) is not None
+    ]
+    over += paper.overlay.keep_off(view, storey)
+    over += [line for space in part.spaces for line in low_lines(view, space)]
+    covered = union_all([*_covered(part.pieces, paper.catalog), *over])
+    spaces, halos = zip(*named, strict=True) if named else ((), ())
+    return labels_mark(view, spaces, [covered] * len(named), halos)
+
+
+def _covered(pieces: Sequence[Piece], catalog: Catalog) -> list[Geometry]:
+    """What stands on the floor, and the edges of rugs."""
+    here = [piece for piece in pieces if not hangs(piece)]
+    shapes = [(piece, Polygon(footprint(piece))) for piece in here]
+    return [
+        shape.boundary.buffer(0.04) if _flat(piece.category, catalog) else shape
+        for piece, shape in shapes
+    ]
+
+
+def _flat(category: str, catalog: Catalog) -> bool:
+    kind = catalog.kinds.get(category)
+    return kind is not None and kind.flat
+
+
+def _caption(storey: Storey, at: tuple[float, float]) -> str:
+    spaces, level = storey.scene.spaces, storey.level
+    floor = area_words(sum(polygon_of(space).area for space in spaces))
+    if any(space.slopes for space in spaces):
+        floor += f" · {area_words(sum(map(living_area_of, spaces)))} living area"
+    height = f"{level.elevation:+.2f}" if level.elevation else "±0.00"
+    return text(" · ".join([*level_name(level), height, floor]), at, 2.3, fill=INK)
+
+
+def level_name(level: Level) -> list[str]:
+    """The name of a storey; none if it only has a number.
+
+    >>> level_name(Level("0", "0", 0.0, 2.6)), level_name(Level("0", "Ground floor", 0.0, 2.6))
+    ([], ['Ground floor'])
+    """
+    name = clean(level.name, 30)
+    told = name if name != level.id or re.search(r"[^\W\d_]{2}", name) else ""
+    return [told] if told else []
+
+
+def _total_area(scene: Scene) -> str:
+    return area_words(sum(polygon_of(space).area for space in scene.spaces))
+
+
+def counted(count: int, word: str) -> str:
+    """A number with its word: ``1 room``, ``2 rooms``."""
+    return f"{count} {word}" if count == 1 else f"{count} {word}s"

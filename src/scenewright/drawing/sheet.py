@@ -1,0 +1,174 @@
+"""The sheet of paper: which size, which scale, frame, title block, scale bar, north arrow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from scenewright._version import __version__
+from scenewright.drawing.marks import (
+    FINE,
+    GREY,
+    INK,
+    LINE,
+    OUTLINE,
+    PaperView,
+    clean,
+    fit_text,
+    group,
+    line,
+    shape,
+    tag,
+    text,
+    text_width,
+    title,
+)
+
+SCALES = (50, 100, 200, 500, 1000, 2000, 5000, 10_000)
+PAPERS = ((297.0, 210.0), (210.0, 297.0), (420.0, 297.0), (297.0, 420.0))
+"""A4 and A3, lying and standing, in millimetres."""
+LARGE = ((594.0, 420.0), (420.0, 594.0), (841.0, 594.0), (594.0, 841.0))
+"""A2 and A1: only for what is too large for A3 at 1:100."""
+
+EDGE, STRIP = 7.0, 15.0
+"""Millimetres from the paper's edge to the frame, and height of the title strip."""
+
+
+class PaperSheet(NamedTuple):
+    """Width and height in millimetres, and the scale as in 1:50."""
+
+    width: float
+    height: float
+    scale: int
+
+
+def choose(width: float, height: float, extra_width: float, extra_height: float) -> PaperSheet:
+    """The largest scale and then smallest paper on which a drawing fits.
+
+    ``width`` and ``height`` are metres to scale; the extras millimetres that stay as they are.
+
+    >>> choose(9.0, 7.0, 30.0, 30.0)
+    PaperSheet(width=297.0, height=210.0, scale=50)
+    """
+    for scale in SCALES:
+        need = width * 1000 / scale + extra_width, height * 1000 / scale + extra_height
+        for paper in papers(scale):
+            if need[0] <= paper[0] - 2 * EDGE and need[1] <= paper[1] - 2 * EDGE - STRIP:
+                return PaperSheet(*paper, scale)
+    last = SCALES[-1]
+    return PaperSheet(
+        width * 1000 / last + extra_width + 2 * EDGE,
+        height * 1000 / last + extra_height + 2 * EDGE + STRIP,
+        last,
+    )
+
+
+def papers(scale: int, large: int = 200) -> tuple[tuple[float, float], ...]:
+    """The papers to try at a scale, the smallest first; those above A3 from ``large`` on."""
+    return PAPERS if scale < large else PAPERS + LARGE
+
+
+def sheet_mark(sheet: PaperSheet, name: str, summary: str) -> str:
+    """Frame and title strip: name and summary take the room that the scale bar leaves."""
+    right, bottom = sheet.width - EDGE, sheet.height - EDGE
+    top = bottom - STRIP
+    middle = (top + bottom) / 2
+    corners = [(EDGE, EDGE), (right, EDGE), (right, bottom), (EDGE, bottom)]
+    room = right - 64 - EDGE - 5
+    unit, divisions = _divisions(sheet.scale, 0.45 * room)
+    room -= divisions * unit * 1000 / sheet.scale + 10
+    words, size = fit_text(clean(name, 80), 4.4, room, wide=1.12)
+    told, small = fit_text(summary, 2.3, room)
+    marks = [
+        shape([corners], stroke_width=OUTLINE),
+        line([(EDGE, top), (right, top)], stroke_width=LINE),
+        line([(right - 44, top), (right - 44, bottom)], stroke_width=LINE),
+        line([(right - 58, top), (right - 58, bottom)], stroke_width=LINE),
+        _words(words, (EDGE + 5, middle - 2.2), size, weight="bold"),
+        _words(told, (EDGE + 5, middle + 3.6), small, fill=GREY),
+        scale_bar(right - 64, middle + 1.5, sheet.scale, 0.45 * (right - 69 - EDGE)),
+        north_arrow(right - 51, middle + 1.2),
+        _words(f"1:{sheet.scale}", (right - 40, middle - 2.2), 4.4, weight="bold"),
+        _words(f"Scenewright {__version__}", (right - 40, middle + 3.6), 2.3, fill=GREY),
+    ]
+    return group(marks, fill="none", stroke=INK)
+
+
+def _divisions(scale: int, most: float) -> tuple[int, int]:
+    """Metres of a division of the scale bar, and how many: four, or two in a narrow strip."""
+    unit = next(u for u in (1, 2, 5, 10, 20, 50, 100, 200) if u * 1000 / scale >= 9)
+    return unit, 4 if 4 * unit * 1000 / scale + 4 <= most else 2
+
+
+def scale_bar(right: float, y: float, scale: int, most: float = 100.0) -> str:
+    """A bar of divisions, black and white, ending at ``right``, at most ``most`` millimetres
+    long; labelled in metres."""
+    unit, count = _divisions(scale, most)
+    step = unit * 1000 / scale
+    left = right - count * step - 4
+    marks = []
+    for index in range(count):
+        x = left + index * step
+        box = [(x, y), (x + step, y), (x + step, y + 1.5), (x, y + 1.5)]
+        fill = INK if index % 2 == 0 else "#ffffff"
+        marks.append(shape([box], fill=fill, stroke_width=FINE))
+    for index in dict.fromkeys((0, 1, 2, count)):
+        words = f"{index * unit}" + (" m" if index == count else "")
+        shift = text_width(" m", 1.8) / 2 if index == count else 0.0
+        at = (left + index * step + shift, y - 1.8)
+        marks.append(text(words, at, 1.8, stroke="none", fill=GREY))
+    return group(marks)
+
+
+def north_arrow(x: float, y: float, radius: float = 4.0) -> str:
+    """A circle with a needle to the top of the sheet: plans have y to the north."""
+    needle = [(x, y - radius), (x - 0.45 * radius, y + 0.78 * radius), (x, y + 0.45 * radius)]
+    half = [(x, y - radius), (x + 0.45 * radius, y + 0.78 * radius), (x, y + 0.45 * radius)]
+    marks = [
+        tag("circle", cx=x, cy=y, r=radius, stroke_width=FINE, stroke=GREY),
+        shape([needle], fill=INK, stroke_width=FINE),
+        shape([half], fill="#ffffff", stroke_width=FINE),
+        text("N", (x, y - 1.3 * radius), 1.9, stroke="none", fill=INK),
+    ]
+    return group(marks, stroke_linejoin="round")
+
+
+def drawing_area(sheet: PaperSheet) -> tuple[float, float]:
+    """Width and height in millimetres inside the frame, above the title strip."""
+    return sheet.width - 2 * EDGE, sheet.height - 2 * EDGE - STRIP
+
+
+def view_at(sheet: PaperSheet, west: float, south: float, left: float, bottom: float) -> PaperView:
+    """The view that puts the plan point (west, south) at the paper point (left, bottom)."""
+    scale = 1000 / sheet.scale
+    return PaperView(scale, left - west * scale, bottom + south * scale)
+
+
+def document(sheet: PaperSheet, name: str, marks: Sequence[str]) -> str:
+    """The SVG file of a sheet with its marks."""
+    paper = tag("rect", width=sheet.width, height=sheet.height, fill="#ffffff")
+    content = "\n".join([title(name), paper, *marks])
+    body = tag(
+        "svg",
+        f"\n{content}\n",
+        xmlns="http://www.w3.org/2000/svg",
+        version="1.1",
+        **{"xmlns:xlink": "http://www.w3.org/1999/xlink"},
+        width=f"{sheet.width:g}mm",
+        height=f"{sheet.height:g}mm",
+        viewBox=f"0 0 {sheet.width:g} {sheet.height:g}",
+        font_family="Helvetica, Arial, 'DejaVu Sans', sans-serif",
+    )
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{body}\n'
+
+
+def _words(
+    words: str, at: tuple[float, float], size: float, weight: str = "normal", fill: str = INK
+) -> str:
+    style: dict[str, str | float] = {
+        "text_anchor": "start",
+        "font_weight": weight,
+        "fill": fill,
+        "stroke": "none",
+    }
+    return text(words, at, size, 0.0, **style)

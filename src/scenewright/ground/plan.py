@@ -1,0 +1,82 @@
+"""The ground of a site as values: blocks, roads, landmarks, entrances."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from scenewright.core.space import Points
+
+
+class Area(NamedTuple):
+    """A polygon: ``outline`` (n, 2) counter-clockwise, ``holes`` clockwise, square metres."""
+
+    outline: Points
+    holes: tuple[Points, ...]
+    area: float
+
+
+class Block(NamedTuple):
+    """One connected piece of ground that can be built on. ``direction`` is that of most of its
+    edges, in [0, pi/2); ``radius`` of the largest circle in it."""
+
+    outline: Points
+    holes: tuple[Points, ...]
+    area: float
+    direction: float
+    radius: float
+
+
+class Way(NamedTuple):
+    """A road or path: its middle line ``(n, 2)`` as given, the parts of it inside the site, and
+    the areas of the site it covers."""
+
+    id: str
+    name: str
+    kind: str
+    width: float
+    line: Points
+    inside: tuple[Points, ...]
+    areas: tuple[Area, ...]
+
+
+class Entrance(NamedTuple):
+    """Where a road or path crosses or meets the outline: the point and the index of the way."""
+
+    x: float
+    y: float
+    way: int
+
+
+class SitePlan(NamedTuple):
+    """A valid site. ``area`` is that of the ground (outline less holes), ``buildable`` what is
+    left of it by ``setback`` from the outline and holes, ``road_setback`` from roads and paths
+    and ``spacing`` from landmarks; ``blocks`` are its connected pieces, the largest first.
+    ``models`` are the assets that draw the buildings asked for, a row each;
+    ``fixed`` are buildings of those that stay where they stand, ``free`` what is left of the
+    blocks at a distance of ``spacing`` from them."""
+
+    id: str
+    name: str
+    outline: Points
+    holes: tuple[Points, ...]
+    area: float
+    buildable: float
+    blocks: tuple[Block, ...]
+    roads: tuple[Way, ...]
+    landmarks: tuple[Standing, ...]
+    entrances: tuple[Entrance, ...]
+    models: tuple[str, ...] = ()
+    fixed: tuple[Standing, ...] = ()
+    free: tuple[Block, ...] = ()
+
+
+class Standing(NamedTuple):
+    """A landmark, or a building that stays: its footprint, the box (x, y, heading, width, depth)
+    of its model, height; ``model`` is the id of the asset that draws it, empty if none is named."""
+
+    id: str
+    name: str
+    model: str
+    footprint: Points
+    box: tuple[float, float, float, float, float]
+    height: float

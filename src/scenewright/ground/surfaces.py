@@ -1,0 +1,112 @@
+"""What lies on the ground of a site: carriageways, pavements, paths, markings, walks to doors.
+
+Roads are united before they are drawn, so that bends have no gaps and crossings are one piece.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+import shapely
+
+from scenewright.building.outlines import rings
+from scenewright.core.scene import GroundSurface, Piece
+from scenewright.core.space import Points
+from scenewright.ground.outlines import GRID, MITRE
+from scenewright.ground.plan import SitePlan, Way
+from scenewright.ground.walks import walks
+
+HEIGHTS = {"asphalt": 0.03, "marking": 0.035, "walk": 0.04, "path": 0.05, "pavement": 0.12}
+"""How far the top of each lies above the ground, in metres."""
+DASH, GAP, STRIPE = 3.0, 5.0, 0.16
+"""Length, distance and width of the dashes of a road's middle line, in metres."""
+SPECK = 0.02
+"""Areas smaller than this, in square metres, are left out."""
+
+
+def surfaces(plans: Sequence[SitePlan], pieces: Sequence[Piece]) -> tuple[GroundSurface, ...]:
+    """What lies on the ground of all sites, a row for each kind that occurs."""
+    return tuple(row for plan in plans for row in _of_plan(plan, pieces))
+
+
+def _of_plan(plan: SitePlan, pieces: Sequence[Piece]) -> Iterator[GroundSurface]:
+    floor = shapely.Polygon(plan.outline, plan.holes)
+    driven = [way for way in plan.roads if way.kind == "road"]
+    roads, paths = (
+        _union_areas(driven),
+        _union_areas(way for way in plan.roads if way.kind == "path"),
+    )
+    lanes = shapely.intersection(_lanes(driven), floor, grid_size=GRID)
+    shapely.prepare(lanes)
+    standing = [p for p in pieces if p.space == plan.id and p.category == "building"]
+    strips = shapely.union_all(
+        [walk.buffer(0.9, cap_style="flat", join_style="mitre") for walk in walks(plan, standing)]
+    )
+    ways = shapely.union(roads, paths)
+    found = {
+        "asphalt": lanes,
+        "pavement": shapely.difference(roads, lanes, grid_size=GRID),
+        "path": shapely.difference(paths, roads, grid_size=GRID),
+        "walk": shapely.intersection(shapely.difference(strips, ways), floor, grid_size=GRID),
+        "marking": _markings(driven, lanes),
+    }
+    for kind, shape in found.items():
+        areas = tuple(rings(part) for part in _polygons(shape))
+        if areas:
+            yield GroundSurface(f"{kind} of {plan.id}", plan.id, kind, areas, -0.01, HEIGHTS[kind])
+
+
+def kerb(width: float) -> float:
+    """Width in metres of the pavement on each side of a road of some width.
+
+    >>> kerb(4.0), round(kerb(10.0), 2)
+    (0.0, 1.5)
+    """
+    return min(max(0.15 * width, 0.9), 3.0) if width >= 5.5 else 0.0
+
+
+def _union_areas(ways: Iterable[Way]) -> shapely.Geometry:
+    """The ground of ways, inside the site."""
+    parts = [shapely.Polygon(a.outline, a.holes) for way in ways for a in way.areas]
+    return shapely.union_all(np.array(parts, object), grid_size=GRID)
+
+
+def _lanes(ways: Sequence[Way]) -> shapely.Geometry:
+    """The carriageways, without the pavement beside them."""
+    lines = np.array([shapely.LineString(way.line) for way in ways], object)
+    half = np.array([way.width / 2 - kerb(way.width) for way in ways])
+    wide = shapely.buffer(lines, half, cap_style="flat", join_style="mitre", mitre_limit=MITRE)
+    return shapely.union_all(wide, grid_size=GRID)
+
+
+def _markings(ways: Sequence[Way], lanes: shapely.Geometry) -> shapely.Geometry:
+    """Dashes along the middle of roads of two lanes, none where another road crosses or the lanes
+    end."""
+    wide = [number for number, way in enumerate(ways) if way.width - 2 * kerb(way.width) >= 5.0]
+    dashes = [_dashes(ways[number].line) for number in wide]
+    if not sum(map(len, dashes)):
+        return shapely.Polygon()
+    owner = np.repeat(wide, [len(rows) for rows in dashes])
+    stripes = shapely.buffer(
+        shapely.linestrings(np.concatenate(dashes)), STRIPE / 2, cap_style="flat"
+    )
+    ground = [shapely.LineString(way.line).buffer(way.width / 2, cap_style="flat") for way in ways]
+    dash, road = shapely.STRtree(ground).query(stripes, predicate="intersects")
+    drawn = shapely.covers(lanes, stripes)
+    drawn[dash[road != owner[dash]]] = False
+    return shapely.multipolygons(stripes[drawn])
+
+
+def _dashes(line: Points) -> Points:
+    """Both ends (n, 2, 2) of every dash along a line."""
+    whole = shapely.LineString(line)
+    starts = np.arange(GAP / 2, whole.length - DASH, DASH + GAP)
+    ends = shapely.line_interpolate_point(whole, np.stack([starts, starts + DASH], 1))
+    found: Points = shapely.get_coordinates(ends).reshape(-1, 2, 2)
+    return found
+
+
+def _polygons(shape: shapely.Geometry) -> list[shapely.Polygon]:
+    parts = shapely.get_parts(shapely.get_parts(shape))
+    return [p for p in parts if p.geom_type == "Polygon" and p.area > SPECK]

@@ -1,0 +1,15 @@
+"""Colours: from sRGB to linear light."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def linear_of(color: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Linear light of sRGB values in [0, 1] (IEC 61966-2-1).
+
+    >>> linear_of(np.array([0.0, 0.5, 1.0])).round(4).tolist()
+    [0.0, 0.214, 1.0]
+    """
+    return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)

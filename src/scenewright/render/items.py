@@ -1,0 +1,318 @@
+"""From a scene to things with a mesh and a place: what every writer of 3D or pictures draws.
+
+Walls, floors and openings get their triangles here; pieces get theirs from the catalog.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator, Sequence
+from functools import lru_cache
+from typing import Literal, NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.building import joinery
+from scenewright.building.finishes import CONCRETE, PLASTER, SECTION, SURFACES, UNKNOWN, floor_of
+from scenewright.building.gables import cut_off, height_at
+from scenewright.building.masonry import polygons
+from scenewright.building.stair_parts import flight_parts, railing_parts, wells
+from scenewright.catalog.assets.tints import apply_tint, tint_of
+from scenewright.core.catalog import Asset, Catalog, Part, asset_of
+from scenewright.core.scene import STAIRS, GroundSurface, Piece, Prism, Scene, Size, Wall
+from scenewright.core.space import Level, Opening, Space
+from scenewright.geometry.mesh import Floats, Mesh, merge
+from scenewright.geometry.prisms import box, face_normals, prism, sheet
+
+ThingKind = Literal["slab", "space", "surface", "wall", "opening", "stairs", "piece"]
+
+SLAB = 0.22
+"""Thickness in metres of the slab drawn under each level."""
+SKIN = 0.012
+"""Thickness in metres of a room's floor finish; its top is the floor level."""
+LOW = 1.2
+"""Walls up to this height, in metres, are parapets: their tops are not drawn as a section."""
+
+SEEN = 1.3
+"""How far down one sees stairs through their well in a picture, metres."""
+
+
+class RenderItem(NamedTuple):
+    """One drawable: parts in its own frame, moved by ``at`` (above the level's floor) after a
+    turn of ``turn`` radians about z. Things with equal ``key`` have equal parts. ``space`` is the
+    id of the space a piece stands in; ``extras`` are facts to be kept with it."""
+
+    name: str
+    kind: ThingKind
+    level: str
+    space: str
+    key: Hashable
+    parts: tuple[Part, ...]
+    at: tuple[float, float, float]
+    turn: float
+    extras: dict[str, str | float]
+
+
+def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[RenderItem, ...]:
+    """Everything to draw, level by level: slab, floors, walls, openings, pieces.
+
+    ``cut`` (metres above each floor) leaves out what walls, openings and pieces that hang on
+    them have above it, and all that hangs from the ceiling.
+    """
+    level_of = {space.id: space.level for space in scene.spaces}
+    first = scene.levels[0].id if scene.levels else ""
+    found: list[RenderItem] = []
+    for level in scene.levels:
+        found += _slab(scene, level)
+        well = wells(scene.stairs, level.id)
+        rooms = (_floor(space, well) for space in scene.spaces if space.level == level.id)
+        found += [floor for floor in rooms if floor.parts]
+        found += [
+            _surface(s, level.id)
+            for s in scene.surfaces
+            if level_of.get(s.space, first) == level.id
+        ]
+        walls = (_wall(wall, cut) for wall in scene.walls if wall.level == level.id)
+        found += [wall for wall in walls if wall.parts]
+        found += [_opening(o, cut) for o in scene.openings if o.level == level.id]
+        found += _stairs(scene, level, cut)
+        pieces = (
+            p
+            for p in scene.pieces
+            if level_of.get(p.space, first) == level.id and p.function != STAIRS
+        )
+        staged = (_piece(piece, level.id, catalog, cut) for piece in pieces)
+        found += [piece for piece in staged if piece.parts or cut is None]
+    return tuple(_make_names_unique(found))
+
+
+def to_level_coordinates(thing: RenderItem, vertices: Floats) -> Floats:
+    """Points ``(n, 3)`` of a thing's own frame in its level's frame."""
+    cos, sin = np.cos(thing.turn), np.sin(thing.turn)
+    turned = vertices @ np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]])
+    return turned + np.asarray(thing.at)
+
+
+def _slab(scene: Scene, level: Level) -> Iterator[RenderItem]:
+    """One plate under all rooms and walls of a level."""
+    prisms = [p for wall in scene.walls if wall.level == level.id for p in wall.prisms]
+    shapes = [shapely.Polygon(p.outline, p.holes) for p in prisms if p.base == 0]
+    shapes += [shapely.Polygon(s.outline) for s in scene.spaces if s.level == level.id]
+    shapes += [
+        shapely.Polygon(joinery.to_plan_coordinates(o, _corners(o))[:, :2])
+        for o in scene.openings
+        if o.level == level.id
+    ]
+    with np.errstate(divide="ignore", invalid="ignore"):  # at needles, which have no mitre
+        region = shapely.union_all(shapely.buffer(shapes, 0.002, join_style="mitre"))
+    region = region.difference(wells(scene.stairs, level.id))
+    meshes = [_flat(part.simplify(0.003), -SLAB, -SKIN) for part in polygons(region)]
+    if meshes:
+        name = f"slab of {level.name or level.id or 'the floor'}"
+        plate = Part(CONCRETE, *merge(meshes))
+        yield RenderItem(name, "slab", level.id, "", name, (plate,), (0, 0, 0), 0.0, {})
+
+
+def _flat(shape: shapely.Polygon, base: float, top: float) -> Mesh:
+    ordered = shapely.orient_polygons(shape)
+    rings = [shapely.get_coordinates(r)[:-1] for r in (ordered.exterior, *ordered.interiors)]
+    return prism(rings[0], base, top, rings[1:])
+
+
+def _stairs(scene: Scene, level: Level, cut: float | None) -> Iterator[RenderItem]:
+    """Stairs up from a level, and railings round the wells in its floor; in a cut picture, where
+    levels stand side by side, also what is seen of stairs through the well."""
+    floors = [shapely.Polygon(s.outline, s.holes) for s in scene.spaces if s.level == level.id]
+    for one in scene.stairs:
+        made = []
+        if one.level == level.id:
+            made.append((one.id, flight_parts(one), 0.0))
+        if one.upper == level.id:
+            made.append((f"{one.id} railing", railing_parts(one, floors), 0.0))
+            rise = one.rises * one.rise
+            if cut is not None:
+                made.append((f"{one.id} below", flight_parts(one, rise - SEEN), -rise))
+        facts: dict[str, str | float] = {"category": "staircase", "label": one.name}
+        for name, parts, z in made:
+            if parts:
+                yield RenderItem(name, "stairs", level.id, "", name, parts, (0, 0, z), 0.0, facts)
+
+
+def _corners(opening: Opening) -> Floats:
+    half, face = opening.width / 2, opening.thickness / 2
+    return np.array([[-half, -face, 0], [half, -face, 0], [half, face, 0], [-half, face, 0]])
+
+
+def _floor(space: Space, well: shapely.Geometry) -> RenderItem:
+    whole = shapely.Polygon(space.outline, space.holes)
+    area, meshes = whole.area, [prism(space.outline, -SKIN, 0.0, space.holes)]
+    if whole.intersects(well):
+        meshes = [_flat(part, -SKIN, 0.0) for part in polygons(whole.difference(well))]
+    extras: dict[str, str | float] = {
+        "function": ", ".join(space.functions),
+        "category": "space",
+        "label": space.name,
+        "area": round(area, 3),
+        "height": space.height,
+    }
+    parts = (Part(floor_of(space), *merge(meshes)),) if meshes else ()
+    return RenderItem(
+        space.id, "space", space.level, space.id, ("space", space.id), parts, (0, 0, 0), 0.0, extras
+    )
+
+
+def _surface(surface: GroundSurface, level: str) -> RenderItem:
+    """What lies on the ground, one mesh a kind."""
+    meshes = [prism(outline, surface.base, surface.top, holes) for outline, holes in surface.areas]
+    part = Part(SURFACES[surface.kind], *merge(meshes))
+    extras: dict[str, str | float] = {"category": "surface", "function": surface.kind}
+    return RenderItem(
+        surface.id,
+        "surface",
+        level,
+        surface.space,
+        ("surface", surface.id),
+        (part,),
+        (0, 0, 0),
+        0.0,
+        extras,
+    )
+
+
+def _wall(wall: Wall, cut: float | None) -> RenderItem:
+    top = max((p.top for p in wall.prisms), default=0.0)
+    top = top if cut is None else min(top, cut)
+    dark = top - 1e-6 if top > LOW else np.inf
+    caps: list[Mesh] = []
+    sides: list[Mesh] = []
+    for solid in (part for whole in wall.prisms for part in cut_off(whole, top)):
+        if cut is None or solid.base < cut - 1e-6:
+            side, cap = _open_prism(solid, min(solid.top, top))
+            sides.append(side)
+            section = solid.top >= dark or solid.tilt is not None
+            (caps if section else sides).append(cap)
+    parts = [Part(PLASTER, *merge(sides))] if sides else []
+    parts += [Part(SECTION, *merge(caps))] if caps else []
+    extras: dict[str, str | float] = {"category": "wall", "height": top}
+    return RenderItem(
+        wall.id,
+        "wall",
+        wall.level,
+        "",
+        ("wall", wall.level, wall.id),
+        tuple(parts),
+        (0, 0, 0),
+        0.0,
+        extras,
+    )
+
+
+def _open_prism(solid: Prism, top: float) -> tuple[Mesh, Mesh]:
+    """The sides and underside of a prism, and its upper face."""
+    vertices, faces = prism(solid.outline, solid.base, top, solid.holes)
+    cap = sheet(solid.outline, solid.holes, top)
+    if solid.tilt is not None:
+        cap.vertices[:, 2] = height_at(solid.tilt, cap.vertices[:, :2])
+        vertices[len(cap.vertices) :, 2] = cap.vertices[:, 2]
+    return Mesh(vertices, faces[len(cap.faces) :]), cap
+
+
+def _opening(opening: Opening, cut: float | None) -> RenderItem:
+    parts = tuple(p for part in joinery.parts(opening) if (p := _below(part, cut)) is not None)
+    extras: dict[str, str | float] = {
+        "category": opening.kind,
+        "width": opening.width,
+        "sill": opening.sill,
+        "head": opening.head,
+        "space": ", ".join(opening.spaces),
+    }
+    shape = (
+        opening.kind,
+        opening.width,
+        opening.thickness,
+        opening.sill,
+        opening.head,
+        opening.hinge,
+        opening.swing,
+    )
+    turn = float(np.arctan2(opening.uy, opening.ux))
+    at = (opening.x, opening.y, 0.0)
+    return RenderItem(opening.id, "opening", opening.level, "", shape, parts, at, turn, extras)
+
+
+def _below(part: Part, cut: float | None) -> Part | None:
+    """A part made of boxes without what is above ``cut``; those it goes through are shortened."""
+    if cut is None:
+        return part
+    low = part.vertices[:, 2].copy()
+    for _ in range(3):
+        least = low[part.faces].min(1)
+        np.minimum.at(low, part.faces, least[:, None])
+    faces = part.faces[low[part.faces[:, 0]] < cut - 1e-6]
+    short = part.vertices * [1, 1, 0] + np.minimum(part.vertices[:, 2:], cut) * [0, 0, 1]
+    return Part(part.material, short, faces) if len(faces) else None
+
+
+def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> RenderItem:
+    asset = asset_of(piece, catalog)
+    size = Size(*(round(length, 4) for length in piece.size))
+    key: Hashable = (asset.id if asset else piece.category, size)
+    x, y, z, heading = piece.pose
+    parts = _mesh_asset(asset, size)
+    if piece.category == "building" and not piece.fixed:
+        tint = tint_of(piece.id, parts)
+        key, parts = (key, tint), apply_tint(parts, tint)
+    kind = catalog.kinds.get(piece.category)
+    if cut is not None and kind is not None and kind.support in ("wall", "ceiling"):
+        top = 0.0 if kind.support == "ceiling" else cut - z
+        parts = tuple(p for part in parts if (p := _below(part, top)) is not None)
+        key = (key, round(top, 4))
+    return RenderItem(
+        piece.id,
+        "piece",
+        level,
+        piece.space,
+        key,
+        parts,
+        (x, y, z),
+        heading - np.pi / 2,
+        _facts(piece, asset),
+    )
+
+
+def _facts(piece: Piece, asset: Asset | None) -> dict[str, str | float]:
+    told: dict[str, str | float] = {
+        "function": piece.function,
+        "category": piece.category,
+        "asset": asset.id if asset else piece.asset,
+        "group": piece.group,
+        "space": piece.space,
+        "licence": asset.licence if asset else "",
+        "author": asset.author if asset else "",
+        "on": piece.on or "",
+    }
+    return {name: fact for name, fact in told.items() if fact != ""}
+
+
+@lru_cache(maxsize=4096)
+def _shape_asset(asset: Asset, size: Size) -> tuple[Part, ...]:
+    return tuple(p for p in asset.mesh(size) if face_normals(p.vertices, p.faces).any())
+
+
+def _mesh_asset(asset: Asset | None, size: Size) -> tuple[Part, ...]:
+    if asset is not None:
+        return _shape_asset(asset, size)
+    width, depth, height = size
+    return (Part(UNKNOWN, *box((-width / 2, -depth / 2, 0), (width / 2, depth / 2, height))),)
+
+
+def _make_names_unique(found: Sequence[RenderItem]) -> Iterator[RenderItem]:
+    """Names made unique by a number behind the second of a kind and later."""
+    taken: set[str] = set()
+    for thing in found:
+        name, count = thing.name or thing.kind, 1
+        while name in taken:
+            count += 1
+            name = f"{thing.name or thing.kind} {count}"
+        taken.add(name)
+        yield thing._replace(name=name)

@@ -1,0 +1,132 @@
+"""One file arranged: read, planned once, solved, judged, and every file written or none."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Generator, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from scenewright import domains
+from scenewright.check.report import Report
+from scenewright.core.atomic_file import recorded_run
+from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, run_to_end
+from scenewright.workflow.request import ArrangeRequest, note_heavy, note_ineffective, plan_request
+from scenewright.workflow.stream import Cancel, stream_progress
+from scenewright.workflow.writing import write_all
+
+
+class Arranged(NamedTuple):
+    """What came of a run."""
+
+    solution: Solution
+    plan: Plan
+    report: Report
+
+    @property
+    def complete(self) -> bool:
+        """Whether all that was asked for stands and no rule is broken."""
+        return self.report.valid and not any(out.required for out in self.solution.left_out)
+
+
+def arrange_file(
+    request: ArrangeRequest,
+    *,
+    cancel: Cancel | None = None,
+    threads: int | None = None,
+    parts: Path | None = None,
+) -> Generator[Event, None, Arranged]:
+    """Solve a request, judge the solution and write its outputs.
+
+    When ``cancel`` answers true, the best so far is written; if nothing was found yet it raises
+    ``KeyboardInterrupt`` and writes nothing. ``parts`` is the folder of temporary files.
+    """
+    planned = plan_request(request)
+    yield planned
+    brief, plan = planned
+    yield from note_ineffective(request, brief)
+    try:
+        solution = yield from stream_progress(
+            lambda tell, cancelled: domains.solve(
+                brief,
+                plan=plan,
+                preset=request.preset,
+                solver=request.solver,
+                seconds=request.seconds,
+                steps=request.steps,
+                seed=request.seed,
+                threads=threads,
+                progress=tell,
+                cancel=cancelled,
+            ),
+            cancel,
+        )
+    except InputError as error:
+        raise error.located(file=request.source) from None
+    if cancel is not None and cancel() and not solution.evaluations:
+        raise KeyboardInterrupt
+    yield Solved(solution)
+    report = domains.check(solution, plan=plan)
+    yield Judged(report)
+    yield from write_all([(solution, path) for path in request.outputs], plan, parts)
+    yield from note_heavy(solution)
+    return Arranged(solution, plan, report)
+
+
+def arrange(
+    source: str | os.PathLike[str],
+    outputs: Sequence[str | os.PathLike[str]] = (),
+    *,
+    progress: Callable[[float, str], None] | None = None,
+    cancel: Cancel | None = None,
+    hear: Hear | None = None,
+    threads: int | None = None,
+    preset: str = "default",
+    solver: str | None = None,
+    seconds: float | None = None,
+    steps: int | None = None,
+    seed: int = 0,
+    keep: bool = False,
+    catalogs: Sequence[str] = (),
+    groups: Sequence[str] = (),
+    accessible: bool = False,
+    scale: float = 1.0,
+    hidden_levels: bool = False,
+) -> Arranged:
+    """Read a brief, solve it, judge the solution and write it to all ``outputs`` or none.
+
+    The options are those of ``scenewright arrange``. ``progress`` is called with the share done,
+    0 to 1, and what is being done; ``hear`` with every event (:mod:`scenewright.workflow.events`);
+    when ``cancel`` answers true, the best so far is taken. Raises :class:`InputError` for whatever
+    cannot be used.
+
+    >>> arrange("sample:home-room", steps=200).report.valid
+    True
+    """
+    request = ArrangeRequest(
+        os.fspath(source),
+        tuple(Path(path) for path in outputs),
+        preset,
+        solver,
+        seconds,
+        steps,
+        seed,
+        keep,
+        catalogs=tuple(catalogs),
+        groups=tuple(groups),
+        accessible=accessible,
+        scale=scale,
+        hidden_levels=hidden_levels,
+    )
+
+    def pass_on(event: Event) -> None:
+        if progress is not None and isinstance(event, Progress):
+            progress(*event)
+        if hear is not None:
+            hear(event)
+
+    with recorded_run():
+        return run_to_end(arrange_file(request, cancel=cancel, threads=threads), pass_on)

@@ -1,0 +1,104 @@
+"""What is asked of a run, and whether it can be done: files, names and formats."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from scenewright.catalog.loading import OWN, catalog_of
+from scenewright.core.atomic_file import check_targets
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.solution import Solution
+from scenewright.domains import domain_of, presets, solvers
+from scenewright.formats import SWEET_HOME, check_output, read_planned, writer
+from scenewright.workflow.events import Note, Planned
+
+HEAVY = 50_000
+"""Faces of a model above which it is told."""
+
+
+class ArrangeRequest(NamedTuple):
+    """A scene to arrange: where its brief is, the files to write, and the options."""
+
+    source: str
+    outputs: tuple[Path, ...]
+    preset: str = "default"
+    solver: str | None = None
+    seconds: float | None = None
+    steps: int | None = None
+    seed: int = 0
+    keep: bool = False
+    alternatives: int = 1
+    catalogs: tuple[str, ...] = ()
+    groups: tuple[str, ...] = ()
+    accessible: bool = False
+    scale: float = 1.0
+    hidden_levels: bool = False
+
+
+def plan_request(request: ArrangeRequest) -> Planned:
+    """The brief of a request whose outputs and names can be used, and its plan."""
+    check_outputs(request.outputs)
+    brief, plan = read_planned(
+        request.source,
+        keep=request.keep,
+        catalogs=request.catalogs,
+        groups=request.groups,
+        scale=request.scale,
+        hidden_levels=request.hidden_levels,
+    )
+    check_targets(request.outputs)
+    for path in request.outputs:
+        check_output(path, brief)
+    if request.accessible:
+        brief = make_accessible(brief)
+    check_name("preset", request.preset, presets(brief.domain))
+    if request.solver is not None:
+        check_name("solver", request.solver, solvers(brief.domain))
+    return Planned(brief, plan)
+
+
+def make_accessible(brief: Brief) -> Brief:
+    """The brief with room for wheelchairs, as its domain makes it; the plan stays the same."""
+    changed: Brief = domain_of(brief.domain).verb("accessible")(brief)
+    return changed
+
+
+def note_ineffective(request: ArrangeRequest, brief: Brief) -> Iterator[Note]:
+    """Options of a request that change nothing for this file."""
+    home = request.source.lower().endswith(SWEET_HOME)
+    if request.keep and not (home and any(room.fixed for room in brief.rooms)):
+        yield Note("--keep has no effect: the file holds no furniture to keep")
+    if request.hidden_levels and not home:
+        yield Note("--hidden-levels has no effect: only Sweet Home 3D homes have hidden levels")
+
+
+def note_heavy(solution: Solution) -> Iterator[Note]:
+    """The user's models in use that have more than :data:`HEAVY` faces."""
+    catalog = catalog_of(solution.brief.catalogs)
+    for name in sorted({piece.asset for piece in solution.pieces if piece.asset.startswith(OWN)}):
+        asset = catalog.assets.get(name)
+        faces = sum(len(part.faces) for part in asset.mesh(asset.usual)) if asset else 0
+        if faces > HEAVY:
+            yield Note(f"{name} has {faces:,} faces: files with it are large")
+
+
+def check_outputs(outputs: Sequence[Path]) -> None:
+    """Every suffix can be written, no file is named twice, none is a folder or a file that is
+    read."""
+    for path in outputs:
+        writer(path)
+    check_targets(outputs)
+
+
+def check_name(what: str, name: str, known: Collection[str]) -> None:
+    """Raise :class:`InputError` naming the choices unless ``name`` is one of them.
+
+    >>> check_name("preset", "papper", ["default", "paper"])
+    Traceback (most recent call last):
+    scenewright.core.errors.InputError: there is no preset 'papper'; use one of: default, paper
+    """
+    if name not in known:
+        raise InputError(f"there is no {what} '{name}'", f"use one of: {', '.join(known)}")

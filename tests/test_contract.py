@@ -1,0 +1,234 @@
+"""Every domain behind one contract: the same tests for all of them."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import scenewright as sw
+from scenewright.core.errors import InputError
+from scenewright.domains import adjust, domain_of
+from scenewright.formats import solution_json
+
+SAMPLES = {"home": "home-studio", "hall": "hall-shop", "site": "site-courtyards"}
+STEPS = {"home": 500, "hall": 1500, "site": 2}
+
+
+def arrange(domain: str, brief: sw.Brief, seed: int = 0) -> sw.Solution:
+    return sw.solve(brief, seed=seed, steps=STEPS[domain])
+
+
+@pytest.fixture(scope="module", params=SAMPLES)
+def solved(request: pytest.FixtureRequest) -> sw.Solution:
+    return arrange(request.param, sw.read(f"sample:{SAMPLES[request.param]}"))
+
+
+def groups(solution: sw.Solution) -> list[list[sw.Piece]]:
+    """What is locked together: furniture groups, groups of a hall, single buildings."""
+    found: dict[str, list[sw.Piece]] = {}
+    single = solution.brief.domain == "site"
+    for piece in solution.pieces:
+        furniture = piece.group and piece.function not in ("light", "partition", "fixed")
+        if not piece.fixed and (piece.category == "building" if single else furniture):
+            found.setdefault(piece.id if single else piece.group, []).append(piece)
+    return list(found.values())
+
+
+def save_locked(solution: sw.Solution, ids: set[str], path: Path) -> Path:
+    document = json.loads(solution_json.dumps(solution))
+    for piece in document["pieces"]:
+        piece["fixed"] = piece["fixed"] or piece["id"] in ids
+    path.write_text(json.dumps(document))
+    return path
+
+
+def test_what_is_locked_in_a_file_stands_where_it_stood(solved: sw.Solution, tmp_path: Path):
+    chosen = [*groups(solved)[0], *groups(solved)[-1]]
+    brief = sw.read(save_locked(solved, {p.id for p in chosen}, tmp_path / "locked.json"))
+    again = arrange(solved.brief.domain, brief, seed=5)
+    now = {piece.id: piece for piece in again.pieces}
+    assert len(now) == len(again.pieces)
+    for piece in chosen:
+        assert now[piece.id] == replace(piece, fixed=True)
+    report = sw.check(again)
+    assert report.valid, [finding.message for finding in report.findings]
+    assert len(again.left_out) <= len(solved.left_out)
+    if solved.brief.domain != "home":
+        assert sum(map(len, groups(again))) + len(chosen) == sum(map(len, groups(solved)))
+    assert again.pieces != solved.pieces
+
+
+def test_what_is_let_go_in_the_file_is_free_again(solved: sw.Solution, tmp_path: Path) -> None:
+    chosen = {p.id for p in groups(solved)[0]}
+    brief = sw.read(save_locked(solved, chosen, tmp_path / "locked.json"))
+    again = arrange(solved.brief.domain, brief, seed=5)
+    free = replace(
+        again, pieces=tuple(replace(p, fixed=p.fixed and p.id not in chosen) for p in again.pieces)
+    )
+    sw.write(free, tmp_path / "free.json")
+    assert (
+        sw.read(tmp_path / "free.json")
+        == sw.read(save_locked(solved, set(), tmp_path / "none.json"))
+        or solved.brief.domain == "hall"
+    )
+
+
+def test_everything_may_be_locked(solved: sw.Solution, tmp_path: Path) -> None:
+    every = {p.id for group in groups(solved) for p in group}
+    brief = sw.read(save_locked(solved, every, tmp_path / "locked.json"))
+    again = arrange(solved.brief.domain, brief)
+    was = {p.id: p.pose for p in solved.pieces}
+    assert {p.id: p.pose for p in again.pieces if p.id in every} == {i: was[i] for i in every}
+    assert sw.check(again).valid
+
+
+def test_the_same_seed_gives_the_same_bytes_and_they_read_back(solved: sw.Solution) -> None:
+    again = arrange(solved.brief.domain, solved.brief)
+    text = solution_json.dumps(solved)
+    assert solution_json.dumps(again) == text
+    assert solution_json.dumps(solution_json.loads(text)) == text
+
+
+def test_locks_by_hand_solve_nothing_again(solved: sw.Solution) -> None:
+    name = groups(solved)[0][0].id
+    locked = adjust(solved, lock=[name])
+    assert not locked.changes
+    assert {p.id: p.pose for p in locked.solution.pieces} == {p.id: p.pose for p in solved.pieces}
+    fixed = {p.id for p in locked.solution.pieces if p.fixed}
+    assert fixed == {p.id for p in groups(solved)[0]} | {p.id for p in solved.pieces if p.fixed}
+    freed = adjust(locked.solution, unlock=[name]).solution
+    assert freed.pieces == solved.pieces
+
+
+def test_a_space_again_keeps_what_is_locked(solved: sw.Solution) -> None:
+    group = groups(solved)[0]
+    space = group[0].space
+    steps = STEPS[solved.brief.domain]
+    after = adjust(solved, lock=[group[0].id], again=[space], seed=9, steps=steps).solution
+    now = {piece.id: piece for piece in after.pieces}
+    assert all(now[p.id] == replace(p, fixed=True) for p in group)
+    assert sw.check(after).valid
+    assert {p.id for p in after.pieces if p.fixed} == {
+        *(p.id for p in group),
+        *(p.id for p in solved.pieces if p.fixed),
+    }
+    assert after.pieces != solved.pieces
+    assert solution_json.loads(solution_json.dumps(after)).pieces == after.pieces
+
+
+def test_wrong_names_are_refused_in_one_line(solved: sw.Solution) -> None:
+    for edits in ({"lock": ["zeppelin"]}, {"again": ["zeppelin"]}, {"move": {"zeppelin": (0, 0)}}):
+        with pytest.raises(InputError, match="zeppelin") as caught:
+            adjust(solved, **edits)
+        assert "\n" not in str(caught.value)
+
+
+def test_nothing_is_moved_out_of_its_space(solved: sw.Solution) -> None:
+    with pytest.raises(InputError, match="cannot stand at"):
+        adjust(solved, move={groups(solved)[0][0].id: (900.0, 900.0)})
+
+
+def layouts_of(solution: sw.Solution) -> dict[str, list[sw.NamedBox]]:
+    """The layout of a solution: patches of a home, objects of a hall, buildings of a site."""
+    found: dict[str, list[sw.NamedBox]] = {}
+    for patch in solution.patches:
+        found.setdefault(patch.space, []).append(sw.NamedBox(patch.function, patch.box))
+    if solution.brief.domain != "home":
+        for piece in (p for group in groups(solution) for p in group):
+            box = (*piece.pose[:2], piece.pose.heading, *piece.size[:2])
+            found.setdefault(piece.space, []).append(sw.NamedBox(piece.function, box))
+    return found
+
+
+def test_a_layout_becomes_a_solution(solved: sw.Solution) -> None:
+    layouts = layouts_of(solved)
+    again = sw.solution_of(solved.brief, layouts)
+    text = solution_json.dumps(again)
+    assert solution_json.dumps(sw.solution_of(solved.brief, layouts)) == text
+    assert solution_json.dumps(solution_json.loads(text)) == text
+    if solved.brief.domain == "home":
+        lacking = {p.group for p in solved.pieces} - {p.group for p in again.pieces}
+        told = {f"{out.space}/{out.what}" for out in again.left_out}
+        assert lacking <= told
+        assert len(lacking) < 2
+    else:
+        was = sorted((p.category, *p.pose) for group in groups(solved) for p in group)
+        now = sorted((p.category, *p.pose) for group in groups(again) for p in group)
+        assert [row[0] for row in now] == [row[0] for row in was]
+        for one, other in zip(now, was, strict=True):
+            assert one[1:] == pytest.approx(other[1:], abs=1e-9)
+    assert again.terms
+    assert again.energies.keys() == solved.energies.keys()
+    assert sw.check(again).valid
+
+
+def test_an_empty_layout_leaves_all_out(solved: sw.Solution) -> None:
+    again = sw.solution_of(solved.brief, {})
+    assert not groups(again)
+    assert again.left_out
+
+
+def test_wrong_layouts_are_refused_in_one_line(solved: sw.Solution) -> None:
+    space, rows = next(iter(layouts_of(solved).items()))
+    box = rows[0].box
+    for layouts in (
+        {"zeppelin": rows},
+        {space: [sw.NamedBox("zeppelin", box)]},
+        {space: [rows[0]._replace(box=(*box[:3], 0.0, 1.0))]},
+        {space: [rows[0]._replace(box=box[:4])]},
+        {space: [rows[0]._replace(box=(float("nan"), *box[1:]))]},
+    ):
+        with pytest.raises(InputError) as caught:
+            sw.solution_of(solved.brief, layouts)
+        assert "\n" not in str(caught.value)
+
+
+def test_what_is_moved_stays_where_it_was_put(solved: sw.Solution) -> None:
+    group, steps = groups(solved)[0], STEPS[solved.brief.domain]
+    lead = group[0]
+    to = (lead.pose.x + 0.2, lead.pose.y + 0.1, lead.pose.heading)
+    after, changes = adjust(solved, move={lead.id: to}, steps=steps)
+    now = next(piece for piece in after.pieces if piece.id == lead.id)
+    assert (*now.pose[:2], now.pose.heading) == pytest.approx(to)
+    assert now.fixed
+    assert any(c.piece == lead.id and c.reason == "moved by hand" for c in changes)
+    assert {p.id for p in after.pieces if p.fixed} == {
+        *(p.id for p in group),
+        *(p.id for p in solved.pieces if p.fixed),
+    }
+
+
+def test_buildings_in_the_way_of_a_moved_one_make_room() -> None:
+    site = arrange("site", sw.read("sample:site-courtyards"))
+    one, *others = (group[0] for group in groups(site))
+    near = min(others, key=lambda p: abs(p.pose.x - one.pose.x) + abs(p.pose.y - one.pose.y))
+    after, changes = adjust(site, move={one.id: (*near.pose[:2], near.pose.heading)}, steps=2)
+    was = {p.id: p for p in others}
+    stayed = [p for p in after.pieces if p.id in was and p.pose == was[p.id].pose]
+    assert near.id not in {p.id for p in stayed}
+    assert len(others) / 2 < len(stayed) < len(others)
+    assert {c.reason for c in changes} >= {"moved by hand"}
+
+
+@pytest.mark.parametrize("domain", ["hall", "site"])
+def test_swaps_are_for_homes(domain: str) -> None:
+    solution = arrange(domain, sw.read(f"sample:{SAMPLES[domain]}"))
+    one, other = (group[0].id for group in groups(solution)[:2])
+    with pytest.raises(InputError, match="move both instead"):
+        adjust(solution, swap=[(one, other)])
+
+
+@pytest.mark.parametrize("domain", SAMPLES)
+def test_a_verb_it_lacks_is_refused_by_name(domain: str) -> None:
+    bare = domain_of(domain)._replace(verbs={})
+    with pytest.raises(InputError, match=f"'{domain}' do not support 'detail of'"):
+        bare.verb("detail_of")
+
+
+@pytest.mark.parametrize("name", sw.samples())
+def test_samples_read_and_have_a_plan(name: str) -> None:
+    brief = sw.read(name)
+    assert domain_of(brief.domain).verb("plan")(brief).spaces

@@ -1,0 +1,172 @@
+"""Plans drawn too small are noticed and can be corrected; hidden levels are named."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pydantic import ValidationError
+
+import scenewright as sw
+from scenewright import formats
+from scenewright.building.plan import spaces
+from scenewright.check.report import Report
+from scenewright.cli.commands import run
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+
+
+def plan(*widths: float, **more: Any) -> dict[str, Any]:
+    doors = [{"at": [0.6 + 0.8 * k, 0], "width": w} for k, w in enumerate(widths)]
+    return {
+        "rooms": [
+            {
+                "name": "Bedroom",
+                "outline": [[0, 0], [4, 0], [4, 3], [0, 3]],
+                "doors": doors,
+                "windows": [{"at": [2, 3], "width": 1.0}],
+            }
+        ]
+    } | more
+
+
+def judged(document: dict[str, Any]) -> Report:
+    return sw.check(sw.solve(Brief.model_validate(document), steps=50))
+
+
+@pytest.mark.parametrize(
+    ("widths", "noted"),
+    [((0.55, 0.6, 0.8), True), ((0.6, 0.85), False), ((0.5,), False), ((0.7, 0.7, 0.6), False)],
+)
+def test_a_plan_of_narrow_doors_is_noted_with_the_factor(
+    widths: tuple[float, ...], noted: bool
+) -> None:
+    notes = [n for n in judged(plan(*widths)).notes if n.missing == "scale"]
+    assert len(notes) == noted
+    assert not noted or "2 of 3 doors" in notes[0].message
+    assert not noted or "--scale 1.3" in notes[0].message
+
+
+def test_the_note_goes_with_the_scale_it_names() -> None:
+    assert not [n for n in judged(plan(0.55, 0.6, 0.65, scale=1.33)).notes if n.missing == "scale"]
+
+
+def test_a_scale_is_applied_once_to_what_is_drawn_in_plan() -> None:
+    box = {"category": "wardrobe", "at": [3.7, 1.0], "heading": 3.14, "size": [1.2, 0.6, 2.0]}
+    vase = {"category": "vase", "at": [3.7, 1.2], "size": [0.2, 0.2, 0.3], "z": 2.0, "on": "w"}
+    document = plan(0.6, walls=[{"start": [0, 0], "end": [4, 0], "thickness": 0.1}], scale=1.5)
+    document["rooms"][0] |= {
+        "fixed": [box | {"id": "w"}, vase],
+        "outlets": [{"at": [4, 1], "kind": "power"}],
+        "radiators": [{"at": [2, 3], "width": 1.0}],
+    }
+    brief = Brief.model_validate(document)
+    room = brief.rooms[0]
+    assert room.outline[2] == (6.0, 4.5)
+    assert room.doors[0].width == pytest.approx(0.9)
+    assert brief.walls[0].end == (6.0, 0.0)
+    assert brief.walls[0].thickness == pytest.approx(0.15)
+    wardrobe, standing = room.fixed
+    assert wardrobe.size == (1.2, 0.6, 2.0)
+    assert 6.0 - wardrobe.at[0] == pytest.approx(4.0 - 3.7, abs=0.01)
+    shift = [a - b for a, b in zip(standing.at, wardrobe.at, strict=True)]
+    assert shift == pytest.approx([0.0, 0.2])
+    assert room.outlets[0].at == (6.0, 1.5)
+    assert room.radiators[0].width == 1.0
+    again = Brief.model_validate_json(brief.model_dump_json())
+    assert brief.scale == 1.0
+    assert again == brief
+    assert spaces(again)[0].outline.max() == 6.0
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        ({"scale": 0}, "greater"),
+        ({"scale": "2"}, "number"),
+        ({"scale": 1e3}, "less"),
+        ({"domain": "site", "sites": [], "scale": 2.0}, "only homes and halls have a scale"),
+    ],
+)
+def test_a_scale_that_cannot_be_is_refused(more: dict[str, Any], told: str) -> None:
+    with pytest.raises(ValidationError, match=told):
+        Brief.model_validate(plan(0.8) | more)
+
+
+def test_a_plan_is_not_scaled_out_of_reach(tmp_path: Path) -> None:
+    far = plan(0.8, scale=20.0)
+    far["rooms"][0]["outline"] = [[9000, 0], [9004, 0], [9004, 3]]
+    path = tmp_path / "far.json"
+    path.write_text(json.dumps(far))
+    with pytest.raises(InputError, match="within 10 km"):
+        formats.read(path)
+
+
+def test_the_scale_of_the_command_line_and_of_a_batch(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "small.json").write_text(json.dumps(plan(0.55, 0.6)))
+    small, words = str(tmp_path / "small.json"), ["--steps", "50"]
+    assert run(["arrange", small, "--json", *words]) in (0, 1)
+    first = json.loads(capsys.readouterr().out)
+    assert any("--scale 1.4" in note["message"] for note in first["check"]["notes"])
+    assert run(["arrange", small, "--json", "--scale", "1.4", *words]) in (0, 1)
+    second = json.loads(capsys.readouterr().out)
+    assert not any("--scale" in note["message"] for note in second["check"]["notes"])
+    area = [d["check"]["figures"]["rooms"]["bedroom"]["area"] for d in (first, second)]
+    assert area[1] == pytest.approx(1.4**2 * area[0], rel=1e-3)
+    row = sw.batch([small], tmp_path / "out", steps=50, scale=1.4)[0]
+    assert "--scale" not in row.message
+    assert run(["arrange", small, "--scale", "0"]) == 2
+
+
+HOME = """<home name='h'>
+<level id='l0' name='Ground' elevation='0' height='250'/>
+<level id='l1' name='Bedrooms' elevation='262' height='250' visible='false'/>
+<level id='l2' name='Roof' elevation='524' height='250' viewable='false'/>
+<room level='l0' name='Living room'><point x='0' y='0'/><point x='500' y='0'/>
+<point x='500' y='400'/><point x='0' y='400'/></room>
+<room level='l1' name='Bedroom'><point x='0' y='0'/><point x='400' y='0'/>
+<point x='400' y='400'/><point x='0' y='400'/></room>
+</home>"""
+
+
+def test_hidden_levels_are_named_and_can_be_included(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "home.xml"
+    path.write_text(HOME)
+    brief = formats.read(path)
+    assert [room.name for room in brief.rooms] == ["Living room"]
+    assert brief.notes == [
+        "the level 'Bedrooms' (1 room, 16 m²) is hidden in Sweet Home 3D and "
+        "was not read; add --hidden-levels to include it"
+    ]
+    whole = formats.read(path, hidden_levels=True)
+    assert [room.name for room in whole.rooms] == ["Living room", "Bedroom"]
+    assert whole.notes == []
+    run(["arrange", str(path), "--json", "--steps", "50"])
+    told = json.loads(capsys.readouterr().out)["check"]["notes"]
+    assert any("the level 'Bedrooms'" in note["message"] for note in told)
+    run(["arrange", str(path), "--hidden-levels", "--steps", "50"])
+    out = capsys.readouterr()
+    assert "Bedroom" in out.out
+    assert "hidden in" not in out.out
+
+
+def test_a_home_of_hidden_levels_only_says_so(tmp_path: Path) -> None:
+    path = tmp_path / "home.xml"
+    path.write_text(HOME.replace("name='Ground'", "name='Ground' visible='false'"))
+    with pytest.raises(InputError, match="all its levels are hidden; show them, or add --hidden"):
+        formats.read(path)
+
+
+def test_other_files_have_no_hidden_levels(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "plan.json"
+    path.write_text(json.dumps(plan(0.85)))
+    run(["arrange", str(path), "--hidden-levels", "--steps", "50"])
+    assert "--hidden-levels has no effect" in " ".join(capsys.readouterr().err.split())
