@@ -185,8 +185,12 @@ def costly_answers() -> Files:
                 "rooms": [
                     room(
                         fixed=[
-                            {"category": "bookcase", "at": [2.5, 2], "size": [20 + k / 20, 0.4, 30]}
-                            for k in range(20)
+                            {
+                                "category": "bookcase",
+                                "at": [2.5, 2],
+                                "size": [20 + k / 200, 0.4, 30],
+                            }
+                            for k in range(200)
                         ]
                     )
                 ]

@@ -47,9 +47,12 @@ def test_hostile_files_are_refused_soon_and_in_little_memory(files: object, tmp_
 
 @pytest.mark.slow
 def test_costly_answers_take_little_memory(tmp_path: Path) -> None:
-    for row in runs(costly_answers(), tmp_path, "--whole").values():
+    """No more than half a gigabyte beyond what an ordinary room takes."""
+    rows = runs(costly_answers(), tmp_path, "--whole")
+    usual = float(str(rows["plain.json"]["memory"]))
+    for row in rows.values():
         assert row["done"], row
-        assert float(str(row["memory"])) <= MOST_MEMORY, row
+        assert float(str(row["memory"])) <= usual + MOST_MEMORY, row
 
 
 @pytest.mark.parametrize("asset", ["bookcase", "shelf_unit", "wall_shelf", "planter", "radiator"])

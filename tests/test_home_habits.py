@@ -127,7 +127,7 @@ def test_free_floor_follows_what_was_learned(tmp_path: Path) -> None:
 @pytest.mark.realdata
 @pytest.mark.usefixtures("real_data")
 def test_homes_held_out() -> None:
-    rows = records(quick=True)
+    rows = list(records(quick=True))
     assert {row["case"] for row in rows} == set(WAYS)
     valid = [row["ours"] for row in rows if row["metric"] == "homes valid"]
     assert valid == [1.0] * len(WAYS)

@@ -257,3 +257,43 @@ def test_normals_are_sharp_on_a_box_and_round_on_a_fine_cylinder() -> None:
     outward[..., 2] = 0
     assert np.allclose(normals[sides], outward, atol=0.07)
     assert np.abs(np.abs(normals[~sides][..., 2]) - 1).max() < 1e-9
+
+
+def test_normals_of_a_fan_of_thousands_take_no_square_of_them() -> None:
+    """A flat disc, whose faces are one plane, and the tip of a cone, where all planes differ."""
+    count = 20_000
+    way = np.linspace(0.0, 2 * np.pi, count, endpoint=False)
+    rim = np.column_stack([np.cos(way), np.sin(way), np.zeros(count)])
+    faces = np.column_stack(
+        [np.full(count, count), np.arange(count), (np.arange(count) + 1) % count]
+    )
+    disc = corner_normals(np.vstack([rim, [[0.0, 0.0, 0.0]]]), faces)
+    assert np.allclose(disc, [0.0, 0.0, 1.0])
+    cone = corner_normals(np.vstack([rim, [[0.0, 0.0, 3.0]]]), faces)
+    flat = face_normals(np.vstack([rim, [[0.0, 0.0, 3.0]]]), faces)
+    assert np.allclose(cone[:, 0], flat)
+    assert np.isclose(np.linalg.norm(cone, axis=2), 1.0).all()
+
+
+def test_normals_are_the_mean_of_the_faces_that_meet_within_the_crease() -> None:
+    """Against a walk over all pairs of faces, on a crumpled sheet with flat parts."""
+    draw = np.random.default_rng(3)
+    x, y = np.meshgrid(np.arange(6.0), np.arange(6.0))
+    points = np.column_stack(
+        [x.ravel(), y.ravel(), np.where(x < 2, 0, draw.random(x.shape)).ravel()]
+    )
+    corner = (np.arange(5)[:, None] * 6 + np.arange(5)).ravel()
+    faces = np.vstack(
+        [
+            np.column_stack([corner, corner + 1, corner + 6]),
+            np.column_stack([corner + 1, corner + 7, corner + 6]),
+        ]
+    )
+    own = face_normals(points, faces)
+    sides = points[faces]
+    areas = np.linalg.norm(np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]), axis=1)
+    for face, normals in enumerate(corner_normals(points, faces)):
+        for corner_, normal in zip(faces[face], normals, strict=True):
+            near = (faces == corner_).any(1) & (own @ own[face] >= np.cos(np.deg2rad(40)) - 1e-9)
+            mean = (own[near] * areas[near, None]).sum(0)
+            assert np.allclose(normal, mean / np.linalg.norm(mean))

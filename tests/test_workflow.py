@@ -15,7 +15,7 @@ import pytest
 import scenewright as sw
 from scenewright import cli
 from scenewright.building import plan as room_plan
-from scenewright.core.errors import InputError
+from scenewright.core.errors import CancelledError, InputError
 from scenewright.domains.site import plan as ground_plan
 from scenewright.formats import solution_json
 from scenewright.workflow.alternatives import arrange_alternatives
@@ -137,7 +137,7 @@ def test_the_source_is_not_replaced_by_an_output() -> None:
 
 
 def test_cancelled_before_anything_is_found_nothing_is_written() -> None:
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(CancelledError):
         sw.arrange(ROOM, ["a.json"], steps=50, cancel=lambda: True)
     assert not list(Path().iterdir())
 

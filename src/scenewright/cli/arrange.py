@@ -28,7 +28,7 @@ class Followed(NamedTuple):
 def arrange(request: ArrangeRequest, console: Console) -> Followed:
     """Solve the request, write its outputs, and return what came of it.
 
-    Interrupted before anything was found it raises ``KeyboardInterrupt`` and writes nothing.
+    Interrupted before anything was found it raises ``CancelledError`` and writes nothing.
     """
     return Followed(*follow(lambda cancel: arrange_file(request, cancel=cancel), console))
 

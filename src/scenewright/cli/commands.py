@@ -25,7 +25,7 @@ from scenewright.cli.arguments import check_words
 from scenewright.cli.reading import CatalogOption, GroupsOption, HiddenOption, ScaleOption
 from scenewright.cli.termination import Terminated, orderly_termination
 from scenewright.core.atomic_file import recorded_run
-from scenewright.core.errors import InputError
+from scenewright.core.errors import CancelledError, InputError
 from scenewright.text import printable
 
 app = typer.Typer(
@@ -64,7 +64,7 @@ def run(arguments: list[str] | None = None) -> int:
     except USAGE_FAULT as error:
         told = _format_usage_error(error)
         return _fault(f"{told}; see scenewright --help") if told else 2
-    except (KeyboardInterrupt, typer.Abort):
+    except (CancelledError, KeyboardInterrupt, typer.Abort):
         return _fault("interrupted", 130)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -13,7 +13,7 @@ from scenewright.catalog.models.model import ImportOptions, SkippedModel
 from scenewright.cli.progress import SolverWatch, watching
 from scenewright.core.atomic_file import check_targets
 from scenewright.core.catalog import Part
-from scenewright.core.errors import InputError
+from scenewright.core.errors import CancelledError, InputError
 from scenewright.render.portrait import Portrait, portrait
 from scenewright.render.portrait_sheet import MOST, sheet, side_of, write
 from scenewright.workflow.request import check_name
@@ -107,7 +107,7 @@ def _draw_each(
     side, found = side_of(len(sitters)), []
     for k, sitter in enumerate(sitters):
         if watch.cancelled():
-            raise KeyboardInterrupt
+            raise CancelledError
         watch.progress(k / len(sitters), f"drawing {sitter.name}")
         try:
             found.append((sitter, portrait(sitter.name, sitter.parts, side, measure)))

@@ -1,4 +1,4 @@
-"""The one error a user's input can cause."""
+"""The one error a user's input can cause, and the end of what was cancelled."""
 
 from __future__ import annotations
 
@@ -6,6 +6,10 @@ from scenewright.text import printable
 
 MOST = 400
 """Letters of a place or a fault that are told."""
+
+
+class CancelledError(Exception):
+    """A run was cancelled before anything was found; nothing was written."""
 
 
 class InputError(ValueError):

@@ -17,7 +17,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
-from scenewright.render.picture import PAGE, REACH, Camera, Pixels, render, view_of
+from scenewright.render.picture import PAGE, REACH, Camera, Pixels, RenderStage, render, view_of
 from scenewright.render.stage import SHADOW, blocks_of, stage_of
 
 WIDTH, TALLEST = 1440, 1026
@@ -60,13 +60,19 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
 def picture(scene: Scene, catalog: Catalog, width: int = WIDTH) -> Pixels:
     """The scene as pixels ``(height, width, 3)``; the height follows the scene's shape."""
     look = OUTDOORS if any("site" in space.functions for space in scene.spaces) else INDOORS
+    stage, camera, shape = _staged(scene, catalog, look)
+    height = int(np.clip(round(width * shape), width // 3, TALLEST * width // WIDTH))
+    return render(stage, camera, width, height, look.sun)
+
+
+def _staged(scene: Scene, catalog: Catalog, look: Look) -> tuple[RenderStage, Camera, float]:
+    """The triangles, and a camera that sees them with the shape of its picture."""
     blocks = blocks_of(scene, catalog, look.cut)
     corners = [block.vertices for block in blocks] or [np.zeros((1, 3))]
     bounds = np.vstack(corners)
     camera, shape = frame_points(bounds, look.towards)
-    height = int(np.clip(round(width * shape), width // 3, TALLEST * width // WIDTH))
-    stage = stage_of(blocks, bounds, PAGE, look.shadow)._replace(reach=look.reach)
-    return render(stage, camera, width, height, look.sun)
+    stage = stage_of(blocks, bounds, PAGE, look.shadow)
+    return stage._replace(reach=look.reach), camera, shape
 
 
 def frame_points(points: Floats, towards: Direction = INDOORS.towards) -> tuple[Camera, float]:

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import itertools
+from collections.abc import Iterator, Sequence
 
 import mapbox_earcut
 import numpy as np
 
 from scenewright.geometry.mesh import Floats, Ints, Mesh
+
+AT_ONCE = 50_000
+"""Faces of several meshes whose normals are found together."""
+MOST_PLANES = 256
+"""Planes that may meet at a point whose normals are made smooth."""
 
 
 def triangles(outline: Floats, holes: Sequence[Floats] = ()) -> Ints:
@@ -81,28 +87,45 @@ def corner_normals(
 
     Each is the mean, weighted by area, of the faces that meet at the same point and whose normal
     is within ``crease`` radians of this face's own. Points count as the same within 0.01 mm, and
-    if they belong to the same body (``bodies`` (n,), default all one).
+    if they belong to the same body (``bodies`` (n,), default all one). Faces of one plane count
+    together, and where more than :data:`MOST_PLANES` meet each keeps its own normal, so that a
+    fan of thousands costs no square of them.
     """
     across = _across(vertices, faces)
     own = _unit(across)
     keys = row_keys(
         vertices / 1e-5 if bodies is None else np.column_stack([vertices / 1e-5, bodies])
     )
-    _, same = np.unique(keys, return_inverse=True)
-    here, there = _meetings(same[faces.reshape(-1)])
-    mine, other = here // 3, there // 3
-    alike = np.einsum("ij,ij->i", own[mine], own[other]) >= np.cos(crease) - 1e-9
-    here, other = here[alike], other[alike]
-    summed = np.stack([np.bincount(here, across[other, axis], faces.size) for axis in range(3)], -1)
-    flat = np.repeat(own, 3, axis=0)
-    found = _unit(summed.astype(np.float64))
-    return np.where(np.abs(found).max(1, keepdims=True) > 0, found, flat).reshape(-1, 3, 3)
+    points = np.unique(keys, return_inverse=True)[1][faces.reshape(-1)]
+    planes = np.repeat(np.unique(row_keys(own * 1e9), return_inverse=True)[1], 3)
+    _, first, fan = np.unique(
+        points * (planes.max(initial=0) + 1) + planes, return_index=True, return_inverse=True
+    )
+    areas = _sum_by(fan, across[np.arange(faces.size) // 3], len(first))
+    here, there = _meetings(points[first])
+    normals = own[first // 3]
+    alike = np.einsum("ij,ij->i", normals[here], normals[there]) >= np.cos(crease) - 1e-9
+    found = _unit(_sum_by(here[alike], areas[there[alike]], len(first)))
+    smooth = np.where(np.abs(found).max(1, keepdims=True, initial=0.0) > 0, found, normals)
+    return smooth[fan].reshape(-1, 3, 3)
 
 
-def normals_of(meshes: Sequence[tuple[Floats, Ints]]) -> list[Floats]:
-    """The :func:`corner_normals` of many meshes, found together (far faster than one by one)."""
-    if not meshes:
-        return []
+def _sum_by(groups: Ints, rows: Floats, count: int) -> Floats:
+    """The sum ``(count, 3)`` of the rows ``(n, 3)`` of each group."""
+    return np.stack([np.bincount(groups, rows[:, axis], count) for axis in range(3)], -1)
+
+
+def normals_of(meshes: Sequence[tuple[Floats, Ints]]) -> Iterator[Floats]:
+    """The :func:`corner_normals` of many meshes, found for :data:`AT_ONCE` faces together, which
+    is far faster than one by one and takes no more memory however many there are."""
+    ends = np.cumsum([len(faces) for _, faces in meshes], dtype=np.int64)
+    bounds = np.arange(0, ends[-1], AT_ONCE) if meshes else ends
+    batches = {0, *np.searchsorted(ends, bounds).tolist(), len(meshes)}
+    for start, end in itertools.pairwise(sorted(batches)):
+        yield from _normals_of(meshes[start:end])
+
+
+def _normals_of(meshes: Sequence[tuple[Floats, Ints]]) -> list[Floats]:
     starts = np.cumsum([0, *(len(vertices) for vertices, _ in meshes)])
     vertices = np.concatenate([vertices for vertices, _ in meshes])
     faces = np.concatenate([f + start for (_, f), start in zip(meshes, starts, strict=False)])
@@ -151,11 +174,14 @@ def row_keys(rows: Floats) -> Ints:
 
 
 def _meetings(points: Ints) -> tuple[Ints, Ints]:
-    """All ordered pairs of corners ``(i, j)`` that lie at the same point, i = j included."""
+    """All ordered pairs ``(i, j)`` that lie at the same point, i = j included; where more than
+    :data:`MOST_PLANES` lie at one point only ``(i, i)``."""
     order = np.argsort(points, kind="stable")
     _, first, count = np.unique(points[order], return_index=True, return_counts=True)
-    sizes = np.repeat(count, count)
+    shared = np.repeat(count, count)
+    crowded = shared > MOST_PLANES
+    sizes = np.where(crowded, 1, shared)
     here = np.repeat(order, sizes)
-    begin = np.repeat(np.repeat(first, count), sizes)
+    begin = np.where(crowded, np.arange(len(order)), np.repeat(first, count))
     within = np.arange(len(here)) - np.repeat(np.cumsum(sizes) - sizes, sizes)
-    return here, order[begin + within]
+    return here, order[np.repeat(begin, sizes) + within]

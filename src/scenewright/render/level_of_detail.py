@@ -10,8 +10,8 @@ from scenewright.catalog.models.decimation import decimate
 from scenewright.core.catalog import Part
 from scenewright.render.items import RenderItem
 
-MOST = 1_500_000
-"""Triangles in a picture: about a gigabyte while it is drawn."""
+MOST = 1_200_000
+"""Triangles in a picture: about 0.6 gigabytes while it is drawn."""
 LEAST = 12
 """Triangles that are left of a part."""
 

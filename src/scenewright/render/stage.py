@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -22,6 +22,9 @@ APART = 2.0
 SHADOW = 1.7
 """How far beyond the scene, in metres, its shadow is drawn."""
 
+AT_ONCE = 50_000
+"""Triangles that are prepared together."""
+
 PATTERNS = {
     "oak floor": finish.PLANKS,
     "stone floor": finish.SLABS,
@@ -40,6 +43,7 @@ PATTERNS = {
 }
 
 Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
 
 
 class PartTriangles(NamedTuple):
@@ -48,7 +52,7 @@ class PartTriangles(NamedTuple):
     material: Material
     vertices: Floats
     faces: NDArray[np.int64]
-    normals: Floats
+    normals: Floats | Singles
     category: str = ""
 
 
@@ -60,23 +64,21 @@ def stage_of(
     clear = [block for block in blocks if block.material.opacity < 0.8]
     solid = [block for block in blocks if block.material.opacity >= 0.8]
     solid.append(_page(bounds, page))
-    materials = list({block.material: None for block in solid})
-    counts = [len(block.faces) for block in solid]
-    corners = np.concatenate([block.vertices[block.faces] for block in solid])
-    normals = np.concatenate([block.normals for block in solid])
-    which = np.repeat([materials.index(block.material) for block in solid], counts)
-    smooth = np.abs(normals - normals[:, :1]).max((1, 2)) > 1e-3
-    smooth |= np.abs(normals[:, 0] - _flat_normals(corners)).max(1) > 1e-3
-    owner = np.repeat(np.arange(len(solid)), counts)
+    numbers = {block.material: 0 for block in solid}
+    numbers = {material: number for number, material in enumerate(numbers)}
+    parts = [_triangles_of(batch, numbers) for batch in _batches(solid)]
+    corners, normals, which, keys, smooth = (
+        np.concatenate(column) for column in zip(*parts, strict=True)
+    )
     tints = [np.tile(_tint(b.material), (len(b.faces), 1)) for b in clear]
     panes = [b.vertices[b.faces] for b in clear]
     return RenderStage(
-        corners.astype(np.float32),
-        normals.astype(np.float32),
-        which.astype(np.int32),
-        _keys(corners, smooth, which, owner),
+        corners,
+        normals,
+        which,
+        np.unique(keys, return_inverse=True)[1].astype(np.int32),
         smooth,
-        np.array([_row(material) for material in materials], np.float32),
+        np.array([_row(material) for material in numbers], np.float32),
         np.concatenate([np.zeros((0, 3, 3)), *panes]).astype(np.float32),
         np.concatenate([np.zeros((0, 4)), *tints]).astype(np.float32),
         np.stack([bounds.min(0) - shadow, bounds.max(0) + shadow]).astype(np.float32),
@@ -95,48 +97,82 @@ def blocks_of(scene: Scene, catalog: Catalog, cut: float | None = None) -> list[
         blocks = [block for thing in mine for block in _of_thing(thing, normals[thing.key])]
         if not blocks:
             continue
-        points = np.vstack([block.vertices for block in blocks])
-        shift = np.array([start - points[:, 0].min() if found else 0.0, 0.0, 0.0])
+        low = min(block.vertices[:, 0].min() for block in blocks if len(block.vertices))
+        high = max(block.vertices[:, 0].max() for block in blocks if len(block.vertices))
+        shift = np.array([start - low if found else 0.0, 0.0, 0.0])
         found += [block._replace(vertices=block.vertices + shift) for block in blocks]
-        start = float(points[:, 0].max() + shift[0]) + APART
+        start = float(high + shift[0]) + APART
     return found
 
 
-def _shared_normals(shown: Sequence[RenderItem]) -> dict[Hashable, list[Floats]]:
+def _shared_normals(shown: Sequence[RenderItem]) -> dict[Hashable, list[Singles]]:
     """Normals of the parts of every kind of thing, by its key."""
     kinds = {thing.key: thing.parts for thing in shown}
-    found = iter(normals_of([(p.vertices, p.faces) for parts in kinds.values() for p in parts]))
+    meshes = [(p.vertices, p.faces) for parts in kinds.values() for p in parts]
+    found = (normals.astype(np.float32) for normals in normals_of(meshes))
     return {key: [next(found) for _ in parts] for key, parts in kinds.items()}
 
 
-def _of_thing(thing: RenderItem, normals: Sequence[Floats]) -> list[PartTriangles]:
+def _of_thing(thing: RenderItem, normals: Sequence[Singles]) -> list[PartTriangles]:
     turn = thing._replace(at=(0.0, 0.0, 0.0))
     return [
         PartTriangles(
             part.material,
             to_level_coordinates(thing, part.vertices),
             part.faces,
-            to_level_coordinates(turn, corner.reshape(-1, 3)).reshape(-1, 3, 3),
+            to_level_coordinates(turn, corner.reshape(-1, 3).astype(np.float64))
+            .reshape(-1, 3, 3)
+            .astype(np.float32),
             str(thing.extras.get("category", "")),
         )
         for part, corner in zip(thing.parts, normals, strict=True)
     ]
 
 
-def _flat_normals(corners: Floats) -> Floats:
-    return face_normals(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3))
+def _batches(solid: Sequence[PartTriangles]) -> list[list[tuple[int, PartTriangles]]]:
+    """The blocks with their numbers, :data:`AT_ONCE` faces and a block together: what is worked
+    out for one batch takes no more memory however many there are."""
+    ends = np.cumsum([0, *(len(block.faces) for block in solid)])[:-1] // AT_ONCE
+    found: dict[int, list[tuple[int, PartTriangles]]] = {}
+    for batch, numbered in zip(ends.tolist(), enumerate(solid), strict=True):
+        found.setdefault(batch, []).append(numbered)
+    return list(found.values())
+
+
+def _triangles_of(
+    batch: Sequence[tuple[int, PartTriangles]], numbers: Mapping[Material, int]
+) -> tuple[Singles, Singles, NDArray[np.int32], NDArray[np.int64], NDArray[np.bool_]]:
+    """Corners, normals, finishes, keys and whether it is round, for each triangle of a batch."""
+    counts = [len(block.faces) for _, block in batch]
+    corners = np.concatenate([block.vertices[block.faces] for _, block in batch])
+    normals = np.concatenate([block.normals for _, block in batch])
+    which = np.repeat([numbers[block.material] for _, block in batch], counts)
+    flat = face_normals(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3))
+    smooth = np.abs(normals - normals[:, :1]).max((1, 2)) > 1e-3
+    smooth |= np.abs(normals[:, 0] - flat).max(1) > 1e-3
+    keys = _keys(corners, flat, smooth, which, np.repeat([number for number, _ in batch], counts))
+    return (
+        corners.astype(np.float32),
+        normals.astype(np.float32),
+        which.astype(np.int32),
+        keys,
+        smooth,
+    )
 
 
 def _keys(
-    corners: Floats, smooth: NDArray[np.bool_], which: NDArray[np.int64], owner: NDArray[np.int64]
-) -> NDArray[np.int32]:
+    corners: Floats,
+    flat: Floats,
+    smooth: NDArray[np.bool_],
+    which: NDArray[np.int64],
+    owner: NDArray[np.int64],
+) -> NDArray[np.int64]:
     """Equal for faces of one plane and finish, or of one round part."""
-    flat = _flat_normals(corners)
     offset = np.einsum("ij,ij->i", flat, corners[:, 0])
     plane = np.column_stack([flat * 200, offset * 200, which, np.zeros(len(flat))])
     plane[smooth] = 0.0
     plane[smooth, 5] = owner[smooth] + 1
-    return np.unique(row_keys(plane), return_inverse=True)[1].astype(np.int32)
+    return row_keys(plane)
 
 
 def _page(bounds: Floats, material: Material) -> PartTriangles:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from scenewright import domains
 from scenewright.check.report import Report
 from scenewright.core.atomic_file import check_targets
-from scenewright.core.errors import InputError
+from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.formats import suffix_of
@@ -67,7 +67,7 @@ def arrange_alternatives(
     except InputError as error:
         raise error.located(file=request.source) from None
     if cancel is not None and cancel() and not any(solution.evaluations for solution in found):
-        raise KeyboardInterrupt
+        raise CancelledError
     ranked = rank_solutions(found, plan, request.outputs)
     for one in ranked:
         yield Solved(one.solution)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from scenewright import domains
 from scenewright.check.report import Report
 from scenewright.core.atomic_file import recorded_run
-from scenewright.core.errors import InputError
+from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, run_to_end
@@ -42,7 +42,7 @@ def arrange_file(
     """Solve a request, judge the solution and write its outputs.
 
     When ``cancel`` answers true, the best so far is written; if nothing was found yet it raises
-    ``KeyboardInterrupt`` and writes nothing. ``parts`` is the folder of temporary files.
+    ``CancelledError`` and writes nothing. ``parts`` is the folder of temporary files.
     """
     planned = plan_request(request)
     yield planned
@@ -67,7 +67,7 @@ def arrange_file(
     except InputError as error:
         raise error.located(file=request.source) from None
     if cancel is not None and cancel() and not solution.evaluations:
-        raise KeyboardInterrupt
+        raise CancelledError
     yield Solved(solution)
     report = domains.check(solution, plan=plan)
     yield Judged(report)
