@@ -13,9 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import scenewright
-from scenewright import domains
 from scenewright.building.outlines import ring
-from scenewright.building.plan import spaces
+from scenewright.building.plan import plan_rooms, spaces
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.space import Space
@@ -23,6 +22,7 @@ from scenewright.domains.hall.borders import border_lengths
 from scenewright.domains.hall.demands import floor_needed, ids_of, sizes_of
 from scenewright.domains.hall.hall_layout import Zone
 from scenewright.domains.hall.zones import HallPlan, borders_of, wall_stretches, zones_of
+from scenewright.domains.home.requests import check_plain
 
 
 def box(x0: float, y0: float, x1: float, y1: float) -> list[list[float]]:
@@ -367,4 +367,4 @@ def test_homes_have_no_zones(key: str) -> None:
     extra = {"zones": TWO, "links": [{"between": ["a", "b"]}], "demands": [{"category": "bench"}]}
     document = brief(hall(**{key: extra[key]}), domain="home")
     with pytest.raises(InputError, match=rf"rooms\[0\] 'Hall': has {key}, which only halls have; "):
-        domains.plan_of(document)
+        check_plain(document, plan_rooms(document))
