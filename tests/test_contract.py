@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import importlib
 import json
+import re
+import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
 import scenewright as sw
 from scenewright.core.errors import InputError
-from scenewright.domains import adjust, domain_of
+from scenewright.domains import adjust, domain_of, plan_of, problems
+from scenewright.domains.contract import NEEDED, Domain, Table, Verb
 from scenewright.formats import solution_json
 
 SAMPLES = {"home": "home-studio", "hall": "hall-shop", "site": "site-courtyards"}
+PLUGINS = Path(__file__).parent / "plugins"
 STEPS = {"home": 500, "hall": 1500, "site": 2}
 
 
@@ -221,11 +227,50 @@ def test_swaps_are_for_homes(domain: str) -> None:
         adjust(solution, swap=[(one, other)])
 
 
+def every_domain() -> list[Domain]:
+    """All shipped domains and the toy of another package."""
+    sys.path.insert(0, str(PLUGINS))
+    try:
+        toy = importlib.import_module("picnic").DOMAIN
+    finally:
+        sys.path.remove(str(PLUGINS))
+    return [*map(domain_of, SAMPLES), toy]
+
+
+@pytest.mark.parametrize("domain", every_domain(), ids=lambda domain: domain.name)
+def test_every_verb_is_there_or_refused_in_one_line(domain: Domain) -> None:
+    assert set(NEEDED) <= domain.verbs.keys() <= set(get_args(Verb))
+    for verb in get_args(Verb):
+        if domain.has(verb):
+            assert callable(domain.verb(verb))
+            continue
+        words = verb.replace("_", " ")
+        with pytest.raises(InputError, match=f"'{domain.name}' do not support '{words}'") as caught:
+            domain.verb(verb)
+        assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("domain", every_domain(), ids=lambda domain: domain.name)
+def test_tables_are_those_of_the_contract(domain: Domain) -> None:
+    assert {"presets", "solvers", "meanings"} <= domain.tables.keys() <= set(get_args(Table))
+    for table in get_args(Table):
+        assert bool(domain.table(table)) == (table in domain.tables)
+
+
+def test_every_verb_and_table_of_the_contract_is_asked_for() -> None:
+    source = Path(sw.__file__).parent
+    text = "".join(f.read_text() for f in source.rglob("*.py") if f.name != "contract.py")
+    asked = set(re.findall(r'\.(?:verb|table)\(\s*"(\w+)"', text))
+    assert asked == {*get_args(Verb), *get_args(Table)}
+
+
 @pytest.mark.parametrize("domain", SAMPLES)
-def test_a_verb_it_lacks_is_refused_by_name(domain: str) -> None:
-    bare = domain_of(domain)._replace(verbs={})
-    with pytest.raises(InputError, match=f"'{domain}' do not support 'detail of'"):
-        bare.verb("detail_of")
+def test_a_brief_becomes_problems(domain: str) -> None:
+    brief = sw.read(f"sample:{SAMPLES[domain]}")
+    plan = plan_of(brief)
+    found = problems(brief, plan=plan)
+    assert 0 < len(found) <= len(plan.spaces)
+    assert [type(one) for one in problems(brief)] == [type(one) for one in found]
 
 
 @pytest.mark.parametrize("name", sw.samples())

@@ -17,14 +17,13 @@ USUAL = 0.8
 LEAST_DOORS = 2
 
 
-def note_plan(brief: Brief, spaces: Sequence[Space]) -> list[Note]:
-    """What was left out or assumed on reading, and whether a home is probably drawn too small."""
-    read = [Note("", "plan", "", text) for text in brief.notes]
-    return [*read, *note_small_doors(spaces)] if brief.domain == "home" else read
+def note_reading(brief: Brief) -> list[Note]:
+    """What was left out or assumed on reading."""
+    return [Note("", "plan", "", text) for text in brief.notes]
 
 
 def note_small_doors(spaces: Sequence[Space]) -> list[Note]:
-    """A note if more than half of the hinged doors of a home, of at least two, are narrower than
+    """A note if more than half of the hinged doors, of at least two, are narrower than
     :data:`NARROW`: with the factor that gives their median the width :data:`USUAL`.
 
     >>> from scenewright.building.plan import spaces

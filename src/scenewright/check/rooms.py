@@ -11,7 +11,6 @@ from scenewright.check.ceilings import find_through_slopes
 from scenewright.check.collisions import find_collisions
 from scenewright.check.openings import find_blocked
 from scenewright.check.outlets import connections_of, connections_told
-from scenewright.check.plan_notes import note_plan
 from scenewright.check.radiators import find_shut_in
 from scenewright.check.reach import find_unreachable
 from scenewright.check.report import Finding, Note, count_by_kind
@@ -24,8 +23,8 @@ from scenewright.check.routes import (
     reachable_share,
     walk_in,
 )
-from scenewright.check.spaces import find_doorless, room_figures
-from scenewright.check.stairs import find_blocked_stairs, find_cut_off
+from scenewright.check.spaces import room_figures
+from scenewright.check.stairs import find_blocked_stairs
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
@@ -86,15 +85,6 @@ def judge_rooms(walked: Walked, groups: Sequence[Members] = ()) -> Verdict:
         "rooms": room_figures(bodies, rooms),
     }
     return Verdict(findings, unreached, figures | ({"outlets": connected} if connected else {}))
-
-
-def missing_ways(brief: Brief, walked: Walked) -> list[Note]:
-    """What the plan does not say or says amiss, rooms without a door, levels without stairs."""
-    return [
-        *note_plan(brief, walked.rooms.spaces),
-        *find_doorless(walked.bodies, walked.rooms),
-        *find_cut_off(brief, walked.bodies, walked.rooms),
-    ]
 
 
 def counted(pieces: Sequence[Piece], findings: Sequence[Finding]) -> dict[str, Any]:

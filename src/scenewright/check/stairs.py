@@ -120,9 +120,9 @@ def _finding(
 
 
 def find_cut_off(brief: Brief, bodies: Bodies, rooms: Rooms) -> list[Note]:
-    """A note for each lived-in level of a home that no door from outside and no stairs lead to."""
+    """A note for each lived-in level that no door from outside and no stairs lead to."""
     height = {level.id: level.elevation for level in brief.levels}
-    if brief.domain != "home" or len(height) < 2:
+    if len(height) < 2:
         return []
     served = with_stairs(bodies, rooms)
     level_of = {space.id: space.level for space in rooms.spaces}

@@ -57,7 +57,7 @@ def rows(plans: list[RankedSolution]) -> list[dict[str, Any]]:
 def patterns(plan: RankedSolution) -> str:
     """What distinguishes a plan, in one line."""
     domain = domain_of(plan.solution.brief.domain)
-    words = domain.verb("summary")(plan.solution, plan.plan) if domain.has("summary") else ""
+    words = domain.verb("describe")(plan.solution, plan.plan) if domain.has("describe") else ""
     return f"plan {plan.rank}: {words}" if words else ""
 
 

@@ -38,9 +38,9 @@ def _solvers() -> list[Row]:
     from scenewright.domains import domain_names, solvers
 
     return [
-        {"name": name, "domain": domain, "about": row.doc, "source": row.source}
-        for domain in domain_names()
-        for name, row in solvers(domain).items()
+        {"name": name, "domain": kind, "about": row.doc, "source": row.source}
+        for kind in domain_names()
+        for name, row in solvers(kind).items()
     ]
 
 
@@ -48,9 +48,9 @@ def _terms() -> list[Row]:
     from scenewright.domains import domains
 
     return [
-        {"domain": domain.name} | _term(row._asdict())
-        for domain in domains()
-        for row in domain.table("terms")
+        {"domain": kind.name} | _term(row._asdict())
+        for kind in domains()
+        for row in kind.table("terms")
     ]
 
 
@@ -62,7 +62,7 @@ def _term(row: Row) -> Row:
 def _patterns() -> list[Row]:
     from scenewright.domains import domains
 
-    return [row._asdict() for domain in domains() for row in domain.table("patterns").values()]
+    return [row._asdict() for kind in domains() for row in kind.table("patterns").values()]
 
 
 def _presets() -> list[Row]:
@@ -70,14 +70,14 @@ def _presets() -> list[Row]:
 
     return [
         {
-            "domain": domain,
+            "domain": kind,
             "name": name,
             "about": preset.doc,
             "solver": preset.solver,
             "weights": preset.weights,
         }
-        for domain in domain_names()
-        for name, preset in presets(domain).items()
+        for kind in domain_names()
+        for name, preset in presets(kind).items()
     ]
 
 
@@ -119,24 +119,10 @@ def _assets() -> list[Row]:
 
 
 def _groups() -> list[Row]:
-    """What ``ask`` may name; sizes are width and depth of the cases of least and most floor."""
-    from scenewright.catalog.kinds import name_of
-    from scenewright.domains.home.cases.library import cases
-    from scenewright.domains.home.groups import GROUPS
+    """What ``ask`` may name, of every domain that has groups."""
+    from scenewright.domains import domains
 
-    rows = []
-    for name, kind in GROUPS.items():
-        order = sorted(cases(name).groups, key=lambda case: case.width * case.depth)
-        small, large = order[0], order[-1]
-        rows.append(
-            {
-                "name": name,
-                "holds": " or ".join(name_of(part) for part in kind.essential),
-                "smallest": [round(small.width, 2), round(small.depth, 2)],
-                "largest": [round(large.width, 2), round(large.depth, 2)],
-            }
-        )
-    return rows
+    return [row for kind in domains() if kind.has("groups") for row in kind.verb("groups")()]
 
 
 def _samples() -> list[Row]:

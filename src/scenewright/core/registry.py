@@ -31,6 +31,10 @@ class Format(NamedTuple):
     writer: str = ""
     domain: str = ""
 
+    def holds(self, kind: str) -> bool:
+        """Whether such files hold what is of a domain, named by its ``kind``."""
+        return not self.domain or kind == self.domain
+
 
 @cache
 def domain_names() -> tuple[str, ...]:

@@ -32,6 +32,7 @@ __all__ = [
     "draw_plan",
     "plan_of",
     "presets",
+    "problems",
     "resolve",
     "scene_of",
     "solution_of",
@@ -55,6 +56,15 @@ def plan_of(brief: Brief) -> Plan:
     check_domain(brief)
     plan: Plan = domain_of(brief.domain).verb("plan")(brief)
     return plan
+
+
+def problems(brief: Brief, preset: str = "default", *, plan: Plan | None = None) -> tuple[Any, ...]:
+    """A brief as its solvers see it: the problem of each space that is to hold something.
+
+    ``plan`` is that of the brief (made unless given). A domain that does not tell is refused."""
+    domain: Domain = domain_of(brief.domain)
+    found: tuple[Any, ...] = domain.verb("problems")(brief, preset, plan=plan or plan_of(brief))
+    return found
 
 
 def solve(

@@ -14,6 +14,7 @@ from typing import Any, Literal, NamedTuple, Protocol
 
 from scenewright.check.report import Report
 from scenewright.core.brief import Brief
+from scenewright.core.brief.fields import FURNITURE
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.registry import Format
@@ -23,24 +24,29 @@ from scenewright.core.solution import Solution
 Verb = Literal[
     "plan",
     "validate",
+    "problems",
     "solve",
+    "solution",
     "check",
     "scene",
     "draw",
-    "problems",
-    "solution",
     "alternatives",
-    "differ",
-    "adjust",
+    "compare",
     "describe",
-    "lock",
+    "adjust",
+    "locked",
+    "accessible",
+    "groups",
     "detail_document",
     "detail_of",
-    "accessible",
 ]
-Table = Literal["presets", "solvers", "terms", "patterns", "groups", "kinds"]
+"""What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged;
+of the others ``validate``, ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups`` and
+the two of the detail are passed over where a domain has none, the rest refused by name."""
+Table = Literal["presets", "solvers", "terms", "meanings", "patterns"]
 
-PLAN = "brief -> Plan: valid spaces, or an InputError that names the place"
+NEEDED: tuple[Verb, ...] = ("plan", "solve", "check", "scene", "draw")
+"""The verbs every domain has."""
 
 
 class Planning(Protocol):
@@ -96,7 +102,8 @@ class Domain(NamedTuple):
     ``detail`` that of the keys only its solutions have. ``rooms`` tells whether its briefs have
     rooms; ``lacks`` and ``rooms_lack`` are common keys of briefs and rooms it does
     not know. ``defaults`` are values of common keys its briefs leave out. ``noun`` names one of its
-    spaces in messages. ``verbs`` and ``tables`` give the function or table of each name as
+    spaces in messages; ``largest_piece`` the greatest side a piece of a saved solution may have, in
+    metres. ``verbs`` and ``tables`` give the function or table of each name as
     ``"module:name"`` below the package. ``samples`` are names of briefs in its folder
     ``samples``; ``formats`` files only it reads or writes. ``documents`` read a parsed JSON
     document of another program: its ``type`` -> ``"module:name"``. ``maps`` is the module that
@@ -113,6 +120,7 @@ class Domain(NamedTuple):
     rooms_lack: tuple[str, ...] = ()
     defaults: Mapping[str, Any] = {}
     noun: str = "room"
+    largest_piece: float = FURNITURE
     verbs: Mapping[str, str] = {}
     tables: Mapping[str, str] = {}
     formats: tuple[Format, ...] = ()

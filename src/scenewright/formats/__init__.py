@@ -136,7 +136,7 @@ def writer(path: str | os.PathLike[str], domain: str = "") -> Callable[..., None
 
     check_text(os.fspath(path), "the name of a file")
     row = _row(path, "writer", domain)
-    if domain and row.domain not in ("", domain):
+    if domain and not row.holds(domain):
         raise InputError(
             f"only {row.domain}s can be written as {row.suffix}",
             "choose .glb, .svg or .json",
@@ -181,7 +181,7 @@ def formats() -> tuple[Format, ...]:
     """All formats: the rows above, those of the domains, and those other packages add."""
     from importlib.metadata import entry_points
 
-    own = tuple(row for domain in domains() for row in domain.formats)
+    own = tuple(row for kind in domains() for row in kind.formats)
     return (
         FORMATS
         + own
@@ -240,7 +240,7 @@ def _sample(name: str) -> Brief:
 
 def _sample_files() -> dict[str, Any]:
     """The briefs in the folders ``samples`` of the domains, by name."""
-    folders = [resources.files(domain.package) / "samples" for domain in domains()]
+    folders = [resources.files(kind.package) / "samples" for kind in domains()]
     return {
         file.name.removesuffix(".json"): file
         for folder in folders
@@ -260,7 +260,7 @@ def _row(path: str | os.PathLike[str], part: str, domain: str = "") -> Format:
     name = Path(path).name.lower()
     suffix = Path(name).suffix
     fitting = [row for row in formats() if _fits(row, name) and getattr(row, part)]
-    found = sorted(fitting, key=lambda row: (-len(row.suffix), row.domain not in ("", domain)))
+    found = sorted(fitting, key=lambda row: (-len(row.suffix), not row.holds(domain)))
     if not found:
         usable = ", ".join(row.suffix for row in formats() if getattr(row, part))
         verb = "read" if part == "reader" else "written"

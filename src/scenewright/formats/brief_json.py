@@ -34,9 +34,9 @@ def read(path: Path, keep: bool = False) -> Brief:
             f"is larger than {GREATEST_FILE // 2**20} MiB", "split it into several briefs"
         )
     document = _document(path.read_bytes())
-    for domain in map(domain_of, domain_names()):
-        if document.get("type") in domain.documents:
-            brief: Brief = domain.load(domain.documents[document["type"]])(document, path)
+    for kind in map(domain_of, domain_names()):
+        if document.get("type") in kind.documents:
+            brief: Brief = kind.load(kind.documents[document["type"]])(document, path)
             return brief
     return _brief(document, path.parent)
 

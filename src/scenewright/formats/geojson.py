@@ -18,7 +18,7 @@ def read(path: Path, keep: bool = False) -> Brief:
     """
     del keep
     found, name = load(path), Path(path).stem
-    rows = [domain for domain in map(domain_of, domain_names()) if domain.maps]
+    rows = [kind for kind in map(domain_of, domain_names()) if kind.maps]
     readers = [import_module(row.maps, row.package) for row in rows]
     reader = next((one for one in readers if one.recognises(found)), readers[0])
     brief: Brief = reader.brief_of(found, name)

@@ -10,9 +10,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from scenewright.core.brief import Brief
 from scenewright.core.brief.fields import (
-    BUILDING,
     BUILT_IN,
-    FURNITURE,
     Coordinate,
     Heading,
     Length,
@@ -138,9 +136,9 @@ def check_document(
 
 def _check_sizes(record: SolutionRecord) -> None:
     """No piece is larger than a brief could ask for."""
-    furniture = BUILDING if record.brief.domain == "site" else FURNITURE
+    largest = domain_of(record.brief.domain).largest_piece
     for index, piece in enumerate(record.pieces):
-        most = BUILT_IN if piece.category in ("partition", "curtain") else furniture
+        most = BUILT_IN if piece.category in ("partition", "curtain") else largest
         if max(piece.size) > most:
             fault = f"{max(piece.size):g} m is not possible"
             remedy = f"it should be at most {most:g} (lengths are metres)"

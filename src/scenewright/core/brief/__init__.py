@@ -251,15 +251,16 @@ class Brief(StrictModel):
     @classmethod
     def _of_domain(cls, part: Any, info: ValidationInfo) -> Any:
         """The part as the model of its domain."""
-        domain = domain_of(info.data["domain"]) if "domain" in info.data else None
-        model = domain.part_model() if domain is not None else None
+        kind = _kind(info)
+        model = kind.part_model() if kind else None
         return part if model is None or isinstance(part, model) else model.model_validate(part)
 
     @field_validator("rooms")
     @classmethod
     def _some(cls, rooms: list[Room], info: ValidationInfo) -> list[Room]:
         """Scenes of rooms need rooms."""
-        if not rooms and "domain" in info.data and domain_of(info.data["domain"]).rooms:
+        kind = _kind(info)
+        if not rooms and kind and kind.rooms:
             limits = {"field_type": "List", "min_length": 1, "actual_length": 0}
             raise PydanticKnownError("too_short", limits)
         return rooms
@@ -268,7 +269,8 @@ class Brief(StrictModel):
     @classmethod
     def _of_rooms(cls, scale: float, info: ValidationInfo) -> float:
         """Sites are drawn from maps; only plans of rooms have a scale of their own."""
-        if scale != 1.0 and "domain" in info.data and not domain_of(info.data["domain"]).rooms:
+        kind = _kind(info)
+        if scale != 1.0 and kind and not kind.rooms:
             raise ValueError("only homes and halls have a scale, leave it out")
         return scale
 
@@ -287,6 +289,12 @@ class Brief(StrictModel):
         """The part's keys stand among the others, as in the file."""
         document: dict[str, Any] = plain(self)
         return document | (document.pop("part", None) or {})
+
+
+def _kind(info: ValidationInfo) -> Any:
+    """The domain of the brief that is being checked; ``None`` if what it names is none."""
+    name = info.data.get("domain")
+    return domain_of(name) if name else None
 
 
 def _defaults(domain: Any, document: Mapping[str, Any]) -> dict[str, Any]:

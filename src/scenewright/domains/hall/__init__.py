@@ -15,6 +15,7 @@ DOMAIN = Domain(
     verbs={
         "plan": "scenewright.building.plan:plan_rooms",
         "validate": ".zones:check_halls",
+        "problems": ".solving:problems",
         "solve": ".solving:solve",
         "solution": ".solution:solution_of",
         "check": ".check.judge:check",
@@ -22,7 +23,7 @@ DOMAIN = Domain(
         "draw": ".drawing.overlay:draw",
         "alternatives": ".alternatives:alternatives",
         "compare": ".alternatives:compare",
-        "summary": ".alternatives:summary",
+        "describe": ".alternatives:describe",
         "adjust": ".adjust:adjust",
         "locked": ".record:lock_halls",
         "detail_document": ".record:detail_document",

@@ -114,7 +114,7 @@ def compare(one: Solution, other: Solution, plan: Plan | None = None) -> float:
     return difference(one, other) / 3.0
 
 
-def summary(solution: Solution, plan: Plan | None = None) -> str:
+def describe(solution: Solution, plan: Plan | None = None) -> str:
     """How the groups are laid out, whatever the ``plan``: ``showcases grid, panels chain``."""
     del plan
     groups = () if solution.detail is None else solution.detail.layout.groups

@@ -36,6 +36,7 @@ from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitio
 from scenewright.domains.hall.hall_layout import HallDetail, HallLayout, PlacedGroup, Tour
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
 from scenewright.domains.hall.presets import PRESETS, USUAL, HallPreset
+from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.search import HallSearch, search_layout
 from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.solvers.outcome import HallLayout as MeasuredLayout
@@ -48,7 +49,7 @@ from scenewright.engine.solve import Budget
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 
-__all__ = ["PRESETS", "solve"]
+__all__ = ["PRESETS", "problems", "solve"]
 
 
 class HallTask(NamedTuple):
@@ -120,6 +121,26 @@ def solve(
     return assemble_solution(brief, halls, laid, preset, named, seed, time.perf_counter() - started)
 
 
+def problems(
+    brief: Brief, preset: str = "default", *, plan: Plan | None = None
+) -> tuple[HallProblem, ...]:
+    """The halls of a brief that are to hold something as problems of placing their groups, for
+    solvers of :data:`scenewright.domains.hall.solvers.HALL_SOLVERS` run by oneself.
+
+    >>> from scenewright.formats import read
+    >>> len(problems(read("sample:hall-shop")))
+    1
+    """
+    chosen, rooms = _preset(preset), (plan or plan_rooms(brief)).spaces
+    catalog = catalog_of(brief.catalogs)
+    halls = hall_contexts(brief, rooms, catalog, 0, 0)
+    return tuple(
+        fit(hall, wishes, chosen.weights, catalog, _stream(0, hall.space), chosen.whole).problem
+        for number, hall in enumerate(halls)
+        if (wishes := collect_demands(brief, number, _locked_of(hall), catalog))
+    )
+
+
 def _preset(name: str) -> HallPreset:
     if name not in PRESETS:
         raise InputError(f"there is no preset '{name}'", "one of " + ", ".join(PRESETS))
@@ -185,11 +206,16 @@ def _run(
     return answers
 
 
+def _locked_of(hall: HallContext) -> tuple[Piece, ...]:
+    """The locked pieces of groups of a hall."""
+    return tuple(piece for piece in hall.fixed if piece.function not in ("", "fixed"))
+
+
 def _lay(
     brief: Brief, task: HallTask, catalog: Catalog, progress: Progress | None, cancel: Cancel | None
 ) -> Laid:
     hall, preset = task.hall, task.preset
-    locked = tuple(piece for piece in hall.fixed if piece.function not in ("", "fixed"))
+    locked = _locked_of(hall)
     wishes = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
     fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.whole)
     if not fitted.units:

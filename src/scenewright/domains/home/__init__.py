@@ -12,6 +12,7 @@ DOMAIN = Domain(
     verbs={
         "plan": "scenewright.building.plan:plan_rooms",
         "validate": ".requests:check_plain",
+        "problems": ".solving:problems",
         "solve": ".solving:solve",
         "solution": ".solution:solution_of",
         "check": ".check.judge:check",
@@ -19,16 +20,16 @@ DOMAIN = Domain(
         "draw": ".drawing.plan:draw",
         "alternatives": ".alternatives:alternatives",
         "compare": ".alternatives:difference",
-        "summary": ".alternatives:sides",
+        "describe": ".alternatives:sides",
         "adjust": ".changes.resolve:adjust",
         "locked": "scenewright.building.standing:locked_rooms",
         "accessible": ".wheelchair:accessible",
+        "groups": ".cases.listing:list_groups",
     },
     tables={
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:SOLVERS",
         "terms": ".terms.table:TERMS",
         "meanings": ".terms.table:MEANINGS",
-        "groups": ".groups:GROUPS",
     },
 )

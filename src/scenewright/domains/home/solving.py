@@ -23,12 +23,13 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_problem
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import share_open_plans
 from scenewright.domains.home.presets import PRESETS, Preset, preset_named
+from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.remove_blockers import remove_blockers
@@ -44,7 +45,7 @@ from scenewright.engine.solve import Budget
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 
-__all__ = ["PRESETS", "solve"]
+__all__ = ["PRESETS", "problems", "solve"]
 
 MOST_THREADS = 16
 MANY = 9
@@ -103,6 +104,22 @@ def solve(
         )
         answers = tried_again(turned, wishes, budgets, answers, opened)
     return assemble_solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
+
+
+def problems(
+    brief: Brief, preset: str = "default", *, plan: Plan | None = None
+) -> tuple[Problem, ...]:
+    """The rooms of a home that are to hold something as problems of placing their patches, for
+    solvers of :data:`scenewright.domains.home.solvers.SOLVERS` run by oneself.
+
+    >>> from scenewright.formats import read
+    >>> len(problems(read("sample:home-room")))
+    1
+    """
+    chosen, rooms = preset_named(preset), (plan or plan_rooms(brief)).spaces
+    catalog = catalog_of(brief.catalogs)
+    each = zip(*prepare_rooms(brief, rooms, catalog, chosen, chosen.solver, 0), strict=True)
+    return tuple(build_task_problem(task, asked, task.ground) for task, asked in each if asked)
 
 
 def prepare_rooms(

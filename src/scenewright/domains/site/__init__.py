@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scenewright.core.brief.fields import BUILDING
 from scenewright.core.registry import Format
 from scenewright.domains.contract import Domain
 
@@ -14,6 +15,7 @@ DOMAIN = Domain(
     lacks=("rooms", "levels", "walls", "stairs", "accessible"),
     defaults={"name": "site"},
     noun="site",
+    largest_piece=BUILDING,
     verbs={
         "plan": ".plan:plan_sites",
         "solve": ".solving:solve",

@@ -160,14 +160,15 @@ def furnish_site(
     )
 
 
-def problems(brief: Brief, preset: str = "default") -> tuple[SiteProblem, ...]:
+def problems(
+    brief: Brief, preset: str = "default", *, plan: Plan | None = None
+) -> tuple[SiteProblem, ...]:
     """The sites of a brief as problems, for solvers of :data:`SITE_SOLVERS` run by oneself."""
     catalog = catalog_of(brief.catalogs)
+    grounds = plan.detail if plan else site_plans(brief.part.sites, catalog)
     return tuple(
-        build_site_problem(site, plan, f"sites[{number}]", catalog, PRESETS[preset], None)[1]
-        for number, (site, plan) in enumerate(
-            zip(brief.part.sites, site_plans(brief.part.sites, catalog), strict=True)
-        )
+        build_site_problem(site, ground, f"sites[{number}]", catalog, PRESETS[preset], None)[1]
+        for number, (site, ground) in enumerate(zip(brief.part.sites, grounds, strict=True))
     )
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from scenewright.building.plan import room_ids
+from scenewright.check.plan_notes import note_reading
 from scenewright.check.report import Finding, Report
-from scenewright.check.rooms import counted, judge_rooms, missing_ways, walk_rooms
+from scenewright.check.rooms import counted, judge_rooms, walk_rooms
+from scenewright.check.spaces import find_doorless
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
@@ -30,7 +32,8 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
             brief, asked, halls, walked.bodies, walked.grounds, walked.walks, walked.narrow
         )
     findings = (*shared.findings, *faults, *verdict.findings)
-    notes = (*missing_ways(brief, walked), *shared.notes, *verdict.notes)
+    doorless = find_doorless(walked.bodies, walked.rooms)
+    notes = (*note_reading(brief), *doorless, *shared.notes, *verdict.notes)
     figures = {**counted(solution.pieces, findings), **shared.figures}
     if halls:
         figures["halls"] = verdict.figures

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from scenewright.building.plan import room_ids
 from scenewright.check.bodies import bodies_of
+from scenewright.check.plan_notes import note_reading, note_small_doors
 from scenewright.check.report import Report
-from scenewright.check.rooms import Walked, counted, judge_rooms, missing_ways, walk_rooms
+from scenewright.check.rooms import Walked, counted, judge_rooms, walk_rooms
+from scenewright.check.spaces import find_doorless
+from scenewright.check.stairs import find_cut_off
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
@@ -29,7 +32,10 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     findings = (*shared.findings, *barriers.findings)
     asked = dict(zip(room_ids(brief), brief.rooms, strict=True))
     notes = (
-        *missing_ways(brief, walked),
+        *note_reading(brief),
+        *note_small_doors(rooms.spaces),
+        *find_doorless(bodies, rooms),
+        *find_cut_off(brief, bodies, rooms),
         *find_incomplete(bodies, rooms),
         *find_unmet_asks(asked, bodies, rooms),
         *find_idle_hoods(bodies, rooms),
