@@ -135,7 +135,6 @@ def arrange(
     quiet: QuietOption = False,
 ) -> int:
     """Furnish a home or lay out a hall: read INPUT, solve it, write every OUT by its suffix."""
-    from scenewright.cli import arrange as cli_arrange
     from scenewright.workflow.request import ArrangeRequest
 
     _check_budget(seconds, steps)
@@ -162,6 +161,13 @@ def arrange(
     console = terminal.console(stderr=True, quiet=quiet)
     if alternatives > 1:
         return _alternatives(request, console, as_json, quiet)
+    return _arrange_one(request, console, as_json, quiet)
+
+
+def _arrange_one(request: Any, console: Console, as_json: bool, quiet: bool) -> int:
+    """One result with its report and its files."""
+    from scenewright.cli import arrange as cli_arrange
+
     arranged, interrupted = cli_arrange.arrange(request, console)
     code = 130 if interrupted else 0 if arranged.complete else 1
     if as_json:

@@ -37,7 +37,10 @@ from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.roofs import bell, dome, drawn_in, gable, loft_rectangles, regular
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh
-from scenewright.geometry.solids import Interval, block, disc, lathe, profile, sheet
+from scenewright.geometry.solids import Interval, Spot, block, disc, lathe, profile, sheet
+
+Rectangle = tuple[Interval, Interval]
+"""An upright box in plan: from x to x, from y to y."""
 
 
 def _gallery(size: Size) -> Parts:
@@ -47,25 +50,7 @@ def _gallery(size: Size) -> Parts:
     tall = ((0.1 * w, 0.86 * w), (-d, 0.3 * d))
     over = ((-0.76 * w, 0.44 * w), (-0.3 * d, 0.86 * d))
     foyer = ((-0.5 * w, 0.9 * w), (0.1 * d, 0.7 * d))
-    lights = [
-        profile([(a, z), (b, z), (a, z + 0.14 * h)], x)
-        for x, y, z in (
-            ((-0.94 * w, 0.08 * w), (-0.88 * d, -0.34 * d), 0.55 * h),
-            ((0.16 * w, 0.8 * w), (-0.96 * d, 0.26 * d), 0.86 * h),
-        )
-        for a, b in bays(y, 5.0)
-    ]
-    panes = [
-        profile(
-            [(a - 0.05, z + 0.02 * h), (a + 0.02, z + 0.02 * h), (a - 0.05, z + 0.125 * h)],
-            (x[0] + 0.5, x[1] - 0.5),
-        )
-        for x, y, z in (
-            ((-0.94 * w, 0.08 * w), (-0.88 * d, -0.34 * d), 0.55 * h),
-            ((0.16 * w, 0.8 * w), (-0.96 * d, 0.26 * d), 0.86 * h),
-        )
-        for a, _ in bays(y, 5.0)
-    ]
+    lights, panes = _rooflights(w, d, h)
     fins = [
         block((x - 0.12, x + 0.12), (0.7 * d, 0.74 * d), (0, 0.4 * h))
         for x in row(-0.48 * w, 0.88 * w, 15)
@@ -106,6 +91,27 @@ def _gallery(size: Size) -> Parts:
             ],
         },
     )
+
+
+def _rooflights(w: float, d: float, h: float) -> tuple[list[Mesh], list[Mesh]]:
+    """Saw-tooth rooflights over the low and the tall box, and the panes of their upright sides."""
+    bands = [
+        (a, b, x, z)
+        for x, y, z in (
+            ((-0.94 * w, 0.08 * w), (-0.88 * d, -0.34 * d), 0.55 * h),
+            ((0.16 * w, 0.8 * w), (-0.96 * d, 0.26 * d), 0.86 * h),
+        )
+        for a, b in bays(y, 5.0)
+    ]
+    lights = [profile([(a, z), (b, z), (a, z + 0.14 * h)], x) for a, b, x, z in bands]
+    panes = [
+        profile(
+            [(a - 0.05, z + 0.02 * h), (a + 0.02, z + 0.02 * h), (a - 0.05, z + 0.125 * h)],
+            (x[0] + 0.5, x[1] - 0.5),
+        )
+        for a, _, x, z in bands
+    ]
+    return lights, panes
 
 
 def _museum(size: Size) -> Parts:
@@ -247,6 +253,27 @@ def _along(outline: list[tuple[float, float]], y: Interval) -> Mesh:
     return sheet(outline, y)
 
 
+def _palace_windows(
+    main: Rectangle, ends: list[Rectangle], bow: float, inner: float, levels: list[Interval]
+) -> list[Mesh]:
+    """Windows of the front beside the bowed middle, of the pavilions and of the garden side."""
+    front = main[1]
+    spans = [((-inner, -bow), front), ((bow, inner), front), *ends]
+    panes = [p for x, y in spans for p in windows(x, y, levels, 5.6, 0.26, 0.62, "f", 0.16)]
+    for s, e in zip("lr", ends, strict=True):
+        panes += windows(*e, levels, 5.6, 0.26, 0.62, s, 0.16)
+    return [*panes, *windows(*main, levels, 8.0, 0.3, 0.62, "b", 0.16)]
+
+
+def _palace_trim(
+    main: Rectangle, ends: list[Rectangle], bow: float, at: Spot, h: float
+) -> list[Mesh]:
+    """String courses round the body, the pavilions and the bowed middle; pilasters."""
+    bands = [box(*e, (z * h, (z + 0.02) * h), 0.2) for e in (main, *ends) for z in (0.26, 0.48)]
+    bands += [regular(bow + 0.25, (z * h, (z + 0.025) * h), at, 10) for z in (0.26, 0.59)]
+    return bands + [p for e in ends for p in piers(*e, (0, 0.5 * h), 9.0, 0.5, 0.2, "f")]
+
+
 def _rococo_palace(size: Size) -> Parts:
     """A pale palace: a bowed middle under a dome, mansards, end pavilions, urns, round windows."""
     w, d, h = size.width / 2, size.depth / 2, size.height
@@ -270,18 +297,8 @@ def _rococo_palace(size: Size) -> Parts:
         ),
     ]
     cap = [dome(1.02 * bow, (0.61 * h, 0.9 * h), at, 10, 4), bell(0.24 * bow, (0.88 * h, h), at)]
-    spans = [((-0.68 * w, -bow), main[1]), ((bow, 0.68 * w), main[1]), *ends]
-    panes = [p for x, y in spans for p in windows(x, y, levels, 5.6, 0.26, 0.62, "f", 0.16)]
-    panes += [
-        p
-        for s, e in zip("lr", ends, strict=True)
-        for p in windows(*e, levels, 5.6, 0.26, 0.62, s, 0.16)
-    ]
-    panes += windows(*main, levels, 8.0, 0.3, 0.62, "b", 0.16)
-    trim = [box(*main, (z * h, (z + 0.02) * h), 0.2) for z in (0.26, 0.48)]
-    trim += [box(*e, (z * h, (z + 0.02) * h), 0.2) for e in ends for z in (0.26, 0.48)]
-    trim += [regular(bow + 0.25, (z * h, (z + 0.025) * h), at, 10) for z in (0.26, 0.59)]
-    trim += [p for e in ends for p in piers(*e, (0, eave), 9.0, 0.5, 0.2, "f")]
+    panes = _palace_windows(main, ends, bow, 0.68 * w, levels)
+    trim = _palace_trim(main, ends, bow, at, h)
     urns = [
         lathe([(0.3, z), (0.55, z + 0.5), (0.2, z + 1.0), (0.0, z + 1.5)], (x, y), 6)
         for x, y, z in [(s * v * w, 0.49 * d, eave) for s in (-1, 1) for v in (0.42, 0.54)]

@@ -122,6 +122,11 @@ def _modernist_house(size: Size) -> Parts:
     )
 
 
+def _dormer(x: float, half: float, front: float, d: float, z: Interval, eave: float) -> Mesh:
+    """A gable over one dormer from the ridge to ``front``; ``d`` is half the house's depth."""
+    return gable((x - half, x + half), (0.1 * d, front), z, "y", eave)
+
+
 def _row_houses(size: Size) -> Parts:
     """A row of narrow brick houses, each with its door, gable dormer and chimney."""
     w, d, h = size.width / 2, size.depth / 2, size.height
@@ -144,24 +149,8 @@ def _row_houses(size: Size) -> Parts:
             for px in at
             for z in (0.08, 0.36)
         ]
-        dormers.append(
-            gable(
-                (middle - 1.2, middle + 1.2),
-                (0.1 * d, 0.74 * d),
-                (0.62 * h, 0.9 * h),
-                "y",
-                0.14 * h,
-            )
-        )
-        hoods.append(
-            gable(
-                (middle - 1.35, middle + 1.35),
-                (0.1 * d, 0.77 * d),
-                (0.75 * h, 0.92 * h),
-                "y",
-                0.015 * h,
-            )
-        )
+        dormers.append(_dormer(middle, 1.2, 0.74 * d, d, (0.62 * h, 0.9 * h), 0.14 * h))
+        hoods.append(_dormer(middle, 1.35, 0.77 * d, d, (0.75 * h, 0.92 * h), 0.015 * h))
         panes.append(
             block((middle - 0.6, middle + 0.6), (0.72 * d, 0.76 * d), (0.66 * h, 0.75 * h))
         )
@@ -253,6 +242,23 @@ def _make_stepped_gable(y: Interval, z: Interval, x: float) -> tuple[list[Mesh],
     return walls, caps
 
 
+def _lattice(span: Interval, wide: float, z: Interval) -> list[Mesh]:
+    """White panels side by side along a wall, each about ``wide`` metres with its posts."""
+    return [block((a + 0.06, b - 0.06), (-0.05, 0.06), z) for a, b in bays(span, wide)]
+
+
+def _veranda_posts(w: float, d: float, h: float, eave: float) -> list[Mesh]:
+    """Square posts along the veranda, and lower ones along that of the wing."""
+    return [
+        block((a - 0.09, a + 0.09), (y - 0.09, y + 0.09), (0, z))
+        for xs, y, z in (
+            (row(-0.84 * w, 0.3 * w, 6), 0.66 * d, eave),
+            (row(0.36 * w, 0.84 * w, 3), 0.86 * d, 0.36 * h),
+        )
+        for a in xs
+    ]
+
+
 def _japanese_house(size: Size) -> Parts:
     """Timber and white panels on posts, a veranda, a deep hip-and-gable roof, a lower wing."""
     w, d, h = size.width / 2, size.depth / 2, size.height
@@ -280,30 +286,10 @@ def _japanese_house(size: Size) -> Parts:
         block((-0.68 * w, 0.28 * w), (-0.15 * d, -0.05 * d), (0.93 * h, h)),
         block((0.57 * w, 0.63 * w), (-0.1 * d, 0.64 * d), (0.61 * h, 0.65 * h)),
     ]
-    posts = [
-        block((a - 0.09, a + 0.09), (y - 0.09, y + 0.09), (0, z))
-        for xs, y, z in (
-            (row(-0.84 * w, 0.3 * w, 6), 0.66 * d, eave),
-            (row(0.36 * w, 0.84 * w, 3), 0.86 * d, 0.36 * h),
-        )
-        for a in xs
-    ]
-    lattice = on(
-        "f",
-        *main,
-        [
-            block((a + 0.06, b - 0.06), (-0.05, 0.06), (floor + 0.1, 0.34 * h))
-            for a, b in bays((-0.58 * w, 0.52 * w), 0.95)
-        ],
-    )
-    lattice += on(
-        "l",
-        *main,
-        [
-            block((a + 0.06, b - 0.06), (-0.05, 0.06), (floor + 0.1, 0.34 * h))
-            for a, b in bays((-0.55 * d, 0.55 * d), 1.4)
-        ],
-    )
+    posts = _veranda_posts(w, d, h, eave)
+    panels = (floor + 0.1, 0.34 * h)
+    lattice = on("f", *main, _lattice((-0.58 * w, 0.52 * w), 0.95, panels))
+    lattice += on("l", *main, _lattice((-0.55 * d, 0.55 * d), 1.4, panels))
     deck = [
         block((-0.88 * w, 0.34 * w), (-0.76 * d, 0.72 * d), (0.6 * floor, floor)),
         block((0.3 * w, 0.9 * w), (-0.5 * d, 0.9 * d), (0.5 * floor, floor)),

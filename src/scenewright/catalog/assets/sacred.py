@@ -1,4 +1,4 @@
-"""Churches and mosques: Gothic, Byzantine, Baroque, Islamic."""
+"""Churches: Gothic, Byzantine, Baroque."""
 
 from __future__ import annotations
 
@@ -15,19 +15,16 @@ from scenewright.catalog.assets.materials import (
     OCHRE,
     PANE,
     RENDER,
-    SANDSTONE,
     SLATE,
-    STONE,
     TILES,
     TIMBER,
-    TURQUOISE,
     VERDIGRIS,
 )
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.roofs import bell, dome, gable, hip, regular, spire, vault
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, rotate_mesh, translate_mesh
-from scenewright.geometry.solids import Interval, Spot, block, disc, lathe
+from scenewright.geometry.solids import Interval, block, disc, lathe
 
 
 def _gothic_church(size: Size) -> Parts:
@@ -116,6 +113,29 @@ def _lean_to(s: int, inner: float, outer: float, y: Interval, z: Interval) -> Me
     return Mesh(points, low.faces)
 
 
+def _byzantine_windows(w: float, d: float, h: float, core: float, arm: float) -> list[Mesh]:
+    """Round-arched windows: twelve in the drum of the dome, three at each end of the cross."""
+    glass = [
+        rotate_mesh(
+            arch(0.0, (0.55 * h, 0.65 * h), 0.12 * core, (0.56 * core, 0.59 * core), steps=2),
+            "z",
+            (k + 0.5) * pi / 6,
+        )
+        for k in range(12)
+    ]
+    glass += [
+        m
+        for side, reach in (("f", 0.86 * d), ("l", 0.92 * w), ("r", 0.92 * w))
+        for m in on(
+            side,
+            (-reach, reach),
+            (-reach, reach),
+            arches((-0.5 * arm, 0.0, 0.5 * arm), (0.28 * h, 0.39 * h), 0.3 * arm, (-0.1, 0.12)),
+        )
+    ]
+    return glass
+
+
 def _byzantine_church(size: Size) -> Parts:
     """A cross under a great dome on a drum, half domes around it, bands of brick and stone."""
     w, d, h = size.width / 2, size.depth / 2, size.height
@@ -154,24 +174,7 @@ def _byzantine_church(size: Size) -> Parts:
         for sx in (-1, 1)
         for sy in (-1, 1)
     ]
-    glass = [
-        rotate_mesh(
-            arch(0.0, (0.55 * h, 0.65 * h), 0.12 * core, (0.56 * core, 0.59 * core), steps=2),
-            "z",
-            (k + 0.5) * pi / 6,
-        )
-        for k in range(12)
-    ]
-    glass += [
-        m
-        for side, reach in (("f", 0.86 * d), ("l", 0.92 * w), ("r", 0.92 * w))
-        for m in on(
-            side,
-            (-reach, reach),
-            (-reach, reach),
-            arches((-0.5 * arm, 0.0, 0.5 * arm), (0.28 * h, 0.39 * h), 0.3 * arm, (-0.1, 0.12)),
-        )
-    ]
+    glass = _byzantine_windows(w, d, h, core, arm)
     doors = arches((-0.36 * w, 0.0, 0.36 * w), (0, 0.13 * h), 0.16 * w, (0.7 * d, 0.74 * d))
     cross = [
         block((-0.12, 0.12), (-0.12, 0.12), (0.92 * h, h)),
@@ -190,26 +193,11 @@ def _byzantine_church(size: Size) -> Parts:
     )
 
 
-def _baroque_church(size: Size) -> Parts:
-    """A front in two orders between towers with curved caps, a dome over the crossing."""
-    w, d, h = size.width / 2, size.depth / 2, size.height
-    wall, tower = 0.36 * h, 0.3 * w
-    face = 0.86 * d
-    walls = [
-        block((-0.62 * w, 0.62 * w), (-0.94 * d, 0.8 * d), (0, wall)),
-        block((-0.94 * w, 0.94 * w), (-0.5 * d, 0.06 * d), (0, wall)),
-        block((-0.5 * w, 0.5 * w), (0.6 * d, face), (0, 0.56 * h)),
-        *(
-            block(
-                (s * 0.8 * w - tower / 2, s * 0.8 * w + tower / 2), (0.58 * d, face), (0, 0.62 * h)
-            )
-            for s in (-1, 1)
-        ),
-        disc(0.44 * w, (wall, 0.6 * h), (0, -0.22 * d), 12),
-        disc(0.5 * w, (0, 0.3 * h), (0, -0.86 * d + 0.3 * w), 12),
-    ]
+def _baroque_trim(w: float, d: float, h: float, face: float) -> list[Mesh]:
+    """Columns in two orders, cornices, pediment, scrolls and the ring of the drum."""
+    tower = 0.3 * w
     lines = [(x, face + 0.2) for x in (-0.46 * w, -0.3 * w, -0.16 * w, 0.16 * w, 0.3 * w, 0.46 * w)]
-    trim = [
+    return [
         *columns(lines, (0.02 * h, 0.27 * h), 0.022 * w, 6),
         *columns(lines, (0.31 * h, 0.51 * h), 0.018 * w, 6),
         block((-0.97 * w, 0.97 * w), (0.56 * d, face + 0.25), (0.27 * h, 0.3 * h)),
@@ -234,15 +222,10 @@ def _baroque_church(size: Size) -> Parts:
         ),
         disc(0.47 * w, (0.57 * h, 0.61 * h), (0, -0.22 * d), 12),
     ]
-    roofs = [
-        gable((-0.66 * w, 0.66 * w), (-0.96 * d, 0.7 * d), (wall, 0.48 * h), "y"),
-        gable((-0.97 * w, 0.97 * w), (-0.52 * d, 0.08 * d), (wall, 0.47 * h)),
-    ]
-    caps = [
-        *(bell(0.62 * tower, (0.63 * h, 0.9 * h), (s * 0.8 * w, 0.72 * d)) for s in (-1, 1)),
-        dome(0.46 * w, (0.61 * h, 0.84 * h), (0, -0.22 * d), 12),
-        bell(0.13 * w, (0.83 * h, h), (0, -0.22 * d)),
-    ]
+
+
+def _baroque_windows(w: float, d: float, h: float, face: float) -> list[Mesh]:
+    """Arched windows of towers, front and both sides of the nave."""
     glass = [
         *arches((-0.8 * w, 0.8 * w), (0.36 * h, 0.5 * h), 0.12 * w, (face - 0.1, face + 0.15)),
         *arches((-0.38 * w, 0.38 * w), (0.08 * h, 0.2 * h), 0.09 * w, (face - 0.1, face + 0.15)),
@@ -263,6 +246,38 @@ def _baroque_church(size: Size) -> Parts:
             ),
         )
     ]
+    return [*glass, *sides]
+
+
+def _baroque_church(size: Size) -> Parts:
+    """A front in two orders between towers with curved caps, a dome over the crossing."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    wall, tower = 0.36 * h, 0.3 * w
+    face = 0.86 * d
+    walls = [
+        block((-0.62 * w, 0.62 * w), (-0.94 * d, 0.8 * d), (0, wall)),
+        block((-0.94 * w, 0.94 * w), (-0.5 * d, 0.06 * d), (0, wall)),
+        block((-0.5 * w, 0.5 * w), (0.6 * d, face), (0, 0.56 * h)),
+        *(
+            block(
+                (s * 0.8 * w - tower / 2, s * 0.8 * w + tower / 2), (0.58 * d, face), (0, 0.62 * h)
+            )
+            for s in (-1, 1)
+        ),
+        disc(0.44 * w, (wall, 0.6 * h), (0, -0.22 * d), 12),
+        disc(0.5 * w, (0, 0.3 * h), (0, -0.86 * d + 0.3 * w), 12),
+    ]
+    trim = _baroque_trim(w, d, h, face)
+    roofs = [
+        gable((-0.66 * w, 0.66 * w), (-0.96 * d, 0.7 * d), (wall, 0.48 * h), "y"),
+        gable((-0.97 * w, 0.97 * w), (-0.52 * d, 0.08 * d), (wall, 0.47 * h)),
+    ]
+    caps = [
+        *(bell(0.62 * tower, (0.63 * h, 0.9 * h), (s * 0.8 * w, 0.72 * d)) for s in (-1, 1)),
+        dome(0.46 * w, (0.61 * h, 0.84 * h), (0, -0.22 * d), 12),
+        bell(0.13 * w, (0.83 * h, h), (0, -0.22 * d)),
+    ]
+    glass = _baroque_windows(w, d, h, face)
     entry = [arch(0.0, (0.02 * h, 0.2 * h), 0.2 * w, (face - 0.1, face + 0.25))]
     return parts(
         size,
@@ -271,102 +286,10 @@ def _baroque_church(size: Size) -> Parts:
             RENDER: [*trim, *steps((-0.6 * w, 0.6 * w), (face, d), 0.02 * h, 3)],
             TILES: roofs,
             VERDIGRIS: caps,
-            PANE: [*glass, *sides],
+            PANE: glass,
             TIMBER: entry,
         },
     )
-
-
-def _mosque(size: Size) -> Parts:
-    """A hall under a pointed dome, a high portal, arcades, a minaret at each corner."""
-    w, d, h = size.width / 2, size.depth / 2, size.height
-    wall, face, reach = 0.26 * h, 0.9 * d, 0.5 * min(w, d)
-    corners = [(sx * 0.9 * w, sy * 0.86 * d) for sx in (-1, 1) for sy in (-1, 1)]
-    walls = [
-        block((-0.84 * w, 0.84 * w), (-0.86 * d, 0.78 * d), (0, wall)),
-        block((-0.26 * w, 0.26 * w), (0.5 * d, face), (0, 0.42 * h)),
-        regular(1.02 * reach, (wall, 0.36 * h)),
-        disc(0.88 * reach, (0.34 * h, 0.46 * h), sides=16),
-    ]
-    rounds = [_minaret(0.075 * w, h, spot) for spot in corners]
-    cornice = [
-        box((-0.84 * w, 0.84 * w), (-0.86 * d, 0.78 * d), (wall - 0.02 * h, wall + 0.01 * h), 0.25),
-        block((-0.27 * w, 0.27 * w), (0.49 * d, face + 0.2), (0.41 * h, 0.43 * h)),
-    ]
-    domes = [
-        dome(0.92 * reach, (0.45 * h, 0.76 * h), sides=16, rows=5, bulge=0.12),
-        *(
-            dome(0.17 * w, (wall, 0.39 * h), (sx * 0.62 * w, sy * 0.56 * d), 8, 3, 0.12)
-            for sx in (-1, 1)
-            for sy in (-1, 1)
-        ),
-        *(spire(*spot, (0.86 * h, 0.97 * h), 0.07 * w, 6, tip=0.15) for spot in corners),
-    ]
-    openings = [
-        *arches(
-            [s * x * w for s in (-1, 1) for x in (0.37, 0.52, 0.67)],
-            (0.02 * h, 0.18 * h),
-            0.11 * w,
-            (0.77 * d, 0.79 * d),
-            True,
-            2,
-        ),
-        *(
-            m
-            for side in "lr"
-            for m in on(
-                side,
-                (-0.84 * w, 0.84 * w),
-                (-0.86 * d, 0.78 * d),
-                arches(
-                    row(-0.6 * d, 0.6 * d, 5), (0.04 * h, 0.19 * h), 0.13 * d, (-0.1, 0.12), True, 2
-                ),
-            )
-        ),
-    ]
-    lights = [
-        rotate_mesh(
-            arch(0.0, (0.37 * h, 0.44 * h), 0.16 * reach, (0.85 * reach, 0.89 * reach), True, 2),
-            "z",
-            k * pi / 4,
-        )
-        for k in range(8)
-    ]
-    portal = [arch(0.0, (0.02 * h, 0.37 * h), 0.38 * w, (face - 0.1, face + 0.1), pointed=True)]
-    door = [arch(0.0, (0.02 * h, 0.2 * h), 0.16 * w, (face, face + 0.2), pointed=True)]
-    tips = [
-        *(spire(*spot, (0.96 * h, h), 0.016 * w, 4, tip=0.4) for spot in corners),
-        spire(0.0, 0.0, (0.75 * h, 0.85 * h), 0.025 * w, 6, tip=0.3),
-    ]
-    return parts(
-        size,
-        {
-            SANDSTONE: walls,
-            STONE: [*rounds, *cornice, *steps((-0.4 * w, 0.4 * w), (0.78 * d, d), 0.02 * h, 2)],
-            TURQUOISE: [*domes, *portal],
-            PANE: [*openings, *lights],
-            TIMBER: door,
-            GILT: tips,
-        },
-    )
-
-
-def _minaret(radius: float, h: float, at: Spot) -> Mesh:
-    """A slender tower with two galleries."""
-    shape = [
-        (1.3, 0.0),
-        (1.3, 0.1),
-        (0.95, 0.12),
-        (0.88, 0.5),
-        (1.4, 0.53),
-        (1.4, 0.56),
-        (0.8, 0.56),
-        (0.7, 0.78),
-        (1.2, 0.8),
-        (0.66, 0.82),
-        (0.66, 0.87),
-    ]
-    return lathe([(r * radius, z * h) for r, z in shape], at, 6)
 
 
 ASSETS = (
@@ -397,16 +320,5 @@ ASSETS = (
             within(-0.62, 0.62, -0.94, 0.8), ring(0.44, 0, -0.22), within(-0.95, 0.95, 0.58, 0.86)
         ),
         (32, 48, 42),
-    ),
-    style(
-        "mosque",
-        "Mosque",
-        _mosque,
-        plan(
-            within(-0.84, 0.84, -0.86, 0.78),
-            ring(0.46),
-            *(ring(0.08, x, y) for x in (-0.9, 0.9) for y in (-0.86, 0.86)),
-        ),
-        (44, 44, 40),
     ),
 )

@@ -23,33 +23,20 @@ from scenewright.catalog.assets.roofs import dome, gable, spire, vault
 from scenewright.catalog.assets.symbols import path
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, extrude, rotate_mesh, translate_mesh
-from scenewright.geometry.solids import Spot, block, disc, lathe, tube
+from scenewright.geometry.solids import Interval, Spot, block, disc, lathe, tube
+
+Rectangle = tuple[Interval, Interval]
+"""An upright box in plan: from x to x, from y to y."""
 
 
-def _steampunk_works(size: Size) -> Parts:
-    """A brick engine house: a clock of cogs, copper boilers, pipes, chimneys, a glass vault."""
-    w, d, h = size.width / 2, size.depth / 2, size.height
-    hall = ((-0.9 * w, 0.36 * w), (-0.8 * d, 0.6 * d))
-    tower = ((0.36 * w, 0.84 * w), (0.1 * d, 0.8 * d))
-    face, at = 0.8 * d, 0.6 * w
-    brick = [
-        box(*hall, (0, 0.34 * h)),
-        box(*tower, (0, 0.66 * h)),
-        *(
-            lathe(
-                [
-                    (0.09 * w, 0),
-                    (0.085 * w, 0.1 * h),
-                    (0.06 * w, 0.88 * h),
-                    (0.085 * w, 0.91 * h),
-                    (0.075 * w, top * h),
-                ],
-                (x * w, -0.62 * d),
-                8,
-            )
-            for x, top in ((0.5, 1.0), (0.78, 0.93))
-        ),
-    ]
+def _chimney(w: float, h: float, top: float, at: Spot) -> Mesh:
+    """A round brick chimney, thinner above, with a ring at its head; ``top`` in shares of h."""
+    shape = [(0.09, 0), (0.085, 0.1), (0.06, 0.88), (0.085, 0.91), (0.075, top)]
+    return lathe([(r * w, z * h) for r, z in shape], at, 8)
+
+
+def _engine_frames(hall: Rectangle, tower: Rectangle, w: float, d: float, h: float) -> list[Mesh]:
+    """Iron bands round the tower and the eaves, pilasters of the front, ribs of the glass vault."""
     frames = [box(*tower, (z * h, (z + 0.025) * h), 0.3) for z in (0.3, 0.64)]
     frames += [box(*hall, (0.32 * h, 0.35 * h), 0.25)]
     frames += on(
@@ -64,17 +51,11 @@ def _steampunk_works(size: Size) -> Parts:
         vault((x - 0.15, x + 0.15), (-0.72 * d, 0.52 * d), (0.34 * h, 0.53 * h), "x", 8)
         for x in row(-0.86 * w, 0.32 * w, 6)
     ]
-    glass = [vault((-0.86 * w, 0.32 * w), (-0.7 * d, 0.5 * d), (0.34 * h, 0.52 * h), "x", 8)]
-    panes = on(
-        "f",
-        *hall,
-        arches(
-            [(a + b) / 2 for a, b in bays((-0.62 * w, 0.62 * w), 6.0)],
-            (0.05 * h, 0.28 * h),
-            3.2,
-            (-0.1, 0.1),
-        ),
-    )
+    return frames
+
+
+def _clock(w: float, h: float, at: float, face: float) -> tuple[list[Mesh], Mesh, list[Mesh]]:
+    """The clock of the tower at ``x = at`` on the plane ``y = face``: cogs, dial, hands."""
     clock = [
         _cog(0.19 * w, (at, face, 0.5 * h), 0.5, 12),
         _cog(0.1 * w, (0.33 * w, face - 0.1, 0.4 * h), 0.9, 7),
@@ -85,10 +66,11 @@ def _steampunk_works(size: Size) -> Parts:
         block((at - 0.12, at + 0.12), (face + 0.8, face + 0.95), (0.5 * h, 0.5 * h + 0.11 * w)),
         block((at, at + 0.08 * w), (face + 0.8, face + 0.95), (0.5 * h - 0.12, 0.5 * h + 0.12)),
     ]
-    boilers = [
-        *(_boiler(0.13 * w, 0.36 * h, (x * w, -0.3 * d)) for x in (0.52, 0.82)),
-        dome(0.23 * w, (0.66 * h, 0.82 * h), (at, 0.45 * d), 10, 4),
-    ]
+    return clock, dial, hands
+
+
+def _pipes(w: float, d: float, h: float) -> list[Mesh]:
+    """Pipes from the boilers into the hall, and along the wall beside the tower."""
     pipes = [
         tube(
             [
@@ -110,6 +92,38 @@ def _steampunk_works(size: Size) -> Parts:
         )
         for y in (0.25, 0.45, 0.65)
     ]
+    return pipes
+
+
+def _steampunk_works(size: Size) -> Parts:
+    """A brick engine house: a clock of cogs, copper boilers, pipes, chimneys, a glass vault."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    hall = ((-0.9 * w, 0.36 * w), (-0.8 * d, 0.6 * d))
+    tower = ((0.36 * w, 0.84 * w), (0.1 * d, 0.8 * d))
+    face, at = 0.8 * d, 0.6 * w
+    brick = [
+        box(*hall, (0, 0.34 * h)),
+        box(*tower, (0, 0.66 * h)),
+        *(_chimney(w, h, top, (x * w, -0.62 * d)) for x, top in ((0.5, 1.0), (0.78, 0.93))),
+    ]
+    frames = _engine_frames(hall, tower, w, d, h)
+    glass = [vault((-0.86 * w, 0.32 * w), (-0.7 * d, 0.5 * d), (0.34 * h, 0.52 * h), "x", 8)]
+    panes = on(
+        "f",
+        *hall,
+        arches(
+            [(a + b) / 2 for a, b in bays((-0.62 * w, 0.62 * w), 6.0)],
+            (0.05 * h, 0.28 * h),
+            3.2,
+            (-0.1, 0.1),
+        ),
+    )
+    clock, dial, hands = _clock(w, h, at, face)
+    boilers = [
+        *(_boiler(0.13 * w, 0.36 * h, (x * w, -0.3 * d)) for x in (0.52, 0.82)),
+        dome(0.23 * w, (0.66 * h, 0.82 * h), (at, 0.45 * d), 10, 4),
+    ]
+    pipes = _pipes(w, d, h)
     lantern = [spire(at, 0.45 * d, (0.8 * h, 0.92 * h), 0.04 * w, 6)]
     door = [arch(at, (0.02 * h, 0.2 * h), 0.2 * w, (face - 0.1, face + 0.15))]
     return parts(
