@@ -20,7 +20,7 @@ from benchmarks.comparison import ratio
 from scenewright import batch, check, formats
 from scenewright.batch.table import FAILED, NOT_VALID
 from scenewright.domains.home import solving as home
-from scenewright.domains.home.solvers import SolverRow
+from scenewright.engine.rows import SolverRow
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]

@@ -19,7 +19,7 @@ from scenewright.domains.hall.patterns import NUMBER, SINGLE, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.chains import anneal_hall, gd_mh
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back
-from scenewright.domains.hall.solvers.outcome import HallLayout
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.domains.hall.terms.measure import passage
 from scenewright.domains.hall.terms.state import PreparedHall, State, make_scratch
 from scenewright.domains.hall.terms.table import NEAR, PRINTED
@@ -92,7 +92,7 @@ class Ablated(NamedTuple):
     """A layout found without one of the weights: the problem, the layout, and its figures."""
 
     problem: HallProblem
-    layout: HallLayout
+    layout: MeasuredLayout
     figures: dict[str, float]
 
 
@@ -106,7 +106,7 @@ def ablated(brief: Brief, without: str, seed: int, solver: str) -> Ablated:
     return Ablated(problem, layout, figures_of(problem, layout))
 
 
-def figures_of(problem: HallProblem, layout: HallLayout) -> dict[str, float]:
+def figures_of(problem: HallProblem, layout: MeasuredLayout) -> dict[str, float]:
     """The four figures of a layout, and the greatest share of its zone that a group takes."""
     p = prepare(problem)
     s, work = make_state(p), make_scratch(p)

@@ -26,7 +26,7 @@ from scenewright.domains.hall.holdings import HallDemand, collect_demands
 from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.presets import OURS, PAPER
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.solvers.outcome import HallLayout, measure_layout
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.table import (
     ACCESS,
@@ -98,7 +98,7 @@ def energies_of(solution: Solution, number: int = 0) -> Energies:
     boxes = _boxes([piece for pieces in placed.values() for piece in pieces])
     boxes[:, 3:] = problem.units.sizes
     p, s, _ = measure_layout(
-        problem, HallLayout(_single(problem), boxes, 0.0, 0.0, 0.0, loose=True)
+        problem, MeasuredLayout(_single(problem), boxes, 0.0, 0.0, 0.0, loose=True)
     )
     proportion, pairs = _proportion(problem, boxes)
     least = len(p.spans) * space_cost(0.0, 1.0) + 0.5 * pairs

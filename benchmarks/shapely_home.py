@@ -191,6 +191,7 @@ def shapely_ga(problem: Problem, seed: int) -> tuple[float, float]:
         high.ravel(),
         np.random.default_rng(seed),
         BudgetWatch(Budget(), None, None),
+        tuple,
         GENERATIONS,
     )
     return float(costs[0]), time.perf_counter() - begun

@@ -28,7 +28,8 @@ METRICS = {"seen": "V from the ways", "sun": "hours on fronts", "placed": "build
 
 def judged(problem: SiteProblem, weights: dict[str, float], seed: int) -> dict[str, float]:
     """What a filling with some weights scores."""
-    found = SITE_SOLVERS["fill"].run(problem._replace(weights=weights), Budget(None, 8), seed)
+    weighed = problem._replace(weights=weights)
+    found = SITE_SOLVERS["fill"].run(weighed, Budget(None, 8), seed).layouts[0]
     told = score(problem, found.boxes, found.present)
     return told | {"placed": float(found.present.sum())}
 

@@ -63,13 +63,14 @@ def run(scene: Scene, method: str, equal: str, seed: int) -> Row:
         budget = Budget(budget.seconds, PRESETS[method].steps if solver == "fill" else budget.steps)
     heard: list[float] = []
     begun = time.perf_counter(), time.process_time()
-    found = SITE_SOLVERS[solver].run(problem, budget, seed, lambda _, best: heard.append(best))
+    row = SITE_SOLVERS[solver]
+    found = row.run(problem, budget, seed, lambda report: heard.append(report.energy))
     took = {"seconds": time.perf_counter() - begun[0], "cpu": time.process_time() - begun[1]}
     count = len(scene.wishes)
-    row: Row = {"buildings": count, "method": method, "equal": equal, "seed": seed} | took
+    case: Row = {"buildings": count, "method": method, "equal": equal, "seed": seed} | took
     told = judged(scene, found)
     told |= {"settled": told["generations"], "converged": converged(heard)}
-    return row | told | {"left_out": told["left_out"] / count}
+    return case | told | {"left_out": told["left_out"] / count}
 
 
 def converged(heard: list[float]) -> int:

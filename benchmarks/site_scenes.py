@@ -127,14 +127,15 @@ def posed(brief: Brief) -> Scene:
 
 def judged(scene: Scene, found: SiteFound) -> Row:
     """The common measure of what a method found, and the referee's verdict with its seconds."""
-    placed = buildings(scene.plan, scene.wishes, found.boxes, found.present)
+    layout = found.layouts[0]
+    placed = buildings(scene.plan, scene.wishes, layout.boxes, layout.present)
     pieces = (*landmarks(scene.plan, scene.catalog), *placed)
     begun = time.process_time()
     verdict = judge_sites(scene.brief.part.sites, pieces)
     took = time.process_time() - begun
     kinds = Counter(finding.kind for finding in verdict.findings)
     figures = next(iter(verdict.figures.values()))
-    scores = score(scene.problems["default"], found.boxes, found.present)
+    scores = score(scene.problems["default"], layout.boxes, layout.present)
     return {
         **{name: scores[name] for name in ("value", "use", "shown", "texture", "height", "seen")},
         "sun": figures["sun_mean"] or 0.0,
@@ -144,8 +145,8 @@ def judged(scene: Scene, found: SiteFound) -> Row:
         "near": kinds["setback"] + kinds["spacing"] + kinds["blocked_path"],
         "unreached": kinds["unreachable_building"],
         "valid": float(not kinds),
-        "left_out": int((~found.present).sum()),
-        "generations": found.generations,
+        "left_out": int((~layout.present).sum()),
+        "generations": layout.generations,
         "evaluations": found.evaluations,
         "judging": took,
     }

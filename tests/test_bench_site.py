@@ -12,7 +12,8 @@ from benchmarks.site_reco import Designed, compounds
 from benchmarks.site_scenes import SIZES, judged, posed, scene_brief
 
 from scenewright.domains.site.brief import Site
-from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.solvers.outcome import SiteLayout
+from scenewright.engine.solve import Found
 from scenewright.geometry.saliency import saliency
 
 KEYS = ["case", "metric", "unit", "ours", "baseline", "baseline_name", "ratio", "runs"]
@@ -33,7 +34,7 @@ def test_the_common_measure_sees_overlaps_and_what_is_left_out() -> None:
     middle = np.mean(scene.plan.blocks[0].outline, axis=0)
     sizes = scene.problems["default"].buildings.sizes[:, :2]
     boxes = np.column_stack([np.tile([*middle, 0.0], (6, 1)), sizes])
-    piled = SiteFound(boxes, np.arange(6) < 3, {}, 1)
+    piled = Found((SiteLayout(boxes, np.arange(6) < 3, {}),), 1)
     row = judged(scene, piled)
     assert row["overlaps"] == 3
     assert row["valid"] == 0.0

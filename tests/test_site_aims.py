@@ -25,7 +25,7 @@ from scenewright.domains.site.solvers.improve import (
     make_slots,
     turns,
 )
-from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.terms.measure import lay, make_site_state, prepare_site
 from scenewright.domains.site.terms.table import read_site_aims
 from scenewright.engine.solve import Budget, BudgetWatch
@@ -45,11 +45,11 @@ def town(count: int = 30, **more: object) -> SiteProblem:
     return problem._replace(buildings=made, **more)
 
 
-def filled(problem: SiteProblem, weights: dict[str, float], seed: int) -> SiteFound:
-    return fill_site(problem._replace(weights=weights), Budget(None, 6, threads=None), seed)
+def filled(problem: SiteProblem, weights: dict[str, float], seed: int) -> SiteLayout:
+    return fill_site(problem._replace(weights=weights), Budget(None, 6), seed).layouts[0]
 
 
-def scored(problem: SiteProblem, found: SiteFound, name: str) -> float:
+def scored(problem: SiteProblem, found: SiteLayout, name: str) -> float:
     return score(problem, found.boxes, found.present)[name]
 
 
@@ -72,7 +72,7 @@ def test_blocks_are_filled_about_their_middle_where_that_is_aimed_at() -> None:
     assert off_middle[1] < off_middle[0]
 
 
-def uneven(problem: SiteProblem, found: SiteFound) -> float:
+def uneven(problem: SiteProblem, found: SiteLayout) -> float:
     """How far the middle of what stands in a block lies off the block's, by exact polygons."""
     total, middles = 0.0, shapely.points(found.boxes[found.present, :2])
     for first, last in problem.ground.block_spans:
@@ -88,10 +88,8 @@ def uneven(problem: SiteProblem, found: SiteFound) -> float:
 def test_without_aims_nothing_changes_places() -> None:
     problem = town(weights=OFF)
     found = filled(problem, OFF, 1)
-    assert (
-        improve_layout(problem, found, 1, BudgetWatch(Budget(None, 1, threads=None), None, None))
-        is found
-    )
+    watch = BudgetWatch(Budget(steps=1), None, None)
+    assert improve_layout(problem, found, 1, watch)[0] is found
 
 
 @pytest.mark.parametrize("seed", [0, 1, 2])
@@ -185,8 +183,8 @@ def test_a_good_front_turns_to_the_way_and_no_front_turns_away_from_it(
     watch = BudgetWatch(Budget(None, 1, threads=None), None, None)
     for before in (math.pi / 2, -math.pi / 2):
         boxes[0] = [middle.x, middle.y, before, *problem.buildings.sizes[0, :2]]
-        found = SiteFound(boxes, present, {}, 0, 1, ("parallel",) * 5)
-        after = improve_layout(problem, found, 0, watch).boxes[0, 2]
+        found = SiteLayout(boxes, present, {}, ("parallel",) * 5)
+        after = improve_layout(problem, found, 0, watch)[0].boxes[0, 2]
         wanted = -math.pi / 2 if before < 0.0 else heading
         assert math.cos(after - wanted) == pytest.approx(1.0)
 
@@ -199,9 +197,9 @@ def test_buildings_keep_to_their_forms_when_they_change_places() -> None:
         forms=tuple("parallel" if k % 2 else "peripheral" for k in range(40))
     )
     watch = BudgetWatch(Budget(None, 1, threads=None), None, None)
-    after = improve_layout(problem._replace(buildings=made), found, 0, watch)
+    after, _ = improve_layout(problem._replace(buildings=made), found, 0, watch)
     assert all(form in may for form, may in zip(after.forms, forms, strict=True))
-    assert improve_layout(problem, found, 0, watch).forms != after.forms
+    assert improve_layout(problem, found, 0, watch)[0].forms != after.forms
 
 
 def test_a_site_without_ways_or_sun_is_filled_all_the_same() -> None:

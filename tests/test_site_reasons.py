@@ -126,11 +126,12 @@ def whole(measure) -> float:
 
 def test_annealing_as_printed_lowers_the_ratio_and_pays_nothing_for_what_it_leaves_out() -> None:
     problem = example_site(8, 120.0)._replace(form="printed")
-    ends = [anneal_site(problem, Budget(None, steps, threads=None), 0) for steps in (1, 200_000)]
+    budgets = Budget(steps=1), Budget(steps=200_000)
+    ends = [anneal_site(problem, budget, 0).layouts[0] for budget in budgets]
     ratios = [score(problem, end.boxes, end.present)["ratio"] for end in ends]
     assert ratios[1] < ratios[0] < E_MAX
     other = problem._replace(form="repaired")
-    assert anneal_site(other, Budget(None, 200_000, threads=None), 0).present.all()
+    assert anneal_site(other, budgets[1], 0).layouts[0].present.all()
     assert not ends[1].present.all()
 
 
@@ -148,9 +149,9 @@ def test_the_printed_algorithm_judges_by_the_value_alone_and_ends_when_all_are_a
     values = [score(problem, one, one[:, 3] > 0)["value"] for one in boxes]
     assert judge.energies(genes) == pytest.approx(-np.array(values))
     found = viewpoint_site(problem._replace(form="printed"), Budget(None, 2000, threads=None), 0)
-    assert found.evaluations == 10 * found.generations < 2000
+    assert found.evaluations == 10 * found.layouts[0].generations < 2000
     longer = viewpoint_site(problem, Budget(None, 2000, threads=None), 0)
-    assert longer.evaluations == 2000 > 10 * longer.generations
+    assert longer.evaluations == 2000 > 10 * longer.layouts[0].generations
 
 
 def test_paper_presets_are_the_papers() -> None:

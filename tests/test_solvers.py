@@ -16,7 +16,7 @@ from scenewright.domains.home.solvers.metropolis import run_chains
 from scenewright.engine.draws import bell, below, streams, uniform
 from scenewright.engine.genetic import cross, roulette
 from scenewright.engine.pace import pace_by_clock
-from scenewright.engine.solve import Budget, distinct
+from scenewright.engine.solve import Budget, Report, distinct
 from scenewright.geometry.boxes import frames_of
 
 EVERY = pytest.mark.parametrize("name", sorted(SOLVERS))
@@ -60,14 +60,12 @@ def test_solver_beats_the_median_of_random_layouts(name):
 
 @EVERY
 def test_progress_is_told_and_cancelling_keeps_the_best_so_far(name):
-    told: list[tuple[float, float]] = []
-    found = SOLVERS[name].run(
-        full_problem(), Budget(steps=10**7), 0, lambda *both: told.append(both), lambda: True
-    )
+    told: list[Report] = []
+    found = SOLVERS[name].run(full_problem(), Budget(steps=10**7), 0, told.append, lambda: True)
     assert len(told) == 1
-    assert 0.0 <= told[0][0] < 1.0
+    assert 0.0 <= told[0].share < 1.0
     assert isinstance(found.layouts[0], Layout)
-    assert found.layouts[0].energy <= told[0][1] + 1e-9
+    assert found.layouts[0].energy <= told[0].energy + 1e-9
 
 
 @EVERY
@@ -78,13 +76,13 @@ def test_target_ends_the_run(name):
 
 @EVERY
 def test_seconds_end_the_run(name):
-    told: list[tuple[float, float]] = []
+    told: list[Report] = []
     SOLVERS[name].run(full_problem(), STEPS, 0)
-    found = SOLVERS[name].run(
-        full_problem(), Budget(seconds=0.05), 0, lambda *both: told.append(both)
-    )
+    found = SOLVERS[name].run(full_problem(), Budget(seconds=0.05), 0, told.append)
     assert found.evaluations > 0
-    assert [share for share, _ in told] == sorted(share for share, _ in told)
+    shares = [report.share for report in told]
+    assert shares == sorted(shares)
+    assert shares[-1] == 1.0
 
 
 @EVERY

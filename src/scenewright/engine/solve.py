@@ -2,8 +2,8 @@
 
 *Populations* (genetic, random …) are ask / tell: the solver proposes genes and hears energies, it
 never sees the objective. *Chains* (annealing) run compiled inside, re-evaluating only what moved,
-and are driven in slices (:mod:`scenewright.domains.home.solvers.anneal`). Either way a solver is
-one function of :data:`Run`, a row of :data:`scenewright.domains.home.solvers.SOLVERS`.
+and are driven in slices (:mod:`scenewright.engine.pace`). Either way a solver is one function of
+:data:`Run`, a row (:class:`scenewright.engine.rows.SolverRow`) of the table of its domain.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,20 @@ from numpy.typing import NDArray
 from scenewright.core.layout import Layout
 
 Floats = NDArray[np.float64]
-Progress = Callable[[float, float], None]
+L = TypeVar("L")
+
+
+class Report(NamedTuple):
+    """What a run tells while it works: the share of its budget that is spent, 0 to 1, the energy of
+    the best layout so far, and ``best``, which makes that layout of the domain. It may only be
+    called before the listener returns: the run goes on with the same arrays."""
+
+    share: float
+    energy: float
+    best: Callable[[], Any]
+
+
+Progress = Callable[[Report], None]
 Cancel = Callable[[], bool]
 Objective = Callable[[Floats], Floats]
 
@@ -38,14 +51,14 @@ class Budget(NamedTuple):
     threads: int | None = None
 
 
-class Found(NamedTuple):
-    """What a run found: distinct layouts, best first, and how many it looked at."""
+class Found(NamedTuple, Generic[L]):
+    """What a run found: distinct layouts of its domain, best first, and how many it looked at."""
 
-    layouts: tuple[Layout, ...]
+    layouts: tuple[L, ...]
     evaluations: int
 
 
-Run = Callable[[Any, Budget, int, Progress | None, Cancel | None], Found]
+Run = Callable[[Any, Budget, int, Progress | None, Cancel | None], Found[Any]]
 """Solve a problem of the solver's domain."""
 
 
@@ -53,7 +66,7 @@ class BudgetWatch:
     """Tells how much of a budget is spent; started when made.
 
     >>> watch = BudgetWatch(Budget(steps=10), None, None)
-    >>> watch.share(5), watch.over(5, 1.0), watch.over(10, 1.0)
+    >>> watch.share(5), watch.over(5, 1.0, list), watch.over(10, 1.0, list)
     (0.5, False, True)
     """
 
@@ -71,21 +84,25 @@ class BudgetWatch:
         by_steps = steps / self.budget.steps if self.budget.steps else 0.0
         return min(max(by_time, by_steps), 1.0)
 
-    def over(self, steps: int, best: float) -> bool:
-        """Report progress; true if the run should end with what it has."""
+    def cancelled(self) -> bool:
+        """Whether nobody waits for a better answer."""
+        return self.cancel is not None and self.cancel()
+
+    def over(self, steps: int, energy: float, best: Callable[[], Any]) -> bool:
+        """Report progress, ``best`` being what makes the best layout so far; true if the run
+        should end with what it has."""
         share = self.share(steps)
         if self.progress is not None:
-            self.progress(share, best)
-        cancelled = self.cancel is not None and self.cancel()
-        return cancelled or share >= 1.0 or best <= self.budget.target
+            self.progress(Report(share, energy, best))
+        return self.cancelled() or share >= 1.0 or energy <= self.budget.target
 
-
-class Population(NamedTuple):
-    """What every population solver keeps: genes (P, m) and their energies (P,)."""
-
-    genes: Floats
-    energies: Floats
-    round: int = 0
+    def reached(self, share: float, best: Callable[[], Any]) -> bool:
+        """Report a share of the work of a run that knows no energy (0 is told); true if it should
+        end."""
+        spent = self.share(0)
+        if self.progress is not None:
+            self.progress(Report(max(share, spent), 0.0, best))
+        return self.cancelled() or spent >= 1.0
 
 
 class PopulationSolver(Protocol):
@@ -108,30 +125,43 @@ def run_population(
     high: Floats,
     rng: np.random.Generator,
     watch: BudgetWatch,
+    layout_of: Callable[[Floats], Any],
     rounds: int | None = None,
 ) -> tuple[Floats, Floats, int]:
     """Ask and tell until the budget (or ``rounds``) is spent.
 
-    Returns the last population and every best on the way, as genes (k, m) best first, with their
-    energies (k,), and the evaluations made.
+    ``objective`` may leave genes unrated, as infinity or NaN, when the run is cancelled; they never
+    win. ``layout_of`` makes the layout that genes (m,) stand for, for the listener. Returns the
+    last population and every best on the way, as genes (k, m) best first, with their energies
+    (k,), and the evaluations made.
     """
     state, done, count = solver.init(rng, low, high), 0, 0
     records: list[Floats] = []
     least = [math.inf]
     while True:
         genes, state = solver.ask(state, rng)
-        energies = objective(genes)
+        energies = rate_unrated(objective(genes))
         state = solver.tell(state, genes, energies)
         done, count = done + len(genes), count + 1
         first = int(energies.argmin())
-        if energies[first] < least[-1]:
+        if energies[first] < least[-1] or not records:
             records.append(genes[first].copy())
             least.append(float(energies[first]))
-        if watch.over(done, least[-1]) or count == rounds:
+        if watch.over(done, least[-1], lambda: layout_of(records[-1])) or count == rounds:
             seen = np.concatenate([np.array(records).reshape(-1, len(low)), genes])
             heard = np.concatenate([least[1:], energies])
             order = np.argsort(heard, kind="stable")
             return seen[order], heard[order], done
+
+
+def rate_unrated(energies: Floats) -> Floats:
+    """Energies (P,) in which what is not known is infinite, so that nothing unrated ever wins.
+
+    >>> rate_unrated(np.array([2.0, np.nan])).tolist()
+    [2.0, inf]
+    """
+    rated: Floats = np.where(np.isnan(energies), math.inf, energies)
+    return rated
 
 
 def distinct(

@@ -12,7 +12,7 @@ from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.solvers.outcome import HallLayout, measure_layout
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
 from scenewright.domains.hall.tour import ways_in
 
 SERVING = ("info_desk", "counter", "checkout")
@@ -23,8 +23,8 @@ def turn_desks(
     wishes: list[HallDemand],
     units: list[Unit],
     problem: HallProblem,
-    layout: HallLayout,
-) -> HallLayout:
+    layout: MeasuredLayout,
+) -> MeasuredLayout:
     """A layout with desks that stand by themselves turned half round where their front looks away
     from visitors, unless the route would then miss more. Their footprints stay."""
     desks = [
@@ -54,7 +54,7 @@ def _welcome(hall: HallContext, zone: int, box: Floats) -> float:
     return float((way @ (math.cos(box[2]), math.sin(box[2]))).sum())
 
 
-def _half_round(layout: HallLayout, unit: int, row: int) -> HallLayout:
+def _half_round(layout: MeasuredLayout, unit: int, row: int) -> MeasuredLayout:
     pose, boxes = layout.kept.pose.copy(), layout.boxes.copy()
     pose[unit, 2] += math.pi
     boxes[row, 2] += math.pi

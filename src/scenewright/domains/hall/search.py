@@ -15,12 +15,12 @@ from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.solvers import HALL_SOLVERS
 from scenewright.domains.hall.solvers.chains import MANY, cooled_hall, first_layout
-from scenewright.domains.hall.solvers.outcome import HallFound, HallLayout
-from scenewright.engine.solve import Budget
+from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout, StartedHall
+from scenewright.engine.solve import Budget, Found, Report
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
-Heard = Callable[[float, float], None]
+Heard = Callable[[Report], None]
 
 ATTEMPTS = 4
 """How often a hall is solved while something in it cannot be reached."""
@@ -73,7 +73,7 @@ def search_layout(
         heard = None if progress is None else _make_progress_reporter(progress, attempt, shared)
         run = HALL_SOLVERS[search.solver].run
         problem = _heavy(fitted.problem) if shared and attempt else fitted.problem
-        found = run(problem, fitted.start, budget, seed, heard, cancel)
+        found = run(StartedHall(problem, fitted.start), budget, seed, heard, cancel)
         answers.append(Answer(_wrong(found.layouts[0]), fitted, found))
         if answers[-1].wrong == 0.0 or (cancel is not None and cancel()):
             break
@@ -87,11 +87,11 @@ def search_layout(
     return best.fitted, best.found._replace(evaluations=seen)
 
 
-def _wrong(layout: HallLayout) -> float:
+def _wrong(layout: MeasuredLayout) -> float:
     return layout.missed + layout.lacking
 
 
-def _rank(layout: HallLayout) -> tuple[float, float]:
+def _rank(layout: MeasuredLayout) -> tuple[float, float]:
     return _wrong(layout), layout.energy
 
 
@@ -120,7 +120,7 @@ def _improve_answer(
     start = answer.found.layouts[0].kept
     more = cooled_hall(problem, start, rest, seed, progress, cancel)
     layouts = sorted((*answer.found.layouts, *more.layouts), key=_rank)
-    return HallFound(tuple(layouts), answer.found.evaluations + more.evaluations)
+    return Found(tuple(layouts), answer.found.evaluations + more.evaluations)
 
 
 def _heavy(problem: HallProblem) -> HallProblem:
@@ -138,7 +138,11 @@ def _make_progress_reporter(progress: Progress, attempt: int, shared: bool) -> H
     if shared:
         low = FIRST + AGAIN * (attempt - 1) if attempt else 0.0
         high = FIRST + AGAIN * attempt if attempt < ATTEMPTS else 1.0
-    return lambda share, best: progress(low + (high - low) * share, f"energy {best:.1f}{again}")
+
+    def pass_on(report: Report) -> None:
+        progress(low + (high - low) * report.share, f"energy {report.energy:.1f}{again}")
+
+    return pass_on
 
 
 def halve_groups(search: HallSearch, fitted: Fitted, seed: int) -> Fitted:

@@ -26,7 +26,7 @@ from scenewright.domains.hall.holdings import HallDemand, collect_demands
 from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.presets import PRESETS
 from scenewright.domains.hall.problem import Floats
-from scenewright.domains.hall.solvers.outcome import HallLayout
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.domains.hall.solving import Laid, assemble_solution, furnish_layout, hall_contexts
 from scenewright.domains.hall.terms.state import Kept
 
@@ -71,7 +71,7 @@ def _lay(
         return Laid((), (), (), (), missing, 0.0, 0, None)
     problem = build_problem(hall, wishes, units, (), PRESETS["default"].weights, catalog)
     start = _plain_start(units)
-    layout = HallLayout(start, boxes, 0.0, 0.0, 0.0, loose=True)
+    layout = MeasuredLayout(start, boxes, 0.0, 0.0, 0.0, loose=True)
     fitted = Fitted(units, (), problem, start)
     return furnish_layout(hall, wishes, fitted, layout, locked, missing, 0, catalog)
 

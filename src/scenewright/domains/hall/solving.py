@@ -39,8 +39,7 @@ from scenewright.domains.hall.presets import PRESETS, USUAL, HallPreset
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.search import HallSearch, search_layout
 from scenewright.domains.hall.shortfall import left_out
-from scenewright.domains.hall.solvers.outcome import HallLayout as MeasuredLayout
-from scenewright.domains.hall.solvers.outcome import measure_layout
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.zones import borders_of, zones_of
 from scenewright.engine.energy import Part

@@ -8,7 +8,7 @@ from scenewright.core.solution import TermValue
 from scenewright.domains.site.problem import SiteProblem
 from scenewright.domains.site.solvers.answer import score
 from scenewright.domains.site.solvers.block import noon
-from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.terms.table import (
     MUCH,
     QUALITY,
@@ -21,7 +21,7 @@ from scenewright.domains.site.terms.table import (
 from scenewright.geometry.sun import open_hours, sun_path
 
 
-def reasons(problem: SiteProblem, found: SiteFound, site: str) -> tuple[TermValue, ...]:
+def reasons(problem: SiteProblem, found: SiteLayout, site: str) -> tuple[TermValue, ...]:
     """The terms of a site as built, whose costs add up to its energy, then figures of weight 0."""
     known = found.score or score(problem, found.boxes, found.present)
     known = known | {"generations": float(found.generations)}

@@ -18,8 +18,9 @@ from scenewright.domains.site.holdings import BuildingDemand
 from scenewright.domains.site.plan import plan_sites
 from scenewright.domains.site.presets import PRESETS
 from scenewright.domains.site.problem import Flags, Floats
-from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.solving import assemble_solution, build_site_problem, furnish_site
+from scenewright.engine.solve import Found
 
 FITS = 0.01
 """Metres by which a box may differ from the building it is of."""
@@ -39,7 +40,7 @@ def solution_of(
             site, ground, f"sites[{k}]", catalog, PRESETS["default"], None
         )
         boxes, present = match_boxes(rows, layouts.get(ground.id, ()), ground.id)
-        found = SiteFound(boxes, present, {}, 0)
+        found = Found((SiteLayout(boxes, present, {}),), 0)
         cut_off = np.zeros(len(rows), np.bool_)
         built.append(
             furnish_site(site, ground, rows, problem, found, cut_off, catalog, seed + 7919 * k)

@@ -7,6 +7,7 @@ by block with rows and courts that keep their distances by construction.
 from __future__ import annotations
 
 import hashlib
+import math
 import time
 from collections import Counter
 from collections.abc import Callable
@@ -34,14 +35,17 @@ from scenewright.domains.site.presets import PRESETS, SitePreset
 from scenewright.domains.site.problem import Flags, SiteProblem
 from scenewright.domains.site.reasons import reasons
 from scenewright.domains.site.solvers import SITE_SOLVERS
-from scenewright.domains.site.solvers.outcome import SiteFound
-from scenewright.engine.solve import Budget
+from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
+from scenewright.engine.solve import Budget, Report
 from scenewright.ground.plan import SitePlan
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 
 __all__ = ["PRESETS", "problems", "solve"]
+
+BEGUN = Report(0.0, math.inf, tuple)
+"""What is told while nothing is found yet."""
 
 
 class Built(NamedTuple):
@@ -112,8 +116,8 @@ def assemble_solution(
     )
 
 
-def _part(progress: Progress, number: int, count: int, name: str) -> Callable[[float, float], None]:
-    return lambda share, _best: progress((number + share) / count, name)
+def _part(progress: Progress, number: int, count: int, name: str) -> Callable[[Report], None]:
+    return lambda report: progress((number + report.share) / count, name)
 
 
 def _build(
@@ -125,14 +129,15 @@ def _build(
     solver: str,
     budget: Budget,
     seed: int,
-    progress: Callable[[float, float], None] | None,
+    progress: Callable[[Report], None] | None,
     cancel: Cancel | None,
 ) -> Built:
     rows, problem = build_site_problem(site, plan, place, catalog, preset, progress)
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
     found = SITE_SOLVERS[solver].run(problem, budget, seed, progress, cancel)
-    found, cut_off = _reached_only(plan, found, site.fire_access)
+    layout, cut_off = _reached_only(plan, found.layouts[0], site.fire_access)
+    found = found._replace(layouts=(layout,))
     return furnish_site(site, plan, rows, problem, found, cut_off, catalog, seed)
 
 
@@ -149,13 +154,14 @@ def furnish_site(
     """A site as built: its pieces, terms, and what was left out, ``cut_off`` (n,) for want of a
     way."""
     standing = (*landmarks(plan, catalog), *fixed_buildings(plan))
-    placed = buildings(plan, rows, found.boxes, found.present)
+    layout = found.layouts[0]
+    placed = buildings(plan, rows, layout.boxes, layout.present)
     grown = green(plan, (*standing, *placed), catalog, np.random.default_rng(seed))
     return Built(
         plan.id,
         (*standing, *placed, *grown),
-        reasons(problem, found, plan.id),
-        (*_left_out(plan, rows, found.present | cut_off), *_cut_off(site, plan, rows, cut_off)),
+        reasons(problem, layout, plan.id),
+        (*_left_out(plan, rows, layout.present | cut_off), *_cut_off(site, plan, rows, cut_off)),
         found.evaluations,
     )
 
@@ -178,7 +184,7 @@ def build_site_problem(
     place: str,
     catalog: Catalog,
     preset: SitePreset,
-    progress: Callable[[float, float], None] | None,
+    progress: Callable[[Report], None] | None,
 ) -> tuple[list[BuildingDemand], SiteProblem]:
     """What a site is to hold, one row a building, and the problem of placing it."""
     rows = collect_buildings(site, plan, place, catalog)
@@ -191,17 +197,17 @@ def _looks(
     rows: list[BuildingDemand],
     catalog: Catalog,
     preset: SitePreset,
-    progress: Callable[[float, float], None] | None,
+    progress: Callable[[Report], None] | None,
 ) -> Looks:
     """How all models of a site look."""
     stay = (catalog.assets[row.model] for row in plan.fixed)
     marks = (*landmark_assets(plan, catalog), *stay)
-    heard = None if progress is None else lambda _share, _name: progress(0.0, 0.0)
+    heard = None if progress is None else lambda _share, _name: progress(BEGUN)
     found = facts([*(row.asset for row in rows), *(mark for mark in marks if mark)], heard)
     return Looks(found, tuple(mark.id if mark else "" for mark in marks), preset.measure)
 
 
-def _reached_only(plan: SitePlan, found: SiteFound, width: float) -> tuple[SiteFound, Flags]:
+def _reached_only(plan: SitePlan, found: SiteLayout, width: float) -> tuple[SiteLayout, Flags]:
     """What was found without the buildings that no way leads to, and which those are."""
     cut_off = np.zeros(len(found.present), np.bool_)
     cut_off[found.present] = ~find_reached_buildings(plan, found.boxes[found.present], width)

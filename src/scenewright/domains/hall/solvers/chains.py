@@ -18,14 +18,14 @@ from scenewright.domains.hall.energy import kept_of, make_state, prepare, route_
 from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back, count_missed, run
-from scenewright.domains.hall.solvers.outcome import HallFound, HallLayout, lacking
+from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout, lacking
 from scenewright.domains.hall.solvers.start import copy_frames, place_units
 from scenewright.domains.hall.terms.place import build
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, Scratch, State, make_scratch
 from scenewright.domains.hall.terms.table import REACH
 from scenewright.domains.hall.terms.whole import measure_all
 from scenewright.engine.draws import Stream, streams
-from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
+from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 from scenewright.geometry.flood import Bits
 from scenewright.geometry.paths import RouteGrid
 
@@ -49,6 +49,7 @@ class HallChain(NamedTuple):
     """One chain with all it needs; ``tally`` (5,) energy now, of the route in it, of the best,
     moves accepted, energy of ``last``, the layout last looked at whole; ``best`` the best."""
 
+    problem: HallProblem
     p: PreparedHall
     s: State
     work: Scratch
@@ -87,7 +88,7 @@ def begin_chain(problem: HallProblem, start: Kept, stream: Stream) -> HallChain:
     energy = bring_back(p, s, work, start)
     ways = p.weights[REACH] * count_missed(p, s, grid, bits[0], bits[1], bits[2], inset)
     tally = np.array([energy + ways, ways, energy + ways, 0.0, 0.0])
-    return HallChain(p, s, work, grid, bits, inset, stream, tally, last, best)
+    return HallChain(problem, p, s, work, grid, bits, inset, stream, tally, last, best)
 
 
 def advance(chain: HallChain, schedule: Floats, first: int, steps: int) -> None:
@@ -111,7 +112,7 @@ def advance(chain: HallChain, schedule: Floats, first: int, steps: int) -> None:
     )
 
 
-def layout_of(chain: HallChain) -> HallLayout:
+def layout_of(chain: HallChain) -> MeasuredLayout:
     """The best layout of a chain, measured afresh."""
     energy = bring_back(chain.p, chain.s, chain.work, chain.best)
     count = count_missed(
@@ -120,7 +121,7 @@ def layout_of(chain: HallChain) -> HallLayout:
     boxes = np.zeros((len(chain.p.sizes), 5))
     copy_frames(chain.s, boxes)
     total = energy + chain.p.weights[REACH] * count
-    return HallLayout(kept_of(chain.s), boxes, total, count, lacking(chain.p, chain.s))
+    return MeasuredLayout(kept_of(chain.s), boxes, total, count, lacking(chain.p, chain.s))
 
 
 def gd_mh(
@@ -140,11 +141,11 @@ def gd_mh(
     chain = begin_chain(problem, start, streams(seed, 1)[0])
     schedule = np.array([PAPER_RATE, PAPER_RATE, float(steps), 0.0])
     made = 0
-    while made < steps and not watch.over(made, float(chain.tally[2])):
+    while made < steps and not _is_over(watch, [chain], made):
         length = min(SLICE, steps - made)
         advance(chain, schedule, made, length)
         made += length
-    return HallFound((layout_of(chain),), made)
+    return Found((layout_of(chain),), made)
 
 
 def anneal_hall(
@@ -176,7 +177,7 @@ def anneal_hall(
                 chains = [_restart_from_best(problem, chain) for chain in chains]
             made += _stage(chains, pool, watch, first, share, made)
     found = sorted((layout_of(chain) for chain in chains), key=lambda layout: layout.energy)
-    return HallFound(tuple(found), made)
+    return Found(tuple(found), made)
 
 
 def cooled_hall(
@@ -194,7 +195,7 @@ def cooled_hall(
     with ThreadPoolExecutor(threads) as pool:
         made = _stage(chains, pool, watch, TEPID, 1.0, 0)
     found = sorted((layout_of(chain) for chain in chains), key=lambda layout: layout.energy)
-    return HallFound(tuple(found), made)
+    return Found(tuple(found), made)
 
 
 def _starts(problem: HallProblem, start: Kept, seed: int) -> list[Kept]:
@@ -212,6 +213,17 @@ def _starts(problem: HallProblem, start: Kept, seed: int) -> list[Kept]:
 def _restart_from_best(problem: HallProblem, chain: HallChain) -> HallChain:
     """A chain that goes on from its best layout."""
     return begin_chain(problem, chain.best, chain.stream)
+
+
+def _is_over(watch: BudgetWatch, chains: list[HallChain], made: int) -> bool:
+    """Report the best of some chains; true if the run should end."""
+    first = min(chains, key=lambda chain: float(chain.tally[2]))
+    return watch.over(made, float(first.tally[2]), lambda: stand_at_best(first))
+
+
+def stand_at_best(chain: HallChain) -> MeasuredLayout:
+    """The best layout of a chain that goes on: measured by a chain of its own."""
+    return layout_of(begin_chain(chain.problem, chain.best, chain.stream))
 
 
 def _stage(
@@ -237,8 +249,7 @@ def _stage(
         at = int(parts * (first + (1.0 - first) * min(done, 0.999)))
         list(pool.map(partial(advance, schedule=schedule, first=at, steps=steps), chains))
         made += steps * len(chains)
-        best = min(float(chain.tally[2]) for chain in chains)
-        if watch.over(before + made, best):
+        if _is_over(watch, chains, before + made):
             break
         share = watch.share(before + made)
         if watch.budget.steps is None:

@@ -14,15 +14,15 @@ import numpy as np
 from scenewright.domains.hall.energy import kept_of
 from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.problem import HallProblem
-from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, layout_of
+from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, layout_of, stand_at_best
 from scenewright.domains.hall.solvers.moves import reseed, wall_angle
-from scenewright.domains.hall.solvers.outcome import HallFound
+from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout
 from scenewright.domains.hall.solvers.random_search import whole_energy
 from scenewright.domains.hall.terms.place import unfold
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, Scratch, State
 from scenewright.engine.draws import streams
 from scenewright.engine.genetic import GENERATIONS, POPULATION, PaperGenetic
-from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress, run_population
+from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress, run_population
 from scenewright.geometry.boxes import Floats, area_in_polygon, common_area, read_frame
 from scenewright.geometry.compiled import compiled
 
@@ -114,10 +114,22 @@ def genetic_hall(
         np.ones(width),
         np.random.default_rng(seed),
         watch,
+        lambda row: _layout_of(chain, row),
         None if budget.seconds and not budget.steps else rounds,
     )
     best = start
     if costs[0] < chain.tally[0]:
-        decode(chain.p, chain.s, np.ascontiguousarray(genes[0].reshape(-1, GENES)))
-        best = kept_of(chain.s)
-    return HallFound((layout_of(chain._replace(best=best)),), done)
+        best = _decoded(chain, genes[0])
+    return Found((layout_of(chain._replace(best=best)),), done)
+
+
+def _decoded(chain: HallChain, genes: Floats) -> Kept:
+    """What genes (m,) stand for."""
+    decode(chain.p, chain.s, np.ascontiguousarray(genes.reshape(-1, GENES)))
+    return kept_of(chain.s)
+
+
+def _layout_of(chain: HallChain, genes: Floats) -> MeasuredLayout:
+    """The layout of genes (m,); that of the start while none is better."""
+    better = evaluate_genes(chain, genes[None])[0] < chain.tally[0]
+    return stand_at_best(chain._replace(best=_decoded(chain, genes)) if better else chain)

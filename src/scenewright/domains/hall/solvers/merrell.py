@@ -174,7 +174,11 @@ def merrell(
     )
     best, done, age = s.frames.copy(), 1, 0
     bounded = bool(budget.seconds or budget.steps)
-    while n and not watch.over(done, float(tally[3])) and (bounded or age < ITERATIONS):
+
+    def stand() -> Floats:
+        return boxes_of(s._replace(frames=best))
+
+    while n and not watch.over(done, float(tally[3]), stand) and (bounded or age < ITERATIONS):
         share = watch.share(done) if bounded else age / ITERATIONS
         moves = min(n, budget.steps - done) if budget.steps else n
         heat, reach = HOT * (COLD / HOT) ** share, FAR * (NEAR / FAR) ** share

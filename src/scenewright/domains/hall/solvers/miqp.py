@@ -201,10 +201,16 @@ def miqp(
                 more, tried = fit_cells(p, *found, boxes, rng, min(each, ITERATIONS))
                 cost, done = cost + more, done + tried
                 break
-        if watch.over(done, math.inf) and k + 1 < len(zones):
+        if watch.over(done, math.inf, lambda: _turn_back(boxes)) and k + 1 < len(zones):
             break
-    boxes[:, 2] %= 2.0 * math.pi
-    return ObjectLayout(boxes, cost, max(done, 1))
+    return ObjectLayout(_turn_back(boxes), cost, max(done, 1))
+
+
+def _turn_back(boxes: Floats) -> Floats:
+    """Boxes (n, 5) with headings in [0, 2π)."""
+    turned = boxes.copy()
+    turned[:, 2] %= 2.0 * math.pi
+    return turned
 
 
 def _first(problem: HallProblem, p: PreparedHall, seed: int) -> Floats:

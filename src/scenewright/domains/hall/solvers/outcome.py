@@ -16,10 +16,10 @@ from scenewright.domains.hall.terms.place import build
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State, make_scratch
 from scenewright.domains.hall.terms.table import ACCESS
 from scenewright.domains.hall.terms.whole import measure_all, measure_frames
-from scenewright.engine.solve import Budget, Cancel, Progress
+from scenewright.engine.solve import Budget, Cancel, Found, Progress, Report
 
 
-class HallLayout(NamedTuple):
+class MeasuredLayout(NamedTuple):
     """A layout: what makes it, its boxes (n, 5), its energy, what the route misses and how many
     metres passages lack. The boxes of a ``loose`` one stand where no pattern puts them."""
 
@@ -31,21 +31,25 @@ class HallLayout(NamedTuple):
     loose: bool = False
 
 
-class HallFound(NamedTuple):
-    """Layouts, best first, and how many were looked at."""
+class StartedHall(NamedTuple):
+    """What solvers of halls are given: a problem, and a layout of it in which every unit has a
+    place."""
 
-    layouts: tuple[HallLayout, ...]
-    evaluations: int
+    problem: HallProblem
+    start: Kept
 
 
+HallFound = Found[MeasuredLayout]
 HallRun = Callable[[HallProblem, Kept, Budget, int, Progress | None, Cancel | None], HallFound]
-
-
+"""A solver over patterns."""
 ObjectRun = Callable[[HallProblem, Budget, int, Progress | None, Cancel | None, Floats | None], Any]
-"""A solver of single objects; it answers with ``boxes`` (n, 5) and ``evaluations``."""
+"""A solver of single objects; it answers with ``boxes`` (n, 5) and ``evaluations``, and its reports
+make such boxes."""
 
 
-def measure_layout(problem: HallProblem, layout: HallLayout) -> tuple[PreparedHall, State, float]:
+def measure_layout(
+    problem: HallProblem, layout: MeasuredLayout
+) -> tuple[PreparedHall, State, float]:
     """A measured state of a layout, and what the route misses there."""
     p, kept = prepare(problem), layout.kept
     s, work, grid = make_state(p), make_scratch(p), route_grid(problem, p)
@@ -63,30 +67,56 @@ def measure_layout(problem: HallProblem, layout: HallLayout) -> tuple[PreparedHa
     return p, s, count_missed(p, s, grid, bits[0], bits[1], bits[2], inset)
 
 
-def by_objects(
-    solve: ObjectRun,
-    problem: HallProblem,
-    start: Kept,
+def by_patterns(
+    solve: HallRun,
+    given: StartedHall,
     budget: Budget,
     seed: int,
     progress: Progress | None,
     cancel: Cancel | None,
 ) -> HallFound:
-    """A solver that places objects one by one, from the same first layout: its answer as a layout
-    of single objects."""
-    p = prepare(problem)
+    """The adapter of solvers over patterns."""
+    return solve(given.problem, given.start, budget, seed, progress, cancel)
+
+
+def by_objects(
+    solve: ObjectRun,
+    given: StartedHall,
+    budget: Budget,
+    seed: int,
+    progress: Progress | None,
+    cancel: Cancel | None,
+) -> HallFound:
+    """The adapter of solvers that place objects one by one, from the same first layout: the answer
+    as a layout of single objects."""
+    p = prepare(given.problem)
     s, work = make_state(p), make_scratch(p)
-    bring_back(p, s, work, start)
+    bring_back(p, s, work, given.start)
     boxes = np.zeros((len(p.sizes), 5))
     copy_frames(s, boxes)
-    found = solve(problem, budget, seed, progress, cancel, boxes)
-    rows = np.stack([np.full(len(p.spans), SINGLE), start.rows[:, 1]], 1).astype(np.float64)
-    layout = HallLayout(start._replace(rows=rows), found.boxes, 0.0, 0.0, 0.0, True)
+
+    heard = None if progress is None else _hear_boxes(given, progress)
+    found = solve(given.problem, budget, seed, heard, cancel, boxes)
+    return Found((measure_objects(given, found.boxes),), found.evaluations)
+
+
+def _hear_boxes(given: StartedHall, progress: Progress) -> Progress:
+    """A listener to reports that make boxes, which passes them on as layouts."""
+
+    def pass_on(report: Report) -> None:
+        progress(report._replace(best=lambda: measure_objects(given, report.best())))
+
+    return pass_on
+
+
+def measure_objects(given: StartedHall, boxes: Floats) -> MeasuredLayout:
+    """Objects as they stand on boxes (n, 5), measured as a layout of single objects."""
+    problem, start = given
+    rows = np.stack([np.full(len(start.rows), SINGLE), start.rows[:, 1]], 1).astype(np.float64)
+    layout = MeasuredLayout(start._replace(rows=rows), boxes, 0.0, 0.0, 0.0, True)
     p, s, lost = measure_layout(problem, layout)
     energy = sum(part.cost for part in parts_of(problem, p, s, lost))
-    return HallFound(
-        (layout._replace(energy=energy, missed=lost, lacking=lacking(p, s)),), found.evaluations
-    )
+    return layout._replace(energy=energy, missed=lost, lacking=lacking(p, s))
 
 
 def lacking(p: PreparedHall, s: State) -> float:

@@ -8,15 +8,15 @@ import numpy as np
 
 from scenewright.domains.hall.energy import kept_of
 from scenewright.domains.hall.problem import HallProblem
-from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, layout_of
+from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, layout_of, stand_at_best
 from scenewright.domains.hall.solvers.guided_metropolis import count_missed
-from scenewright.domains.hall.solvers.outcome import HallFound
+from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout
 from scenewright.domains.hall.solvers.start import place_units
 from scenewright.domains.hall.terms.state import Ints, Kept, PreparedHall
 from scenewright.domains.hall.terms.table import REACH
 from scenewright.domains.hall.terms.whole import measure_all
 from scenewright.engine.draws import streams
-from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
+from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 LAYOUTS, TRIES = 1000, 60
 
@@ -53,10 +53,14 @@ def random_hall(
     best, least, done = start, float(chain.tally[0]), 1
     order, placed = largest_first(chain.p), np.zeros(len(chain.p.spans))
     rounds = budget.steps or (math.inf if budget.seconds else LAYOUTS)
-    while done < rounds and not watch.over(done, least):
+
+    def layout() -> MeasuredLayout:
+        return stand_at_best(chain._replace(best=best))
+
+    while done < rounds and not watch.over(done, least, layout):
         place_units(chain.p, chain.s, chain.work, order, TRIES, stream, placed)
         done += 1
         energy = whole_energy(chain, least) if placed.all() else math.inf
         if energy < least:
             best, least = kept_of(chain.s), energy
-    return HallFound((layout_of(chain._replace(best=best)),), done)
+    return Found((layout_of(chain._replace(best=best)),), done)

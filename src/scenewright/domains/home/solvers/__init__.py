@@ -2,91 +2,60 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import Literal, NamedTuple
+from scenewright.engine.rows import SolverRow
 
-from scenewright.domains.home.problem import Problem
-from scenewright.engine.solve import Budget, Cancel, Found, Progress, Run
-
-
-class SolverRow(NamedTuple):
-    """One solver: its name, what it is, where its function is (imported when first run), and
-    whether homes pose it their patches or the single pieces of their groups."""
-
-    name: str
-    doc: str
-    source: str
-    module: str
-    function: str
-    encoding: Literal["patches", "pieces"] = "patches"
-
-    def run(
-        self,
-        problem: Problem,
-        budget: Budget,
-        seed: int = 0,
-        progress: Progress | None = None,
-        cancel: Cancel | None = None,
-    ) -> Found:
-        """Solve; see :data:`scenewright.engine.solve.Run`."""
-        if not problem.names:
-            from scenewright.domains.home.energy import empty_layout
-
-            return Found((empty_layout(problem),), 1)
-        solve: Run = getattr(import_module(f"{__name__}.{self.module}"), self.function)
-        return solve(problem, budget, seed, progress, cancel)
-
+_PATCHES = ("patches", f"{__name__}.no_items:solve_items")
+_PIECES = ("pieces", f"{__name__}.no_items:solve_items")
 
 ROWS = (
     SolverRow(
         "anneal",
         "compiled annealing, a designer's moves, adaptive restarts (default)",
         "ours, after Kirkpatrick et al. 1983",
-        "anneal",
-        "anneal",
+        f"{__name__}.anneal:anneal",
+        *_PATCHES,
     ),
     SolverRow(
         "paper-ga",
         "the paper's genetic algorithm, 40 layouts, 100 generations",
         "Liu et al. 2017",
-        "genetic",
-        "paper_ga",
+        f"{__name__}.genetic:paper_ga",
+        *_PATCHES,
     ),
     SolverRow(
         "paper-sa",
         "the paper's comparison: annealing over patches, 500 iterations",
         "Liu et al. 2017",
-        "paper_annealing",
-        "paper_sa",
+        f"{__name__}.paper_annealing:paper_sa",
+        *_PATCHES,
     ),
     SolverRow(
         "merrell",
         "single pieces annealed by interior design guidelines, T from 100 by 0.99",
         "Merrell et al. 2011",
-        "merrell",
-        "merrell",
-        "pieces",
+        f"{__name__}.merrell:merrell",
+        *_PIECES,
     ),
     SolverRow(
         "pso",
         "particle swarm over patches, 40 particles, 100 rounds",
         "Kennedy, Eberhart 1995",
-        "swarm",
-        "swarm",
+        f"{__name__}.swarm:swarm",
+        *_PATCHES,
     ),
     SolverRow(
         "greedy",
         "largest patch first, each at its best corner, wall or partner",
         "Feo, Resende 1995",
-        "greedy",
-        "greedy",
+        f"{__name__}.greedy:greedy",
+        *_PATCHES,
     ),
     SolverRow(
         "random",
         "layouts drawn at random, the best kept",
         "baseline",
-        "random_search",
-        "random_search",
+        f"{__name__}.random_search:random_search",
+        *_PATCHES,
     ),
 )
 SOLVERS: dict[str, SolverRow] = {row.name: row for row in ROWS}

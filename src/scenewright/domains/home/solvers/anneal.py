@@ -18,6 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.core.layout import Layout
 from scenewright.domains.home.energy import empty_layout, energies_of, prepare, route_grid
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.solvers.chain import make_chain
@@ -148,9 +149,15 @@ def _run_stage(
             setup, chains, steps, first + (1.0 - first) * before, first + (1.0 - first) * share
         )
         before, spent = share, spent + steps * len(chains.energies)
-        if setup.watch.over(spent, float(chains.energies[:, 1].min())) and share < 1.0:
+        if _is_over(setup, chains, spent) and share < 1.0:
             return spent, True
-    return spent, setup.watch.over(spent, float(chains.energies[:, 1].min()))
+    return spent, _is_over(setup, chains, spent)
+
+
+def _is_over(setup: Setup, chains: Chains, spent: int) -> bool:
+    first = int(chains.energies[:, 1].argmin())
+    energy = float(chains.energies[first, 1])
+    return setup.watch.over(spent, energy, lambda: Layout(boxes_of(chains.bests[first]), energy))
 
 
 def _run_stages(setup: Setup, chains: Chains, budget: Budget) -> tuple[list[Chains], int]:
@@ -207,7 +214,7 @@ def anneal(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
     threads: int | None = None,
-) -> Found:
+) -> Found[Layout]:
     """Lay out the items of a problem; several distinct layouts, best first.
 
     Without a budget it takes 0.1 s. With steps and no seconds the result depends on the seed

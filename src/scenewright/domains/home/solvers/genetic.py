@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scenewright.core.layout import Layout
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.solvers.over_genes import over_genes
 from scenewright.engine.genetic import GENERATIONS, POPULATION, PaperGenetic
@@ -14,7 +15,7 @@ def paper_ga(
     seed: int,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> Found:
+) -> Found[Layout]:
     """Solve by the paper's genetic algorithm; without a budget, its 100 generations.
 
     Steps are looked-at layouts, 40 a generation; its schedule is spread over the budget's steps.

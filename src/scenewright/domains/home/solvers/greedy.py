@@ -10,6 +10,7 @@ looked at, and the best pass is kept (greedy randomised search, Feo and Resende 
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -142,7 +143,7 @@ def greedy(
     seed: int,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> Found:
+) -> Found[Layout]:
     """Solve by greedy placement: one pass without a budget, else the best of as many as fit.
 
     Steps are tried places. A pass always ends, so a budget of few steps looks at few places.
@@ -160,6 +161,7 @@ def greedy(
         energy = float(energies_of(p, grid, found.boxes[None])[0][0])
         kept = sorted([*kept, Layout(found.boxes, energy)], key=lambda a: a.energy)[:KEPT]
         done, most, shake = done + found.looked, min(most, MOST // 4), SHAKE
-        if watch.over(done, kept[0].energy) or not (budget.steps or budget.seconds):
+        over = watch.over(done, kept[0].energy, partial(min, kept, key=lambda a: a.energy))
+        if over or not (budget.steps or budget.seconds):
             boxes, energies = zip(*kept, strict=True)
             return Found(distinct(np.stack(boxes), np.array(energies)), done)

@@ -15,6 +15,7 @@ import math
 
 import numpy as np
 
+from scenewright.core.layout import Layout
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.solvers.anneal import boxes_of, scatter_boxes
@@ -137,7 +138,7 @@ def merrell(
     seed: int,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> Found:
+) -> Found[Layout]:
     """Place every item of a problem as a single piece.
 
     Without a budget it takes the stated schedule; with one, the schedule is spread over it.
@@ -155,8 +156,11 @@ def merrell(
     def energy() -> float:
         return float(energies_of(judge, ways, boxes_of(best)[None])[0][0])
 
+    def layout() -> Layout:
+        return Layout(boxes_of(best), energy())
+
     bounded = bool(budget.seconds or budget.steps)
-    while not watch.over(done, energy()) and (bounded or age < ITERATIONS):
+    while not watch.over(done, energy(), layout) and (bounded or age < ITERATIONS):
         share = watch.share(done) if bounded else age / ITERATIONS
         moves = min(SWEEPS * n, budget.steps - done) if budget.steps else SWEEPS * n
         heat, reach = HOT * (COLD / HOT) ** share, FAR * (NEAR / FAR) ** share

@@ -12,6 +12,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.core.layout import Layout
 from scenewright.domains.home.encodings.boxes import gene_bounds, to_boxes
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
 from scenewright.domains.home.problem import Problem
@@ -43,7 +44,7 @@ def paper_sa(
     seed: int,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> Found:
+) -> Found[Layout]:
     """Solve by the paper's annealing; without a budget, its 500 iterations.
 
     With a budget it goes on at the last temperatures, or stops early.
@@ -55,7 +56,11 @@ def paper_sa(
     energy = least = float(energies_of(p, grid, to_boxes(now[None]))[0][0])
     kept, energies, done = [best], [least], 1
     limit = math.inf if budget.seconds or budget.steps else ITERATIONS * MOVES
-    while not watch.over(done, least) and done <= limit:
+
+    def layout() -> Layout:
+        return Layout(to_boxes(best[None])[0], least)
+
+    while not watch.over(done, least, layout) and done <= limit:
         temperature = max(START * DECAY ** (done // MOVES), 1e-9)
         tried = propose_layout(now, low, high, rng)
         after = float(energies_of(p, grid, to_boxes(tried[None]))[0][0])

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.core.layout import Layout
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.solvers.over_genes import over_genes
 from scenewright.engine.solve import Budget, Cancel, Found, Progress
@@ -47,7 +48,7 @@ def random_search(
     seed: int,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> Found:
+) -> Found[Layout]:
     """The best of random layouts; 4000 of them without a budget."""
     rounds = None if budget.seconds or budget.steps else ROUNDS
     return over_genes(RandomDraws(), problem, budget, seed, progress, cancel, rounds)

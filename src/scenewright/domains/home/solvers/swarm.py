@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from scenewright.core.layout import Layout
 from scenewright.domains.home.encodings.boxes import gene_bounds
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.solvers.over_genes import over_genes
@@ -17,7 +18,7 @@ def swarm(
     seed: int,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-) -> Found:
+) -> Found[Layout]:
     """Solve by 40 particles over (x, y, θ, lx, ly) of every patch, 100 rounds without a budget."""
     low, high = (bound.ravel() for bound in gene_bounds(problem))
     count = min(PARTICLES, budget.steps) if budget.steps else PARTICLES

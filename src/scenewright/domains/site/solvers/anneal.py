@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from scenewright.domains.site.problem import Floats, SiteProblem
-from scenewright.domains.site.solvers.answer import Measure, answer, make_measure
+from scenewright.domains.site.solvers.answer import Measure, answer, make_measure, stand
 from scenewright.domains.site.solvers.moves import propose
 from scenewright.domains.site.solvers.outcome import SiteFound
 from scenewright.domains.site.solvers.random_search import TRIES, drop_buildings, lines_of
@@ -120,7 +120,7 @@ def anneal_from(
             schedule = np.array([HOT, COLD, *(first + (1.0 - first) * part), most_cost])
             run_site_chain(measure.p, measure.s, lines, schedule, end - begin, stream, best, tally)
             done += end - begin
-            if watch.over(done, float(tally[1])):
+            if watch.over(done, float(tally[1]), lambda: stand(problem, boxes_of_frames(best))):
                 return boxes_of_frames(best), done
         before = share
     return boxes_of_frames(best), done

@@ -13,7 +13,7 @@ import numpy as np
 
 from scenewright.domains.site.problem import Flags, Floats, Ints, SiteProblem, sides_of
 from scenewright.domains.site.solvers.aims import uneven_of
-from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.terms.measure import (
     SitePrepared,
     SiteState,
@@ -28,6 +28,7 @@ from scenewright.domains.site.terms.measure import (
 )
 from scenewright.domains.site.terms.table import QUALITY, SITE_TERMS, printed_ratio
 from scenewright.domains.site.terms.value import OMEGA, make_worth, value_parts
+from scenewright.engine.solve import Found
 from scenewright.geometry.boxes import make_frame
 from scenewright.geometry.buckets import remove
 from scenewright.geometry.compiled import compiled
@@ -147,7 +148,14 @@ def views_of(problem: SiteProblem, boxes: Floats, present: Flags) -> Floats:
 
 def answer(problem: SiteProblem, boxes: Floats, evaluations: int, generations: int) -> SiteFound:
     """The answer for a layout (n, 5) of a search: what cannot stand is left out."""
+    layout = stand(problem, boxes)
+    told = score(problem, layout.boxes, layout.present)
+    return Found((layout._replace(score=told, generations=generations),), evaluations)
+
+
+def stand(problem: SiteProblem, boxes: Floats) -> SiteLayout:
+    """A layout (n, 5) of a search, not yet scored, without what cannot stand."""
     present = standing(make_measure(problem), np.ascontiguousarray(boxes))
     placed = np.column_stack([boxes[:, :3], problem.buildings.sizes[:, :2]])
     placed[:, 2] %= 2.0 * np.pi
-    return SiteFound(placed, present, score(problem, placed, present), evaluations, generations)
+    return SiteLayout(placed, present, {})

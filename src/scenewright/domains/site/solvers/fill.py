@@ -10,6 +10,7 @@ of buildings.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,11 +25,14 @@ from scenewright.domains.site.solvers.block import (
     loosen_layout,
 )
 from scenewright.domains.site.solvers.improve import improve_layout
-from scenewright.domains.site.solvers.outcome import SiteFound
-from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
+from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
+from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 TRIED = 8
 LOOSEST = (3.0, 1.5, 1.0, 1.0, 1.0)
+FILLED = (0.5, 0.6, 0.65, 0.7, 0.75)
+"""Shares of a run that are done after each filling, if no other must follow; the rest is spent on
+improving the best."""
 VARIETY = 0.05  # how much chance has a say among forms about as good
 ASKEW = 0.5  # what half a turn off the preferred heading costs, in shares of a block's buildings
 
@@ -43,53 +47,69 @@ def fill_site(
     """Fill all blocks of a site from the sunny side on; what finds no place in its block goes on
     to the next. If anything is left over, gaps may widen less, in the end not at all. ``steps`` are
     layouts tried for each block. Deterministic by seed unless the budget is in seconds."""
-    watch = BudgetWatch(budget._replace(steps=None), None, cancel)
-    tried = max((budget.steps or TRIED), 1)
-    best: SiteFound | None = None
+    watch = BudgetWatch(budget._replace(steps=None), progress, cancel)
+    tried, begun = max((budget.steps or TRIED), 1), 0.0
+    best: SiteLayout | None = None
     done, rng = 0, np.random.default_rng(seed)
-    for loosest in LOOSEST:
-        if progress is not None:
-            progress(done / (done + 1.0), 0.0)
-        found = _fill_blocks(problem, loosest, tried, rng, watch, done)
-        done += found.evaluations
+    for loosest, until in zip(LOOSEST, FILLED, strict=True):
+        filling = Filling(watch, begun, until, best)
+        found, more = _fill_blocks(problem, loosest, tried, rng, filling)
+        done, begun = done + more, until
         if best is None or found.present.sum() > best.present.sum():
             best = found
-        if best.present.all() or watch.over(done, 0.0):
+        if best.present.all() or watch.share(0) >= 1.0 or watch.cancelled():
             break
     assert best is not None
-    return improve_layout(problem, best._replace(evaluations=done), seed, watch)
+    better, more = improve_layout(problem, best, seed, watch, begun)
+    return Found((better,), done + more)
+
+
+class Filling(NamedTuple):
+    """One filling of all blocks as a part of a run: the shares of the run done before and after
+    it, and the best layout of those before."""
+
+    watch: BudgetWatch
+    begun: float
+    until: float
+    before: SiteLayout | None
+
+    def over(self, share: float, boxes: Floats, present: Flags, forms: list[str]) -> bool:
+        """Report what stands, ``share`` of this filling being done; true if it should end."""
+
+        def best() -> SiteLayout:
+            if self.before is not None and self.before.present.sum() >= present.sum():
+                return self.before
+            return SiteLayout(boxes.copy(), present.copy(), {}, tuple(forms))
+
+        return self.watch.reached(self.begun + (self.until - self.begun) * share, best)
 
 
 def _fill_blocks(
-    problem: SiteProblem,
-    loosest: float,
-    tried: int,
-    rng: np.random.Generator,
-    watch: BudgetWatch,
-    before: int,
-) -> SiteFound:
-    """One filling of all blocks, gaps at most ``loosest`` times the least; at 1 each block takes
-    all it can, not its share."""
+    problem: SiteProblem, loosest: float, tried: int, rng: np.random.Generator, filling: Filling
+) -> tuple[SiteLayout, int]:
+    """One filling of all blocks, gaps at most ``loosest`` times the least, and the layouts tried;
+    at 1 each block takes all it can, not its share."""
     n = len(problem.buildings.sizes)
     boxes, present, forms = np.zeros((n, 5)), np.zeros(n, bool), [""] * n
     order = _southern_first(problem)
     left, done = _low_first(problem), 0
     for count, b in enumerate(order):
-        if watch.over(before + done, 0.0) and count:
+        if filling.over(count / len(order), boxes, present, forms) and count:
             break
         share = left if loosest == 1.0 else _share(problem, left, order[count:])
         ground = _ground(problem, b, boxes, present, share)
         about = around(problem, _edges(problem, b), boxes, present)
-        found = _best(
-            problem, about, ground, share, (tried if loosest > 1.0 else 4 * tried, loosest), rng
-        )
+        effort = (tried if loosest > 1.0 else 4 * tried, loosest)
+        found = _best(problem, about, ground, share, effort, rng, filling.watch.cancelled)
         done += tried
         left = _record_block(found, left, boxes, present, forms)
     for b in order if left else []:
+        if filling.watch.cancelled():
+            break
         ground = _ground(problem, b, boxes, present, left)
         found = lay_out_block(problem, ground, left, problem.facing, "parallel", 1.0)
         left = _record_block(found, left, boxes, present, forms)
-    return SiteFound(boxes, present, {}, done, 1, tuple(forms))
+    return SiteLayout(boxes, present, {}, tuple(forms)), done
 
 
 def _record_block(
@@ -172,6 +192,7 @@ def _best(
     share: list[int],
     effort: tuple[int, float],
     rng: np.random.Generator,
+    cancelled: Cancel,
 ) -> BlockLayout:
     """The best of several layouts of one block: most floor placed, then what it lacks in the aims
     and how far fronts are turned away. Aims are looked at only where they may decide."""
@@ -180,6 +201,8 @@ def _best(
     looks = sides_of(problem.buildings.sides, problem.buildings.quality)[:, :4].mean(1)
     handsome = sorted(share, key=lambda i: (-float(looks[i]), i))
     for k in range(effort[0] if share else 0):
+        if k and cancelled():
+            break
         heading = ways[0] if k < 4 else ways[int(rng.integers(len(ways)))]
         form, queue = allowed[k % len(allowed)], list(share)
         if k and effort[1] == 1.0:

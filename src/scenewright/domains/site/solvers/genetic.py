@@ -24,9 +24,9 @@ from scenewright.domains.site.encodings.cell_moves import (
 )
 from scenewright.domains.site.encodings.cells import Ints, SiteLattice, decode_genes
 from scenewright.domains.site.problem import Floats, SiteProblem
-from scenewright.domains.site.solvers.answer import Measure, answer, make_measure
+from scenewright.domains.site.solvers.answer import Measure, answer, make_measure, stand
 from scenewright.domains.site.solvers.lattice import make_cells
-from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.terms.measure import lay
 from scenewright.domains.site.terms.table import LEFT, QUALITY
 from scenewright.domains.site.terms.value import OMEGA, Worth, make_worth, value_parts
@@ -208,6 +208,10 @@ def evolve(
     state, done = solver.init(rng, np.zeros(width), np.zeros(width)), 0
     best, least = np.zeros(width), math.inf
     bounded = budget.steps is not None or budget.seconds is not None
+
+    def layout() -> SiteLayout:
+        return stand(problem, judge.boxes(best[None])[0])
+
     while True:
         genes, state = solver.ask(state, rng)
         energies = judge.energies(genes)
@@ -218,7 +222,7 @@ def evolve(
         spent = not bounded and (state.age == GENERATIONS or state.stalled > STALLED)
         spent = spent or (solver.ends and state.settled >= 0)
         full = budget.steps is not None and done + solver.population > budget.steps
-        if watch.over(done, least) or spent or full:
+        if watch.over(done, least, layout) or spent or full:
             break
     settled = state.settled if state.settled >= 0 else state.age
     return answer(problem, judge.boxes(best[None])[0], done, settled)

@@ -21,7 +21,7 @@ from scenewright.domains.site.solvers.exchange import (
     fill_hours,
 )
 from scenewright.domains.site.solvers.front import blind
-from scenewright.domains.site.solvers.outcome import SiteFound
+from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.terms.measure import (
     SitePrepared,
     SiteState,
@@ -47,41 +47,53 @@ LEEWAY = math.radians(30.0)
 """How far a front may turn off the preferred heading, or as far as it was before."""
 BESIDE = 40.0
 """Metres from the middle of a building within which a way is one it stands at."""
-LOT = 512
+LOT = 64
+"""Exchanges tried between two looks at the clock."""
 LOOSE = 1e-3
 """Square metres that rounding may be off."""
 
 
 def improve_layout(
-    problem: SiteProblem, found: SiteFound, seed: int, watch: BudgetWatch
-) -> SiteFound:
-    """A layout after exchanges and turns that gain in what is seen and in sun, by their weights.
+    problem: SiteProblem, found: SiteLayout, seed: int, watch: BudgetWatch, begun: float = 0.0
+) -> tuple[SiteLayout, int]:
+    """A layout after exchanges and turns that gain in what is seen and in sun, by their weights,
+    and how many were tried. ``begun`` is the share of the run done before.
 
     Time grows with the number of buildings and of eyes near each.
     """
     aims = read_site_aims(problem.weights)
     here = np.flatnonzero(found.present)
     if len(here) < 1 or not len(problem.ground.block_areas) or not aims[:2].any():
-        return found
+        return found, 0
+    if watch.reached(begun, lambda: found):
+        return found, 0
     rng, made = np.random.default_rng(seed), make_slots(problem, found.boxes[here], here)
     p, s = prepare_site(problem), make_site_state(problem)
     _stand(s, p, problem, found.boxes[here])
     who, tally = here.astype(np.int64), np.zeros(2)
     rule = make_rule(problem, made, aims)
-    swaps = exchanges(problem, made, who, found.forms, rng)
-    for moves in (swaps, turns(problem, found.boxes[here])):
-        for first in range(0, len(moves), LOT):
-            if watch.over(0, 0.0):
-                break
-            exchange_all(p, s, made, rule, moves[first : first + LOT], who, tally)
+    moves = np.concatenate(
+        [exchanges(problem, made, who, found.forms, rng), turns(problem, found.boxes[here])]
+    )
+
+    def best() -> SiteLayout:
+        return _read_slots(found, here, who, made)
+
+    for first in range(0, len(moves), LOT):
+        exchange_all(p, s, made, rule, moves[first : first + LOT], who, tally)
+        if watch.reached(begun + (1.0 - begun) * (first + LOT) / (len(moves) + LOT), best):
+            break
+    return best(), int(tally[0])
+
+
+def _read_slots(found: SiteLayout, here: Ints, who: Ints, made: Slots) -> SiteLayout:
+    """The layout that slots hold: ``who`` (k,) stands now where ``here`` (k,) stood."""
     boxes, forms = found.boxes.copy(), list(found.forms)
     frames = made.grid.frames[: len(here)]
     boxes[who] = frames[:, [0, 1, 7, 4, 5]] * (1.0, 1.0, 1.0, 2.0, 2.0)
     for slot, i in enumerate(who.tolist()):
         forms[i] = found.forms[here[slot]]
-    return found._replace(
-        boxes=boxes, forms=tuple(forms), evaluations=found.evaluations + int(tally[0])
-    )
+    return found._replace(boxes=boxes, forms=tuple(forms))
 
 
 def make_slots(problem: SiteProblem, boxes: Floats, here: Ints) -> Slots:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
 from scenewright.domains.site.problem import Floats, Ints, SiteProblem
-from scenewright.domains.site.solvers.answer import LOOSE, answer, make_measure
+from scenewright.domains.site.solvers.answer import LOOSE, answer, make_measure, stand
 from scenewright.domains.site.solvers.lattice import main_direction
 from scenewright.domains.site.solvers.moves import in_block
 from scenewright.domains.site.solvers.outcome import SiteFound
@@ -78,6 +79,6 @@ def random_site(
         done += 1
         if energy < least:
             best, least = boxes.copy(), energy
-        if watch.over(done, least):
+        if watch.over(done, least, partial(stand, problem, best)):
             break
     return answer(problem, best, done, done)

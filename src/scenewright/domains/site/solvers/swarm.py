@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from scenewright.domains.site.problem import Floats, SiteProblem
-from scenewright.domains.site.solvers.answer import answer, make_measure, standing
+from scenewright.domains.site.solvers.answer import answer, make_measure, stand, standing
 from scenewright.domains.site.solvers.outcome import SiteFound
 from scenewright.domains.site.solvers.random_search import TRIES, drop_buildings, lines_of
 from scenewright.engine.draws import streams
@@ -52,6 +52,7 @@ def swarm_site(
         high,
         rng,
         watch,
+        lambda row: stand(problem, poses(row[None])[0]),
         rounds,
     )
     ended = poses(genes[:LOOKED])

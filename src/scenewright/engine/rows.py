@@ -1,0 +1,66 @@
+"""The rows that every domain fills its tables of solvers with, and how a solver is run."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any, NamedTuple
+
+from scenewright.engine.solve import Budget, Cancel, Found, Progress, Report
+
+
+class SolverRow(NamedTuple):
+    """One solver: its name, what it is, whose idea it is and ``function``, its
+    :data:`scenewright.engine.solve.Run` as ``"package.module:name"``, imported when first run.
+
+    ``encoding`` names what it moves; ``adapter``, as ``"package.module:name"``, calls functions of
+    another signature: ``adapter(function, problem, budget, seed, progress, cancel)``.
+    """
+
+    name: str
+    doc: str
+    source: str
+    function: str
+    encoding: str = ""
+    adapter: str = ""
+
+    def run(
+        self,
+        problem: Any,
+        budget: Budget,
+        seed: int = 0,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+    ) -> Found[Any]:
+        """Solve. ``progress`` is called with shares that never fall, and with 1 and the answer in
+        the end; when ``cancel`` answers true, the best layout so far is the answer."""
+        function, told = load_function(self.function), RisingShare(progress)
+        given = (problem, budget, seed, told.hear if progress else None, cancel)
+        found: Found[Any] = (
+            load_function(self.adapter)(function, *given) if self.adapter else function(*given)
+        )
+        if not (cancel is not None and cancel()):
+            told.end(found.layouts[0])
+        return found
+
+
+def load_function(reference: str) -> Any:
+    """What ``"package.module:name"`` names."""
+    module, _, name = reference.partition(":")
+    return getattr(import_module(module), name)
+
+
+class RisingShare:
+    """Passes reports on, with no share below one told before."""
+
+    def __init__(self, progress: Progress | None) -> None:
+        self.progress, self.last = progress, Report(0.0, 0.0, tuple)
+
+    def hear(self, report: Report) -> None:
+        """Pass a report on."""
+        self.last = report._replace(share=max(report.share, self.last.share))
+        if self.progress is not None:
+            self.progress(self.last)
+
+    def end(self, answer: Any) -> None:
+        """Report that all is done."""
+        self.hear(self.last._replace(share=1.0, best=lambda: answer))
