@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 
 import numpy as np
 import pytest
@@ -14,7 +15,13 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.catalog import Group, Member
 from scenewright.core.layout import corners
 from scenewright.core.space import Space
-from scenewright.domains.home.cases.library import cases, find_preferred_case, fitting, nearest
+from scenewright.domains.home.cases.library import (
+    cases,
+    find_preferred_case,
+    fitting,
+    nearest,
+    nearest_first,
+)
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.programme import ALSO, FALLBACK, PROGRAMME, programme
 
@@ -90,11 +97,22 @@ def test_fitting_cases_fit_and_come_nearest_first(
 
 @given(st.sampled_from(sorted(GROUPS)), st.floats(0.2, 5), st.floats(0.2, 5))
 def test_nearest_agrees_with_a_plain_search(function: str, width: float, depth: float) -> None:
-    def far(g: Group) -> float:
-        return float(np.hypot(g.width - width, g.depth - depth))
+    found = cases(function).groups
+    assert nearest(function, width, depth) is min(
+        found, key=lambda g: math.dist((g.width, g.depth), (width, depth))
+    )
 
-    best = min(map(far, cases(function).groups))
-    assert far(nearest(function, width, depth)) == pytest.approx(best)
+
+COARSE = st.integers(0, 6).map(float)  # many equal coordinates and distances
+
+
+@given(st.lists(st.tuples(COARSE, COARSE), min_size=1), st.tuples(COARSE, COARSE), COARSE)
+def test_cases_come_as_a_full_sort_of_those_that_fit(
+    sizes: list[tuple[float, float]], size: tuple[float, float], most: float
+) -> None:
+    fits = [i for i, own in enumerate(sizes) if own[0] - size[0] <= most >= own[1] - size[1]]
+    wanted = sorted(fits, key=lambda i: (math.dist(sizes[i], size), i))
+    assert nearest_first(np.array(sizes), size, most).tolist() == wanted
 
 
 @pytest.mark.parametrize("function", GROUPS)

@@ -1,8 +1,9 @@
-"""The case library: groups by function, found by width and depth with a k-d tree.
+"""The case library: groups by function, found by width and depth.
 
 Liu, Jiang, Mao, Wang (2017), section 3.4, take the group of the same function whose (length,
 width) is nearest to the patch, by a bounded k-d tree, and do not ask whether it fits. We take
-the nearest of those that *do* fit inside the patch, and shrink the patch to it.
+the nearest of those that *do* fit inside the patch, and shrink the patch to it. A function has
+at most some 120 cases, of which a mask and a sort of NumPy find the same ones sooner than a tree.
 
 A library is the shipped one unless a brief brings cases of its own: learned from furnished homes,
 or made with the furniture of its catalogues.
@@ -21,7 +22,6 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Group
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.habits import NONE, Habits
-from scenewright.geometry.kd_tree import KdNode, nearest_first, plant
 
 SLACK = 0.005
 LARGER = 0.45
@@ -29,14 +29,13 @@ LARGER = 0.45
 
 
 class Cases(NamedTuple):
-    """The cases of one function: groups, their (width, depth) as ``(n, 2)`` and its k-d tree;
-    ``real`` tells which are made of a user's own models: these come first. ``areas`` are those of
+    """The cases of one function: groups, their (width, depth) as ``(n, 2)`` in metres; ``real``
+    tells which are made of a user's own models: these come first. ``areas`` are those of
     the rooms learned cases were seen in, m² (NaN: not known). ``smallest`` is the index of the
     case of the least footprint."""
 
     groups: tuple[Group, ...]
     sizes: NDArray[np.float64]
-    tree: KdNode | None
     real: NDArray[np.bool_]
     areas: NDArray[np.float64]
     smallest: int
@@ -68,7 +67,7 @@ def index_cases(
     first = np.array(real or (False,) * len(groups))
     of_rooms = np.array(areas or (np.nan,) * len(groups))
     smallest = int(np.argmin(sizes.prod(-1)))
-    return Cases(groups, sizes, plant(sizes.tolist()), first, of_rooms, smallest)
+    return Cases(groups, sizes, first, of_rooms, smallest)
 
 
 def subset(known: Cases, chosen: NDArray[np.bool_]) -> Cases:
@@ -90,7 +89,23 @@ def nearest(function: str, width: float, depth: float, library: Library = SHIPPE
     'TV on a 1.2 m stand'
     """
     found = cases(function, library)
-    return found.groups[next(nearest_first(found.tree, (width, depth)))]
+    return found.groups[int(nearest_first(found.sizes, (width, depth))[0])]
+
+
+def nearest_first(
+    sizes: NDArray[np.float64], size: tuple[float, float], most: float = np.inf
+) -> NDArray[np.int64]:
+    """The rows of ``sizes`` (n, 2) that exceed ``size`` by at most ``most`` metres in width and in
+    depth, by their distance |sizes - size| from it, the lower row first where equal.
+
+    >>> sizes = np.array([(0.0, 0.0), (5.0, 1.0), (2.0, 2.0)])
+    >>> nearest_first(sizes, (4.0, 0.0)).tolist(), nearest_first(sizes, (4.0, 1.0), 0.5).tolist()
+    ([1, 2, 0], [0])
+    """
+    fits = np.flatnonzero((sizes <= np.add(size, most)).all(axis=1))
+    off = (sizes[fits] - size).astype(np.longdouble)
+    far = np.hypot(off[:, 0], off[:, 1]).astype(np.float64)  # rounded once: ties stay ties
+    return fits[np.argsort(far, kind="stable")]
 
 
 def fitting(
@@ -115,10 +130,8 @@ def each_fitting(
     """The same one by one, as far as they are asked for."""
     found = cases(function, library)
     slack = LARGER if found.real.any() else SLACK
-    most = (width + slack, depth + slack)
-    order = nearest_first(found.tree, (width, depth), most)
-    if found.real.any():
-        order = iter(sorted(order, key=lambda i: not found.real[i]))
+    order = nearest_first(found.sizes, (width, depth), slack)
+    order = order[np.argsort(~found.real[order], kind="stable")]
     return (found.groups[i] for i in order)
 
 
