@@ -21,8 +21,8 @@ from benchmarks.real_data import data_files
 from scenewright.building.plan import spaces
 from scenewright.building.standing import fixed_pieces
 from scenewright.catalog.assets import shipped
-from scenewright.check.report import Report
 from scenewright.core.brief import Ask, Brief
+from scenewright.core.report import Report
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Patch, Solution
 from scenewright.core.space import Space

@@ -12,8 +12,8 @@ from typing import Any
 from benchmarks.comparison import ratio
 from benchmarks.real_data import data_files, data_set, skipped
 from scenewright.building.plan import room_ids
-from scenewright.check.report import Report
 from scenewright.core.errors import InputError
+from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.domains import check
 from scenewright.domains.hall.indoor.geojson import read_report

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from scenewright.check.report import Report
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
 from scenewright.core.kind import Kind
+from scenewright.core.report import Report
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.domains import check

@@ -7,10 +7,10 @@ import math
 import numpy as np
 
 from scenewright.catalog.kinds import KINDS
-from scenewright.check.report import Report
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
 from scenewright.core.kind import Kind
+from scenewright.core.report import Report
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.core.space import Opening, Space

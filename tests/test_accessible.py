@@ -12,8 +12,8 @@ import shapely
 from benchmarks.shapely_home import rectangle
 
 from scenewright import cli
-from scenewright.check.report import Report
 from scenewright.core.brief import Brief
+from scenewright.core.report import Report
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.domains import check

@@ -191,9 +191,9 @@ def test_verbs_are_not_hidden_by_packages_of_the_same_name(first: str) -> None:
     code = f"""{first}
 import scenewright as sw
 assert sw.check.__module__ == "scenewright.domains", sw.check
-import scenewright.check.report, scenewright.engine.solve
+import scenewright.check.rooms, scenewright.engine.solve
 assert callable(sw.check) and callable(sw.solve) and callable(sw.read)
-from scenewright.check.report import KINDS
+from scenewright.core.report import KINDS
 """
     subprocess.run([sys.executable, "-c", code], check=True)
 

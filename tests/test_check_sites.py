@@ -11,7 +11,7 @@ import shapely
 from benchmarks.site_reco import compounds
 
 from deadline import within
-from scenewright.check.report import KINDS
+from scenewright.core.report import KINDS
 from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
 from scenewright.domains.site.check.figures import judge_sites

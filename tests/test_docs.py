@@ -11,8 +11,8 @@ from benchmarks.appearance import ranking
 
 from scenewright import cli
 from scenewright.catalog.appearance import shipped_facts
-from scenewright.check.report import KINDS
 from scenewright.core.brief.zones import Demand, ZoneBrief
+from scenewright.core.report import KINDS
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.presets import PRESETS as HALL_PRESETS
 from scenewright.domains.hall.solvers import HALL_SOLVERS

@@ -12,10 +12,10 @@ from pydantic import ValidationError
 import scenewright as sw
 from scenewright import formats
 from scenewright.building.plan import spaces
-from scenewright.check.report import Report
 from scenewright.cli.commands import run
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.core.report import Report
 
 
 def plan(*widths: float, **more: Any) -> dict[str, Any]:

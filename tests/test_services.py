@@ -13,11 +13,11 @@ from rich.console import Console
 from scenewright.building.plan import spaces
 from scenewright.building.standing import fixed_pieces
 from scenewright.catalog.assets import shipped
-from scenewright.check.report import Report
 from scenewright.cli import show as cli_show
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Member
 from scenewright.core.errors import InputError
+from scenewright.core.report import Report
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.core.space import Outlet

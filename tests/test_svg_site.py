@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from deadline import within
+from scenewright.domains import check
 from scenewright.domains.site.drawing import marks as svg_site_marks
 from scenewright.domains.site.drawing import plan as svg_site
 from scenewright.domains.site.drawing.marks import FAULT, HATCH, tint
@@ -21,7 +22,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def draw_site(solution, views=None):
-    return svg_site.plan(solution, plans_of(solution.brief), views)
+    return svg_site.plan(solution, plans_of(solution.brief), check(solution), views)
 
 
 def drawn(ground, pieces, views=None):

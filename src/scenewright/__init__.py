@@ -18,12 +18,12 @@ TYPE_CHECKING = False  # that of typing, whose import takes longer than all of t
 if TYPE_CHECKING:
     from scenewright.batch import batch
     from scenewright.catalog.assets import shipped
-    from scenewright.check.report import Report
     from scenewright.core.brief import Brief
     from scenewright.core.catalog import Asset, Catalog
     from scenewright.core.errors import InputError
     from scenewright.core.kind import Kind
     from scenewright.core.layout import Layout, NamedBox
+    from scenewright.core.report import Report
     from scenewright.core.scene import Piece, Pose, Scene, Size
     from scenewright.core.solution import Solution
     from scenewright.core.space import Level, Opening, Space
@@ -80,7 +80,7 @@ _HOMES = {
     "solve": "domains:solve",
     "resolve": "domains:resolve",
     "check": "domains:check",
-    "Report": "check.report:Report",
+    "Report": "core.report:Report",
     "scene_of": "domains:scene_of",
     "solution_of": "domains:solution_of",
     "shipped": "catalog.assets:shipped",

@@ -8,9 +8,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.check.report import Finding
 from scenewright.core.catalog import Catalog
 from scenewright.core.kind import Kind
+from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 

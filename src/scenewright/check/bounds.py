@@ -22,7 +22,7 @@ from scenewright.check.bodies import (
     Shapes,
 )
 from scenewright.check.ceilings import ceiling_over
-from scenewright.check.report import Finding
+from scenewright.core.report import Finding
 
 SUPPORT_GAP = 0.02
 """Greatest gap between a piece and what holds it, in metres."""

@@ -13,7 +13,7 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Bodies, Floats, Rooms, Shape
-from scenewright.check.report import Finding
+from scenewright.core.report import Finding
 from scenewright.core.space import Slope, Space
 
 HEADROOM = 2.0

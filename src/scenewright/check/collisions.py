@@ -12,7 +12,7 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import PARTITION, TOLERANCE, Bodies, Flags, Floats, Indices
-from scenewright.check.report import Finding
+from scenewright.core.report import Finding
 
 _BACKREST = 0.05
 

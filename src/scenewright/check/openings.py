@@ -26,7 +26,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.check.bodies import HEAD_HEIGHT, TOLERANCE, Bodies, Floats, Rooms, Shape, Shapes
-from scenewright.check.report import Finding
+from scenewright.core.report import Finding
 from scenewright.core.space import Opening
 
 DOOR_DEPTH = 0.5

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Bodies, Rooms
-from scenewright.check.report import Finding, Note
 from scenewright.core.kind import Service
+from scenewright.core.report import Finding, Note
 
 
 class Connection(NamedTuple):

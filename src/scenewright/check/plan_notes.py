@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from statistics import median
 
-from scenewright.check.report import Note
 from scenewright.core.brief import Brief
+from scenewright.core.report import Note
 from scenewright.core.space import Space
 
 NARROW = 0.65

@@ -12,7 +12,7 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Bodies, Floats, Rooms, Shape
-from scenewright.check.report import Finding
+from scenewright.core.report import Finding
 from scenewright.core.space import Radiator
 
 STRIP = 0.2

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from scenewright.check.bodies import Bodies, Floats, Members, Rooms, Shape, Shapes
 from scenewright.check.ceilings import BENDING, HEADROOM, lower_than
-from scenewright.check.report import Finding
 from scenewright.check.routes import JoinedFloor, Walk, squeeze_in, walk_without
 from scenewright.check.spaces import inscribed_width
 from scenewright.core.kind import Side
+from scenewright.core.report import Finding
 
 REACH = 0.2
 """How far an arm reaches beyond the person's own radius, in metres."""

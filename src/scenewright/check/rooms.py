@@ -13,7 +13,6 @@ from scenewright.check.openings import find_blocked
 from scenewright.check.outlets import connections_of, connections_told
 from scenewright.check.radiators import find_shut_in
 from scenewright.check.reach import find_unreachable
-from scenewright.check.report import Finding, Note, count_by_kind
 from scenewright.check.routes import (
     ROBOT_RADIUS,
     JoinedFloor,
@@ -27,6 +26,7 @@ from scenewright.check.spaces import room_figures
 from scenewright.check.stairs import find_blocked_stairs
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
+from scenewright.core.report import Finding, Note, count_by_kind
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 

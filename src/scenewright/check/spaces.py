@@ -9,7 +9,7 @@ import shapely
 
 from scenewright.check.bodies import Bodies, Rooms, Shape
 from scenewright.check.ceilings import SHOULDERS, lower_than
-from scenewright.check.report import Note
+from scenewright.core.report import Note
 from scenewright.core.space import Space
 
 

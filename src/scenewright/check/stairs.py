@@ -8,9 +8,9 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import HEAD_HEIGHT, TOLERANCE, Bodies, Rooms, Shape
-from scenewright.check.report import Finding, Note
 from scenewright.check.spaces import lived_in, with_stairs
 from scenewright.core.brief import Brief
+from scenewright.core.report import Finding, Note
 from scenewright.core.scene import STAIRS
 from scenewright.core.space import StairEnd, StairPart
 

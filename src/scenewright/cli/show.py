@@ -12,8 +12,8 @@ from rich.console import Console
 from scenewright.cli.tables import print_line, table
 
 if TYPE_CHECKING:
-    from scenewright.check.report import Report
     from scenewright.core.plan import Plan
+    from scenewright.core.report import Report
     from scenewright.core.solution import Solution
 
 MOST_FINDINGS = 20

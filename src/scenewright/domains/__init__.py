@@ -7,9 +7,9 @@ what a domain does not support is refused by name.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
-from scenewright.check.report import Report
 from scenewright.core.brief import Brief
 from scenewright.core.brief.domain_keys import check_domain
 from scenewright.core.catalog import Catalog
@@ -17,6 +17,7 @@ from scenewright.core.edits import Adjusted, Edits
 from scenewright.core.layout import Layouts
 from scenewright.core.plan import Plan
 from scenewright.core.registry import domain_names, domain_of
+from scenewright.core.report import Report
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
@@ -152,7 +153,8 @@ def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:
 def draw_plan(solution: Solution, plan: Plan | None = None) -> str:
     """The plan of a solution to print, as SVG text."""
     made = plan or plan_of(solution.brief)
-    text: str = domain_of(solution.brief.domain).verb("draw")(solution, made)
+    judge = partial(check, solution, plan=made)
+    text: str = domain_of(solution.brief.domain).verb("draw")(solution, made, judge)
     return text
 
 

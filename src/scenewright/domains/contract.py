@@ -12,12 +12,12 @@ from collections.abc import Callable, Mapping
 from importlib import import_module
 from typing import Any, Literal, NamedTuple, Protocol
 
-from scenewright.check.report import Report
 from scenewright.core.brief import Brief
 from scenewright.core.brief.fields import FURNITURE
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.registry import Format
+from scenewright.core.report import Report
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 
@@ -89,9 +89,10 @@ class Staging(Protocol):
 
 
 class Drawing(Protocol):
-    """``draw``: the plan as SVG text."""
+    """``draw``: the plan as SVG text. ``judge`` gives the referee's report, for plans that show
+    some of it."""
 
-    def __call__(self, solution: Solution, plan: Plan) -> str: ...
+    def __call__(self, solution: Solution, plan: Plan, judge: Callable[[], Report]) -> str: ...
 
 
 class Domain(NamedTuple):

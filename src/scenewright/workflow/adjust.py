@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from scenewright import domains
-from scenewright.check.report import Report
 from scenewright.core.atomic_file import allow_replacing
 from scenewright.core.edits import Change
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
+from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.formats import solution_json
 from scenewright.workflow.events import Event, Judged, Planned, Solved

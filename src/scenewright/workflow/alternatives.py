@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from scenewright import domains
-from scenewright.check.report import Report
 from scenewright.core.atomic_file import check_targets
 from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
+from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.formats import suffix_of
 from scenewright.workflow.events import Event, Judged, Solved

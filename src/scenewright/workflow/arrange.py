@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from scenewright import domains
-from scenewright.check.report import Report
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
+from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, run_to_end
 from scenewright.workflow.request import ArrangeRequest, note_heavy, note_ineffective, plan_request

@@ -14,9 +14,9 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.check.bodies import bodies_of, rooms_of
 from scenewright.check.bounds import find_out_of_bounds
 from scenewright.check.collisions import find_collisions
-from scenewright.check.report import Report, count_by_kind
 from scenewright.core.brief.fields import Outline, StrictModel, Whole
 from scenewright.core.plan import Plan
+from scenewright.core.report import Report, count_by_kind
 from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.core.solution import LeftOut, Solution, TermValue
 from scenewright.core.space import Level, Space
@@ -158,6 +158,6 @@ def scene(solution, plan):
     return Scene(solution.brief.name, plan.levels, plan.spaces, (), (), solution.pieces, (), ())
 
 
-def draw(solution, plan):
+def draw(solution, plan, judge):
     """The plan with the outlines of meadows and the signs of blankets."""
     return rooms.plan(scene(solution, plan), catalog_of(solution.brief.catalogs))

@@ -14,9 +14,9 @@ from typing import NamedTuple
 
 from scenewright.check.bodies import Rooms, bodies_of, rooms_of
 from scenewright.check.reach import find_unreachable
-from scenewright.check.report import Finding
 from scenewright.check.routes import JoinedFloor, grounds_of, walk_in
 from scenewright.core.catalog import Catalog
+from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, penalty

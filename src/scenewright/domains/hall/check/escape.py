@@ -15,8 +15,8 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import Flags, Floats, Indices, Shape
-from scenewright.check.report import Note
 from scenewright.check.routes import JoinedFloor
+from scenewright.core.report import Note
 from scenewright.core.space import Opening
 from scenewright.domains.hall.check.halls import JudgedHall
 

@@ -9,9 +9,9 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import Bodies, Shape
-from scenewright.check.report import TURNING, Finding, Note
-from scenewright.check.routes import JoinedFloor, Walk, room_for, walk_in
+from scenewright.check.routes import TURNING, JoinedFloor, Walk, room_for, walk_in
 from scenewright.core.brief import Brief, Room
+from scenewright.core.report import Finding, Note
 from scenewright.domains.hall.check.escape import Field, escape_figures, escape_notes, field_of
 from scenewright.domains.hall.check.halls import JudgedHall
 from scenewright.domains.hall.check.measures import measures_of

@@ -13,8 +13,8 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import PARTITION, Bodies, Indices, Members, Rooms, Shape, Shapes
-from scenewright.check.report import Finding
 from scenewright.core.brief import Room
+from scenewright.core.report import Finding
 from scenewright.core.space import Points, Space
 from scenewright.domains.hall.hall_layout import HallLayout, Tour, Zone
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from scenewright.building.plan import room_ids
 from scenewright.check.plan_notes import note_reading
-from scenewright.check.report import Finding, Report
 from scenewright.check.rooms import counted, judge_rooms, walk_rooms
 from scenewright.check.spaces import find_doorless
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
+from scenewright.core.report import Finding, Report
 from scenewright.core.solution import Solution
 from scenewright.domains.hall.check.figures import Verdict, judge_halls
 from scenewright.domains.hall.check.halls import JudgedHall, halls_of

@@ -18,7 +18,7 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Bodies, Flags, Indices, Shape, Shapes
-from scenewright.check.report import Finding
+from scenewright.core.report import Finding
 from scenewright.domains.hall.check.halls import JudgedHall, JudgedLink
 
 MOST = 3.0

@@ -10,8 +10,8 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Bodies, Shape, Shapes
-from scenewright.check.report import Finding
 from scenewright.check.routes import Walk
+from scenewright.core.report import Finding
 from scenewright.domains.hall.check.halls import JudgedHall
 
 WHEELCHAIR = 0.9

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from shapely import Geometry
 
@@ -10,6 +10,7 @@ from scenewright.building.shell import scene_of_rooms
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
+from scenewright.core.report import Report
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.domains.hall.drawing.legend_rows import legend_rows
@@ -28,8 +29,9 @@ from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.rooms import Overlay, Storey, counted, plan
 
 
-def draw(solution: Solution, made: Plan) -> str:
-    """The SVG text of a laid out hall."""
+def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> str:
+    """The SVG text of a laid out hall; it shows nothing of the referee's report."""
+    del judge
     scene = scene_of_rooms(solution, made)
     catalog, halls = catalog_of(solution.brief.catalogs), halls_of(solution)
     return plan(scene, catalog, overlay_of(halls, catalog) if halls else None)

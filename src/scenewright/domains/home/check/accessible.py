@@ -12,9 +12,9 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import Bodies, Rooms, Shape, standing_in
-from scenewright.check.report import TURNING, Finding, Note
-from scenewright.check.routes import JoinedFloor, Walk, room_for
+from scenewright.check.routes import TURNING, JoinedFloor, Walk, room_for
 from scenewright.check.spaces import inscribed_width
+from scenewright.core.report import Finding, Note
 
 DOOR = 0.8
 """Least clear width of a door, in metres."""

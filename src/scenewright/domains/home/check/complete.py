@@ -17,9 +17,9 @@ import shapely
 from scenewright.building.open_spaces import find_open_spaces
 from scenewright.building.room_names import says_nothing
 from scenewright.check.bodies import Bodies, Rooms, Shape
-from scenewright.check.report import Note
 from scenewright.check.spaces import USABLE, inscribed_width, under_ceiling
 from scenewright.core.brief import Room
+from scenewright.core.report import Note
 
 
 class Essential(NamedTuple):

@@ -5,12 +5,12 @@ from __future__ import annotations
 from scenewright.building.plan import room_ids
 from scenewright.check.bodies import bodies_of
 from scenewright.check.plan_notes import note_reading, note_small_doors
-from scenewright.check.report import Report
 from scenewright.check.rooms import Walked, counted, judge_rooms, walk_rooms
 from scenewright.check.spaces import find_doorless
 from scenewright.check.stairs import find_cut_off
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
+from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.domains.home.check.accessible import Barriers, find_barriers
 from scenewright.domains.home.check.complete import (

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from scenewright.catalog.loading import catalog_of
-from scenewright.core.plan import Plan
-from scenewright.core.solution import Solution
-from scenewright.domains.home.check.judge import check
+from scenewright.core.report import Report
 from scenewright.drawing.marks import LINE, ROUTE, PaperView, group, plate, tag, to_paper
 
 DIAMETER = 1.5
@@ -18,13 +15,9 @@ Turns = Mapping[str, tuple[float, float]]
 """Middles of turning circles by space, metres."""
 
 
-def turning_of(solution: Solution, plan: Plan) -> Turns:
-    """Where the referee found room to turn in the rooms of an accessible home; else nothing."""
-    if not solution.brief.accessible:
-        return {}
-
-    kinds = catalog_of(solution.brief.catalogs)
-    found = check(solution, plan, kinds).figures.get("turning", {})
+def turning_of(report: Report) -> Turns:
+    """Where the referee found room to turn in the rooms of an accessible home."""
+    found = report.figures.get("turning", {})
     return {space: (float(x), float(y)) for space, (x, y) in found.items()}
 
 

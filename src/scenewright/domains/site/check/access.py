@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Flags, Shape
-from scenewright.check.report import Finding
+from scenewright.core.report import Finding
 from scenewright.domains.site.check.bodies import JudgedSite, SiteBodies
 
 ARRIVE = 2.0

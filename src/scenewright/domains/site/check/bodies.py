@@ -12,7 +12,7 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import Flags, Floats, Shape, Shapes
-from scenewright.check.report import Finding
+from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 from scenewright.domains.site.brief import Site
 from scenewright.ground.plan import SitePlan

@@ -9,8 +9,8 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import Flags, Floats
-from scenewright.check.report import Finding
 from scenewright.core.catalog import Catalog
+from scenewright.core.report import Finding
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.check.access import find_reached_bodies, find_unreachable

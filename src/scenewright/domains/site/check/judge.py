@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from scenewright.check.report import Report
 from scenewright.check.rooms import counted
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
+from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.domains.site.check.figures import judge_sites
 from scenewright.domains.site.check.notes import find_small

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from scenewright.catalog.loading import OWN
-from scenewright.check.report import Note
+from scenewright.core.report import Note
 from scenewright.domains.site.brief import Site
 from scenewright.ground.plan import SitePlan
 

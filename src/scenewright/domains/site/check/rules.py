@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Floats, Indices, Shapes
-from scenewright.check.report import Finding
+from scenewright.core.report import Finding
 from scenewright.domains.site.check.bodies import JudgedSite, SiteBodies
 
 SUPPORT_GAP = 0.02

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import shapely
 
-from scenewright.check.report import Finding
+from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 from scenewright.core.space import Points
 from scenewright.domains.site.shapes import StandingBuilding

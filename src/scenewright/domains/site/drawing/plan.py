@@ -8,19 +8,18 @@ the figures of the referee.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from string import ascii_uppercase
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from scenewright.check.report import Finding
 from scenewright.core.plan import Plan
+from scenewright.core.report import Finding, Report
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.domains.site.brief import Site
-from scenewright.domains.site.check.figures import judge_sites
 from scenewright.domains.site.drawing import marks as marks
 from scenewright.domains.site.drawing.views import Views, views_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
@@ -49,15 +48,19 @@ class Drawing(NamedTuple):
     bounds: tuple[float, float, float, float]
 
 
-def draw(solution: Solution, made: Plan) -> str:
-    """The SVG text of the plan of a solution's sites, with what walkers see along the ways."""
-    return plan(solution, made.detail, views_of(solution, made.detail))
+def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> str:
+    """The SVG text of the plan of a solution's sites, with what walkers see along the ways;
+    ``judge`` gives the referee's report."""
+    return plan(solution, made.detail, judge(), views_of(solution, made.detail))
 
 
-def plan(solution: Solution, plans: tuple[SitePlan, ...], views: Views | None = None) -> str:
-    """The SVG text of a plan of all sites; ``views`` adds what walkers see along the ways."""
+def plan(
+    solution: Solution, plans: tuple[SitePlan, ...], report: Report, views: Views | None = None
+) -> str:
+    """The SVG text of a plan of all sites with what the referee reports of them; ``views`` adds
+    what walkers see along the ways."""
     views = views or {}
-    drawings = drawings_of(solution, plans)
+    drawings = drawings_of(solution, plans, report)
     wide = sum(d.bounds[2] - d.bounds[0] for d in drawings)
     high = max(d.bounds[3] - d.bounds[1] for d in drawings)
     extra = (len(drawings) + 1) * MARGIN, 2 * MARGIN + CAPTION
@@ -85,10 +88,11 @@ def plan(solution: Solution, plans: tuple[SitePlan, ...], views: Views | None = 
     return sheets.document(sheet, solution.brief.name, [*head, *body, legend_mark(arranged)])
 
 
-def drawings_of(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[Drawing, ...]:
+def drawings_of(
+    solution: Solution, plans: tuple[SitePlan, ...], report: Report
+) -> tuple[Drawing, ...]:
     """What there is to draw of each site of a solution."""
     rows = standing(solution, plans)
-    verdict = judge_sites(solution.brief.part.sites, solution.pieces, plans=plans)
     return tuple(
         _drawing(
             site,
@@ -99,8 +103,8 @@ def drawings_of(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[Drawin
                 plan,
                 [p for p in solution.pieces if p.space == plan.id and p.category == "building"],
             ),
-            tuple(f for f in verdict.findings if f.space == plan.id),
-            verdict.figures[plan.id],
+            tuple(f for f in report.findings if f.space == plan.id),
+            report.figures["sites"][plan.id],
         )
         for site, plan in zip(solution.brief.part.sites, plans, strict=True)
     )

@@ -125,7 +125,3 @@ def count_by_kind(findings: tuple[Finding, ...]) -> dict[str, int]:
 
 def _plain(value: Finding | Note) -> dict[str, Any]:
     return {name: getattr(value, name) for name in value.__slots__}
-
-
-TURNING = 1.5
-"""Diameter of the circle a wheelchair turns in, in metres."""
