@@ -297,7 +297,7 @@ def _scaled(document: Json, draw: Draw) -> None:
     by = draw.choice((100, 0.01, 1000, -1))
     for value, key in places(document):
         if isinstance(value, list) and isinstance(value[key], float | int):
-            value[key] *= by
+            value[key] *= by if abs(value[key]) < 1e300 else 1
 
 
 def _deep(document: Json, draw: Draw) -> None:

@@ -225,3 +225,11 @@ def test_reasons_are_told_on_the_command_line(
     assert solution_json.read(saved) != flat()
     assert cli.run([*line[:-1], "bedroom/wardrobe=2,2.5"]) in (0, 1)
     assert "(moved by hand)" in capsys.readouterr().out.replace("\n", " ")
+
+
+def test_what_a_piece_takes_along_stays_in_the_room_or_the_move_is_refused() -> None:
+    """The main cabinet of a worktop, whose row would stick out of a small bathroom."""
+    house = furnished("sample:home-house")
+    at = (7.516215006098576, 4.354479093765376, 0.0)
+    with pytest.raises(InputError, match=r"takes the base_cabinet along, which would stick"):
+        adjust(house, move={"kitchen/counter/drawer_cabinet": at})

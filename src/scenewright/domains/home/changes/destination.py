@@ -9,6 +9,7 @@ import shapely
 
 from scenewright.core.errors import InputError
 from scenewright.core.layout import corners
+from scenewright.core.piece_edits import frame_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 
@@ -32,11 +33,29 @@ def room_at(piece: Piece, to: Frame, rooms: Sequence[Space]) -> str:
     )
 
 
+def check_along(main: Piece, along: Sequence[Piece], rooms: Sequence[Space]) -> None:
+    """InputError where a piece that goes along with another, placed already, sticks out."""
+    for piece in along:
+        room = next(room for room in rooms if room.id == piece.space)
+        if _reach_out(piece, frame_of(piece), room) > STICKS_OUT:
+            raise InputError(
+                f"'{main.id}' takes the {piece.category} along, which would stick "
+                f"{_reach_out(piece, frame_of(piece), room):.2f} m out of its room",
+                f"turn it or give a point further inside; {_extent(room)}",
+            )
+
+
+def _reach_out(piece: Piece, to: Frame, room: Space) -> float:
+    """How far a piece sticks out of a room, metres."""
+    box = shapely.Polygon(corners(np.array([[*to, piece.size.width, piece.size.depth]]))[0])
+    floor = shapely.Polygon(room.outline, list(room.holes))
+    return max(floor.distance(shapely.Point(c)) for c in shapely.get_coordinates(box))
+
+
 def _check_inside(piece: Piece, to: Frame, room: Space) -> None:
     """A piece put by hand lies on the floor of its room: in no wall, and on no stairs."""
     box = shapely.Polygon(corners(np.array([[*to, piece.size.width, piece.size.depth]]))[0])
-    floor = shapely.Polygon(room.outline, list(room.holes))
-    out = max(floor.distance(shapely.Point(c)) for c in shapely.get_coordinates(box))
+    out = _reach_out(piece, to, room)
     told = f"'{piece.id}' of {piece.size.width:.2f} x {piece.size.depth:.2f} m"
     if out > STICKS_OUT:
         raise InputError(

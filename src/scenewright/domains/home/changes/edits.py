@@ -21,7 +21,7 @@ from scenewright.core.scene import STAIRS, Piece
 from scenewright.core.solution import Patch
 from scenewright.core.space import Space
 from scenewright.domains.home.changes.belonging import moved_in, supported
-from scenewright.domains.home.changes.destination import Frame, room_at
+from scenewright.domains.home.changes.destination import Frame, check_along, room_at
 from scenewright.domains.home.groups import GROUPS
 
 MOST = 6  # names listed in a message
@@ -79,6 +79,7 @@ def apply_edits(
         to = (pose[0], pose[1], pose[2] if len(pose) > 2 else main.pose.heading)
         shift = Shift(main, frame_of(main), to, room_at(main, to, rooms))
         sets.append(_make(shift, before, now, moved))
+        check_along(main, [now[former] for former in sorted(sets[-1])], rooms)
     for one, other in edits.swap:
         for shift in _swap_pieces(find_piece(pieces, one), find_piece(pieces, other), patches):
             sets.append(_make(shift, before, now, moved))
