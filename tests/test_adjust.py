@@ -161,9 +161,9 @@ def test_a_piece_may_change_rooms_but_not_leave_the_home(house: Solution) -> Non
 @pytest.mark.parametrize(
     ("edits", "told"),
     [
-        ({"move": {"sofaa": (1.0, 1.0)}}, "no piece 'sofaa'.*living/seating/sofa"),
+        ({"move": {"sofaa": (1.0, 1.0)}}, "unknown piece 'sofaa'.*living/seating/sofa"),
         ({"lock": ["bed"]}, "'bed' may be any of 3 pieces; say which: .*double_bed"),
-        ({"again": ["kitchn"]}, "no room 'kitchn'; use one of: kitchen"),
+        ({"again": ["kitchn"]}, "unknown room 'kitchn'; use one of: kitchen"),
         ({"swap": [("living/sofa", "living/coffee_table")]}, "are of one group"),
         ({"unlock": ["stairs"]}, "is of the building; move the stairs in the brief"),
     ],

@@ -272,7 +272,7 @@ def test_a_line_cut_off_in_the_ledger_is_passed_over(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (["{in}", "-o", "{out}", "--preset", "none"], "there is no preset"),
+        (["{in}", "-o", "{out}", "--preset", "none"], "unknown preset"),
         (["{in}", "-o", "{out}", "--format", "docx"], "cannot be written"),
         (["{in}", "-o", "{out}", "--memory", "-1"], "memory -1 is not possible"),
         (["{in}", "-o", "{out}", "--alternatives", "2"], "exclude each other"),

@@ -127,15 +127,15 @@ def by_id_plain(folder: Path) -> float:
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("id,category\na,sofas\n", "row 1: there is no category 'sofas'"),
-        ("id,front\na,+x\n", "'+x' is no side"),
+        ("id,category\na,sofas\n", "row 1: unknown category 'sofas'"),
+        ("id,front\na,+x\n", "'+x' is not a side"),
         ("id,width\na,-1\n", "width '-1' is not possible"),
         ("id,width\na,nan\n", "width 'nan' is not possible"),
         ("id,skip\na,perhaps\n", "skip is 'perhaps'"),
         ("id,price\na,3\n", "has a column 'price'"),
         ("name\na\n", "a row has no id"),
         ("id\n" + "a\n" * 20_001, "more than 20,000 rows"),
-        ("id,name\n\xff,\xfe\n", "no text in UTF-8"),
+        ("id,name\n\xff,\xfe\n", "not UTF-8 text"),
     ],
 )
 def test_what_a_table_cannot_say_is_told(tmp_path: Path, text: str, told: str) -> None:
@@ -158,9 +158,9 @@ def test_a_registered_catalogue_is_found_by_its_name(
     assert catalog_of(["mine"]).assets["model:zorble"].category == "pouf"
     assert catalog_of([str(folder)]).assets["model:zorble"].category == "other"
     assert json.loads((stored / "catalog.json").read_text())["path"] == str(folder)
-    with pytest.raises(InputError, match="no file or catalogue 'yours'; registered are: mine"):
+    with pytest.raises(InputError, match="unknown file or catalogue 'yours'; registered are: mine"):
         catalog_of(["yours"])
-    with pytest.raises(InputError, match="is no name"):
+    with pytest.raises(InputError, match="is not a valid name"):
         register.register("../mine", folder, table)
 
 

@@ -128,7 +128,7 @@ def test_what_the_graph_names_has_to_be_there():
         "cannot be judged",
         "in zone nowhere",
         "names gone",
-        "no room",
+        "not a room",
     ):
         assert [m for m in told if word in m], word
 

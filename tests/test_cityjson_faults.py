@@ -17,7 +17,7 @@ def surface(rings: Any, **more: Any) -> Json:
 
 
 CITY = {
-    "another type": ({"type": "FeatureCollection"}, "is no CityJSON"),
+    "another type": ({"type": "FeatureCollection"}, "is not CityJSON"),
     "another version": (city_of(SOLID, CUBE, version="3.0"), "is CityJSON 3.0"),
     "version no text": (city_of(SOLID, CUBE, version=2), "is CityJSON unknown"),
     "no objects": (city_of(SOLID, CUBE, CityObjects=[]), "CityObjects are no objects"),
@@ -38,9 +38,9 @@ CITY = {
     "corner a fraction": (surface([[[0, 1, 1.5]]]), "corner that is not there"),
     "corner a switch": (surface([[[0, 1, True]]]), "corner that is not there"),
     "corner a list": (surface([[[0, 1, [2]]]]), "corner that is not there"),
-    "surface a number": (surface([7]), "no list of rings"),
+    "surface a number": (surface([7]), "not a list of rings"),
     "no list": (surface("roof"), "boundaries are no list"),
-    "too shallow": (city_of(SOLID | {"boundaries": [[0, 1, 2]]}, CUBE), "no list of rings"),
+    "too shallow": (city_of(SOLID | {"boundaries": [[0, 1, 2]]}, CUBE), "not a list of rings"),
     "too deep": (surface([[[[0, 1, 2]]]]), "corner that is not there"),
     "two corners": (surface([[[0, 1]]]), "no surface with an area"),
     "one place": (surface([[[1, 1, 1, 1]]]), "no surface with an area"),

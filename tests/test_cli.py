@@ -78,7 +78,7 @@ def save_brief(**changes: Any) -> str:
         (["arrange", "plan.dwg"], "use one of: .json"),
         (["arrange", "."], "is a folder; add --batch"),
         (["check", "missing.json"], "missing.json: there is no such file; check the path"),
-        (["check", "home.glb"], "home.glb: is no solution; give a solution .json"),
+        (["check", "home.glb"], "home.glb: is not a Scenewright solution; give a solution .json"),
         (["explain", "missing.json"], "missing.json"),
         (["list", "wishes"], "use one of: solvers"),
         (["schema", "poem"], "use one of: brief, solution"),
@@ -185,7 +185,7 @@ def test_the_table_tells_rooms_reasons_and_verdict(capsys: Captured) -> None:
     source = save_brief(rooms=[room])
     assert cli.run(["arrange", source, "-o", "home.json", "--steps", "1000"]) == 1
     out = capsys.readouterr().out
-    assert "left out: Bedroom: " in out
+    assert re.search(r"^not placed: .* \(Bedroom\): ", out, re.M)
     assert "wrote home.json" in out
     assert "Bedroom" in out.splitlines()[4]
 
@@ -206,8 +206,8 @@ def test_missing_things_are_told_in_plain_words(solution: Solution, capsys: Capt
         ),
     )
     out = capsys.readouterr().out
-    assert "left out: Bedroom: 3 × sleeping: no space\n" in out
-    assert "welcome but not placed: Living room: plant: no corner\n" in out
+    assert "not placed: 3 × double bed (Bedroom): no space\n" in out
+    assert "optional, not placed: plant (Living room): no corner\n" in out
     assert "overlap" not in out
     assert "\nroute: " in out
 
@@ -291,7 +291,7 @@ def test_a_fault_of_ours_is_one_line_and_three(
     capsys: Captured, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(cli.tables, "table", None)
-    assert "a fault of ours" in fault(capsys, "list", "formats", code=3)
+    assert "internal error, please report" in fault(capsys, "list", "formats", code=3)
     monkeypatch.setenv("SCENEWRIGHT_DEBUG", "1")
     with pytest.raises(TypeError):
         cli.run(["list", "formats"])

@@ -119,10 +119,10 @@ def test_a_catalogue_that_cannot_be_used_leaves_no_name(capsys: Captured) -> Non
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (["show", "nowhere"], "there is no file or catalogue 'nowhere'"),
+        (["show", "nowhere"], "unknown file or catalogue 'nowhere'"),
         (["show", "mine", "--category", "sofas"], "holds no model of category 'sofas'"),
         (["show", "mine", "-o", "sheet.jpg"], "is neither .png nor .csv"),
-        (["add", "mine", "--name", "../x"], "is no name for a catalogue"),
+        (["add", "mine", "--name", "../x"], "is not a valid name for a catalogue"),
         (["add", "nowhere"], "no such file or folder"),
         (["learn", "nowhere.xml", "-o", "g.json"], "nowhere.xml"),
         (["learn", "mine/sofa.obj", "-o", "g.json"], "mine/sofa.obj"),
@@ -154,4 +154,4 @@ def test_learn_writes_groups_that_arrange_takes(capsys: Captured) -> None:
     pieces = json.loads(Path("out.json").read_text())["pieces"]
     assert [p["size"] for p in pieces if p["category"] == "double_bed"] == [[1.6, 2.0, 0.5]]
     Path("g.json").write_text("{}")
-    assert "is no file of learned groups" in fault(capsys, "arrange", "room.json", "-o", "x.json")
+    assert "not a file of learned groups" in fault(capsys, "arrange", "room.json", "-o", "x.json")

@@ -53,11 +53,11 @@ FAULTS: dict[str, tuple[Room, str]] = {
     "a link with itself": (hall(zones=TWO, links=[{"between": ["a", "a"]}]), "with itself"),
     "a link of an unknown zone": (
         hall(zones=TWO, links=[{"between": ["a", "c"]}]),
-        "'c' is no zone",
+        "'c' is not a zone",
     ),
     "a zone beside itself": (hall(zones=[{"id": "a", "beside": ["a"]}]), "beside itself"),
-    "a zone beside no zone": (hall(zones=[{"id": "a", "beside": ["x"]}]), "'x' is no zone"),
-    "a zone at no door": (hall(zones=[{"id": "a", "door": "x"}]), "'x' is no door of the hall"),
+    "a zone beside no zone": (hall(zones=[{"id": "a", "beside": ["x"]}]), "'x' is not a zone"),
+    "a zone at no door": (hall(zones=[{"id": "a", "door": "x"}]), "'x' is not a door of the hall"),
     "zones larger than the floor": (
         hall(zones=[{"id": "a", "area": 90}, {"id": "b", "area": 60}]),
         "the zones ask for 150.0 m², but only 96.0 m² of floor are free",
@@ -78,7 +78,7 @@ FAULTS: dict[str, tuple[Room, str]] = {
     ),
     "a demand for no zone": (
         hall(zones=TWO, demands=[{"category": "bench", "zone": "c"}]),
-        "'c' is no zone",
+        "'c' is not a zone",
     ),
     "an unknown category": (asks(category="shwcase"), "use one of: showcase"),
     "an unknown pattern": (asks(patterns=["spiral"]), "demands[0].patterns[0]"),
@@ -88,9 +88,9 @@ FAULTS: dict[str, tuple[Room, str]] = {
     "facing itself by its category": (asks(facing="showcase"), "is to face itself"),
     "facing a zone": (
         hall(zones=TWO, demands=[{"category": "bench", "facing": "a"}, {"category": "stage"}]),
-        "demands[0] 'bench': 'a' in facing is no demand of the hall; use one of: stage",
+        "demands[0] 'bench': 'a' in facing is not a demand of the hall; use one of: stage",
     ),
-    "facing nothing": (asks(facing="stag"), "'stag' in facing is no demand of the hall; leave it"),
+    "facing nothing": (asks(facing="stag"), "'stag' in facing is not a demand of the hall; leave"),
     "at a wall in rows": (
         asks(place="wall", patterns=["chain", "fan"]),
         "is to stand at a wall, but in the pattern chain or fan; leave out place or patterns",

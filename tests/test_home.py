@@ -90,7 +90,7 @@ def test_a_wish_replaces_the_programme() -> None:
 
 def test_an_unknown_wish_is_told() -> None:
     brief = one_room("living", 4.0, 4.0, ask=[{"group": "sofabed"}])
-    with pytest.raises(InputError, match="no furniture group 'sofabed'"):
+    with pytest.raises(InputError, match="unknown furniture group 'sofabed'"):
         home.solve(brief, steps=10)
 
 

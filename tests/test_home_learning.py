@@ -203,7 +203,7 @@ def test_the_file_reads_back_as_it_was_written(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        ({"format": "other"}, "is no file of learned groups"),
+        ({"format": "other"}, "is not a file of learned groups"),
         ({"distances": [["a", "b", float("nan"), 0, 0, 9]]}, "is no"),
         ({"distances": [["a", "b", -1.0, 0, 0, 9]]}, "distances[0][2]: "),
         ({"distances": [["a", "b", 1.0, 0, 0, 9, [1, -2, 0]]]}, "distances[0][6][1]: "),
@@ -226,7 +226,7 @@ def test_the_file_reads_back_as_it_was_written(tmp_path: Path) -> None:
                     }
                 ]
             },
-            "cases[0]: there is no group 'bed'",
+            "cases[0]: unknown group 'bed'",
         ),
         (
             {
@@ -240,7 +240,7 @@ def test_the_file_reads_back_as_it_was_written(tmp_path: Path) -> None:
                     }
                 ]
             },
-            "no category 'bed'",
+            "unknown category 'bed'",
         ),
         (
             {
@@ -278,7 +278,7 @@ def test_the_file_reads_back_as_it_was_written(tmp_path: Path) -> None:
                     {"function": "sleeping", "name": "", "width": 1e9, "depth": 1, "members": []}
                 ]
             },
-            "is no file of learned groups",
+            "is not a file of learned groups",
         ),
     ],
 )

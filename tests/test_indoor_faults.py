@@ -87,7 +87,7 @@ def test_too_large_files_are_not_opened(tmp_path: Path, monkeypatch: pytest.Monk
     [
         (lambda f: f["geometry"].update(coordinates=[[[1e308, 0]] * 4]), "out of range"),
         (lambda f: f["geometry"].update(coordinates={"x": 1}), "no list"),
-        (lambda f: f["geometry"].update(coordinates=[[[True, 1]] * 4]), "no pair"),
+        (lambda f: f["geometry"].update(coordinates=[[[True, 1]] * 4]), "not a pair"),
         (lambda f: f["geometry"].update(type="Curve"), 'of type "Curve"'),
         (lambda f: f["properties"].update(level="0-999"), "more than 200 levels"),
         (lambda f: f["geometry"]["coordinates"].extend([box(1, 1, 2, 2)] * 201), "200 holes"),

@@ -96,7 +96,7 @@ BAD_JSON = {
         one_room(windows=[{"at": [0.1, 0], "width": 3}]),
         "windows[0]: reaches 1.40 m over the end",
     ),
-    "a door to nowhere": (door(to="attic"), "leads to 'attic', which is no room"),
+    "a door to nowhere": (door(to="attic"), "leads to 'attic', which is not a room"),
     "a door to the wrong room": (door(to="hall"), "beyond the wall is the outside"),
     "a window in the ceiling": (one_room(windows=[{"at": [2, 0], "sill": 3}]), "above the ceiling"),
     "two openings at one place": (

@@ -18,12 +18,12 @@ LIBRARY = {
     "kind not read": (PIECE.replace("table.obj", "table.dae"), "'.dae' models are not read"),
     "no size": (PIECE.replace("width#1", "wide#1"), "its size is not possible"),
     "no width": (PIECE.replace("width#1=80", "width#1=0"), "its size is not possible"),
-    "endless width": (PIECE.replace("width#1=80", "width#1=inf"), "is no length"),
-    "width a word": (PIECE.replace("width#1=80", "width#1=wide"), "is no length"),
+    "endless width": (PIECE.replace("width#1=80", "width#1=inf"), "is not a length"),
+    "width a word": (PIECE.replace("width#1=80", "width#1=wide"), "is not a length"),
     "rotation short": (PIECE.replace("0 -1 0", "0"), "not nine numbers"),
     "rotation of words": (PIECE.replace("0 -1 0", "0 -1 x"), "not nine numbers"),
-    "rotation that bends": (PIECE.replace("0 -1 0", "0 -9 0"), "is no rotation"),
-    "rotation not finite": (PIECE.replace("0 -1 0", "0 nan 0"), "is no rotation"),
+    "rotation that bends": (PIECE.replace("0 -1 0", "0 -9 0"), "is not a rotation"),
+    "rotation not finite": (PIECE.replace("0 -1 0", "0 nan 0"), "is not a rotation"),
     "long line": ("model#1=" + "x" * 30_000, "a line is longer"),
 }
 

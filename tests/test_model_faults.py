@@ -79,8 +79,8 @@ def test_names_cannot_harm_a_screen(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        (ImportOptions(up="y"), "no direction"),
-        (ImportOptions(front="+w"), "no direction"),
+        (ImportOptions(up="y"), "not a direction"),
+        (ImportOptions(front="+w"), "not a direction"),
         (ImportOptions(up="+z", front="-z"), "cannot be -z"),
         (ImportOptions(scale=0.0), "single point"),
         (ImportOptions(scale=float("nan")), "m large"),
@@ -95,7 +95,7 @@ def test_options_that_make_no_sense(tmp_path: Path, options: ImportOptions, told
 @pytest.mark.parametrize("language", ["../de", "de.properties", "d" * 99])
 def test_languages_cannot_name_other_entries(tmp_path: Path, language: str) -> None:
     path = furniture(tmp_path, PIECE, {"kit/table.obj": obj_text()})
-    with pytest.raises(InputError, match="is no language"):
+    with pytest.raises(InputError, match="is not a language"):
         library(path, ImportOptions(language=language))
 
 

@@ -57,8 +57,8 @@ MTL = {
     "texture outside, deeper": ("newmtl a\nmap_Kd x/../../secret.png", "outside its folder"),
     "texture by scheme": ("newmtl a\nmap_Kd file:///etc/passwd", "outside its folder"),
     "texture with a zero": ("newmtl a\nmap_Kd a\0b.png", "outside its folder"),
-    "colour not a number": ("newmtl a\nKd nan 0 0", "kit.mtl: line 2: 'nan' is no number"),
-    "colour a word": ("newmtl a\nKd red 0 0", "'red' is no number"),
+    "colour not a number": ("newmtl a\nKd nan 0 0", "kit.mtl: line 2: 'nan' is not a number"),
+    "colour a word": ("newmtl a\nKd red 0 0", "'red' is not a number"),
     "many materials": ("newmtl x\n" + "".join(f"newmtl {i}\n" for i in range(10_001)), "more than"),
 }
 
@@ -77,7 +77,7 @@ STL = {
     "neither": (b"hello" * 50, "is not STL"),
     "count beyond": (b"\0" * 80 + struct.pack("<I", 2**32 - 1) + b"\0" * 50, "is not STL"),
     "two corners": (b"solid\nvertex 0 0 0\nvertex 1 0 0\n", "three corners"),
-    "words": (b"solid\nvertex a b c\nvertex 1 0 0\nvertex 1 1 1\n", "no number"),
+    "words": (b"solid\nvertex a b c\nvertex 1 0 0\nvertex 1 1 1\n", "not a number"),
     "nothing": (b"solid x\nendsolid x\n", "no triangles"),
     "not a number": (b"solid\nvertex nan 0 0\nvertex 1 0 0\nvertex 1 1 1\n", "finite place"),
 }

@@ -263,5 +263,5 @@ def test_nothing_is_left_when_the_disk_is_full(arguments: list[str]) -> None:
     done = subprocess.run([sys.executable, "-c", FULL, *arguments], capture_output=True, text=True)
     assert done.returncode == 2, done.stderr
     assert "File too large" in done.stderr
-    assert "fault of ours" not in done.stderr
+    assert "internal error" not in done.stderr
     assert not left_over(before)

@@ -74,10 +74,10 @@ def test_models_are_found_by_id_name_and_file(stock, name, meant):
     ("name", "told"),
     [
         ("tower", "'tower' may be any of 2 models; use one of: model:tower, model:tower-2"),
-        ("cotage", "there is no model 'cotage'; use one of: cottage"),
+        ("cotage", "unknown model 'cotage'; use one of: cottage"),
         ("ruin", "'ruin' cannot be used: "),
-        ("../stock/cottage", "there is no model"),
-        ("", "there is no model"),
+        ("../stock/cottage", "unknown model"),
+        ("", "unknown model"),
     ],
 )
 def test_names_that_mean_nothing_or_too_much_are_told(stock, name, told):
@@ -321,7 +321,7 @@ def test_the_command_line_takes_catalogues(stock, tmp_path, monkeypatch, capsys)
     file.write_text(json.dumps({"domain": "site", "sites": [place]}))
     monkeypatch.chdir(tmp_path)
     assert run(["arrange", "brief.json", "-o", "out.json", "-q"]) == 2
-    assert "there is no model 'row'" in capsys.readouterr().err
+    assert "unknown model 'row'" in capsys.readouterr().err
     assert run(["arrange", "brief.json", "--catalog", "stock", "-o", "out.json", "-q"]) == 0
     assert run(["check", "out.json", "-q"]) == 0
     (stock / "row.obj").unlink()

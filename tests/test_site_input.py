@@ -104,7 +104,7 @@ FAULTS: dict[str, tuple[Ground, str]] = {
         "asks for 30000 buildings",
     ),
     "an unknown model": (asks(model="castle"), "'castle'"),
-    "furniture for a building": (asks(model="sofa"), "'sofa' is no building"),
+    "furniture for a building": (asks(model="sofa"), "'sofa' is not a building"),
     "higher than the limit": (site(height_limit=5), "is 9 m high, the limit of the site is 5 m"),
     "a limit below all dwellings": (
         site(height_limit=5, buildings=[]),
@@ -119,7 +119,7 @@ FAULTS: dict[str, tuple[Ground, str]] = {
     "a landmark without a size": (stands({"at": [30, 30]}), "its size is not known"),
     "a landmark of an unknown model": (
         stands({"model": "vila", "at": [60, 40]}),
-        "there is no model 'vila'",
+        "unknown model 'vila'",
     ),
     "a landmark that takes all": (
         stands({"at": [60, 40], "size": [118, 78, 9]}),

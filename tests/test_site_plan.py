@@ -108,7 +108,7 @@ def test_the_plan_turns_with_the_site(angle):
         ({"landmarks": [{"outline": [(50, 30), (60, 30), (55, 30)]}]}, "landmarks[0]: its outline"),
         (
             {"landmarks": [{"at": (50, 30), "model": "no-such-model"}]},
-            "there is no model 'no-such-model'",
+            "unknown model 'no-such-model'",
         ),
         ({"landmarks": [{"name": "Hall"}]}, "landmarks[0]: has no place"),
         (

@@ -152,7 +152,7 @@ def spoil(*steps: Any, value: Any) -> Any:
         (spoil("pieces", 0, "fixed", value="yes"), r'pieces\[0\].fixed: "yes" .*; give true or'),
         (spoil("pieces", 1, "id", value="sofa"), "several pieces have the id 'sofa'"),
         (spoil("pieces", 0, "space", value="attic\n\nrm"), r"no room with the id 'attic"),
-        (spoil("pieces", 5, "on", value="nothing"), r"pieces\[5\].on: there is no piece"),
+        (spoil("pieces", 5, "on", value="nothing"), r"pieces\[5\].on: unknown piece"),
         (spoil("pieces", 0, "colour", value="red"), r"pieces\[0\].colour"),
         (spoil("evaluations", value=-3), "evaluations"),
         (spoil("seed", value=[]), "seed"),

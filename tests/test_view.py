@@ -182,11 +182,11 @@ def test_view_tells_people_what_it_drew(tmp_path: Path, capsys: pytest.CaptureFi
         (["sofa", "-o", "sheet.jpg"], "sheet.jpg: sheets are .png files"),
         (["sofa"], "-o"),
         (["throne", "-o", "a.png"], "no file, folder or asset 'throne'"),
-        (["sofa", "-o", "a.png", "--measure", "beauty"], "there is no measure 'beauty'"),
+        (["sofa", "-o", "a.png", "--measure", "beauty"], "unknown measure 'beauty'"),
         (["line.obj", "-o", "a.png"], "line.obj: the mesh has no face with an area"),
         (["notes.txt", "-o", "a.png"], "notes.txt: '.txt' models are not read"),
         (["empty", "-o", "a.png"], "empty: holds no model files"),
-        (["kit.obj", "-o", "a.png", "--up", "y"], "'y' is no direction"),
+        (["kit.obj", "-o", "a.png", "--up", "y"], "'y' is not a direction"),
         (["kit.obj", "-o", "file/a.png"], "cannot be written"),
     ],
 )

@@ -282,7 +282,7 @@ FAULTS: list[tuple[dict[str, Any], str]] = [
         "zones[0] 'a': is cut into 2 pieces by walls, columns or other zones, the second of "
         "20.00 m²; make each piece a zone of its own",
     ),
-    (hall(zones=TWO, links=[{"between": ["a", "bb"]}]), "links[0]: 'bb' is no zone; use one of: "),
+    (hall(zones=TWO, links=[{"between": ["a", "bb"]}]), "links[0]: 'bb' is not a zone; use one of"),
     (hall(zones=TWO, links=[{"between": ["a", "a"]}]), "links[0]: links 'a' with itself; "),
     (
         hall(zones=CORNERS, links=[{"between": ["a", "b"]}]),
@@ -294,13 +294,13 @@ FAULTS: list[tuple[dict[str, Any], str]] = [
         "the zones 'a' and 'c' is only 4.00 m long, the passage is to be 4.5 m wide; ",
     ),
     (hall(zones=[*TWO, {"id": "c"}]), "zones: only 0.0 m² of floor are left for 'c'; make"),
-    (hall(zones=[{"id": "a", "beside": ["b"]}]), "zones[0] 'a' beside: 'b' is no zone; "),
+    (hall(zones=[{"id": "a", "beside": ["b"]}]), "zones[0] 'a' beside: 'b' is not a zone; "),
     (hall(zones=[{"id": "a", "beside": ["a"]}]), "zones[0] 'a': is to lie beside itself; "),
     (
         hall(zones=[{"id": "a", "door": "mian"}]),
-        "zones[0] 'a' door: 'mian' is no door of the hall; use one of: main",
+        "zones[0] 'a' door: 'mian' is not a door of the hall; use one of: main",
     ),
-    (hall(zones=[{"id": "a", "door": "x"}], doors=[]), "'x' is no door of the hall; there is no"),
+    (hall(zones=[{"id": "a", "door": "x"}], doors=[]), "'x' is not a door of the hall; there"),
     (
         hall(zones=[{"id": "a", "area": 90}, {"id": "b", "area": 9}]),
         "zones: the zones ask for 99.0 m², but only 96.0 m² of floor are free; give smaller areas",
@@ -313,7 +313,7 @@ FAULTS: list[tuple[dict[str, Any], str]] = [
     (hall(zones=[{"id": "a", "area": 0.5}, {"id": "b"}]), "zones[0] 'a': is to have only 0.5 m²; "),
     (
         hall(zones=TWO, demands=[{"category": "bench", "zone": ["a", "B"]}]),
-        "demands[0] 'bench' zone: 'B' is no zone; ",
+        "demands[0] 'bench' zone: 'B' is not a zone; ",
     ),
     (
         hall(ask=[{"group": "desk"}]),
@@ -322,9 +322,9 @@ FAULTS: list[tuple[dict[str, Any], str]] = [
     ),
     (
         demand(category="bech"),
-        "demands[0] 'bech': 'bech' is no kind of the catalog; use one of: bench",
+        "demands[0] 'bech': 'bech' is not a kind of the catalog; use one of: bench",
     ),
-    (demand(category="chandelier of gold"), "is no kind of the catalog; "),
+    (demand(category="chandelier of gold"), "is not a kind of the catalog; "),
     (demand(category="pendant_lamp"), "a pendant lamp does not stand on the floor; "),
     (demand(count=3, length=9), "demands[0] 'bench': has both count and length; "),
     (demand(size=[1, 1, 1], sizes=[[1, 1, 1]]), "has both size and sizes; "),

@@ -146,7 +146,9 @@ def _check_limits(limits: Limits, options: BatchOptions) -> Limits:
         raise InputError("no format is given", "name one, such as .json")
     for suffix in options.formats:
         if not suffix.startswith(".") or "/" in suffix:
-            raise InputError(f"'{suffix}' is no format", "give suffixes, such as .json,.glb")
+            raise InputError(
+                f"'{suffix}' is not a supported format", "give suffixes, such as .json,.glb"
+            )
         writer(f"scene{suffix}")
     _known(
         "preset", options.preset, [n for d in domains.domain_names() for n in domains.presets(d)]
@@ -163,7 +165,7 @@ def _check_limits(limits: Limits, options: BatchOptions) -> Limits:
 def _known(what: str, name: str, names: Collection[str]) -> None:
     if name not in names:
         told = ", ".join(_once(names))
-        raise InputError(f"there is no {what} '{name}'", f"use one of: {told}")
+        raise InputError(f"unknown {what} '{name}'", f"use one of: {told}")
 
 
 def _once(names: Iterable[str]) -> list[str]:

@@ -65,7 +65,7 @@ def list_jobs(
     """
     found = _find_files(sources, out)
     if not found:
-        raise InputError("there is nothing to do", "give files or folders that hold briefs")
+        raise InputError("no files to lay out", "give files or folders that hold briefs")
     once = cache(look)  # many files name one catalogue
     return tuple(
         Job(

@@ -77,7 +77,7 @@ def _row(order: dict[str, Any], options: BatchOptions, memory: float, parts: Pat
     except InputError as error:
         told = str(error.located(file=source))
     except Exception as error:
-        told = f"a fault of ours, {type(error).__name__}: {error}"
+        told = f"internal error, please report: {type(error).__name__}: {error}"
         if _is_out_of_memory(error):
             told = f"takes more than {memory:g} GiB of memory; allow more with --memory"
         told = f"{source}: {told}"

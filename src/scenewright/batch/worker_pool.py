@@ -115,7 +115,7 @@ class Worker:
                 self.end()
                 said.seek(0)
                 told = said.read().decode("utf-8", "replace").strip().splitlines()
-        raise RuntimeError(f"the workers cannot start: {told[-1] if told else 'no word of why'}")
+        raise RuntimeError(f"the workers cannot start: {told[-1] if told else 'no reason given'}")
 
 
 def _keep_interrupts_off() -> None:

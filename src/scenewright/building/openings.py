@@ -228,7 +228,7 @@ def _beyond(faces: Walls, number: int, middle: Points, along: Points) -> tuple[i
 
 def _resolve_target(to: str, ids: list[str], beyond: int | None) -> int | None:
     if to not in ids:
-        raise InputError(f"leads to '{to}', which is no room", f"use one of: {', '.join(ids)}")
+        raise InputError(f"leads to '{to}', which is not a room", f"use one of: {', '.join(ids)}")
     if beyond is None or ids[beyond] != to:
         there = "the outside" if beyond is None else f"'{ids[beyond]}'"
         raise InputError(

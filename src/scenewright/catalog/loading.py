@@ -126,7 +126,7 @@ def find_asset(catalog: Catalog, name: str) -> Asset:
             f"'{name}' cannot be used: {catalog.broken[name.casefold()]}",
             "mend the file or use another model",
         )
-    raise InputError(f"there is no model '{name}'", _near(name, catalog))
+    raise InputError(f"unknown model '{name}'", _near(name, catalog))
 
 
 def _near(name: str, catalog: Catalog) -> str:

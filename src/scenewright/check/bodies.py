@@ -107,10 +107,10 @@ def bodies_of(
 def _fault(piece: Piece, number: dict[str, int]) -> str:
     values = np.array([*piece.pose, *piece.size], float)
     if not np.isfinite(values).all() or np.abs(values).max() > _LARGEST:
-        return "has a pose or size that is no number of metres"
+        return "has a pose or size that is not a number of metres"
     if (values[4:] <= 0).any():
         return f"has no size: {values[4]:g} x {values[5]:g} x {values[6]:g} m"
-    return "" if piece.space in number else f"stands in {piece.space!r}, which is no room"
+    return "" if piece.space in number else f"stands in {piece.space!r}, which is not a room"
 
 
 def _stack(

@@ -1,4 +1,4 @@
-"""The verb ``adjust``: move, swap, lock and let go pieces of a saved scene, and solve the rest."""
+"""The verb ``adjust``: move, swap, lock and release pieces of a saved scene; solve the rest."""
 
 from __future__ import annotations
 
@@ -23,36 +23,37 @@ def adjust(
     file: Annotated[Path, typer.Argument(metavar="SOLUTION.json", help="A saved scene.")],
     outputs: Annotated[
         list[Path],
-        typer.Option("-o", "--output", metavar="OUT", help="File to write; may be repeated."),
+        typer.Option("-o", "--output", metavar="OUT", help="Output file; may be repeated."),
     ],
     move: Annotated[
         Names, typer.Option(metavar="PIECE=X,Y[,DEGREES]", help="Put a piece there and lock it.")
     ] = None,
     swap: Annotated[
-        Names, typer.Option(metavar="PIECE,PIECE", help="Exchange two, and lock them (homes).")
+        Names, typer.Option(metavar="PIECE,PIECE", help="Swap two pieces and lock them (homes).")
     ] = None,
     lock: Annotated[
-        Names, typer.Option(metavar="PIECE", help="Keep it where it is from now on.")
+        Names, typer.Option(metavar="PIECE", help="Keep the piece where it is.")
     ] = None,
-    unlock: Annotated[Names, typer.Option(metavar="PIECE", help="Let it go.")] = None,
+    unlock: Annotated[Names, typer.Option(metavar="PIECE", help="Release a locked piece.")] = None,
     again: Annotated[
-        Names, typer.Option(metavar="SPACE", help="Arrange a space anew around what is locked.")
+        Names, typer.Option(metavar="SPACE", help="Arrange a space again around its locked pieces.")
     ] = None,
-    steps: Annotated[int | None, typer.Option(min=1, help="Steps to solve for.")] = None,
-    seed: Annotated[int | None, typer.Option(min=0, help="Another seed, another answer.")] = None,
+    steps: Annotated[int | None, typer.Option(min=1, help="Search budget in steps.")] = None,
+    seed: Annotated[int | None, typer.Option(min=0, help="Seed of the random numbers.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
 ) -> int:
-    """Change a saved scene by hand; only what that touches is solved again, all else stays.
+    """Change a saved scene by hand: only what the change affects is solved again.
 
-    Pieces are named by id or enough of it: sofa, bedroom/bed, living/seating. May be repeated.
+    A piece is named by its id or an unambiguous part of it: sofa, bedroom/bed, living/seating.
+    Options may be repeated.
     """
     from scenewright.workflow.adjust import AdjustRequest
 
     request = AdjustRequest(
         file,
         tuple(outputs),
-        dict(_pose(told) for told in move or ()),
+        dict(_pose(text) for text in move or ()),
         tuple(_pair(p) for p in swap or ()),
         tuple(lock or ()),
         tuple(unlock or ()),
@@ -64,7 +65,7 @@ def adjust(
 
 
 def _run(request: AdjustRequest, as_json: bool, quiet: bool) -> int:
-    """Solve again, judge, write and tell; the exit code."""
+    """Solve again, check, write and report; the exit code."""
     from scenewright.cli import show, tables, terminal
     from scenewright.cli.arrange import follow
     from scenewright.workflow.adjust import adjust_file
@@ -101,26 +102,27 @@ def lines(changes: Sequence[Change]) -> list[str]:
     return [f"{how}: {', '.join(names)} ({why})" for (how, why), names in told.items()]
 
 
-def _pose(told: str) -> tuple[str, tuple[float, ...]]:
+def _pose(argument: str) -> tuple[str, tuple[float, ...]]:
     """``bed=1.2,3.4,90`` as a name and a pose in metres and radians.
 
     >>> _pose("bed=1.2,3.4")
     ('bed', (1.2, 3.4))
     """
-    name, _, pose = told.partition("=")
+    name, _, pose = argument.partition("=")
     try:
         numbers = [float(part) for part in pose.split(",")]
     except ValueError:
         numbers = []
     if not name or len(numbers) not in (2, 3) or not all(isfinite(n) for n in numbers):
         raise InputError(
-            f"--move {told} is no place", "say PIECE=X,Y or PIECE=X,Y,DEGREES, as bed=1.2,3.4,90"
+            f"--move {argument} is not a place",
+            "give PIECE=X,Y or PIECE=X,Y,DEGREES, as bed=1.2,3.4,90",
         )
     return name, (*numbers[:2], *(radians(angle) for angle in numbers[2:]))
 
 
-def _pair(told: str) -> tuple[str, str]:
-    names = [part.strip() for part in told.split(",")]
+def _pair(argument: str) -> tuple[str, str]:
+    names = [part.strip() for part in argument.split(",")]
     if len(names) != 2 or not all(names):
-        raise InputError(f"--swap {told} is no pair", "say two pieces, as sofa,tv")
+        raise InputError(f"--swap {argument} is not a pair", "give two pieces, as sofa,tv")
     return names[0], names[1]

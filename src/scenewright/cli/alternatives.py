@@ -26,7 +26,7 @@ def row(plan: RankedSolution) -> dict[str, Any]:
         "plan": plan.rank,
         "energy": float(sum(solution.energies.values())),
         "verdict": str(plan.report),
-        "left out": len(solution.left_out),
+        "not placed": len(solution.left_out),
     }
     if len(halls) == 1 and solution.detail is not None:
         told |= {key: halls[0][key] for key in ("aesthetic", "uniformity", "circulation")}

@@ -104,8 +104,8 @@ def run(
     else:
         sys.stderr.writelines(f"scenewright: {printable(line)}\n" for line in _failures(rows))
     if code == 130:
-        told_so_far = f"interrupted after {len(rows)} of {watch.total or 'all'} files"
-        sys.stderr.write(f"scenewright: {told_so_far}; say the same again to go on\n")
+        state = f"interrupted after {len(rows)} of {watch.total or 'all'} files"
+        sys.stderr.write(f"scenewright: {state}; run the same command again to continue\n")
     return code
 
 
@@ -115,7 +115,7 @@ def _code(rows: Sequence[ResultRow]) -> int:
 
 
 def _failures(rows: Sequence[ResultRow]) -> list[str]:
-    """A line for each file that came to nothing."""
+    """A line for each file that failed."""
     from scenewright.batch.table import FAILED
 
     return [f"{row.file}: {_without(row)}" for row in rows if row.status == FAILED]
@@ -128,22 +128,22 @@ def _document(rows: Sequence[ResultRow]) -> dict[str, object]:
 
 
 def _tell(console: Console, rows: Sequence[ResultRow], folder: Path, watch: Heard) -> None:
-    """The totals, the files that came to nothing or break a rule, and where the rest is told."""
+    """The totals, the files that failed or break a rule, and where the full table is."""
     from scenewright.batch.table import CSV, FAILED, NOT_VALID, totals
 
     told = [row for row in rows if row.status in (FAILED, NOT_VALID)]
     told.sort(key=lambda row: row.status != FAILED)
     lines = [{"file": row.file, "status": row.status, "message": _without(row)} for row in told]
     if lines:
-        tables.table(console, lines[:MOST], title="files to look at", whole=("file",))
+        tables.table(console, lines[:MOST], title="files that need attention", whole=("file",))
     counted = [{"files": status, "": count} for status, count in totals(rows).items() if count]
     tables.table(console, counted, title="batch")
     rate = watch.made / max(watch.seconds(), 1e-9)
     words = [f"{len(rows)} files in {folder}"]
     words += [f"{watch.made} in {watch.seconds():.0f} s, {rate:.1f} a second"] * bool(watch.made)
-    words += [f"{watch.before} were done before"] * bool(watch.before)
-    words += [f"{len(told) - MOST} more to look at"] * (len(told) > MOST)
-    words.append(f"all of them: {folder / CSV}")
+    words += [f"{watch.before} already done"] * bool(watch.before)
+    words += [f"{len(told) - MOST} more need attention"] * (len(told) > MOST)
+    words.append(f"full list: {folder / CSV}")
     tables.print_line(console, "; ".join(words), "dim")
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from scenewright.catalog.models.listing import Listed
 
 app = typer.Typer(
-    help="Furniture of your own: look it through, register it, learn groups from homes.",
+    help="Your own furniture: inspect it, register it, learn groups from furnished homes.",
     no_args_is_help=True,
 )
 
@@ -33,7 +33,9 @@ SHOWN = ("id", "category", "front", "size", "sure", "colour", "author", "why")
 @app.command()
 def add(
     path: Annotated[Path, typer.Argument(help="A folder of models, a library or one file.")],
-    name: Annotated[str | None, typer.Option(help="What to call it; else as the file.")] = None,
+    name: Annotated[
+        str | None, typer.Option(help="Name of the catalogue; by default that of the file.")
+    ] = None,
     replace: Annotated[bool, typer.Option(help="Take the place of one of that name.")] = False,
     as_json: Json = False,
 ) -> int:
@@ -145,7 +147,7 @@ def learn(
     for home in homes:
         if not home.lower().endswith(FURNISHED):
             remedy = f"give files of Sweet Home 3D: {' or '.join(FURNISHED)}"
-            raise InputError("is no furnished home to learn from", remedy, file=home)
+            raise InputError("is not a furnished home to learn from", remedy, file=home)
     check_targets([output])
     rooms = [room for home in homes for room in _read_furnished_rooms(home)]
     check_targets([output])

@@ -1,7 +1,7 @@
-"""The command line: thin words around the façade.
+"""The command line: a thin layer over the façade.
 
-Exit codes: 0 everything asked is placed and valid; 1 done, but something was left out or breaks a
-rule; 2 the input cannot be used; 130 interrupted, 143 terminated.
+Exit codes: 0 everything required is placed and valid; 1 done, but something required was not
+placed or a rule is broken; 2 the input cannot be used; 130 interrupted, 143 terminated.
 """
 
 from __future__ import annotations
@@ -62,8 +62,8 @@ def run(arguments: list[str] | None = None) -> int:
     except InputError as error:
         return _fault(str(error))
     except USAGE_FAULT as error:
-        told = _format_usage_error(error)
-        return _fault(f"{told}; see scenewright --help") if told else 2
+        message = _format_usage_error(error)
+        return _fault(f"{message}; see scenewright --help") if message else 2
     except (CancelledError, KeyboardInterrupt, typer.Abort):
         return _fault("interrupted", 130)
     except BrokenPipeError:
@@ -72,19 +72,21 @@ def run(arguments: list[str] | None = None) -> int:
     except Exception as error:
         if os.environ.get("SCENEWRIGHT_DEBUG"):
             raise
-        told = f"{type(error).__name__}: {error}"
-        return _fault(f"a fault of ours, {told} (SCENEWRIGHT_DEBUG=1 shows where)", 3)
+        cause = f"{type(error).__name__}: {error}"
+        return _fault(
+            f"internal error, please report: {cause} (SCENEWRIGHT_DEBUG=1 shows where)", 3
+        )
 
 
 def _format_usage_error(usage_fault: Any) -> str:
     """The fault in our words; empty if the help was shown instead."""
-    told = str(usage_fault.format_message()).rstrip(".")
-    told = re.sub(r"Input should be a valid integer.*", "give a whole number", told)
-    return re.sub(r"Input should be a valid number.*", "give a number", told)
+    message = str(usage_fault.format_message()).rstrip(".")
+    message = re.sub(r"Input should be a valid integer.*", "give a whole number", message)
+    return re.sub(r"Input should be a valid number.*", "give a number", message)
 
 
-def _fault(told: str, code: int = 2) -> int:
-    sys.stderr.write(f"scenewright: {printable(told)}\n")
+def _fault(message: str, code: int = 2) -> int:
+    sys.stderr.write(f"scenewright: {printable(message)}\n")
     return code
 
 
@@ -106,25 +108,27 @@ def _root(
 @app.command()
 def arrange(
     sources: Annotated[
-        list[str], typer.Argument(metavar="INPUT...", help="File, or a sample:NAME.")
+        list[str], typer.Argument(metavar="INPUT...", help="A file, or sample:NAME.")
     ],
     outputs: Annotated[
         list[Path] | None,
-        typer.Option("-o", "--output", metavar="OUT", help="File to write; may be repeated."),
+        typer.Option("-o", "--output", metavar="OUT", help="Output file; may be repeated."),
     ] = None,
-    preset: Annotated[str, typer.Option(help="Weights and parameters by name.")] = "default",
+    preset: Annotated[str, typer.Option(help="Named set of weights and parameters.")] = "default",
     solver: Annotated[str | None, typer.Option(help="Solver by name.")] = None,
-    seconds: Annotated[float | None, typer.Option(help="Time to solve for (solving only).")] = None,
-    steps: Annotated[int | None, typer.Option(help="Steps to solve for, instead.")] = None,
+    seconds: Annotated[float | None, typer.Option(help="Search budget in seconds.")] = None,
+    steps: Annotated[int | None, typer.Option(help="Search budget in steps, instead.")] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same result.")] = 0,
-    keep: Annotated[bool, typer.Option("--keep", help="Leave the furniture of a .sh3d.")] = False,
-    accessible: Annotated[bool, typer.Option(help="Room for wheelchairs.")] = False,
+    keep: Annotated[
+        bool, typer.Option("--keep", help="Keep the furniture of a .sh3d file in place.")
+    ] = False,
+    accessible: Annotated[bool, typer.Option(help="Furnish for wheelchair users.")] = False,
     scale: ScaleOption = 1.0,
     hidden_levels: HiddenOption = False,
     catalogs: CatalogOption = None,
     groups: GroupsOption = None,
     alternatives: Annotated[
-        int, typer.Option(min=1, max=50, help="Plans that differ, ranked: OUT-1, OUT-2 …")
+        int, typer.Option(min=1, max=50, help="Number of distinct plans, ranked: OUT-1, OUT-2 …")
     ] = 1,
     many: cli_batch.BatchOption = False,
     formats: cli_batch.FormatOption = None,
@@ -134,7 +138,7 @@ def arrange(
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
-    """Furnish a home or lay out a hall: read INPUT, solve it, write every OUT by its suffix."""
+    """Lay out a home, hall or site: read INPUT, solve it, write each OUT by its suffix."""
     from scenewright.workflow.request import ArrangeRequest
 
     _check_budget(seconds, steps)
@@ -188,11 +192,11 @@ def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) ->
     elif not quiet:
         console = tables.output_console()
         tables.table(console, cli_alternatives.rows(plans), title="plans")
-        for told in filter(None, map(cli_alternatives.patterns, plans)):
-            tables.print_line(console, told, "dim")
+        for line in filter(None, map(cli_alternatives.patterns, plans)):
+            tables.print_line(console, line, "dim")
         if len(plans) < request.alternatives and not interrupted:
             tables.print_line(
-                console, f"{len(plans)} of {request.alternatives} plans: no more differ"
+                console, f"found {len(plans)} of {request.alternatives} distinct plans"
             )
     return code
 
@@ -203,7 +207,7 @@ def check(
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
-    """Judge a solution exactly: collisions, doors, routes, what is out of bounds."""
+    """Check a solution exactly: collisions, doors, routes, bounds."""
     from scenewright.domains import check as judge
     from scenewright.formats import solution_json
 
@@ -221,7 +225,7 @@ def explain(
     file: Annotated[Path, typer.Argument(metavar="SOLUTION.json", help="A saved solution.")],
     as_json: JsonOption = False,
 ) -> int:
-    """Tell why: what every term costs every item, and what was left out."""
+    """Explain a solution: the cost of each term for each item, and what was not placed."""
     from scenewright.formats import solution_json
 
     solution, plan = solution_json.read_planned(file)
@@ -236,7 +240,9 @@ def explain(
 def bench(
     name: Annotated[str, typer.Argument(help="Which benchmark, such as home.")],
     quick: Annotated[bool, typer.Option("--quick", help="Fewer runs.")] = False,
-    full: Annotated[bool, typer.Option("--full", help="Everything, however long.")] = False,
+    full: Annotated[
+        bool, typer.Option("--full", help="All measurements, however long they take.")
+    ] = False,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
@@ -263,8 +269,10 @@ def view(
     ],
     output: Annotated[Path, typer.Option("-o", "--output", metavar="OUT.png")],
     measure: Annotated[str, typer.Option(help="picture, saliency or entropy.")] = "picture",
-    up: Annotated[str, typer.Option(help="Up in the files' axes, such as +z.")] = "",
-    front: Annotated[str, typer.Option(help="Where the fronts look in the files' axes.")] = "",
+    up: Annotated[str, typer.Option(help="Up direction in the files' axes, such as +z.")] = "",
+    front: Annotated[
+        str, typer.Option(help="Front direction in the files' axes, such as -y.")
+    ] = "",
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
@@ -291,7 +299,7 @@ def list_(
     ],
     as_json: JsonOption = False,
 ) -> int:
-    """List what there is: solvers, terms, patterns, presets, formats, groups, assets, samples."""
+    """List names: solvers, terms, patterns, presets, formats, groups, assets, samples."""
     from scenewright.cli import lists as cli_lists
 
     rows = cli_lists.rows(what)
@@ -310,7 +318,7 @@ def warm(
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
-    """Compile beforehand what the first run of each kind of scene would, kinds side by side."""
+    """Compile ahead of time what the first run of each kind of scene needs."""
     from scenewright.cli import warm as cli_warm
 
     rows = cli_warm.run(kinds or (), terminal.console(stderr=True, quiet=quiet or as_json))

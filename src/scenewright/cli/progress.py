@@ -1,5 +1,5 @@
-"""What a person sees while waiting: a bar after the first second, a word about compiling, and
-Ctrl-C that keeps the best so far."""
+"""Progress: a bar after the first second, a message while compiling, and Ctrl-C that keeps the
+best so far."""
 
 from __future__ import annotations
 

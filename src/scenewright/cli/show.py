@@ -1,4 +1,4 @@
-"""What people read and machines read of answers; nothing here decides anything."""
+"""Reports for people and machines; nothing here decides anything."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rich.console import Console
 
 from scenewright.cli.tables import print_line, table
+from scenewright.core.registry import domain_of
 
 if TYPE_CHECKING:
     from scenewright.core.plan import Plan
@@ -18,9 +19,11 @@ if TYPE_CHECKING:
 
 MOST_FINDINGS = 20
 MOST_BOTTLENECKS = 5
-MEASURED = "widths are twice the way from the tour's line to what is nearest; plans tell whole gaps"
+MEASURED = (
+    "widths are twice the distance from the tour to the nearest object; plans show whole gaps"
+)
 LEAST_COST = 0.005
-"""What is less rounds to nothing."""
+"""Costs below this round to 0.00."""
 
 
 def print_arranged(
@@ -31,18 +34,13 @@ def print_arranged(
     report: Report,
     was_interrupted: bool = False,
 ) -> None:
-    """The table of rooms, what was left out, the referee's verdict and the files."""
+    """The table of rooms, what was not placed, the referee's verdict and the files."""
     title = solution.brief.name + " (interrupted: best so far)" * was_interrupted
-    energies = {space: f"{energy:.1f}" for space, energy in solution.energies.items()}
     rows = [
-        {
-            _space_word(solution): name,
-            "energy": energies.get(space),
-            "placed": _format_pieces(solution, space),
-        }
+        {_space_word(solution): name, "placed": _format_pieces(solution, space)}
         for space, name in plan.names.items()
     ]
-    table(console, rows, title, whole=(_space_word(solution),), right=("energy",))
+    table(console, rows, title, whole=(_space_word(solution),))
     _left_out(console, solution, plan.names)
     print_line(console, _work(solution, len(plan.names)))
     print_report(console, report)
@@ -58,7 +56,7 @@ def print_adjusted(
     report: Report,
     changes: Sequence[str],
 ) -> None:
-    """What moved, came and went and why, what is left out, the referee's verdict, the files."""
+    """Changes with their reasons, what was not placed, the referee's verdict, the files."""
     for line in changes:
         print_line(console, line)
     _left_out(console, solution, plan.names)
@@ -70,18 +68,22 @@ def print_adjusted(
 
 def describe_interruption(outputs: Sequence[Path]) -> str:
     """What Ctrl-C led to."""
-    return "interrupted: best so far " + ("written" if outputs else "told, no -o to write")
+    return "interrupted: best so far " + (
+        "written" if outputs else "shown above (no -o, so nothing was written)"
+    )
 
 
 def _left_out(console: Console, solution: Solution, names: Mapping[str, str]) -> None:
-    """What is missing (essential or asked for), and what was welcome but not placed."""
+    """What was not placed: what is essential or asked for, then what is optional."""
+    labels = domain_of(solution.brief.domain).table("labels")
     for entry, count in Counter(solution.left_out).items():
-        mark = "left out" if entry.required else "welcome but not placed"
-        what = f"{count} × {entry.what}" if count > 1 else entry.what
+        mark = "not placed" if entry.required else "optional, not placed"
+        label = labels.get(entry.what, entry.what)
+        what = f"{count} × {label}" if count > 1 else label
         name = names.get(entry.space, entry.space)
-        told = f"{mark}: {name}: {what}" if name else f"{mark}: {what}"
-        told = f"{told}: {entry.reason}"
-        print_line(console, told, "yellow" if entry.required else "dim")
+        place = f" ({name})" if name else ""
+        line = f"{mark}: {what}{place}: {entry.reason}"
+        print_line(console, line, "yellow" if entry.required else "dim")
 
 
 def print_report(console: Console, report: Report) -> None:
@@ -101,14 +103,14 @@ def print_report(console: Console, report: Report) -> None:
         told = ", ".join(
             f"{share:.0%}{level}" for level, share in zip(levels, shares.values(), strict=True)
         )
-        print_line(console, f"floor one can walk on: {told}", "dim")
+        print_line(console, f"walkable floor: {told}", "dim")
     _halls(console, report.figures.get("halls", {}))
 
 
 def _wishes(console: Console, report: Report) -> None:
-    """Which wishes of the household came true, and why the others did not."""
+    """Which wishes are met, and why the others are not."""
     for told in report.figures.get("wishes", []):
-        mark = "fulfilled" if told["fulfilled"] else f"not fulfilled, {told['why']}"
+        mark = "met" if told["fulfilled"] else f"not met: {told['why']}"
         print_line(console, f"wish: {told['space']}: {told['wish']}: {mark}")
 
 
@@ -117,11 +119,11 @@ def _outlets(console: Console, report: Report) -> None:
     found = report.figures.get("outlets", [])
     if found:
         near = sum(lead["within"] for lead in found)
-        told = f"outlets: {near} of {len(found)} leads, hoses and pipes are long enough"
+        told = f"outlets: {near} of {len(found)} leads, hoses and pipes reach"
         print_line(console, told)
     for lead in (lead for lead in found if not lead["within"]):
-        much = f"{lead['metres']:.2f} m, within {lead['reach']:g} m"
-        print_line(console, f"  {lead['piece']}: {lead['outlet']} at {much} wanted")
+        much = f"{lead['metres']:.2f} m away, {lead['reach']:g} m at most"
+        print_line(console, f"  {lead['piece']}: {lead['outlet']} outlet {much}")
 
 
 def _halls(console: Console, halls: Mapping[str, Mapping[str, Any]]) -> None:
@@ -158,23 +160,24 @@ def _format_usage(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
         "walkable": f"{figures['walkable_share']:.0%}",
         "passages": None if least is None else f"{least:.2f} m",
         "tour": f"{tour['length']:.0f} m" if tour else None,
-        "its width": f"{tour['least_width']:.2f} m" if tour else None,
+        "tour width": f"{tour['least_width']:.2f} m" if tour else None,
         "seen": f"{tour['seen']:.0%}" if tour else None,
         "way out": None if distance is None else f"{distance:.0f} m",
     }
 
 
 def print_explanation(console: Console, solution: Solution, plan: Plan | None = None) -> None:
-    """Costs by room, item and term, dearest first; what the terms mean; what was left out."""
+    """Costs by room, item and term, highest first; what the terms mean; what was not placed."""
     from scenewright.domains import check, plan_of
 
     plan = plan or plan_of(solution.brief)
     rooms = plan.names
+    labels = domain_of(solution.brief.domain).table("labels")
     felt = [term for term in solution.terms if term.cost >= LEAST_COST]
     why = [
         {
             _space_word(solution): rooms.get(term.space, term.space),
-            "item": term.item,
+            "item": " & ".join(labels.get(name, name) for name in term.item.split(" & ")),
             "term": term.term,
             "value": f"{term.value:.4g}",
             "weight": f"{term.weight:g}",
@@ -202,14 +205,12 @@ def print_explanation(console: Console, solution: Solution, plan: Plan | None = 
 
 def _meanings(names: set[str], domain: str) -> dict[str, str]:
     """One line for each term."""
-    from scenewright.domains import domain_of
-
     meanings = domain_of(domain).table("meanings")
     return {name: meanings[name] for name in meanings if name in names}
 
 
 def explained_document(solution: Solution, plan: Plan | None = None) -> dict[str, Any]:
-    """Energies, terms and what was left out, as plain values."""
+    """Energies, terms and what was not placed, as plain values."""
     from scenewright.domains import check
 
     wished = any(room.wishes or room.outlets for room in solution.brief.rooms)
@@ -226,7 +227,7 @@ def explained_document(solution: Solution, plan: Plan | None = None) -> dict[str
 def arranged_document(
     source: str, outputs: Sequence[Path], solution: Solution, plan: Plan, report: Report, code: int
 ) -> dict[str, Any]:
-    """Everything ``arrange`` tells, as plain values; ``exit`` is the exit code."""
+    """Everything ``arrange`` reports, as plain values; ``exit`` is the exit code."""
     rooms = [
         {
             "id": space,
@@ -265,8 +266,6 @@ def _counts(solution: Solution, space: str) -> Counter[str]:
 
 
 def _space_word(solution: Solution) -> str:
-    from scenewright.domains import domain_of
-
     noun: str = domain_of(solution.brief.domain).noun
     return noun
 
@@ -283,6 +282,6 @@ def _work(solution: Solution, rooms: int) -> str:
     space = _space_word(solution)
     return (
         f"{pieces} piece{'s' * (pieces != 1)} in {rooms} {space}{'s' * (rooms != 1)}, "
-        f"{solution.seconds:.2f} s, {solution.evaluations:,} layouts looked at "
+        f"{solution.seconds:.2f} s, {solution.evaluations:,} layouts evaluated "
         f"({solution.solver}, preset {solution.preset}, seed {solution.seed})"
     )

@@ -46,7 +46,7 @@ def check_kinds(kinds: Sequence[str]) -> tuple[str, ...]:
     """The kinds given, each once; all if none is given."""
     for kind in kinds:
         if kind not in SAMPLES:
-            raise InputError(f"there is no kind of scene {kind!r}", f"give {', '.join(SAMPLES)}")
+            raise InputError(f"unknown kind of scene {kind!r}", f"give {', '.join(SAMPLES)}")
     return tuple(dict.fromkeys(kinds)) or tuple(SAMPLES)
 
 

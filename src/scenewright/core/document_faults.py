@@ -43,7 +43,7 @@ LENGTHS = frozenset(
     )
 )
 """Keys under which numbers are metres."""
-BROKEN = ("holds half of a surrogate pair, which is no character", "whole Unicode characters")
+BROKEN = ("holds half of a surrogate pair, which is not a character", "whole Unicode characters")
 """What is wrong with a text that UTF-8 cannot hold, and what is wanted."""
 KINDS = {
     "string_type": "a text in quotes",

@@ -42,9 +42,7 @@ def check_layouts(layouts: Layouts, spaces: Sequence[str]) -> None:
     """InputError for a space there is not, or a box that is not five numbers with an area."""
     for space, rows in layouts.items():
         if space not in spaces:
-            raise InputError(
-                f"there is no space '{space}'", f"use one of: {', '.join(spaces[:20])}"
-            )
+            raise InputError(f"unknown space '{space}'", f"use one of: {', '.join(spaces[:20])}")
         for number, row in enumerate(rows):
             box = np.asarray(row.box, np.float64)
             if box.shape != (5,) or not np.isfinite(box).all() or (box[3:] <= 0).any():

@@ -47,7 +47,7 @@ def find_piece(pieces: Sequence[Piece], name: str, leads: Callable[[Piece], bool
     here = [p for p in pieces if rest and p.space == room]
     if here:
         return find_piece(here, rest, leads)
-    raise InputError(f"there is no piece '{name}'", _nearest(name, pieces))
+    raise InputError(f"unknown piece '{name}'", _nearest(name, pieces))
 
 
 def _nearest(name: str, pieces: Sequence[Piece]) -> str:
@@ -142,7 +142,7 @@ def find_spaces(plan: Plan, names: Iterable[str]) -> frozenset[str]:
         if name not in known:
             near = get_close_matches(name, known, MOST, 0.5) or [s.id for s in plan.spaces][:20]
             told = dict.fromkeys(known.get(n, n) for n in near)
-            raise InputError(f"there is no space '{name}'", f"use one of: {', '.join(told)}")
+            raise InputError(f"unknown space '{name}'", f"use one of: {', '.join(told)}")
     return frozenset(known[name] for name in names)
 
 

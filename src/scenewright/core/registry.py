@@ -64,5 +64,5 @@ def domain_of(name: str) -> Any:
     entry = _added().get(name)
     if entry is None:
         known = ", ".join(domain_names())
-        raise InputError(f"there is no domain '{name[:40]}'", f"use one of: {known}")
+        raise InputError(f"unknown domain '{name[:40]}'", f"use one of: {known}")
     return entry.load()

@@ -43,7 +43,7 @@ Verb = Literal[
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged;
 of the others ``validate``, ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups`` and
 the two of the detail are passed over where a domain has none, the rest refused by name."""
-Table = Literal["presets", "solvers", "terms", "meanings", "patterns"]
+Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels"]
 
 NEEDED: tuple[Verb, ...] = ("plan", "solve", "check", "scene", "draw")
 """The verbs every domain has."""

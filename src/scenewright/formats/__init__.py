@@ -226,7 +226,9 @@ def _read(source: str | os.PathLike[str], keep: bool, hidden_levels: bool) -> Br
     try:
         brief: Brief = _function(row.reader, "read", source)(path, keep=keep, **more)
     except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror or error}", "check its rights") from None
+        raise InputError(
+            f"cannot be read: {error.strerror or error}", "check file permissions"
+        ) from None
     return brief
 
 

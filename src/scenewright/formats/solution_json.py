@@ -46,7 +46,7 @@ def read_planned(
     """Read a solution and the plan of its brief; a brief equal to the ``known`` one is not planned
     again. Raises :class:`InputError` naming file, place and fault."""
     if Path(path).suffix.lower() != ".json":
-        raise InputError("is no solution", "give a solution .json", file=str(path))
+        raise InputError("is not a Scenewright solution", "give a solution .json", file=str(path))
     note_read(path)
     try:
         if Path(path).stat().st_size > GREATEST_FILE:

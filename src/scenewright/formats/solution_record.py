@@ -155,7 +155,7 @@ def _check_names(record: SolutionRecord, plan: Plan) -> None:
             fault = f"the brief has no room with the id {piece.space!r}"
             raise InputError(fault, place=f"pieces[{index}].space")
         if piece.on is not None and piece.on not in known:
-            raise InputError(f"there is no piece {piece.on!r}", place=f"pieces[{index}].on")
+            raise InputError(f"unknown piece {piece.on!r}", place=f"pieces[{index}].on")
 
 
 def solution_schema() -> dict[str, Any]:

@@ -177,10 +177,10 @@ def _positions(listed: Any) -> Points:
 
 def _pair(position: Any) -> Iterator[float]:
     if not isinstance(position, list) or len(position) < 2:
-        raise InputError("has a position that is no pair of numbers")
+        raise InputError("has a position that is not a pair of numbers")
     for axis in position[:2]:
         if isinstance(axis, bool) or not isinstance(axis, int | float):
-            raise InputError("has a position that is no pair of numbers")
+            raise InputError("has a position that is not a pair of numbers")
         yield float(axis) if abs(axis) < 1e9 else np.nan
 
 

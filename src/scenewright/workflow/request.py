@@ -101,4 +101,4 @@ def check_name(what: str, name: str, known: Collection[str]) -> None:
     scenewright.core.errors.InputError: there is no preset 'papper'; use one of: default, paper
     """
     if name not in known:
-        raise InputError(f"there is no {what} '{name}'", f"use one of: {', '.join(known)}")
+        raise InputError(f"unknown {what} '{name}'", f"use one of: {', '.join(known)}")

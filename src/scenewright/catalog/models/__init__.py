@@ -159,7 +159,7 @@ def _of_file(file: Path, options: ImportOptions) -> Iterator[Model | SkippedMode
         raise error.located(file=str(file)) from None
     except OSError as error:
         raise InputError(
-            f"cannot be read: {error.strerror or error}", "check its rights", file=str(file)
+            f"cannot be read: {error.strerror or error}", "check file permissions", file=str(file)
         ) from None
 
 

@@ -84,7 +84,7 @@ def _pair_surfaces(
 
 def _check_rings(rings: object, corners: int) -> tuple[tuple[int, ...], ...]:
     if not isinstance(rings, list) or not all(isinstance(ring, list) for ring in rings):
-        raise InputError("a surface is no list of rings", "save the file again")
+        raise InputError("a surface is not a list of rings", "save the file again")
     if sum(len(ring) for ring in rings) > MOST_CORNERS:
         raise InputError(f"a surface has more than {MOST_CORNERS:,} corners", "simplify it")
     for ring in rings:

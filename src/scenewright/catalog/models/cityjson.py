@@ -83,7 +83,7 @@ def parts_at(city: City, key: str) -> tuple[Part, ...]:
 def city_of(document: Json) -> City:
     """The checked frame of a document: version, objects, corners."""
     if document.get("type") != "CityJSON":
-        raise InputError("is no CityJSON", "give a file of the type 'CityJSON'")
+        raise InputError("is not CityJSON", "give a file of the type 'CityJSON'")
     version = clean(document.get("version"), "unknown")
     if not version.startswith(VERSIONS):
         raise InputError(f"is CityJSON {version[:12]}", f"use one of: {', '.join(VERSIONS)}")

@@ -125,4 +125,4 @@ def check_json(content: bytes, most: int = MOST_PARSED) -> None:
 
 
 def _no_number(word: str) -> Any:
-    raise ValueError(f"{word} is no number of JSON")
+    raise ValueError(f"{word} is not valid JSON")

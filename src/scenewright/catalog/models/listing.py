@@ -169,7 +169,7 @@ def _csv_rows(content: bytes) -> list[Cells]:
         reader = csv.DictReader(io.StringIO(content.decode("utf-8-sig"), newline=""))
         return _check_rows({str(k): _restored(v) for k, v in row.items()} for row in reader)
     except UnicodeDecodeError:
-        raise InputError("is no text in UTF-8", "save it as CSV in UTF-8") from None
+        raise InputError("is not UTF-8 text", "save it as CSV in UTF-8") from None
     except csv.Error as error:
         raise InputError(f"is no CSV table ({error})", "save it again") from None
 
@@ -218,13 +218,13 @@ def _check(cells: Cells, place: str) -> None:
     category = cells.get("category", "")
     if category and category not in KINDS and category != OTHER:
         raise InputError(
-            f"there is no category '{category}'",
+            f"unknown category '{category}'",
             "use one of scenewright list assets, or other",
             place=place,
         )
     if cells.get("front", "") not in ("", *FRONTS):
         raise InputError(
-            f"'{cells['front']}' is no side", f"use one of: {', '.join(FRONTS)}", place=place
+            f"'{cells['front']}' is not a side", f"use one of: {', '.join(FRONTS)}", place=place
         )
     if cells.get("skip", "").lower() not in (*YES, *NO):
         raise InputError(f"skip is '{cells['skip']}'", "write yes or no", place=place)

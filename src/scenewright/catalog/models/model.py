@@ -151,7 +151,8 @@ def frame(up: str, front: str) -> Floats:
     for word in (up, front):
         if word not in DIRECTIONS:
             raise InputError(
-                f"'{word}' is no direction of a file's axes", f"use one of: {', '.join(DIRECTIONS)}"
+                f"'{word}' is not a direction of a file's axes",
+                f"use one of: {', '.join(DIRECTIONS)}",
             )
     if up[1] == front[1]:
         raise InputError(f"the front cannot be {front} where up is {up}", "choose another axis")

@@ -68,7 +68,8 @@ def _share(text: str, place: str) -> float:
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise InputError(f"'{clean(text)}' is no number", "export the materials again", place=place)
+        fault = f"'{clean(text)}' is not a number"
+        raise InputError(fault, "export the materials again", place=place)
     return min(max(value, 0.0), 1.0)
 
 

@@ -49,7 +49,7 @@ def where(name: str) -> Path:
     pointer = home() / check_name(name) / POINTER
     if not pointer.is_file():
         known = ", ".join(names()) or "none yet: scenewright catalog add PATH"
-        raise InputError(f"there is no file or catalogue '{name}'", f"registered are: {known}")
+        raise InputError(f"unknown file or catalogue '{name}'", f"registered are: {known}")
     try:
         path = json_of(whole(pointer, MEBIBYTE), "a catalogue's entry").get("path")
     except InputError as error:
@@ -74,7 +74,7 @@ def register(name: str, path: Path, table: str) -> Path:
         write_atomically(folder / POINTER, pointer, own=True)
     except OSError as error:
         raise InputError(
-            f"cannot be written: {error.strerror}", "check its rights", file=str(folder)
+            f"cannot be written: {error.strerror}", "check file permissions", file=str(folder)
         ) from None
     return folder
 
@@ -100,6 +100,7 @@ def check_name(name: str) -> str:
     """A name that is fit for a folder; InputError otherwise."""
     if not re.fullmatch(PLAIN, name) or name in (".", ".."):
         raise InputError(
-            f"'{name[:40]}' is no name for a catalogue", "use letters, digits, dashes, dots"
+            f"'{name[:40]}' is not a valid name for a catalogue",
+            "use letters, digits, dashes, dots",
         )
     return name

@@ -63,7 +63,7 @@ def catalogue(archive: Archive, language: str = "") -> dict[str, str]:
         raise InputError(f"holds no {CATALOGUE}.properties", "give a furniture library")
     found = properties(first)
     if language and not re.fullmatch(r"[A-Za-z]{2,3}(_[A-Za-z0-9]{2,8})*", language):
-        raise InputError(f"'{clean(language)}' is no language", "write de or zh_CN")
+        raise InputError(f"'{clean(language)}' is not a language", "write de or zh_CN")
     words = language.split("_") if language else []
     for k in range(len(words)):
         name = f"{CATALOGUE}_{'_'.join(words[: k + 1])}.properties"
@@ -136,7 +136,7 @@ def _rotation(text: str) -> Floats:
     except ValueError:
         raise InputError("modelRotation is not nine numbers", "correct it") from None
     if not np.all(np.abs(found @ found.T - np.eye(3)) < 0.01):
-        raise InputError("modelRotation is no rotation", "correct it")
+        raise InputError("modelRotation is not a rotation", "correct it")
     return found
 
 
@@ -156,5 +156,5 @@ def _length(fields: Fields, key: str, otherwise: float) -> float:
     except ValueError:
         value = np.nan
     if not abs(value) <= 1e6:
-        raise InputError(f"'{clean(fields[key])}' is no length", "correct it", place=key)
+        raise InputError(f"'{clean(fields[key])}' is not a length", "correct it", place=key)
     return value

@@ -39,4 +39,4 @@ def _text(content: bytes) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
     try:
         return np.array([[float(word) for word in row] for row in rows]).reshape(-1, 3, 3)
     except ValueError:
-        raise InputError("a corner is no number", "export it again") from None
+        raise InputError("a corner is not a number", "export it again") from None

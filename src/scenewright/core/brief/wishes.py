@@ -42,9 +42,9 @@ class WishBrief(StrictModel):
                 "what is forbidden stands nowhere; say either forbid or where it is to stand"
             )
         if self.what in (self.face, self.near, self.away_from):
-            raise ValueError("a thing cannot face, be near or keep away from itself; name another")
+            raise ValueError("a piece cannot face, be near or keep away from itself; name another")
         if self.near and self.away_from:
-            raise ValueError("near and away_from share their metres; make two wishes of it")
+            raise ValueError("near and away_from share `metres`; write two wishes")
         return self
 
     @property

@@ -102,7 +102,7 @@ def _check_category(demand: Demand, told: str) -> None:
     if demand.category not in kinds:
         near = difflib.get_close_matches(demand.category, kinds, 4)
         remedy = f"use one of: {', '.join(near)}" if near else "see: scenewright list assets"
-        raise InputError(f"'{demand.category}' is no kind of the catalog", remedy, place=told)
+        raise InputError(f"'{demand.category}' is not a kind of the catalog", remedy, place=told)
     if kinds[demand.category].support != "floor":
         raise InputError(
             f"a {name_of(demand.category)} does not stand on the floor",
@@ -189,7 +189,7 @@ def _check_facing(demand: Demand, own: str, ids: tuple[str, ...], told: str) -> 
         near = difflib.get_close_matches(demand.facing, others, 3) or others[:12]
         remedy = f"use one of: {', '.join(near)}" if near else "leave it out"
         raise InputError(
-            f"'{demand.facing}' in facing is no demand of the hall", remedy, place=told
+            f"'{demand.facing}' in facing is not a demand of the hall", remedy, place=told
         )
 
 

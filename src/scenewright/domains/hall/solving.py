@@ -142,7 +142,7 @@ def problems(
 
 def _preset(name: str) -> HallPreset:
     if name not in PRESETS:
-        raise InputError(f"there is no preset '{name}'", "one of " + ", ".join(PRESETS))
+        raise InputError(f"unknown preset '{name}'", "one of " + ", ".join(PRESETS))
     return PRESETS[name]
 
 

@@ -140,4 +140,4 @@ def _check_known(name: str, known: Iterable[str], told: str, what: str) -> None:
         return
     near = difflib.get_close_matches(name, listed, 3) or listed[:12]
     remedy = f"use one of: {', '.join(near)}" if near else f"there is no {what}: leave it out"
-    raise InputError(f"'{name}' is no {what}", remedy, place=told)
+    raise InputError(f"'{name}' is not a {what}", remedy, place=told)

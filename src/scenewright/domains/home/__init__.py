@@ -31,5 +31,6 @@ DOMAIN = Domain(
         "solvers": ".solvers:SOLVERS",
         "terms": ".terms.table:TERMS",
         "meanings": ".terms.table:MEANINGS",
+        "labels": ".groups:LABELS",
     },
 )

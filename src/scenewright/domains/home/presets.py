@@ -73,5 +73,5 @@ PRESETS: dict[str, Preset] = {
 def preset_named(name: str) -> Preset:
     """The preset of a name; raises :class:`InputError` if there is none."""
     if name not in PRESETS:
-        raise InputError(f"there is no preset '{name}'", "one of " + ", ".join(PRESETS))
+        raise InputError(f"unknown preset '{name}'", "one of " + ", ".join(PRESETS))
     return PRESETS[name]

@@ -25,7 +25,7 @@ def check_asks(brief: Brief) -> None:
         for k, ask in enumerate(room.ask or ()):
             if ask.group not in GROUPS:
                 raise InputError(
-                    f"there is no furniture group '{ask.group}'",
+                    f"unknown furniture group '{ask.group}'",
                     "use one of: " + ", ".join(GROUPS),
                     place=place(brief, number, f"ask[{k}]"),
                 )

@@ -75,7 +75,7 @@ def _match_boxes(
         wish = next((wish for wish in left if wish.group == row.name), None)
         if wish is None and row.name not in GROUPS:
             raise InputError(
-                "is no furniture group",
+                "is not a furniture group",
                 f"use one of: {', '.join(GROUPS)}",
                 place=f"{task.space.id}[{number}] '{row.name}'",
             )

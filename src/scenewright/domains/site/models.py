@@ -38,7 +38,7 @@ def _model(row: Building, place: str, catalog: Catalog) -> str:
         raise error.located(place=f"{place} '{row.name or row.model}'") from None
     if found.category != BUILDING and not found.id.startswith(OWN):
         known = ", ".join(asset.id for asset in catalog.of(BUILDING)[:8])
-        raise InputError(f"'{row.model}' is no building", f"use one of: {known}", place=place)
+        raise InputError(f"'{row.model}' is not a building", f"use one of: {known}", place=place)
     return found.id
 
 

@@ -61,7 +61,7 @@ def match_boxes(
         place = f"{site}[{k}] '{one.name}'"
         if one.name not in free:
             known = ", ".join(sorted({row.name for row in rows}))
-            raise InputError("is no building of the site", f"use one of: {known}", place=place)
+            raise InputError("is not a building of the site", f"use one of: {known}", place=place)
         left = [n for n in free[one.name] if not present[n]]
         if not left:
             raise InputError("is one more than the site asks for", "raise its count", place=place)

@@ -79,7 +79,7 @@ def solve(
     """
     started = time.perf_counter()
     if preset not in PRESETS:
-        raise InputError(f"there is no preset '{preset}'", "one of " + ", ".join(PRESETS))
+        raise InputError(f"unknown preset '{preset}'", "one of " + ", ".join(PRESETS))
     chosen, catalog = PRESETS[preset], catalog_of(brief.catalogs)
     named = solver or chosen.solver
     budget = Budget(seconds, steps, threads=threads)

@@ -92,7 +92,8 @@ def _zones(graph: HallLayout, level: dict[str, str], faults: _Faults) -> _Zones:
     for zone in graph.zones:
         shape = _shape(zone)
         if zone.space not in zones:
-            faults.append((zone.space, f"zone {zone.id} lies in {zone.space!r}, which is no room"))
+            fault = f"zone {zone.id} lies in {zone.space!r}, which is not a room"
+            faults.append((zone.space, fault))
         elif zone.id in zones[zone.space]:
             faults.append((zone.space, f"zone {zone.id} is there twice"))
         elif shape.is_empty:
@@ -124,13 +125,13 @@ def _groups(
     for group in graph.groups:
         missing = [name for name in group.objects if name not in rows]
         if group.space not in groups:
-            told = f"group {group.id} stands in {group.space!r}, which is no room"
+            told = f"group {group.id} stands in {group.space!r}, which is not a room"
             faults.append((group.space, told))
             continue
         if missing:
             told = f"group {group.id} names {missing[0]}"
             told += f" and {len(missing) - 1} more" if len(missing) > 1 else ""
-            faults.append((group.space, f"{told}, not to be found among the sound pieces"))
+            faults.append((group.space, f"{told}, not among the valid pieces"))
         held = [rows[name] for name in dict.fromkeys(group.objects) if name in rows]
         groups[group.space].append((group.id, group.zone, np.array(held, np.int64)))
     return groups

@@ -173,7 +173,9 @@ def _openings(
     walls = walls_of([floor for _, floor in told])
     doors = [f for f in features if f.point is not None and {"door", "entrance"} & f.tags.keys()]
     lost = [
-        SkippedFeature(f.id, "a door on a level that is no number") for f in doors if not _levels(f)
+        SkippedFeature(f.id, "a door on a level that is not a number")
+        for f in doors
+        if not _levels(f)
     ]
     result = Openings([], [], [], [], lost)
     if len(doors) > MOST_DOORS:

@@ -23,6 +23,7 @@ def list_groups() -> list[dict[str, Any]]:
         rows.append(
             {
                 "name": name,
+                "label": kind.label or name.replace("_", " "),
                 "holds": " or ".join(name_of(part) for part in kind.essential),
                 "smallest": [round(small.width, 2), round(small.depth, 2)],
                 "largest": [round(large.width, 2), round(large.depth, 2)],

@@ -195,7 +195,7 @@ def _again(rooms: Sequence[Space], edits: Edits) -> set[str]:
         if name not in known:
             found = [known[n] for n in get_close_matches(name, known, MOST, 0.5)]
             near = dict.fromkeys(found or [room.id for room in rooms][:20])
-            raise InputError(f"there is no room '{name}'", f"use one of: {', '.join(near)}")
+            raise InputError(f"unknown room '{name}'", f"use one of: {', '.join(near)}")
     return {known[name] for name in edits.again}
 
 

@@ -1,4 +1,4 @@
-"""Completeness: does a room hold what its function is unthinkable without?
+"""Completeness: does a room hold its essential furniture?
 
 Validity says nothing is wrong; completeness that something is there. What counts as essential is
 our own table, after the rooms people actually live in; which pieces serve as it is stated in

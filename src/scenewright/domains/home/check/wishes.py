@@ -1,4 +1,4 @@
-"""Which wishes of a household came true, measured on the final pieces.
+"""Which wishes of a brief are met, measured on the final pieces.
 
 Distances are between footprints, and from footprints to the face of the wall an opening is in. A
 thing faces another if some of that lies within :data:`SIGHT` of straight ahead of its middle; of a
@@ -34,7 +34,7 @@ _IN_WORDS = {
 
 
 def wishes_told(bodies: Bodies, rooms: Rooms, asked: list[Room]) -> list[dict[str, Any]]:
-    """Every wish of every room in words, whether it is fulfilled, and why not."""
+    """Every wish of every room in words, whether it is met, and why not."""
     told = []
     for room, wishes in enumerate(r.wishes for r in asked):
         for wish in wishes:
@@ -75,12 +75,12 @@ def _get_display_name(name: str) -> str:
 
 
 def _why_not(bodies: Bodies, rooms: Rooms, room: int, wish: WishBrief) -> str:
-    """Why a wish is not fulfilled; empty if it is."""
+    """Why a wish is not met; empty if it is."""
     rows = _rows(bodies, room, wish.what)
     if wish.forbid:
         return _why_there(bodies, rows)
     if not len(rows):
-        return "there is none in the room: it did not fit, or is left out"
+        return "there is none in the room"
     here = shapely.union_all(bodies.footprints[rows])
     faults = [
         _not_by(rooms, room, here, wish.by) if wish.by else "",
@@ -110,7 +110,7 @@ def _why_there(bodies: Bodies, rows: Indices) -> str:
     if not len(rows):
         return ""
     given = all(bodies.pieces[i].fixed for i in rows)
-    return "it came with the brief" if given else "what else is wished for or asked for brings it"
+    return "it is fixed in the brief" if given else "another request brings it"
 
 
 def _target(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, name: str) -> Shape:
@@ -175,7 +175,7 @@ def _not_facing(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, name: st
         return ""
     ways = shapely.get_coordinates(shapely.segmentize(target, 0.05)) - eye
     off = np.abs((np.arctan2(ways[:, 1], ways[:, 0]) - look + np.pi) % (2 * np.pi) - np.pi)
-    return f"it looks {np.degrees(off.min()):.0f}° past"
+    return f"it faces {np.degrees(off.min()):.0f}° to the side"
 
 
 def _too_far(bodies: Bodies, rooms: Rooms, room: int, rows: Indices, wish: WishBrief) -> str:

@@ -149,9 +149,9 @@ def _try(
     lean: bool = True,
 ) -> FurnishedPatch | Refused:
     if lean and not _leans(function, case, box, ground):
-        return Refused("its closed end would stand in the open")
+        return Refused("its closed end would face open floor")
     if GROUPS[function].back == 1 and not is_backed(box, ground.walls, OPEN):
-        return Refused("no wall is left for its back")
+        return Refused("no free wall to stand against")
     boxes, spans, flat = world(case.members, box, catalog)
     codes, offenders = faults(
         boxes,

@@ -34,7 +34,8 @@ class GroupKind:
     one must be reachable; ``inset`` walkable depth inside; ``daylight`` and ``nestle`` wishes;
     ``roomy`` the room areas (m²) at which the smallest and the largest case are preferred;
     ``essential`` the category that makes the group what it is; ``lean`` the category whose end
-    belongs to the nearer side wall when the case is not symmetric.
+    belongs to the nearer side wall when the case is not symmetric; ``label`` what people call the
+    group, empty where that is its name in plain words.
     """
 
     cases: Callable[[], Iterator[Group]]
@@ -49,11 +50,19 @@ class GroupKind:
     nestle: float = 0.0
     roomy: tuple[float, float] = (8.0, 30.0)
     lean: str = ""
+    label: str = ""
 
 
 _GROUPS: dict[str, GroupKind] = {
     "media": GroupKind(
-        living.media, 1.2, ("tv_stand",), main=-1, clear=(0.9, 0, 0, 0), access=NONE, roomy=(8, 34)
+        living.media,
+        1.2,
+        ("tv_stand",),
+        main=-1,
+        clear=(0.9, 0, 0, 0),
+        access=NONE,
+        roomy=(8, 34),
+        label="TV stand",
     ),
     "seating": GroupKind(
         living.seating,
@@ -64,6 +73,7 @@ _GROUPS: dict[str, GroupKind] = {
         access=THREE,
         inset=(0, 0, 0, 0),
         roomy=(10, 34),
+        label="seating group",
     ),
     "reading": GroupKind(
         living.reading,
@@ -75,8 +85,9 @@ _GROUPS: dict[str, GroupKind] = {
         back=0.5,
         roomy=(8, 22),
         lean="floor_lamp",
+        label="reading chair",
     ),
-    "shelf": GroupKind(living.shelf, 2.0, ("bookcase",), nestle=1, roomy=(8, 40)),
+    "shelf": GroupKind(living.shelf, 2.0, ("bookcase",), nestle=1, roomy=(8, 40), label="bookcase"),
     "sideboard": GroupKind(living.sideboard, 0.8, ("sideboard",), roomy=(12, 36)),
     "plant": GroupKind(
         living.plant,
@@ -97,6 +108,7 @@ _GROUPS: dict[str, GroupKind] = {
         access=THREE,
         inset=(0, 0.45, 0, 0.45),
         roomy=(8, 19),
+        label="double bed",
     ),
     "single": GroupKind(
         sleeping.single,
@@ -108,15 +120,27 @@ _GROUPS: dict[str, GroupKind] = {
         inset=NONE,
         roomy=(5, 14),
         lean="single_bed",
+        label="single bed",
     ),
     "bunk": GroupKind(
-        sleeping.bunk, 1.65, ("bunk_bed",), access=THREE, nestle=1, clear=(0.3, 0, 0, 0)
+        sleeping.bunk,
+        1.65,
+        ("bunk_bed",),
+        access=THREE,
+        nestle=1,
+        clear=(0.3, 0, 0, 0),
+        label="bunk bed",
     ),
     "wardrobe": GroupKind(
         sleeping.wardrobe, 2.2, ("wardrobe",), nestle=1, clear=(0.75, 0, 0, 0), roomy=(5, 20)
     ),
     "chest": GroupKind(
-        sleeping.chest, 0.85, ("chest_of_drawers",), clear=(0.7, 0, 0, 0), roomy=(9, 18)
+        sleeping.chest,
+        0.85,
+        ("chest_of_drawers",),
+        clear=(0.7, 0, 0, 0),
+        roomy=(9, 18),
+        label="chest of drawers",
     ),
     "vanity": GroupKind(
         sleeping.vanity,
@@ -125,8 +149,11 @@ _GROUPS: dict[str, GroupKind] = {
         clear=(0.3, 0, 0, 0),
         daylight=0.5,
         inset=(0.45, 0, 0, 0),
+        label="dressing table",
     ),
-    "play": GroupKind(sleeping.play, 1.0, ("shelf_unit",), nestle=0.5, roomy=(8, 16)),
+    "play": GroupKind(
+        sleeping.play, 1.0, ("shelf_unit",), nestle=0.5, roomy=(8, 16), label="shelf for toys"
+    ),
     "dining": GroupKind(
         dining.dining,
         0.8,
@@ -137,6 +164,7 @@ _GROUPS: dict[str, GroupKind] = {
         inset=(0.5, 0.1, 0.5, 0.1),
         daylight=0.4,
         roomy=(8, 34),
+        label="dining table",
     ),
     "dining_wall": GroupKind(
         dining.dining_wall,
@@ -147,6 +175,7 @@ _GROUPS: dict[str, GroupKind] = {
         inset=(0.3, 0, 0, 0),
         daylight=0.3,
         roomy=(6, 14),
+        label="dining table at a wall",
     ),
     "kitchen": GroupKind(
         kitchen.kitchen,
@@ -156,12 +185,19 @@ _GROUPS: dict[str, GroupKind] = {
         nestle=1,
         roomy=(5, 16),
         lean="fridge",
+        label="kitchen run",
     ),
     "kitchenette": GroupKind(
         kitchen.kitchenette, 0.92, ("sink_cabinet",), clear=(0.8, 0, 0, 0), nestle=1, roomy=(3, 12)
     ),
     "counter": GroupKind(
-        kitchen.counter, 0.92, ("drawer_cabinet",), clear=(0.9, 0, 0, 0), nestle=1, roomy=(8, 18)
+        kitchen.counter,
+        0.92,
+        ("drawer_cabinet",),
+        clear=(0.9, 0, 0, 0),
+        nestle=1,
+        roomy=(8, 18),
+        label="second kitchen run",
     ),
     "fridge": GroupKind(kitchen.fridge, 1.9, ("fridge",), clear=(0.8, 0, 0, 0), nestle=1),
     "island": GroupKind(
@@ -173,20 +209,50 @@ _GROUPS: dict[str, GroupKind] = {
         clear=(0.4, 0.7, 0.9, 0.7),
         inset=(0.4, 0, 0, 0),
         roomy=(14, 30),
+        label="kitchen island",
     ),
     "toilet": GroupKind(bath.toilet, 0.8, ("toilet",), clear=(0.5, 0, 0, 0), roomy=(1.2, 5)),
     "basin": GroupKind(
         bath.basin, 0.9, ("basin", "pedestal_basin"), clear=(0.55, 0, 0, 0), roomy=(1.2, 9)
     ),
-    "bath": GroupKind(bath.bath, 0.6, ("bathtub",), clear=(0.5, 0, 0, 0), nestle=1, roomy=(2.5, 8)),
+    "bath": GroupKind(
+        bath.bath,
+        0.6,
+        ("bathtub",),
+        clear=(0.5, 0, 0, 0),
+        nestle=1,
+        roomy=(2.5, 8),
+        label="bathtub",
+    ),
     "shower": GroupKind(
         bath.shower, 2.0, ("shower",), clear=(0.5, 0, 0, 0), nestle=1, roomy=(2, 7)
     ),
     "washer": GroupKind(
-        bath.washer, 0.86, ("washing_machine",), clear=(0.6, 0, 0, 0), nestle=1, roomy=(2, 9)
+        bath.washer,
+        0.86,
+        ("washing_machine",),
+        clear=(0.6, 0, 0, 0),
+        nestle=1,
+        roomy=(2, 9),
+        label="washing machine",
     ),
-    "linen": GroupKind(bath.linen, 1.7, ("bathroom_cabinet",), clear=(0.5, 0, 0, 0), nestle=1),
-    "basket": GroupKind(bath.basket, 0.55, ("laundry_basket",), clear=NONE, access=NONE, nestle=1),
+    "linen": GroupKind(
+        bath.linen,
+        1.7,
+        ("bathroom_cabinet",),
+        clear=(0.5, 0, 0, 0),
+        nestle=1,
+        label="bathroom cabinet",
+    ),
+    "basket": GroupKind(
+        bath.basket,
+        0.55,
+        ("laundry_basket",),
+        clear=NONE,
+        access=NONE,
+        nestle=1,
+        label="laundry basket",
+    ),
     "desk": GroupKind(
         entry.desk,
         0.8,
@@ -206,23 +272,56 @@ _GROUPS: dict[str, GroupKind] = {
         inset=(0.55, 0, 0, 0),
         nestle=0.3,
         roomy=(6, 14),
+        label="child's desk",
     ),
     "shoes": GroupKind(
-        entry.shoes, 1.0, ("shoe_cabinet",), clear=(0.5, 0, 0, 0), nestle=0.5, roomy=(2, 8)
+        entry.shoes,
+        1.0,
+        ("shoe_cabinet",),
+        clear=(0.5, 0, 0, 0),
+        nestle=0.5,
+        roomy=(2, 8),
+        label="shoe cabinet",
     ),
-    "coats": GroupKind(entry.coats, 1.75, ("coat_rack",), clear=(0.3, 0, 0, 0), nestle=1),
-    "console": GroupKind(entry.console, 0.8, ("console_table",), roomy=(5, 12)),
+    "coats": GroupKind(
+        entry.coats, 1.75, ("coat_rack",), clear=(0.3, 0, 0, 0), nestle=1, label="coat rack"
+    ),
+    "console": GroupKind(
+        entry.console, 0.8, ("console_table",), roomy=(5, 12), label="console table"
+    ),
     "storage": GroupKind(
-        entry.storage, 1.9, ("storage_shelf",), clear=(0.5, 0, 0, 0), nestle=1, roomy=(0.4, 5)
+        entry.storage,
+        1.9,
+        ("storage_shelf",),
+        clear=(0.5, 0, 0, 0),
+        nestle=1,
+        roomy=(0.4, 5),
+        label="storage shelf",
     ),
     "terrace": GroupKind(
-        outdoor.terrace, 0.8, ("outdoor_table",), clear=NONE, access=THREE, back=0.6, roomy=(3, 10)
+        outdoor.terrace,
+        0.8,
+        ("outdoor_table",),
+        clear=NONE,
+        access=THREE,
+        back=0.6,
+        roomy=(3, 10),
+        label="outdoor table with chairs",
     ),
-    "lounger": GroupKind(outdoor.lounger, 0.8, ("outdoor_chair",), clear=(0.3, 0, 0, 0), back=0.6),
+    "lounger": GroupKind(
+        outdoor.lounger,
+        0.8,
+        ("outdoor_chair",),
+        clear=(0.3, 0, 0, 0),
+        back=0.6,
+        label="outdoor chair",
+    ),
     "planter": GroupKind(
         outdoor.planter, 0.6, ("planter",), clear=NONE, access=NONE, nestle=1, roomy=(2, 10)
     ),
-    "drying": GroupKind(outdoor.drying, 0.95, ("drying_rack",), clear=(0.3, 0, 0, 0)),
+    "drying": GroupKind(
+        outdoor.drying, 0.95, ("drying_rack",), clear=(0.3, 0, 0, 0), label="drying rack"
+    ),
 }
 
 
@@ -239,9 +338,15 @@ def _own_group(name: str, kinds: tuple[Kind, ...]) -> GroupKind:
         back=first.alone.back,
         clear=clearance_of(first),
         access=access_of(first),
+        label=first.label,
     )
 
 
 GROUPS: dict[str, GroupKind] = _GROUPS | {
     name: _own_group(name, kinds) for name, kinds in own_groups().items()
 }
+
+LABELS: dict[str, str] = {
+    name: kind.label or name.replace("_", " ") for name, kind in GROUPS.items()
+}
+"""What people call each group."""

@@ -171,7 +171,7 @@ def _read(path: Path, changed: int, size: int) -> Known:
     except ValidationError as error:
         fault = told_of(error)
         raise InputError(
-            f"is no file of learned groups: {fault.fault}",
+            f"is not a file of learned groups: {fault.fault}",
             "make it with scenewright catalog learn",
             file=str(path),
             place=fault.place,
@@ -185,7 +185,7 @@ def _check(case: CaseRecord, place: str, file: str) -> None:
     """Raise unless a case is of a known function and its members of known kinds, in its box."""
     if case.function not in GROUPS:
         raise InputError(
-            f"there is no group '{case.function}'",
+            f"unknown group '{case.function}'",
             "see scenewright list groups",
             file=file,
             place=place,
@@ -194,7 +194,7 @@ def _check(case: CaseRecord, place: str, file: str) -> None:
         at = f"{place}.members[{number}]"
         if member.category not in shipped().kinds:
             raise InputError(
-                f"there is no category '{member.category}'",
+                f"unknown category '{member.category}'",
                 "see scenewright list assets",
                 file=file,
                 place=at,

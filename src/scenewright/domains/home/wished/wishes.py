@@ -48,7 +48,7 @@ def check_wishes(brief: Brief, catalog: Catalog) -> None:
                 if name is not None and name not in known:
                     near = get_close_matches(name, known, 4, 0.5) or list(GROUPS)
                     raise InputError(
-                        f"there is no furniture group or kind of piece '{name}'",
+                        f"unknown furniture group or kind of piece '{name}'",
                         f"use one of: {', '.join(near)}",
                         place=place(brief, number, f"wishes[{k}].{key}"),
                     )

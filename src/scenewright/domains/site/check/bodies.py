@@ -69,10 +69,10 @@ def fault_of(piece: Piece, known: set[str]) -> str:
     """What is wrong with a piece that cannot be judged; empty if it can."""
     values = np.array([*piece.pose, *piece.size], float)
     if not np.isfinite(values).all() or np.abs(values).max() > LARGEST:
-        return "has a pose or size that is no number of metres"
+        return "has a pose or size that is not a number of metres"
     if (values[4:] <= 0).any():
         return f"has no size: {values[4]:g} x {values[5]:g} x {values[6]:g} m"
-    return "" if piece.space in known else f"stands in {piece.space!r}, which is no site"
+    return "" if piece.space in known else f"stands in {piece.space!r}, which is not a site"
 
 
 def bodies_of(grounds: JudgedSite, pieces: Sequence[Piece]) -> tuple[SiteBodies, list[Finding]]:
