@@ -278,7 +278,7 @@ def test_a_line_cut_off_in_the_ledger_is_passed_over(tmp_path: Path) -> None:
         (["{in}", "-o", "{out}", "--alternatives", "2"], "exclude each other"),
         (["{in}", "-o", "{in}"], "is where the results go"),
         (["{in}"], "into one folder"),
-        (["{none}", "-o", "{out}"], "nothing to do"),
+        (["{none}", "-o", "{out}"], "no files to lay out"),
     ],
 )
 def test_what_a_batch_cannot_do_is_told_in_one_line(
