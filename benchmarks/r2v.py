@@ -201,7 +201,7 @@ def _summary(solution: Any, report: Any, spaces: Any) -> Record:
 def _is_told(solution: Any, space: str, function: str, missing: str) -> bool:
     """Whether a group that would bring what is missing is told as left out, as a failure and with
     a reason."""
-    from scenewright.domains.home.check.complete import ESSENTIALS
+    from scenewright.building.room_needs import ESSENTIALS
     from scenewright.domains.home.shortfall import groups_serving, kinds_serving
 
     needs = [need for need in ESSENTIALS[function] if need.name == missing]
@@ -215,7 +215,7 @@ def _is_told(solution: Any, space: str, function: str, missing: str) -> bool:
 def tally(results: list[Record]) -> list[Record]:
     """The figures of the benchmark as records.
 
-    Shares of flats without each fault; of rooms of a usable size (``check.USABLE``) that are
+    Shares of flats without each fault; of rooms of a usable size (``room_needs.USABLE``) that are
     complete, all and by function, and of the others of which all that is missing is told as left
     out, with a reason; flats a minute with two processes; then the main ones in one line. ``runs``
     is the number of flats or rooms counted.

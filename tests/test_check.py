@@ -144,9 +144,8 @@ def test_one_chair_is_not_enough_for_a_table():
 
 
 def test_every_essential_is_served_by_some_kind():
+    from scenewright.building.room_needs import ESSENTIALS, USABLE
     from scenewright.catalog.kinds import KINDS
-    from scenewright.check.spaces import USABLE
-    from scenewright.domains.home.check.complete import ESSENTIALS
 
     assert set(ESSENTIALS) == set(USABLE)
     served = {name for kind in KINDS.values() for name in kind.essential}

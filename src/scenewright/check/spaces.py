@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import shapely
 
+from scenewright.building.room_needs import USABLE
 from scenewright.check.bodies import Bodies, Rooms, Shape
 from scenewright.check.ceilings import SHOULDERS, lower_than
 from scenewright.core.report import Note
@@ -42,31 +43,6 @@ def lived_in(functions: tuple[str, ...], shape: Shape) -> bool:
         return False
     least = USABLE.get(functions[0], USABLE["storage"])
     return bool(shape.area >= least.area) and inscribed_width(shape) >= least.width
-
-
-class Usable(NamedTuple):
-    """The least floor area in square metres and inscribed width in metres for a function."""
-
-    area: float
-    width: float
-
-
-USABLE: dict[str, Usable] = {
-    "living": Usable(7.0, 2.0),
-    "dining": Usable(4.0, 1.8),
-    "kitchen": Usable(3.0, 1.4),
-    "bedroom": Usable(4.0, 1.6),
-    "double_bedroom": Usable(7.0, 2.2),
-    "single_bedroom": Usable(4.0, 1.6),
-    "child_bedroom": Usable(4.0, 1.6),
-    "study": Usable(3.0, 1.4),
-    "bathroom": Usable(1.5, 1.0),
-    "toilet": Usable(0.7, 0.7),
-    "washroom": Usable(1.2, 0.8),
-    "storage": Usable(0.5, 0.5),
-    "hall": Usable(2.5, 1.1),
-}
-"""From which size on a room is expected to hold its essentials; smaller ones are never noted."""
 
 
 def find_doorless(bodies: Bodies, rooms: Rooms) -> list[Note]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import radians
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -14,6 +15,10 @@ OPENINGS = ("window", "door")
 """What one may face or keep away from beside groups and kinds."""
 NEAR, AWAY = 1.0, 2.0
 """Metres that ``near`` and ``away_from`` mean unless said."""
+NEAREST = {"window": 1.2, "door": 1.2, "wall": 0.3, "corner": 0.3}
+"""What is nearer than this stands ``by`` a window, a door or a wall, or in a corner; metres."""
+SIGHT = radians(30.0)
+"""What lies within this angle of straight ahead is faced."""
 
 
 class WishBrief(StrictModel):

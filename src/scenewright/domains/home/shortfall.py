@@ -2,8 +2,8 @@
 
 The search tells what it gave up as it goes, but a piece may go in many places: while a group is
 dressed, where ways are opened, for a smaller group of the same use. So at the end the finished room
-is counted: what its functions cannot do without (by the referee's table) and what was asked for is
-told as left out, with the reason if one is known.
+is counted: what its functions cannot do without and what was asked for is reported as left out,
+with the reason if one is known.
 """
 
 from __future__ import annotations
@@ -12,14 +12,17 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from functools import cache
 
+import shapely
+
+from scenewright.building.ceiling import SHOULDERS, below, planes
+from scenewright.building.room_needs import ESSENTIALS, USABLE, Essential
 from scenewright.catalog.kinds import KINDS
-from scenewright.check.bodies import bodies_of, rooms_of
 from scenewright.core.brief import Room
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut
+from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
-from scenewright.domains.home.check.complete import ESSENTIALS, Essential, find_incomplete
 from scenewright.domains.home.furnishing.whole import TOGETHER
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.wished.wishes import list_barred_groups
@@ -33,7 +36,7 @@ def complete_account(
     if not task.preset.exact:
         return [*told, *_smaller(told, room, task, answer)]
     found = [*told, *_smaller(told, room, task, answer)]
-    for need in _lacking(room, task, tuple(pieces), task.catalog):
+    for need in list_lacking(task.space, pieces, task.catalog) if room.ask is None else ():
         serving = groups_serving(kinds_serving(need.name))
         if task.elsewhere.intersection(serving):
             continue  # in an open space another room holds it
@@ -45,18 +48,34 @@ def complete_account(
     return found
 
 
-def _lacking(
-    room: Room, task: RoomTask, pieces: tuple[Piece, ...], catalog: Catalog
-) -> list[Essential]:
-    """The needs of a room's functions that its pieces do not meet; none where the user said what
-    the room is to hold."""
-    if room.ask is not None:
+def list_lacking(space: Space, pieces: Iterable[Piece], catalog: Catalog) -> list[Essential]:
+    """The needs of a room's functions that its ``pieces`` do not meet, of the functions it is
+    large enough for."""
+    serving = Counter(
+        name
+        for piece in pieces
+        if piece.category in catalog.kinds
+        for name in catalog.kinds[piece.category].essential
+    )
+    needs = [n for function in _list_usable_functions(space) for n in ESSENTIALS[function]]
+    return [need for need in needs if serving[need.name] < need.least]
+
+
+def _list_usable_functions(space: Space) -> list[str]:
+    """The functions of a room for which its floor below a ceiling one can stand under, stooping, is
+    wide enough and, after those before it, large enough."""
+    floor = shapely.Polygon(space.outline, list(space.holes))
+    floor = floor.difference(below(floor, planes(space), space.height, SHOULDERS))
+    if floor.is_empty:
         return []
-    rooms = rooms_of((task.space,))
-    notes = find_incomplete(bodies_of(pieces, rooms, catalog)[0], rooms)
-    return [
-        need for note in notes for need in ESSENTIALS[note.function] if need.name == note.missing
-    ]
+    area, found = floor.area, []
+    width = 2 * shapely.maximum_inscribed_circle(floor, tolerance=0.005).length
+    for function in space.functions:
+        least = USABLE.get(function)
+        if least is not None and area >= least.area and width >= least.width:
+            found.append(function)
+            area -= least.area
+    return found
 
 
 @cache

@@ -1,58 +1,25 @@
 """Completeness: does a room hold its essential furniture?
 
 Validity says nothing is wrong; completeness that something is there. What counts as essential is
-our own table, after the rooms people actually live in; which pieces serve as it is stated in
-their kinds.
+a table of :mod:`scenewright.building.room_needs`; which pieces serve as it is stated in their
+kinds.
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 import numpy as np
 import shapely
 
 from scenewright.building.open_spaces import find_open_spaces
 from scenewright.building.room_names import says_nothing
+from scenewright.building.room_needs import ESSENTIALS, USABLE
 from scenewright.check.bodies import Bodies, Rooms, Shape
-from scenewright.check.spaces import USABLE, inscribed_width, under_ceiling
+from scenewright.check.spaces import inscribed_width, under_ceiling
 from scenewright.core.brief import Room
 from scenewright.core.report import Note
-
-
-class Essential(NamedTuple):
-    """One thing a function needs, by the name that kinds serve as it (their ``essential``), and how
-    many of them."""
-
-    name: str
-    least: int = 1
-
-
-_BED, _CLOTHES, _BASIN = Essential("bed"), Essential("wardrobe"), Essential("basin")
-
-ESSENTIALS: dict[str, tuple[Essential, ...]] = {
-    "living": (Essential("seat"), Essential("table"), Essential("screen or focal point")),
-    "dining": (Essential("dining table"), Essential("two chairs", 2)),
-    "kitchen": (
-        Essential("sink"),
-        Essential("hob"),
-        Essential("fridge"),
-        Essential("base units", 2),
-    ),
-    "bedroom": (_BED, _CLOTHES),
-    "double_bedroom": (Essential("double bed"), Essential("nightstand"), _CLOTHES),
-    "single_bedroom": (_BED, _CLOTHES),
-    "child_bedroom": (_BED, _CLOTHES),
-    "study": (Essential("desk"), Essential("chair")),
-    "bathroom": (_BASIN, Essential("bath, shower or toilet")),
-    "toilet": (Essential("toilet"),),
-    "washroom": (Essential("basin or washing machine"),),
-    "storage": (Essential("storage"),),
-    "hall": (Essential("somewhere for coats or shoes"),),
-}
-"""What each function needs; a room of several functions needs all of theirs."""
 
 SHARED = frozenset(("living", "dining", "kitchen", "hall"))
 """Functions whose essentials may stand in any room of an open space."""

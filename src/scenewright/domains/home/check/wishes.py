@@ -1,7 +1,7 @@
 """Which wishes of a brief are met, measured on the final pieces.
 
 Distances are between footprints, and from footprints to the face of the wall an opening is in. A
-thing faces another if some of that lies within :data:`SIGHT` of straight ahead of its middle; of a
+thing faces another if some of that lies within 30 degrees of straight ahead of its middle; of a
 group the largest piece counts, and who sits at a desk looks over it.
 """
 
@@ -14,14 +14,8 @@ import shapely
 
 from scenewright.check.bodies import Bodies, Indices, Rooms, Shape
 from scenewright.core.brief import Room
-from scenewright.core.brief.wishes import OPENINGS, WishBrief
+from scenewright.core.brief.wishes import NEAREST, OPENINGS, SIGHT, WishBrief
 from scenewright.core.space import Opening
-
-NEAREST = {"window": 1.2, "door": 1.2, "wall": 0.3, "corner": 0.3}
-"""What is nearer than this stands by a window, by a door, at a wall, in a corner; metres."""
-
-SIGHT = np.radians(30.0)
-"""What lies within this angle of straight ahead is faced."""
 
 _OVER = frozenset(("desk", "kids_desk", "vanity", "piano"))  # one sits before it, looking over it
 _FAR = 200.0
