@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
 import shapely
 
 from scenewright.building.plan import room_ids
 from scenewright.core.brief import Brief, FixedItem, Room
-from scenewright.core.catalog import Catalog
-from scenewright.core.layout import corners
+from scenewright.core.catalog import Catalog, footprint_of
+from scenewright.core.footprint import polygons_of, read_footprint
 from scenewright.core.scene import STAIRS, Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.core.space import Radiator, Space
@@ -30,13 +29,13 @@ def fixed_pieces(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
     for number, item in enumerate(room.fixed, 1):
         category = item.category if item.category in catalog.kinds else "obstacle"
         size = Size(*item.size)
-        asset = item.asset if item.asset in catalog.assets else None
-        chosen = catalog.choose(category, size)
+        asset = catalog.assets.get(item.asset or "")
+        chosen = asset or catalog.choose(category, size)
         found.append(
             Piece(
                 id=item.id or f"{space.id}/fixed/{category}_{number}",
                 category=category,
-                asset=asset or (chosen.id if chosen else ""),
+                asset=chosen.id if chosen else "",
                 space=space.id,
                 pose=Pose(*item.at, item.z, item.heading),
                 size=size,
@@ -44,6 +43,11 @@ def fixed_pieces(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
                 function=item.function or "fixed",
                 on=item.on if item.on in known else None,
                 fixed=True,
+                footprint=(
+                    read_footprint(item.footprint, *size[:2])
+                    if item.footprint
+                    else footprint_of(chosen, size)
+                ),
             )
         )
     return [*found, *stair_pieces(space)]
@@ -59,8 +63,7 @@ def reaching_in(
     found: list[tuple[Piece, ...]] = [()] * len(spaces)
     if not pieces:
         return found
-    boxes = np.array([[*p.pose[:2], p.pose.heading, *p.size[:2]] for p in pieces])
-    footprints = shapely.polygons(corners(boxes))
+    footprints = polygons_of(pieces)
     tree = shapely.STRtree(footprints)
     for number, space in enumerate(spaces):
         floor = shapely.Polygon(space.outline, list(space.holes))
@@ -139,6 +142,7 @@ def item_of(piece: Piece, name: str = "") -> FixedItem:
         on=piece.on,
         group=piece.group,
         function=piece.function,
+        footprint=list(piece.footprint) or None,
     )
 
 

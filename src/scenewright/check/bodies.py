@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -119,12 +120,13 @@ def _stack(
     rows = np.array([[*p.pose, *p.size] for p in pieces], float).reshape(-1, 7)
     kinds = tuple(catalog.kinds.get(p.category) or Kind(p.category) for p in pieces)
     corners = _corners(rows)
+    footprints = footprints_of(pieces, corners)
     room = np.array([number[p.space] for p in pieces], np.int64)
     flat = np.array([k.flat for k in kinds], bool) & (rows[:, 6] <= _FLATTEST)
     return Bodies(
         pieces,
         kinds,
-        shapely.polygons(corners) if len(pieces) else np.empty(0, object),
+        footprints,
         corners,
         rows[:, 2],
         rows[:, 2] + rows[:, 6],
@@ -134,8 +136,22 @@ def _stack(
         np.array([bool(k.under) and _matches_any(k.category, _SEATS) for k in kinds], bool),
         np.array([_matches_any(k.category, _CURTAINS) for k in kinds], bool),
         np.array([p.category in catalog.kinds for p in pieces], bool),
-        _reaching(shapely.polygons(corners) if len(pieces) else np.empty(0, object), room, rooms),
+        _reaching(footprints, room, rooms),
     )
+
+
+def footprints_of(pieces: Sequence[Piece], corners: Floats) -> Shapes:
+    """What pieces cover: the polygon a piece states, else its box by ``corners`` (n, 4, 2)."""
+    found = shapely.polygons(corners) if len(pieces) else np.empty(0, object)
+    for row in (k for k, piece in enumerate(pieces) if piece.footprint):
+        back_right, front_right, _, back_left = corners[row]
+        size, local = pieces[row].size, np.array(pieces[row].footprint, float)
+        right = (back_right - back_left) / size.width
+        ahead = (front_right - back_right) / size.depth
+        middle = corners[row].mean(0)
+        shape = shapely.Polygon(middle + local[:, :1] * right + local[:, 1:] * ahead)
+        found[row] = shape if shape.is_valid else found[row]
+    return found
 
 
 def _reaching(footprints: Shapes, room: Indices, rooms: Rooms) -> Indices:

@@ -3,7 +3,8 @@
 SceneEval (Tam et al. 2025) calls two meshes colliding if they still touch after one is moved
 5 mm away from the other. Here the bodies are boxes turned about the vertical, and the test is
 exact: they collide if both their footprints and their height ranges overlap by more than 1 cm,
-where the overlap of footprints is the *penetration depth*, the shortest move that parts them.
+where the overlap of footprints is the *penetration depth*, the shortest move that parts them. Of
+footprints that are no boxes it is the short side of the least rectangle about what they share.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from scenewright.check.bodies import PARTITION, TOLERANCE, Bodies, Flags, Floats, Indices
+from scenewright.check.bodies import PARTITION, TOLERANCE, Bodies, Flags, Floats, Indices, Shape
 from scenewright.core.report import Finding
 
 _BACKREST = 0.05
@@ -51,7 +52,7 @@ def find_collisions(bodies: Bodies, names: tuple[str, ...]) -> list[Finding]:
     order = np.lexsort((j[keep], i[keep]))
     i, j = i[keep][order], j[keep][order]
     tall = np.minimum(bodies.high[i], bodies.high[j]) - np.maximum(bodies.low[i], bodies.low[j])
-    depth = penetration(bodies.corners[i], bodies.corners[j])
+    depth = _overlap(bodies, i, j)
     waived = bodies.flat[i] | bodies.flat[j] | bodies.soft[i] | bodies.soft[j]
     hit = (depth > TOLERANCE) & (tall > TOLERANCE) & ~waived
     hit[hit] &= ~_belong(bodies, i[hit], j[hit])
@@ -59,6 +60,31 @@ def find_collisions(bodies: Bodies, names: tuple[str, ...]) -> list[Finding]:
     area = shapely.area(shapely.intersection(bodies.footprints[i], bodies.footprints[j]))
     rows = zip(i, j, np.minimum(depth, tall), area, strict=True)
     return [_finding(bodies, names, int(a), int(b), float(d), float(s)) for a, b, d, s in rows]
+
+
+def _overlap(bodies: Bodies, i: Indices, j: Indices) -> Floats:
+    """How deep the footprints of pairs overlap, metres."""
+    depth = penetration(bodies.corners[i], bodies.corners[j])
+    shaped = np.array([bool(piece.footprint) for piece in bodies.pieces], bool)
+    rows = np.flatnonzero((shaped[i] | shaped[j]) & (depth > TOLERANCE))
+    shared = shapely.intersection(bodies.footprints[i[rows]], bodies.footprints[j[rows]])
+    depth[rows] = [thickness(shape) for shape in shared]
+    return depth
+
+
+def thickness(shape: Shape) -> float:
+    """The short side of the least rectangle about the thickest part of a shape; 0 without area.
+
+    >>> thickness(shapely.MultiPolygon([shapely.box(0, 0, 3, 1), shapely.box(5, 0, 6, 2)]))
+    1.0
+    """
+    parts = shapely.get_parts(shapely.get_parts(shape))
+    solid = parts[shapely.area(parts) > TOLERANCE**2]
+    if not len(solid):
+        return 0.0
+    frames = shapely.get_coordinates(shapely.minimum_rotated_rectangle(solid)).reshape(-1, 5, 2)
+    sides = np.hypot(*np.moveaxis(np.diff(frames[:, :3], axis=1), -1, 0))
+    return round(float(sides.min(1).max()), 12)
 
 
 def _belong(bodies: Bodies, i: Indices, j: Indices) -> Flags:
@@ -78,15 +104,18 @@ def _rests(bodies: Bodies, small: int, large: int) -> bool:
         return False
     if not bodies.seat[small] or bodies.high[small] < bodies.high[large]:
         return True
-    return _back_outside(bodies.corners[small], bodies.corners[large])
+    return _back_outside(bodies.corners[small], bodies, large)
 
 
-def _back_outside(seat: Floats, table: Floats) -> bool:
+def _back_outside(seat: Floats, bodies: Bodies, large: int) -> bool:
     """Whether the rear 5 cm of a seat, its backrest, stay out of a table."""
     forward = seat[1] - seat[0]
     step = forward * min(_BACKREST / max(float(np.hypot(*forward)), 1e-12), 1.0)
     back = np.stack([seat[0], seat[0] + step, seat[3] + step, seat[3]])
-    return bool(penetration(back[None], table[None])[0] <= TOLERANCE)
+    if bodies.pieces[large].footprint:
+        shared = shapely.intersection(shapely.Polygon(back), bodies.footprints[large])
+        return thickness(shared) <= TOLERANCE
+    return bool(penetration(back[None], bodies.corners[large][None])[0] <= TOLERANCE)
 
 
 def _finding(

@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.core.footprint import Footprint
 from scenewright.core.kind import Kind
 from scenewright.core.scene import Piece, Size
 
@@ -45,6 +46,12 @@ class Part:
 
 Mesher = Callable[[Size], tuple[Part, ...]]
 Symbol = Callable[[Size], tuple[NDArray[np.float64], ...]]
+Covering = Callable[[Size], Footprint]
+
+
+def covers_box(_size: Size) -> Footprint:
+    """The footprint of what covers its whole box."""
+    return ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +61,7 @@ class Asset:
     ``mesh(size)`` gives parts that fill exactly ``[-w/2, w/2] x [-d/2, d/2] x [0, h]``;
     ``symbol(size)`` polylines ``(k, 2)`` in the same frame seen from above (closed ones repeat
     their first point). ``style`` and ``colour`` are words, where somebody told or they show.
+    ``footprint(size)`` is the polygon it covers, empty where that is its box.
     """
 
     id: str
@@ -68,6 +76,7 @@ class Asset:
     author: str = "Scenewright"
     style: str = ""
     colour: str = ""
+    footprint: Covering = covers_box
 
 
 class Member(NamedTuple):
@@ -133,3 +142,8 @@ def _misfit(asset: Asset, size: Size) -> float:
 def asset_of(piece: Piece, catalog: Catalog) -> Asset | None:
     """The asset that draws a piece: the one it names, else the nearest of its category."""
     return catalog.assets.get(piece.asset) or catalog.choose(piece.category, piece.size)
+
+
+def footprint_of(asset: Asset | None, size: Size) -> Footprint:
+    """The polygon a model covers at some size; empty for its box."""
+    return asset.footprint(size) if asset else ()

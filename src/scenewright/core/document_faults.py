@@ -22,6 +22,7 @@ LENGTHS = frozenset(
         "depth",
         "elevation",
         "end",
+        "footprint",
         "going",
         "height",
         "holes",
@@ -184,7 +185,9 @@ def _length_fault(kind: str, loc: tuple[int | str, ...], limits: Any) -> tuple[s
     """
     if kind == "too_short" and limits["actual_length"] == 0:
         return "is empty", "list at least one"
-    things = "corners" if "outline" in loc[-1:] or "holes" in loc[-2:-1] else "entries"
+    things = (
+        "corners" if {"outline", "footprint"} & {*loc[-1:]} or "holes" in loc[-2:-1] else "entries"
+    )
     has = f"has {limits['actual_length'] or 'more'}"
     if kind == "too_short":
         return f"needs at least {limits['min_length']} {things}, {has}", "list more"

@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from scenewright.core.footprint import Footprint
 from scenewright.core.space import Level, Opening, Points, Space
 from scenewright.core.stairs import Stairs
 
@@ -43,7 +44,8 @@ class Piece:
     how the piece is used; ``asset`` the model that draws it; ``group`` the id of the furniture
     group it belongs to (``living/seating``); ``function`` that group's function. ``on`` is the id
     of the piece it stands on (a lamp on a nightstand), else ``None``.
-    ``fixed`` pieces came with the brief (kept or locked) and are not to be moved.
+    ``fixed`` pieces came with the brief (kept or locked) and are not to be moved. ``footprint`` is
+    the polygon it covers, where that is less than its box.
     """
 
     id: str
@@ -56,6 +58,7 @@ class Piece:
     function: str = ""
     on: str | None = None
     fixed: bool = False
+    footprint: Footprint = ()
 
 
 @dataclass(frozen=True, slots=True)

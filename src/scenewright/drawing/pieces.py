@@ -8,10 +8,12 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from scenewright.catalog.kinds import name_of
-from scenewright.core.catalog import Catalog
+from scenewright.core.catalog import Catalog, footprint_of
+from scenewright.core.footprint import Footprint
 from scenewright.core.kind import Kind
 from scenewright.core.scene import STAIRS, Piece, Pose
 from scenewright.core.space import Points
@@ -37,7 +39,7 @@ COARSE, SMALL, THIN = 7.5, 2.0, 0.13
 """Below so many millimetres a metre symbols are simplified; things smaller than so many
 millimetres are drawn with the thin pen."""
 
-Key = tuple[str, str, tuple[float, ...], bool]
+Key = tuple[str, str, tuple[float, ...], bool, Footprint]
 """What two pieces must share to be drawn alike."""
 
 
@@ -120,13 +122,21 @@ def to_plan_coordinates(piece: Piece, points: ArrayLike) -> NDArray[np.float64]:
 
 
 def footprint(piece: Piece) -> NDArray[np.float64]:
-    """Corners ``(4, 2)`` of the footprint in the plan."""
+    """Corners ``(n, 2)`` of the footprint in the plan."""
+    if piece.footprint:
+        return to_plan_coordinates(piece, piece.footprint)
     half = np.array(piece.size[:2]) / 2
     return to_plan_coordinates(piece, half * [(-1, -1), (1, -1), (1, 1), (-1, 1)])
 
 
 def _key(piece: Piece) -> Key:
-    return piece.asset, piece.category, tuple(np.round(piece.size, 4).tolist()), hangs(piece)
+    return (
+        piece.asset,
+        piece.category,
+        tuple(np.round(piece.size, 4).tolist()),
+        hangs(piece),
+        piece.footprint,
+    )
 
 
 def _piece(view: PaperView, piece: Piece, catalog: Catalog, symbols: Symbols) -> str:
@@ -163,15 +173,18 @@ def plain(piece: Piece, lines: tuple[Points, ...], scale: float) -> tuple[Points
     w, d = piece.size.width / 2, piece.size.depth / 2
     covers = bool((sizes[whole] > 0.9 * np.array([2 * w, 2 * d])).all())
     edge = lines[whole] if covers else _box_symbol(piece)[0]
-    if min(2 * w, 2 * d) * scale < SMALL or len(edge) > 9:
+    if min(2 * w, 2 * d) * scale < SMALL or len(edge) > 9 or piece.footprint:
         return (edge,)
     front = d - min(0.7 / scale, 0.4 * d)
     return edge, np.array([(-w, front), (w, front)])
 
 
 def symbol(piece: Piece, catalog: Catalog) -> tuple[Points, ...]:
-    """The asset's polylines at the piece's size; a box with its front marked if it has none."""
+    """The asset's polylines at the piece's size; if it has none or covers another polygon, the
+    outline with its front marked."""
     asset = catalog.assets.get(piece.asset)
+    if piece.footprint != footprint_of(asset, piece.size):
+        return _outline_symbol(piece)
     lines = asset.symbol(piece.size) if asset else ()
     return lines or _box_symbol(piece)
 
@@ -181,6 +194,19 @@ def _box_symbol(piece: Piece) -> tuple[Points, ...]:
     box = np.array([(-w, -d), (w, -d), (w, d), (-w, d), (-w, -d)])
     front = np.array([(-w, 0.85 * d), (w, 0.85 * d)])
     return box, front
+
+
+def _outline_symbol(piece: Piece) -> tuple[Points, ...]:
+    """The polygon or box a piece covers, and a line along its front inside it."""
+    if not piece.footprint:
+        return _box_symbol(piece)
+    ring = np.array([*piece.footprint, piece.footprint[0]])
+    level = 0.85 * piece.size.depth / 2
+    reach = piece.size.width / 2
+    front = shapely.LineString([(-reach, level), (reach, level)])
+    parts = shapely.get_parts(shapely.intersection(shapely.Polygon(ring), front))
+    lines = [shapely.get_coordinates(part) for part in parts if part.length > 0]
+    return (ring, *lines)
 
 
 def _stroke(points: Points, pen: float, fill: str) -> str:

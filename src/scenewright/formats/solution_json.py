@@ -21,6 +21,7 @@ from scenewright.core.atomic_file import note_read, write_atomically
 from scenewright.core.brief import Brief
 from scenewright.core.document_faults import check_characters
 from scenewright.core.errors import InputError
+from scenewright.core.footprint import read_footprint
 from scenewright.core.plan import Plan
 from scenewright.core.registry import domain_of
 from scenewright.core.scene import Piece, Pose, Size
@@ -173,12 +174,14 @@ def _piece_document(piece: Piece) -> dict[str, Any]:
         "function": piece.function,
         "on": piece.on,
         "fixed": piece.fixed,
+        **({"footprint": [list(corner) for corner in piece.footprint]} if piece.footprint else {}),
     }
 
 
 def _piece(record: PieceRecord) -> Piece:
-    values = dict(record)
-    return Piece(**values | {"pose": Pose(*record.pose), "size": Size(*record.size)})
+    footprint = read_footprint(record.footprint, *record.size[:2]) if record.footprint else ()
+    made = {"pose": Pose(*record.pose), "size": Size(*record.size), "footprint": footprint}
+    return Piece(**dict(record) | made)
 
 
 def _no_constant(name: str) -> float:

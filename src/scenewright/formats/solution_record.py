@@ -12,6 +12,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.fields import (
     BUILT_IN,
     Coordinate,
+    FootprintOutline,
     Heading,
     Length,
     Number,
@@ -42,6 +43,7 @@ class PieceRecord(StrictModel):
     function: str = ""
     on: str | None = None
     fixed: Switch = False
+    footprint: FootprintOutline | None = None
 
 
 class PatchRecord(StrictModel):

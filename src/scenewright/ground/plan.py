@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from scenewright.core.footprint import Footprint
 from scenewright.core.space import Points
 
 
@@ -72,7 +73,8 @@ class SitePlan(NamedTuple):
 
 class Standing(NamedTuple):
     """A landmark, or a building that stays: its footprint, the box (x, y, heading, width, depth)
-    of its model, height; ``model`` is the id of the asset that draws it, empty if none is named."""
+    of its model, height; ``model`` is the id of the asset that draws it, empty if none is named;
+    ``local`` the footprint in the frame of the box, empty where that is the box."""
 
     id: str
     name: str
@@ -80,3 +82,4 @@ class Standing(NamedTuple):
     footprint: Points
     box: tuple[float, float, float, float, float]
     height: float
+    local: Footprint = ()

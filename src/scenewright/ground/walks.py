@@ -13,7 +13,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.core.layout import corners
+from scenewright.core.footprint import polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Points
 from scenewright.ground.plan import SitePlan
@@ -35,7 +35,7 @@ def walks(plan: SitePlan, buildings: Sequence[Piece]) -> tuple[Walk, ...]:
         return ()
     streets = shapely.union_all(areas)
     shapely.prepare(streets)
-    taken = shapely.STRtree(_footprints(standing))
+    taken = shapely.STRtree(polygons_of(standing))
     floor = shapely.Polygon(plan.outline, plan.holes)
     shapely.prepare(floor)
     found: dict[int, Walk] = {}
@@ -88,11 +88,6 @@ def _doors(buildings: Sequence[Piece], far: float) -> tuple[Points, Points]:
     ahead = np.stack([np.cos(poses[:, 2]), np.sin(poses[:, 2])], 1)
     doors = poses[:, :2] + ahead * poses[:, 3:] / 2
     return doors, doors + ahead * far
-
-
-def _footprints(buildings: Sequence[Piece]) -> Points:
-    boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in buildings]
-    return np.asarray(shapely.polygons(corners(np.array(boxes))))
 
 
 def _free(taken: shapely.STRtree, lines: Sequence[Walk]) -> NDArray[np.bool_]:

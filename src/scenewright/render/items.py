@@ -17,8 +17,9 @@ from scenewright.building.finishes import CONCRETE, PLASTER, SECTION, SURFACES, 
 from scenewright.building.gables import cut_off, height_at
 from scenewright.building.masonry import polygons
 from scenewright.building.stair_parts import flight_parts, railing_parts, wells
+from scenewright.catalog.assets.extruded import extrude_model
 from scenewright.catalog.assets.tints import apply_tint, tint_of
-from scenewright.core.catalog import Asset, Catalog, Part, asset_of
+from scenewright.core.catalog import Asset, Catalog, Part, asset_of, footprint_of
 from scenewright.core.scene import STAIRS, GroundSurface, Piece, Prism, Scene, Size, Wall
 from scenewright.core.space import Level, Opening, Space
 from scenewright.geometry.mesh import Floats, Mesh, merge
@@ -259,6 +260,9 @@ def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> Ren
     key: Hashable = (asset.id if asset else piece.category, size)
     x, y, z, heading = piece.pose
     parts = _mesh_asset(asset, size)
+    if piece.footprint != footprint_of(asset, size):
+        key = (key, piece.footprint)
+        parts = _mesh_outline(piece, size, parts)
     if piece.category == "building" and not piece.fixed:
         tint = tint_of(piece.id, parts)
         key, parts = (key, tint), apply_tint(parts, tint)
@@ -304,6 +308,13 @@ def _mesh_asset(asset: Asset | None, size: Size) -> tuple[Part, ...]:
         return _shape_asset(asset, size)
     width, depth, height = size
     return (Part(UNKNOWN, *box((-width / 2, -depth / 2, 0), (width / 2, depth / 2, height))),)
+
+
+def _mesh_outline(piece: Piece, size: Size, parts: tuple[Part, ...]) -> tuple[Part, ...]:
+    """What a piece looks like over a footprint that is not its model's."""
+    w, d = size.width / 2, size.depth / 2
+    outline = piece.footprint or ((-w, -d), (w, -d), (w, d), (-w, d))
+    return extrude_model(outline, size, parts, piece.category == "building")
 
 
 def _make_names_unique(found: Sequence[RenderItem]) -> Iterator[RenderItem]:

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog.assets.symbols import plain
-from scenewright.core.catalog import Asset, Mesher, Part, Symbol
+from scenewright.core.catalog import Asset, Covering, Mesher, Part, Symbol, covers_box
 from scenewright.core.errors import InputError
+from scenewright.core.footprint import Footprint, scale_footprint
 from scenewright.core.kind import Kind, SizeRange
 from scenewright.core.scene import Size
 
@@ -21,7 +22,8 @@ ODD = 1.5
 class Drawing(NamedTuple):
     """How one model of a kind is drawn: its mesh and its symbol. Of several models of a kind each
     but the first has an ``id`` of its own (left out: the category), a ``name`` (left out: the
-    kind's) and the ``sizes`` it can take (left out: the kind's)."""
+    kind's) and the ``sizes`` it can take (left out: the kind's). ``footprint`` is what it covers
+    (left out: its box)."""
 
     category: str
     mesh: Mesher
@@ -29,6 +31,7 @@ class Drawing(NamedTuple):
     id: str = ""
     name: str = ""
     sizes: SizeRange | tuple[()] = ()
+    footprint: Covering = covers_box
 
 
 def buildable(size: Size, small: Size, large: Size) -> Size:
@@ -65,6 +68,13 @@ def _stretched_symbol(symbol: Symbol, small: Size, large: Size) -> Symbol:
     return drawn
 
 
+def _stretched_footprint(footprint: Covering, small: Size, large: Size) -> Covering:
+    def covering(size: Size) -> Footprint:
+        return scale_footprint(footprint(buildable(size, small, large)), *size[:2])
+
+    return covers_box if footprint is covers_box else covering
+
+
 def asset_of(drawing: Drawing, kind: Kind) -> Asset:
     """The asset a drawing of a kind makes; what it leaves out is the kind's.
 
@@ -81,4 +91,14 @@ def asset_of(drawing: Drawing, kind: Kind) -> Asset:
     small, usual, large = sizes
     mesh = _stretched(drawing.mesh, small, large)
     symbol = _stretched_symbol(drawing.symbol, small, large)
-    return Asset(identity, drawing.category, name, small, usual, large, mesh, symbol)
+    return Asset(
+        identity,
+        drawing.category,
+        name,
+        small,
+        usual,
+        large,
+        mesh,
+        symbol,
+        footprint=_stretched_footprint(drawing.footprint, small, large),
+    )

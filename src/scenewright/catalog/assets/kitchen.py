@@ -18,6 +18,7 @@ from scenewright.catalog.assets.materials import (
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff
 from scenewright.catalog.assets.symbols import Lines, close_line, draw_crossed_box, path, rectangle
+from scenewright.core.footprint import Footprint, read_footprint
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, extrude, loft
 from scenewright.geometry.solids import Interval, block, rectangle_ring, slab
@@ -212,12 +213,22 @@ def _island_symbol(size: Size) -> Lines:
     return rectangle(size, 0, 0.02), path((-w, d - over), (w, d - over))
 
 
+def _corner_outline(size: Size) -> list[tuple[float, float]]:
+    w, d = size.width / 2, size.depth / 2
+    leg = min(0.6, 0.7 * size.width)
+    return [(-w, -d), (w, -d), (w, -d + leg), (-w + leg, -d + leg), (-w + leg, d), (-w, d)]
+
+
+def _corner_footprint(size: Size) -> Footprint:
+    if size.depth <= 0.6:
+        return ()
+    return read_footprint(_corner_outline(size), *size[:2])
+
+
 def _corner_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     leg = min(0.6, 0.7 * size.width)
-    outline = close_line(
-        [(-w, -d), (w, -d), (w, -d + leg), (-w + leg, -d + leg), (-w + leg, d), (-w, d)]
-    )
+    outline = close_line(_corner_outline(size))
     return outline, path((-w, -d), (-w + leg, -d + leg))
 
 
@@ -228,5 +239,5 @@ ASSETS = (
     Drawing("wall_cabinet", _wall_cabinet, draw_crossed_box),
     Drawing("hood", _hood, draw_crossed_box),
     Drawing("kitchen_island", _island, _island_symbol),
-    Drawing("corner_cabinet", _corner_cabinet, _corner_symbol),
+    Drawing("corner_cabinet", _corner_cabinet, _corner_symbol, footprint=_corner_footprint),
 )

@@ -26,12 +26,14 @@ from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.symbols import (
     Lines,
     box,
+    close_line,
     crescent,
     oval,
     path,
     rectangle,
     round_plain,
 )
+from scenewright.core.footprint import Footprint, read_footprint
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, rotate_mesh, translate_mesh
 from scenewright.geometry.solids import (
@@ -312,12 +314,22 @@ def sofa_symbol(size: Size) -> Lines:
     return tuple(lines)
 
 
+def _corner_outline(size: Size) -> list[tuple[float, float]]:
+    w, d = size.width / 2, size.depth / 2
+    front, edge = -d + min(0.95, 1.4 * d), -w + min(1.0, 0.84 * w)
+    return [(-w, -d), (w, -d), (w, front), (edge, front), (edge, d), (-w, d)]
+
+
+def _corner_footprint(size: Size) -> Footprint:
+    return read_footprint(_corner_outline(size), *size[:2])
+
+
 def _corner_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     front, edge = -d + min(0.95, 1.4 * d), -w + min(1.0, 0.84 * w)
     back = -d + BACK
     count = max(1, round((w - ARM - edge) / 0.75))
-    outline = path((-w, -d), (w, -d), (w, front), (edge, front), (edge, d), (-w, d), (-w, -d))
+    outline = close_line(_corner_outline(size))
     seams = [path((a, back), (a, front)) for a, _ in spread(edge, w - ARM, count)]
     return (
         outline,
@@ -355,7 +367,7 @@ def _bench_symbol(size: Size) -> Lines:
 ASSETS = (
     Drawing("sofa", _sofa, sofa_symbol),
     Drawing("loveseat", _sofa, sofa_symbol),
-    Drawing("corner_sofa", _corner_sofa, _corner_symbol),
+    Drawing("corner_sofa", _corner_sofa, _corner_symbol, footprint=_corner_footprint),
     Drawing("armchair", _armchair, sofa_symbol),
     Drawing("dining_chair", _dining_chair, _chair_symbol),
     Drawing("office_chair", _office_chair, _office_symbol),

@@ -23,6 +23,7 @@ from pydantic_core import PydanticKnownError
 from scenewright.core.brief.catalog import CatalogEntry, GroupsEntry
 from scenewright.core.brief.fields import (
     Coordinate,
+    FootprintOutline,
     Heading,
     Height,
     Number,
@@ -34,6 +35,7 @@ from scenewright.core.brief.fields import (
     Switch,
     Whole,
     Words,
+    is_left_out,
 )
 from scenewright.core.brief.services import OutletBrief, RadiatorBrief
 from scenewright.core.brief.slope import SlopeBrief
@@ -107,12 +109,14 @@ class FixedItem(StrictModel):
     """A thing that stands where it stands. ``size`` is width, depth, height, of at most 30 m;
     ``heading`` of its front, in radians; ``z`` the height of its underside above the floor;
     ``on`` the id of the fixed item it stands on. ``group`` and ``function`` tell the
-    furniture group it belongs to, if any."""
+    furniture group it belongs to, if any. ``footprint`` is the polygon it covers, x to its right
+    and y to its front, stretched to its width and depth (left out: its model's, else its box)."""
 
     category: str
     at: Point
     heading: Heading = 0.0
     size: tuple[Side, Side, Side]
+    footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
     z: Height = 0.0
     asset: str | None = None
     name: str = ""

@@ -5,7 +5,11 @@ from __future__ import annotations
 from math import tau
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic_core import PydanticCustomError
+
+from scenewright.core.errors import InputError
+from scenewright.core.footprint import MOST_CORNERS, read_footprint
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 Whole = Annotated[int, Field(strict=True)]
@@ -27,6 +31,28 @@ Clearance = Annotated[Number, Field(ge=0, le=20)]
 Words = Annotated[str, Field(max_length=80)]
 Point = tuple[Coordinate, Coordinate]
 Outline = Annotated[list[Point], Field(min_length=3, max_length=5000)]
+
+
+def _check_footprint(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """The corners, if they are those of a simple polygon."""
+    try:
+        read_footprint(points, 1.0, 1.0)
+    except InputError as error:
+        raise PydanticCustomError(
+            "footprint", "give a simple polygon: this {told}", {"told": str(error)}
+        ) from None
+    return points
+
+
+FootprintOutline = Annotated[
+    list[Point], Field(min_length=3, max_length=MOST_CORNERS), AfterValidator(_check_footprint)
+]
+"""The outline of what a thing covers, x to its right and y to its front, stretched to its box."""
+
+
+def is_left_out(value: object) -> bool:
+    """Whether an optional key has no value and is not written."""
+    return value is None
 
 
 class StrictModel(BaseModel):

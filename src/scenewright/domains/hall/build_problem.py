@@ -16,6 +16,7 @@ from scenewright.building.door_approach import (
     throat,
 )
 from scenewright.core.catalog import Catalog
+from scenewright.core.footprint import boxes_of, polygons_of
 from scenewright.core.kind import Kind
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
@@ -79,9 +80,7 @@ def wall_lengths(hall: HallContext) -> Floats:
 def zone_areas(hall: HallContext) -> Floats:
     """Square metres of each zone less what stands there already."""
     shapes = [shapely.Polygon(zone.outline, zone.holes) for zone in hall.plan.zones]
-    taken = [
-        shapely.Polygon(_corners(piece)) for piece in (*hall.fixed, *hall.beside) if _solid(piece)
-    ]
+    taken = [*polygons_of([p for p in (*hall.fixed, *hall.beside) if _solid(p)])]
     solid = shapely.union_all(taken) if taken else shapely.Polygon()
     return np.array([shape.difference(solid).area for shape in shapes])
 
@@ -150,7 +149,7 @@ def _ground(
     solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
     return HallGround(
         edges=edges_of(hall.space),
-        obstacles=_rows([_box(piece) for piece in solid], 5),
+        obstacles=_rows([box for piece in solid for box in boxes_of(piece)], 5),
         keep_free=_rows(_kept_free(hall.space, seen), 5),
         doors=_rows([throat(gate) for gate in doors], 5),
         zone_edges=np.concatenate(rings),
@@ -267,17 +266,6 @@ def _targets(wishes: list[HallDemand], units: list[Unit]) -> Ints:
 
 def _solid(piece: Piece) -> bool:
     return piece.pose.z < HEAD_HEIGHT and piece.size.height > 0.05 and piece.on is None
-
-
-def _box(piece: Piece) -> list[float]:
-    pose, size = piece.pose, piece.size
-    return [pose.x, pose.y, pose.heading, size.width, size.depth]
-
-
-def _corners(piece: Piece) -> Floats:
-    from scenewright.core.layout import corners
-
-    return corners(np.array([_box(piece)]))[0]
 
 
 def _rows(rows: list[list[float]], width: int) -> Floats:

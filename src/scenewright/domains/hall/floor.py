@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from scenewright.building import outlines
 from scenewright.core.catalog import Catalog
+from scenewright.core.footprint import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Points, Space
 from scenewright.geometry.distance_raster import DistanceRaster, clearance, walls_between
@@ -50,7 +51,9 @@ def find_floor(
     edges = np.vstack([outlines.edges(ring) for ring in (space.outline, *space.holes)])
     gaps = _rows([_across(o, o.width, o.thickness + 0.1) for o in doors])
     walls = np.vstack([walls_between(edges, gaps), _rows([j for o in doors for j in _jambs(o)])])
-    stands = _rows([_box(p) for p in pieces if p.space == space.id and _in_the_way(p, catalog)])
+    stands = _rows(
+        [b for p in pieces if p.space == space.id and _in_the_way(p, catalog) for b in boxes_of(p)]
+    )
     low, high = _reach(space.outline, gaps)
     cell = max(CELL, float(np.sqrt(np.prod(high - low) / MOST_CELLS)))
     strips = _rows(
@@ -81,10 +84,6 @@ def _in_the_way(piece: Piece, catalog: Catalog) -> bool:
     kind = catalog.kinds.get(piece.category)
     above = piece.on is not None or piece.pose.z >= HEAD_HEIGHT
     return not above and (kind is None or not (kind.flat or kind.support == "ceiling"))
-
-
-def _box(piece: Piece) -> list[float]:
-    return [*piece.pose[:2], piece.pose.heading, *piece.size[:2]]
 
 
 def _across(door: Opening, width: float, depth: float) -> list[float]:

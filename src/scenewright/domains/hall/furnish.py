@@ -7,7 +7,7 @@ import math
 import numpy as np
 import shapely
 
-from scenewright.core.catalog import Catalog
+from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext
@@ -52,6 +52,7 @@ def furnish_hall(
                     size=fitted,
                     group=group,
                     function=wish.id,
+                    footprint=footprint_of(asset, fitted),
                 )
             )
             row += 1

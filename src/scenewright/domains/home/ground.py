@@ -16,6 +16,7 @@ from scenewright.building.door_approach import (
     throat,
 )
 from scenewright.building.standing import RADIATED, is_radiator
+from scenewright.core.footprint import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.problem import Ground
@@ -48,7 +49,7 @@ def ground_of(
         corridors=_rows(
             _corridors(doors) + [_ahead(p, USE) for p in fixed if _needs_use_space(p)], 5
         ),
-        obstacles=_rows([_footprint(p) for p in (*fixed, *beside) if _in_the_way(p)], 5),
+        obstacles=_rows([b for p in (*fixed, *beside) if _in_the_way(p) for b in boxes_of(p)], 5),
         windows=_rows(windows, 6),
         doors=_rows([*map(throat, doors), *map(landing, space.stairs)], 5),
         main_wall=_rows([] if main is None else [main], 4),
@@ -113,11 +114,6 @@ def _needs_use_space(piece: Piece) -> bool:
 
 def _in_the_way(piece: Piece) -> bool:
     return piece.pose.z < HEAD_HEIGHT and piece.size.height > 0.05 and piece.on is None
-
-
-def _footprint(piece: Piece) -> list[float]:
-    pose, size = piece.pose, piece.size
-    return [pose.x, pose.y, pose.heading, size.width, size.depth]
 
 
 def _rows(rows: list[list[float]], width: int) -> Floats:

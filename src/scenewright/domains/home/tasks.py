@@ -12,7 +12,7 @@ import shapely
 from scenewright.building.ceiling import living_area, planes
 from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import Catalog
-from scenewright.core.layout import corners
+from scenewright.core.footprint import polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomTask, floor_of, out_of_reach
@@ -84,9 +84,7 @@ def task_of(
 
 def covered_by(floor: shapely.Polygon, pieces: tuple[Piece, ...]) -> float:
     """Square metres of a floor that pieces of other rooms take."""
-    boxes = np.array([[*p.pose[:2], p.pose.heading, *p.size[:2]] for p in pieces]).reshape(-1, 5)
-    shapes = shapely.polygons(corners(boxes)) if len(boxes) else []
-    return float(sum(floor.intersection(shape).area for shape in shapes))
+    return float(sum(floor.intersection(shape).area for shape in polygons_of(pieces)))
 
 
 def add_lamps_and_curtains(task: RoomTask, placed: tuple[Piece, ...]) -> list[Piece]:

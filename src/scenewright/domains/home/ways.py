@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from scenewright.building.ceiling import BENDING, HEADROOM, low_floor, lowest
 from scenewright.core.catalog import Catalog
+from scenewright.core.footprint import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.boxes import frames_of, read_frame
@@ -40,7 +41,7 @@ def find_unreached(
     """
     if len(ground.doors) == 0:
         return frozenset()
-    solid = [_box(p) for p in pieces if _stands(p, catalog)]
+    solid = [box for p in pieces if _stands(p, catalog) for box in boxes_of(p)]
     low = low_floor(ground.slopes, width, ground.bounds)
     used = [p for p in pieces if catalog.kinds[p.category].access]
     zones, owner = [], []
@@ -114,11 +115,6 @@ def _stands(piece: Piece, catalog: Catalog) -> bool:
     kind = catalog.kinds[piece.category]
     low = kind.flat or bool(kind.under) or piece.on is not None
     return not low and piece.pose.z < HEAD_HEIGHT and kind.support not in ("ceiling",)
-
-
-def _box(piece: Piece) -> list[float]:
-    pose, size = piece.pose, piece.size
-    return [pose.x, pose.y, pose.heading, size.width, size.depth]
 
 
 def _used_from(piece: Piece, side: int, depth: float, slopes: Floats) -> list[float]:

@@ -6,9 +6,12 @@ a building may still be cut off, and is left out rather than built.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import shapely
 
+from scenewright.core.footprint import place_outline
 from scenewright.core.layout import corners
 from scenewright.domains.site.problem import Flags, Floats
 from scenewright.ground.plan import SitePlan
@@ -18,11 +21,16 @@ ARRIVE, SLACK, ROUND = 1.95, 0.008, 8
 exactly wide enough counts; segments of a quarter of a circle."""
 
 
-def find_reached_buildings(plan: SitePlan, boxes: Floats, width: float) -> Flags:
+def find_reached_buildings(
+    plan: SitePlan, boxes: Floats, width: float, outlines: Sequence[Floats] = ()
+) -> Flags:
     """Which of the buildings (n, 5) the middle of a way of some width comes near to, from a road
-    or an entrance, or from anywhere on the outline of a site without either."""
+    or an entrance, or from anywhere on the outline of a site without either. ``outlines`` are
+    corners (k, 2) of what each covers in its own frame (left out: all are boxes)."""
     radius = 0.5 * width - SLACK
     footprints = shapely.polygons(corners(boxes))
+    for number, (outline, box) in enumerate(zip(outlines, boxes, strict=False)):
+        footprints[number] = shapely.Polygon(place_outline(outline, *box[:3]))
     marks = [shapely.Polygon(row.footprint) for row in (*plan.landmarks, *plan.fixed)]
     solid = np.concatenate([footprints, np.array(marks, object)])
     floor = shapely.Polygon(plan.outline, plan.holes)

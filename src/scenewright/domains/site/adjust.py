@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
 import shapely
 
 from scenewright.core.edits import Adjusted, Edits
 from scenewright.core.errors import InputError
-from scenewright.core.layout import corners
+from scenewright.core.footprint import polygons_of
 from scenewright.core.piece_edits import Edited, apply_edits, find_piece, list_adjusted, with_locks
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
@@ -77,12 +76,7 @@ def _find_crowded(solution: Solution, edited: Edited, locked: set[str]) -> set[s
         others = [p for p in here if p.id not in locked]
         if not moved or not others:
             continue
-        tree = shapely.STRtree(_footprints(others))
-        near = tree.query(_footprints(moved), predicate="dwithin", distance=site.spacing - 1e-6)
+        tree = shapely.STRtree(polygons_of(others))
+        near = tree.query(polygons_of(moved), predicate="dwithin", distance=site.spacing - 1e-6)
         found |= {others[k].id for k in near[1].tolist()}
     return found
-
-
-def _footprints(pieces: Sequence[Piece]) -> np.ndarray:
-    boxes = [[*p.pose[:2], p.pose.heading, *p.size[:2]] for p in pieces]
-    return np.asarray(shapely.polygons(corners(np.array(boxes))))

@@ -16,6 +16,7 @@ from scenewright.core.brief.fields import (
     BUILDING,
     Clearance,
     Coordinate,
+    FootprintOutline,
     Heading,
     Length,
     Number,
@@ -24,6 +25,7 @@ from scenewright.core.brief.fields import (
     StrictModel,
     Switch,
     Whole,
+    is_left_out,
 )
 
 Place = Annotated[Number, Field(ge=-1e9, le=1e9)]
@@ -63,13 +65,16 @@ class Building(StrictModel):
     (``scenewright list assets``) or a model of the brief's ``catalogs``; ``size`` width, depth and
     height in metres (left out: the model's own); ``count`` how many; ``floors`` storeys, for the
     floor-area ratio. ``forms`` are the planar forms they may take (left out: all): rows
-    ``parallel`` or ``staggered``, ``peripheral`` around a court, ``mixed``."""
+    ``parallel`` or ``staggered``, ``peripheral`` around a court, ``mixed``. ``footprint`` is the
+    polygon each covers, x to its right and y to its front: in metres, or stretched to ``size``
+    (left out: the model's, else its box)."""
 
     id: str = ""
     name: str = ""
     model: Annotated[str, Field(min_length=1, max_length=500)]
     count: Annotated[Whole, Field(ge=1, le=20_000)] = 1
     size: tuple[Side, Side, Side] | None = None
+    footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
     floors: Annotated[Whole, Field(ge=1, le=300)] | None = None
     forms: Annotated[list[FormName], Field(max_length=4)] = []
     required: Switch = True
@@ -77,7 +82,8 @@ class Building(StrictModel):
 
 class LockedBuilding(StrictModel):
     """A building asked for that stays where it stands: one locked in a saved solution. ``name`` is
-    that of the row of ``buildings`` it counts for, ``size`` width, depth and height in metres."""
+    that of the row of ``buildings`` it counts for, ``size`` width, depth and height in metres,
+    ``footprint`` the polygon it covers, stretched to these."""
 
     id: Annotated[str, Field(min_length=1, max_length=500)]
     name: str = ""
@@ -85,6 +91,7 @@ class LockedBuilding(StrictModel):
     at: Point
     heading: Heading = -pi / 2
     size: tuple[Metres, Metres, Metres]
+    footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
 
 
 class Site(StrictModel):

@@ -54,6 +54,9 @@ def build_problem(
             models=np.array([b.wish for b in buildings], np.int64),
             floors=np.array([b.floors for b in buildings], np.int64),
             forms=tuple(b.forms for b in buildings),
+            footprints=(
+                tuple(b.footprint for b in buildings) if any(b.footprint for b in buildings) else ()
+            ),
         ),
         names=tuple(f"{plan.id}/{b.asset.id}_{k}" for k, b in enumerate(buildings, 1)),
         weights=weights,

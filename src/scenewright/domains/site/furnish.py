@@ -39,6 +39,7 @@ def buildings(
                 size=row.size,
                 group=f"{plan.id}/buildings",
                 function=row.name,
+                footprint=row.footprint,
             )
         )
     return tuple(found)
@@ -89,6 +90,7 @@ def fixed_buildings(plan: SitePlan) -> tuple[Piece, ...]:
             group=f"{plan.id}/buildings",
             function=row.name,
             fixed=True,
+            footprint=row.local,
         )
         for row in plan.fixed
     )

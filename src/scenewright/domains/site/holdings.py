@@ -10,9 +10,11 @@ from typing import NamedTuple
 from scenewright.catalog.loading import OWN
 from scenewright.core.catalog import Asset, Catalog
 from scenewright.core.errors import InputError
+from scenewright.core.footprint import Footprint, extents
 from scenewright.core.scene import Size
 from scenewright.domains.site.amounts import STOREY, amounts
 from scenewright.domains.site.brief import Building, Site
+from scenewright.domains.site.models import footprint_of
 from scenewright.ground.plan import SitePlan, Standing
 
 MOST = 20_000
@@ -22,7 +24,7 @@ LEAST = 1.5
 
 class BuildingDemand(NamedTuple):
     """One building to be placed: the number of its wish, its model, size, storeys, whether it must
-    stand, and the planar forms it may take (empty: all)."""
+    stand, the planar forms it may take (empty: all), and the polygon it covers (empty: its box)."""
 
     wish: int
     name: str
@@ -31,6 +33,7 @@ class BuildingDemand(NamedTuple):
     floors: int
     required: bool
     forms: frozenset[str]
+    footprint: Footprint = ()
 
 
 def collect_buildings(
@@ -78,7 +81,14 @@ def _listed(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[Bu
             )
         floors = row.floors or max(round(size.height / STOREY), 1)
         one = BuildingDemand(
-            number, row.name or asset.name, asset, size, floors, row.required, frozenset(row.forms)
+            number,
+            row.name or asset.name,
+            asset,
+            size,
+            floors,
+            row.required,
+            frozenset(row.forms),
+            footprint_of(row.footprint, asset, size),
         )
         found += [one] * row.count
     if len(found) > MOST:
@@ -90,16 +100,22 @@ def _filling(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[B
     found: list[BuildingDemand] = []
     for number, (asset, count) in enumerate(amounts(site, plan, place, catalog)):
         floors = max(round(asset.usual.height / STOREY), 1)
-        one = BuildingDemand(number, asset.name, asset, asset.usual, floors, False, frozenset())
+        covered = asset.footprint(asset.usual)
+        one = BuildingDemand(
+            number, asset.name, asset, asset.usual, floors, False, frozenset(), covered
+        )
         found += [one] * min(count, MOST - len(found))
     return found
 
 
 def _size(row: Building, asset: Asset, place: str) -> Size:
-    """The size given, else that of the model if it is one of a building."""
+    """The size given, else the extents of the footprint given, else that of the model if it is one
+    of a building."""
     if row.size:
         return Size(*row.size)
     size = asset.usual
+    if row.footprint:
+        return Size(*extents(row.footprint), size.height)
     if asset.id.startswith(OWN) and min(size.width, size.depth) < LEAST:
         raise InputError(
             f"is only {size.width:.3g} x {size.depth:.3g} m, {size.height:.3g} m high by its file",

@@ -48,4 +48,5 @@ def locked_building(piece: Piece) -> LockedBuilding:
         at=piece.pose[:2],
         heading=piece.pose.heading,
         size=(*piece.size,),
+        footprint=list(piece.footprint) or None,
     )

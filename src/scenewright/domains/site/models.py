@@ -10,8 +10,10 @@ import shapely
 
 from scenewright.building.outlines import rings
 from scenewright.catalog.loading import BUILDING, OWN, find_asset
-from scenewright.core.catalog import Catalog
+from scenewright.core.catalog import Asset, Catalog
 from scenewright.core.errors import InputError
+from scenewright.core.footprint import Footprint, place_outline, read_footprint
+from scenewright.core.scene import Size
 from scenewright.core.space import Points
 from scenewright.domains.site.brief import Building, Landmark, LockedBuilding
 from scenewright.ground import outlines as shapes
@@ -85,21 +87,31 @@ def fixed_of(
     for number, row in enumerate(rows):
         told = f"{place} fixed[{number}]"
         try:
-            model = find_asset(catalog, row.model).id
+            model = find_asset(catalog, row.model)
         except InputError as error:
             raise error.located(place=told) from None
         width, depth, height = row.size
         box = (*row.at, row.heading, width, depth)
-        footprint = corners_of(box)
+        local = footprint_of(row.footprint, model, Size(*row.size))
+        footprint = (
+            place_outline(np.array(local), *row.at, row.heading) if local else corners_of(box)
+        )
         if not shapely.Polygon(footprint).intersects(floor):
             raise InputError("stands outside the site", "move it in or let it go", place=told)
-        found.append(Standing(row.id, row.name, model, footprint, box, height))
+        found.append(Standing(row.id, row.name, model.id, footprint, box, height, local))
     name, count = Counter(row.id for row in rows).most_common(1)[0] if rows else ("", 1)
     if count > 1:
         raise InputError(
             f"the id '{name}' is used twice", "give each its own", place=f"{place} fixed"
         )
     return tuple(found)
+
+
+def footprint_of(
+    given: Sequence[tuple[float, float]] | None, model: Asset, size: Size
+) -> Footprint:
+    """What a building of some size covers: the polygon the brief gives, else its model's."""
+    return read_footprint(given, *size[:2]) if given else model.footprint(size)
 
 
 def _landmark(row: Landmark, name: str, catalog: Catalog) -> Standing:

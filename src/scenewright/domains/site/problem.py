@@ -11,6 +11,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.core.footprint import Footprint
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Flags = NDArray[np.bool_]
@@ -52,7 +54,8 @@ class Buildings(NamedTuple):
     the library, τ in (0, 1]; ``tone`` and ``symmetry`` (n,) of the facade in [0, 1]; ``models``
     (n,) number of the wish each one is of; ``floors`` (n,); ``forms`` the
     planar forms each may take (empty: all); ``sides`` (n, 5) what front, left, back, right side
-    and roof show, as a share of the best mean of four sides in the library (empty: ``quality``).
+    and roof show, as a share of the best mean of four sides in the library (empty: ``quality``);
+    ``footprints`` the polygon each covers, where it is no box (empty: all are boxes).
     """
 
     sizes: Floats
@@ -63,6 +66,16 @@ class Buildings(NamedTuple):
     floors: Ints
     forms: tuple[frozenset[str], ...] = ()
     sides: Floats = NONE
+    footprints: tuple[Footprint, ...] = ()
+
+    def outlines(self) -> list[Floats]:
+        """Corners (k, 2) of what each building covers, in the frame of its box."""
+        halves = [np.array(size[:2]) / 2 for size in self.sizes]
+        rows = self.footprints or ((),) * len(halves)
+        return [
+            np.array(row) if row else half * [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+            for row, half in zip(rows, halves, strict=True)
+        ]
 
 
 class SiteProblem(NamedTuple):

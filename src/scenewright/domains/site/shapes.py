@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from scenewright.core.footprint import outline_of
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.domains.site.brief import Site
-from scenewright.ground.fit import corners_of
 from scenewright.ground.plan import SitePlan
 
 STOREY = 3.0
@@ -47,7 +47,6 @@ def standing(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[StandingB
         if piece.category != "building" or piece.space not in sites:
             continue
         row = marks.get(piece.id)
-        box = (piece.pose.x, piece.pose.y, piece.pose.heading, *piece.size[:2])
         if row is not None:
             told.add(id(row))
         floors = storeys(*sites[piece.space], piece)
@@ -57,7 +56,7 @@ def standing(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[StandingB
                 row.name if row else piece.function or piece.asset,
                 piece.asset,
                 piece.space,
-                row.footprint if row else corners_of(box),
+                row.footprint if row else outline_of(piece),
                 piece.pose.z,
                 piece.pose.z + piece.size.height,
                 piece.pose.heading,

@@ -136,7 +136,7 @@ def _build(
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
     found = SITE_SOLVERS[solver].run(problem, budget, seed, progress, cancel)
-    layout, cut_off = _reached_only(plan, found.layouts[0], site.fire_access)
+    layout, cut_off = _reached_only(plan, problem, found.layouts[0])
     found = found._replace(layouts=(layout,))
     return furnish_site(site, plan, rows, problem, found, cut_off, catalog, seed)
 
@@ -207,10 +207,15 @@ def _looks(
     return Looks(found, tuple(mark.id if mark else "" for mark in marks), preset.measure)
 
 
-def _reached_only(plan: SitePlan, found: SiteLayout, width: float) -> tuple[SiteLayout, Flags]:
+def _reached_only(
+    plan: SitePlan, problem: SiteProblem, found: SiteLayout
+) -> tuple[SiteLayout, Flags]:
     """What was found without the buildings that no way leads to, and which those are."""
     cut_off = np.zeros(len(found.present), np.bool_)
-    cut_off[found.present] = ~find_reached_buildings(plan, found.boxes[found.present], width)
+    here = np.flatnonzero(found.present)
+    made = problem.buildings
+    outlines = [made.outlines()[i] for i in here] if made.footprints else []
+    cut_off[here] = ~find_reached_buildings(plan, found.boxes[here], problem.fire_access, outlines)
     if cut_off.any():
         found = found._replace(present=found.present & ~cut_off, score={})
     return found, cut_off

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scenewright.building.ceiling import lowest
 from scenewright.building.standing import RADIATOR
 from scenewright.catalog.kinds import name_of
-from scenewright.core.catalog import Catalog, Group, Member
+from scenewright.core.catalog import Catalog, Group, Member, footprint_of
 from scenewright.core.scene import Piece, Pose
 from scenewright.core.space import Outlet
 from scenewright.domains.home.cases.library import SHIPPED, Library, cases, each_fitting, nearest
@@ -315,6 +315,7 @@ def pieces_of(
                 group=group,
                 function=function,
                 on=names.get(member.on),
+                footprint=footprint_of(asset, member.size),
             )
         )
     return tuple(found)

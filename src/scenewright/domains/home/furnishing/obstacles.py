@@ -8,14 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.building.standing import RADIATED, is_radiator
+from scenewright.core.footprint import boxes_of
 from scenewright.core.scene import Piece
 
 Floats = NDArray[np.float64]
 
 
 class StandingObstacles(NamedTuple):
-    """What stands in the room so far: boxes ``(o, 5)``, underside and top ``(o, 2)``, and what
-    each is called."""
+    """What stands in the room so far: boxes ``(o, 5)``, several where a piece covers less than its
+    own, underside and top ``(o, 2)``, and what each is called."""
 
     boxes: Floats
     spans: Floats
@@ -26,19 +27,26 @@ def standing_of(pieces: tuple[Piece, ...], flat: frozenset[str]) -> StandingObst
     """Pieces as something to keep clear of, without the flat ones; radiators with the air before
     them."""
     solid = [p for p in pieces if p.category not in flat]
-    boxes = [_kept_clear(p) for p in solid]
-    spans = [(p.pose.z, p.pose.z + p.size.height) for p in solid]
+    parts = [(p, box) for p in solid for box in _kept_clear(p)]
+    boxes = [box for _, box in parts]
+    spans = [(p.pose.z, p.pose.z + p.size.height) for p, _ in parts]
     return StandingObstacles(
         np.array(boxes, np.float64).reshape(-1, 5),
         np.array(spans, np.float64).reshape(-1, 2),
-        tuple(p.category for p in solid),
+        tuple(p.category for p, _ in parts),
     )
 
 
-def _kept_clear(piece: Piece) -> tuple[float, float, float, float, float]:
-    pose, size, more = piece.pose, piece.size, RADIATED if is_radiator(piece) else 0.0
-    x, y = pose.x + more / 2 * np.cos(pose.heading), pose.y + more / 2 * np.sin(pose.heading)
-    return float(x), float(y), pose.heading, size.width, size.depth + more
+def _kept_clear(piece: Piece) -> list[list[float]]:
+    """The boxes ``(k, 5)`` a piece keeps clear."""
+    if not is_radiator(piece):
+        return boxes_of(piece)
+    pose, size = piece.pose, piece.size
+    x, y = (
+        pose.x + RADIATED / 2 * np.cos(pose.heading),
+        pose.y + RADIATED / 2 * np.sin(pose.heading),
+    )
+    return [[float(x), float(y), pose.heading, size.width, size.depth + RADIATED]]
 
 
 def join_standing(standing: StandingObstacles, more: StandingObstacles) -> StandingObstacles:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from scenewright.check.bodies import Flags, Floats, Shape, Shapes
+from scenewright.check.bodies import Flags, Floats, Shape, Shapes, footprints_of
 from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 from scenewright.domains.site.brief import Site
@@ -89,6 +89,7 @@ def bodies_of(grounds: JudgedSite, pieces: Sequence[Piece]) -> tuple[SiteBodies,
     values = np.array(rows, float).reshape(-1, 7)
     corners = _corners(values)
     shapes = shapely.polygons(corners) if len(rows) else np.empty(0, object)
+    shapes[: len(own)] = footprints_of(own, corners[: len(own)])
     for number, row in enumerate(marks):
         shapes[len(own) + number] = shapely.Polygon(row.footprint)
     landmark = np.arange(len(rows)) >= len(own)

@@ -1,6 +1,7 @@
 """Rules of a site: no overlaps, nothing outside, distances kept, roads and paths free.
 
-Everything is exact on footprints: boxes turned about the vertical, landmarks as they were drawn.
+Everything is exact on footprints: boxes turned about the vertical, polygons where a building states
+one, landmarks as they were drawn.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from scenewright.check.bodies import TOLERANCE, Floats, Indices, Shapes
+from scenewright.check.bodies import TOLERANCE, Floats, Indices, Shape, Shapes
 from scenewright.core.report import Finding
 from scenewright.domains.site.check.bodies import JudgedSite, SiteBodies
 
@@ -126,6 +127,8 @@ def _sunless(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
     reach = shapely.convex_hull(
         shapely.multipoints(np.concatenate([bodies.corners, bodies.corners + moved[:, None]], 1))
     )
+    for row in (k for k, piece in enumerate(bodies.pieces) if piece.footprint):
+        reach[row] = _swept(bodies.footprints[row], moved[row])
     i, j = shapely.STRtree(bodies.footprints).query(reach, predicate="intersects")
     i, j = i[i != j], j[i != j]
     behind = pole * (bodies.corners[j].mean(1) - bodies.corners[i].mean(1))[:, 1] > 0
@@ -145,6 +148,14 @@ def _sunless(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
         )
         for row in rows
     ]
+
+
+def _swept(shape: Shape, step: Floats) -> Shape:
+    """What a polygon passes over on a straight way."""
+    ring = shapely.get_coordinates(shape.exterior)
+    ends = np.stack([ring[:-1], ring[1:]], 1)
+    hulls = shapely.convex_hull(shapely.multipoints(np.concatenate([ends, ends + step], 1)))
+    return shapely.union_all([shape, *hulls])
 
 
 def pairs(bodies: SiteBodies, within: float) -> tuple[Indices, Indices]:

@@ -25,6 +25,7 @@ from scenewright.domains.site.solvers.block import (
     loosen_layout,
 )
 from scenewright.domains.site.solvers.improve import improve_layout
+from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
@@ -60,8 +61,9 @@ def fill_site(
         if best.present.all() or watch.share(0) >= 1.0 or watch.cancelled():
             break
     assert best is not None
+    best, tries = interlock(problem, best, watch, rng, begun)
     better, more = improve_layout(problem, best, seed, watch, begun)
-    return Found((better,), done + more)
+    return Found((better,), done + tries + more)
 
 
 class Filling(NamedTuple):

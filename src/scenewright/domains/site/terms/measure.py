@@ -37,6 +37,7 @@ from scenewright.geometry.boxes import (
 )
 from scenewright.geometry.buckets import Buckets, column_of, insert, make_buckets, remove, row_of
 from scenewright.geometry.compiled import compiled, inlined
+from scenewright.geometry.rings import Rings, make_rings, ring_in_box, ring_in_polygon, ring_in_ring
 
 Floats = NDArray[np.float64]
 
@@ -46,7 +47,8 @@ class SitePrepared(NamedTuple):
     ``blocks`` (b, 7) bounds x0, y0, x1, y1, first and last edge and share of all ground up to
     this one; ``landmarks`` (l, 8) frames grown by half the way round; ``buildings`` (n, 3) width,
     depth, quality; ``measures`` (3,) half the spacing, half the way round, preferred heading;
-    ``weights`` (6,) signed so that their product with the terms is to be small."""
+    ``weights`` (6,) signed so that their product with the terms is to be small. ``rings`` are the
+    footprints, bare, with half the spacing and with half the way round; none if all are boxes."""
 
     edges: Floats
     block_edges: Floats
@@ -55,6 +57,7 @@ class SitePrepared(NamedTuple):
     buildings: Floats
     measures: Floats
     weights: Floats
+    rings: Rings
 
 
 class SiteState(NamedTuple):
@@ -91,6 +94,10 @@ def prepare_site(problem: SiteProblem) -> SitePrepared:
         np.column_stack([made.sizes[:, :2], made.quality]).reshape(-1, 3),
         np.array([0.5 * problem.spacing, 0.5 * problem.fire_access, problem.facing]),
         weights,
+        make_rings(
+            made.outlines() if made.footprints else [],
+            (0.0, 0.5 * problem.spacing, 0.5 * problem.fire_access),
+        ),
     )
 
 
@@ -127,13 +134,46 @@ def inside_blocks(p: SitePrepared, frame: Frame) -> float:
 
 
 @inlined
-def pair_cost(a: Frame, b: Frame, p: SitePrepared) -> tuple[float, float]:
+def inside_as_built(p: SitePrepared, i: int, frame: Frame) -> float:
+    """Area of building ``i`` at ``frame`` inside the buildable blocks, square metres."""
+    if p.rings.spans.shape[0] == 0:
+        return inside_blocks(p, frame)
+    total, x, y, r = 0.0, frame[0], frame[1], frame[6]
+    for k in range(p.blocks.shape[0]):
+        b = p.blocks[k]
+        if x + r > b[0] and y + r > b[1] and x - r < b[2] and y - r < b[3]:
+            total += ring_in_polygon(frame, p.rings, i, 0, p.block_edges[int(b[4]) : int(b[5])])
+    return total
+
+
+@inlined
+def area_as_built(p: SitePrepared, i: int, frame: Frame, grown: int) -> float:
+    """Area of building ``i``, bare (0), with half the spacing (1) or half the way round (2)."""
+    if p.rings.spans.shape[0] > 0:
+        return p.rings.facts[i, grown, 3]
+    by = p.measures[grown - 1] if grown > 0 else 0.0
+    return 4.0 * (frame[4] + by) * (frame[5] + by)
+
+
+@inlined
+def pair_of_rings(a: Frame, i: int, b: Frame, j: int, p: SitePrepared) -> tuple[float, float]:
+    """:func:`pair_cost` of buildings that are no boxes."""
+    first, second = p.rings.facts[i], p.rings.facts[j]
+    close, near = ring_in_ring(a, i, b, j, 1, p.rings), ring_in_ring(a, i, b, j, 2, p.rings)
+    shared = share_of(close, min(first[1, 3], second[1, 3]))
+    return shared, share_of(near, first[2, 3]) + share_of(near, second[2, 3])
+
+
+@inlined
+def pair_cost(a: Frame, i: int, b: Frame, j: int, p: SitePrepared) -> tuple[float, float]:
     """Overlap and way round two buildings share.
 
     Overlap: area common to both, each grown by half the spacing, over the lesser of the two grown
     areas. Way round: each building owns half the width of the way on all sides; the area where
     both halves meet, as a share of the one and of the other.
     """
+    if p.rings.spans.shape[0] > 0:
+        return pair_of_rings(a, i, b, j, p)
     half, way = p.measures[0], p.measures[1]
     shared, blocked = 0.0, 0.0
     most = max(half, way)
@@ -165,13 +205,18 @@ def look(p: SitePrepared, s: SiteState, i: int, frame: Frame, out: Floats) -> No
         out[LEFT] = 1.0
         return
     wide = grow_frame(frame, p.measures[1])
-    area, whole = 4.0 * frame[4] * frame[5], 4.0 * wide[4] * wide[5]
-    out[INSERT] = max(1.0 - share_of(inside_blocks(p, frame), area), 0.0)
+    area, whole = area_as_built(p, i, frame, 0), area_as_built(p, i, frame, 2)
+    out[INSERT] = max(1.0 - share_of(inside_as_built(p, i, frame), area), 0.0)
     out[FACING] = facing_cost(frame[7], p.measures[2])
     out[QUALITY] = p.buildings[i, 2]
-    blocked = whole - area_in_polygon(wide, p.edges)
-    for k in range(p.landmarks.shape[0]):
-        blocked += common_area(wide, read_frame(p.landmarks, k))
+    if p.rings.spans.shape[0] == 0:
+        blocked = whole - area_in_polygon(wide, p.edges)
+        for k in range(p.landmarks.shape[0]):
+            blocked += common_area(wide, read_frame(p.landmarks, k))
+    else:
+        blocked = whole - ring_in_polygon(frame, p.rings, i, 2, p.edges)
+        for k in range(p.landmarks.shape[0]):
+            blocked += ring_in_box(frame, i, 2, p.rings, read_frame(p.landmarks, k))
     out[ROAD] = share_of(blocked, whole)
     look_around(p, s, i, frame, out)
 
@@ -191,7 +236,7 @@ def look_around(p: SitePrepared, s: SiteState, i: int, frame: Frame, out: Floats
         j = b.heads[place]
         while j >= 0:
             if j != i:
-                shared, blocked = pair_cost(frame, read_frame(s.frames, j), p)
+                shared, blocked = pair_cost(frame, i, read_frame(s.frames, j), j, p)
                 out[OVERLAP] += shared
                 out[ROAD] += blocked
             j = b.after[j]
@@ -277,12 +322,11 @@ def commit(p: SitePrepared, s: SiteState, i: int, frame: Frame) -> None:
 def stands(p: SitePrepared, s: SiteState, i: int, frame: Frame, loose: float) -> bool:
     """True if at ``frame`` a building lies in the blocks and keeps the spacing to all filed, give
     or take ``loose`` square metres each."""
-    area = 4.0 * frame[4] * frame[5]
-    if frame[4] <= 0.0 or area - inside_blocks(p, frame) > loose:
+    area = area_as_built(p, i, frame, 0)
+    if frame[4] <= 0.0 or area - inside_as_built(p, i, frame) > loose:
         return False
     look(p, s, i, frame, s.new)
-    margin = (frame[4] + p.measures[0]) * (frame[5] + p.measures[0])
-    return s.new[OVERLAP] * 4.0 * margin <= loose
+    return s.new[OVERLAP] * area_as_built(p, i, frame, 1) <= loose
 
 
 def evaluate(problem: SiteProblem, population: Floats) -> Floats:
