@@ -100,7 +100,10 @@ def low_floor(slopes: Floats, width: float, bounds: Floats, bending: float = 0.0
 
 
 def below(shape: shapely.Geometry, slopes: Floats, flat: float, height: float) -> shapely.Geometry:
-    """The part of a floor over which the ceiling is lower than ``height``."""
+    """The part of a floor over which the ceiling is lower than ``height``.
+
+    ``slopes`` (k, 6) as of :func:`heights`, ``flat`` and ``height`` in metres.
+    """
     if height > flat:
         return shape
     bounds = np.array(shape.bounds)

@@ -196,7 +196,10 @@ def room_for(bodies: Bodies, ground: JoinedFloor, radius: float) -> Shape:
 
 def blocking_in(bodies: Bodies, within: NDArray[np.int64]) -> NDArray[np.int64]:
     """Rows of the pieces in some rooms that stand in the way: seats can be pushed aside, and what
-    stands on or hangs over another piece takes no floor of its own."""
+    stands on or hangs over another piece takes no floor of its own.
+
+    ``within`` (r,) numbers of the rooms; the rows (k,).
+    """
     rows = np.flatnonzero(standing_in(bodies, within) & bodies.underfoot & ~bodies.seat)
     if not len(rows):
         return rows
@@ -251,7 +254,10 @@ def _select_connected(free: Shape, start: Shape) -> Shape:
 
 
 def walk_without(walk: Walk, away: NDArray[np.int64]) -> Shape:
-    """What would be reached if these of the blocking pieces (indices) were not there."""
+    """What would be reached if these of the blocking pieces (indices) were not there.
+
+    ``away`` (k,) rows of ``walk``'s pieces.
+    """
     gone = shapely.union_all(walk.grown[away])
     touching = np.setdiff1d(np.flatnonzero(shapely.intersects(walk.grown, gone)), away)
     freed = _less(shapely.intersection(walk.bare, gone), walk.grown[touching])

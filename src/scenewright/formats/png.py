@@ -76,7 +76,10 @@ def _staged(scene: Scene, catalog: Catalog, look: Look) -> tuple[RenderStage, Ca
 
 
 def frame_points(points: Floats, towards: Direction = INDOORS.towards) -> tuple[Camera, float]:
-    """A camera that sees all points with a margin, and height by width of the picture."""
+    """A camera that sees all points with a margin, and height by width of the picture.
+
+    ``points`` (n, 3) in metres.
+    """
     ahead = np.array(towards) / np.linalg.norm(towards)
     target = (points.min(0) + points.max(0)) / 2
     away, shape = 10.0, 0.7

@@ -165,7 +165,8 @@ def parallel_rays(way: Floats, size: float) -> tuple[Floats, Floats]:
     """Parallel rays towards the middle, over a disc as wide as the model can be.
 
     They lie on a spiral (H. Vogel 1979): rows would run along the bright edges of a building and
-    meet them all or none.
+    meet them all or none. ``way`` (3,) of unit length, ``size`` in metres; origins (k, 3) and
+    directions (k, 3).
     """
     right, up = _axes(way)
     radius = 0.5 * size * np.sqrt((np.arange(RAYS) + 0.5) / RAYS)[:, None]

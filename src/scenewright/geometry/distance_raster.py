@@ -74,7 +74,8 @@ def lift(raster: DistanceRaster, frame: Frame, value: float) -> None:
 def open_inside(raster: DistanceRaster, edges: Floats, cap: float) -> None:
     """Write ``cap`` into the cells inside the outline and outside the holes, 0 into the others.
 
-    Every edge a row crosses changes the sign of all cells to its right.
+    Every edge a row crosses changes the sign of all cells to its right. ``edges`` (e, 4) x0, y0,
+    x1, y1 in metres.
     """
     values = raster.values
     for row in range(values.shape[0]):

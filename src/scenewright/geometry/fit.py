@@ -95,6 +95,8 @@ def _fault(
 def is_backed(box: Floats, walls: Floats, reach: float) -> bool:
     """True if both back corners of a box lie within ``reach`` metres of one and the same wall.
 
+    ``box`` (5,), ``walls`` (w, 4) x0, y0, x1, y1.
+
     >>> wall = np.array([[0.0, 0.0, 4.0, 0.0]])
     >>> is_backed(np.array([2.0, 0.5, np.pi / 2, 1.0, 1.0]), wall, 0.01)
     True
@@ -116,7 +118,10 @@ def is_backed(box: Floats, walls: Floats, reach: float) -> bool:
 
 @compiled
 def side_gaps(box: Floats, walls: Floats) -> tuple[float, float]:
-    """Distance from the middle of a box's left and right side to the nearest wall, metres."""
+    """Distance from the middle of a box's left and right side to the nearest wall, metres.
+
+    ``box`` (5,), ``walls`` (w, 4) x0, y0, x1, y1.
+    """
     c, s = np.cos(box[2]), np.sin(box[2])
     dx, dy = s * box[3] / 2, -c * box[3] / 2
     left, right = np.inf, np.inf
@@ -211,5 +216,8 @@ def _settle(
 
 @compiled
 def stands(boxes: Floats, i: int, edges: Floats, zones: Floats) -> bool:
-    """True if box ``i`` lies inside ``edges`` and meets no other box and none of the ``zones``."""
+    """True if box ``i`` lies inside ``edges`` and meets no other box and none of the ``zones``.
+
+    ``boxes`` (n, 5), ``edges`` (e, 4), ``zones`` (k, 5); metres and radians.
+    """
     return _stands(boxes[i, 0], boxes[i, 1], boxes, i, edges, zones)

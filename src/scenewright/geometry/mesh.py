@@ -152,7 +152,10 @@ def mirror_mesh(mesh: Mesh) -> Mesh:
 
 
 def map_points(points: Floats, source: tuple[Floats, Floats], low: Floats, high: Floats) -> Floats:
-    """Points taken affinely, axis by axis, from the box ``source`` to the box ``low``, ``high``."""
+    """Points taken affinely, axis by axis, from the box ``source`` to the box ``low``, ``high``.
+
+    ``points`` (n, 3); all corners of boxes (3,).
+    """
     start, end = source
     scale = (high - low) / np.maximum(end - start, 1e-12)
     return np.clip(low + (points - start) * scale, low, high)

@@ -36,6 +36,8 @@ class FaceAdjacency(NamedTuple):
 def seams(faces: Ints) -> FaceAdjacency:
     """Edges where exactly two faces meet.
 
+    ``faces`` (m, 3) indices of vertices.
+
     >>> found = seams(np.array([[0, 1, 2], [2, 1, 3], [2, 4, 0], [2, 5, 0]]))
     >>> found.ends.tolist(), found.faces.tolist(), found.alike.tolist()
     ([[1, 2]], [[0, 1]], [True])
@@ -102,7 +104,10 @@ def _mark(found: FaceAdjacency, faces: Ints, differs: NDArray[np.bool_]) -> None
 @compiled
 def spread(beside: Ints, differs: NDArray[np.bool_], stack: Ints, side: Signs, part: Ints) -> int:
     """Walk over the faces of each part, giving each the side its neighbour has (or the other
-    where they differ), and the number of its part. Returns how many parts there are."""
+    where they differ), and the number of its part. Returns how many parts there are.
+
+    ``beside`` and ``differs`` (m, 3), ``stack``, ``side`` and ``part`` (m,).
+    """
     parts = 0
     for seed in range(part.shape[0]):
         if part[seed] >= 0:

@@ -140,7 +140,8 @@ def sweep_box(bits: Bits, grid: RouteGrid, frame: Frame, radius: float, task: np
 def mark_inside(bits: Bits, grid: RouteGrid, edges: Floats) -> None:
     """Set the cells whose centres lie inside the outline and outside the holes.
 
-    Every edge a row crosses flips all cells to its right.
+    Every edge a row crosses flips all cells to its right. ``bits`` (h, k) words of cells,
+    ``edges`` (e, 4) x0, y0, x1, y1 in metres.
     """
     for row in range(bits.shape[0]):
         y = grid.y0 + (row + 0.5) * grid.cell
@@ -155,7 +156,10 @@ def mark_inside(bits: Bits, grid: RouteGrid, edges: Floats) -> None:
 
 @inlined
 def share_in_box(edge: Floats, frame: Frame) -> tuple[float, float]:
-    """Part [t0, t1] of an edge x0, y0, x1, y1 that lies in a box; t0 >= t1 if none."""
+    """Part [t0, t1] of an edge x0, y0, x1, y1 that lies in a box; t0 >= t1 if none.
+
+    ``edge`` (4,) in metres.
+    """
     c, s = frame[2], frame[3]
     px, py, qx, qy = edge[0] - frame[0], edge[1] - frame[1], edge[2] - edge[0], edge[3] - edge[1]
     low, high = 0.0, 1.0
@@ -175,7 +179,10 @@ def share_in_box(edge: Floats, frame: Frame) -> tuple[float, float]:
 @inlined
 def clear_wall(bits: Bits, grid: RouteGrid, edge: Floats, doors: Floats) -> None:
     """Clear the cells near an edge, leaving out its parts in door boxes (at least as wide as
-    the route)."""
+    the route).
+
+    ``bits`` (h, k) words of cells, ``edge`` (4,), ``doors`` (d, 8) frames; metres.
+    """
     here = 0.0
     while here < 1.0:
         stop, after = 1.0, 1.0

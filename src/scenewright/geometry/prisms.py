@@ -34,7 +34,10 @@ def triangles(outline: Floats, holes: Sequence[Floats] = ()) -> Ints:
 
 
 def sheet(outline: Floats, holes: Sequence[Floats] = (), height: float = 0.0) -> Mesh:
-    """A flat polygon seen from above at ``height``."""
+    """A flat polygon seen from above at ``height``.
+
+    ``outline`` and each of ``holes`` (n, 2), metres.
+    """
     corners = np.vstack([outline, *holes])
     return Mesh(
         np.column_stack([corners, np.full(len(corners), height)]), triangles(outline, holes)
@@ -43,6 +46,8 @@ def sheet(outline: Floats, holes: Sequence[Floats] = (), height: float = 0.0) ->
 
 def prism(outline: Floats, base: float, top: float, holes: Sequence[Floats] = ()) -> Mesh:
     """A vertical prism: outline counter-clockwise, holes clockwise; closed.
+
+    Rings (n, 2), heights in metres.
 
     >>> from scenewright.geometry.mesh import volume
     >>> round(volume(prism(np.array([[0.0, 0], [2, 0], [2, 1], [0, 1]]), 0.0, 3.0)), 9)
@@ -117,7 +122,10 @@ def _sum_by(groups: Ints, rows: Floats, count: int) -> Floats:
 
 def normals_of(meshes: Sequence[tuple[Floats, Ints]]) -> Iterator[Floats]:
     """The :func:`corner_normals` of many meshes, found for :data:`AT_ONCE` faces together, which
-    is far faster than one by one and takes no more memory however many there are."""
+    is far faster than one by one and takes no more memory however many there are.
+
+    Meshes as vertices (n, 3) and faces (m, 3); normals (m, 3, 3).
+    """
     ends = np.cumsum([len(faces) for _, faces in meshes], dtype=np.int64)
     bounds = np.arange(0, ends[-1], AT_ONCE) if meshes else ends
     batches = {0, *np.searchsorted(ends, bounds).tolist(), len(meshes)}

@@ -147,7 +147,10 @@ def suppress_weak_scales(levels: Floats, grid: PointGrid) -> Floats:
 
 
 def arrange_on_grid(points: Floats, unit: float) -> tuple[PointGrid, Ints]:
-    """The grid over some points, and their numbers in its order."""
+    """The grid over some points, and their numbers in its order.
+
+    ``points`` (n, 3), ``unit`` in the same length; numbers (n,).
+    """
     low = points.min(0) - 1e-3 * unit
     scaled = (points - low) / unit
     cells = (scaled / CELL).astype(np.int64)

@@ -33,7 +33,11 @@ def in_the_way(
     sign: int,
     counts: Counts,
 ) -> None:
-    """Add ``sign`` to the counts of building j wherever building i stands in the way."""
+    """Add ``sign`` to the counts of building j wherever building i stands in the way.
+
+    ``frames`` (n, 8), ``heights`` (n,) in metres, ``path`` (k, 3) directions to the sun,
+    ``counts`` (n, 4, k).
+    """
     a, b = read_frame(frames, i), read_frame(frames, j)
     dx, dy, wide = a[0] - b[0], a[1] - b[1], a[6] + b[6]
     z, top = min(sill, heights[j]), heights[i]
@@ -60,7 +64,10 @@ def shadow_bounds(
     frame: Frame, height: float, sill: float, path: Floats, sign: float
 ) -> tuple[float, float, float, float]:
     """What holds all shadows of a building through the day (``sign`` -1), or all that can throw
-    one on it if they are of this height (+1): x0, y0, x1, y1."""
+    one on it if they are of this height (+1): x0, y0, x1, y1.
+
+    ``path`` (k, 3) directions to the sun; metres.
+    """
     x0 = x1 = y0 = y1 = 0.0
     for k in range(path.shape[0]):
         length = sign * max(height - sill, 0.0) / max(path[k, 2], 1e-6)
@@ -83,7 +90,10 @@ def among(
     counts: Counts,
 ) -> None:
     """Building i and the others in one list of the buckets: its shadows on them (``sign`` 1 or
-    -1) or theirs on it (0)."""
+    -1) or theirs on it (0).
+
+    ``frames`` (n, 8), ``heights`` (n,) in metres, ``path`` (k, 3), ``counts`` (n, 4, k).
+    """
     j = buckets.heads[place]
     while j >= 0:
         if j != i and sign != 0:
@@ -105,7 +115,10 @@ def among_near(
     sign: int,
     counts: Counts,
 ) -> None:
-    """:func:`among` all that may reach into ``bounds``."""
+    """:func:`among` all that may reach into ``bounds``.
+
+    ``frames`` (n, 8), ``heights`` (n,) in metres, ``path`` (k, 3), ``counts`` (n, 4, k).
+    """
     x0, y0, x1, y1 = bounds
     reach = buckets.reach
     for row in range(row_of(buckets, y0 - reach), row_of(buckets, y1 + reach) + 1):
@@ -146,7 +159,10 @@ def gather(
     highest: float,
     counts: Counts,
 ) -> None:
-    """Count anew what stands in the way of building i; ``highest`` of all heights."""
+    """Count anew what stands in the way of building i; ``highest`` of all heights.
+
+    ``frames`` (n, 8), ``heights`` (n,) in metres, ``path`` (k, 3), ``counts`` (n, 4, k).
+    """
     counts[i, :, :] = 0
     low = min(sill, heights[i])
     bounds = shadow_bounds(read_frame(frames, i), highest, low, path, 1.0)

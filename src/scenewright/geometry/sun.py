@@ -175,7 +175,10 @@ def highest(grid: BoxGrid) -> float:
 def lit_hours(
     grid: BoxGrid, path: Floats, places: int, sill: float, top: float, i: int, side: int
 ) -> float:
-    """Hours of sun on a side of a box, none of them higher than ``top``."""
+    """Hours of sun on a side of a box, none of them higher than ``top``.
+
+    ``path`` (k, 4) directions to the sun and hours; ``sill`` and ``top`` in metres.
+    """
     x, y, c, s = grid.frames[i, 0], grid.frames[i, 1], grid.frames[i, 2], grid.frames[i, 3]
     for _ in range(side):
         c, s = -s, c

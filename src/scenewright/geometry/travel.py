@@ -119,7 +119,10 @@ def spread(search: TravelSearch, slow: Floats, cell: float, starts: Ints, goal: 
 
 @inlined
 def straight_time(slow: Floats, cell: float, a: int, b: int) -> float:
-    """Seconds along the straight line between the centres of two cells."""
+    """Seconds along the straight line between the centres of two cells.
+
+    ``slow`` (rows, columns) in seconds a metre, ``cell`` in metres.
+    """
     columns = slow.shape[1]
     ax, ay, bx, by = a % columns, a // columns, b % columns, b // columns
     steps = 2 * max(abs(bx - ax), abs(by - ay), 1)

@@ -51,7 +51,10 @@ def improve(order: Order, costs: Floats) -> None:
 @inlined
 def shift(order: Order, costs: Floats, i: int, m: int, k: int) -> bool:
     """Swap the neighbouring runs i … m-1 and m … k if that is shorter, either one turned round
-    or not; true if done."""
+    or not; true if done.
+
+    ``order`` (n,), ``costs`` (n, n) symmetric.
+    """
     a, b, c, d = order[i - 1], order[i], order[m - 1], order[m]
     e, f = order[k], order[k + 1]
     now = costs[a, b] + costs[c, d] + costs[e, f] - LEAST

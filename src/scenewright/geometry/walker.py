@@ -130,7 +130,10 @@ def look(grid: BoxGrid, quality: Floats, made: Sights, reach: float) -> None:
 
 @compiled
 def look_from(grid: BoxGrid, quality: Floats, made: Sights, reach: float, e: int) -> float:
-    """Fill in what one eye sees; its visible quality V(e)."""
+    """Fill in what one eye sees; its visible quality V(e).
+
+    ``quality`` (n, 5) of each building's sides and roof, ``reach`` in metres.
+    """
     total = 0.0
     for r in range(made.ways.shape[0]):
         look_along(grid, quality, made, reach, e, r)
@@ -148,7 +151,10 @@ def way_of(made: Sights, e: int, r: int) -> tuple[float, float, float]:
 
 @inlined
 def look_along(grid: BoxGrid, quality: Floats, made: Sights, reach: float, e: int, r: int) -> None:
-    """Fill in what one ray of an eye sees."""
+    """Fill in what one ray of an eye sees.
+
+    ``quality`` (n, 5) of each building's sides and roof, ``reach`` in metres.
+    """
     x, y, z = made.eyes[e, 0], made.eyes[e, 1], made.eyes[e, 2]
     ax, ay, az = way_of(made, e, r)
     far = min(reach, z / -az) if az < 0.0 else reach

@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 def linear_of(color: NDArray[np.float64]) -> NDArray[np.float64]:
     """Linear light of sRGB values in [0, 1] (IEC 61966-2-1).
 
+    Any shape, such as (n, 3).
+
     >>> linear_of(np.array([0.0, 0.5, 1.0])).round(4).tolist()
     [0.0, 0.214, 1.0]
     """

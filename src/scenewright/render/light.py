@@ -166,7 +166,9 @@ def light_samples(
     ``sun`` rows are two directions across the sun and the one towards it; ``spread`` is the
     tangent of the disc's radius. ``turn`` counts the rays a pixel has had; only the first comes
     with one to the sky. For the sun every tile turns and shifts the samples by its own amounts,
-    else shadows would have steps of a tile.
+    else shadows would have steps of a tile. ``points`` and ``facing`` (n, 3) of all pixels;
+    ``pixels`` (k,), ``starts``, ``to_sun`` and ``to_sky`` (k, 3), ``sets`` (t, 5) random numbers
+    of a tile, ``sun`` (3, 3).
     """
     for i in range(pixels.shape[0]):
         p = pixels[i]
@@ -218,7 +220,10 @@ def average(keys: Ints, width: int, step: int, values: Singles, out: Singles) ->
 
 @compiled
 def edges(keys: Ints, width: int, out: NDArray[np.bool_]) -> None:
-    """Marks pixels beside one with another key: the ones to be drawn finer."""
+    """Marks pixels beside one with another key: the ones to be drawn finer.
+
+    ``keys`` (n,) row by row of a picture ``width`` pixels wide; ``out`` (n,).
+    """
     count = keys.shape[0]
     for i in range(count):
         if i + 1 < count and (i + 1) % width and keys[i] != keys[i + 1]:
@@ -232,7 +237,11 @@ def borrow(
     pixels: Ints, keys: Ints, width: int, light: Singles, wanted: Ints, out: Singles
 ) -> None:
     """Light for finer samples: the mean of pixels within two of ``pixels`` that have the
-    ``wanted`` key, or the pixel's own if there is none."""
+    ``wanted`` key, or the pixel's own if there is none.
+
+    ``pixels`` and ``wanted`` (k,), ``keys`` (n,), ``light`` (n, 2) and ``out`` (k, 2) of sun and
+    sky.
+    """
     height = keys.shape[0] // width
     for i in range(pixels.shape[0]):
         x, y = pixels[i] % width, pixels[i] // width

@@ -80,7 +80,10 @@ def portrait(name: str, parts: Sequence[Part], side: int, measure: str = "pictur
 
 
 def facing(points: Floats, way: Floats) -> Camera:
-    """A camera in the direction ``way`` that sees all points, as large as a margin allows."""
+    """A camera in the direction ``way`` that sees all points, as large as a margin allows.
+
+    ``points`` (n, 3) in metres, ``way`` (3,).
+    """
     target = (points.min(0) + points.max(0)) / 2
     away = 2 * SPAN / ANGLE
     for _ in range(12):

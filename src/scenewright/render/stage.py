@@ -60,7 +60,10 @@ def stage_of(
     blocks: Sequence[PartTriangles], bounds: Floats, page: Material = PAGE, shadow: float = SHADOW
 ) -> RenderStage:
     """All blocks as one stage on a wide page just below them; shadows fall on it as far as
-    ``shadow`` metres."""
+    ``shadow`` metres.
+
+    ``bounds`` (k, 3) points in metres that the page reaches beyond.
+    """
     clear = [block for block in blocks if block.material.opacity < 0.8]
     solid = [block for block in blocks if block.material.opacity >= 0.8]
     solid.append(_page(bounds, page))

@@ -97,7 +97,10 @@ def _check_rings(rings: object, corners: int) -> tuple[tuple[int, ...], ...]:
 
 
 def parts_of(corners: Floats, surfaces: Sequence[CitySurface]) -> tuple[Part, ...]:
-    """The surfaces as triangles, one part a material; those without area are left out."""
+    """The surfaces as triangles, one part a material; those without area are left out.
+
+    ``corners`` (n, 3) in metres, which the surfaces' rings name by index.
+    """
     parts = []
     for surface in surfaces:
         rings = [corners[list(ring)] for ring in surface.rings if len(ring) >= 3]

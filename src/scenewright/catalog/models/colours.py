@@ -75,7 +75,10 @@ def looked_up(pixels: Pixels, places: Floats) -> Floats:
 
 
 def by_colour(material: Material, vertices: Floats, faces: Ints, colours: Floats) -> list[Part]:
-    """The faces as parts of few colours, each the material with another colour."""
+    """The faces as parts of few colours, each the material with another colour.
+
+    ``vertices`` (n, 3) in metres, ``faces`` (m, 3), ``colours`` (m, 3) in [0, 1], one a face.
+    """
     palette, which = few(colours)
     return [
         part_of(_tint_material(material, colour, k), vertices, faces[which == k])

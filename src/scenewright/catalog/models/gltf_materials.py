@@ -42,7 +42,10 @@ def paints(held: Store) -> tuple[SurfacePaint, ...]:
 def assign_materials(
     held: Store, primitive: Primitive, points: Floats, faces: Ints, coats: tuple[SurfacePaint, ...]
 ) -> list[Part]:
-    """The faces of a primitive in their material, or in several where colours differ."""
+    """The faces of a primitive in their material, or in several where colours differ.
+
+    ``points`` (n, 3) in metres, ``faces`` (m, 3).
+    """
     paint = SurfacePaint(PLAIN)
     if primitive.material is not None:
         paint = pick_row(coats, primitive.material, "materials")

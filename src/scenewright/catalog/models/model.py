@@ -161,7 +161,10 @@ def frame(up: str, front: str) -> Floats:
 
 
 def part_of(material: Material, vertices: Floats, faces: Ints) -> Part:
-    """A part of checked numbers: finite places, faces whose corners are there."""
+    """A part of checked numbers: finite places, faces whose corners are there.
+
+    ``vertices`` (n, 3) in metres, ``faces`` (m, 3).
+    """
     vertices = np.asarray(vertices, np.float64).reshape(-1, 3)
     faces = np.asarray(faces, np.int64).reshape(-1, 3)
     if len(faces) and (faces.min() < 0 or faces.max() >= len(vertices)):

@@ -98,7 +98,10 @@ def _middles(problem: HallProblem) -> Floats:
 
 
 def capacity(counts: Ints) -> Ints:
-    """How many layers units of so many objects may have."""
+    """How many layers units of so many objects may have.
+
+    ``counts`` (g,) objects of each unit; the layers (g,).
+    """
     rows = 6 + 3 * np.ceil(np.sqrt(counts)).astype(np.int64)
     found: Ints = np.maximum(np.minimum(counts, rows), 1)
     return found

@@ -32,7 +32,10 @@ def furnish_hall(
     boxes: Floats,
     catalog: Catalog,
 ) -> tuple[Piece, ...]:
-    """One piece an object, in the order of the problem."""
+    """One piece an object, in the order of the problem.
+
+    ``boxes`` (n, 5) x, y, heading, width, depth in metres and radians.
+    """
     pieces: list[Piece] = []
     row = 0
     for unit, group in zip(units, problem.names, strict=True):

@@ -72,7 +72,10 @@ def hosts(
     order: list[int],
     lack: Floats,
 ) -> tuple[Host, ...]:
-    """Walls on borders until no zone lacks any, or borders run out."""
+    """Walls on borders until no zone lacks any, or borders run out.
+
+    ``lack`` (z,) metres of wall that each zone is short of.
+    """
     widths = {frozenset((link.first, link.second)): link.width for link in links}
     left = np.array(lack, np.float64)
     found: list[Host] = []

@@ -61,7 +61,8 @@ def stops_of(
     A place lies before a side its objects are used from, with nothing between. Places are taken
     greedily by how many more objects they show; those in the open come first. Rows of seats are
     looked at from their rim. ``times`` are those from the entrance, ``half`` the clearance a
-    visitor would like to have.
+    visitor would like to have. ``times`` (c,) in seconds, one for each cell of the raster in
+    row-major order.
     """
     boxes = np.array([[*p.pose[:2], p.pose.heading, *p.size[:2]] for p in members])
     views = _usable(_views(boxes, members, catalog, floor.clear), times, half)

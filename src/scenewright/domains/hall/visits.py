@@ -47,7 +47,11 @@ def find_places(
     width: float,
     start: int,
 ) -> Places:
-    """The entrance and the places to stop at."""
+    """The entrance and the places to stop at.
+
+    ``times`` (c,) in seconds from the entrance, one for each cell of the raster in row-major
+    order; ``width`` in metres.
+    """
     known = {piece.id: piece for piece in pieces}
     zones = {zone: k for k, zone in enumerate(dict.fromkeys(group.zone for group in groups))}
     rows, others = [(start, -1, -1)], [np.array([start])]

@@ -175,7 +175,10 @@ def furnish_layout(
     most: float = math.inf,
 ) -> RoomAnswer:
     """Dress a layout; then with the patches pushed together, and with the screen before the seat.
-    An answer that will not score below ``most`` is given up as soon as that shows."""
+    An answer that will not score below ``most`` is given up as soon as that shows.
+
+    ``boxes`` (n, 5) x, y, heading, width, depth of the patches, metres and radians.
+    """
     placed, missing = _place_groups(task, wishes, problem.names, boxes, before, most)
     if sum(penalty(m.wish) for m in missing) >= most:
         return RoomAnswer(math.inf, placed, missing, (), problem, energy, 0)

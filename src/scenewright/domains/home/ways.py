@@ -106,7 +106,10 @@ def _flooded(
 
 @compiled
 def mark_touched(reached: Bits, grid: RouteGrid, zones: Floats, found: NDArray[np.bool_]) -> None:
-    """Write into ``found`` whether a reached cell lies in each of the zones (frames)."""
+    """Write into ``found`` whether a reached cell lies in each of the zones (frames).
+
+    ``zones`` (k, 8), ``found`` (k,).
+    """
     for k in range(zones.shape[0]):
         found[k] = sweep_box(reached, grid, read_frame(zones, k), 0.0, LOOK)
 

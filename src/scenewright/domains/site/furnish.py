@@ -18,7 +18,10 @@ from scenewright.ground.surfaces import surfaces
 def buildings(
     plan: SitePlan, rows: list[BuildingDemand], boxes: Floats, present: Flags
 ) -> tuple[Piece, ...]:
-    """One piece a building that found a place; ids count by model, past those that stay."""
+    """One piece a building that found a place; ids count by model, past those that stay.
+
+    ``boxes`` (n, 5) x, y, heading, width, depth in metres and radians, ``present`` (n,).
+    """
     counts: dict[str, int] = {}
     taken = {row.id for row in plan.fixed}
     found = []

@@ -38,9 +38,10 @@ def tour_figures(
 ) -> dict[str, Any]:
     """What there is to tell of the tour of a hall (empty if it has none).
 
-    ``seen`` is from how far each object is seen on it, ``wanted`` the clear width in metres under
-    which a place is a bottleneck. ``traversal`` is the share of objects passed within 3 m and in
-    sight, ``seen`` of those seen from 15 m.
+    ``seen`` is from how far each object is seen on it, ``wanted`` the clear width in metres
+    under which a place is a bottleneck. ``traversal`` is the share of objects passed within 3 m
+    and in sight, ``seen`` of those seen from 15 m. ``seen`` (n,) in metres, one for each of the
+    hall's objects.
     """
     if hall.tour is None:
         return {}

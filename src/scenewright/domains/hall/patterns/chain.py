@@ -41,7 +41,10 @@ def place_chain(
 def seed_chain(
     layers: Floats, first: int, number: int, rows: int, along: float, across: float, part: int
 ) -> int:
-    """Write ``rows`` rows that share ``number`` objects; returns the layer after the last."""
+    """Write ``rows`` rows that share ``number`` objects; returns the layer after the last.
+
+    ``layers`` (L, 5), changed in place from row ``first`` on; gaps in metres.
+    """
     rows = max(min(rows, number, layers.shape[0] - first), 1)
     for k in range(rows):
         layers[first + k, NUMBER] = number // rows + (1 if k < number % rows else 0)

@@ -37,7 +37,11 @@ def place_part(
     out: Floats,
     at: int,
 ) -> int:
-    """Place the layers of one part by their pattern; how many objects it has."""
+    """Place the layers of one part by their pattern; how many objects it has.
+
+    ``layers`` (L, 5), ``sizes`` (n, 2) width and depth from row ``start``, ``out`` (m, 3)
+    written from row ``at``; metres and radians.
+    """
     code = int(layers[first, CODE])
     if code == GRID:
         return place_grid(layers, first, last, sizes, start, out, at)
@@ -55,7 +59,11 @@ def shift_to(
     out: Floats, at: int, end: int, sizes: Floats, start: int, left: float, centred: bool
 ) -> float:
     """Move objects so that their bounds start at x = ``left`` (or are centred on x) and are
-    centred on y; the width of the bounds."""
+    centred on y; the width of the bounds.
+
+    ``out`` (m, 3) rows ``at`` to ``end`` - 1, changed in place; ``sizes`` (n, 2) in metres from
+    row ``start``.
+    """
     x0, x1, y0, y1 = math.inf, -math.inf, math.inf, -math.inf
     for i in range(at, end):
         c, s = abs(math.cos(out[i, 2])), abs(math.sin(out[i, 2]))
@@ -74,7 +82,9 @@ def expand(code: int, layers: Floats, extra: float, sizes: Floats, start: int, o
     """Write x (right), y (ahead) and turn of a unit's objects in its own frame to ``out``.
 
     ``layers`` are the used ones; ``extra`` is the angle of a fan or the gap of a mixture. The
-    origin is the middle of the bounds, for rings their centre. Not for wall rows.
+    origin is the middle of the bounds, for rings their centre. Not for wall rows. ``layers`` (k,
+    5), ``sizes`` (n, 2) width and depth in metres from row ``start``, ``out`` (m, 3) from row 0;
+    returns how many were placed.
     """
     used, first, i, left = layers.shape[0], 0, 0, 0.0
     while first < used:
@@ -145,7 +155,8 @@ def stretch(code: int, layers: Floats, extra: float, along: float, across: float
     """Expand (positive) or shrink a pattern in place by metres along its rows and across them;
     the new extra measure.
 
-    Rows change their gaps, rings and arcs their radii, further out the more.
+    Rows change their gaps, rings and arcs their radii, further out the more. ``layers`` (k, 5)
+    is changed in place.
     """
     rank = 0
     for k in range(layers.shape[0]):

@@ -23,6 +23,8 @@ def place_fan(layers: Floats, first: int, last: int, sector: float, out: Floats,
     """Write x, y and turn of every object, the apex at the origin, the rows behind it.
 
     ``along`` of a layer is the number of its aisles: they cut every arc into blocks alike.
+    ``layers`` (L, 5), ``out`` (m, 3) written from row ``at``; metres and radians. Returns how
+    many were placed.
     """
     i = 0
     for k in range(first, last):
@@ -58,7 +60,11 @@ def seed_fan(
     across: float,
     part: int,
 ) -> int:
-    """Write as few arcs as hold all objects, from radius ``near`` outwards, evenly filled."""
+    """Write as few arcs as hold all objects, from radius ``near`` outwards, evenly filled.
+
+    ``layers`` (L, 5), changed in place from row ``first`` on; metres and radians. Returns the
+    layer after the last.
+    """
     rows, room, pitch, aisles = 0, 0, deep + across, 0
     while (room < number or rows == 0) and rows < layers.shape[0] - first:
         rows, room = rows + 1, 0
@@ -82,7 +88,10 @@ def seed_fan(
 
 @inlined
 def fan_angle(layers: Floats, used: int, wide: float, deep: float, along: float) -> float:
-    """The least sector in which the objects of every arc stand side by side."""
+    """The least sector in which the objects of every arc stand side by side.
+
+    ``layers`` (L, 5), the first ``used`` of them; radians.
+    """
     angle = 0.0
     for k in range(used):
         need = layers[k, NUMBER] * (wide + along) + layers[k, ALONG] * AISLE

@@ -15,7 +15,11 @@ from scenewright.geometry.compiled import inlined
 def place_grid(
     layers: Floats, first: int, last: int, sizes: Floats, start: int, out: Floats, at: int
 ) -> int:
-    """Write x, y and turn of every object; see :func:`.chain.place_chain`."""
+    """Write x, y and turn of every object; see :func:`.chain.place_chain`.
+
+    ``layers`` (L, 5), ``sizes`` (n, 2) in metres from row ``start``, ``out`` (m, 3) from row
+    ``at``.
+    """
     number, columns = 0, 0
     for k in range(first, last):
         number += int(layers[k, NUMBER])
@@ -37,7 +41,10 @@ def place_grid(
 def seed_grid(
     layers: Floats, first: int, number: int, rows: int, along: float, across: float, part: int
 ) -> int:
-    """Write rows of equal length, the last shorter; returns the layer after the last."""
+    """Write rows of equal length, the last shorter; returns the layer after the last.
+
+    ``layers`` (L, 5), changed in place from row ``first`` on; gaps in metres.
+    """
     rows = max(min(rows, number, layers.shape[0] - first), 1)
     columns = -(-number // rows)
     k, left = first, number

@@ -25,7 +25,11 @@ def seed_mixture(
     across: float,
 ) -> int:
     """Write two chains of a third of the objects each and a radiation between them; of fewer
-    than six objects a chain."""
+    than six objects a chain.
+
+    ``layers`` (L, 5), changed in place from row ``first`` on; metres. Returns the layer after
+    the last.
+    """
     if number < 6 or layers.shape[0] - first < 6:
         return seed_chain(layers, first, number, rows, along, across, 0)
     side = number // 3
@@ -37,7 +41,10 @@ def seed_mixture(
 
 @inlined
 def seed_single(layers: Floats, first: int, number: int) -> int:
-    """Write one layer for an object by itself."""
+    """Write one layer for an object by itself.
+
+    ``layers`` (L, 5), row ``first``; returns the layer after it.
+    """
     layers[first, NUMBER], layers[first, ALONG] = number, 0.0
     layers[first, CODE], layers[first, PART] = CHAIN, 0
     return first + 1

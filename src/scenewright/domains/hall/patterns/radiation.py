@@ -17,7 +17,9 @@ from scenewright.geometry.compiled import inlined
 def place_radiation(layers: Floats, first: int, last: int, out: Floats, at: int) -> int:
     """Write x, y and turn of every object, the centre at the origin, the first one ahead.
 
-    Every other ring starts half a step further, so that nobody stands behind another.
+    Every other ring starts half a step further, so that nobody stands behind another. ``layers``
+    (L, 5), ``out`` (m, 3) written from row ``at``; metres and radians. Returns how many were
+    placed.
     """
     i = 0
     for k in range(first, last):
@@ -44,7 +46,11 @@ def seed_radiation(
     across: float,
     part: int,
 ) -> int:
-    """Write a centre (if the number is odd) and ``rings`` rings, the outer ones fuller."""
+    """Write a centre (if the number is odd) and ``rings`` rings, the outer ones fuller.
+
+    ``layers`` (L, 5), changed in place from row ``first`` on; metres. Returns the layer after
+    the last.
+    """
     k, left, radius = first, number, 0.0
     if number < 3 or (number % 2 == 1 and number > 4):
         layers[k, NUMBER], layers[k, ALONG], layers[k, ACROSS] = 1, 0.0, 0.0

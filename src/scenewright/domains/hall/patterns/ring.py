@@ -16,7 +16,11 @@ from scenewright.geometry.compiled import inlined
 
 @inlined
 def place_circulation(layers: Floats, first: int, last: int, out: Floats, at: int) -> int:
-    """Write x, y and turn of every object, the centre at the origin, the opening ahead."""
+    """Write x, y and turn of every object, the centre at the origin, the opening ahead.
+
+    ``layers`` (L, 5), ``out`` (m, 3) written from row ``at``; metres and radians. Returns how
+    many were placed.
+    """
     i = 0
     for k in range(first, last):
         number, radius = int(layers[k, NUMBER]), layers[k, ACROSS]
@@ -59,7 +63,8 @@ def seed_circulation(
     """Write ``rings`` rings (each with at least 3 objects), radii as small as the backs allow.
 
     Inner corners of neighbours touch where (r - d / 2) tan(step / 2) = w / 2; several rings are
-    open by twice the gap across, so that one can walk in between them.
+    open by twice the gap across, so that one can walk in between them. ``layers`` (L, 5),
+    changed in place from row ``first`` on; metres. Returns the layer after the last.
     """
     rings = max(min(rings, number // 3, layers.shape[0] - first), 1)
     opening = max(2.0 * across, 1.2) if rings > 1 else 0.0

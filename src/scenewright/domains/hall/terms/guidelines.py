@@ -173,7 +173,10 @@ def measure_relations(p: PreparedHall, s: State, i: int, frame: Frame) -> float:
 @inlined
 def faces(p: PreparedHall, i: int, frame: Frame, doors: Floats) -> float:
     """Alignment with the nearest wall, the back of wall objects at theirs, and the way the fronts
-    of others are seen from the nearest entrance (emphasis)."""
+    of others are seen from the nearest entrance (emphasis).
+
+    ``doors`` (d, 2) x, y of the entrances in metres.
+    """
     unit = p.unit_of[i]
     if p.choices[unit, WALL] == 1:
         x, y = frame[0] - frame[2] * frame[5], frame[1] - frame[3] * frame[5]
@@ -202,7 +205,10 @@ def faces(p: PreparedHall, i: int, frame: Frame, doors: Floats) -> float:
 
 @compiled
 def own_cost(p: PreparedHall, s: State, i: int, doors: Floats) -> float:
-    """Everything that changes with one object's pose, but balance and circulation."""
+    """Everything that changes with one object's pose, but balance and circulation.
+
+    ``doors`` (d, 2) x, y of the entrances in metres.
+    """
     frame, clear = read_frame(s.frames, i), read_frame(s.clears, i)
     total = stands(p, frame, clear, p.zones[p.unit_of[i]]) + beside(s, i, frame, clear)
     return total + measure_relations(p, s, i, frame) + faces(p, i, frame, doors)
@@ -210,7 +216,10 @@ def own_cost(p: PreparedHall, s: State, i: int, doors: Floats) -> float:
 
 @compiled
 def whole_cost(p: PreparedHall, s: State, ways: Ways, middle: Floats, doors: Floats) -> float:
-    """The cost of a layout: pairs count once, balance and circulation are added."""
+    """The cost of a layout: pairs count once, balance and circulation are added.
+
+    ``middle`` (2,) of the hall and ``doors`` (d, 2) x, y of the entrances, metres.
+    """
     total = 0.0
     for i in range(s.frames.shape[0]):
         frame, clear = read_frame(s.frames, i), read_frame(s.clears, i)
@@ -221,7 +230,10 @@ def whole_cost(p: PreparedHall, s: State, ways: Ways, middle: Floats, doors: Flo
 
 @compiled
 def off_balance(s: State, middle: Floats) -> float:
-    """Distance of the objects' common centre of mass from the middle of the hall, in metres."""
+    """Distance of the objects' common centre of mass from the middle of the hall, in metres.
+
+    ``middle`` (2,) x, y.
+    """
     x, y, mass = 0.0, 0.0, 1e-9
     for i in range(s.frames.shape[0]):
         area = s.frames[i, 4] * s.frames[i, 5]

@@ -24,7 +24,10 @@ SLACK = 1e-4
 
 @inlined
 def clear_of(frame: Frame, clear: Floats, i: int) -> Frame:
-    """A footprint grown by its clear depths at front, left, back and right."""
+    """A footprint grown by its clear depths at front, left, back and right.
+
+    ``clear`` (n, 4) in metres, row ``i``.
+    """
     front, left, back, right = clear[i, 0], clear[i, 1], clear[i, 2], clear[i, 3]
     w, d = frame[4] + 0.5 * (left + right), frame[5] + 0.5 * (front + back)
     return part_of(frame, 0.5 * (right - left), 0.5 * (front - back), w, d)
@@ -56,7 +59,10 @@ def meets(frame: Frame, solids: Floats) -> bool:
 
 @inlined
 def wall_covered(clear: Frame, p: PreparedHall, walls: Floats) -> float:
-    """α_W of one object: clearance beyond the hall, on obstacles, in door zones, on partitions."""
+    """α_W of one object: clearance beyond the hall, on obstacles, in door zones, on partitions.
+
+    Square metres; ``walls`` (p, 8) frames of the partitions.
+    """
     covered = 4.0 * clear[4] * clear[5] - area_in_polygon(clear, p.edges)
     for k in range(p.obstacles.shape[0]):
         covered += common_area(clear, read_frame(p.obstacles, k))
@@ -188,7 +194,10 @@ def proportion_of(p: PreparedHall, s: State, unit: int) -> float:
 
 @inlined
 def span_in_strip(frame: Frame, border: Floats, half: float) -> tuple[float, float]:
-    """Part of a border (metres from its start) that a box covers within ``half`` of it."""
+    """Part of a border (metres from its start) that a box covers within ``half`` of it.
+
+    ``border`` (r,) begins with x0, y0, x1, y1 in metres.
+    """
     dx, dy = border[2] - border[0], border[3] - border[1]
     length = math.sqrt(dx * dx + dy * dy)
     dx, dy = dx / length, dy / length
@@ -260,7 +269,10 @@ def passage(p: PreparedHall, s: State, work: Scratch, link: int) -> float:
 @compiled
 def block_solids(p: PreparedHall, border: int, half: float, edges: Floats, work: Scratch) -> None:
     """Mark the cells of a border that walls (frames ``edges``) and obstacles block, in
-    ``cells``."""
+    ``cells``.
+
+    ``edges`` (k, 8) frames; ``half`` in metres.
+    """
     cells = p.border_cells[border, 1]
     for solids in (edges, p.obstacles):
         for k in range(solids.shape[0]):

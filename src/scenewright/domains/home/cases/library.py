@@ -71,7 +71,10 @@ def index_cases(
 
 
 def subset(known: Cases, chosen: NDArray[np.bool_]) -> Cases:
-    """Some of the cases, at least one, with all that is known of them."""
+    """Some of the cases, at least one, with all that is known of them.
+
+    ``chosen`` (n,), one flag a case.
+    """
     groups = tuple(group for group, stays in zip(known.groups, chosen, strict=True) if stays)
     real, areas = known.real[chosen].tolist(), known.areas[chosen].tolist()
     return index_cases(groups, tuple(real), tuple(areas))

@@ -77,7 +77,8 @@ def furnish_patch(
     """The best case for a patch: fewest members lost, then least out of reach of the outlets, then
     nearest in size.
 
-    With ``exact`` false the nearest case is taken as the paper prints, fitting or not.
+    With ``exact`` false the nearest case is taken as the paper prints, fitting or not. ``box``
+    (5,) x, y, heading, width, depth; metres and radians.
     """
     if not exact:
         case = nearest(function, box[3], box[4], library)
@@ -110,7 +111,10 @@ def dress_case(
     catalog: Catalog,
     height: float,
 ) -> FurnishedPatch | Refused:
-    """One case on a box of its own size, whichever of its ends is at a side wall."""
+    """One case on a box of its own size, whichever of its ends is at a side wall.
+
+    ``box`` (5,) x, y, heading, width, depth; metres and radians.
+    """
     return _try(function, case, box, ground, standing, catalog, height, lean=False)
 
 
@@ -181,7 +185,10 @@ def too_tall(
     boxes: Floats, spans: Floats, ground: Ground, height: float, codes: NDArray[np.int64]
 ) -> NDArray[np.int64]:
     """The codes of boxes without fault changed to :data:`UNDER_SLOPE` where they rise above the
-    lowest ceiling over them; ``height`` is that of the flat ceiling."""
+    lowest ceiling over them; ``height`` is that of the flat ceiling.
+
+    ``boxes`` (n, 5), ``spans`` (n, 2) heights of underside and top in metres, ``codes`` (n,).
+    """
     if not len(ground.slopes) and spans[:, 1].max() <= height:
         return codes
     over = spans[:, 1] > lowest(boxes, ground.slopes, height) + 1e-9

@@ -161,7 +161,10 @@ def whole_cost(shared: float, own: float, area: float, turn: float, p: PreparedH
 
 @inlined
 def measure_composition(frames: Floats, i: int, frame: Frame, p: PreparedHome) -> float:
-    """Weighted costs of how all items hang together, item ``i`` (-1: none) taken to ``frame``."""
+    """Weighted costs of how all items hang together, item ``i`` (-1: none) taken to ``frame``.
+
+    ``frames`` (n, 8).
+    """
     if p.weights[BALANCE] == 0.0:
         return 0.0
     return p.weights[BALANCE] * composition.balance(frames, i, frame, p.middle)

@@ -35,7 +35,8 @@ def measure_entered_area(frame: Frame, height: float, zones: Floats, weights: Fl
 def zone_blocked(frame: Frame, clear: Sides, edges: Floats, zones: Floats) -> float:
     """Area of an item's clear zones outside the room or on fixed pieces, square metres.
 
-    ``clear`` is the depth wished for beyond the front, left, back and right side.
+    ``clear`` is the depth wished for beyond the front, left, back and right side. ``edges`` (e,
+    4) of the room, ``zones`` (k, 10) fixed pieces as of :class:`.assemble.PreparedHome`.
     """
     total = 0.0
     for side in range(4):

@@ -13,7 +13,10 @@ NEAR = 0.1
 
 @compiled
 def inward(wall: Floats) -> float:
-    """Direction of the inward normal of a wall x0, y0, x1, y1 whose inside is on the left."""
+    """Direction of the inward normal of a wall x0, y0, x1, y1 whose inside is on the left.
+
+    ``wall`` (4,); radians.
+    """
     return math.atan2(wall[2] - wall[0], wall[1] - wall[3])
 
 
@@ -51,7 +54,8 @@ def gap(distance: float, allowed: float) -> float:
 def against_wall_printed(frame: Frame, walls: Floats) -> float:
     """Gap between the middle of the back edge and the nearest wall, 0.1 m allowed.
 
-    Liu et al. 2017, C5 as printed. A box turned by any angle can satisfy it.
+    Liu et al. 2017, C5 as printed. A box turned by any angle can satisfy it. ``walls`` (w, 4)
+    x0, y0, x1, y1 in metres; a share in [0, 1].
     """
     x, y = frame[0] - frame[2] * frame[5], frame[1] - frame[3] * frame[5]
     return gap(nearest_segment(x, y, walls)[1], NEAR)
@@ -61,7 +65,8 @@ def against_wall_printed(frame: Frame, walls: Floats) -> float:
 def against_wall(frame: Frame, walls: Floats) -> float:
     """Gap between the worse back corner and the same wall, 0.02 m allowed: the back lies flush.
 
-    Repaired form of Liu et al. 2017, C5.
+    Repaired form of Liu et al. 2017, C5. ``walls`` (w, 4) x0, y0, x1, y1 in metres; a share in
+    [0, 1].
     """
     x, y = frame[0] - frame[2] * frame[5], frame[1] - frame[3] * frame[5]
     u, v = frame[3] * frame[4], -frame[2] * frame[4]
@@ -76,7 +81,10 @@ def against_wall(frame: Frame, walls: Floats) -> float:
 
 @inlined
 def alignment(frame: Frame, walls: Floats) -> float:
-    """Angle between a free item and its nearest wall modulo a quarter turn, as a share of 45°."""
+    """Angle between a free item and its nearest wall modulo a quarter turn, as a share of 45°.
+
+    ``walls`` (w, 4) x0, y0, x1, y1 in metres.
+    """
     k = nearest_segment(frame[0], frame[1], walls)[0]
     if k < 0:
         return 0.0

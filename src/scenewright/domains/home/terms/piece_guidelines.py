@@ -66,7 +66,10 @@ def are_related(p: PreparedHome, i: int, j: int) -> bool:
 
 @inlined
 def at_wall(frame: Frame, walls: Floats) -> float:
-    """Middle of the back off a wall and front off its normal, at the wall that costs least."""
+    """Middle of the back off a wall and front off its normal, at the wall that costs least.
+
+    ``walls`` (w, 4) x0, y0, x1, y1 in metres.
+    """
     x, y = frame[0] - frame[2] * frame[5], frame[1] - frame[3] * frame[5]
     least = math.inf
     for k in range(walls.shape[0]):
@@ -110,7 +113,10 @@ def converse(a: Frame, b: Frame) -> float:
 
 @inlined
 def beside(p: PreparedHome, frames: Floats, i: int, frame: Frame) -> float:
-    """What a piece costs with each other one: overlap, clearance, conversation, emphasis."""
+    """What a piece costs with each other one: overlap, clearance, conversation, emphasis.
+
+    ``frames`` (n, 8), piece ``i`` taken to ``frame``.
+    """
     total, role, clear = 0.0, p.traits[i, 2], read_sides(p.clear, i)
     for j in range(frames.shape[0]):
         if j == i:
@@ -148,7 +154,10 @@ def relation(p: PreparedHome, r: int, a: Frame, b: Frame) -> float:
 
 @inlined
 def measure_relations(p: PreparedHome, frames: Floats, i: int, frame: Frame) -> float:
-    """All pairs a piece is in."""
+    """All pairs a piece is in.
+
+    ``frames`` (n, 8), piece ``i`` taken to ``frame``.
+    """
     total = 0.0
     for k in range(p.related_start[i], p.related_start[i + 1]):
         r = p.related[k]
@@ -161,7 +170,10 @@ def measure_relations(p: PreparedHome, frames: Floats, i: int, frame: Frame) -> 
 
 @compiled
 def own_cost(p: PreparedHome, frames: Floats, i: int) -> float:
-    """Everything that changes with one piece's pose, but balance and circulation."""
+    """Everything that changes with one piece's pose, but balance and circulation.
+
+    ``frames`` (n, 8).
+    """
     frame = read_frame(frames, i)
     return (
         stands(p, i, frame) + beside(p, frames, i, frame) + measure_relations(p, frames, i, frame)
@@ -181,7 +193,10 @@ def summed_cost(p: PreparedHome, frames: Floats) -> float:
 
 @compiled
 def balance(p: PreparedHome, frames: Floats) -> float:
-    """Distance of the pieces' common centre of mass from the middle of the room, weighed."""
+    """Distance of the pieces' common centre of mass from the middle of the room, weighed.
+
+    ``frames`` (n, 8) in metres.
+    """
     x, y, mass = 0.0, 0.0, 1e-9
     for i in range(frames.shape[0]):
         area = frames[i, 4] * frames[i, 5]

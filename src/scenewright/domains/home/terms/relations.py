@@ -67,7 +67,8 @@ def daylight(frame: Frame, zones: Floats, span: float) -> float:
 def nestle(frame: Frame, walls: Floats, zones: Floats) -> float:
     """Gap between the middle of the nearer of the left and right sides and a wall or fixed piece.
 
-    0 with a side flush (0.02 m), towards 1 far off: items that belong in corners.
+    0 with a side flush (0.02 m), towards 1 far off: items that belong in corners. ``walls`` (w,
+    4), ``zones`` (k, 10) fixed pieces as of :class:`.assemble.PreparedHome`; metres.
     """
     u, v = frame[3] * frame[4], -frame[2] * frame[4]
     least = math.inf

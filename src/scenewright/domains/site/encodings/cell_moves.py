@@ -83,7 +83,10 @@ def cross(a: Ints, b: Ints, rng: np.random.Generator, points: int = 2) -> tuple[
 
 
 def repair_genes(cells: SiteLattice, genes: Ints, rng: np.random.Generator) -> Ints:
-    """Genes as a layout; which of too many buildings stay is drawn."""
+    """Genes as a layout; which of too many buildings stay is drawn.
+
+    ``genes`` (cells, 3).
+    """
     whole = genes.copy()
     order = rng.permutation(len(genes)).astype(np.int64)
     repair(cells, whole, order, np.empty_like(whole), np.zeros_like(cells.counts()))
@@ -95,6 +98,7 @@ def mutate(cells: SiteLattice, genes: Ints, rng: np.random.Generator) -> None:
     kind, or of its own, at a random turn, if that fits; or the building on it is only turned.
 
     If all of the kind stand already, one of them leaves its other place: so buildings move.
+    ``genes`` (cells, 3).
     """
     if not len(cells.open_cells):
         return
@@ -118,6 +122,8 @@ def mutate(cells: SiteLattice, genes: Ints, rng: np.random.Generator) -> None:
 def spread(fitness: Floats, threshold: float) -> float:
     """ρ = Σ |F(x_i) - F(x)| / (|D| - 1) - δ, (12), F(x) the mean; at ρ <= 0 the individuals are
     alike and the global search ends.
+
+    ``fitness`` (n,).
 
     >>> spread(np.array([0.5, 0.5, 0.5]), 0.01)
     -0.01

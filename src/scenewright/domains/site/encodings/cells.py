@@ -59,7 +59,10 @@ def place_of(cells: SiteLattice, kind: int, turn: int, anchor: int) -> tuple[flo
 
 @compiled
 def is_whole(cells: SiteLattice, genes: Ints, anchor: int) -> bool:
-    """True if all parts of the building at an anchor are where they should be."""
+    """True if all parts of the building at an anchor are where they should be.
+
+    ``genes`` (cells, 3).
+    """
     kind, turn = genes[anchor, KIND], genes[anchor, TURN]
     width, depth = cells.spans[kind, turn % 2, 0], cells.spans[kind, turn % 2, 1]
     for part in range(width * depth):
@@ -72,7 +75,10 @@ def is_whole(cells: SiteLattice, genes: Ints, anchor: int) -> bool:
 
 @compiled
 def is_free(cells: SiteLattice, genes: Ints, kind: int, turn: int, anchor: int) -> bool:
-    """True if a building may be set at an anchor: inside the blocks, its cells empty."""
+    """True if a building may be set at an anchor: inside the blocks, its cells empty.
+
+    ``genes`` (cells, 3).
+    """
     if cells.fits[kind, turn % 2, anchor] == 0:
         return False
     width, depth = cells.spans[kind, turn % 2, 0], cells.spans[kind, turn % 2, 1]
@@ -84,7 +90,10 @@ def is_free(cells: SiteLattice, genes: Ints, kind: int, turn: int, anchor: int) 
 
 @compiled
 def set_building(cells: SiteLattice, genes: Ints, kind: int, turn: int, anchor: int) -> None:
-    """Write all parts of a building."""
+    """Write all parts of a building.
+
+    ``genes`` (cells, 3), changed in place.
+    """
     width, depth = cells.spans[kind, turn % 2, 0], cells.spans[kind, turn % 2, 1]
     for part in range(width * depth):
         cell = anchor + (part // width) * cells.shape[1] + part % width
@@ -93,7 +102,10 @@ def set_building(cells: SiteLattice, genes: Ints, kind: int, turn: int, anchor: 
 
 @compiled
 def clear_building(cells: SiteLattice, genes: Ints, cell: int) -> None:
-    """Empty all cells of the building that a cell is part of."""
+    """Empty all cells of the building that a cell is part of.
+
+    ``genes`` (cells, 3), changed in place.
+    """
     kind, part, turn = genes[cell, KIND], genes[cell, PART], genes[cell, TURN]
     if kind == 0:
         return

@@ -92,13 +92,19 @@ def _set_rows(
 
 
 def parallel(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) -> Floats:
-    """Rows one behind another, all facing the front."""
+    """Rows one behind another, all facing the front.
+
+    Boxes (k, 5) for ``sizes`` (k, 3), metres.
+    """
     rows = split_rows(sizes, spacing, target, behind)
     return _set_rows(sizes, rows, spacing, target, behind, 0.0)
 
 
 def lay_staggered(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) -> Floats:
-    """Rows of which every other one is moved by half a place, so that one looks between two."""
+    """Rows of which every other one is moved by half a place, so that one looks between two.
+
+    Boxes (k, 5) for ``sizes`` (k, 3), metres.
+    """
     half = target[0] - 0.25 * float(sizes[:, 0].mean() + spacing) if len(sizes) else target[0]
     narrow = (max(half, float(sizes[:, 0].max(initial=0.0))), target[1])
     rows = split_rows(sizes, spacing, narrow, behind)
@@ -106,7 +112,10 @@ def lay_staggered(sizes: Floats, spacing: float, target: Target, behind: float =
 
 
 def rotate_boxes(boxes: Floats, angle: float, x: float, y: float) -> Floats:
-    """Boxes turned about the origin and moved; those of no width stay so."""
+    """Boxes turned about the origin and moved; those of no width stay so.
+
+    ``boxes`` (k, 5), ``angle`` in radians, ``x`` and ``y`` in metres.
+    """
     c, s = math.cos(angle), math.sin(angle)
     found = boxes.copy()
     found[:, 0] = boxes[:, 0] * c - boxes[:, 1] * s + x
@@ -133,7 +142,10 @@ def _halves(weights: Floats) -> tuple[NDArray[np.int64], NDArray[np.int64], floa
 
 
 def lay_spliced(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) -> Floats:
-    """Two groups of rows side by side, one of them turned by a quarter to face outwards."""
+    """Two groups of rows side by side, one of them turned by a quarter to face outwards.
+
+    Boxes (k, 5) for ``sizes`` (k, 3), metres.
+    """
     if not len(sizes):
         return np.zeros((0, 5))
     one, two, share = _halves((sizes[:, 0] + spacing) * (sizes[:, 1] + spacing))
@@ -194,18 +206,27 @@ def _along(sizes: Floats, spacing: float, length: float) -> Floats:
 
 
 def peripheral(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) -> Floats:  # noqa: ARG001
-    """A closed courtyard: all round the target, fronts out."""
+    """A closed courtyard: all round the target, fronts out.
+
+    Boxes (k, 5) for ``sizes`` (k, 3), metres.
+    """
     return _round(sizes, spacing, target, 4)
 
 
 def half_closed(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) -> Floats:  # noqa: ARG001
-    """A courtyard open to the front: back and both sides."""
+    """A courtyard open to the front: back and both sides.
+
+    Boxes (k, 5) for ``sizes`` (k, 3), metres.
+    """
     return _round(sizes, spacing, target, 3)
 
 
 def point(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) -> Floats:
     """Free-standing towers, each in the middle of its share of the target; in as many columns as
-    let most of them fit, as near to square as may be."""
+    let most of them fit, as near to square as may be.
+
+    Boxes (k, 5) for ``sizes`` (k, 3), metres.
+    """
     count = len(sizes)
     square = math.sqrt(count * target[0] / target[1])
     tried = sorted(range(1, count + 1), key=lambda columns: abs(columns - square))
@@ -234,7 +255,10 @@ def _towers(sizes: Floats, spacing: float, target: Target, behind: float, column
 
 
 def lay_mixed(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) -> Floats:
-    """Low buildings in rows in front, the tall half as towers behind them."""
+    """Low buildings in rows in front, the tall half as towers behind them.
+
+    Boxes (k, 5) for ``sizes`` (k, 3), metres.
+    """
     if not len(sizes):
         return np.zeros((0, 5))
     order = np.argsort(sizes[:, 2], kind="stable")
