@@ -44,7 +44,7 @@ def printable_lines(text: str) -> str:
     """As :func:`printable`, but as long as before, and its line feeds stay."""
     if text.isascii() and text.isprintable():
         return text
-    return "".join(map(_shown, text))
+    return "".join(map(_replace_character, text))
 
 
 def escape_unprintable(json_text: str) -> str:
@@ -57,7 +57,8 @@ def escape_unprintable(json_text: str) -> str:
     if json_text.isascii() and "\x7f" not in json_text:
         return json_text
     return "".join(
-        c if c == "\n" or c.isprintable() or c in JOINERS else _escaped(c) for c in json_text
+        c if c == "\n" or c.isprintable() or c in JOINERS else _escape_character(c)
+        for c in json_text
     )
 
 
@@ -81,13 +82,13 @@ def restore_cell(cell: str) -> str:
     return cell[1:] if cell.startswith("'") and cell[1:].startswith(FORMULA) else cell
 
 
-def _shown(character: str) -> str:
+def _replace_character(character: str) -> str:
     if character == "\n" or character.isprintable() or character in JOINERS:
         return character
     return " " if character.isspace() else "\ufffd"
 
 
-def _escaped(character: str) -> str:
+def _escape_character(character: str) -> str:
     """A character as JSON escapes it, of two halves above U+FFFF."""
     data = character.encode("utf-16-be", "surrogatepass")
     return "".join(f"\\u{data[k]:02x}{data[k + 1]:02x}" for k in range(0, len(data), 2))

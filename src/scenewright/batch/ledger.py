@@ -40,11 +40,11 @@ class Ledger:
             shutil.rmtree(self.parts, ignore_errors=True)
             self.parts.mkdir()
         except OSError as error:
-            raise self._refused(error) from None
+            raise self._refusal(error) from None
         self._read()
         return self
 
-    def _refused(self, error: OSError) -> InputError:
+    def _refusal(self, error: OSError) -> InputError:
         told = f"cannot be written into: {error.strerror or error}"
         return InputError(told, "choose another folder", file=str(self.path.parent))
 
@@ -73,7 +73,7 @@ class Ledger:
             self._file.write(line + "\n")
             self._file.flush()
         except OSError as error:
-            raise self._refused(error) from None
+            raise self._refusal(error) from None
 
     def _claim(self) -> None:
         """Refuse a folder another batch is writing into (where the system can tell)."""

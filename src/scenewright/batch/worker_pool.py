@@ -58,7 +58,7 @@ class Worker:
 
     def ask(self, order: Job, seconds: float) -> tuple[ResultRow | None, str]:
         """The row of an order; without one, why: it took too long, or the worker died."""
-        process = self._started()
+        process = self._live_process()
         late = Event()
 
         def stop() -> None:
@@ -95,7 +95,7 @@ class Worker:
         if (process := self._process) is not None:
             process.kill()
 
-    def _started(self) -> subprocess.Popen[bytes]:
+    def _live_process(self) -> subprocess.Popen[bytes]:
         for _ in range(STARTS):
             if self._process is not None and self._process.poll() is None:
                 return self._process
@@ -201,11 +201,11 @@ class WorkerPool:
     def _do(self, order: Job) -> tuple[Job, ResultRow]:
         worker = self._idle.get()
         try:
-            return order, self._tried(worker, order)
+            return order, self._try_job(worker, order)
         finally:
             self._idle.put(worker)
 
-    def _tried(self, worker: Worker, order: Job) -> ResultRow:
+    def _try_job(self, worker: Worker, order: Job) -> ResultRow:
         begun, why = time.perf_counter(), ""
         for _ in range(LIVES):
             if self.stopping.is_set():

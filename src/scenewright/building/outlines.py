@@ -188,7 +188,7 @@ def _without_spikes(corners: Points) -> Points:
     kept = [corners[i] for i in range(len(corners))]
     i = 0
     while i < len(kept) and len(kept) > 3:
-        if _spiked(kept[i - 1], kept[i], kept[(i + 1) % len(kept)]):
+        if _is_spike(kept[i - 1], kept[i], kept[(i + 1) % len(kept)]):
             kept.pop(i)
             i = max(i - 2, 0)
         else:
@@ -197,7 +197,7 @@ def _without_spikes(corners: Points) -> Points:
     return clean if len(clean) == len(corners) else _without_spikes(clean)
 
 
-def _spiked(before: Points, here: Points, after: Points) -> bool:
+def _is_spike(before: Points, here: Points, after: Points) -> bool:
     """Whether a corner is the tip of a spike: the shorter side ends within 1 mm of the longer."""
     ax, ay = before[0] - here[0], before[1] - here[1]
     bx, by = after[0] - here[0], after[1] - here[1]

@@ -87,6 +87,6 @@ def judge_rooms(walked: Walked, groups: Sequence[Members] = ()) -> Verdict:
     return Verdict(findings, unreached, figures | ({"outlets": connected} if connected else {}))
 
 
-def counted(pieces: Sequence[Piece], findings: Sequence[Finding]) -> dict[str, Any]:
+def count_findings(pieces: Sequence[Piece], findings: Sequence[Finding]) -> dict[str, Any]:
     """The figures every report begins with."""
     return {"pieces": len(pieces), "counts": count_by_kind(tuple(findings))}

@@ -11,7 +11,7 @@ from rich.console import Console
 from scenewright.cli.progress import SolverWatch, watching
 from scenewright.cli.tables import print_line
 from scenewright.workflow.arrange import Arranged, arrange_file
-from scenewright.workflow.events import Event, Note, Planned, Progress, run_to_end
+from scenewright.workflow.events import Event, Notice, Planned, Progress, run_to_end
 from scenewright.workflow.request import ArrangeRequest
 
 T = TypeVar("T")
@@ -53,7 +53,7 @@ def follow(
                 watches.append(stack.enter_context(watching(console, console.quiet, stoppable)))
             elif isinstance(event, Progress):
                 watches[-1].progress(*event)
-            elif isinstance(event, Note):
+            elif isinstance(event, Notice):
                 print_line(console, event.text, "dim")
 
         result = run_to_end(run(cancelled), hear)

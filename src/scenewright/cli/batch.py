@@ -92,7 +92,7 @@ def run(
             hidden_levels=request.hidden_levels,
             memory=MEMORY if terms.memory is None else terms.memory,
             limit=TIME if terms.limit is None else terms.limit,
-            progress=watch.heard,
+            progress=watch.on_row,
             cancel=lambda: bool(interrupted),
         )
     code = 130 if interrupted else _code(rows)
@@ -127,7 +127,7 @@ def _document(rows: Sequence[ResultRow]) -> dict[str, object]:
     return {"totals": totals(rows), "files": [row._asdict() for row in rows]}
 
 
-def _tell(console: Console, rows: Sequence[ResultRow], folder: Path, watch: Heard) -> None:
+def _tell(console: Console, rows: Sequence[ResultRow], folder: Path, watch: BatchWatch) -> None:
     """The totals, the files that failed or break a rule, and where the full table is."""
     from scenewright.batch.table import CSV, FAILED, NOT_VALID, totals
 
@@ -152,7 +152,7 @@ def _without(row: ResultRow) -> str:
     return row.message.removeprefix(f"{row.file}: ")
 
 
-class Heard:
+class BatchWatch:
     """Moves a bar as rows come in and counts them: ``total`` files, of which some were done
     ``before`` and others ``made`` now."""
 
@@ -165,7 +165,7 @@ class Heard:
         """Since the start."""
         return time.perf_counter() - self.begun
 
-    def heard(self, _: ResultRow, done: int, total: int, before: bool) -> None:
+    def on_row(self, _: ResultRow, done: int, total: int, before: bool) -> None:
         """A row has come."""
         self.total = total
         self.before, self.made = self.before + before, self.made + (not before)
@@ -174,7 +174,7 @@ class Heard:
 
 
 @contextmanager
-def _bar(console: Console) -> Iterator[Heard]:
+def _bar(console: Console) -> Iterator[BatchWatch]:
     """A bar with count, rate and time left, if anyone is looking."""
     bar = Progress(
         TextColumn("{task.description}"),
@@ -187,4 +187,4 @@ def _bar(console: Console) -> Iterator[Heard]:
         disable=console.quiet or not console.is_terminal,
     )
     with bar:
-        yield Heard(bar)
+        yield BatchWatch(bar)

@@ -124,13 +124,13 @@ def whole_together(paths: Sequence[Name], folder: Name | None = None) -> Iterato
     partials = [_temporary_name(final, Path(folder or final.parent)) for final in finals]
     try:
         for partial, final in zip(partials, finals, strict=True):
-            with _refused(final):
+            with _report_refusal(final):
                 final.parent.mkdir(parents=True, exist_ok=True)
                 _create(partial)
         yield partials
         check_targets(finals)
         for partial, final in zip(partials, finals, strict=True):
-            with _refused(final):
+            with _report_refusal(final):
                 os.replace(partial, final)
     finally:
         _remove(partials)
@@ -186,7 +186,7 @@ def _create(partial: Path) -> None:
 
 
 @contextmanager
-def _refused(final: Path) -> Iterator[None]:
+def _report_refusal(final: Path) -> Iterator[None]:
     """What the system refuses, as one InputError that names the target."""
     try:
         yield

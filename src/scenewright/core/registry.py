@@ -43,10 +43,10 @@ def domain_names() -> tuple[str, ...]:
     >>> domain_names()[:3]
     ('home', 'hall', 'site')
     """
-    return (*SHIPPED, *sorted(_added().keys() - set(SHIPPED)))
+    return (*SHIPPED, *sorted(_entry_points().keys() - set(SHIPPED)))
 
 
-def _added() -> dict[str, Any]:
+def _entry_points() -> dict[str, Any]:
     return {entry.name: entry for entry in entry_points(group=GROUP)}
 
 
@@ -61,7 +61,7 @@ def domain_of(name: str) -> Any:
     """
     if name in SHIPPED:
         return import_module(f"{GROUP}.{name}").DOMAIN
-    entry = _added().get(name)
+    entry = _entry_points().get(name)
     if entry is None:
         known = ", ".join(domain_names())
         raise InputError(f"unknown domain '{name[:40]}'", f"use one of: {known}")

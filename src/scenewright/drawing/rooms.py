@@ -79,7 +79,7 @@ def _no_rows(scene: Scene, storeys: Sequence[Storey]) -> Sequence[LegendRow]:
 
 def furnished_summary(scene: Scene) -> str:
     """The line below the title: rooms, floor area, pieces."""
-    rooms, pieces = counted(len(scene.spaces), "room"), counted(len(scene.pieces), "piece")
+    rooms, pieces = count_words(len(scene.spaces), "room"), count_words(len(scene.pieces), "piece")
     return f"Furnished plan · {rooms} · {_total_area(scene)} floor area · {pieces}"
 
 
@@ -187,7 +187,9 @@ def _storey_mark(storey: Storey, paper: Paper, left: float, bottom: float, below
         slopes_mark(
             view,
             part.spaces,
-            union_all([*_covered(part.pieces, paper.catalog), *roof_windows(part.openings)]),
+            union_all(
+                [*_list_footprints(part.pieces, paper.catalog), *roof_windows(part.openings)]
+            ),
         ),
         walls_mark(view, (*part.walls, *partition_walls(part.pieces))),
         openings_mark(view, part.openings),
@@ -210,12 +212,12 @@ def _labels(view: PaperView, storey: Storey, paper: Paper) -> str:
     ]
     over += paper.overlay.keep_off(view, storey)
     over += [line for space in part.spaces for line in low_lines(view, space)]
-    covered = union_all([*_covered(part.pieces, paper.catalog), *over])
+    covered = union_all([*_list_footprints(part.pieces, paper.catalog), *over])
     spaces, halos = zip(*named, strict=True) if named else ((), ())
     return labels_mark(view, spaces, [covered] * len(named), halos)
 
 
-def _covered(pieces: Sequence[Piece], catalog: Catalog) -> list[Geometry]:
+def _list_footprints(pieces: Sequence[Piece], catalog: Catalog) -> list[Geometry]:
     """What stands on the floor, and the edges of rugs."""
     here = [piece for piece in pieces if not hangs(piece)]
     shapes = [(piece, Polygon(footprint(piece))) for piece in here]
@@ -254,6 +256,6 @@ def _total_area(scene: Scene) -> str:
     return area_words(sum(polygon_of(space).area for space in scene.spaces))
 
 
-def counted(count: int, word: str) -> str:
+def count_words(count: int, word: str) -> str:
     """A number with its word: ``1 room``, ``2 rooms``."""
     return f"{count} {word}" if count == 1 else f"{count} {word}s"

@@ -186,13 +186,13 @@ def formats() -> tuple[Format, ...]:
         FORMATS
         + own
         + tuple(
-            _registered(entry.name, entry.value)
+            _read_row(entry.name, entry.value)
             for entry in entry_points(group="scenewright.formats")
         )
     )
 
 
-def _registered(suffix: str, module: str) -> Format:
+def _read_row(suffix: str, module: str) -> Format:
     """The row of a module of another package, which may only read or only write. One that cannot
     be imported is said to do both, so that its fault is told when it is used."""
     try:

@@ -60,12 +60,12 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
 def picture(scene: Scene, catalog: Catalog, width: int = WIDTH) -> Pixels:
     """The scene as pixels ``(height, width, 3)``; the height follows the scene's shape."""
     look = OUTDOORS if any("site" in space.functions for space in scene.spaces) else INDOORS
-    stage, camera, shape = _staged(scene, catalog, look)
+    stage, camera, shape = _stage_scene(scene, catalog, look)
     height = int(np.clip(round(width * shape), width // 3, TALLEST * width // WIDTH))
     return render(stage, camera, width, height, look.sun)
 
 
-def _staged(scene: Scene, catalog: Catalog, look: Look) -> tuple[RenderStage, Camera, float]:
+def _stage_scene(scene: Scene, catalog: Catalog, look: Look) -> tuple[RenderStage, Camera, float]:
     """The triangles, and a camera that sees them with the shape of its picture."""
     blocks = blocks_of(scene, catalog, look.cut)
     corners = [block.vertices for block in blocks] or [np.zeros((1, 3))]

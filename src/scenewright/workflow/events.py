@@ -47,13 +47,13 @@ class Wrote(NamedTuple):
     path: Path
 
 
-class Note(NamedTuple):
+class Notice(NamedTuple):
     """Something the user should know that is no fault."""
 
     text: str
 
 
-Event = Planned | Progress | Solved | Judged | Wrote | Note
+Event = Planned | Progress | Solved | Judged | Wrote | Notice
 Hear = Callable[[Event], None]
 
 
@@ -62,8 +62,8 @@ def run_to_end(events: Generator[Event, None, T], hear: Hear | None = None) -> T
     the run early closes it first, so that nothing is left half done.
 
     >>> def count():
-    ...     yield Note("one")
-    ...     yield Note("two")
+    ...     yield Notice("one")
+    ...     yield Notice("two")
     ...     return 2
     >>> run_to_end(count(), lambda event: print(event.text))
     one

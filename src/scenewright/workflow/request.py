@@ -13,7 +13,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.solution import Solution
 from scenewright.domains import domain_of, presets, solvers
 from scenewright.formats import SWEET_HOME, check_output, read_planned, writer
-from scenewright.workflow.events import Note, Planned
+from scenewright.workflow.events import Notice, Planned
 
 HEAVY = 50_000
 """Faces of a model above which it is told."""
@@ -66,23 +66,23 @@ def make_accessible(brief: Brief) -> Brief:
     return changed
 
 
-def note_ineffective(request: ArrangeRequest, brief: Brief) -> Iterator[Note]:
+def note_ineffective(request: ArrangeRequest, brief: Brief) -> Iterator[Notice]:
     """Options of a request that change nothing for this file."""
     home = request.source.lower().endswith(SWEET_HOME)
     if request.keep and not (home and any(room.fixed for room in brief.rooms)):
-        yield Note("--keep has no effect: the file holds no furniture to keep")
+        yield Notice("--keep has no effect: the file holds no furniture to keep")
     if request.hidden_levels and not home:
-        yield Note("--hidden-levels has no effect: only Sweet Home 3D homes have hidden levels")
+        yield Notice("--hidden-levels has no effect: only Sweet Home 3D homes have hidden levels")
 
 
-def note_heavy(solution: Solution) -> Iterator[Note]:
+def note_heavy(solution: Solution) -> Iterator[Notice]:
     """The user's models in use that have more than :data:`HEAVY` faces."""
     catalog = catalog_of(solution.brief.catalogs)
     for name in sorted({piece.asset for piece in solution.pieces if piece.asset.startswith(OWN)}):
         asset = catalog.assets.get(name)
         faces = sum(len(part.faces) for part in asset.mesh(asset.usual)) if asset else 0
         if faces > HEAVY:
-            yield Note(f"{name} has {faces:,} faces: files with it are large")
+            yield Notice(f"{name} has {faces:,} faces: files with it are large")
 
 
 def check_outputs(outputs: Sequence[Path]) -> None:

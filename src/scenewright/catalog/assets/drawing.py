@@ -46,7 +46,7 @@ def buildable(size: Size, small: Size, large: Size) -> Size:
     return Size(*(min(max(side, low / ODD), ODD * high) for side, low, high in limits))
 
 
-def _stretched(mesh: Mesher, small: Size, large: Size) -> Mesher:
+def _stretch(mesh: Mesher, small: Size, large: Size) -> Mesher:
     def built(size: Size) -> Parts:
         near = buildable(size, small, large)
         if near == size:
@@ -57,7 +57,7 @@ def _stretched(mesh: Mesher, small: Size, large: Size) -> Mesher:
     return built
 
 
-def _stretched_symbol(symbol: Symbol, small: Size, large: Size) -> Symbol:
+def _stretch_symbol(symbol: Symbol, small: Size, large: Size) -> Symbol:
     def drawn(size: Size) -> tuple[NDArray[np.float64], ...]:
         near = buildable(size, small, large)
         if near == size:
@@ -68,7 +68,7 @@ def _stretched_symbol(symbol: Symbol, small: Size, large: Size) -> Symbol:
     return drawn
 
 
-def _stretched_footprint(footprint: Covering, small: Size, large: Size) -> Covering:
+def _stretch_footprint(footprint: Covering, small: Size, large: Size) -> Covering:
     def covering(size: Size) -> Footprint:
         return scale_footprint(footprint(buildable(size, small, large)), *size[:2])
 
@@ -89,8 +89,8 @@ def asset_of(drawing: Drawing, kind: Kind) -> Asset:
     if not sizes:
         raise InputError(f"the kind '{kind.category}' has no sizes", "state them in its row")
     small, usual, large = sizes
-    mesh = _stretched(drawing.mesh, small, large)
-    symbol = _stretched_symbol(drawing.symbol, small, large)
+    mesh = _stretch(drawing.mesh, small, large)
+    symbol = _stretch_symbol(drawing.symbol, small, large)
     return Asset(
         identity,
         drawing.category,
@@ -100,5 +100,5 @@ def asset_of(drawing: Drawing, kind: Kind) -> Asset:
         large,
         mesh,
         symbol,
-        footprint=_stretched_footprint(drawing.footprint, small, large),
+        footprint=_stretch_footprint(drawing.footprint, small, large),
     )

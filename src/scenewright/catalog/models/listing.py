@@ -167,14 +167,14 @@ def table_of(file: Path) -> Table:
 def _csv_rows(content: bytes) -> list[Cells]:
     try:
         reader = csv.DictReader(io.StringIO(content.decode("utf-8-sig"), newline=""))
-        return _check_rows({str(k): _restored(v) for k, v in row.items()} for row in reader)
+        return _check_rows({str(k): _restore(v) for k, v in row.items()} for row in reader)
     except UnicodeDecodeError:
         raise InputError("is not UTF-8 text", "save it as CSV in UTF-8") from None
     except csv.Error as error:
         raise InputError(f"is no CSV table ({error})", "save it again") from None
 
 
-def _restored(cell: object) -> object:
+def _restore(cell: object) -> object:
     """A cell as it was before it was made harmless to spreadsheets."""
     return restore_cell(cell) if isinstance(cell, str) else cell
 

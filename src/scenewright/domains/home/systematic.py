@@ -41,7 +41,7 @@ FORMS = 2  # of a group: so many of its smallest
 Forms = Callable[[RoomTask, Wish], tuple[Group, ...]]
 
 
-class Way(NamedTuple):
+class Attempt(NamedTuple):
     """One way to have all that is essential: what stays where it is, what is to be placed, the
     largest first, in which forms, and whether the ways to it are looked at."""
 
@@ -66,7 +66,9 @@ def essential_layouts(
                 break
 
 
-def _ways(task: RoomTask, wishes: tuple[Wish, ...], before: RoomAnswer, rank: int) -> Iterator[Way]:
+def _ways(
+    task: RoomTask, wishes: tuple[Wish, ...], before: RoomAnswer, rank: int
+) -> Iterator[Attempt]:
     kept = tuple(p for p in before.placed if is_essential(p.wish) and p.wish.rank <= rank)
     missing = [m.wish for m in before.missing]
     lacking, essential = (
@@ -82,7 +84,7 @@ def _ways(task: RoomTask, wishes: tuple[Wish, ...], before: RoomAnswer, rank: in
             possible = not any(wish.group in out for wish in rest)
             if rest and possible and len(rest) <= MANY and key not in known:
                 known.add(key)
-                yield Way(stays, _largest_first(task, rest), forms, walked)
+                yield Attempt(stays, _largest_first(task, rest), forms, walked)
 
 
 def _others(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
@@ -114,7 +116,7 @@ def least_forms(task: RoomTask, wish: Wish) -> tuple[Group, ...]:
 
 def _extended(
     task: RoomTask,
-    way: Way,
+    way: Attempt,
     placed: tuple[FurnishedGroup, ...],
     rest: tuple[Wish, ...],
     looked: list[int],

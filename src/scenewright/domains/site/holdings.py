@@ -41,7 +41,7 @@ def collect_buildings(
 ) -> list[BuildingDemand]:
     """The buildings a site asks for, or those that bring its floor-area ratio and coverage, less
     those that stand already."""
-    asked = (_listed if site.buildings else _filling)(site, plan, place, catalog)
+    asked = (_list_demands if site.buildings else _filling)(site, plan, place, catalog)
     return without_standing(asked, plan.fixed)
 
 
@@ -67,7 +67,7 @@ def without_standing(
     return found
 
 
-def _listed(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[BuildingDemand]:
+def _list_demands(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[BuildingDemand]:
     found: list[BuildingDemand] = []
     for number, (row, model) in enumerate(zip(site.buildings, plan.models, strict=True)):
         asset = catalog.assets[model]

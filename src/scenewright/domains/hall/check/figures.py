@@ -26,7 +26,7 @@ from scenewright.domains.hall.check.tours import tour_figures
 from scenewright.domains.hall.check.zones import WHEELCHAIR, find_outside_zone, reached_by, turning
 
 
-class Verdict(NamedTuple):
+class HallVerdict(NamedTuple):
     """What is said of all halls of an answer."""
 
     findings: list[Finding]
@@ -53,13 +53,13 @@ def judge_halls(
     grounds: list[JoinedFloor],
     walks: list[Walk],
     narrow: list[Walk],
-) -> Verdict:
+) -> HallVerdict:
     """Zone fidelity, passages and figures of all halls.
 
     ``walks`` are the visitors' routes in each of ``grounds``, ``narrow`` those of a person 0.4 m
     wide, ``wishes`` the rooms of the brief by space.
     """
-    verdict = Verdict([], [], {})
+    verdict = HallVerdict([], [], {})
     for ground, walk, slim in zip(grounds, walks, narrow, strict=True):
         same = walk.radius == WHEELCHAIR / 2
         wheelchair = walk if same else walk_in(bodies, ground, WHEELCHAIR / 2)
@@ -74,7 +74,7 @@ def judge_halls(
 
 
 def _judge(
-    verdict: Verdict,
+    verdict: HallVerdict,
     brief: Brief,
     wishes: Mapping[str, Room],
     hall: JudgedHall,

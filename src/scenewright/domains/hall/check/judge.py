@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from scenewright.building.plan import room_ids
 from scenewright.check.plan_notes import note_reading
-from scenewright.check.rooms import counted, judge_rooms, walk_rooms
+from scenewright.check.rooms import count_findings, judge_rooms, walk_rooms
 from scenewright.check.spaces import find_doorless
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.report import Finding, Report
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.check.figures import Verdict, judge_halls
+from scenewright.domains.hall.check.figures import HallVerdict, judge_halls
 from scenewright.domains.hall.check.halls import JudgedHall, halls_of
 
 
@@ -26,7 +26,7 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
             detail.layout, detail.tours, asked, brief.passage_width, walked.bodies, walked.rooms
         )
     shared = judge_rooms(walked, [group for hall in halls for group in hall.groups])
-    verdict = Verdict([], [], {})
+    verdict = HallVerdict([], [], {})
     if halls:
         verdict = judge_halls(
             brief, asked, halls, walked.bodies, walked.grounds, walked.walks, walked.narrow
@@ -34,7 +34,7 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     findings = (*shared.findings, *faults, *verdict.findings)
     doorless = find_doorless(walked.bodies, walked.rooms)
     notes = (*note_reading(brief), *doorless, *shared.notes, *verdict.notes)
-    figures = {**counted(solution.pieces, findings), **shared.figures}
+    figures = {**count_findings(solution.pieces, findings), **shared.figures}
     if halls:
         figures["halls"] = verdict.figures
     return Report(findings, notes, figures)

@@ -26,7 +26,7 @@ from scenewright.domains.hall.drawing.plan import (
 )
 from scenewright.drawing.labels import area_words, polygon_of
 from scenewright.drawing.legend import LegendRow
-from scenewright.drawing.rooms import Overlay, Storey, counted, plan
+from scenewright.drawing.rooms import Overlay, Storey, count_words, plan
 
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> str:
@@ -65,6 +65,6 @@ def hall_summary(scene: Scene, halls: Halls) -> str:
     """The line below the title: floor area, zones, groups, objects."""
     objects = sum(piece.category != "partition" for piece in scene.pieces)
     counts = (len(halls.graph.zones), "zone"), (len(halls.graph.groups), "group")
-    words = [counted(*count) for count in (*counts, (objects, "object"))]
+    words = [count_words(*count) for count in (*counts, (objects, "object"))]
     total = area_words(sum(polygon_of(space).area for space in scene.spaces))
     return " · ".join(["Hall plan", total, *words])

@@ -34,8 +34,8 @@ def moved_in(
     """Pieces that now belong to the room ``space``: with ids that no other has, in its own group.
 
     Those of ``group`` stay one (empty: none is whole); others become single pieces. What each
-    stands ``on`` is left to :func:`supported`. Ids a user gave, which do not begin with the old
-    room, stay.
+    stands ``on`` is left to :func:`restore_supports`. Ids a user gave, which do not begin with the
+    old room, stay.
     """
     used = set(taken)
     whole = fresh(f"{space}/{group.rpartition('/')[2]}", used) if group else ""
@@ -55,7 +55,9 @@ def moved_in(
     return tuple(found)
 
 
-def supported(now: Mapping[str, Piece], carried: Iterable[frozenset[str]]) -> dict[str, Piece]:
+def restore_supports(
+    now: Mapping[str, Piece], carried: Iterable[frozenset[str]]
+) -> dict[str, Piece]:
     """Pieces by their former ids with ``on`` as the present id of what is below them.
 
     A piece moved without what it stood on stands on what is below it now, else on the floor;

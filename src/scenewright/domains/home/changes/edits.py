@@ -20,7 +20,7 @@ from scenewright.core.piece_edits import find_piece as find_named
 from scenewright.core.scene import STAIRS, Piece
 from scenewright.core.solution import Patch
 from scenewright.core.space import Space
-from scenewright.domains.home.changes.belonging import moved_in, supported
+from scenewright.domains.home.changes.belonging import moved_in, restore_supports
 from scenewright.domains.home.changes.destination import Frame, check_along, room_at
 from scenewright.domains.home.groups import GROUPS
 
@@ -39,7 +39,7 @@ class Shift(NamedTuple):
     space: str
 
 
-class Edited(NamedTuple):
+class EditedHome(NamedTuple):
     """The pieces as changed; of those that were ``moved`` the former id by the present one, and
     which piece was named for it; the ids of pieces ``swapped``, together; the ids of all rooms
     that are ``touched``."""
@@ -53,7 +53,7 @@ class Edited(NamedTuple):
 
 def apply_edits(
     pieces: Sequence[Piece], patches: Sequence[Patch], rooms: Sequence[Space], edits: Edits
-) -> Edited:
+) -> EditedHome:
     """Pieces with all edits made; what was moved or swapped is locked where it now stands."""
     now = {piece.id: piece for piece in pieces}
     for name in edits.unlock:
@@ -84,11 +84,11 @@ def apply_edits(
         for shift in _swap_pieces(find_piece(pieces, one), find_piece(pieces, other), patches):
             sets.append(_make(shift, before, now, moved))
             swapped.append(sets[-1])
-    now = supported(now, sets)
+    now = restore_supports(now, sets)
     spaces = {before[i].space for i in moved} | {now[i].space for i in moved}
     touched = frozenset(spaces | _again(rooms, edits))
     ids = {former: piece.id for former, piece in now.items()}
-    return Edited(
+    return EditedHome(
         tuple(now.values()),
         {ids[k]: k for k in moved},
         {ids[k]: ids[v] for k, v in moved.items()},

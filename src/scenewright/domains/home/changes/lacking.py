@@ -8,7 +8,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
-from scenewright.domains.home.changes.edits import Edited, leads
+from scenewright.domains.home.changes.edits import EditedHome, leads
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.tasks import wishes_of
 
@@ -25,7 +25,7 @@ def moved_out(
     rooms: Sequence[Space],
     standing: tuple[Piece, ...],
     before: Sequence[Piece],
-    change: Edited,
+    change: EditedHome,
 ) -> list[LeftOut]:
     """What a room is to hold and lacks because its group was moved into another room; ``standing``
     is what is there now, ``before`` all pieces of the home as they were."""

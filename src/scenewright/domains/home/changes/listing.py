@@ -8,7 +8,7 @@ from typing import NamedTuple
 from scenewright.core.edits import Change
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.home.changes.edits import LIGHT, Edited
+from scenewright.domains.home.changes.edits import LIGHT, EditedHome
 
 AROUND = "the room was arranged around what was moved by hand"
 ASKED = "the room was furnished again, as asked for"
@@ -19,7 +19,7 @@ MOVED, NEW, GONE = "moved", "new", "gone"
 def changes_of(
     before: Solution,
     after: Solution,
-    edited: Edited,
+    edited: EditedHome,
     again: Collection[str],
     reasons: Mapping[str, str],
 ) -> tuple[Change, ...]:
@@ -30,12 +30,12 @@ def changes_of(
 
 
 class _Why(NamedTuple):
-    edited: Edited
+    edited: EditedHome
     again: Collection[str]
     reasons: Mapping[str, str]
     after: Solution
 
-    def told(self, piece: Piece) -> str:
+    def reason_of(self, piece: Piece) -> str:
         """Why a piece is not as it was, by its present id or, if it is gone, its former one."""
         if piece.id in self.edited.moved:
             main = self.edited.named[piece.id]
@@ -52,7 +52,7 @@ class _Why(NamedTuple):
         return ASKED if piece.space in self.again else AROUND
 
 
-def _changes(before: Solution, after: Solution, edited: Edited, why: _Why) -> Iterator[Change]:
+def _changes(before: Solution, after: Solution, edited: EditedHome, why: _Why) -> Iterator[Change]:
     old = {piece.id: piece for piece in before.pieces}
     stayed = set()
     carried = set(edited.moved.values())
@@ -61,11 +61,11 @@ def _changes(before: Solution, after: Solution, edited: Edited, why: _Why) -> It
         was = old.get(former)
         other = piece.id not in edited.moved and former in carried  # another now has its id
         if was is None or other:
-            yield Change(piece.id, "", NEW, piece.space, why.told(piece))
+            yield Change(piece.id, "", NEW, piece.space, why.reason_of(piece))
             continue
         stayed.add(former)
         if (was.pose, was.size, was.space) != (piece.pose, piece.size, piece.space):
-            yield Change(piece.id, former, MOVED, piece.space, why.told(piece))
+            yield Change(piece.id, former, MOVED, piece.space, why.reason_of(piece))
     for piece in before.pieces:
         if piece.id not in stayed:
-            yield Change(piece.id, piece.id, GONE, piece.space, why.told(piece))
+            yield Change(piece.id, piece.id, GONE, piece.space, why.reason_of(piece))

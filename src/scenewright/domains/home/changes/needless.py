@@ -55,7 +55,7 @@ def take_back(
 
     ``task`` is the room without the groups ``held``, which stay.
     """
-    pairs, others = _paired(before, (*rest.stay, *rest.answer.placed))
+    pairs, others = _pair_groups(before, (*rest.stay, *rest.answer.placed))
     missing = list(rest.answer.missing)
     reasons: dict[str, str] = {}
     again, least = any(pair.now is not pair.was for pair in pairs), inf
@@ -138,7 +138,7 @@ def _without(missing: Sequence[Missing], pair: Pair) -> list[Missing]:
     return left
 
 
-def _paired(
+def _pair_groups(
     before: Sequence[FurnishedGroup], placed: Sequence[FurnishedGroup]
 ) -> tuple[list[Pair], tuple[FurnishedGroup, ...]]:
     """Each group as it was with the nearest of its function now, which takes its name; and groups
@@ -155,7 +155,7 @@ def _paired(
         if alike:
             nearest = min(alike, key=lambda p: _apart(was, p))
             left = [p for p in left if p is not nearest]
-            now[k] = _renamed(nearest, was)
+            now[k] = _keep_name(nearest, was)
     return [Pair(was, now.get(k)) for k, was in enumerate(before)], tuple(left)
 
 
@@ -167,7 +167,7 @@ def _apart(one: FurnishedGroup, other: FurnishedGroup) -> float:
     return float(np.hypot(*(one.dressed.box[:2] - other.dressed.box[:2])))
 
 
-def _renamed(now: FurnishedGroup, was: FurnishedGroup) -> FurnishedGroup:
+def _keep_name(now: FurnishedGroup, was: FurnishedGroup) -> FurnishedGroup:
     """A group under the name it had, where it is the same function."""
     old, new = now.pieces[0].group, was.pieces[0].group
     if old == new or now.wish.group != was.wish.group:

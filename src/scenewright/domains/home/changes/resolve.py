@@ -23,7 +23,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.changes.belonging import consistent
-from scenewright.domains.home.changes.edits import LIGHT, Edited, apply_edits, leads
+from scenewright.domains.home.changes.edits import LIGHT, EditedHome, apply_edits, leads
 from scenewright.domains.home.changes.lacking import moved_out, still_missing
 from scenewright.domains.home.changes.least_change import Rest, rearrange_groups
 from scenewright.domains.home.changes.lights import completed_as_before
@@ -96,7 +96,7 @@ def _revise_room(
     solution: Solution,
     rooms: tuple[Space, ...],
     room: str,
-    change: Edited,
+    change: EditedHome,
     edits: Edits,
     steps: int | None,
 ) -> Revised:
@@ -183,7 +183,7 @@ def _boxes(
 
 
 def _repair_fixed(
-    task: RoomTask, firm: list[Piece], change: Edited
+    task: RoomTask, firm: list[Piece], change: EditedHome
 ) -> tuple[list[Piece], tuple[LeftOut, ...], dict[str, str]]:
     """Fixed pieces without those of moved groups that cannot follow; what makes a group stays
     where the user put it, fitting or not. Swapped groups are put where they fit near by."""
@@ -220,7 +220,7 @@ def _settle_swapped(
 
 
 def _yield(
-    found: dict[str, Revised], rooms: tuple[Space, ...], solution: Solution, change: Edited
+    found: dict[str, Revised], rooms: tuple[Space, ...], solution: Solution, change: EditedHome
 ) -> None:
     """What now bars a way through the home gives way, in the touched rooms only."""
     if not found or not preset_named(solution.preset).exact:
@@ -246,7 +246,7 @@ def _assemble_solution(
     solution: Solution,
     rooms: tuple[Space, ...],
     found: dict[str, Revised],
-    change: Edited,
+    change: EditedHome,
     seconds: float,
 ) -> Solution:
     """The whole solution: new in the touched rooms, as it was in all others."""
@@ -296,7 +296,7 @@ def _pieces(revised: Revised, before: Sequence[Piece]) -> list[Piece]:
 
 
 def _with_moved(
-    brief: Brief, rooms: Sequence[Space], pieces: Sequence[Piece], change: Edited
+    brief: Brief, rooms: Sequence[Space], pieces: Sequence[Piece], change: EditedHome
 ) -> Brief:
     """The brief with its fixed items where they were moved to."""
     after = {change.moved[p.id]: p for p in change.pieces if p.id in change.moved}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scenewright.building.plan import room_ids
 from scenewright.check.bodies import bodies_of
 from scenewright.check.plan_notes import note_reading, note_small_doors
-from scenewright.check.rooms import Walked, counted, judge_rooms, walk_rooms
+from scenewright.check.rooms import Walked, count_findings, judge_rooms, walk_rooms
 from scenewright.check.spaces import find_doorless
 from scenewright.check.stairs import find_cut_off
 from scenewright.core.catalog import Catalog
@@ -43,7 +43,7 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
         *shared.notes,
         *barriers.notes,
     )
-    figures = {**counted(solution.pieces, findings), **shared.figures, **barriers.figures}
+    figures = {**count_findings(solution.pieces, findings), **shared.figures, **barriers.figures}
     if any(room.wishes for room in brief.rooms):
         figures["wishes"] = wishes_told(bodies, rooms, brief.rooms)
     return Report(findings, notes, figures)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.check.rooms import counted
+from scenewright.check.rooms import count_findings
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
@@ -16,5 +16,5 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     models that the sites name."""
     sites = solution.brief.part.sites
     findings, by_site = judge_sites(sites, solution.pieces, kinds, plan.detail)
-    figures = {**counted(solution.pieces, findings), "sites": by_site}
+    figures = {**count_findings(solution.pieces, findings), "sites": by_site}
     return Report(tuple(findings), tuple(find_small(sites, plan.detail)), figures)
