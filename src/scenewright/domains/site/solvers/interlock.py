@@ -167,13 +167,16 @@ def middles(
     edges = np.concatenate([np.stack([r, np.roll(r, -1, axis=0)], 1) for r in rings])
     obstacles = list(edges)
     obstacles += [np.array(part) for shape in kept for part in convex_parts(_corners(shape))]
+    owners = np.repeat(np.arange(len(obstacles)), [len(one) for one in obstacles])
+    points = np.concatenate(obstacles)
     hulls = []
     for part in parts:
-        sums = [(one[:, None] - np.array(part)[None]).reshape(-1, 2) for one in obstacles]
-        hulls += [shapely.convex_hull(shapely.MultiPoint(points)) for points in sums]
+        sums = (points[:, None] - np.array(part)).reshape(-1, 2)
+        groups = shapely.multipoints(sums, indices=np.repeat(owners, len(part)))
+        hulls.append(shapely.convex_hull(groups))
     inner = np.mean(parts[0], 0)
     start = shapely.transform(block, lambda points: points - inner)
-    return shapely.difference(start, shapely.union_all(np.array(hulls, object)))
+    return shapely.difference(start, shapely.union_all(np.concatenate(hulls)))
 
 
 def _corners(shape: shapely.Polygon) -> Footprint:
