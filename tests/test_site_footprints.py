@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -17,13 +18,16 @@ from scenewright.core.errors import InputError
 from scenewright.core.footprint import outline_of, polygons_of
 from scenewright.domains import adjust
 from scenewright.domains.site.check.figures import judge_sites
+from scenewright.domains.site.drawing.marks import buildings_mark
 from scenewright.domains.site.locks import lock_sites
 from scenewright.domains.site.plan import plan_sites
 from scenewright.domains.site.problem import SiteProblem
+from scenewright.domains.site.shapes import StandingBuilding
 from scenewright.domains.site.solvers.answer import make_measure, standing
 from scenewright.domains.site.solvers.interlock import blocks_of, convex_parts, middles
 from scenewright.domains.site.solving import problems
 from scenewright.domains.site.terms.measure import evaluate
+from scenewright.drawing.marks import PaperView
 from scenewright.formats import brief_json, solution_json
 from sites import SOUTH, building, site
 
@@ -147,6 +151,14 @@ def test_files_show_the_polygon(tmp_path: Path) -> None:
     objects = json.loads((tmp_path / "s.city.json").read_text())["CityObjects"].values()
     solids = [o["geometry"][0]["boundaries"][0] for o in objects if o["type"] == "Building"]
     assert [len(shell) for shell in solids] == [8, 8]
+
+
+def test_the_plan_marks_the_side_farthest_ahead() -> None:
+    corners = np.array([(0, 0), (30, 0), (30, 7), (8, 7), (8, 16), (0, 16)], float)
+    house = StandingBuilding("h", "", "villa", "s", corners, 0, 7, np.pi / 2, 2, False)
+    drawn = buildings_mark(PaperView(1.0, 0.0, 0.0), [house])
+    tips = [[*map(float, spot.split(","))] for spot in re.findall(r"-?[0-9.]+,-?[0-9.]+", drawn)]
+    assert np.mean([x for x, _ in tips[-3:]]) == pytest.approx(4.0, abs=0.1)
 
 
 def test_a_size_is_that_of_the_footprint() -> None:

@@ -151,10 +151,12 @@ def buildings_mark(view: PaperView, rows: Sequence[StandingBuilding]) -> str:
 
 
 def _front(view: PaperView, row: StandingBuilding) -> str:
-    """A small triangle at the middle of the front, pointing out."""
-    middle = row.footprint[1:3].mean(0)
+    """A small triangle at the middle of the side farthest ahead, pointing out."""
     ahead = np.array([np.cos(row.heading), np.sin(row.heading)])
-    size = min(1.3 / view.scale, 0.25 * float(np.hypot(*(row.footprint[2] - row.footprint[1]))))
+    ends = np.stack([row.footprint, np.roll(row.footprint, -1, axis=0)], 1)
+    start, end = ends[int(np.argmax((ends @ ahead).sum(1)))]
+    middle = np.stack([start, end]).mean(0)
+    size = min(1.3 / view.scale, 0.25 * float(np.hypot(*(end - start))))
     side = np.array([-ahead[1], ahead[0]]) * size
     corners = [
         middle + side - ahead * size * 0.2,
