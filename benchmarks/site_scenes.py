@@ -22,7 +22,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.domains.site.check.figures import judge_sites
 from scenewright.domains.site.furnish import buildings, landmarks
 from scenewright.domains.site.holdings import BuildingDemand, collect_buildings
-from scenewright.domains.site.plan import site_plan
+from scenewright.domains.site.plan import plans_of, site_plan
 from scenewright.domains.site.presets import PRESETS
 from scenewright.domains.site.problem import SiteProblem
 from scenewright.domains.site.solvers.answer import score
@@ -131,7 +131,7 @@ def judged(scene: Scene, found: SiteFound) -> Row:
     placed = buildings(scene.plan, scene.wishes, layout.boxes, layout.present)
     pieces = (*landmarks(scene.plan, scene.catalog), *placed)
     begun = time.process_time()
-    verdict = judge_sites(scene.brief.part.sites, pieces)
+    verdict = judge_sites(scene.brief.part.sites, pieces, plans_of(scene.brief))
     took = time.process_time() - begun
     kinds = Counter(finding.kind for finding in verdict.findings)
     figures = next(iter(verdict.figures.values()))

@@ -38,6 +38,8 @@ BANNED = {"utils", "util", "helpers", "helper", "common", "manager", "base", "mi
 JUDGED = {"engine", "geometry", "render"}
 SOLVING = {"terms", "encodings", "energy", "solvers", "solving", "problem", "build_problem"}
 """Parts of a domain that its referee never imports."""
+LOADING = ("scenewright.catalog.loading", "scenewright.catalog.models")
+"""What reads models from files: the referee is given its kinds."""
 DOMAINS = {"home", "hall", "site"}
 HEAVY = ("numpy", "numba", "shapely", "trimesh", "embreex", "scipy", "pydantic")
 
@@ -111,9 +113,25 @@ def test_the_referee_shares_no_code_with_what_it_judges() -> None:
         seen.add(module)
         assert room_of(module) not in JUDGED, f"the referee reaches {module}"
         assert not SOLVING & set(module.split(".")[3:]), f"the referee reaches {module}"
+        assert not module.startswith(LOADING), f"the referee reaches {module}"
         path = PACKAGE.parent.joinpath(*module.split("."))
         files = [f for f in (path.with_suffix(".py"), path / "__init__.py") if f.exists()]
         waiting += [name for file in files for name in imported(file)]
+
+
+CALLING = {"cli", "batch", "workflow", "formats"}
+"""Rooms that may call the referee, beside a domain's registration and the hand-over to it."""
+
+
+@pytest.mark.parametrize("file", FILES, ids=NAMES)
+def test_the_search_never_asks_the_referee(file: Path) -> None:
+    module = module_of(file)
+    parts = module.split(".")
+    registration = parts[1:2] == ["domains"] and len(parts) < 4
+    if "check" in parts or room_of(module) in CALLING or registration:
+        return
+    for name in imported(file):
+        assert "check" not in name.split("."), f"{module} imports the referee: {name}"
 
 
 @pytest.mark.parametrize("file", FILES, ids=NAMES)

@@ -14,9 +14,14 @@ from deadline import within
 from scenewright.core.report import KINDS
 from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
-from scenewright.domains.site.check.figures import judge_sites
+from scenewright.domains.site.check import figures as referee
 from scenewright.domains.site.check.sun import sun, sunny_sides
+from scenewright.domains.site.plan import site_plans
 from sites import SOUTH, answer, building, field, quarter, site
+
+
+def judge_sites(sites, pieces):
+    return referee.judge_sites(sites, pieces, site_plans(sites))
 
 
 def kinds(ground, *pieces):

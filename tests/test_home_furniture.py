@@ -14,9 +14,9 @@ import pytest
 
 from scenewright import formats
 from scenewright.catalog.assets import shipped
-from scenewright.catalog.loading import OWN, catalog_of
+from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
-from scenewright.core.catalog import Catalog, Group, Member
+from scenewright.core.catalog import OWN, Catalog, Group, Member
 from scenewright.core.scene import Size
 from scenewright.core.solution import Solution
 from scenewright.domains import check

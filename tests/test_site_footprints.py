@@ -17,10 +17,10 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import outline_of, polygons_of
 from scenewright.domains import adjust
-from scenewright.domains.site.check.figures import judge_sites
+from scenewright.domains.site.check import figures as referee
 from scenewright.domains.site.drawing.marks import buildings_mark
 from scenewright.domains.site.locks import lock_sites
-from scenewright.domains.site.plan import plan_sites
+from scenewright.domains.site.plan import plan_sites, site_plans
 from scenewright.domains.site.problem import SiteProblem
 from scenewright.domains.site.shapes import StandingBuilding
 from scenewright.domains.site.solvers.answer import make_measure, standing
@@ -32,6 +32,10 @@ from scenewright.formats import brief_json, solution_json
 from sites import SOUTH, building, site
 
 ELL = [[0, 0], [30, 0], [30, 7], [8, 7], [8, 16], [0, 16]]
+
+
+def judge_sites(ground, *pieces):
+    return referee.judge_sites([ground], pieces, site_plans([ground]))
 
 
 def close(footprint: list[list[float]] | None = ELL, **more: Any) -> Brief:
@@ -116,12 +120,12 @@ def test_the_referee_judges_what_houses_cover() -> None:
     local = tuple((float(x) - 15, float(y) - 8) for x, y in ELL)
     first = building("a", 16, 19, 30, 16, heading=SOUTH, footprint=local)
     second = building("b", 16, 10, 30, 16, heading=-SOUTH, footprint=local)
-    assert not judge_sites([ground], [first, second]).findings
+    assert not judge_sites(ground, first, second).findings
     for gap, kind in ((1.5, "spacing"), (4.0, "collision")):
         nearer = replace(second, pose=second.pose._replace(y=second.pose.y + gap))
-        kinds = {f.kind for f in judge_sites([ground], [first, nearer]).findings}
+        kinds = {f.kind for f in judge_sites(ground, first, nearer).findings}
         assert kinds == {kind}
-    figures = judge_sites([ground], [first, second]).figures["s"]
+    figures = judge_sites(ground, first, second).figures["s"]
     assert figures["coverage"] == pytest.approx(2 * 282 / 2400, abs=1e-4)
 
 

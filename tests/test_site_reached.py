@@ -13,11 +13,15 @@ import sites
 from scenewright.core.brief import Brief
 from scenewright.domains import check
 from scenewright.domains.site.access import find_reached_buildings
-from scenewright.domains.site.check.figures import judge_sites
-from scenewright.domains.site.plan import site_plan
+from scenewright.domains.site.check import figures as referee
+from scenewright.domains.site.plan import site_plan, site_plans
 from scenewright.domains.site.solving import solve
 
 SOUTH = -math.pi / 2
+
+
+def judge_sites(sites, pieces):
+    return referee.judge_sites(sites, pieces, site_plans(sites))
 
 
 def court(gap: float) -> np.ndarray:

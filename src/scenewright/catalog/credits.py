@@ -6,8 +6,7 @@ from collections import Counter
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from scenewright.catalog.loading import OWN
-from scenewright.core.catalog import Catalog, asset_of
+from scenewright.core.catalog import OWN, Catalog, asset_of
 from scenewright.core.scene import Piece
 
 UNKNOWN = "not told"

@@ -32,13 +32,12 @@ from scenewright.core.atomic_file import note_read
 from scenewright.core.brief.catalog import CatalogBrief, entry_of
 from scenewright.core.brief.fields import BUILDING as BUILDING_SIDE
 from scenewright.core.brief.fields import FURNITURE
-from scenewright.core.catalog import Asset, Catalog
+from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
 
 __all__ = [
     "BUILDING",
     "ONLY_NAMED",
-    "OWN",
     "ReadCatalog",
     "Stamp",
     "catalog_of",
@@ -47,8 +46,6 @@ __all__ = [
     "stamps_of",
 ]
 
-OWN = "model:"
-"""How the ids of assets begin that are models of a user's catalogues."""
 ONLY_NAMED = "named"
 """The category of models that are used only where a brief names them."""
 COPY = "models.npz"

@@ -19,6 +19,9 @@ from scenewright.core.footprint import Footprint
 from scenewright.core.kind import Kind
 from scenewright.core.scene import Piece, Size
 
+OWN = "model:"
+"""How the ids of assets begin that are models of a user's catalogues."""
+
 
 @dataclass(frozen=True, slots=True)
 class Material:

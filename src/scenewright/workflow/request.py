@@ -6,9 +6,10 @@ from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from scenewright.catalog.loading import OWN, catalog_of
+from scenewright.catalog.loading import catalog_of
 from scenewright.core.atomic_file import check_targets
 from scenewright.core.brief import Brief
+from scenewright.core.catalog import OWN
 from scenewright.core.errors import InputError
 from scenewright.core.solution import Solution
 from scenewright.domains import domain_of, presets, solvers

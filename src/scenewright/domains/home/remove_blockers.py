@@ -1,10 +1,10 @@
 """What nobody could walk to is not furnished: the last look at a whole home, room by room.
 
 Rooms are furnished one by one on a grid that says where a person can walk. A home is only right if
-the exact routes of the referee, from the front door through every room, lead everywhere. So when
-all rooms are done the referee's routes are walked once; what bars one, or what none leads to,
-gives way, the least important first, and is told as left out. No other rule is looked at here: a
-fault of the search in anything else stays to be seen.
+exact routes, from the front door through every room, lead everywhere. So when all rooms are done
+these are walked once (:mod:`scenewright.domains.home.barred`); what bars one, or what none leads
+to, gives way, the least important first, and is reported as left out. No other rule is looked at
+here: a fault of the search in anything else stays to be seen.
 """
 
 from __future__ import annotations
@@ -12,15 +12,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from scenewright.check.bodies import Rooms, bodies_of, rooms_of
-from scenewright.check.reach import find_unreachable
-from scenewright.check.routes import JoinedFloor, grounds_of, walk_in
 from scenewright.core.catalog import Catalog
-from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, penalty
+from scenewright.domains.home.barred import Barred, find_barred
 from scenewright.domains.home.furnishing.whole import Gone, is_whole, without
+from scenewright.domains.home.home_floor import join_floors
 
 ROUNDS = 24
 MEMBER = 4.0  # what it costs to lose one piece of a group that can do without, as in attempt
@@ -46,44 +44,30 @@ def remove_blockers(
 ) -> list[RoomAnswer]:
     """The answers for all rooms of a home without what bars a way or cannot be walked to;
     ``standing`` is what is to stay in each room."""
-    found, where = list(answers), rooms_of(rooms)
-    grounds = grounds_of(where, width)
+    found, floors = list(answers), join_floors(rooms, width)
     for _ in range(ROUNDS):
         placed = [(*here, *_pieces(a)) for here, a in zip(standing, found, strict=True)]
         pieces = tuple(p for here in placed for p in here)
-        findings = _find_unreached(pieces, where, grounds, catalog, width)
-        losses = {loss for finding in findings if (loss := _least(finding, found)) is not None}
+        barred = find_barred(pieces, rooms, floors, catalog, width)
+        losses = {loss for each in barred if (loss := _least(each, found)) is not None}
         if not losses:
             break
         for loss in _apart(losses):
-            found[loss.room] = _without(found[loss.room], loss, findings)
+            found[loss.room] = _without(found[loss.room], loss, barred)
     return found
-
-
-def _find_unreached(
-    pieces: tuple[Piece, ...],
-    where: Rooms,
-    grounds: list[JoinedFloor],
-    catalog: Catalog,
-    width: float,
-) -> list[Finding]:
-    """What no route leads to, by the referee, but for what the brief came with."""
-    bodies, _ = bodies_of(pieces, where, catalog)
-    walks = [walk_in(bodies, ground, width / 2) for ground in grounds]
-    return [found for found in find_unreachable(bodies, where, grounds, walks) if not found.given]
 
 
 def _pieces(answer: RoomAnswer) -> tuple[Piece, ...]:
     return tuple(piece for item in answer.placed for piece in item.pieces)
 
 
-def _least(finding: Finding, answers: Sequence[RoomAnswer]) -> Loss | None:
+def _least(barred: Barred, answers: Sequence[RoomAnswer]) -> Loss | None:
     """The cheapest thing to take away: what cannot be reached itself, or what is in the way."""
     losses = []
-    for piece in filter(None, (finding.piece, *finding.other.split(","))):
+    for piece in filter(None, (barred.piece, *barred.openers)):
         loss = _loss(piece, answers)
         if loss is not None:
-            more = 0.0 if piece == finding.piece else KEPT
+            more = 0.0 if piece == barred.piece else KEPT
             losses.append(loss._replace(cost=loss.cost + more))
     return min(losses, key=lambda loss: loss.cost, default=None)
 
@@ -112,10 +96,10 @@ def _apart(losses: set[Loss]) -> list[Loss]:
     return list({loss.room: loss for loss in reversed(order)}.values())
 
 
-def _without(answer: RoomAnswer, loss: Loss, findings: Sequence[Finding]) -> RoomAnswer:
+def _without(answer: RoomAnswer, loss: Loss, barred: Sequence[Barred]) -> RoomAnswer:
     """An answer less one piece and what goes with it, or less a whole group."""
     item = answer.placed[loss.group]
-    told = _reason(item, loss, findings)
+    told = _reason(item, loss, barred)
     if loss.piece:
         placed = tuple(_less(p, loss.piece) if p is item else p for p in answer.placed)
         category = next(p.category for p in item.pieces if p.id == loss.piece)
@@ -128,11 +112,11 @@ def _less(item: FurnishedGroup, piece: str) -> FurnishedGroup:
     return item._replace(pieces=without(item.pieces, piece))
 
 
-def _reason(item: FurnishedGroup, loss: Loss, findings: Sequence[Finding]) -> str:
+def _reason(item: FurnishedGroup, loss: Loss, barred: Sequence[Barred]) -> str:
     """Why a piece, or a whole group, has to give way."""
     ids = {loss.piece} if loss.piece else {piece.id for piece in item.pieces}
-    for finding in findings:
-        if finding.piece not in ids and ids & set(finding.other.split(",")):
-            what = finding.piece.rpartition("/")[2].replace("_", " ") or f"room {finding.space}"
+    for each in barred:
+        if each.piece not in ids and ids & set(each.openers):
+            what = each.piece.rpartition("/")[2].replace("_", " ") or f"room {each.space}"
             return f"it would bar the walking route to the {what}"
     return "no walking route of the stated width would reach it"

@@ -47,7 +47,7 @@ def find_unreached(
     zones, owner = [], []
     for i, piece in enumerate(used):
         for side in catalog.kinds[piece.category].access:
-            zones.append(_used_from(piece, SIDES.index(side), width / 2 + REACH, ground.slopes))
+            zones.append(used_from(piece, SIDES.index(side), width / 2 + REACH, ground.slopes))
             owner.append(i)
     reached, joined = reach(
         ground.edges,
@@ -120,7 +120,7 @@ def _stands(piece: Piece, catalog: Catalog) -> bool:
     return not low and piece.pose.z < HEAD_HEIGHT and kind.support not in ("ceiling",)
 
 
-def _used_from(piece: Piece, side: int, depth: float, slopes: Floats) -> list[float]:
+def used_from(piece: Piece, side: int, depth: float, slopes: Floats) -> list[float]:
     """The box before one side of a piece; deeper if one has to bend down there."""
     near = _access(piece, side, depth)
     low = len(slopes) and lowest(np.array([near]), slopes, np.inf)[0] < HEADROOM

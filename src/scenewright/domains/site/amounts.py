@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import takewhile
 from math import sqrt
 
-from scenewright.catalog.loading import BUILDING, ONLY_NAMED, OWN
+from scenewright.catalog.loading import BUILDING, ONLY_NAMED
 from scenewright.catalog.models.words import ASIDE, tokens_of
-from scenewright.core.catalog import Asset, Catalog
+from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
 from scenewright.domains.site.brief import Site
 from scenewright.ground.fit import fits

@@ -7,8 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from scenewright.catalog.loading import OWN
-from scenewright.core.catalog import Asset, Catalog
+from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import Footprint, extents
 from scenewright.core.scene import Size

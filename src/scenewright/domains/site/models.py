@@ -9,8 +9,8 @@ import numpy as np
 import shapely
 
 from scenewright.building.outlines import rings
-from scenewright.catalog.loading import BUILDING, OWN, find_asset
-from scenewright.core.catalog import Asset, Catalog
+from scenewright.catalog.loading import BUILDING, find_asset
+from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import Footprint, place_outline, read_footprint
 from scenewright.core.scene import Size

@@ -13,8 +13,7 @@ from math import log
 from typing import NamedTuple
 
 from scenewright.catalog.kinds import SIZES
-from scenewright.catalog.loading import OWN
-from scenewright.core.catalog import Asset, Catalog, Group, Member
+from scenewright.core.catalog import OWN, Asset, Catalog, Group, Member
 from scenewright.core.scene import Size
 from scenewright.domains.home.cases.refit import Chosen, refit_case
 from scenewright.domains.home.groups import GROUPS

@@ -9,7 +9,6 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import Flags, Floats
-from scenewright.core.catalog import Catalog
 from scenewright.core.report import Finding
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.site.brief import Site
@@ -28,7 +27,6 @@ from scenewright.domains.site.check.rules import (
     find_too_close,
 )
 from scenewright.domains.site.check.sun import sample_rows, sun_hours
-from scenewright.domains.site.plan import site_plans
 from scenewright.ground.plan import SitePlan
 
 SOUTHERLY = np.deg2rad(30.0)
@@ -44,16 +42,12 @@ class SiteVerdict(NamedTuple):
 
 
 def judge_sites(
-    sites: Sequence[Site],
-    pieces: Sequence[Piece],
-    catalog: Catalog | None = None,
-    plans: Sequence[SitePlan] | None = None,
+    sites: Sequence[Site], pieces: Sequence[Piece], plans: Sequence[SitePlan]
 ) -> SiteVerdict:
     """Every violation on some sites, and their figures. Landmarks are known by their ids; what
-    else is a building was placed. Broken pieces become findings. ``catalog`` holds the models
-    that the sites name (else the shipped one); ``plans`` are those of the sites, made unless
-    given."""
-    grounds = grounds_of(sites, site_plans(sites, catalog) if plans is None else plans)
+    else is a building was placed. Broken pieces become findings. ``plans`` are those of the
+    sites."""
+    grounds = grounds_of(sites, plans)
     known = {ground.plan.id for ground in grounds}
     faults = [(piece, fault_of(piece, known)) for piece in pieces]
     verdict = SiteVerdict([], {})

@@ -12,9 +12,10 @@ from scenewright.domains.site.check.notes import find_small
 
 
 def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
-    """Judge the buildings of every site; see :func:`scenewright.domains.check`. ``kinds`` holds the
-    models that the sites name."""
+    """Judge the buildings of every site; see :func:`scenewright.domains.check`. Buildings have
+    no ``kinds``."""
+    del kinds
     sites = solution.brief.part.sites
-    findings, by_site = judge_sites(sites, solution.pieces, kinds, plan.detail)
+    findings, by_site = judge_sites(sites, solution.pieces, plan.detail)
     figures = {**count_findings(solution.pieces, findings), "sites": by_site}
     return Report(tuple(findings), tuple(find_small(sites, plan.detail)), figures)

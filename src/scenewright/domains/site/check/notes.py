@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from scenewright.catalog.loading import OWN
+from scenewright.core.catalog import OWN
 from scenewright.core.report import Note
 from scenewright.domains.site.brief import Site
 from scenewright.ground.plan import SitePlan

@@ -16,12 +16,11 @@ import numpy as np
 import shapely
 
 from scenewright.building.outlines import rings
-from scenewright.catalog.loading import OWN
 from scenewright.catalog.models.cityjson import City, city_of, parts_at, roots_of, turn_of
 from scenewright.catalog.models.files import MEBIBYTE, json_of, whole
 from scenewright.catalog.models.model import SkippedModel, clean
 from scenewright.core.brief import Brief
-from scenewright.core.catalog import Part
+from scenewright.core.catalog import OWN, Part
 from scenewright.core.errors import InputError
 from scenewright.domains.site.reading.road_areas import pieces
 from scenewright.ground.outlines import GRID, polygons

@@ -1,0 +1,183 @@
+"""What no walking route leads to in a whole home, and what would have to give way for one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.building.ceiling import planes
+from scenewright.core.catalog import Catalog
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece
+from scenewright.core.space import Space
+from scenewright.domains.home.home_floor import (
+    HomeFloor,
+    Walk,
+    erode,
+    join_to,
+    list_obstacles,
+    reach_without,
+    walk,
+)
+from scenewright.domains.home.ways import REACH, SIDES, used_from
+
+Shape = Any  # a shapely geometry
+
+SIDEWAYS = 0.2  # the radius of a person turned sideways, metres
+ENTERED = 0.1  # how far inside a room the middle of the route has to come, metres
+TRIED = 12  # pieces taken away on trial, those nearest to the gap
+
+
+class Barred(NamedTuple):
+    """What no route leads to, a room or a piece of it (empty: the room), and the pieces of which
+    any one, or else only all together, would open the way (none: nothing would)."""
+
+    space: str
+    piece: str
+    openers: tuple[str, ...]
+
+
+class Target(NamedTuple):
+    """What is to be reached, and the region the middle of the route has to come into."""
+
+    space: str
+    piece: str
+    region: Shape
+
+
+def find_barred(
+    pieces: Sequence[Piece],
+    spaces: Sequence[Space],
+    floors: Sequence[HomeFloor],
+    catalog: Catalog,
+    width: float,
+) -> list[Barred]:
+    """All that no route of ``width`` metres reaches on the ``floors`` of a home.
+
+    A room is reached if the middle of the route comes into it; one that no route could enter empty
+    is passed over. A piece is reached if that middle comes within half a width and an arm's length
+    straight before a side it is used from. Of a tight room the doorway is enough, and there a
+    person goes on sideways. Pieces of rooms that are barred are not listed one by one.
+    """
+    found = []
+    level = {space.id: space.level for space in spaces}
+    for floor in floors:
+        storey = level[next(iter(floor.rooms))]
+        near = [p for p in pieces if level.get(p.space) == storey]
+        walked = walk(floor, list_obstacles(near, floor, catalog), width / 2)
+        mine = [space for space in spaces if space.id in floor.rooms]
+        found += _find_on(walked, mine, near, catalog)
+    return found
+
+
+def _find_on(
+    walked: Walk, spaces: Sequence[Space], pieces: Sequence[Piece], catalog: Catalog
+) -> list[Barred]:
+    rooms = [target for space in spaces if (target := _room_target(walked, space)) is not None]
+    missed = [target for target in rooms if not walked.reached.intersects(target.region)]
+    entered = {target.space for target in rooms} - {target.space for target in missed}
+    for space in spaces:
+        if space.id in entered:
+            here = [p for p in pieces if p.space == space.id]
+            missed += _missed_pieces(walked, space, here, catalog)
+    return [
+        Barred(target.space, target.piece, openers)
+        for target, openers in zip(missed, _find_openers(walked, missed), strict=True)
+    ]
+
+
+def _room_target(walked: Walk, space: Space) -> Target | None:
+    """A room as what is to be reached; none if no route could enter it even empty."""
+    room, within = walked.floor.rooms[space.id], walked.floor.within[space.id]
+    for region in (within if _is_tight(walked, room) else room, within):
+        if walked.empty.intersects(region):
+            return Target(space.id, "", region)
+    return None
+
+
+def _is_tight(walked: Walk, room: Shape) -> bool:
+    """Nowhere as wide as two routes, or closed to the route by its own doorway while empty."""
+    wide = 4 * walked.radius
+    if room.area < 4 * wide**2:
+        across = 2 * shapely.maximum_inscribed_circle(room, tolerance=0.005).length
+        if across < wide:
+            return True
+    return not walked.empty.intersects(room.buffer(-ENTERED))
+
+
+def _missed_pieces(
+    walked: Walk, space: Space, pieces: Sequence[Piece], catalog: Catalog
+) -> list[Target]:
+    """The pieces of a room that are used from sides none of which the route comes to."""
+    within = walked.floor.within[space.id]
+    targets = [
+        Target(space.id, piece.id, region.intersection(within))
+        for piece in pieces
+        if (region := _use_region(piece, space, catalog, walked.radius + REACH)) is not None
+    ]
+    missed = [t for t in targets if not walked.reached.intersects(t.region)]
+    if missed and _is_tight(walked, walked.floor.rooms[space.id]):
+        near = _squeeze(walked, within)
+        missed = [t for t in missed if not near.intersects(t.region)]
+    return missed
+
+
+def _use_region(piece: Piece, space: Space, catalog: Catalog, depth: float) -> Shape | None:
+    """The floor before the sides a piece is used from; none if it is used from no side."""
+    kind = catalog.kinds.get(piece.category)
+    if kind is None or not kind.access:
+        return None
+    slopes = planes(space)
+    boxes = [used_from(piece, SIDES.index(side), depth, slopes) for side in kind.access]
+    return shapely.multipolygons(shapely.polygons(corners(np.array(boxes))))
+
+
+def _squeeze(walked: Walk, within: Shape) -> Shape:
+    """Where a person comes who goes on sideways from the route, in a room and its doorways."""
+    floor = walked.floor
+    near = floor.whole.intersection(within.buffer(2 * walked.radius))
+    solid = [obstacle.footprint for obstacle in walked.obstacles]
+    return join_to(walked.reached, erode(near, solid, floor.low, SIDEWAYS))
+
+
+def _find_openers(walked: Walk, missed: Sequence[Target]) -> list[tuple[str, ...]]:
+    """For each target the pieces any one of which opens the way to it, else a least set that does
+    so together."""
+    if not missed or not walked.obstacles:
+        return [()] * len(missed)
+    tried = _nearest_obstacles(walked, missed)
+    without = {k: reach_without(walked, [k]) for k in tried}
+    found: list[tuple[str, ...]] = []
+    for target in missed:
+        mine = [k for k in tried if walked.obstacles[k].piece != target.piece]
+        one = [k for k in mine if without[k].intersects(target.region)]
+        chosen = one or _find_least_set(walked, mine, target)
+        found.append(tuple(walked.obstacles[k].piece for k in chosen))
+    return found
+
+
+def _find_least_set(walked: Walk, tried: Sequence[int], target: Target) -> list[int]:
+    """Obstacles that open the way to a target if all of them are gone, none of them to spare;
+    none if not even all together do."""
+    if not reach_without(walked, tried).intersects(target.region):
+        return []
+    needed = list(tried)
+    for k in reversed(tried):
+        fewer = [j for j in needed if j != k]
+        if fewer and reach_without(walked, fewer).intersects(target.region):
+            needed = fewer
+    return needed
+
+
+def _nearest_obstacles(walked: Walk, missed: Sequence[Target]) -> list[int]:
+    """The obstacles nearest to both what is reached and what is cut off, the larger first."""
+    parts = shapely.get_parts(walked.free)
+    beyond = [*parts[~shapely.intersects(parts, walked.start)], *(t.region for t in missed)]
+    shapes = np.array([obstacle.footprint for obstacle in walked.obstacles], object)
+    sides = [shapely.union_all(beyond), *([] if walked.reached.is_empty else [walked.reached])]
+    apart = sum(np.maximum(shapely.distance(shapes, side) - walked.radius, 0.0) for side in sides)
+    order = np.lexsort((-shapely.area(shapes), np.round(apart, 2)))
+    return [int(k) for k in order[:TRIED]]

@@ -1,0 +1,239 @@
+"""Where people walk through a whole home, as exact regions of plan: the search's own measure.
+
+A person is a disc of radius r. Its middle may be wherever the disc lies on free floor: with F the
+rooms of a storey joined by their doorways and S what stands there, the region is F less S, eroded
+by r (discs as 32-gons), less the floor too low for the head. Metres.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.building.ceiling import HEADROOM, SHOULDERS, below, planes
+from scenewright.building.door_approach import DoorApproach, gates
+from scenewright.core.catalog import Catalog
+from scenewright.core.footprint import outline_of
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece
+from scenewright.core.space import Opening, Space
+
+Shape = Any  # a shapely geometry
+
+SLACK = 0.01  # what a doorway reaches into its rooms, metres
+HEAD_HEIGHT = 2.0  # what begins above is in nobody's way, metres
+FLATTEST = 0.05  # what lies flat and is no thicker is walked on, metres
+UNSEEN = 1e-3  # of another room this much may be taken unseen, square metres
+SOFT = ("curtain", "blind")
+
+
+class HomeFloor(NamedTuple):
+    """Rooms joined by doors: the floor of each by id, the same with its doorways, all of it where
+    there is room for the shoulders, the part of it too ``low`` for the head, and the points one
+    comes in by (none: not known)."""
+
+    rooms: Mapping[str, Shape]
+    within: Mapping[str, Shape]
+    whole: Shape
+    low: Shape
+    entries: tuple[Shape, ...]
+
+
+class Obstacle(NamedTuple):
+    """What takes floor a person needs: the id of the piece and its footprint."""
+
+    piece: str
+    footprint: Shape
+
+
+class Walk(NamedTuple):
+    """Where the middle of a disc may be on a floor: in the ``empty`` rooms as far as joined to the
+    ``start``, everywhere between the obstacles (``free``), and the part of that joined to it."""
+
+    floor: HomeFloor
+    obstacles: tuple[Obstacle, ...]
+    radius: float
+    empty: Shape
+    start: Shape
+    free: Shape
+    reached: Shape
+
+
+def join_floors(spaces: Sequence[Space], width: float) -> list[HomeFloor]:
+    """The floors of rooms that doors and passages join, for routes of ``width`` metres."""
+    rooms = {space.id: shapely.Polygon(space.outline, list(space.holes)) for space in spaces}
+    doors = _list_doors(spaces)
+    return [
+        _join([space for space in spaces if space.id in names], rooms, doors, width)
+        for names in _find_joined([space.id for space in spaces], doors)
+    ]
+
+
+def _list_doors(spaces: Sequence[Space]) -> list[tuple[DoorApproach, tuple[str, ...]]]:
+    """Every opening one walks through, once, and the rooms it is of."""
+    known = {space.id for space in spaces}
+    found: dict[tuple[Any, ...], tuple[DoorApproach, tuple[str, ...]]] = {}
+    for space in spaces:
+        for gate in gates(space):
+            door = gate.opening
+            if door.kind != "window":
+                key = (space.level, door.spaces, door.id, door.x, door.y)
+                found.setdefault(key, (gate, tuple(s for s in door.spaces if s in known)))
+    return list(found.values())
+
+
+def _find_joined(
+    names: Sequence[str], doors: Sequence[tuple[DoorApproach, tuple[str, ...]]]
+) -> list[set[str]]:
+    """The sets of rooms that doors join, in the order of their first rooms."""
+    joined = {name: {name} for name in names}
+    for _, rooms in doors:
+        if len(rooms) == 2:
+            both = joined[rooms[0]] | joined[rooms[1]]
+            joined |= dict.fromkeys(both, both)
+    return [joined[name] for name in names if name == next(n for n in names if n in joined[name])]
+
+
+def _join(
+    spaces: Sequence[Space],
+    rooms: Mapping[str, Shape],
+    doors: Sequence[tuple[DoorApproach, tuple[str, ...]]],
+    width: float,
+) -> HomeFloor:
+    mine = [space.id for space in spaces]
+    here = [(gate, own, _doorway(gate, len(own) == 1, width)) for gate, own in doors if own]
+    here = [row for row in here if row[1][0] in mine]
+    ways = {name: [way for _, own, way in here if name in own] for name in mine}
+    whole = shapely.union_all([*(rooms[name] for name in mine), *(way for _, _, way in here)])
+    return HomeFloor(
+        {name: rooms[name] for name in mine},
+        {name: shapely.union_all([rooms[name], *ways[name]]) for name in mine},
+        whole.difference(_lower_than(spaces, rooms, SHOULDERS)),
+        _lower_than(spaces, rooms, HEADROOM),
+        _find_entries(spaces, [gate.opening for gate, own, _ in here if len(own) == 1], width),
+    )
+
+
+def _doorway(gate: DoorApproach, outer: bool, width: float) -> Shape:
+    """The floor of a doorway, a little into the rooms on both sides; however narrow, a door lets
+    the route through, and an outer one goes on outside for as much as a person takes."""
+    door, beyond = gate.opening, width if outer else 0.0
+    normal = np.array([-door.uy, door.ux])
+    normal = normal if normal @ gate.inward > 0 else -normal
+    x, y = np.array([door.x, door.y]) - normal * beyond / 2
+    heading = float(np.arctan2(normal[1], normal[0]))
+    wide = max(door.width, width + 2 * SLACK)
+    box = [x, y, heading, wide, door.thickness + 2 * SLACK + beyond]
+    return shapely.Polygon(corners(np.array([box]))[0])
+
+
+def _lower_than(spaces: Sequence[Space], rooms: Mapping[str, Shape], height: float) -> Shape:
+    sloped = [space for space in spaces if space.slopes]
+    return shapely.union_all(
+        [below(rooms[space.id], planes(space), space.height, height) for space in sloped]
+    )
+
+
+def _find_entries(
+    spaces: Sequence[Space], outer: Sequence[Opening], width: float
+) -> tuple[Shape, ...]:
+    """Where one arrives by stairs, else comes in from outside; by doors that are only exits where
+    there are no others."""
+    away = width / 2 + SLACK
+    arrivals = [
+        shapely.Point(end.x + away * np.cos(end.heading), end.y + away * np.sin(end.heading))
+        for space in spaces
+        for end in space.stairs
+        if end.arrival
+    ]
+    doors = [door for door in outer if door.use != "exit"] or outer
+    return tuple(arrivals or [shapely.Point(door.x, door.y) for door in doors])
+
+
+def list_obstacles(
+    pieces: Sequence[Piece], floor: HomeFloor, catalog: Catalog
+) -> tuple[Obstacle, ...]:
+    """What stands on a floor and is in the way there; ``pieces`` are those of its storey. Seats are
+    pushed aside, and what stands on or hangs over another piece takes no floor of its own."""
+    solid = [p for p in pieces if _takes_floor(p, catalog)]
+    shapes = [footprint_of(p) for p in solid]
+    inside = shapely.union_all(list(floor.rooms.values()))
+    near = [
+        k
+        for k, p in enumerate(solid)
+        if p.space in floor.rooms or shapes[k].intersection(inside).area > UNSEEN
+    ]
+    wide = {k: shapes[k].buffer(SLACK, join_style="mitre") for k in near}
+    return tuple(
+        Obstacle(solid[k].id, shapes[k])
+        for k in near
+        if not any(
+            solid[k].pose.z > max(solid[j].pose.z, SLACK) and wide[j].covers(shapes[k])
+            for j in near
+        )
+    )
+
+
+def _takes_floor(piece: Piece, catalog: Catalog) -> bool:
+    kind = catalog.kinds.get(piece.category)
+    flat = kind is not None and kind.flat and piece.size.height <= FLATTEST
+    aside = kind is not None and bool(kind.under)
+    soft = any(word in piece.category for word in SOFT)
+    return not (flat or aside or soft) and piece.pose.z < HEAD_HEIGHT
+
+
+def footprint_of(piece: Piece) -> Shape:
+    """The floor below a piece."""
+    return shapely.Polygon(outline_of(piece))
+
+
+def walk(floor: HomeFloor, obstacles: tuple[Obstacle, ...], radius: float) -> Walk:
+    """Where a disc of ``radius`` metres may go that comes in by the entries; where there are none,
+    or none that lets it in, it starts in the largest part."""
+    empty = erode(floor.whole, (), floor.low, radius)
+    free = erode(floor.whole, [o.footprint for o in obstacles], floor.low, radius)
+    start = shapely.union_all([entry.buffer(2 * SLACK) for entry in floor.entries])
+    if not start.intersects(empty):
+        parts = shapely.get_parts(free if not free.is_empty else empty)
+        areas = shapely.area(parts)
+        start = parts[int(np.argmax(areas))].point_on_surface() if len(parts) else shapely.Point()
+    reached = join_to(start, free)
+    shapely.prepare(reached)
+    return Walk(floor, obstacles, radius, join_to(start, empty), start, free, reached)
+
+
+def erode(floor: Shape, solid: Sequence[Shape], low: Shape, radius: float) -> Shape:
+    """Where the middle of a disc may be on a floor less what is ``solid``, not below what is
+    ``low``.
+
+    >>> erode(shapely.box(0, 0, 4, 2), [], shapely.Polygon(), 0.5).bounds
+    (0.5, 0.5, 3.5, 1.5)
+    """
+    clear = floor.difference(shapely.union_all(list(solid))) if len(solid) else floor
+    region = clear.buffer(-radius, quad_segs=8)
+    return region if low.is_empty else region.difference(low)
+
+
+def join_to(start: Shape, region: Shape) -> Shape:
+    """The parts of a region that meet a start."""
+    parts = shapely.get_parts(region)
+    return shapely.multipolygons(parts[shapely.intersects(parts, start)])
+
+
+def reach_without(walked: Walk, away: Sequence[int]) -> Shape:
+    """What would be reached if some of the obstacles (by number) were not there.
+
+    Only middles nearer than r to one of them are new, and only what is nearer than 2 r to it bears
+    on these: so just that much of the floor is eroded anew.
+    """
+    radius, floor = walked.radius, walked.floor
+    gone = shapely.union_all([walked.obstacles[k].footprint for k in away])
+    near = gone.buffer(2 * radius + 2 * SLACK)
+    others = [o.footprint for k, o in enumerate(walked.obstacles) if k not in set(away)]
+    others = [shape for shape in others if shape.intersects(near)]
+    opened = erode(floor.whole.intersection(near), others, floor.low, radius)
+    opened = opened.intersection(gone.buffer(radius + SLACK))
+    return join_to(walked.start, shapely.union(walked.free, opened))
