@@ -69,7 +69,7 @@ def test_setbacks_from_the_border_and_from_roads():
     assert kinds(ground, building("a", 10, 40), building("b", 50, 40)) == []
     near = only(ground, building("a", 9, 40))
     assert (near.kind, near.amount) == ("setback", 1.0)
-    assert "stands 4.00 m from the border of the site, 5 m are asked for" in near.message
+    assert "stands 4.00 m from the border of the site, 5 m are required" in near.message
     lane = only(ground, building("a", 51.5, 40))
     assert (lane.kind, lane.other, lane.amount) == ("setback", "lane", 1.5)
     on = only(ground, building("a", 54, 40))

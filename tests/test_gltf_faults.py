@@ -25,7 +25,7 @@ def chain(document: Json) -> None:
 
 
 GLTF: dict[str, tuple[Callable[[Json], object], str]] = {
-    "no version": (lambda d: d.pop("asset"), "tells no version"),
+    "no version": (lambda d: d.pop("asset"), "states no version"),
     "glTF 1": (lambda d: d["asset"].update(version="1.0"), "is glTF 1.0"),
     "draco": (
         lambda d: d.update(extensionsRequired=["KHR_draco_mesh_compression"]),

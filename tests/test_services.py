@@ -283,7 +283,7 @@ POWER = '{"at":[0,1],"kind":"power"}'
         ('"radiators":[{"at":[0,1],"depth":-1}]', "depth"),
         ('"wishes":[{"what":"sofa","face":"sofa"}]', "cannot face, be near or keep away"),
         ('"wishes":[{"what":"plant","near":"plant"}]', "cannot face, be near or keep away"),
-        ('"wishes":[{"what":"tv","face":"door","forbid":true}]', "forbidden stands nowhere"),
+        ('"wishes":[{"what":"tv","face":"door","forbid":true}]', "forbidden piece has no place"),
         ('"wishes":[{"what":"tv","near":"bed","away_from":"door"}]', "two wishes"),
     ],
 )

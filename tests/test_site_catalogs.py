@@ -276,7 +276,7 @@ def test_credits_tell_author_and_licence_everywhere(stock, tmp_path):
         write(solution, tmp_path / name)
     text = (tmp_path / "out.credits.txt").read_text()
     assert "Jane Doe, licence CC0-1.0\n  cottage (model:cottage), 2 times\n" in text
-    assert "Author not told, licence see licence.md\n  tower (model:tower-2)\n" in text
+    assert "Author not stated, licence see licence.md\n  tower (model:tower-2)\n" in text
     about = document_of(tmp_path / "out.glb")["asset"]
     assert "Jane Doe (CC0-1.0)" in about["copyright"]
     rows = json.loads((tmp_path / "out.json").read_text())["credits"]

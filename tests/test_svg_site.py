@@ -65,7 +65,7 @@ def test_landmarks_are_hatched_and_faults_red():
         for mark in group.findall(f"{SVG}g")
     ]
     assert any("stands on walk" in line for line in told)
-    assert any("m apart, 7 m are asked for" in line for line in told)
+    assert any("m apart, 7 m are required" in line for line in told)
     assert {"Mill Lane", "Rotunda", "18 m", "6 st"} <= set(words(root))
     clean = drawn(ground.model_copy(update={"spacing": 0.0}), pieces[:3])
     assert not any("apart" in (e.text or "") for e in clean.iter(f"{SVG}title"))
@@ -76,7 +76,7 @@ def test_the_legend_tells_figures_and_only_signs_in_use():
     seen = words(drawn(ground, pieces))
     assert {"Road", "Path", "Landmark", "4–6 storeys", "Coverage", "Faults"} <= set(seen)
     plain = words(drawn(site(), [building("a", 20, 20)]))
-    assert not {"Road", "Path", "Landmark", "Tree", "Setback", "Fault, distance in metres"} & {
+    assert not {"Road", "Path", "Landmark", "Tree", "Setback", "Violation, distance in metres"} & {
         *plain
     }
     assert tint(3) != tint(4)

@@ -283,5 +283,5 @@ def test_a_forbidden_thing_has_no_place() -> None:
         .model_dump_json()
         .replace('"wishes":[]', '"wishes":[{"what":"tv","forbid":true,"by":"window"}]')
     )
-    with pytest.raises(InputError, match="forbidden stands nowhere"):
+    with pytest.raises(InputError, match="forbidden piece has no place"):
         loads(brief)

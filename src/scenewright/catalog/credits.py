@@ -9,7 +9,7 @@ from typing import NamedTuple
 from scenewright.core.catalog import OWN, Catalog, asset_of
 from scenewright.core.scene import Piece
 
-UNKNOWN = "not told"
+UNKNOWN = "not stated"
 
 
 class Credit(NamedTuple):

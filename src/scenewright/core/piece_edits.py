@@ -19,7 +19,7 @@ Together = Callable[[Piece, Sequence[Piece]], Sequence[Piece]]
 
 MOST = 6  # names listed in a message
 AROUND = "arranged around what was moved by hand"
-AGAIN = "arranged again, as asked for"
+AGAIN = "arranged again as requested"
 
 
 def find_piece(pieces: Sequence[Piece], name: str, leads: Callable[[Piece], bool]) -> Piece:

@@ -32,7 +32,10 @@ class Generation(NamedTuple):
 
 
 def roulette(energies: Floats, count: int, rng: np.random.Generator) -> NDArray[np.int64]:
-    """Indices drawn in proportion to C_max - C; evenly if all are the same."""
+    """Indices drawn in proportion to C_max - C; evenly if all are the same.
+
+    ``energies`` (n,); indices (count,).
+    """
     fitness = energies.max() - energies
     total = float(fitness.sum())
     if total <= 0.0:
@@ -42,7 +45,10 @@ def roulette(energies: Floats, count: int, rng: np.random.Generator) -> NDArray[
 
 
 def cross(genes: Floats, rate: float, rng: np.random.Generator) -> Floats:
-    """Arithmetic crossover of rows 0 and 1, 2 and 3 …: αA + (1 - α)B and αB + (1 - α)A."""
+    """Arithmetic crossover of rows 0 and 1, 2 and 3 …: αA + (1 - α)B and αB + (1 - α)A.
+
+    ``genes`` (n, k).
+    """
     half = len(genes) // 2
     a, b = genes[0 : 2 * half : 2], genes[1 : 2 * half : 2]
     share = rng.random((half, 1))

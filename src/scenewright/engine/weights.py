@@ -16,6 +16,8 @@ def vector_of(
     """``vector`` with the named weights at their ``places``; a name that has none is told as no
     ``what``.
 
+    ``vector`` (k,).
+
     >>> vector_of({"fill": 2.0}, {"space": 0, "fill": 1}, np.zeros(2), "term").tolist()
     [0.0, 2.0]
     """

@@ -28,7 +28,7 @@ def text(name: str, rows: tuple[Credit, ...]) -> str:
     """
     parts = [f"Credits of {name}\n"]
     for row in rows:
-        told = row.author if row.author != UNKNOWN else "Author not told"
+        told = row.author if row.author != UNKNOWN else "Author not stated"
         lines = [f"{told}, licence {row.licence}"]
         for identity, title, count in row.assets:
             lines.append(f"  {title} ({identity})" + (f", {count} times" if count > 1 else ""))

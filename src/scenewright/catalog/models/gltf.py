@@ -90,7 +90,7 @@ def _check_version(raw: Mapping[str, object]) -> None:
     asset = raw.get("asset")
     version = asset.get("version") if isinstance(asset, dict) else None
     if not isinstance(version, str):
-        raise InputError("is not glTF: it tells no version", "give a glTF 2.0 file")
+        raise InputError("is not glTF: it states no version", "give a glTF 2.0 file")
     if not version.startswith("2."):
         raise InputError(f"is glTF {clean(version)[:8]}", "export it as glTF 2.0")
 

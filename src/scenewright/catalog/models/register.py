@@ -55,7 +55,7 @@ def where(name: str) -> Path:
     except InputError as error:
         raise error.located(file=str(pointer)) from None
     if not isinstance(path, str) or not path:
-        raise InputError("tells no path", "register it again", file=str(pointer))
+        raise InputError("states no path", "register it again", file=str(pointer))
     return Path(path)
 
 

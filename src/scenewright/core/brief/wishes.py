@@ -43,9 +43,7 @@ class WishBrief(StrictModel):
     @model_validator(mode="after")
     def _one_thing(self) -> WishBrief:
         if self.forbid and (self.by or self.near or self.face or self.away_from or self.required):
-            raise ValueError(
-                "what is forbidden stands nowhere; say either forbid or where it is to stand"
-            )
+            raise ValueError("a forbidden piece has no place; give either forbid or a place")
         if self.what in (self.face, self.near, self.away_from):
             raise ValueError("a piece cannot face, be near or keep away from itself; name another")
         if self.near and self.away_from:

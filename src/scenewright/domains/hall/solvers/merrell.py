@@ -75,7 +75,10 @@ def partner(p: PreparedHall, i: int, stream: Stream) -> int:
 
 @compiled
 def apply_move(p: PreparedHall, s: State, ways: Ways, i: int, frame: Frame, doors: Floats) -> float:
-    """Move one object; the change of all costs but balance and circulation."""
+    """Move one object; the change of all costs but balance and circulation.
+
+    ``doors`` (d, 2) x, y of the entrances in metres.
+    """
     before = own_cost(p, s, i, doors)
     put(p, s, ways, i, frame)
     return own_cost(p, s, i, doors) - before

@@ -11,7 +11,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.home.changes.edits import LIGHT, EditedHome
 
 AROUND = "the room was arranged around what was moved by hand"
-ASKED = "the room was furnished again, as asked for"
+ASKED = "the room was furnished again as requested"
 HANGS = "lamps and curtains follow the furniture"
 MOVED, NEW, GONE = "moved", "new", "gone"
 

@@ -45,7 +45,10 @@ SWEEPS = 16  # iterations between two looks at the clock
 
 @inlined
 def propose_move(p: PreparedHome, frames: Floats, i: int, reach: float, stream: Stream) -> Frame:
-    """Another place for a piece: a step, a turn, a wall or anywhere."""
+    """Another place for a piece: a step, a turn, a wall or anywhere.
+
+    ``frames`` (n, 8); ``reach`` in metres.
+    """
     frame, kind = read_frame(frames, i), uniform(stream)
     if kind < 0.55:
         return nudge(frame, reach, stream)
@@ -58,7 +61,10 @@ def propose_move(p: PreparedHome, frames: Floats, i: int, reach: float, stream: 
 
 @inlined
 def apply_move(p: PreparedHome, frames: Floats, i: int, frame: Frame) -> float:
-    """Move one piece; the change of all costs but balance and circulation."""
+    """Move one piece; the change of all costs but balance and circulation.
+
+    ``frames`` (n, 8), changed in place.
+    """
     before = own_cost(p, frames, i)
     write_frame(frames, i, frame)
     return own_cost(p, frames, i) - before

@@ -51,7 +51,10 @@ def nudge(frame: Frame, scale: float, stream: Stream) -> Frame:
 
 @inlined
 def jump(frame: Frame, bounds: Floats, stream: Stream) -> Frame:
-    """Anywhere within the bounds, heading kept."""
+    """Anywhere within the bounds, heading kept.
+
+    ``bounds`` (4,) x0, y0, x1, y1 in metres.
+    """
     x = bounds[0] + uniform(stream) * (bounds[2] - bounds[0])
     y = bounds[1] + uniform(stream) * (bounds[3] - bounds[1])
     return (x, y, frame[2], frame[3], frame[4], frame[5], frame[6], frame[7])
@@ -82,7 +85,10 @@ def align(frame: Frame, p: PreparedHome, stream: Stream) -> Frame:
 @inlined
 def at_wall(frame: Frame, wall: Floats, along: float) -> Frame:
     """Back flush to a wall, its middle ``along`` metres from the wall's start, kept on the wall if
-    it is long enough."""
+    it is long enough.
+
+    ``wall`` (4,) x0, y0, x1, y1 in metres.
+    """
     dx, dy = wall[2] - wall[0], wall[3] - wall[1]
     length = math.sqrt(dx * dx + dy * dy)
     if length < 1e-9:
@@ -95,7 +101,10 @@ def at_wall(frame: Frame, wall: Floats, along: float) -> Frame:
 @inlined
 def to_wall(frame: Frame, walls: Floats, stream: Stream) -> Frame:
     """Snap the back to a wall: the nearest, keeping its place along it, or any, anywhere on it or
-    into one of its corners."""
+    into one of its corners.
+
+    ``walls`` (w, 4) x0, y0, x1, y1 in metres.
+    """
     kind = uniform(stream)
     if kind < 0.3:
         x, y = back_of(frame)
@@ -175,7 +184,10 @@ def visit(frame: Frame, i: int, p: PreparedHome, stream: Stream) -> Frame:
 
 @inlined
 def propose(frames: Floats, i: int, p: PreparedHome, heat: float, stream: Stream) -> Frame:
-    """A move of one item; ``heat`` from 1 (start) to 0 (end) sets how far small moves go."""
+    """A move of one item; ``heat`` from 1 (start) to 0 (end) sets how far small moves go.
+
+    ``frames`` (n, 8).
+    """
     frame, n, scale = read_frame(frames, i), frames.shape[0], 0.004 + 0.6 * heat * heat
     kind = uniform(stream)
     if kind < 0.36:

@@ -66,7 +66,7 @@ def find_near_edges(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
     for row in near[shapely.covers(grounds.floor, bodies.footprints[near])]:
         gap = float(shapely.distance(bodies.footprints[row], grounds.border))
         told = f"{bodies.ids[row]} stands {gap:.2f} m from the border of the site, "
-        told += f"{setback:g} m are asked for"
+        told += f"{setback:g} m are required"
         found.append(_one("setback", grounds, bodies, row, told, setback - gap))
     return found + _near_ways(grounds, bodies, own)
 
@@ -87,7 +87,7 @@ def _near_ways(grounds: JudgedSite, bodies: SiteBodies, own: Indices) -> list[Fi
         missing = float(depth[row] if on else asked - gap[row])
         told = f"{name} stands on {way} by {missing:.2f} m ({area[row]:.2f} m²)"
         if not on:
-            told = f"{name} stands {gap[row]:.2f} m from {way}, {asked:g} m are asked for"
+            told = f"{name} stands {gap[row]:.2f} m from {way}, {asked:g} m are required"
         kind = "blocked_path" if on else "setback"
         seen = worst.get((number, way))
         if seen is None or (kind == "blocked_path", missing) > (seen.kind == kind, seen.amount):
@@ -111,7 +111,7 @@ def find_too_close(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
     for row in np.flatnonzero(close):
         a, b, apart = int(i[row]), int(j[row]), float(gap[row])
         told = f"{bodies.ids[a]} and {bodies.ids[b]} are {apart:.2f} m apart, {asked:g} m are "
-        found.append(_pair("spacing", grounds, bodies, a, b, told + "asked for", asked - apart))
+        found.append(_pair("spacing", grounds, bodies, a, b, told + "required", asked - apart))
     return found + _sunless(grounds, bodies)
 
 
@@ -143,7 +143,7 @@ def _sunless(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
             int(j[row]),
             int(i[row]),
             f"{bodies.ids[j[row]]} stands {apart[row]:.2f} m behind {bodies.ids[i[row]]}, "
-            f"{wanted[i[row]]:.2f} m are asked for the sun",
+            f"{wanted[i[row]]:.2f} m are required for the sun",
             float(wanted[i[row]] - apart[row]),
         )
         for row in rows

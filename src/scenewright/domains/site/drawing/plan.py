@@ -189,7 +189,7 @@ def legend(
         (any(d.plan.entrances for d in drawings), "exit", "Way in", ""),
         (bool(views), "swatch", "Little to see from the way", marks.view_colour(0.0)),
         (bool(views), "swatch", "Much to see", marks.view_colour(1.0)),
-        (any(d.findings for d in drawings), "swatch", "Fault, distance in metres", marks.FAULT),
+        (any(d.findings for d in drawings), "swatch", "Violation, distance in metres", marks.FAULT),
     )
     rows += [LegendRow(sign, words, value=value) for used_, sign, words, value in signs if used_]
     rows += _models(drawings, letters)
@@ -265,4 +265,6 @@ def _summary(drawings: Sequence[Drawing], views: Views) -> str:
         if views
         else []
     )
-    return " · ".join(["Site plan", *told, *([f"{faults} faults"] if faults else [])])
+    return " · ".join(
+        ["Site plan", *told, *([f"{faults} violation{'s' * (faults != 1)}"] if faults else [])]
+    )

@@ -98,7 +98,10 @@ def standing(measure: Measure, boxes: Floats) -> Flags:
 
 
 def score(problem: SiteProblem, boxes: Floats, present: Flags) -> dict[str, float]:
-    """Every term of a layout by name, its energy, the paper's ratio and value, and ours."""
+    """Every term of a layout by name, its energy, the paper's ratio and value, and ours.
+
+    ``boxes`` (n, 5) x, y, heading, width, depth in metres and radians, ``present`` (n,).
+    """
     measure, parts = make_measure(problem), np.empty(len(OMEGA))
     placed = np.where(present[:, None], boxes, 0.0)
     lay(measure.p, measure.s, placed)
@@ -125,7 +128,10 @@ def sun_of(problem: SiteProblem, boxes: Floats, heights: Floats) -> float:
 
 
 def seen_of(problem: SiteProblem, boxes: Floats, present: Flags) -> float:
-    """Mean visual quality that walkers at the eyes of the problem see, landmarks included."""
+    """Mean visual quality that walkers at the eyes of the problem see, landmarks included.
+
+    ``boxes`` (n, 5) x, y, heading, width, depth in metres and radians, ``present`` (n,).
+    """
     return float(views_of(problem, boxes, present).mean()) if len(problem.ground.eyes) else 0.0
 
 

@@ -36,7 +36,10 @@ def forms(problem: SiteProblem, share: list[int]) -> list[str]:
 
 
 def headings(problem: SiteProblem, edges: Floats) -> list[float]:
-    """The preferred heading, and those along the two longest edges nearest to it."""
+    """The preferred heading, and those along the two longest edges nearest to it.
+
+    ``edges`` (e, 4) x0, y0, x1, y1 in metres; radians.
+    """
     way = edges[:, 2:] - edges[:, :2]
     longest = np.argsort(-np.hypot(way[:, 0], way[:, 1]), kind="stable")[:2]
     found = [problem.facing]
@@ -50,7 +53,10 @@ def headings(problem: SiteProblem, edges: Floats) -> list[float]:
 def loosen_layout(
     problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str, loosest: float
 ) -> BlockLayout:
-    """A layout of a block with gaps as wide as still hold all that the least gaps hold."""
+    """A layout of a block with gaps as wide as still hold all that the least gaps hold.
+
+    ``edges`` (e, 4) of the block in metres, ``heading`` in radians.
+    """
     tight = lay_out_block(problem, edges, queue, heading, form, 1.0)
     low, high, best = 1.0, loosest, tight
     for _ in range(HALVINGS if loosest > 1.0 else 0):
@@ -66,7 +72,10 @@ def loosen_layout(
 def lay_out_block(
     problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str, loose: float
 ) -> BlockLayout:
-    """One layout of a block."""
+    """One layout of a block.
+
+    ``edges`` (e, 4) of the block in metres, ``heading`` in radians.
+    """
     sizes, way = problem.buildings.sizes, problem.fire_access
     rule = StripRule(problem.spacing, way, problem.sun_spacing, loose, form == "staggered", True)
     numbers: list[int] = []
@@ -117,7 +126,10 @@ def list_reserved_edges(
 ) -> Floats:
     """Edges (clockwise) of the ground that buildings keep from others: the spacing all around;
     behind, away from the sun, as many of their heights as asked for, and ahead as many of the
-    heights of those to come."""
+    heights of those to come.
+
+    ``boxes`` (n, 5), ``heights`` (n,) in metres; edges (4 n, 4).
+    """
     heading = noon(problem)
     c, s = math.cos(heading), math.sin(heading)
     rings = corners(boxes)

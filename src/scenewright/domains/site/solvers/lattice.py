@@ -22,6 +22,8 @@ LOOSE = 1e-6
 def main_direction(edges: Floats) -> float:
     """The direction in [0, π/2) along or across which most of the outline runs; radians.
 
+    ``edges`` (e, 4) x0, y0, x1, y1 in metres.
+
     >>> ring = np.array([[0, 0, 4, 1], [4, 1, 3, 5], [3, 5, -1, 4], [-1, 4, 0, 0]], float)
     >>> round(float(np.tan(main_direction(ring))), 6)
     0.25

@@ -35,6 +35,8 @@ class Turned(NamedTuple):
 def rotate_block(edges: Floats, heading: float) -> Turned:
     """The block in a frame with x to the right of the fronts and y ahead.
 
+    ``edges`` (e, 4) in metres, ``heading`` in radians.
+
     >>> square = np.array([[0, 0, 4, 0], [4, 0, 4, 2], [4, 2, 0, 2], [0, 2, 0, 0]], float)
     >>> rotate_block(square, np.pi / 2).edges[0].round(6).tolist()
     [0.0, 0.0, 4.0, 0.0]
@@ -45,7 +47,10 @@ def rotate_block(edges: Floats, heading: float) -> Turned:
 
 
 def back(x: Floats, y: Floats, heading: float) -> tuple[Floats, Floats]:
-    """Points of the rows' frame in that of the site."""
+    """Points of the rows' frame in that of the site.
+
+    ``x`` and ``y`` of one shape, such as (n,), in metres; ``heading`` in radians.
+    """
     c, s = math.cos(heading), math.sin(heading)
     return x * s + y * c, -x * c + y * s
 
@@ -103,7 +108,10 @@ def next_strip(
     spans: Floats,
 ) -> float:
     """The top of the first strip, going down by steps, with a span that holds a building; ``floor``
-    the depth of the strip and the least width of those waiting, ``work`` and ``spans`` scratch."""
+    the depth of the strip and the least width of those waiting, ``work`` and ``spans`` scratch.
+
+    ``edges`` (e, 4); heights in metres.
+    """
     deep, least = floor
     while top - deep >= bottom:
         for k in range(write_spans(edges, top - deep, top, work, spans)):
@@ -116,7 +124,10 @@ def next_strip(
 @inlined
 def inside(edges: Floats, x: float, y: float) -> bool:
     """Whether a point lies inside: the outline goes round it once more than holes do. Holes may
-    overlap each other and reach over the outline."""
+    overlap each other and reach over the outline.
+
+    ``edges`` (e, 4) x0, y0, x1, y1 in metres.
+    """
     turns = 0
     for k in range(edges.shape[0]):
         ax, ay, bx, by = edges[k, 0], edges[k, 1], edges[k, 2], edges[k, 3]

@@ -78,7 +78,7 @@ def check(brief: Brief) -> None:
     systems = {urn_of(site.system) for site in brief.part.sites}
     if not _in_degrees(brief) and (len(systems) != 1 or "" in systems):
         raise InputError(
-            "GeoJSON is in degrees, and the brief does not tell where its sites lie",
+            "GeoJSON is in degrees, and the brief does not say where its sites lie",
             'give each site an "origin": [longitude, latitude]',
         )
 
