@@ -21,7 +21,7 @@ from scenewright.core.brief import Brief, LevelBrief, WallBrief
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
 from scenewright.formats.sh3d_archive import home_xml
-from scenewright.formats.sh3d_floors import HomeFloor, floors
+from scenewright.formats.sh3d_floors import DrawnFloor, floors
 from scenewright.formats.sh3d_openings import is_door, open_sides, place_openings
 from scenewright.formats.sh3d_pieces import (
     assign_to_floors,
@@ -124,7 +124,7 @@ def _rooms(home: Home, level: HomeLevel, keep: bool) -> list[dict[str, Any]]:
     return rooms
 
 
-def _check_held(inside: list[list[HomePiece]], found: list[HomeFloor]) -> None:
+def _check_held(inside: list[list[HomePiece]], found: list[DrawnFloor]) -> None:
     """No room holds more pieces than a brief may list."""
     for pieces, floor in zip(inside, found, strict=True):
         if len(pieces) > MOST_HELD:
@@ -136,7 +136,7 @@ def _check_held(inside: list[list[HomePiece]], found: list[HomeFloor]) -> None:
 
 
 def _functions(
-    found: list[HomeFloor], inside: list[list[HomePiece]], doors: list[HomePiece]
+    found: list[DrawnFloor], inside: list[list[HomePiece]], doors: list[HomePiece]
 ) -> list[tuple[str, ...]]:
     """By the room's name, else what stands there, else a hall if it has three doors, else (where
     no room is named) by size."""
@@ -158,7 +158,7 @@ def _functions(
     ]
 
 
-def _hall(floor: HomeFloor, doors: list[HomePiece]) -> tuple[str, ...]:
+def _hall(floor: DrawnFloor, doors: list[HomePiece]) -> tuple[str, ...]:
     if not doors:
         return ()
     points = shapely.points([(door.x, door.y) for door in doors])

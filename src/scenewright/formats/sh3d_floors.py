@@ -18,7 +18,7 @@ FINEST = 0.002
 GAP = 0.15
 
 
-class HomeFloor(NamedTuple):
+class DrawnFloor(NamedTuple):
     """One room's floor: its name as drawn (or ''), its level and polygon."""
 
     name: str
@@ -26,7 +26,7 @@ class HomeFloor(NamedTuple):
     polygon: shapely.Polygon
 
 
-def floors(home: Home, level: str) -> list[HomeFloor]:
+def floors(home: Home, level: str) -> list[DrawnFloor]:
     """Floors of a level, in the order drawn; if none is drawn, all that the walls enclose.
 
     Of rooms that overlap the smaller one keeps the floor. What walls or smaller rooms cut into
@@ -36,7 +36,7 @@ def floors(home: Home, level: str) -> list[HomeFloor]:
     solid = walls_of(home, level)
     drawn = [room for room in home.rooms if room.level == level]
     if not drawn:
-        return [HomeFloor("", level, part) for part in _find_enclosed(solid)]
+        return [DrawnFloor("", level, part) for part in _find_enclosed(solid)]
     shapes = [_shape(room) for room in drawn]
     order = sorted(range(len(drawn)), key=lambda i: shapes[i].area)
     taken: BaseGeometry = solid
@@ -46,7 +46,7 @@ def floors(home: Home, level: str) -> list[HomeFloor]:
         if part.area >= LEAST_ROOM:
             found[i] = part
             taken = taken.union(part)
-    return [HomeFloor(drawn[i].name, level, found[i]) for i in sorted(found)]
+    return [DrawnFloor(drawn[i].name, level, found[i]) for i in sorted(found)]
 
 
 def walls_of(home: Home, level: str) -> BaseGeometry:

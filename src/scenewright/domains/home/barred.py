@@ -14,8 +14,8 @@ from scenewright.core.layout import corners
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.home_floor import (
+    FloorWalk,
     HomeFloor,
-    Walk,
     erode,
     join_to,
     list_obstacles,
@@ -40,7 +40,7 @@ class Barred(NamedTuple):
     openers: tuple[str, ...]
 
 
-class Target(NamedTuple):
+class BarredRegion(NamedTuple):
     """What is to be reached, and the region the middle of the route has to come into."""
 
     space: str
@@ -74,7 +74,7 @@ def find_barred(
 
 
 def _find_on(
-    walked: Walk, spaces: Sequence[Space], pieces: Sequence[Piece], catalog: Catalog
+    walked: FloorWalk, spaces: Sequence[Space], pieces: Sequence[Piece], catalog: Catalog
 ) -> list[Barred]:
     rooms = [target for space in spaces if (target := _room_target(walked, space)) is not None]
     missed = [target for target in rooms if not walked.reached.intersects(target.region)]
@@ -89,16 +89,16 @@ def _find_on(
     ]
 
 
-def _room_target(walked: Walk, space: Space) -> Target | None:
+def _room_target(walked: FloorWalk, space: Space) -> BarredRegion | None:
     """A room as what is to be reached; none if no route could enter it even empty."""
     room, within = walked.floor.rooms[space.id], walked.floor.within[space.id]
     for region in (within if _is_tight(walked, room) else room, within):
         if walked.empty.intersects(region):
-            return Target(space.id, "", region)
+            return BarredRegion(space.id, "", region)
     return None
 
 
-def _is_tight(walked: Walk, room: Shape) -> bool:
+def _is_tight(walked: FloorWalk, room: Shape) -> bool:
     """Nowhere as wide as two routes, or closed to the route by its own doorway while empty."""
     wide = 4 * walked.radius
     if room.area < 4 * wide**2:
@@ -109,12 +109,12 @@ def _is_tight(walked: Walk, room: Shape) -> bool:
 
 
 def _missed_pieces(
-    walked: Walk, space: Space, pieces: Sequence[Piece], catalog: Catalog
-) -> list[Target]:
+    walked: FloorWalk, space: Space, pieces: Sequence[Piece], catalog: Catalog
+) -> list[BarredRegion]:
     """The pieces of a room that are used from sides none of which the route comes to."""
     within = walked.floor.within[space.id]
     targets = [
-        Target(space.id, piece.id, region.intersection(within))
+        BarredRegion(space.id, piece.id, region.intersection(within))
         for piece in pieces
         if (region := _use_region(piece, space, catalog, walked.radius + REACH)) is not None
     ]
@@ -135,7 +135,7 @@ def _use_region(piece: Piece, space: Space, catalog: Catalog, depth: float) -> S
     return shapely.multipolygons(shapely.polygons(corners(np.array(boxes))))
 
 
-def _squeeze(walked: Walk, within: Shape) -> Shape:
+def _squeeze(walked: FloorWalk, within: Shape) -> Shape:
     """Where a person comes who goes on sideways from the route, in a room and its doorways."""
     floor = walked.floor
     near = floor.whole.intersection(within.buffer(2 * walked.radius))
@@ -143,7 +143,7 @@ def _squeeze(walked: Walk, within: Shape) -> Shape:
     return join_to(walked.reached, erode(near, solid, floor.low, SIDEWAYS))
 
 
-def _find_openers(walked: Walk, missed: Sequence[Target]) -> list[tuple[str, ...]]:
+def _find_openers(walked: FloorWalk, missed: Sequence[BarredRegion]) -> list[tuple[str, ...]]:
     """For each target the pieces any one of which opens the way to it, else a least set that does
     so together."""
     if not missed or not walked.obstacles:
@@ -159,7 +159,7 @@ def _find_openers(walked: Walk, missed: Sequence[Target]) -> list[tuple[str, ...
     return found
 
 
-def _find_least_set(walked: Walk, tried: Sequence[int], target: Target) -> list[int]:
+def _find_least_set(walked: FloorWalk, tried: Sequence[int], target: BarredRegion) -> list[int]:
     """Obstacles that open the way to a target if all of them are gone, none of them to spare;
     none if not even all together do."""
     if not reach_without(walked, tried).intersects(target.region):
@@ -172,7 +172,7 @@ def _find_least_set(walked: Walk, tried: Sequence[int], target: Target) -> list[
     return needed
 
 
-def _nearest_obstacles(walked: Walk, missed: Sequence[Target]) -> list[int]:
+def _nearest_obstacles(walked: FloorWalk, missed: Sequence[BarredRegion]) -> list[int]:
     """The obstacles nearest to both what is reached and what is cut off, the larger first."""
     parts = shapely.get_parts(walked.free)
     beyond = [*parts[~shapely.intersects(parts, walked.start)], *(t.region for t in missed)]

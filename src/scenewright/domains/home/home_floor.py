@@ -49,7 +49,7 @@ class Obstacle(NamedTuple):
     footprint: Shape
 
 
-class Walk(NamedTuple):
+class FloorWalk(NamedTuple):
     """Where the middle of a disc may be on a floor: in the ``empty`` rooms as far as joined to the
     ``start``, everywhere between the obstacles (``free``), and the part of that joined to it."""
 
@@ -190,7 +190,7 @@ def footprint_of(piece: Piece) -> Shape:
     return shapely.Polygon(outline_of(piece))
 
 
-def walk(floor: HomeFloor, obstacles: tuple[Obstacle, ...], radius: float) -> Walk:
+def walk(floor: HomeFloor, obstacles: tuple[Obstacle, ...], radius: float) -> FloorWalk:
     """Where a disc of ``radius`` metres may go that comes in by the entries; where there are none,
     or none that lets it in, it starts in the largest part."""
     empty = erode(floor.whole, (), floor.low, radius)
@@ -202,7 +202,7 @@ def walk(floor: HomeFloor, obstacles: tuple[Obstacle, ...], radius: float) -> Wa
         start = parts[int(np.argmax(areas))].point_on_surface() if len(parts) else shapely.Point()
     reached = join_to(start, free)
     shapely.prepare(reached)
-    return Walk(floor, obstacles, radius, join_to(start, empty), start, free, reached)
+    return FloorWalk(floor, obstacles, radius, join_to(start, empty), start, free, reached)
 
 
 def erode(floor: Shape, solid: Sequence[Shape], low: Shape, radius: float) -> Shape:
@@ -223,7 +223,7 @@ def join_to(start: Shape, region: Shape) -> Shape:
     return shapely.multipolygons(parts[shapely.intersects(parts, start)])
 
 
-def reach_without(walked: Walk, away: Sequence[int]) -> Shape:
+def reach_without(walked: FloorWalk, away: Sequence[int]) -> Shape:
     """What would be reached if some of the obstacles (by number) were not there.
 
     Only middles nearer than r to one of them are new, and only what is nearer than 2 r to it bears
