@@ -17,7 +17,7 @@ from benchmarks.hall_measure import posed
 from scenewright.core.brief import Brief
 from scenewright.domains import check
 from scenewright.domains.hall.problem import HallProblem
-from scenewright.domains.hall.solvers.chains import COLD, FREE, advance, begin_chain
+from scenewright.domains.hall.solvers.chains import advance, begin_chain
 from scenewright.domains.hall.solving import solve
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.draws import streams
@@ -86,7 +86,7 @@ def _room(width: float, depth: float) -> Row:
 def step_seconds(problem: HallProblem, start: Kept, steps: int) -> float:
     """Seconds of one step of our default's chain at the middle of its schedule, one thread."""
     chain = begin_chain(problem, start, streams(0, 1)[0])
-    schedule = np.array([*COLD, 4.0 * steps, FREE])
+    schedule = np.array([0.05, 20.0, 4.0 * steps, 0.6])
     advance(chain, schedule, 0, steps)
     begun = time.perf_counter()
     advance(chain, schedule, 2 * steps, steps)

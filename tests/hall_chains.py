@@ -38,7 +38,9 @@ def posed(brief: Brief, preset: str = "default", seed: int = 0) -> Posed:
     found = hall_of(space, plan, borders_of(plan, space), (), brief.route_width)
     wishes = collect_demands(brief, 0, (), shipped())
     row = PRESETS[preset]
-    return Posed(found, wishes, fit(found, wishes, row.weights, shipped(), seed, row.whole))
+    return Posed(
+        found, wishes, fit(found, wishes, row.weights, shipped(), seed, row.settings.whole)
+    )
 
 
 def ring(x0: float, y0: float, x1: float, y1: float) -> list[list[float]]:

@@ -24,8 +24,9 @@ from scenewright.domains.home.changes.belonging import consistent
 from scenewright.domains.home.changes.least_change import Rest
 from scenewright.domains.home.changes.needless import take_back
 from scenewright.domains.home.changes.regroup import regroup_pieces
-from scenewright.domains.home.presets import preset_named
+from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.tasks import task_of, wishes_of
+from scenewright.engine.rows import preset_named
 from scenewright.formats import solution_json
 
 flat = partial(furnished, "sample:home-flat")
@@ -191,7 +192,7 @@ def room_of(home: Solution, name: str) -> tuple[RoomTask, tuple[FurnishedGroup, 
         (),
         catalog,
         library,
-        preset_named(home.preset),
+        preset_named(PRESETS, home.preset),
         home.solver,
         0,
     )

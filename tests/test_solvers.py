@@ -116,6 +116,8 @@ def test_chain_sums_stay_equal_to_a_fresh_evaluation(printed):
         bests,
         energies,
         streams(1, 3),
+        0,
+        3000,
         3000,
         np.array([500.0, 0.01, 0.0, 1.0]),
     )

@@ -74,11 +74,20 @@ def _presets() -> list[Row]:
             "name": name,
             "about": preset.doc,
             "solver": preset.solver,
+            "steps": preset.steps,
             "weights": preset.weights,
+            "settings": _settings(preset.settings),
         }
         for kind in domain_names()
         for name, preset in presets(kind).items()
     ]
+
+
+def _settings(values: Any) -> Any:
+    """Settings as plain values, group in group."""
+    if not hasattr(values, "_asdict"):
+        return values
+    return {name: _settings(value) for name, value in values._asdict().items()}
 
 
 def _formats() -> list[Row]:
@@ -160,7 +169,7 @@ SHOWN: dict[str, tuple[str, ...]] = {
     "solvers": ("domain", "name", "about"),
     "terms": ("domain", "name", "form", "kind", "weight", "doc"),
     "patterns": ("name", "about", "used_for"),
-    "presets": ("domain", "name", "solver", "about"),
+    "presets": ("domain", "name", "solver", "steps", "about"),
     "assets": ("category", "usual", "in halls"),
     "samples": ("name", "about", "holds"),
 }

@@ -17,15 +17,17 @@ def pace_by_steps(steps: int, most: int) -> Iterator[tuple[int, float]]:
 
 
 def pace_by_clock(seconds: float, rate: float) -> Iterator[tuple[int, float]]:
-    """Twelve slices in the given time, or fewer if they take longer than ``rate`` foretells.
+    """Twelve slices in the given time (more in long ones: one each quarter of a second), or fewer
+    if they take longer than ``rate`` foretells.
 
     The share follows the clock, so that a schedule always ends cold and in time.
     """
     begun, made, share = time.perf_counter(), 0, 0.0
+    slices = max(12.0, seconds / 0.25)
     while share < 1.0:
         elapsed = time.perf_counter() - begun
         rate = made / elapsed if made else rate
-        share = min(max(share, elapsed / max(seconds, 1e-6)) + 1.0 / 12.0, 1.0)
-        steps = max(int(rate * seconds / 12.0), 16)
+        share = min(max(share, elapsed / max(seconds, 1e-6)) + 1.0 / slices, 1.0)
+        steps = max(int(rate * seconds / slices), 16)
         made += steps
         yield steps, share

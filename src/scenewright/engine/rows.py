@@ -1,11 +1,15 @@
-"""The rows that every domain fills its tables of solvers with, and how a solver is run."""
+"""The rows that every domain fills its tables with: solvers, with how one is run, and presets."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib import import_module
-from typing import Any, NamedTuple
+from typing import Any, Generic, NamedTuple, TypeVar
 
+from scenewright.core.errors import InputError
 from scenewright.engine.solve import Budget, Cancel, Found, Progress, Report
+
+S = TypeVar("S")
 
 
 class SolverRow(NamedTuple):
@@ -64,3 +68,22 @@ class RisingShare:
     def end(self, answer: Any) -> None:
         """Report that all is done."""
         self.hear(self.last._replace(share=1.0, best=lambda: answer))
+
+
+class Preset(NamedTuple, Generic[S]):
+    """A named way of solving: what it is, the solver, the work in steps of that solver (``None``:
+    what it does of itself), weights by name of the term, and ``settings``, what else steers the
+    domain and its solvers."""
+
+    doc: str
+    solver: str
+    steps: int | None
+    weights: dict[str, float]
+    settings: S
+
+
+def preset_named(presets: Mapping[str, Preset[S]], name: str) -> Preset[S]:
+    """The preset of a name; raises :class:`InputError` if there is none."""
+    if name not in presets:
+        raise InputError(f"unknown preset '{name}'", "one of " + ", ".join(presets))
+    return presets[name]

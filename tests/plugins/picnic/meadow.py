@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from typing import Annotated, NamedTuple
+from typing import Annotated
 
 import numpy as np
 import shapely
@@ -21,6 +21,7 @@ from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.core.solution import LeftOut, Solution, TermValue
 from scenewright.core.space import Level, Space
 from scenewright.drawing import rooms
+from scenewright.engine.rows import Preset, SolverRow
 
 BLANKET = Size(1.5, 2.0, 0.01)
 
@@ -39,21 +40,8 @@ class MeadowPart(StrictModel):
     meadows: Annotated[list[Meadow], Field(min_length=1, max_length=20)]
 
 
-class Preset(NamedTuple):
-    doc: str
-    solver: str
-    weights: dict[str, float]
-    steps: int
-
-
-class SolverRow(NamedTuple):
-    name: str
-    doc: str
-    source: str
-
-
-PRESETS = {"default": Preset("the best of many throws", "throw", {"near": 1.0}, 200)}
-SOLVERS = {"throw": SolverRow("throw", "blankets thrown at random", "ours")}
+PRESETS = {"default": Preset("the best of many throws", "throw", 200, {"near": 1.0}, ())}
+SOLVERS = {"throw": SolverRow("throw", "blankets thrown at random", "ours", f"{__name__}:_throw")}
 TERMS = {"near": "blankets near each other, in metres missing to 3 m"}
 
 

@@ -26,6 +26,7 @@ from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.partitions import Host
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.problem import Floats, HallGround, HallProblem, Ints, Units
+from scenewright.domains.hall.settings import HallSettings
 from scenewright.domains.hall.zones import HallPlan
 
 LANDING = 1.5
@@ -57,6 +58,8 @@ class HallContext(NamedTuple):
     def names(self) -> tuple[str, ...]:
         """Ids of the zones."""
         return tuple(zone.id for zone in self.plan.zones)
+
+    settings: HallSettings = HallSettings()
 
 
 def hall_of(
@@ -117,6 +120,7 @@ def build_problem(
         zone_names=hall.names,
         weights=weights,
         route=hall.route,
+        settings=hall.settings,
     )
 
 

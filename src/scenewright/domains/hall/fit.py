@@ -25,7 +25,7 @@ from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.shortfall import drop_unplaceable
 from scenewright.domains.hall.solvers.chains import anneal_hall, first_layout
 from scenewright.domains.hall.terms.state import Kept
-from scenewright.engine.solve import Budget
+from scenewright.engine.solve import Budget, Cancel
 
 ROUNDS = 12
 MOST_ROUNDS = 10 * ROUNDS
@@ -55,24 +55,28 @@ def fit(
     catalog: Catalog,
     seed: int,
     whole: bool,
+    cancel: Cancel | None = None,
 ) -> Fitted:
-    """Assign, pose and place; see the module.
+    """Assign, pose and place; see the module. When ``cancel`` answers true, what found no room so
+    far is left out.
 
     Where only a little does not fit, other first layouts are tried; else more is left out until
     the route reaches what stays.
     """
     asked = sum(len(wish.sizes) for wish in wishes)
     for chance in range(CHANCES):
-        fitted = _fit(hall, wishes, weights, catalog, seed + 7 * chance, whole, SHARES[0])
+        fitted = _fit(hall, wishes, weights, catalog, seed + 7 * chance, whole, SHARES[0], cancel)
         missing = asked - sum(unit.last - unit.first for unit in fitted.units)
-        if missing == 0:
+        if missing == 0 or (cancel is not None and cancel()):
             return fitted
         if missing > max(2, LITTLE * asked):
             break
     for share in SHARES:
-        fitted = _fit(hall, wishes, weights, catalog, seed, whole, share)
+        fitted = _fit(hall, wishes, weights, catalog, seed, whole, share, cancel)
         placed = sum(unit.last - unit.first for unit in fitted.units)
-        if placed in (0, asked) or _all_reached(fitted.problem, fitted.start, seed):
+        if placed in (0, asked) or (cancel is not None and cancel()):
+            break
+        if _all_reached(fitted.problem, fitted.start, seed):
             break
     return fitted
 
@@ -85,6 +89,7 @@ def _fit(
     seed: int,
     whole: bool,
     share: float,
+    cancel: Cancel | None,
 ) -> Fitted:
     walls = wall_lengths(hall)
     units = assign(wishes, hall.names, zone_areas(hall), walls, whole)
@@ -100,6 +105,8 @@ def _fit(
         start, lost = first_layout(problem, spans, seed + attempt, TRIES)
         if not lost:
             return Fitted(units, built, problem, start)
+        if cancel is not None and cancel():
+            break
         if attempt + 1 < MOST_ROUNDS:
             units = _reduce_units(units, lost, whole, attempt)
     stay = [k for k in range(len(units)) if k not in lost]

@@ -12,6 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.domains.hall.settings import HallSettings
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
@@ -73,7 +75,8 @@ class Units(NamedTuple):
 
 class HallProblem(NamedTuple):
     """One hall to solve. ``names`` of the units and ``zone_names``, ``weights`` by name of the
-    term, ``route`` the width of the route every object must be reached by, in metres."""
+    term, ``route`` the width of the route every object must be reached by, in metres;
+    ``settings`` steer the solvers."""
 
     ground: HallGround
     units: Units
@@ -81,3 +84,4 @@ class HallProblem(NamedTuple):
     zone_names: tuple[str, ...]
     weights: dict[str, float]
     route: float
+    settings: HallSettings = HallSettings()

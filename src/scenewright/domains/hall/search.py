@@ -13,6 +13,7 @@ from scenewright.domains.hall.fit import TRIES, Fitted
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.settings import SearchSettings
 from scenewright.domains.hall.solvers import HALL_SOLVERS
 from scenewright.domains.hall.solvers.chains import MANY, cooled_hall, first_layout
 from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout, StartedHall
@@ -22,12 +23,8 @@ Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 Heard = Callable[[Report], None]
 
-ATTEMPTS = 4
-"""How often a hall is solved while something in it cannot be reached."""
-FIRST, AGAIN = 0.5, 0.1
-"""Shares of the seconds or steps a user states: the first attempt's, and that of each after it."""
-WAYS, WRONG = ("access", "reach"), 20.0
-"""What is wrong where it costs anything, and how much more it weighs then in the end."""
+WAYS = ("access", "reach")
+"""What is wrong where it costs anything."""
 LARGE = 6
 """Groups of so many objects are tried in halves in the end."""
 
@@ -61,16 +58,18 @@ def search_layout(
     narrow, ours tries again: from other first layouts, then with large groups in halves. Of
     seconds or steps that a user states, a part is kept for that; what is left of them in the end
     improves the answer."""
-    again = search.solver == "anneal" and not search.preset.whole
+    again = search.solver == "anneal" and not search.preset.settings.whole
     shared = again and (search.stated or search.budget.seconds is not None)
-    tries = 1 if not again else ATTEMPTS if len(fitted.units) <= MANY else 2
+    rule = search.preset.settings.search
+    tries = 1 if not again else rule.attempts if len(fitted.units) <= MANY else 2
     begun, answers = time.perf_counter(), list[Answer]()
     for attempt in range(tries):
         seed = search.seed + 104_729 * attempt
         if attempt > 0 and attempt + 1 == tries:
             fitted = halve_groups(search, fitted, seed)
-        budget = _share(search.budget, AGAIN if attempt else FIRST) if shared else search.budget
-        heard = None if progress is None else _make_progress_reporter(progress, attempt, shared)
+        share = rule.again if attempt else rule.first
+        budget = _share(search.budget, share) if shared else search.budget
+        heard = _make_progress_reporter(progress, attempt, shared, rule)
         run = HALL_SOLVERS[search.solver].run
         problem = _heavy(fitted.problem) if shared and attempt else fitted.problem
         found = run(StartedHall(problem, fitted.start), budget, seed, heard, cancel)
@@ -81,7 +80,7 @@ def search_layout(
     best = min(answers, key=lambda answer: answer.wrong)
     if shared and not (cancel is not None and cancel()):
         rest = _rest(search.budget, seen, time.perf_counter() - begun)
-        heard = None if progress is None else _make_progress_reporter(progress, ATTEMPTS, shared)
+        heard = _make_progress_reporter(progress, rule.attempts, shared, rule)
         found = _improve_answer(best, rest, search.seed, heard, cancel)
         seen, best = seen + found.evaluations - best.found.evaluations, best._replace(found=found)
     return best.fitted, best.found._replace(evaluations=seen)
@@ -125,19 +124,24 @@ def _improve_answer(
 
 def _heavy(problem: HallProblem) -> HallProblem:
     """The same problem with more weight on what must not be wrong."""
-    heavy = {name: WRONG * weight for name, weight in problem.weights.items() if name in WAYS}
+    wrong = problem.settings.search.wrong
+    heavy = {name: wrong * weight for name, weight in problem.weights.items() if name in WAYS}
     return problem._replace(weights=problem.weights | heavy)
 
 
-def _make_progress_reporter(progress: Progress, attempt: int, shared: bool) -> Heard:
+def _make_progress_reporter(
+    progress: Progress | None, attempt: int, shared: bool, rule: SearchSettings
+) -> Heard | None:
     """Tells how far a search is, and never goes back. Attempts that share a budget have their
     parts of it, the improvement (after the last) the rest; else all is done but for the attempts
     after the first."""
-    again = f", attempt {attempt + 1} of {ATTEMPTS}" if 0 < attempt < ATTEMPTS else ""
+    if progress is None:
+        return None
+    again = f", attempt {attempt + 1} of {rule.attempts}" if 0 < attempt < rule.attempts else ""
     low, high = float(attempt > 0), 1.0
     if shared:
-        low = FIRST + AGAIN * (attempt - 1) if attempt else 0.0
-        high = FIRST + AGAIN * attempt if attempt < ATTEMPTS else 1.0
+        low = rule.first + rule.again * (attempt - 1) if attempt else 0.0
+        high = rule.first + rule.again * attempt if attempt < rule.attempts else 1.0
 
     def pass_on(report: Report) -> None:
         progress(low + (high - low) * report.share, f"energy {report.energy:.1f}{again}")

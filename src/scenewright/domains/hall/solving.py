@@ -11,6 +11,7 @@ import os
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import NamedTuple
 from zlib import crc32
 
@@ -22,7 +23,6 @@ from scenewright.building.standing import fixed_pieces, reaching_in
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
-from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
@@ -36,13 +36,14 @@ from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitio
 from scenewright.domains.hall.hall_layout import HallDetail, HallLayout, PlacedGroup, Tour
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
 from scenewright.domains.hall.presets import PRESETS, USUAL, HallPreset
-from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.search import HallSearch, search_layout
 from scenewright.domains.hall.shortfall import left_out
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall, measure_layout
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.zones import borders_of, zones_of
 from scenewright.engine.energy import Part
+from scenewright.engine.rows import preset_named
+from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget
 
 Progress = Callable[[float, str], None]
@@ -102,7 +103,7 @@ def solve(
     returned.
     """
     started = time.perf_counter()
-    chosen = _preset(preset)
+    chosen = preset_named(PRESETS, preset)
     named = solver or chosen.solver
     catalog, rooms = catalog_of(brief.catalogs), (plan or plan_rooms(brief)).spaces
     threads = min(threads or os.cpu_count() or 1, 16)
@@ -122,28 +123,26 @@ def solve(
 
 def problems(
     brief: Brief, preset: str = "default", *, plan: Plan | None = None
-) -> tuple[HallProblem, ...]:
-    """The halls of a brief that are to hold something as problems of placing their groups, for
-    solvers of :data:`scenewright.domains.hall.solvers.HALL_SOLVERS` run by oneself.
+) -> tuple[StartedHall, ...]:
+    """The halls of a brief that are to hold something as problems of placing their groups, each
+    with a first layout, for solvers of :data:`scenewright.domains.hall.solvers.HALL_SOLVERS` run
+    by oneself.
 
     >>> from scenewright.formats import read
     >>> len(problems(read("sample:hall-shop")))
     1
     """
-    chosen, rooms = _preset(preset), (plan or plan_rooms(brief)).spaces
-    catalog = catalog_of(brief.catalogs)
-    halls = hall_contexts(brief, rooms, catalog, 0, 0)
-    return tuple(
-        fit(hall, wishes, chosen.weights, catalog, _stream(0, hall.space), chosen.whole).problem
-        for number, hall in enumerate(halls)
-        if (wishes := collect_demands(brief, number, _locked_of(hall), catalog))
-    )
-
-
-def _preset(name: str) -> HallPreset:
-    if name not in PRESETS:
-        raise InputError(f"unknown preset '{name}'", "one of " + ", ".join(PRESETS))
-    return PRESETS[name]
+    chosen, rooms = preset_named(PRESETS, preset), (plan or plan_rooms(brief)).spaces
+    catalog, whole = catalog_of(brief.catalogs), chosen.settings.whole
+    found = []
+    for number, one in enumerate(hall_contexts(brief, rooms, catalog, 0, 0)):
+        hall = one._replace(settings=chosen.settings)
+        wishes = collect_demands(brief, number, _locked_of(hall), catalog)
+        if wishes:
+            seed = _stream(0, hall.space)
+            fitted = fit(hall, wishes, chosen.weights, catalog, seed, whole)
+            found.append(StartedHall(fitted.problem, fitted.start))
+    return tuple(found)
 
 
 def _stream(seed: int, space: Space) -> int:
@@ -185,13 +184,17 @@ def _run(
     cancel: Cancel | None,
 ) -> dict[int, Laid]:
     """Halls in parallel; compiled code runs without the interpreter's lock."""
+    work = [float(number in tasks) for number in range(len(brief.rooms))]
+    shared = None if progress is None else SharedProgress(progress, work)
     alone = len(tasks) == 1
 
     def lay(task: HallTask) -> Laid | None:
         if cancel is not None and cancel():
             return None
-        inner = progress if alone else None
-        return _lay(brief, task, catalog, inner, cancel)
+        heard = progress
+        if shared is not None and not alone:
+            heard = partial(shared.hear, task.number)
+        return _lay(brief, task, catalog, heard, cancel)
 
     answers: dict[int, Laid] = {}
     with ThreadPoolExecutor(max(min(threads, len(tasks)), 1)) as pool:
@@ -200,8 +203,10 @@ def _run(
             found = future.result()
             if found is not None:
                 answers[number] = found
-            if progress:
-                progress(done / len(tasks), tasks[number].hall.space.name)
+            if shared and done < len(tasks):
+                shared.ended(number, tasks[number].hall.space.name)
+    if progress and tasks:
+        progress(1.0, tasks[number].hall.space.name)
     return answers
 
 
@@ -213,10 +218,11 @@ def _locked_of(hall: HallContext) -> tuple[Piece, ...]:
 def _lay(
     brief: Brief, task: HallTask, catalog: Catalog, progress: Progress | None, cancel: Cancel | None
 ) -> Laid:
-    hall, preset = task.hall, task.preset
+    preset = task.preset
+    hall = task.hall._replace(settings=preset.settings)
     locked = _locked_of(hall)
     wishes = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
-    fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.whole)
+    fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.settings.whole, cancel)
     if not fitted.units:
         missing = left_out(hall, wishes, fitted.units)
         kept = kept_groups(hall, locked)
@@ -224,9 +230,10 @@ def _lay(
         way = tour(hall.space, hall.fixed, layout, catalog, hall.route) if kept else None
         return Laid((), kept, (), (), missing, 0.0, 0, way)
     budget = task.budget
-    if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
-        scale = 1.0 if preset.whole else max(len(fitted.units) / USUAL, 1.0)
-        budget = budget._replace(steps=int(preset.steps * scale))
+    own = preset.steps if task.solver == preset.solver else None
+    if budget.steps is None and budget.seconds is None and own is not None:
+        scale = 1.0 if preset.settings.whole else max(len(fitted.units) / USUAL, 1.0)
+        budget = budget._replace(steps=int(own * scale))
     search = HallSearch(
         hall, wishes, preset, task.solver, budget, task.seed, catalog, task.budget.steps is not None
     )

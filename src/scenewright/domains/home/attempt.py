@@ -27,7 +27,7 @@ from scenewright.domains.home.furnishing.high_walls import raise_tall_items
 from scenewright.domains.home.furnishing.obstacles import join_standing, standing_of
 from scenewright.domains.home.furnishing.tidy import tidy_groups
 from scenewright.domains.home.furnishing.whole import Gone
-from scenewright.domains.home.presets import Preset
+from scenewright.domains.home.presets import HomePreset
 from scenewright.domains.home.problem import Ground, Problem
 from scenewright.domains.home.programme import Wish, part_of
 from scenewright.domains.home.solvers import SOLVERS
@@ -35,7 +35,7 @@ from scenewright.domains.home.ways import find_unreached
 from scenewright.domains.home.wished.places import assign_places as at_places
 from scenewright.domains.home.wished.unmet import count_unmet_wishes
 from scenewright.domains.home.wished.wishes import apply_preferences
-from scenewright.engine.solve import Budget
+from scenewright.engine.solve import Budget, Progress
 
 Floats = NDArray[np.float64]
 Cancel = Callable[[], bool]
@@ -60,13 +60,14 @@ class RoomTask(NamedTuple):
     ``amount`` times as large, and ``welcome`` the welcome groups (none: the usual); ``asked`` is
     the room of the brief; ``beside`` is what stands in other rooms and reaches into this one. In an
     open space groups may stand ``elsewhere``, in another room of it, and this one has others
-    ``instead``. ``entered`` are the doors one comes in by (none: any)."""
+    ``instead``. ``entered`` are the doors one comes in by (none: any). ``progress`` is told what
+    the solvers report."""
 
     space: Space
     ground: Ground
     fixed: tuple[Piece, ...]
     catalog: Catalog
-    preset: Preset
+    preset: HomePreset
     solver: str
     route_width: float
     use_width: float
@@ -83,6 +84,11 @@ class RoomTask(NamedTuple):
     elsewhere: frozenset[str] = frozenset()
     instead: tuple[Wish, ...] = ()
     entered: tuple[int, ...] = ()
+    progress: Progress | None = None
+
+    def cancelled(self) -> bool:
+        """Whether nobody waits for a better answer."""
+        return self.cancel is not None and self.cancel()
 
 
 class FurnishedGroup(NamedTuple):
@@ -138,15 +144,22 @@ def build_task_problem(task: RoomTask, wishes: tuple[Wish, ...], ground: Ground)
         ground,
         wishes,
         preset.weights,
-        preset.printed,
+        preset.settings.printed,
         task.route_width,
         furnished_as(task),
         task.library,
     )
-    items = problem.items if preset.printed else raise_tall_items(problem.items, wishes, ground)
+    items = (
+        problem.items
+        if preset.settings.printed
+        else raise_tall_items(problem.items, wishes, ground)
+    )
     items = at_places(items, wishes, task.space, task.fixed, task.library)
-    weights = preset.weights if preset.printed else scale_area_weights(preset.weights, items)
-    return problem._replace(items=apply_preferences(items, wishes), weights=weights)
+    weights = (
+        preset.weights if preset.settings.printed else scale_area_weights(preset.weights, items)
+    )
+    items = apply_preferences(items, wishes)
+    return problem._replace(items=items, weights=weights, settings=preset.settings)
 
 
 def attempt(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> RoomAnswer:
@@ -154,11 +167,11 @@ def attempt(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget, seed: int)
     more than the best's score are not looked at."""
     preset = task.preset
     problem = build_task_problem(task, wishes, task.ground)
-    found = SOLVERS[task.solver].run(problem, budget, seed, cancel=task.cancel)
-    first, *others = found.layouts[: LAYOUTS if preset.exact else 1]
+    found = SOLVERS[task.solver].run(problem, budget, seed, task.progress, task.cancel)
+    first, *others = found.layouts[: LAYOUTS if preset.settings.exact else 1]
     best = furnish_layout(task, wishes, problem, first.boxes, first.energy)
     for layout in others:
-        if ENERGY * layout.energy >= best.score:
+        if ENERGY * layout.energy >= best.score or task.cancelled():
             continue
         other = furnish_layout(task, wishes, problem, layout.boxes, layout.energy, most=best.score)
         best = other if other.score < best.score else best
@@ -182,7 +195,7 @@ def furnish_layout(
     placed, missing = _place_groups(task, wishes, problem.names, boxes, before, most)
     if sum(penalty(m.wish) for m in missing) >= most:
         return RoomAnswer(math.inf, placed, missing, (), problem, energy, 0)
-    if task.preset.exact and placed:
+    if task.preset.settings.exact and placed:
         new = np.array([p not in before for p in placed])
         groups = tuple(p.wish.group for p in placed)
         placed = _again(task, placed, tidy_groups(groups, _boxes(placed), new, task.ground))
@@ -238,7 +251,7 @@ def _place_groups(
             standing,
             task.catalog,
             task.space.height,
-            task.preset.exact,
+            task.preset.settings.exact,
             task.library,
             task.space.outlets,
         )
@@ -266,7 +279,7 @@ def score_answer(
     """The answer that groups so placed make, ways kept open; ``energy`` if nothing stands. Its
     score is infinite as soon as it is not below ``most``."""
     blocked: tuple[str, ...] = ()
-    if task.preset.exact:
+    if task.preset.settings.exact:
         placed, gone, blocked = _open_ways(task, placed)
         missing = (*missing, *gone)
     standing = (*task.fixed, *(p for item in placed for p in item.pieces))

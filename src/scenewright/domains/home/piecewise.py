@@ -47,9 +47,9 @@ def piecewise(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomA
     area = furnished_as(task)
     parts = tuple(parts_of(wish, area, task.catalog, task.library) for wish in wishes)
     problem = posed_pieces(
-        task.ground, parts, task.catalog, preset.weights, preset.printed, task.route_width
+        task.ground, parts, task.catalog, preset.weights, preset.settings.printed, task.route_width
     )
-    found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
+    found = SOLVERS[task.solver].run(problem, budget, task.seed, task.progress, task.cancel)
     placed, missing = lay_out_parts(task, parts, found.layouts[0].boxes)
     answer = score_answer(task, placed, missing, build_task_problem(task, wishes, task.ground), 0.0)
     return answer._replace(evaluations=found.evaluations)
@@ -85,7 +85,7 @@ def _furnish_part(
 ) -> FurnishedPatch | Refused:
     """Which members of a group stand: the placed ones in turn, then what rides with them."""
     count = len(case.members)
-    if not task.preset.exact:
+    if not task.preset.settings.exact:
         return FurnishedPatch(case, box, (True,) * count, 0)
     boxes, spans, flat = world(case.members, box, task.catalog)
     stands = [False] * count

@@ -2,24 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from scenewright.domains.home.settings import HomeSettings
+from scenewright.engine.rows import Preset
 
-from scenewright.core.errors import InputError
-
-
-@dataclass(frozen=True, slots=True)
-class Preset:
-    """``weights`` by term name; ``printed`` takes the formulas as the paper prints them;
-    ``exact`` checks every piece while dressing; ``steps`` is the work for one item of a room
-    (``None``: what the solver does of itself, as the paper's 100 generations)."""
-
-    doc: str
-    weights: dict[str, float]
-    solver: str = "anneal"
-    printed: bool = False
-    exact: bool = True
-    steps: int | None = 12_000
-
+HomePreset = Preset[HomeSettings]
+"""Its steps are those for one item of a room."""
 
 PAPER = {
     "boundary": 5000.0,
@@ -54,24 +41,21 @@ HOME = {
     "places": 110.0,
 }
 
-PRESETS: dict[str, Preset] = {
-    "default": Preset("our terms in repaired form, every piece checked", HOME),
-    "quick": Preset("the default with a third of the work", HOME, steps=4_000),
-    "fine": Preset("the default with eight times the work", HOME, steps=96_000),
+OURS = HomeSettings()
+PRESETS: dict[str, HomePreset] = {
+    "default": Preset(
+        "our terms in repaired form, every piece checked", "anneal", 12_000, HOME, OURS
+    ),
+    "quick": Preset("the default with a third of the work", "anneal", 4_000, HOME, OURS),
+    "fine": Preset("the default with eight times the work", "anneal", 96_000, HOME, OURS),
     "paper": Preset(
         "Liu, Jiang, Mao, Wang 2017 as printed: seven costs, 40 x 100 GA, nearest case",
+        "paper-ga",
+        None,
         PAPER,
-        solver="paper-ga",
-        printed=True,
-        exact=False,
-        steps=None,
+        HomeSettings(printed=True, exact=False),
     ),
-    "paper-repaired": Preset("the paper's seven costs, repaired, by our solver", PAPER),
+    "paper-repaired": Preset(
+        "the paper's seven costs, repaired, by our solver", "anneal", 12_000, PAPER, OURS
+    ),
 }
-
-
-def preset_named(name: str) -> Preset:
-    """The preset of a name; raises :class:`InputError` if there is none."""
-    if name not in PRESETS:
-        raise InputError(f"unknown preset '{name}'", "one of " + ", ".join(PRESETS))
-    return PRESETS[name]

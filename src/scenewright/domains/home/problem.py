@@ -12,6 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.domains.home.settings import HomeSettings
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
@@ -87,7 +89,8 @@ class Items(NamedTuple):
 
 class Problem(NamedTuple):
     """One space to solve: ground, items, names of the items, the weight of each term by name and
-    whether terms take the ``printed`` or the ``repaired`` form; ``route_width`` in metres."""
+    whether terms take the ``printed`` or the ``repaired`` form; ``route_width``
+    in metres; ``settings`` steer the solvers."""
 
     ground: Ground
     items: Items
@@ -95,6 +98,7 @@ class Problem(NamedTuple):
     weights: dict[str, float]
     printed: bool = False
     route_width: float = 0.6
+    settings: HomeSettings = HomeSettings()
 
 
 def empty_items(n: int) -> Items:

@@ -33,25 +33,27 @@ def furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAns
     place single pieces, try once."""
     if SOLVERS[task.solver].encoding == "pieces":
         return piecewise(task, wishes, budget)
-    if not task.preset.exact:
+    if not task.preset.settings.exact:
         return attempt(task, wishes, budget, task.seed)
     best = attempt(task, wishes, share_of(budget, FIRST), task.seed)
-    if budget.seconds is not None and _sound(best):
+    if budget.seconds is not None and _sound(best) and not task.cancelled():
         rest = budget._replace(seconds=budget.seconds * (1 - FIRST / ALL_SHARES))
         return _better(best, attempt(task, wishes, rest, task.seed + 1))
     known = {_sort_wishes(wishes)}
     for round_, fewer in enumerate(FEWER, 1):
-        again = () if _sound(best) else fewer(best, wishes)
+        again = () if _sound(best) or task.cancelled() else fewer(best, wishes)
         if again and (fewer is _afresh or _sort_wishes(again) not in known):
             known.add(_sort_wishes(again))
             tried = attempt(task, again, share_of(budget, AGAIN), task.seed + round_)
             best = _better(best, _report_dropped(tried, wishes, best))
     for round_ in range(HEARING if budget.seconds is None else 0):
-        if best.unheard:
+        if best.unheard and not task.cancelled():
             seed = task.seed + len(FEWER) + 1 + round_
             tried = attempt(task, wishes, share_of(budget, AGAIN), seed)
             best = _better(best, _report_dropped(tried, wishes, best))
-    return best if not best.missing else fill_rest(task, best, share_of(budget, FILL))
+    if not best.missing or task.cancelled():
+        return best
+    return fill_rest(task, best, share_of(budget, FILL))
 
 
 def _sort_wishes(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
@@ -101,7 +103,7 @@ def fill_rest(task: RoomTask, answer: RoomAnswer, budget: Budget) -> RoomAnswer:
     taken = np.array([p.dressed.box for p in answer.placed]).reshape(-1, 5)
     ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, taken]))
     problem = build_task_problem(task, wishes, ground)
-    found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
+    found = SOLVERS[task.solver].run(problem, budget, task.seed, task.progress, task.cancel)
     best = answer
     others = tuple(m for m in answer.missing if m.wish not in wanted)
     lacking = sum(penalty(m.wish) for m in others)

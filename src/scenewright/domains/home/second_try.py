@@ -41,7 +41,7 @@ def tried_again(
     found = opened(before)
     for room, task in enumerate(tasks):
         wanted = _lacks(before[room])
-        if task.ground.area < LEAST or (task.cancel is not None and task.cancel()):
+        if task.ground.area < LEAST or task.cancelled():
             continue
         most = 0 if budgets[room].seconds is not None else 1 if before[room].unreached else None
         for number, wider in enumerate(WIDER[:most], 1):

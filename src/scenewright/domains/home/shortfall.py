@@ -33,7 +33,7 @@ def complete_account(
 ) -> list[LeftOut]:
     """What a room lacks: as ``told`` by the search, with what is essential marked as such, and with
     what nobody told of; ``pieces`` are all that stand."""
-    if not task.preset.exact:
+    if not task.preset.settings.exact:
         return [*told, *_smaller(told, room, task, answer)]
     found = [*told, *_smaller(told, room, task, answer)]
     for need in list_lacking(task.space, pieces, task.catalog) if room.ask is None else ():

@@ -23,11 +23,12 @@ from scenewright.domains.home.attempt import (
 )
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.presets import preset_named
+from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.requests import check_asks
 from scenewright.domains.home.solving import assemble_solution, prepare_rooms
 from scenewright.domains.home.wished.wishes import check_wishes
+from scenewright.engine.rows import preset_named
 
 
 def solution_of(
@@ -42,7 +43,7 @@ def solution_of(
     made = plan or plan_rooms(brief)
     check_layouts(layouts, [space.id for space in made.spaces])
     check_asks(brief)
-    catalog, preset = catalog_of(brief.catalogs), preset_named("default")
+    catalog, preset = catalog_of(brief.catalogs), preset_named(PRESETS, "default")
     check_wishes(brief, catalog)
     tasks, wishes = prepare_rooms(brief, made.spaces, catalog, preset, preset.solver, seed)
     answers = [

@@ -28,7 +28,7 @@ from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import share_open_plans
-from scenewright.domains.home.presets import PRESETS, Preset, preset_named
+from scenewright.domains.home.presets import PRESETS, HomePreset
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
@@ -40,6 +40,8 @@ from scenewright.domains.home.tasks import add_lamps_and_curtains, task_of, wish
 from scenewright.domains.home.variants import other_groups, vary_task
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
 from scenewright.domains.home.wished.wishes import check_wishes, list_substitutes, restrict_library
+from scenewright.engine.rows import preset_named
+from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget
 
 Progress = Callable[[float, str], None]
@@ -48,6 +50,8 @@ Cancel = Callable[[], bool]
 __all__ = ["PRESETS", "problems", "solve"]
 
 MOST_THREADS = 16
+LAST = 0.02
+"""Share of the progress of all rooms that is left for the routes of the whole home."""
 MANY = 9
 """Items from which on a room takes more steps for each: they are in one another's way."""
 
@@ -79,7 +83,7 @@ def solve(
     other groups for the same use; its energies are told as those of the usual problem.
     """
     started = time.perf_counter()
-    chosen = preset_named(preset)
+    chosen = preset_named(PRESETS, preset)
     named = solver or chosen.solver
     check_asks(brief)
     rooms = (plan or plan_rooms(brief)).spaces
@@ -96,13 +100,16 @@ def solve(
         for w, b in zip(wishes, work, strict=True)
     ]
     turned = [vary_task(task, variant) for task in tasks]
-    answers = _run(turned, wishes, budgets, pool, progress)
-    if chosen.exact:
+    shared = None if progress is None else SharedProgress(progress, [*work, LAST * sum(work)])
+    answers = _run(turned, wishes, budgets, pool, shared)
+    if chosen.settings.exact:
         standing = [task.fixed for task in tasks]
         opened = partial(
             remove_blockers, standing, rooms=rooms, catalog=catalog, width=brief.route_width
         )
         answers = tried_again(turned, wishes, budgets, answers, opened)
+    if shared is not None:
+        shared.ended(len(work), "routes")
     return assemble_solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
 
 
@@ -116,7 +123,7 @@ def problems(
     >>> len(problems(read("sample:home-room")))
     1
     """
-    chosen, rooms = preset_named(preset), (plan or plan_rooms(brief)).spaces
+    chosen, rooms = preset_named(PRESETS, preset), (plan or plan_rooms(brief)).spaces
     catalog = catalog_of(brief.catalogs)
     each = zip(*prepare_rooms(brief, rooms, catalog, chosen, chosen.solver, 0), strict=True)
     return tuple(build_task_problem(task, asked, task.ground) for task, asked in each if asked)
@@ -126,7 +133,7 @@ def prepare_rooms(
     brief: Brief,
     rooms: tuple[Space, ...],
     catalog: Catalog,
-    preset: Preset,
+    preset: HomePreset,
     solver: str,
     seed: int,
     cancel: Cancel | None = None,
@@ -146,7 +153,7 @@ def _tasks(
     brief: Brief,
     rooms: tuple[Space, ...],
     catalog: Catalog,
-    preset: Preset,
+    preset: HomePreset,
     solver: str,
     seed: int,
     cancel: Cancel | None,
@@ -185,29 +192,37 @@ def _run(
     wishes: list[tuple[Wish, ...]],
     budgets: list[Budget],
     threads: int,
-    progress: Progress | None,
+    progress: SharedProgress | None,
 ) -> list[RoomAnswer]:
     """Rooms in parallel, the largest first; compiled code runs without the interpreter's lock."""
     order = sorted(range(len(tasks)), key=lambda i: -len(wishes[i]))
     answers: dict[int, RoomAnswer] = {}
     with ThreadPoolExecutor(threads) as pool:
-        futures = {i: pool.submit(_furnish, tasks[i], wishes[i], budgets[i]) for i in order}
-        for done, i in enumerate(order, 1):
+        futures = {}
+        for i in order:
+            heard = None if progress is None else progress.part(i, _name(tasks[i]))
+            task = tasks[i]._replace(progress=heard)
+            futures[i] = pool.submit(_furnish, task, wishes[i], budgets[i])
+        for i in order:
             answers[i] = futures[i].result()
-            if progress:
-                progress(done / len(tasks), tasks[i].space.name or tasks[i].space.id)
+            if progress is not None:
+                progress.ended(i, _name(tasks[i]))
     return [answers[i] for i in range(len(tasks))]
 
 
+def _name(task: RoomTask) -> str:
+    return task.space.name or task.space.id
+
+
 def _furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
-    if not wishes or (task.cancel is not None and task.cancel()):
+    if not wishes or task.cancelled():
         return RoomAnswer(0.0, (), (), (), None, 0.0, 0)
     return furnish_by_use(task, wishes, budget)
 
 
 def _budget(
     least: Budget,
-    preset: Preset,
+    preset: HomePreset,
     solver: str,
     items: int,
     share: float,

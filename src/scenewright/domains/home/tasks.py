@@ -20,7 +20,7 @@ from scenewright.domains.home.cases.library import Library
 from scenewright.domains.home.furnishing.extras import extras
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.presets import Preset
+from scenewright.domains.home.presets import HomePreset
 from scenewright.domains.home.programme import (
     STANDS_FOR,
     WELCOME,
@@ -43,7 +43,7 @@ def task_of(
     fixed: tuple[Piece, ...],
     catalog: Catalog,
     library: Library,
-    preset: Preset,
+    preset: HomePreset,
     solver: str,
     seed: int,
     cancel: Cancel | None = None,
@@ -89,7 +89,7 @@ def covered_by(floor: shapely.Polygon, pieces: tuple[Piece, ...]) -> float:
 
 def add_lamps_and_curtains(task: RoomTask, placed: tuple[Piece, ...]) -> list[Piece]:
     """What is placed with the lamps and curtains that go with it."""
-    if not task.preset.exact:
+    if not task.preset.settings.exact:
         return list(placed)
     there = {p.id for p in placed}
     more = extras(task.space, task.ground, (*placed, *task.beside), task.catalog)

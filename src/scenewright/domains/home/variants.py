@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from scenewright.domains.home.attempt import RoomTask
@@ -17,7 +15,7 @@ FIRMLY = 8.0  # how many times more a variant's main wall weighs
 
 def vary_task(task: RoomTask, variant: int) -> RoomTask:
     """The task arranged around the ``variant``-th of its long walls, from 1; 0: as it is."""
-    walls = long_walls(task) if variant and task.preset.exact else ()
+    walls = long_walls(task) if variant and task.preset.settings.exact else ()
     if not len(walls):
         return task
     chosen = walls[(variant - 1) % len(walls)]
@@ -26,7 +24,7 @@ def vary_task(task: RoomTask, variant: int) -> RoomTask:
     }
     return task._replace(
         ground=task.ground._replace(main_wall=chosen[None].copy()),
-        preset=replace(task.preset, weights=weights),
+        preset=task.preset._replace(weights=weights),
     )
 
 

@@ -138,7 +138,7 @@ def _score(answer: RoomAnswer) -> float:
 def spots(task: RoomTask) -> list[tuple[float, float]]:
     """Where a wheelchair might turn: in the middle, by the door, far from it; none if nowhere."""
     space = task.space
-    if set(space.functions) & APART or not task.preset.exact:
+    if set(space.functions) & APART or not task.preset.settings.exact:
         return []
     ground = task.ground
     shape = shapely.Polygon(space.outline, list(space.holes))

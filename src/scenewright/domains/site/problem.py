@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.footprint import Footprint
+from scenewright.domains.site.settings import SiteSettings
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -82,7 +83,8 @@ class SiteProblem(NamedTuple):
     """One site to solve. ``spacing`` is the least distance of buildings to each other,
     ``sun_spacing`` that behind one to the south in heights of it, ``facing`` the preferred
     heading, ``fire_access`` the width of the way to each building, all in metres and radians.
-    ``form`` is that of the paper's measures: ``printed``, or ``repaired`` where they need it."""
+    ``form`` is that of the paper's measures: ``printed``, or ``repaired`` where they need it;
+    ``settings`` steer the solvers."""
 
     ground: SiteGround
     buildings: Buildings
@@ -95,6 +97,7 @@ class SiteProblem(NamedTuple):
     latitude: float
     day: int
     form: Literal["printed", "repaired"] = "repaired"
+    settings: SiteSettings = SiteSettings()
 
 
 def sides_of(sides: Floats, quality: Floats) -> Floats:

@@ -20,7 +20,6 @@ from scenewright.catalog.appearance import facts
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
-from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
@@ -36,6 +35,7 @@ from scenewright.domains.site.problem import Flags, SiteProblem
 from scenewright.domains.site.reasons import reasons
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
+from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
 from scenewright.ground.plan import SitePlan
 
@@ -78,9 +78,7 @@ def solve(
     hears the share done; when ``cancel`` answers true, what was found so far is returned.
     """
     started = time.perf_counter()
-    if preset not in PRESETS:
-        raise InputError(f"unknown preset '{preset}'", "one of " + ", ".join(PRESETS))
-    chosen, catalog = PRESETS[preset], catalog_of(brief.catalogs)
+    chosen, catalog = preset_named(PRESETS, preset), catalog_of(brief.catalogs)
     named = solver or chosen.solver
     budget = Budget(seconds, steps, threads=threads)
     found = []
@@ -189,7 +187,8 @@ def build_site_problem(
     """What a site is to hold, one row a building, and the problem of placing it."""
     rows = collect_buildings(site, plan, place, catalog)
     looks = _looks(plan, rows, catalog, preset, progress)
-    return rows, build_problem(site, plan, rows, preset.weights, looks)._replace(form=preset.form)
+    problem, settings = build_problem(site, plan, rows, preset.weights, looks), preset.settings
+    return rows, problem._replace(form=settings.form, settings=settings)
 
 
 def _looks(
@@ -204,7 +203,7 @@ def _looks(
     marks = (*landmark_assets(plan, catalog), *stay)
     heard = None if progress is None else lambda _share, _name: progress(BEGUN)
     found = facts([*(row.asset for row in rows), *(mark for mark in marks if mark)], heard)
-    return Looks(found, tuple(mark.id if mark else "" for mark in marks), preset.measure)
+    return Looks(found, tuple(mark.id if mark else "" for mark in marks), preset.settings.measure)
 
 
 def _reached_only(

@@ -29,17 +29,10 @@ from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progres
 from scenewright.geometry.flood import Bits
 from scenewright.geometry.paths import RouteGrid
 
-PAPER_STEPS = 1000
-PAPER_RATE = 0.1
-SECONDS = 0.4
-SLICE = 256
-CHAINS = 4
-COLD = (0.05, 20.0)
-"""λ at the start and end of our schedule."""
-TEPID = 0.25
-"""Share of the schedule that is left out where a good layout is improved."""
-FREE = 0.6
-"""Share of our moves that energies do not lead."""
+SLICE, MOST = 256, 512
+"""Steps of a chain between two reports: at first, and at most where the steps are stated."""
+BREATH = 0.05
+"""Seconds between two reports at most."""
 TRIES = 600
 MANY = 64
 """Units of a hall from which on all chains start alike."""
@@ -137,15 +130,16 @@ def gd_mh(
     The paper keeps the last state; this keeps the best on the way, which is never worse.
     """
     watch = BudgetWatch(budget, progress, cancel)
-    steps = budget.steps or PAPER_STEPS
+    steps = budget.steps or problem.settings.guided.steps
     chain = begin_chain(problem, start, streams(seed, 1)[0])
-    schedule = np.array([PAPER_RATE, PAPER_RATE, float(steps), 0.0])
+    rate = problem.settings.guided.rate
+    schedule = np.array([rate, rate, float(steps), 0.0])
     made = 0
     while made < steps and not _is_over(watch, [chain], made):
         length = min(SLICE, steps - made)
         advance(chain, schedule, made, length)
         made += length
-    return Found((layout_of(chain),), made)
+    return Found((layout_of(chain),), max(made, 1))
 
 
 def anneal_hall(
@@ -160,18 +154,20 @@ def anneal_hall(
 
     Chains run on all threads; without ``seconds`` the result depends on the seed alone.
     """
+    settings = problem.settings.chains
     if budget.seconds is None and budget.steps is None:
-        budget = budget._replace(seconds=SECONDS)
+        budget = budget._replace(seconds=settings.seconds)
     watch = BudgetWatch(budget, progress, cancel)
-    threads = min(budget.threads or os.cpu_count() or 1, CHAINS)
+    threads = min(budget.threads or os.cpu_count() or 1, settings.chains)
     starts = _starts(problem, start, seed)
     chains = [
         begin_chain(problem, first, stream)
-        for first, stream in zip(starts, streams(seed, CHAINS), strict=True)
+        for first, stream in zip(starts, streams(seed, settings.chains), strict=True)
     ]
     made = 0
     with ThreadPoolExecutor(threads) as pool:
-        for first, share, kept in ((0.0, 0.6, CHAINS), (0.45, 1.0, CHAINS // 2)):
+        half = max(settings.chains // 2, 1)
+        for first, share, kept in ((0.0, 0.6, settings.chains), (0.45, 1.0, half)):
             chains = sorted(chains, key=lambda c: float(c.tally[2]))[:kept]
             if first:
                 chains = [_restart_from_best(problem, chain) for chain in chains]
@@ -190,10 +186,12 @@ def cooled_hall(
 ) -> HallFound:
     """Two chains from a layout that is good already, annealed from the middle of the schedule."""
     watch = BudgetWatch(budget, progress, cancel)
-    chains = [begin_chain(problem, start, stream) for stream in streams(seed, CHAINS // 2)]
+    settings = problem.settings.chains
+    half = max(settings.chains // 2, 1)
+    chains = [begin_chain(problem, start, stream) for stream in streams(seed, half)]
     threads = min(budget.threads or os.cpu_count() or 1, len(chains))
     with ThreadPoolExecutor(threads) as pool:
-        made = _stage(chains, pool, watch, TEPID, 1.0, 0)
+        made = _stage(chains, pool, watch, settings.tepid, 1.0, 0)
     found = sorted((layout_of(chain) for chain in chains), key=lambda layout: layout.energy)
     return Found(tuple(found), made)
 
@@ -201,10 +199,11 @@ def cooled_hall(
 def _starts(problem: HallProblem, start: Kept, seed: int) -> list[Kept]:
     """A first layout for every chain: the given one, and others where they hold as much; only
     the given one in halls so large that finding one takes longer than improving it."""
+    count = problem.settings.chains.chains
     if len(problem.names) > MANY:
-        return [start] * CHAINS
+        return [start] * count
     found = [start]
-    for k in range(1, CHAINS):
+    for k in range(1, count):
         other, lost = first_layout(problem, start.walls, seed + 7919 * k)
         found.append(start if lost else other)
     return found
@@ -242,8 +241,11 @@ def _stage(
     made, share = 0, watch.share(before)
     begun, opened = time.perf_counter(), share
     parts = 1_000_000
-    schedule = np.array([*COLD, float(parts), FREE])
-    steps = SLICE if watch.budget.steps is None else max(watch.budget.steps // 400, 16)
+    settings = chains[0].problem.settings.chains
+    schedule = np.array([settings.low, settings.high, float(parts), settings.free])
+    steps = SLICE
+    if watch.budget.steps is not None:
+        steps = int(np.clip(watch.budget.steps // 400, 16, MOST))
     while share < until:
         done = (share - opened) / max(until - opened, 1e-9)
         at = int(parts * (first + (1.0 - first) * min(done, 0.999)))
@@ -255,6 +257,6 @@ def _stage(
         if watch.budget.steps is None:
             rate = steps / max(time.perf_counter() - begun, 1e-6)
             begun = time.perf_counter()
-            left = max((watch.budget.seconds or 0.0) / 60.0, 1e-3)
+            left = min(max((watch.budget.seconds or 0.0) / 60.0, 1e-3), BREATH)
             steps = int(np.clip(rate * left, 16, 100_000))
     return made

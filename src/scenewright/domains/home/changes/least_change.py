@@ -43,7 +43,7 @@ class Rest(NamedTuple):
 
 def rearrange_groups(task: RoomTask, groups: Sequence[FurnishedGroup], budget: Budget) -> Rest:
     """The groups of a room about the fixed pieces of a task, with the least change."""
-    if not task.preset.exact or SOLVERS[task.solver].encoding == "pieces":
+    if not task.preset.settings.exact or SOLVERS[task.solver].encoding == "pieces":
         return Rest((), furnish(task, tuple(g.wish for g in groups), budget))
     stay = _unhurt(task, groups)
     stay = _open(task, stay)

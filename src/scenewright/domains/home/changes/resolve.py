@@ -38,12 +38,13 @@ from scenewright.domains.home.changes.regroup import (
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import held_elsewhere
-from scenewright.domains.home.presets import preset_named
+from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.remove_blockers import remove_blockers
 from scenewright.domains.home.tasks import task_of, wishes_of
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
 from scenewright.domains.home.wished.wishes import restrict_library
+from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget
 
 Floats = NDArray[np.float64]
@@ -111,7 +112,7 @@ def _revise_room(
     library = restrict_library(
         widen_library(library) if solution.brief.accessible else library, asked
     )
-    preset = preset_named(solution.preset)
+    preset = preset_named(PRESETS, solution.preset)
 
     others = [[p for p in solution.pieces if p.fixed and p.space == s.id] for s in rooms]
     beside = reaching_in(others, rooms)[[s.id for s in rooms].index(space.id)]
@@ -147,7 +148,7 @@ def _revise_room(
         rest = Rest((), furnish_by_use(task, wanted, budget) if wanted else _nothing())
     else:
         rest = rearrange_groups(task, free, budget)
-        if preset.exact:
+        if preset.settings.exact:
             rest, more = take_back(bare, held, free, rest)
             reasons |= more
     return Revised(task, bare, held, rest, given_up, reasons)
@@ -223,7 +224,7 @@ def _yield(
     found: dict[str, Revised], rooms: tuple[Space, ...], solution: Solution, change: EditedHome
 ) -> None:
     """What now bars a way through the home gives way, in the touched rooms only."""
-    if not found or not preset_named(solution.preset).exact:
+    if not found or not preset_named(PRESETS, solution.preset).settings.exact:
         return
     standing, answers = [], []
     for space in rooms:

@@ -35,7 +35,7 @@ def match_learned_density(task: RoomTask, room: Room, rooms: tuple[Space, ...]) 
     """The task, to be furnished as much as people furnish such rooms; as it is where nothing was
     learned of them."""
     known, functions = task.library.habits, task.space.functions
-    if not known.shares or not functions or not task.preset.exact:
+    if not known.shares or not functions or not task.preset.settings.exact:
         return task
     usual = wishes_of(room, task, rooms, task.fixed)
     wanted = habits.share(

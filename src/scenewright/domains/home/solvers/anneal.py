@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import os
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
 from typing import NamedTuple
@@ -21,8 +21,9 @@ from numpy.typing import NDArray
 from scenewright.core.layout import Layout
 from scenewright.domains.home.energy import empty_layout, energies_of, prepare, route_grid
 from scenewright.domains.home.problem import Problem
+from scenewright.domains.home.settings import ChainSettings
 from scenewright.domains.home.solvers.chain import make_chain
-from scenewright.domains.home.solvers.metropolis import run_chains
+from scenewright.domains.home.solvers.metropolis import REFRESH, run_chains
 from scenewright.domains.home.terms.assemble import PreparedHome
 from scenewright.engine.draws import Stream, streams
 from scenewright.engine.pace import pace_by_clock, pace_by_steps
@@ -31,13 +32,10 @@ from scenewright.geometry.boxes import frames_of
 from scenewright.geometry.paths import RouteGrid
 
 Floats = NDArray[np.float64]
-SLICE = 16384
-SECONDS = 0.1
+SLICE, CALL = 16384, 8192
+"""Steps of all chains between two reports, and of a call between two looks at cancelling."""
 SAMPLES = 32
 PILOT = 16
-HOT, COLD = 0.07, 5e-6
-AGREED, ALIKE = 3, 0.005
-"""So many chains whose bests differ by no more than this share have found the same."""
 
 
 class AnnealingStage(NamedTuple):
@@ -75,6 +73,7 @@ class Setup(NamedTuple):
     watch: BudgetWatch
     pool: ThreadPoolExecutor
     threads: int
+    settings: ChainSettings
 
 
 def plan(steps: int, n: int) -> tuple[AnnealingStage, ...]:
@@ -130,13 +129,26 @@ def _advance(setup: Setup, chains: Chains, steps: int, first: float, last: float
     def run(part: slice) -> None:
         chain = make_chain(len(p.limits), len(p.pairs))
         free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
-        now, bests = chains.now[part], chains.bests[part]
-        energies, draws = chains.energies[part], chains.draws[part]
-        run_chains(chain, p, grid, free, reached, now, bests, energies, draws, steps, schedule)
+        scratch = (chain, p, grid, free, reached)
+        for few, ends in _cut(part, steps):
+            if setup.watch.cancelled():
+                break
+            some = (chains.now[few], chains.bests[few], chains.energies[few], chains.draws[few])
+            run_chains(*scratch, *some, *ends, steps, schedule)
 
     cuts = np.linspace(0, count, min(setup.threads, count) + 1).astype(int)
     parts = [slice(int(a), int(b)) for a, b in pairwise(cuts)]
     list(setup.pool.map(run, parts) if len(parts) > 1 else map(run, parts))
+
+
+def _cut(part: slice, steps: int) -> Iterator[tuple[slice, tuple[int, int]]]:
+    """The steps of some chains cut into calls so short that cancelling is heard at once: chains,
+    and the steps (from, to). Sums are renewed where calls begin, so the cuts change nothing."""
+    count = max(CALL // min(steps, REFRESH), 1)
+    for begin in range(0, steps, REFRESH):
+        for first in range(part.start, part.stop, count):
+            few = slice(first, min(first + count, part.stop))
+            yield few, (begin, min(begin + REFRESH, steps))
 
 
 def _run_stage(
@@ -178,20 +190,24 @@ def _run_stages(setup: Setup, chains: Chains, budget: Budget) -> tuple[list[Chai
         else:
             pace = pace_by_clock(left * stage.share, rate / max(stage.chains, setup.threads))
         spent, stop = _run_stage(setup, chains, stage.first, pace, spent)
-        if stop or (budget.seconds is None and have_agreed(chains.energies[:, 1])):
+        if stop or (budget.seconds is None and have_agreed(chains.energies[:, 1], setup.settings)):
             break
     return ended, spent
 
 
-def have_agreed(energies: Floats) -> bool:
+def have_agreed(energies: Floats, settings: ChainSettings) -> bool:
     """Whether three chains came to the same lowest energy, each by itself: more work would find
     nothing better, so in small rooms half of it is saved.
 
-    >>> have_agreed(np.array([250.3, 310.0, 250.0, 250.9])), have_agreed(np.array([250.0, 250.1]))
-    (True, False)
+    >>> usual = ChainSettings()
+    >>> have_agreed(np.array([250.3, 310.0, 250.0, 250.9]), usual)
+    True
+    >>> have_agreed(np.array([250.0, 250.1]), usual)
+    False
     """
-    least = np.sort(energies)[:AGREED]
-    return len(least) == AGREED and bool(least[-1] - least[0] <= ALIKE * abs(least[0]))
+    agreed, least = settings.agreed, np.sort(energies)[: settings.agreed]
+    alike = settings.alike * abs(least[0])
+    return len(least) == agreed and bool(least[-1] - least[0] <= alike)
 
 
 def boxes_of(frames: Floats) -> Floats:
@@ -201,10 +217,10 @@ def boxes_of(frames: Floats) -> Floats:
     return boxes
 
 
-def _heat(energies: Floats) -> Heat:
+def _heat(energies: Floats, settings: ChainSettings) -> Heat:
     """From the spread of random layouts' energies."""
     scale = float(np.median(energies) - energies.min()) + 1e-3 * float(abs(energies.min())) + 1e-6
-    return Heat(HOT * scale, COLD * scale)
+    return Heat(settings.hot * scale, settings.cold * scale)
 
 
 def anneal(
@@ -221,7 +237,7 @@ def anneal(
     alone.
     """
     if budget.seconds is None and budget.steps is None:
-        budget = budget._replace(seconds=SECONDS)
+        budget = budget._replace(seconds=problem.settings.chains.seconds)
     watch = BudgetWatch(budget, progress, cancel)
     p, grid = prepare(problem), route_grid(problem, 0.1)
     if not len(p.limits):
@@ -229,7 +245,9 @@ def anneal(
     chains = _begin(p, grid, SAMPLES, seed)
     threads = threads or budget.threads or min(os.cpu_count() or 1, 16)
     with ThreadPoolExecutor(threads) as pool:
-        setup = Setup(p, grid, _heat(chains.energies[:, 0]), watch, pool, threads)
+        settings = problem.settings.chains
+        heat = _heat(chains.energies[:, 0], settings)
+        setup = Setup(p, grid, heat, watch, pool, threads, settings)
         ended, spent = _run_stages(setup, chains, budget)
     bests = boxes_of(np.concatenate([part.bests for part in ended]))
     return Found(distinct(bests, energies_of(p, grid, bests)[0]), spent)

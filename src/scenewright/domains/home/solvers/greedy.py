@@ -27,6 +27,7 @@ MOST = 400  # places looked at for one item
 TOGETHER = 4000  # places looked at in the first pass
 SHAKE = 0.5  # how much the logarithm of an area may err in further passes
 KEPT = 64
+HASTE = 4  # places looked at for one item once the run is cancelled
 
 
 class Pass(NamedTuple):
@@ -122,13 +123,17 @@ def places(problem: Problem, i: int, boxes: Floats, standing: list[int]) -> Floa
     return np.concatenate(found)
 
 
-def place_all(problem: Problem, order: list[int], most: int, rng: np.random.Generator) -> Pass:
-    """One pass: each item of ``order`` at the best of at most ``most`` places."""
+def place_all(
+    problem: Problem, order: list[int], most: int, rng: np.random.Generator, cancelled: Cancel
+) -> Pass:
+    """One pass: each item of ``order`` at the best of at most ``most`` places; of few once
+    cancelled."""
     boxes, looked, grid = np.zeros((len(order), 5)), 0, route_grid(problem, 0.1)
     for k, i in enumerate(order):
         tried, standing = places(problem, i, boxes, order[:k]), order[: k + 1]
-        if len(tried) > most:
-            tried = tried[np.sort(rng.choice(len(tried), most, replace=False))]
+        looks = min(most, HASTE) if cancelled() else most
+        if len(tried) > looks:
+            tried = tried[np.sort(rng.choice(len(tried), looks, replace=False))]
         part = problem._replace(items=select_items(problem.items, standing), names=())
         layouts = np.repeat(boxes[standing][None], len(tried), axis=0)
         layouts[:, k] = tried
@@ -157,7 +162,7 @@ def greedy(
         if budget.steps:
             most = max(min(most, (budget.steps - done) // n), 1)
         order = np.argsort(-area * np.exp(shake * rng.normal(size=n)), kind="stable")
-        found = place_all(problem, order.tolist(), most, rng)
+        found = place_all(problem, order.tolist(), most, rng, watch.cancelled)
         energy = float(energies_of(p, grid, found.boxes[None])[0][0])
         kept = sorted([*kept, Layout(found.boxes, energy)], key=lambda a: a.energy)[:KEPT]
         done, most, shake = done + found.looked, min(most, MOST // 4), SHAKE

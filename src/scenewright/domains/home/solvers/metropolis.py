@@ -87,10 +87,13 @@ def run_chains(
     bests: Floats,
     energies: Floats,
     streams: Stream,
+    begin: int,
+    end: int,
     steps: int,
     schedule: Floats,
 ) -> None:
-    """Anneal layouts ``now`` (c, n, 8) one after another and leave them as they end.
+    """Anneal layouts ``now`` (c, n, 8) one after another by steps ``begin`` to ``end`` of
+    ``steps``, ``begin`` a multiple of :data:`REFRESH`, and leave them as they end.
 
     ``bests`` (c, n, 8) are the best layouts so far; ``energies`` (c, 2) those of now and of the
     best. Temperature falls geometrically over a schedule of which this run makes a part:
@@ -101,7 +104,7 @@ def run_chains(
     for c in range(now.shape[0]):
         copy_rows(chain.frames, now[c])
         energy, temperature, heat = energies[c, 0], hot, 1.0
-        for step in range(steps):
+        for step in range(begin, end):
             if step % REFRESH == 0:
                 measure(chain.frames, p, chain.costs)
             if step % 32 == 0:

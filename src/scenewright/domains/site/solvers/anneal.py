@@ -33,8 +33,6 @@ from scenewright.engine.pace import pace_by_clock, pace_by_steps
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
 from scenewright.geometry.compiled import compiled
 
-HOT, COLD = 10.0, 1e-3
-MOVES = 4000
 SLICE = 20_000
 PILOT = 500
 E_MAX = 10.0
@@ -96,7 +94,7 @@ def anneal_from(
 ) -> tuple[Floats, int]:
     """Anneal boxes (n, 5), of no width: left out; the best (n, 5) and the moves made.
     ``first`` is where its schedule starts, from 0 hot to 1 cold."""
-    measure, stream = make_measure(problem), streams(seed, 1)[0]
+    measure, stream, rule = make_measure(problem), streams(seed, 1)[0], problem.settings.chain
     lay(measure.p, measure.s, np.ascontiguousarray(start))
     most_cost = E_MAX if problem.form == "printed" else 0.0
     energy = energy_of(measure.p, measure.s)
@@ -105,7 +103,7 @@ def anneal_from(
     tally, best = np.array([energy, energy]), measure.s.frames.copy()
     if not len(problem.ground.block_areas) or not len(start):
         return start, 1
-    most = budget.steps or (10**12 if budget.seconds else MOVES * len(start))
+    most = budget.steps or (10**12 if budget.seconds else rule.moves * len(start))
     if budget.seconds:
         rate = _rate(measure, lines, stream, best)
         pace = pace_by_clock(max(budget.seconds - watch.seconds(), 0.01), rate)
@@ -117,7 +115,7 @@ def anneal_from(
         ends = np.append(np.arange(0, wanted, SLICE), wanted)
         for begin, end in pairwise(ends.tolist()):
             part = before + (share - before) * np.array([begin, end]) / steps
-            schedule = np.array([HOT, COLD, *(first + (1.0 - first) * part), most_cost])
+            schedule = np.array([rule.hot, rule.cold, *(first + (1.0 - first) * part), most_cost])
             run_site_chain(measure.p, measure.s, lines, schedule, end - begin, stream, best, tally)
             done += end - begin
             if watch.over(done, float(tally[1]), lambda: stand(problem, boxes_of_frames(best))):

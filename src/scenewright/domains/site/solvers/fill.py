@@ -10,6 +10,8 @@ of buildings.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -29,13 +31,9 @@ from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
-TRIED = 8
-LOOSEST = (3.0, 1.5, 1.0, 1.0, 1.0)
-FILLED = (0.5, 0.6, 0.65, 0.7, 0.75)
-"""Shares of a run that are done after each filling, if no other must follow; the rest is spent on
+FILLED, MOST = 0.5, 0.8
+"""Shares of a run that are done after the first filling and after all; the rest is spent on
 improving the best."""
-VARIETY = 0.05  # how much chance has a say among forms about as good
-ASKEW = 0.5  # what half a turn off the preferred heading costs, in shares of a block's buildings
 
 
 def fill_site(
@@ -49,10 +47,12 @@ def fill_site(
     to the next. If anything is left over, gaps may widen less, in the end not at all. ``steps`` are
     layouts tried for each block. Deterministic by seed unless the budget is in seconds."""
     watch = BudgetWatch(budget._replace(steps=None), progress, cancel)
-    tried, begun = max((budget.steps or TRIED), 1), 0.0
+    rule, begun = problem.settings.fill, 0.0
+    tried = max(budget.steps or rule.tried, 1)
+    ends = np.linspace(FILLED, MOST, len(rule.loosest)).tolist()
     best: SiteLayout | None = None
     done, rng = 0, np.random.default_rng(seed)
-    for loosest, until in zip(LOOSEST, FILLED, strict=True):
+    for loosest, until in zip(rule.loosest, ends, strict=True):
         filling = Filling(watch, begun, until, best)
         found, more = _fill_blocks(problem, loosest, tried, rng, filling)
         done, begun = done + more, until
@@ -102,7 +102,8 @@ def _fill_blocks(
         ground = _ground(problem, b, boxes, present, share)
         about = around(problem, _edges(problem, b), boxes, present)
         effort = (tried if loosest > 1.0 else 4 * tried, loosest)
-        found = _best(problem, about, ground, share, effort, rng, filling.watch.cancelled)
+        over = partial(_over_in_block, filling, count, len(order), boxes, present, forms)
+        found = _best(problem, about, ground, share, effort, rng, over)
         done += tried
         left = _record_block(found, left, boxes, present, forms)
     for b in order if left else []:
@@ -112,6 +113,19 @@ def _fill_blocks(
         found = lay_out_block(problem, ground, left, problem.facing, "parallel", 1.0)
         left = _record_block(found, left, boxes, present, forms)
     return SiteLayout(boxes, present, {}, tuple(forms)), done
+
+
+def _over_in_block(
+    filling: Filling,
+    count: int,
+    blocks: int,
+    boxes: Floats,
+    present: Flags,
+    forms: list[str],
+    share: float,
+) -> bool:
+    """Report a share of the layouts of one block after ``count`` of so many ``blocks``."""
+    return filling.over((count + share) / blocks, boxes, present, forms)
 
 
 def _record_block(
@@ -194,7 +208,7 @@ def _best(
     share: list[int],
     effort: tuple[int, float],
     rng: np.random.Generator,
-    cancelled: Cancel,
+    over: Callable[[float], bool],
 ) -> BlockLayout:
     """The best of several layouts of one block: most floor placed, then what it lacks in the aims
     and how far fronts are turned away. Aims are looked at only where they may decide."""
@@ -203,7 +217,7 @@ def _best(
     looks = sides_of(problem.buildings.sides, problem.buildings.quality)[:, :4].mean(1)
     handsome = sorted(share, key=lambda i: (-float(looks[i]), i))
     for k in range(effort[0] if share else 0):
-        if k and cancelled():
+        if k and over(k / effort[0]):
             break
         heading = ways[0] if k < 4 else ways[int(rng.integers(len(ways)))]
         form, queue = allowed[k % len(allowed)], list(share)
@@ -212,7 +226,7 @@ def _best(
         elif k % 8 >= 4:
             queue = handsome
         found = loosen_layout(problem, edges, queue, heading, form, effort[1])
-        cost = _cost(problem, found, share) + VARIETY * float(rng.random())
+        cost = _cost(problem, found, share) + problem.settings.fill.variety * float(rng.random())
         cost += lacking(problem, about, found) if cost < least else 0.0
         if cost < least:
             best, least = found, cost
@@ -233,4 +247,5 @@ def _cost(problem: SiteProblem, found: BlockLayout, share: list[int]) -> float:
     area = problem.buildings.sizes[:, :2].prod(1)
     missing = 1.0 - area[list(found.numbers)].sum() / max(float(area[share].sum()), 1e-9)
     turns = np.abs((found.boxes[:, 2] - problem.facing + math.pi) % (2 * math.pi) - math.pi)
-    return float(missing) * 10.0 + ASKEW * float(turns.mean() if len(turns) else 0.0) / math.pi
+    turned = float(turns.mean() if len(turns) else 0.0) / math.pi
+    return float(missing) * 10.0 + problem.settings.fill.askew * turned

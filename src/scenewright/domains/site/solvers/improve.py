@@ -41,10 +41,6 @@ SHADE = 100.0
 """Metres within which shadows are followed."""
 GIVE = 25.0
 """How much wider, narrower, deeper or less deep one may be that takes another's place, metres."""
-PARTNERS, TRIES = 24, 2
-"""Partners drawn for each building, and exchanges tried for each."""
-LEEWAY = math.radians(30.0)
-"""How far a front may turn off the preferred heading, or as far as it was before."""
 BESIDE = 40.0
 """Metres from the middle of a building within which a way is one it stands at."""
 LOT = 64
@@ -180,8 +176,8 @@ def exchanges(
 ) -> Ints:
     """Pairs of slots (m, 3) to be tried: of like size and other models, first those that promise
     most, by how much is seen of each place and how good the sides of each building are."""
-    count = len(who)
-    first = np.repeat(np.arange(count), PARTNERS)
+    count, rule = len(who), problem.settings.exchange
+    first = np.repeat(np.arange(count), rule.partners)
     second = rng.integers(count, size=len(first))
     quality = made.quality[:count, :4].mean(1)
     found = made.made.found
@@ -194,7 +190,7 @@ def exchanges(
     fit &= _find_allowed_pairs(problem, who, forms, first, second)
     first, second = first[fit], second[fit]
     promise = (quality[second] - quality[first]) * (shown[first] - shown[second])
-    order = np.argsort(-promise, kind="stable")[: TRIES * count]
+    order = np.argsort(-promise, kind="stable")[: rule.tries * count]
     moves = np.column_stack([first, second, np.zeros(len(first), np.int64)])[order]
     return np.ascontiguousarray(moves, np.int64)
 
@@ -219,13 +215,13 @@ def turns(problem: SiteProblem, boxes: Floats) -> Ints:
     slot = np.repeat(np.arange(len(boxes)), 3)
     quarters = np.tile([1, 2, 3], len(boxes))
     before, after = boxes[slot, 2], boxes[slot, 2] + quarters * math.pi / 2
-    fit = np.ones(len(slot), bool)
+    fit, leeway = np.ones(len(slot), bool), problem.settings.exchange.leeway
     for wanted in (np.full(len(slot), problem.facing), _to_way(problem, boxes)[slot]):
-        near = np.maximum(_off(before, wanted), LEEWAY) + 1e-6
+        near = np.maximum(_off(before, wanted), leeway) + 1e-6
         fit &= np.isnan(wanted) | (_off(after, wanted) <= near)
     places = boxes[slot]
     places[:, 2] = after
-    fit &= ~blind(problem, places) | (_off(after, np.full(len(slot), problem.facing)) <= LEEWAY)
+    fit &= ~blind(problem, places) | (_off(after, np.full(len(slot), problem.facing)) <= leeway)
     moves = np.column_stack([slot, slot, quarters])[fit]
     return np.ascontiguousarray(moves, np.int64)
 

@@ -1,0 +1,121 @@
+"""What steers a search is in presets: changing a value there changes what is found."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import scenewright as sw
+from scenewright.cli.lists import rows
+from scenewright.core.errors import InputError
+from scenewright.domains import domain_of, domains, presets, problems, solvers
+from scenewright.engine.rows import Preset, preset_named
+from scenewright.engine.solve import Budget
+
+SAMPLES = {"home": "sample:home-room", "hall": "sample:hall-exhibition", "site": "sample:site-30"}
+CHANGED: list[tuple[str, str, str, Any, str, int]] = [
+    ("home", "chains", "hot", 0.5, "anneal", 4000),
+    ("home", "chains", "cold", 1e-3, "anneal", 4000),
+    ("home", "chains", "agreed", 1, "anneal", 40_000),
+    ("home", "chains", "alike", 0.5, "anneal", 40_000),
+    ("hall", "chains", "chains", 2, "anneal", 800),
+    ("hall", "chains", "low", 1.0, "anneal", 800),
+    ("hall", "chains", "high", 5.0, "anneal", 800),
+    ("hall", "chains", "free", 0.1, "anneal", 800),
+    ("hall", "guided", "rate", 5.0, "gd-mh", 300),
+    ("site", "fill", "loosest", (2.0, 1.0), "fill", 2),
+    ("site", "fill", "variety", 20.0, "fill", 6),
+    ("site", "fill", "askew", -20.0, "fill", 8),
+    ("site", "exchange", "partners", 2, "fill", 2),
+    ("site", "exchange", "tries", 1, "fill", 2),
+    ("site", "exchange", "leeway", 3.2, "fill", 2),
+    ("site", "chain", "hot", 0.1, "sa", 4000),
+    ("site", "chain", "cold", 1.0, "sa", 4000),
+]
+"""Domain, group of settings, name, another value, the solver and the steps that show it."""
+
+
+def steered(problem: Any, group: str, name: str, value: Any) -> Any:
+    """A problem with one setting changed; of halls the one that is started."""
+    if hasattr(problem, "start"):
+        return problem._replace(problem=steered(problem.problem, group, name, value))
+    changed = getattr(problem.settings, group)._replace(**{name: value})
+    return problem._replace(settings=problem.settings._replace(**{group: changed}))
+
+
+def found_by(problem: Any, domain: str, solver: str, budget: Budget) -> tuple[Any, int]:
+    found = solvers(domain)[solver].run(problem, budget, 1)
+    return found.layouts[0].boxes, found.evaluations
+
+
+@pytest.mark.parametrize(
+    ("domain", "group", "name", "value", "solver", "steps"),
+    CHANGED,
+    ids=["-".join(row[:3]) for row in CHANGED],
+)
+def test_another_value_finds_another_layout(
+    domain: str, group: str, name: str, value: Any, solver: str, steps: int
+) -> None:
+    problem = problems(sw.read(SAMPLES[domain]))[0]
+    usual, looked = found_by(problem, domain, solver, Budget(steps=steps))
+    other, also = found_by(
+        steered(problem, group, name, value), domain, solver, Budget(steps=steps)
+    )
+    assert looked != also or not np.array_equal(usual, other)
+
+
+@pytest.mark.parametrize(
+    ("domain", "group", "name", "solver", "few", "many"),
+    [
+        ("home", "chains", "seconds", "anneal", 0.02, 0.4),
+        ("hall", "chains", "seconds", "anneal", 0.02, 0.4),
+        ("hall", "guided", "steps", "gd-mh", 50, 100),
+        ("site", "fill", "tried", "fill", 2, 4),
+        ("site", "chain", "moves", "sa", 100, 200),
+    ],
+)
+def test_work_without_a_budget_is_what_the_settings_say(
+    domain: str, group: str, name: str, solver: str, few: float, many: float
+) -> None:
+    problem = problems(sw.read(SAMPLES[domain]))[0]
+    found_by(problem, domain, solver, Budget(steps=20))
+    less, more = (
+        found_by(steered(problem, group, name, value), domain, solver, Budget())[1]
+        for value in (few, many)
+    )
+    assert less < more
+
+
+@pytest.mark.parametrize(
+    ("name", "value"), [("attempts", 1), ("first", 0.3), ("again", 0.6), ("wrong", 1.0)]
+)
+def test_attempts_at_halls_follow_the_preset(
+    name: str, value: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    brief, table = sw.read(SAMPLES["hall"]), presets("hall")
+    usual = table["default"]
+    search = usual.settings.search._replace(**{name: value})
+    tuned = usual._replace(settings=usual.settings._replace(search=search))
+    monkeypatch.setitem(table, "tuned", tuned)  # type: ignore[arg-type]
+    told = [sw.solve(brief, preset=each, steps=200, seed=3) for each in ("default", "tuned")]
+    assert told[0].pieces != told[1].pieces or told[0].evaluations != told[1].evaluations
+
+
+def test_every_setting_is_listed() -> None:
+    listed = {(row["domain"], row["name"]): row["settings"] for row in rows("presets")}
+    for domain in domains():
+        for name, preset in domain.table("presets").items():
+            assert isinstance(preset, Preset)
+            assert set(listed[domain.name, name]) == set(getattr(preset.settings, "_fields", ()))
+    assert listed["home", "default"]["chains"]["hot"] == 0.07
+    assert listed["site", "default"]["fill"]["loosest"] == (3.0, 1.5, 1.0, 1.0, 1.0)
+
+
+def test_an_unknown_preset_is_refused_with_those_there_are() -> None:
+    with pytest.raises(InputError, match="unknown preset 'x'"):
+        preset_named(presets("site"), "x")
+    with pytest.raises(InputError, match="one of default"):
+        sw.solve(sw.read(SAMPLES["site"]), preset="x")
+    assert domain_of("site").table("presets") is presets("site")
