@@ -217,7 +217,7 @@ def test_random_and_genetic_layouts_stand_and_are_better_than_the_first(
 ) -> None:
     problem, start, first = started(seed)
     found = solve(problem, start, Budget(steps=steps), seed, None, None)
-    assert found.evaluations == steps
+    assert 0.9 * steps < found.evaluations <= steps, "what was known is not asked again"
     assert broken(problem, found.layouts[0].boxes) < 2e-4
     assert found.layouts[0].energy < first
     again = solve(problem, start, Budget(steps=steps), seed, None, None)

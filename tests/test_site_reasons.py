@@ -149,9 +149,10 @@ def test_the_printed_algorithm_judges_by_the_value_alone_and_ends_when_all_are_a
     values = [score(problem, one, one[:, 3] > 0)["value"] for one in boxes]
     assert judge.energies(genes) == pytest.approx(-np.array(values))
     found = viewpoint_site(problem._replace(form="printed"), Budget(None, 2000, threads=None), 0)
-    assert found.evaluations == 10 * found.layouts[0].generations < 2000
+    assert found.evaluations <= 10 * found.layouts[0].generations < 2000
     longer = viewpoint_site(problem, Budget(None, 2000, threads=None), 0)
-    assert longer.evaluations == 2000 > 10 * longer.layouts[0].generations
+    assert 1990 < longer.evaluations <= 2000
+    assert 10 * longer.layouts[0].generations < 2000
 
 
 def test_paper_presets_are_the_papers() -> None:
@@ -160,4 +161,4 @@ def test_paper_presets_are_the_papers() -> None:
         assert PRESETS[name].steps == 10 * 200
     solved = sw.solve(sw.read("sample:site-courtyards"), preset="paper")
     told = {term.term: term.value for term in solved.terms}
-    assert solved.evaluations == 10 * told["generations"] <= 2000
+    assert solved.evaluations <= 10 * told["generations"] <= 2000

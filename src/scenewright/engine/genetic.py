@@ -16,30 +16,38 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.engine.asked import Asked, join, lead_with
+
 Floats = NDArray[np.float64]
 POPULATION = 40
 GENERATIONS = 100
 
 
 class Generation(NamedTuple):
-    """Genes (P, m) with their energies (P,), their bounds (m,) and the number of generations."""
+    """Genes (P, m) with their energies (P,), their bounds (m,), the number of generations, all that
+    was asked, and the generation that waits to be rated."""
 
     genes: Floats
     energies: Floats
     low: Floats
     high: Floats
     age: int
+    asked: Asked
+    waiting: Floats
 
 
 def roulette(energies: Floats, count: int, rng: np.random.Generator) -> NDArray[np.int64]:
-    """Indices drawn in proportion to C_max - C; evenly if all are the same.
+    """Indices drawn in proportion to C_max - C of those rated; evenly if all are the same.
 
-    ``energies`` (n,); indices (count,).
+    ``energies`` (n,), infinite where not rated; indices (count,).
     """
-    fitness = energies.max() - energies
+    rated = np.isfinite(energies)
+    if not rated.any():
+        return rng.integers(0, len(energies), count)
+    fitness = np.where(rated, energies[rated].max() - energies, 0.0)
     total = float(fitness.sum())
     if total <= 0.0:
-        return rng.integers(0, len(energies), count)
+        return rated.nonzero()[0][rng.integers(0, int(rated.sum()), count)]
     wheel = fitness.cumsum()
     return wheel.searchsorted(rng.random(count) * wheel[-1], side="right")
 
@@ -61,27 +69,34 @@ def cross(genes: Floats, rate: float, rng: np.random.Generator) -> Floats:
 
 
 class PaperGenetic(NamedTuple):
-    """The parameters as printed; ask / tell of
-    :class:`scenewright.engine.solve.PopulationSolver`."""
+    """The parameters as printed, and genes (k, m) to begin with, if any are given as ``parents``;
+    ask / tell of :class:`scenewright.engine.solve.PopulationSolver`."""
 
     population: int = POPULATION
     generations: int = GENERATIONS
     crossover: float = 0.9
     mutation: float = 0.85
     step: float = 0.3
+    parents: Floats | None = None
 
     def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Generation:  # noqa: ARG002
         """Nothing judged yet."""
-        return Generation(np.empty((0, len(low))), np.empty(0), low, high, 0)
+        none = np.empty((0, len(low)))
+        return Generation(none, np.empty(0), low, high, 0, Asked(), none)
 
     def ask(self, state: Generation, rng: np.random.Generator) -> tuple[Floats, Generation]:
-        """The first generation at random, each later one bred from the last; the best stays."""
+        """The first generation at random but for given parents, each later one bred from the last;
+        the best stays. Those asked before are known, and not asked again."""
         if state.age == 0:
-            return rng.uniform(state.low, state.high, (self.population, len(state.low))), state
-        parents = state.genes[roulette(state.energies, self.population, rng)]
-        children = self.mutate(cross(parents, self.crossover, rng), state, rng)
-        children[0] = state.genes[state.energies.argmin()]
-        return children, state
+            drawn = rng.uniform(state.low, state.high, (self.population, len(state.low)))
+            children = lead_with(self.parents, drawn, state.low, state.high)
+        else:
+            parents = state.genes[roulette(state.energies, self.population, rng)]
+            children = self.mutate(cross(parents, self.crossover, rng), state, rng)
+            children[0] = state.genes[state.energies.argmin()]
+        if state.asked.is_known(children).all():
+            children[-1] = rng.uniform(state.low, state.high)
+        return state.asked.new_among(children), state._replace(waiting=children)
 
     def mutate(self, genes: Floats, state: Generation, rng: np.random.Generator) -> Floats:
         """One gene of each mutated row: drawn anew early, moved by a normal step later."""
@@ -97,5 +112,9 @@ class PaperGenetic(NamedTuple):
         return genes
 
     def tell(self, state: Generation, genes: Floats, energies: Floats) -> Generation:
-        """The next generation's parents."""
-        return state._replace(genes=genes, energies=energies, age=state.age + 1)
+        """The next generation's parents: what is told, and what was known."""
+        asked = state.asked.told(genes, energies)
+        every = join(state.waiting, genes)
+        return state._replace(
+            genes=every, energies=asked.energies(every), age=state.age + 1, asked=asked
+        )

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.layout import Layout
+from scenewright.engine.asked import rate_unrated
 
 Floats = NDArray[np.float64]
 L = TypeVar("L")
@@ -106,7 +107,11 @@ class BudgetWatch:
 
 
 class PopulationSolver(Protocol):
-    """Ask / tell over genes ``(P, m)`` within bounds. State is a value; nothing else is kept."""
+    """Ask / tell over genes ``(P, m)`` within bounds. State is a value; nothing else is kept.
+
+    What was asked once is not asked again; what is told as infinity or NaN is not rated, and never
+    wins. Nothing to be asked means that there is nothing left to try.
+    """
 
     def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Any:
         """The state before the first ask."""
@@ -140,6 +145,10 @@ def run_population(
     least = [math.inf]
     while True:
         genes, state = solver.ask(state, rng)
+        if not len(genes):
+            genes, energies = np.array(records), np.array(least[1:])
+            order = np.argsort(energies, kind="stable")
+            return genes[order], energies[order], done
         energies = rate_unrated(objective(genes))
         state = solver.tell(state, genes, energies)
         done, count = done + len(genes), count + 1
@@ -152,16 +161,6 @@ def run_population(
             heard = np.concatenate([least[1:], energies])
             order = np.argsort(heard, kind="stable")
             return seen[order], heard[order], done
-
-
-def rate_unrated(energies: Floats) -> Floats:
-    """Energies (P,) in which what is not known is infinite, so that nothing unrated ever wins.
-
-    >>> rate_unrated(np.array([2.0, np.nan])).tolist()
-    [2.0, inf]
-    """
-    rated: Floats = np.where(np.isnan(energies), math.inf, energies)
-    return rated
 
 
 def distinct(

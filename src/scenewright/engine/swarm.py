@@ -12,13 +12,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.engine.asked import rate_unrated
+
 Floats = NDArray[np.float64]
 INERTIA, PULL = 0.7298, 1.49618
 PARTICLES, ROUNDS = 40, 100
 
 
 class ParticleSwarm(NamedTuple):
-    """Positions and velocities (P, m), the best of each particle with its energy (P,), bounds."""
+    """Positions and velocities (P, m), the best of each particle with its energy (P,), bounds, and
+    whether anything was told."""
 
     places: Floats
     speeds: Floats
@@ -26,11 +29,12 @@ class ParticleSwarm(NamedTuple):
     energies: Floats
     low: Floats
     high: Floats
+    told: bool = False
 
 
 class Swarm(NamedTuple):
     """Ask / tell of :class:`scenewright.engine.solve.PopulationSolver`; ``first`` (P, m) where it
-    starts."""
+    starts, given parents among them."""
 
     first: Floats
 
@@ -42,9 +46,12 @@ class Swarm(NamedTuple):
 
     def ask(self, state: ParticleSwarm, rng: np.random.Generator) -> tuple[Floats, ParticleSwarm]:
         """Where the particles are; after the first round each flies on, pulled to its own best
-        and to the best of all, and stays within the bounds."""
-        if not np.isfinite(state.energies).any():
+        and to the best of all, and stays within the bounds. While none is rated, anywhere."""
+        if not state.told:
             return state.places, state
+        if not np.isfinite(state.energies).any():
+            places = rng.uniform(state.low, state.high, state.places.shape)
+            return places, state._replace(places=places, bests=places)
         shape, leader = state.places.shape, state.bests[state.energies.argmin()]
         speeds = INERTIA * state.speeds
         speeds += PULL * rng.random(shape) * (state.bests - state.places)
@@ -53,7 +60,8 @@ class Swarm(NamedTuple):
         return places, state._replace(places=places, speeds=speeds)
 
     def tell(self, state: ParticleSwarm, genes: Floats, energies: Floats) -> ParticleSwarm:
-        """Each particle keeps its best."""
-        better = energies < state.energies
+        """Each particle keeps its best; what is not rated is none."""
+        better = rate_unrated(energies) < state.energies
         bests = np.where(better[:, None], genes, state.bests)
-        return state._replace(bests=bests, energies=np.where(better, energies, state.energies))
+        least = np.where(better, energies, state.energies)
+        return state._replace(bests=bests, energies=least, told=True)

@@ -63,7 +63,9 @@ def tournament(costs: Floats, count: int, rng: np.random.Generator, rivals: int 
 
 def roulette(costs: Floats, count: int, rng: np.random.Generator) -> Ints:
     """Indices (count,) drawn in proportion to how much less than the worst each costs."""
-    wheel = np.cumsum(costs.max() - costs + 1e-12)
+    rated = np.isfinite(costs)
+    most = costs[rated].max() if rated.any() else 0.0
+    wheel = np.cumsum(np.where(rated, most - costs, 0.0) + 1e-12)
     return wheel.searchsorted(rng.random(count) * wheel[-1], side="right")
 
 

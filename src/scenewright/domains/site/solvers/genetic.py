@@ -30,9 +30,12 @@ from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.terms.measure import lay
 from scenewright.domains.site.terms.table import LEFT, QUALITY
 from scenewright.domains.site.terms.value import OMEGA, Worth, make_worth, value_parts
+from scenewright.engine.asked import Asked, join
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
 
 POPULATION, GENERATIONS = 10, 200
+KNOWN = 50
+"""Generations without anything new after which there is nothing left to ask."""
 ALIKE = 0.002
 """δ of (12): how little the values may differ when the global search ends."""
 POSITION = 0.1
@@ -43,13 +46,16 @@ STALLED = 40
 
 class Bred(NamedTuple):
     """A generation: genes (P, cells · 3) and their energies (P,), its number, the generation in
-    which ρ <= 0 ended the global search (-1: not yet), and generations without gain since."""
+    which ρ <= 0 ended the global search (-1: not yet), generations without gain since, all that was
+    asked, and the generation that waits to be rated."""
 
     genes: Floats
     energies: Floats
     age: int
     settled: int
     stalled: int
+    asked: Asked
+    waiting: Floats
 
 
 class MatrixGenetic(NamedTuple):
@@ -91,19 +97,34 @@ class MatrixGenetic(NamedTuple):
     led: float = 0.5
     local: bool = True
     ends: bool = False
+    parents: Floats | None = None
 
     def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Bred:  # noqa: ARG002
         """Nothing judged yet."""
-        return Bred(np.empty((0, len(low))), np.empty(0), 0, -1, 0)
+        none = np.empty((0, len(low)))
+        return Bred(none, np.empty(0), 0, -1, 0, Asked(), none)
 
     def ask(self, state: Bred, rng: np.random.Generator) -> tuple[Floats, Bred]:
-        """Layouts to be judged: random ones at first, then the kept best and children."""
-        if state.age == 0:
-            first = [
-                random_genes(self.cells, rng, self.quality, self.led)
-                for _ in range(self.population)
-            ]
-            return np.array(first, float).reshape(self.population, -1), state
+        """Layouts to be judged: given parents and random ones at first, then children of the last
+        generation. Those asked before are known, and not asked again: a generation that holds
+        nothing new is followed by the next. None, if nothing new comes of many."""
+        for _ in range(KNOWN):
+            rows = self._first(rng) if state.age == 0 else self._next(state, rng)
+            new, state = state.asked.new_among(rows), state._replace(waiting=rows)
+            if len(new):
+                break
+            state = self.tell(state, new, np.empty(0))
+        return new, state
+
+    def _first(self, rng: np.random.Generator) -> Floats:
+        drawn = [
+            random_genes(self.cells, rng, self.quality, self.led) for _ in range(self.population)
+        ]
+        rows = np.array(drawn, float).reshape(self.population, -1)
+        return rows if self.parents is None else np.vstack([self.parents, rows])[: len(rows)]
+
+    def _next(self, state: Bred, rng: np.random.Generator) -> Floats:
+        """The kept best and children."""
         order = np.argsort(state.energies, kind="stable")
         parents = state.genes.astype(np.int64).reshape(len(order), -1, 3)
         if self.local and state.settled >= 0:
@@ -111,7 +132,7 @@ class MatrixGenetic(NamedTuple):
         else:
             children = self._bred(parents, state.energies, rng)
         rows = [*parents[order[: self.keep]], *children][: self.population]
-        return np.array(rows, float).reshape(self.population, -1), state
+        return np.array(rows, float).reshape(self.population, -1)
 
     def _around(self, best: Ints, rng: np.random.Generator) -> list[Ints]:
         """Local search: the best one with one to three mutations."""
@@ -141,13 +162,18 @@ class MatrixGenetic(NamedTuple):
         return children
 
     def tell(self, state: Bred, genes: Floats, energies: Floats) -> Bred:
-        """The next generation's parents; whether they are alike by (12)."""
+        """The next generation's parents, what is told and what was known; whether they are alike
+        by (12)."""
+        asked = state.asked.told(genes, energies)
+        genes = join(state.waiting, genes)
+        energies = asked.energies(genes)
         settled, before = state.settled, state.energies.min(initial=math.inf)
-        if settled < 0 and spread(-energies, ALIKE) <= 0.0:
+        rated = energies[np.isfinite(energies)]
+        if settled < 0 and len(rated) > 1 and spread(-rated, ALIKE) <= 0.0:
             settled = state.age + 1
         gained = energies.min() < before - 1e-12
         stalled = 0 if gained or settled < 0 or not self.local else state.stalled + 1
-        return Bred(genes, energies, state.age + 1, settled, stalled)
+        return Bred(genes, energies, state.age + 1, settled, stalled, asked, genes[:0])
 
 
 class MatrixJudge(NamedTuple):
@@ -214,13 +240,15 @@ def evolve(
 
     while True:
         genes, state = solver.ask(state, rng)
+        if not len(genes):
+            break
         energies = judge.energies(genes)
         state, done = solver.tell(state, genes, energies), done + len(genes)
         first = int(energies.argmin())
         if energies[first] < least:
             best, least = genes[first].copy(), float(energies[first])
-        spent = not bounded and (state.age == GENERATIONS or state.stalled > STALLED)
-        spent = spent or (solver.ends and state.settled >= 0)
+        spent = not bounded and (state.age >= GENERATIONS or state.stalled > STALLED)
+        spent = spent or (solver.ends and (state.settled >= 0 or state.age >= GENERATIONS))
         full = budget.steps is not None and done + solver.population > budget.steps
         if watch.over(done, least, layout) or spent or full:
             break
