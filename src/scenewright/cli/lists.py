@@ -48,15 +48,8 @@ def _terms() -> list[Row]:
     from scenewright.domains import domains
 
     return [
-        {"domain": kind.name} | _term(row._asdict())
-        for kind in domains()
-        for row in kind.table("terms")
+        {"domain": kind.name} | row._asdict() for kind in domains() for row in kind.table("terms")
     ]
-
-
-def _term(row: Row) -> Row:
-    """A row of terms; what has one form is in it, and ``of`` is its kind."""
-    return row if "form" in row else {"form": "repaired", "kind": row["of"]} | row
 
 
 def _patterns() -> list[Row]:

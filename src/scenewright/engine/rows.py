@@ -1,10 +1,10 @@
-"""The rows that every domain fills its tables with: solvers, with how one is run, and presets."""
+"""The rows that every domain fills its tables with: solvers, terms, presets."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib import import_module
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, Literal, NamedTuple, TypeVar
 
 from scenewright.core.errors import InputError
 from scenewright.engine.solve import Budget, Cancel, Found, Progress, Report
@@ -45,6 +45,25 @@ class SolverRow(NamedTuple):
         if not (cancel is not None and cancel()):
             told.end(found.layouts[0])
         return found
+
+
+class TermRow(NamedTuple):
+    """One term: ``name`` is what weights are given by (two forms of one term share it), ``number``
+    its place in the vector of weights, ``kind`` what its value is of (one box or building, a pair,
+    a group, zone or link, or the whole layout), its default ``weight``, what it says and whose idea
+    it is. ``form`` tells of a term whether the paper's formula is ``printed`` or ``repaired``.
+    ``per_area``: an area, divided by the summed area of all items. ``function`` is the compiled
+    function, as theme:name, where the domain states it."""
+
+    name: str
+    number: int
+    kind: str
+    weight: float
+    doc: str
+    source: str
+    form: Literal["both", "printed", "repaired"] = "repaired"
+    per_area: bool = False
+    function: str = ""
 
 
 def load_function(reference: str) -> Any:

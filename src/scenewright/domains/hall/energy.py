@@ -207,10 +207,10 @@ def parts_of(problem: HallProblem, p: PreparedHall, s: State, missed: float) -> 
         weight = float(p.weights[row.number])
         if weight == 0.0:
             continue
-        if row.of == "hall":
+        if row.kind == "hall":
             found.append(Part("", row.name, missed, weight, weight * missed))
             continue
-        names = _names_of(problem, row.of)
+        names = _names_of(problem, row.kind)
         values = s.costs[row.number, : len(names)]
         found += [
             Part(name, row.name, float(v), weight, weight * float(v))

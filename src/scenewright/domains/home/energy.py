@@ -21,10 +21,10 @@ from scenewright.domains.home.terms.table import (
     SLOPE,
     TERMS,
     WINDOW,
-    Term,
     read_weights,
 )
 from scenewright.engine.energy import Evaluation, Part
+from scenewright.engine.rows import TermRow
 from scenewright.geometry.boxes import Floats, fill_frames, frames_of
 from scenewright.geometry.circulation import route
 from scenewright.geometry.compiled import compiled
@@ -188,7 +188,7 @@ def empty_layout(problem: Problem) -> Layout:
 
 
 def _parts(
-    row: Term,
+    row: TermRow,
     weight: float,
     p: PreparedHome,
     grid: RouteGrid,

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.engine.rows import TermRow
 from scenewright.engine.weights import vector_of
 from scenewright.geometry.compiled import compiled
 
@@ -25,21 +25,9 @@ NEAR = 1.0
 SPACE, FILL, ACCESS, PROPORTION, REACH, BALANCE, FACING = range(7)
 
 
-class HallTerm(NamedTuple):
-    """One row: what weights are given by, its place in the vector of weights, what it is told
-    of, its default weight, what it says and where it comes from."""
-
-    name: str
-    number: int
-    of: Literal["group", "zone", "link", "hall"]
-    weight: float
-    doc: str
-    source: str
-
-
 _PAPER = "Cao, Cheng, Zhang 2024, eq. "
-HALL_TERMS: tuple[HallTerm, ...] = (
-    HallTerm(
+HALL_TERMS: tuple[TermRow, ...] = (
+    TermRow(
         "space",
         SPACE,
         "group",
@@ -47,9 +35,9 @@ HALL_TERMS: tuple[HallTerm, ...] = (
         "clearance covered by others, by walls or by doors",
         _PAPER + "1 with its lost divisor",
     ),
-    HallTerm("fill", FILL, "zone", 1, "zone less used than it should be", _PAPER + "3"),
-    HallTerm("access", ACCESS, "link", 40, "passage between linked zones too narrow", _PAPER + "4"),
-    HallTerm(
+    TermRow("fill", FILL, "zone", 1, "zone less used than it should be", _PAPER + "3"),
+    TermRow("access", ACCESS, "link", 40, "passage between linked zones too narrow", _PAPER + "4"),
+    TermRow(
         "proportion",
         PROPORTION,
         "group",
@@ -57,9 +45,9 @@ HALL_TERMS: tuple[HallTerm, ...] = (
         "neighbours further apart than they need",
         _PAPER + "5",
     ),
-    HallTerm("reach", REACH, "hall", 30, "objects and doors that the route does not reach", "ours"),
-    HallTerm("balance", BALANCE, "zone", 4, "groups crowded at one side of their zone", "ours"),
-    HallTerm("facing", FACING, "group", 10, "groups turned away from what they look at", "ours"),
+    TermRow("reach", REACH, "hall", 30, "objects and doors that the route does not reach", "ours"),
+    TermRow("balance", BALANCE, "zone", 4, "groups crowded at one side of their zone", "ours"),
+    TermRow("facing", FACING, "group", 10, "groups turned away from what they look at", "ours"),
 )
 MEANINGS: dict[str, str] = {row.name: row.doc for row in HALL_TERMS}
 """What each term says, in one line."""

@@ -8,11 +8,11 @@ and one line in :mod:`scenewright.domains.home.terms.assemble`.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.engine.rows import TermRow
 from scenewright.engine.weights import vector_of
 
 (
@@ -42,284 +42,253 @@ from scenewright.engine.weights import vector_of
 ) = range(23)
 
 
-class Term(NamedTuple):
-    """One row. ``name`` is what weights are given by (two forms of one term share it), ``number``
-    its place in the vector of weights. ``kind`` tells what the value is of: one box, one pair
-    of boxes, or the whole layout. ``per_area``: an area, divided by the summed area of all items.
-    ``function`` is the compiled function, as theme:name."""
-
-    name: str
-    number: int
-    form: Literal["both", "printed", "repaired"]
-    kind: Literal["box", "pair", "whole"]
-    per_area: bool
-    weight: float
-    doc: str
-    source: str
-    function: str
-
-
 LIU = "Liu et al. 2017"
 OURS = "ours"
 
-TERMS: tuple[Term, ...] = (
-    Term(
+TERMS: tuple[TermRow, ...] = (
+    TermRow(
         "boundary",
         BOUNDARY,
-        "both",
         "box",
-        True,
         5000,
         "area outside the room",
         f"{LIU}, C1",
-        "packing:outside",
+        form="both",
+        per_area=True,
+        function="packing:outside",
     ),
-    Term(
+    TermRow(
         "overlap",
         OVERLAP,
-        "both",
         "pair",
-        True,
         600,
         "area shared by two items",
         f"{LIU}, C2",
-        "packing:overlap",
+        form="both",
+        per_area=True,
+        function="packing:overlap",
     ),
-    Term(
+    TermRow(
         "keep_free",
         KEEP_FREE,
-        "both",
         "box",
-        True,
         600,
         "area in door swings and thresholds",
         f"{LIU}, C3",
-        "clearance:measure_entered_area",
+        form="both",
+        per_area=True,
+        function="clearance:measure_entered_area",
     ),
-    Term(
+    TermRow(
         "corridors",
         CORRIDORS,
-        "both",
         "box",
-        True,
         600,
         "area in the corridors between doors",
         f"{LIU}, C3",
-        "clearance:measure_entered_area",
+        form="both",
+        per_area=True,
+        function="clearance:measure_entered_area",
     ),
-    Term(
+    TermRow(
         "obstacles",
         OBSTACLES,
-        "repaired",
         "box",
-        True,
         5000,
         "area on fixed pieces",
         OURS,
-        "clearance:measure_entered_area",
+        form="repaired",
+        per_area=True,
+        function="clearance:measure_entered_area",
     ),
-    Term(
+    TermRow(
         "window",
         WINDOW,
-        "repaired",
         "box",
-        True,
         600,
         "area of an item taller than the sill before a window",
         OURS,
-        "clearance:measure_entered_area",
+        form="repaired",
+        per_area=True,
+        function="clearance:measure_entered_area",
     ),
-    Term(
+    TermRow(
         "clear_room",
         CLEAR_ROOM,
-        "repaired",
         "box",
-        True,
         300,
         "clear zones outside the room or on fixed pieces",
         OURS,
-        "clearance:zone_blocked",
+        form="repaired",
+        per_area=True,
+        function="clearance:zone_blocked",
     ),
-    Term(
+    TermRow(
         "clear_items",
         CLEAR_ITEMS,
-        "repaired",
         "pair",
-        True,
         300,
         "clear zones covered by the other item",
         OURS,
-        "clearance:zones_covered",
+        form="repaired",
+        per_area=True,
+        function="clearance:zones_covered",
     ),
-    Term(
+    TermRow(
         "main_wall",
         MAIN_WALL,
-        "repaired",
         "box",
-        False,
         1500,
         "angle off facing or backing the main wall",
         f"{LIU}, C4, wrapped, summed as absolutes",
-        "orientation:main_wall",
+        form="repaired",
+        function="orientation:main_wall",
     ),
-    Term(
+    TermRow(
         "main_wall",
         MAIN_WALL_PRINTED,
-        "printed",
         "whole",
-        False,
         1500,
         "absolute value of the signed sum of angles off the main wall",
         f"{LIU}, C4 as printed",
-        "orientation:main_wall_turn",
+        form="printed",
+        function="orientation:main_wall_turn",
     ),
-    Term(
+    TermRow(
         "against_wall",
         AGAINST_WALL,
-        "repaired",
         "box",
-        False,
         1000,
         "back edge off its wall, by the worse corner",
         f"{LIU}, C5, both corners, 0.02 m",
-        "orientation:against_wall",
+        form="repaired",
+        function="orientation:against_wall",
     ),
-    Term(
+    TermRow(
         "against_wall",
         AGAINST_WALL_PRINTED,
-        "printed",
         "box",
-        False,
         1000,
         "back edge off its wall, by its midpoint",
         f"{LIU}, C5 as printed, 0.1 m",
-        "orientation:against_wall_printed",
+        form="printed",
+        function="orientation:against_wall_printed",
     ),
-    Term(
+    TermRow(
         "alignment",
         ALIGNMENT,
-        "repaired",
         "box",
-        False,
         60,
         "free item askew to the nearest wall",
         OURS,
-        "orientation:alignment",
+        form="repaired",
+        function="orientation:alignment",
     ),
-    Term(
+    TermRow(
         "daylight",
         DAYLIGHT,
-        "repaired",
         "box",
-        False,
         30,
         "distance to the nearest window",
         OURS,
-        "relations:daylight",
+        form="repaired",
+        function="relations:daylight",
     ),
-    Term(
+    TermRow(
         "nestle",
         NESTLE,
-        "repaired",
         "box",
-        False,
         30,
         "no side against a wall or fixed piece",
         OURS,
-        "relations:nestle",
+        form="repaired",
+        function="relations:nestle",
     ),
-    Term(
+    TermRow(
         "pairs",
         PAIRS,
-        "repaired",
         "pair",
-        False,
         110,
         "distance, angle and bearing off what the relation wants",
         f"{LIU}, C6, with bearing",
-        "relations:pair",
+        form="repaired",
+        function="relations:pair",
     ),
-    Term(
+    TermRow(
         "pairs",
         PAIRS_PRINTED,
-        "printed",
         "pair",
-        False,
         110,
         "distance and angle off what the relation wants",
         f"{LIU}, C6 as printed",
-        "relations:pair_printed",
+        form="printed",
+        function="relations:pair_printed",
     ),
-    Term(
+    TermRow(
         "size",
         SIZE,
-        "both",
         "whole",
-        False,
         50,
         "share of the floor outside 0.40 to 0.55",
         f"{LIU}, C7",
-        "packing:size",
+        form="both",
+        function="packing:size",
     ),
-    Term(
+    TermRow(
         "wish",
         WISH,
-        "repaired",
         "box",
-        False,
         50,
         "relative deviation from the preferred size",
         OURS,
-        "packing:wish",
+        form="repaired",
+        function="packing:wish",
     ),
-    Term(
+    TermRow(
         "route",
         ROUTE,
-        "repaired",
         "whole",
-        False,
         400,
         "items and doors that the walking route does not reach",
         OURS,
-        "geometry.circulation:route",
+        form="repaired",
+        function="geometry.circulation:route",
     ),
-    Term(
+    TermRow(
         "balance",
         BALANCE,
-        "repaired",
         "whole",
-        False,
         60,
         "middle of all furniture off that of the room",
         "Merrell et al. 2011, as a share",
-        "composition:balance",
+        form="repaired",
+        function="composition:balance",
     ),
-    Term(
+    TermRow(
         "places",
         PLACES,
-        "repaired",
         "box",
-        False,
         110,
         "too far from, too near to or not facing what it should",
         OURS,
-        "places:place",
+        form="repaired",
+        function="places:place",
     ),
-    Term(
+    TermRow(
         "slope",
         SLOPE,
-        "repaired",
         "box",
-        True,
         600,
         "area of an item taller than the sloped ceiling there",
         OURS,
-        "clearance:measure_entered_area",
+        form="repaired",
+        per_area=True,
+        function="clearance:measure_entered_area",
     ),
 )
 
 
-def terms_of(printed: bool) -> tuple[Term, ...]:
+def terms_of(printed: bool) -> tuple[TermRow, ...]:
     """The rows of one form: those of both forms and those of the asked one."""
     return tuple(row for row in TERMS if row.form in ("both", "printed" if printed else "repaired"))
 

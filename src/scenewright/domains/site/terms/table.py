@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.errors import InputError
+from scenewright.engine.rows import TermRow
 from scenewright.geometry.boxes import wrap
 from scenewright.geometry.compiled import inlined
 
@@ -23,21 +23,9 @@ Floats = NDArray[np.float64]
 INSERT, OVERLAP, ROAD, FACING, QUALITY, LEFT = range(6)
 
 
-class SiteTerm(NamedTuple):
-    """One row: what weights are given by, its place in the vectors, what it is told of, its
-    default weight, what it says and where it comes from."""
-
-    name: str
-    number: int
-    of: Literal["building", "pair", "site"]
-    weight: float
-    doc: str
-    source: str
-
-
 _PAPER = "Zhang, Yang 2023, eq. "
-SITE_TERMS: tuple[SiteTerm, ...] = (
-    SiteTerm(
+SITE_TERMS: tuple[TermRow, ...] = (
+    TermRow(
         "insert",
         INSERT,
         "building",
@@ -45,7 +33,7 @@ SITE_TERMS: tuple[SiteTerm, ...] = (
         "share of a building outside the blocks",
         _PAPER + "4, E_Insert",
     ),
-    SiteTerm(
+    TermRow(
         "overlap",
         OVERLAP,
         "pair",
@@ -53,7 +41,7 @@ SITE_TERMS: tuple[SiteTerm, ...] = (
         "buildings nearer to each other than the spacing",
         _PAPER + "4, E_Overlap, by 3 with 'or' over the axes",
     ),
-    SiteTerm(
+    TermRow(
         "road",
         ROAD,
         "building",
@@ -61,7 +49,7 @@ SITE_TERMS: tuple[SiteTerm, ...] = (
         "way round a building narrower than it must be",
         _PAPER + "5, E_Road",
     ),
-    SiteTerm(
+    TermRow(
         "facing",
         FACING,
         "building",
@@ -69,7 +57,7 @@ SITE_TERMS: tuple[SiteTerm, ...] = (
         "front turned away from the preferred heading",
         _PAPER + "5, E_θ",
     ),
-    SiteTerm(
+    TermRow(
         "quality",
         QUALITY,
         "building",
@@ -77,10 +65,10 @@ SITE_TERMS: tuple[SiteTerm, ...] = (
         "visual quality of what stands; higher is better",
         _PAPER + "5, E_S",
     ),
-    SiteTerm("left", LEFT, "building", 10, "buildings left out", "ours"),
+    TermRow("left", LEFT, "building", 10, "buildings left out", "ours"),
 )
-SITE_AIMS: tuple[SiteTerm, ...] = (
-    SiteTerm(
+SITE_AIMS: tuple[TermRow, ...] = (
+    TermRow(
         "seen",
         0,
         "site",
@@ -88,7 +76,7 @@ SITE_AIMS: tuple[SiteTerm, ...] = (
         "visual quality that walkers on the ways see, 0.4 in a rich street; higher is better",
         "ours",
     ),
-    SiteTerm(
+    TermRow(
         "sun",
         1,
         "site",
@@ -96,7 +84,7 @@ SITE_AIMS: tuple[SiteTerm, ...] = (
         "hours of sun on fronts on the day of the brief; higher is better",
         "ours",
     ),
-    SiteTerm(
+    TermRow(
         "even",
         2,
         "site",
