@@ -163,7 +163,7 @@ def test_a_piece_may_change_rooms_but_not_leave_the_home(house: Solution) -> Non
     [
         ({"move": {"sofaa": (1.0, 1.0)}}, "unknown piece 'sofaa'.*living/seating/sofa"),
         ({"lock": ["bed"]}, "'bed' may be any of 3 pieces; say which: .*double_bed"),
-        ({"again": ["kitchn"]}, "unknown room 'kitchn'; use one of: kitchen"),
+        ({"again": ["kitchn"]}, "unknown space 'kitchn'; use one of: kitchen"),
         ({"swap": [("living/sofa", "living/coffee_table")]}, "are of one group"),
         ({"unlock": ["stairs"]}, "is of the building; move the stairs in the brief"),
     ],

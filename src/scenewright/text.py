@@ -8,6 +8,7 @@ that begins with ``=``, ``+``, ``-`` or ``@`` for a formula.
 from __future__ import annotations
 
 import re
+import unicodedata
 
 JOINERS = "\u200c\u200d"
 """Invisible characters that scripts and emoji need, and that only join their neighbours."""
@@ -28,6 +29,19 @@ def is_whole(text: str) -> bool:
     except UnicodeEncodeError:
         return False
     return True
+
+
+def fold_letters(text: str) -> str:
+    """Small letters without accents, as names are compared: full-width letters become plain, and
+    the signs of other scripts stay as they are.
+
+    >>> fold_letters("Küche ＷＣ"), fold_letters("ベッド")
+    ('kuche wc', 'ベッド')
+    """
+    small = unicodedata.normalize("NFKC", text).casefold()
+    return "".join(
+        unicodedata.normalize("NFD", sign)[0] if ord(sign) < 0x250 else sign for sign in small
+    )
 
 
 def printable(text: str) -> str:

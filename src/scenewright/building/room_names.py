@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import difflib
 import re
-import unicodedata
 from collections.abc import Iterable
 from functools import cache
 from typing import NamedTuple
+
+from scenewright.text import fold_letters
 
 OPEN_PLAN = frozenset({"living", "dining", "kitchen"})
 
@@ -133,7 +134,8 @@ def functions_from_name(name: str) -> tuple[str, ...]:
 
 
 def _parts(name: str) -> list[str]:
-    return re.split(r"[/+&,;()|·・、]|\b(?:and|et|und)\b|\s[-–]\s", _plain(name))
+    plain = fold_letters(name).replace("'s", "s").replace("’s", "s")
+    return re.split(r"[/+&,;()|·・、]|\b(?:and|et|und)\b|\s[-–]\s", plain)
 
 
 def says_nothing(name: str) -> bool:
@@ -158,15 +160,6 @@ def sort_functions(functions: Iterable[str]) -> tuple[str, ...]:
     if "bathroom" in found:
         vague |= {"toilet", "washroom"}
     return tuple(function for function in found if function not in vague) or ("other",)
-
-
-def _plain(name: str) -> str:
-    """Lower case without accents; full-width letters become plain, kana stay as they are."""
-    text = unicodedata.normalize("NFKC", name).casefold()
-    text = "".join(
-        unicodedata.normalize("NFD", sign)[0] if ord(sign) < 0x250 else sign for sign in text
-    )
-    return text.replace("'s", "s").replace("’s", "s")
 
 
 def _of_part(part: str) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece, Pose
 from scenewright.core.solution import Solution
+from scenewright.core.space import Space
 
 Frame = tuple[float, float, float]
 Together = Callable[[Piece, Sequence[Piece]], Sequence[Piece]]
@@ -121,7 +122,7 @@ def apply_edits(
         now |= {p.id: replace(now[p.id], fixed=True) for p in together(along[0], pieces)}
         now |= {p.id: p for p in carry_pieces(along, start, end)}
         moved |= {p.id for p in along}
-    return Edited(tuple(now.values()), frozenset(moved), find_spaces(plan, edits.again))
+    return Edited(tuple(now.values()), frozenset(moved), find_spaces(plan.spaces, edits.again))
 
 
 def _check_inside(piece: Piece, to: Frame, plan: Plan) -> None:
@@ -135,12 +136,12 @@ def _check_inside(piece: Piece, to: Frame, plan: Plan) -> None:
         )
 
 
-def find_spaces(plan: Plan, names: Iterable[str]) -> frozenset[str]:
+def find_spaces(spaces: Sequence[Space], names: Iterable[str]) -> frozenset[str]:
     """The ids of spaces by id or name; InputError for one there is not."""
-    known = {space.name: space.id for space in plan.spaces} | {s.id: s.id for s in plan.spaces}
+    known = {space.name: space.id for space in spaces} | {space.id: space.id for space in spaces}
     for name in names:
         if name not in known:
-            near = get_close_matches(name, known, MOST, 0.5) or [s.id for s in plan.spaces][:20]
+            near = get_close_matches(name, known, MOST, 0.5) or [s.id for s in spaces][:20]
             told = dict.fromkeys(known.get(n, n) for n in near)
             raise InputError(f"unknown space '{name}'", f"use one of: {', '.join(told)}")
     return frozenset(known[name] for name in names)

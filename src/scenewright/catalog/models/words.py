@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from scenewright.catalog.kinds import KINDS
 from scenewright.catalog.kinds.other_words import GENERIC, NO_KIND
+from scenewright.text import fold_letters
 
 HEAD_LAST = ("en", "de")
 """Languages in which the last noun says what a thing is: a *piano bench* is a bench."""
@@ -77,10 +78,7 @@ def tokens_of(name: str) -> tuple[str, ...]:
     (('bookcase', 'closed', 'doors'), ('canape', 'd', 'angle'))
     """
     text = unicodedata.normalize("NFKC", name)
-    text = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text).casefold()
-    text = "".join(
-        unicodedata.normalize("NFD", sign)[0] if ord(sign) < 0x250 else sign for sign in text
-    )
+    text = fold_letters(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text))
     return tuple(re.sub(r"[\W\d_]+", " ", text).split())
 
 

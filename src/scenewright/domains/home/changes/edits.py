@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from difflib import get_close_matches
 from math import cos, hypot, sin
 from typing import NamedTuple
 
 from scenewright.building.standing import is_radiator
 from scenewright.core.edits import Edits
 from scenewright.core.errors import InputError
-from scenewright.core.piece_edits import carry_pieces, frame_of
+from scenewright.core.piece_edits import carry_pieces, find_spaces, frame_of
 from scenewright.core.piece_edits import find_piece as find_named
 from scenewright.core.scene import STAIRS, Piece
 from scenewright.core.solution import Patch
@@ -86,7 +85,7 @@ def apply_edits(
             swapped.append(sets[-1])
     now = restore_supports(now, sets)
     spaces = {before[i].space for i in moved} | {now[i].space for i in moved}
-    touched = frozenset(spaces | _again(rooms, edits))
+    touched = find_spaces(rooms, edits.again) | spaces
     ids = {former: piece.id for former, piece in now.items()}
     return EditedHome(
         tuple(now.values()),
@@ -187,16 +186,6 @@ def _check_may_leave(piece: Piece) -> None:
             f"'{piece.id}' belongs to '{piece.space}' and cannot be moved into another room",
             f"give a point within '{piece.space}'",
         )
-
-
-def _again(rooms: Sequence[Space], edits: Edits) -> set[str]:
-    known = {room.name: room.id for room in rooms} | {room.id: room.id for room in rooms}
-    for name in edits.again:
-        if name not in known:
-            found = [known[n] for n in get_close_matches(name, known, MOST, 0.5)]
-            near = dict.fromkeys(found or [room.id for room in rooms][:20])
-            raise InputError(f"unknown room '{name}'", f"use one of: {', '.join(near)}")
-    return {known[name] for name in edits.again}
 
 
 def near_poses(frame: Frame) -> list[Frame]:
