@@ -35,7 +35,7 @@ def _ground(record: dict[str, Any]) -> Ground:
         edges=edges,
         walls=edges.copy(),
         keep_free=np.array([_box(np.array(r, float)) for r in record["keep_free"]]),
-        corridors=none.copy(),
+        use_space=none.copy(),
         obstacles=none.copy(),
         windows=np.zeros((0, 6)),
         doors=none.copy(),

@@ -9,6 +9,7 @@ from scenewright.domains.home.problem import Ground, Problem, empty_items
 from scenewright.domains.home.terms.table import default_weights
 
 OUTLINE = np.array([[0, 0], [6, 0], [6, 3.5], [4, 3.5], [4, 5.5], [0, 5.5]], float)
+PATH = np.array([[0, 4.5], [5.2, 0], [6, 0], [6, 0.7], [1.2, 4.9], [0, 5.2]], float)
 COLUMN = np.array([[2.0, 2.0], [2.0, 2.4], [2.4, 2.4], [2.4, 2.0]])
 
 
@@ -24,7 +25,7 @@ def room() -> Ground:
         edges=edges,
         walls=ring(OUTLINE),
         keep_free=np.array([[5.4, 0.5, 0.0, 0.9, 1.0], [0.5, 5.0, 0.0, 0.9, 0.9]]),
-        corridors=np.array([[3.0, 2.8, 2.4, 0.8, 5.0]]),
+        use_space=np.array([[3.0, 2.8, 2.4, 0.8, 5.0]]),
         obstacles=np.array([[0.3, 1.0, 0.0, 0.8, 0.5]]),
         windows=np.array([[2.0, 5.3, -np.pi / 2, 1.6, 0.4, 0.9]]),
         doors=np.array([[6.1, 0.6, np.pi, 0.9, 0.4], [-0.1, 4.8, 0.0, 0.8, 0.4]]),
@@ -32,6 +33,7 @@ def room() -> Ground:
         bounds=np.array([0.0, 0.0, 6.0, 5.5]),
         area=29.0 - 0.16,
         slopes=np.array([[0.0, 0.0, 0.0, 1.0, 1.6, 1.4]]),
+        paths=ring(PATH),
     )
 
 
@@ -92,11 +94,11 @@ def turned_problem(problem: Problem, angle: float, shift) -> Problem:
     old, shift = problem.ground, np.asarray(shift, float)
     boxes = {
         name: turned_boxes(getattr(old, name), angle, shift)
-        for name in ("keep_free", "corridors", "obstacles", "windows", "doors")
+        for name in ("keep_free", "use_space", "obstacles", "windows", "doors")
     }
     segments = {
         name: turned_segments(getattr(old, name), angle, shift)
-        for name in ("edges", "walls", "main_wall")
+        for name in ("edges", "walls", "main_wall", "paths")
     }
     items = problem.items._replace(spots=turned_segments(problem.items.spots, angle, shift))
     slopes = old.slopes.copy()

@@ -28,7 +28,9 @@ WEIGHTS = {
 def printed_problem():
     """The paper's seven costs, with no zones but those of doors, under a level ceiling."""
     problem, none, high = full_problem(printed=True), np.zeros((0, 5)), np.zeros((0, 6))
-    ground = problem.ground._replace(corridors=none, obstacles=none, windows=high, slopes=high)
+    ground = problem.ground._replace(
+        use_space=none, paths=np.zeros((0, 4)), obstacles=none, windows=high, slopes=high
+    )
     return problem._replace(ground=ground, weights=WEIGHTS)
 
 

@@ -128,7 +128,7 @@ def corridor_problem(gap: float) -> tuple[Problem, np.ndarray]:
         edges=edges,
         walls=edges,
         keep_free=none,
-        corridors=none,
+        use_space=none,
         obstacles=none,
         windows=np.zeros((0, 6)),
         doors=np.array([[-0.1, 1.5, 0.0, 0.9, 0.4]]),

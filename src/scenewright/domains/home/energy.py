@@ -44,7 +44,7 @@ def _zones(ground: Ground, tops: Floats) -> Floats:
     kinds = (
         (KEEP_FREE, ground.keep_free),
         (KEEP_FREE, ground.fronts),
-        (CORRIDORS, ground.corridors),
+        (CORRIDORS, ground.use_space),
         (OBSTACLES, ground.obstacles),
         (WINDOW, windows[:, :5]),
         (SLOPE, low[:, :5]),
@@ -111,9 +111,11 @@ def prepare(problem: Problem) -> PreparedHome:
         weights=weights,
         bounds=bounds,
         middle=_middle(ground),
+        paths=_fresh(ground.paths, 4),
         area=float(ground.area),
         normal=float(inward(main[0])) if len(main) else float("nan"),
         span=float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])),
+        flush=float(problem.flush),
     )
 
 

@@ -19,12 +19,12 @@ from scenewright.building.standing import RADIATED, is_radiator
 from scenewright.core.footprint import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
+from scenewright.domains.home.door_paths import door_paths
 from scenewright.domains.home.problem import Ground
 
 Floats = NDArray[np.float64]
 
 WINDOW_DEPTH = 0.3  # nothing taller than the sill this near to the glass, metres
-CORRIDOR = 0.7  # width of the way from door to door, metres
 USE = 0.6  # floor before a fixed piece, metres
 HEAD_HEIGHT = 2.0
 MAIN_WALL = 1.5  # the paper's least length of a main wall, metres
@@ -40,16 +40,16 @@ def ground_of(
     x0, y0 = space.outline.min(0)
     x1, y1 = space.outline.max(0)
     main = main_wall(space)
+    standing = [p for p in (*fixed, *beside) if _in_the_way(p)]
+    solids = _rows([box for p in standing for box in boxes_of(p)], 5)
     return Ground(
         edges=np.ascontiguousarray(edges_of(space)),
         walls=np.hstack([space.outline, np.roll(space.outline, -1, 0)]),
         keep_free=_rows(
             [*(box for g in doors for box in door_zone(space, g)), *map(landing, space.stairs)], 5
         ),
-        corridors=_rows(
-            _corridors(doors) + [_ahead(p, USE) for p in fixed if _needs_use_space(p)], 5
-        ),
-        obstacles=_rows([b for p in (*fixed, *beside) if _in_the_way(p) for b in boxes_of(p)], 5),
+        use_space=_rows([_ahead(p, USE) for p in fixed if _needs_use_space(p)], 5),
+        obstacles=solids,
         windows=_rows(windows, 6),
         doors=_rows([*map(throat, doors), *map(landing, space.stairs)], 5),
         main_wall=_rows([] if main is None else [main], 4),
@@ -57,6 +57,7 @@ def ground_of(
         area=area,
         slopes=planes(space),
         fronts=_rows([_ahead(p, RADIATED) for p in fixed if is_radiator(p)], 5),
+        paths=door_paths(space, doors, solids),
     )
 
 
@@ -86,18 +87,6 @@ def _window(gate: DoorApproach) -> list[float]:
         under = gate._replace(face=gate.face + near * gate.inward)
         return [*before(under, gate.opening.width, far - near), gate.opening.sill + 0.04]
     return [*before(gate, gate.opening.width, WINDOW_DEPTH), gate.opening.sill + 0.04]
-
-
-def _corridors(doors: tuple[DoorApproach, ...]) -> list[list[float]]:
-    """Straight ways joining every pair of doors (Liu et al. 2017, cost 3, *Path*)."""
-    found = []
-    for i, first in enumerate(doors):
-        for second in doors[i + 1 :]:
-            way = second.face - first.face
-            x, y = (first.face + second.face) / 2
-            heading = float(np.arctan2(way[1], way[0]))
-            found.append([x, y, heading, CORRIDOR, float(np.hypot(*way))])
-    return found
 
 
 def _ahead(piece: Piece, depth: float) -> list[float]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from scenewright.domains.home.settings import HomeSettings
 
+FLUSH = 0.02
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
@@ -24,19 +25,20 @@ class Ground(NamedTuple):
     ``edges`` (e, 4): every directed edge x0, y0, x1, y1 of the outline (counter-clockwise) and of
     the holes (clockwise): the inside is on the left. ``walls`` (w, 4): the edges a back may stand
     against, same direction. ``keep_free`` (k, 5): boxes nothing may enter (door swings and
-    thresholds). ``corridors`` (c, 5): boxes joining doors, better left free. ``obstacles``
-    (o, 5): footprints of fixed pieces. ``windows`` (q, 6): box in front of the glass and the sill
-    height. ``doors`` (d, 5): box of each way in, from the outer face of the wall to a little
-    inside; routes start there. ``main_wall`` (m, 4) has one row or none. ``bounds`` (4,) is
+    thresholds). ``use_space`` (c, 5): the floor before fixed pieces, better left free.
+    ``obstacles`` (o, 5): footprints of fixed pieces. ``windows`` (q, 6): box in front of the glass
+    and the sill height. ``doors`` (d, 5): box of each way in, from the outer face of the wall to a
+    little inside; routes start there. ``main_wall`` (m, 4) has one row or none. ``bounds`` (4,) is
     x0, y0, x1, y1 and ``area`` the free area in square metres. ``slopes`` (k, 6) are what lowers
     the ceiling, as in :mod:`scenewright.building.ceiling`. ``fronts`` (r, 5): boxes before
-    radiators in which nothing is put, though one may walk there.
+    radiators in which nothing is put, though one may walk there. ``paths`` (m, 4): directed edges
+    of the united ways from door to door, better left free.
     """
 
     edges: Floats
     walls: Floats
     keep_free: Floats
-    corridors: Floats
+    use_space: Floats
     obstacles: Floats
     windows: Floats
     doors: Floats
@@ -45,6 +47,7 @@ class Ground(NamedTuple):
     area: float
     slopes: Floats = np.zeros((0, 6))
     fronts: Floats = np.zeros((0, 5))
+    paths: Floats = np.zeros((0, 4))
 
 
 class Items(NamedTuple):
@@ -89,8 +92,9 @@ class Items(NamedTuple):
 
 class Problem(NamedTuple):
     """One space to solve: ground, items, names of the items, the weight of each term by name and
-    whether terms take the ``printed`` or the ``repaired`` form; ``route_width``
-    in metres; ``settings`` steer the solvers."""
+    whether terms take the ``printed`` or the ``repaired`` form; ``route_width`` in metres;
+    ``settings`` steer the solvers; a back at most ``flush`` metres off its wall is at it (of the
+    repaired form)."""
 
     ground: Ground
     items: Items
@@ -99,6 +103,7 @@ class Problem(NamedTuple):
     printed: bool = False
     route_width: float = 0.6
     settings: HomeSettings = HomeSettings()
+    flush: float = FLUSH
 
 
 def empty_items(n: int) -> Items:

@@ -29,6 +29,7 @@ from scenewright.domains.home.terms.table import (
     BOUNDARY,
     CLEAR_ITEMS,
     CLEAR_ROOM,
+    CORRIDORS,
     DAYLIGHT,
     MAIN_WALL,
     MAIN_WALL_PRINTED,
@@ -40,7 +41,14 @@ from scenewright.domains.home.terms.table import (
     SIZE,
     WISH,
 )
-from scenewright.geometry.boxes import Floats, Frame, common_area, read_frame, read_sides
+from scenewright.geometry.boxes import (
+    Floats,
+    Frame,
+    area_in_polygon,
+    common_area,
+    read_frame,
+    read_sides,
+)
 from scenewright.geometry.compiled import inlined
 
 Ints = NDArray[np.int64]
@@ -58,7 +66,8 @@ class PreparedHome(NamedTuple):
     from ``related_start[i]`` to ``related_start[i + 1]``; ``places`` (s, 6) those it wants from
     ``place_start[i]`` on, of the ``spots`` (k, 4). ``normal`` is the main wall's inward
     direction (NaN without one), ``span`` the diagonal of the bounds, ``middle`` (6,) as
-    :func:`scenewright.domains.home.terms.composition.balance` takes it.
+    :func:`scenewright.domains.home.terms.composition.balance` takes it. ``paths`` (m, 4) are the
+    directed edges of the ways from door to door. A back is at its wall within ``flush`` metres.
     """
 
     edges: Floats
@@ -79,9 +88,11 @@ class PreparedHome(NamedTuple):
     weights: Floats
     bounds: Floats
     middle: Floats
+    paths: Floats
     area: float
     normal: float
     span: float
+    flush: float
 
 
 @inlined
@@ -97,6 +108,8 @@ def box_cost(
     shared += clearance.measure_entered_area(frame, p.traits[i, 0], p.zones, w)
     if shared > most:
         return shared, own, 4.0 * frame[4] * frame[5], turn
+    if w[CORRIDORS] != 0.0 and p.paths.shape[0] > 0:
+        shared += w[CORRIDORS] * area_in_polygon(frame, p.paths)
     if w[CLEAR_ROOM] != 0.0 and p.traits[i, 7] > 0.0:
         clear = read_sides(p.clear, i)
         shared += w[CLEAR_ROOM] * clearance.zone_blocked(frame, clear, p.edges, p.zones)
@@ -105,7 +118,7 @@ def box_cost(
     if w[MAIN_WALL_PRINTED] != 0.0 and role != 0.0:
         turn = orientation.main_wall_turn(frame[7], role, p.normal)
     if w[AGAINST_WALL] != 0.0 and back != 0.0:
-        own += w[AGAINST_WALL] * back * orientation.against_wall(frame, p.walls)
+        own += w[AGAINST_WALL] * back * orientation.against_wall(frame, p.walls, p.flush)
     if w[AGAINST_WALL_PRINTED] != 0.0 and back != 0.0:
         own += w[AGAINST_WALL_PRINTED] * back * orientation.against_wall_printed(frame, p.walls)
     if w[ALIGNMENT] != 0.0 and back < 1.0:

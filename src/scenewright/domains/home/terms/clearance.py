@@ -20,8 +20,9 @@ def measure_entered_area(frame: Frame, height: float, zones: Floats, weights: Fl
     """Σ_r w_r A(P ∩ D_r): area of an item in zones to be kept free, weighted.
 
     A zone (k, 10) is a frame, the term that weighs it and a height it starts from: door swings
-    and corridors (Liu et al. 2017, C3), fixed pieces, and the room in front of the glass of
-    windows, which counts for items that rise above the sill. Square metres times weight.
+    (Liu et al. 2017, C3), the floor before fixed pieces, fixed pieces, and the room in front of
+    the glass of windows, which counts for items that rise above the sill. Square metres times
+    weight.
     """
     total = 0.0
     for k in range(zones.shape[0]):

@@ -62,8 +62,9 @@ def against_wall_printed(frame: Frame, walls: Floats) -> float:
 
 
 @compiled
-def against_wall(frame: Frame, walls: Floats) -> float:
-    """Gap between the worse back corner and the same wall, 0.02 m allowed: the back lies flush.
+def against_wall(frame: Frame, walls: Floats, allowed: float = FLUSH) -> float:
+    """Gap between the worse back corner and the same wall, ``allowed`` metres free: the back lies
+    flush.
 
     Repaired form of Liu et al. 2017, C5. ``walls`` (w, 4) x0, y0, x1, y1 in metres; a share in
     [0, 1].
@@ -76,7 +77,7 @@ def against_wall(frame: Frame, walls: Floats) -> float:
         right = distance_to_segment(x + u, y + v, x0, y0, x1, y1)
         if right < least:
             least = min(least, max(right, distance_to_segment(x - u, y - v, x0, y0, x1, y1)))
-    return gap(least, FLUSH)
+    return gap(least, allowed)
 
 
 @inlined

@@ -84,7 +84,7 @@ TERMS: tuple[TermRow, ...] = (
         CORRIDORS,
         "box",
         600,
-        "area in the corridors between doors",
+        "area on the ways from door to door, and before fixed pieces",
         f"{LIU}, C3",
         form="both",
         per_area=True,
