@@ -14,14 +14,20 @@ from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.furnishing.furnish import world
 from scenewright.domains.home.furnishing.pieces import Parts, as_laid, parts_of, posed_pieces
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.problem import Problem
+from scenewright.domains.home.problem import Problem, empty_items
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.solvers.greedy import along_walls, places, select_items
 from scenewright.domains.home.solvers.merrell import prepare_guided, sweep
 from scenewright.domains.home.solving import solve
 from scenewright.domains.home.terms.packing import overlap
-from scenewright.domains.home.terms.piece_guidelines import balance, circulation, summed_cost
+from scenewright.domains.home.terms.piece_guidelines import (
+    SYMMETRY,
+    circulation,
+    composition,
+    summed_cost,
+    symmetry,
+)
 from scenewright.engine.draws import streams
 from scenewright.engine.solve import Budget
 from scenewright.formats import read
@@ -130,16 +136,56 @@ def test_guidelines_kept_by_moves_are_those_of_a_fresh_look():
     free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
 
     def fresh(these):
-        rest = balance(p, these) + circulation(these, grid, free, reached)
+        rest = composition(p, these) + circulation(these, grid, free, reached)
         return summed_cost(p, these) + rest
 
-    weight, walk = balance(p, frames), circulation(frames, grid, free, reached)
+    weight, walk = composition(p, frames), circulation(frames, grid, free, reached)
     tally, best = np.array([fresh(frames), weight, walk, np.inf]), frames.copy()
     begun = tally[0]
     sweep(p, grid, free, reached, frames, streams(1, 1)[0], 3000, 5.0, 0.5, tally, best)
     assert tally[0] == pytest.approx(fresh(frames), abs=1e-6)
     assert tally[3] == pytest.approx(fresh(best), abs=1e-6)
     assert tally[3] < begun
+
+
+def seats_about_a_screen(x: float, heading: float, depth: float = 0.9):
+    """A screen at the origin looking up and two seats, the second at x, as prepared."""
+    full = full_problem()
+    sizes = np.array([[1.2, 0.4], [0.8, 0.9], [0.8, depth]])
+    items = empty_items(3)._replace(low=sizes, high=sizes, main_wall=np.array([-1.0, 1.0, 1.0]))
+    problem = full._replace(items=items, names=("screen", "left", "right"))
+    screen, first = [0.0, 0.0, np.pi / 2, 1.2, 0.4], [-1.0, 2.0, -np.pi / 3, 0.8, 0.9]
+    boxes = np.array([screen, first, [x, 2.0, heading, 0.8, depth]])
+    return prepare_guided(problem)[0], boxes
+
+
+def test_seats_mirrored_in_the_axis_of_the_focal_point_are_symmetric():
+    mirrored = -2 * np.pi / 3
+    p, boxes = seats_about_a_screen(1.0, mirrored)
+    assert symmetry(p, frames_of(boxes)) == pytest.approx(-2 * SYMMETRY)
+    for angle in (0.4, 2.0):
+        there = turned_boxes(boxes, angle, np.array([3.0, -1.0]))
+        assert symmetry(p, frames_of(there)) == pytest.approx(-2 * SYMMETRY)
+    askew, off = (
+        seats_about_a_screen(1.0, mirrored + 1.0)[1],
+        seats_about_a_screen(1.6, mirrored)[1],
+    )
+    for boxes in (askew, off):
+        assert -2 * SYMMETRY < symmetry(p, frames_of(boxes)) < -0.1
+
+
+def test_a_seat_of_another_size_is_no_mirror_image_and_one_on_the_axis_is_its_own():
+    p, boxes = seats_about_a_screen(1.0, -2 * np.pi / 3, depth=1.4)
+    own = symmetry(p, frames_of(boxes))
+    assert -0.2 * SYMMETRY < own <= 0.0
+    boxes[2, :3] = 0.0, 2.0, -np.pi / 2
+    assert symmetry(p, frames_of(boxes)) <= -SYMMETRY
+
+
+def test_the_printed_schedule_ends_after_five_hundred_iterations():
+    _, problem = pieces_problem("media")
+    found = SOLVERS["merrell"].run(problem, Budget(), 0)
+    assert found.evaluations == 500 * len(problem.names) + 1
 
 
 def test_guidelines_do_not_care_where_the_world_lies():

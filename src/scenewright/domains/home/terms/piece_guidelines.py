@@ -1,12 +1,11 @@
 """Guidelines of interior design (Merrell et al. 2011) for the single pieces of a room.
 
-Clearance, circulation, pairwise distance and angle, conversation, balance, alignment, emphasis;
-the sign is turned, low is good, and the weights, which the paper does not print, are those of
-:mod:`scenewright.domains.hall.terms.guidelines`. What the paper hard-wires by kind of furniture is
-read from the problem: relations are the pairs; a piece whose role is to face the main wall is a
-seat of the conversation, one that backs it is the focal point seats look at; a piece that belongs
-to a wall has its back there. Symmetry about the focal axis is left out: few rooms hold two of
-anything.
+Clearance, circulation, pairwise distance and angle, conversation, balance, alignment, emphasis and
+symmetry; the sign is turned, low is good, and the weights, which the paper does not print, are
+those of :mod:`scenewright.domains.hall.terms.guidelines`. What the paper hard-wires by kind of
+furniture is read from the problem: relations are the pairs; a piece whose role is to face the main
+wall is a seat of the conversation, one that backs it is the focal point seats look at; a piece that
+belongs to a wall has its back there.
 """
 
 from __future__ import annotations
@@ -49,6 +48,9 @@ from scenewright.geometry.paths import CLEAR, RouteGrid, sweep_box
 ONE = np.uint64(1)
 CONVERSATION = 2.0
 NEAR, FAR = 1.2, 2.4  # how far apart seats of a conversation are, metres (4 and 8 feet)
+SYMMETRY = 1.0
+ALIKE = 0.05  # pieces whose sizes differ by less are of one kind, metres
+MIRRORED = 0.3  # how near to its mirror image a piece counts in full, metres
 LOOSE = 0.05  # a wanted distance is a range of this share either way
 ZONES = ((KEEP_FREE, OVERLAP + CLEARANCE), (OBSTACLES, OVERLAP), (WINDOW, OVERLAP + CLEARANCE))
 """What a square metre of a piece costs in the zones of a room, by their term."""
@@ -170,7 +172,7 @@ def measure_relations(p: PreparedHome, frames: Floats, i: int, frame: Frame) -> 
 
 @compiled
 def own_cost(p: PreparedHome, frames: Floats, i: int) -> float:
-    """Everything that changes with one piece's pose, but balance and circulation.
+    """Everything that changes with one piece's pose, but composition and circulation.
 
     ``frames`` (n, 8).
     """
@@ -182,7 +184,7 @@ def own_cost(p: PreparedHome, frames: Floats, i: int) -> float:
 
 @compiled
 def summed_cost(p: PreparedHome, frames: Floats) -> float:
-    """The cost of frames (n, 8) but balance and circulation; what is of two counts once."""
+    """The cost of frames (n, 8) but composition and circulation; what is of two counts once."""
     total = 0.0
     for i in range(frames.shape[0]):
         frame = read_frame(frames, i)
@@ -204,6 +206,46 @@ def balance(p: PreparedHome, frames: Floats) -> float:
     dx = x / mass - 0.5 * (p.bounds[0] + p.bounds[2])
     dy = y / mass - 0.5 * (p.bounds[1] + p.bounds[3])
     return BALANCE * math.sqrt(dx * dx + dy * dy)
+
+
+@inlined
+def mirrored(seat: Frame, other: Frame, focus: Frame) -> float:
+    """s(f, g; u, p) in [0, 1]: how nearly a seat's mirror image in the axis of the focal point
+    is another one of its size: 1 within 0.3 m, falling off as a square, times (1 + cos) / 2 of the
+    angle between their fronts."""
+    if abs(seat[4] - other[4]) > 0.5 * ALIKE or abs(seat[5] - other[5]) > 0.5 * ALIKE:
+        return 0.0
+    dx, dy, c, s = seat[0] - focus[0], seat[1] - focus[1], focus[2], focus[3]
+    along, across = dx * c + dy * s, dx * s - dy * c
+    x, y = focus[0] + along * c - across * s, focus[1] + along * s + across * c
+    far = math.sqrt((other[0] - x) ** 2 + (other[1] - y) ** 2)
+    turned = other[7] - (2.0 * focus[7] - seat[7])
+    return within_range(far, 0.0, MIRRORED) * 0.5 * (1.0 + math.cos(turned))
+
+
+@compiled
+def symmetry(p: PreparedHome, frames: Floats) -> float:
+    """-Σ_f max_g s(f, g; u, p) over the seats f, g about the focal point, weighed; a seat on the
+    axis is its own image. A room without a focal point has no axis. ``frames`` (n, 8)."""
+    total = 0.0
+    for k in range(frames.shape[0]):
+        if p.traits[k, 2] >= 0.0:
+            continue
+        for i in range(frames.shape[0]):
+            most = 0.0
+            for j in range(frames.shape[0]):
+                if p.traits[i, 2] > 0.0 and p.traits[j, 2] > 0.0:
+                    seat, other = read_frame(frames, i), read_frame(frames, j)
+                    most = max(most, mirrored(seat, other, read_frame(frames, k)))
+            total -= SYMMETRY * most
+        break
+    return total
+
+
+@compiled
+def composition(p: PreparedHome, frames: Floats) -> float:
+    """What pieces at ``frames`` (n, 8) cost as a picture: balance and symmetry."""
+    return balance(p, frames) + symmetry(p, frames)
 
 
 @compiled
