@@ -4,9 +4,9 @@ Real coding, 40 layouts, 100 generations; arithmetic crossover with probability 
 with probability 0.85, of one gene, uniform in its range in the first half, then by a normal step;
 the best survives, the others are drawn by roulette on fitness C_max - C.
 
-The paper leaves open what a generation of 40 is made of and how large a step of σ = 0.3 is for a
-gene in radians or metres; here parents are paired as drawn, children replace them, and σ shrinks
-linearly to nothing, as in the measured baseline.
+The paper leaves open what a generation of 40 is made of, and where early ends and late begins;
+here parents are paired as drawn, children replace them, and half the generations are early. σ = 0.3
+is the same for every gene, in metres or radians, to the end.
 """
 
 from __future__ import annotations
@@ -106,8 +106,7 @@ class PaperGenetic(NamedTuple):
         if state.age <= self.generations // 2:
             genes[rows, columns] = low + (high - low) * rng.random(len(rows))
         else:
-            spread = self.step * max(1.0 - state.age / self.generations, 0.0)
-            moved = genes[rows, columns] + rng.normal(0.0, spread, len(rows))
+            moved = genes[rows, columns] + rng.normal(0.0, self.step, len(rows))
             genes[rows, columns] = np.minimum(np.maximum(moved, low), high)
         return genes
 

@@ -27,6 +27,7 @@ from scenewright.domains.home.furnishing.high_walls import raise_tall_items
 from scenewright.domains.home.furnishing.obstacles import join_standing, standing_of
 from scenewright.domains.home.furnishing.tidy import tidy_groups
 from scenewright.domains.home.furnishing.whole import Gone
+from scenewright.domains.home.paper_problem import as_in_paper
 from scenewright.domains.home.presets import HomePreset
 from scenewright.domains.home.problem import Ground, Problem
 from scenewright.domains.home.programme import Wish, part_of
@@ -149,17 +150,13 @@ def build_task_problem(task: RoomTask, wishes: tuple[Wish, ...], ground: Ground)
         furnished_as(task),
         task.library,
     )
-    items = (
-        problem.items
-        if preset.settings.printed
-        else raise_tall_items(problem.items, wishes, ground)
-    )
+    problem = problem._replace(settings=preset.settings)
+    if preset.settings.paper:
+        return as_in_paper(problem, wishes, task.library)
+    items = raise_tall_items(problem.items, wishes, ground)
     items = at_places(items, wishes, task.space, task.fixed, task.library)
-    weights = (
-        preset.weights if preset.settings.printed else scale_area_weights(preset.weights, items)
-    )
-    items = apply_preferences(items, wishes)
-    return problem._replace(items=items, weights=weights, settings=preset.settings)
+    weights = scale_area_weights(preset.weights, items)
+    return problem._replace(items=apply_preferences(items, wishes), weights=weights)
 
 
 def attempt(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget, seed: int) -> RoomAnswer:

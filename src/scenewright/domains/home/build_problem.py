@@ -99,7 +99,7 @@ def items_of(wishes: tuple[Wish, ...], area: float, library: Library = SHIPPED) 
     """Patches as arrays: size range from the case library, behaviour from the table of groups."""
     kinds = [GROUPS[w.group] for w in wishes]
     sizes = [sizes_of(w, area, library) for w in wishes]
-    pairs, targets, weights = _relations([w.group for w in wishes], library)
+    pairs, targets, weights = relate([w.group for w in wishes], library, RELATIONS)
 
     def column(values: list[float]) -> NDArray[np.float64]:
         return np.array(values, np.float64).reshape(len(wishes))
@@ -136,12 +136,8 @@ def sizes_of(
 ) -> tuple[tuple[float, float], ...]:
     """Least, greatest and wished (width, depth): the least is that of the smallest real case
     that becomes the room (of any case if the wish may be small)."""
-    known = cases(wish.group, library)
-    found, real = known.sizes, known.real
-    if wish.most is not None:
-        fits = (found <= np.array(wish.most) + 1e-9).all(-1)
-        fits = fits if fits.any() else np.arange(len(found)) == known.smallest
-        found, real = found[fits], real[fits]
+    known, fits = cases(wish.group, library), select_allowed(wish, library)
+    found, real = known.sizes[fits], known.real[fits]
     goal = find_preferred_case(wish.group, area, library)
     if not wish.small:
         found = found[real] if real.any() else found
@@ -153,11 +149,21 @@ def sizes_of(
     return tuple(low), tuple(high), tuple(ideal)
 
 
-def _relations(
-    groups: list[str], library: Library
+def select_allowed(wish: Wish, library: Library = SHIPPED) -> NDArray[np.bool_]:
+    """Which cases ``(n,)`` of a group are no larger than asked for; the smallest if none is."""
+    known = cases(wish.group, library)
+    if wish.most is None:
+        return np.ones(len(known.sizes), bool)
+    fits = np.asarray((known.sizes <= np.array(wish.most) + 1e-9).all(-1))
+    fits[known.smallest] |= not fits.any()
+    return fits
+
+
+def relate(
+    groups: list[str], library: Library, table: tuple[Relation, ...]
 ) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
     """The relations between groups that stand, at the distances and angles of a library."""
-    held = [r for r in RELATIONS if holds(r, groups)]
+    held = [r for r in table if holds(r, groups)]
     pairs = [(groups.index(r.first), groups.index(r.second)) for r in held]
     targets = [
         (

@@ -53,9 +53,13 @@ PRESETS: dict[str, HomePreset] = {
         "paper-ga",
         None,
         PAPER,
-        HomeSettings(printed=True, exact=False),
+        HomeSettings(printed=True, paper=True, exact=False),
     ),
     "paper-repaired": Preset(
-        "the paper's seven costs, repaired, by our solver", "anneal", 12_000, PAPER, OURS
+        "the same with C4, C5 and C6 repaired, and nothing else",
+        "paper-ga",
+        None,
+        PAPER,
+        HomeSettings(paper=True, exact=False),
     ),
 }

@@ -18,9 +18,11 @@ class ChainSettings(NamedTuple):
 
 
 class HomeSettings(NamedTuple):
-    """``printed`` takes the formulas as the paper prints them; ``exact`` checks every piece while
-    furnishing; how ``chains`` anneal."""
+    """``printed`` takes the formulas as the paper prints them, ``paper`` its problem
+    (:mod:`scenewright.domains.home.paper_problem`) instead of ours; ``exact`` checks every piece
+    while furnishing; how ``chains`` anneal."""
 
     printed: bool = False
+    paper: bool = False
     exact: bool = True
     chains: ChainSettings = ChainSettings()
