@@ -38,6 +38,7 @@ def posed(brief: Brief, preset: str = "default", seed: int = 0) -> Posed:
     found = hall_of(space, plan, borders_of(plan, space), (), brief.route_width)
     wishes = collect_demands(brief, 0, (), shipped())
     row = PRESETS[preset]
+    found = found._replace(settings=row.settings)
     return Posed(
         found, wishes, fit(found, wishes, row.weights, shipped(), seed, row.settings.whole)
     )

@@ -264,5 +264,5 @@ def test_what_is_left_out_is_exit_code_1(
         arguments = ["arrange", "hall.json", "-o", "out.json", "--steps", "100"]
         assert cli.run(arguments) == (1 if required else 0)
         out = " ".join(capsys.readouterr().out.split())
-        assert "showcase: no place in the hall is large enough for one of 20 by 9 m" in out
+        assert "no place in the hall is large enough for one of 20 by 9 m" in out
         assert sorted(os.listdir()) == ["hall.json", "out.json"]

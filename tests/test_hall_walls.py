@@ -100,7 +100,8 @@ def test_walls_are_as_long_as_the_paper_says() -> None:
     needed = 15 * 1.0 + 14 * 1.2
     wishes = collect_demands(two_zones(demand), 0, (), shipped())
     assert wall_needed(wishes[0], 14, True) == pytest.approx(needed)
-    assert wall_needed(wishes[0], 14, False) < needed
+    beside = wishes[0]._replace(clearance=(0.6, 0.0, 0.0, 0.0))
+    assert wall_needed(beside, 14, False) < wall_needed(beside, 14, True)
     windows = [{"at": [x, 10], "width": 2.0, "sill": 1.0} for x in (11.5, 14.0, 16.5, 18.9)]
     for count in (10, 12, 14):
         brief = two_zones(demand | {"count": count}, windows=windows)
@@ -108,12 +109,13 @@ def test_walls_are_as_long_as_the_paper_says() -> None:
         east = found.hall.names.index("east")
         walls = sum(np.hypot(w.x1 - w.x0, w.y1 - w.y0) for w in found.hall.walls[east])
         lack = (count + 1) * 1.0 + count * 1.2 - walls
-        built = sum(high - low for _, (low, high) in found.fitted.hosts)
+        built = sum(high - low for _, (low, high), _ in found.fitted.hosts)
         assert lack > 1.2
         longest = 10.0 - 2 * (brief.passage_width + 0.3)  # a way round both ends
         assert built >= min(lack, longest) - 1e-9
-        for _, (low, high) in found.fitted.hosts:
-            assert min(low, 10.0 - high) >= brief.passage_width
+        for _, (low, high), (least, most) in found.fitted.hosts:
+            assert least <= low < high <= most
+            assert min(least, 10.0 - most) >= brief.passage_width
         assert found.fitted.units == [Unit(0, east, 0, count)]
 
 

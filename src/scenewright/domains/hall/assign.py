@@ -85,9 +85,21 @@ class ZoneLoad(NamedTuple):
 def _whole(wish: HallDemand, number: int, zones: list[int], so_far: ZoneLoad) -> list[Unit]:
     """All of a demand to the first zone that stays in the band, else to the emptiest."""
     count = len(wish.sizes)
-    inside = [zone for zone in zones if _capacity(wish, zone, so_far) >= count]
+    inside = [
+        zone
+        for zone in zones
+        if _capacity(wish, zone, so_far) >= count and _in_wall_band(wish, zone, so_far)
+    ]
     zone = inside[0] if inside else max(zones, key=lambda z: _room(z, so_far, length_of(wish)))
     return [Unit(number, zone, 0, count)]
+
+
+def _in_wall_band(wish: HallDemand, zone: int, so_far: ZoneLoad) -> bool:
+    """Whether a zone with all of a demand keeps its use of wall within U_w + κ, where it may be
+    kept: a hall whose walls are short is given more."""
+    length = length_of(wish) * len(wish.sizes)
+    most = (so_far.targets[1] + KAPPA) * so_far.walls[zone]
+    return length == 0.0 or so_far.taken[zone] + length <= most
 
 
 def _share_demand(wish: HallDemand, number: int, zones: list[int], so_far: ZoneLoad) -> list[Unit]:

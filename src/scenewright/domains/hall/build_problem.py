@@ -23,7 +23,7 @@ from scenewright.core.space import Space
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.borders import Border, WallStretch, wall_stretches, zone_edges
 from scenewright.domains.hall.holdings import HallDemand
-from scenewright.domains.hall.partitions import Host
+from scenewright.domains.hall.partitions import Host, lacking
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.problem import Floats, HallGround, HallProblem, Ints, Units
 from scenewright.domains.hall.settings import HallSettings
@@ -167,6 +167,8 @@ def _ground(
             [[*p, k.width + MARGIN] for p, k in zip(pairs, hall.plan.links, strict=True)], 3
         ),
         hosts=_rows([list(host.row) for host in hosts], 6),
+        host_spans=_rows([list(host.most) for host in hosts], 2),
+        zone_walls=np.maximum(lacking(units, wishes, np.zeros(len(zones)), True), 0.0),
         bounds=np.concatenate([low, high]),
     )
 

@@ -1,4 +1,8 @@
-"""Energy of halls: from a problem to arrays for kernels, one layout's energy and its parts."""
+"""Energy of halls: from a problem to arrays for kernels, one layout's energy and its parts.
+
+As printed, eq. 1 takes square metres of covered clearance without the divisor β, and δ of eq. 3
+sums footprints and clearances, which stay the same wherever a group stands.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +14,7 @@ import numpy as np
 from scenewright.domains.hall.problem import HallProblem, Units
 from scenewright.domains.hall.terms.measure import block_solids
 from scenewright.domains.hall.terms.state import (
+    LINE,
     STEP,
     Floats,
     Ints,
@@ -24,6 +29,8 @@ from scenewright.geometry.boxes import frames_of
 from scenewright.geometry.buckets import make_buckets
 from scenewright.geometry.paths import RouteGrid, make_grid
 
+SAME_WAY = math.radians(1.0)
+"""Edges that differ by less run the same way."""
 STAGE = 2.5
 """Least distance from the apex of a fan to its first row, in metres."""
 
@@ -62,7 +69,10 @@ def prepare(problem: HallProblem) -> PreparedHall:
         loop_spans=loop_spans,
         thickness=float(ground.thickness),
         weights=read_hall_weights(problem.weights),
-        **_unit_arrays(units),
+        axes=_axes(ground.edges),
+        host_spans=_host_spans(problem, hosts),
+        wall_needs=_or_zeros(ground.zone_walls, len(ground.zone_areas)),
+        **_unit_arrays(units, problem.settings.printed),
     )
     _block(p)
     return p
@@ -107,7 +117,38 @@ def capacity(counts: Ints) -> Ints:
     return found
 
 
-def _unit_arrays(units: Units) -> dict[str, Any]:
+def _axes(edges: Floats) -> Floats:
+    """Directions along and across the hall (2, 3), with the least distance along each of the
+    outline, a little less so that round numbers lie within cells."""
+    angle = _main_angle(_fresh(edges, 4))
+    ways = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
+    low = (ways @ _fresh(edges, 4)[:, :2].T).min(axis=1, initial=0.0) - 0.37 * LINE
+    return np.column_stack([ways, low])
+
+
+def _main_angle(edges: Floats) -> float:
+    """The direction, modulo a quarter turn, of the edges (e, 4) that together are longest."""
+    if not len(edges):
+        return 0.0
+    way = edges[:, 2:] - edges[:, :2]
+    angles, quarter = np.arctan2(way[:, 1], way[:, 0]), math.pi / 2
+    apart = np.abs((angles[:, None] - angles + quarter / 2) % quarter - quarter / 2)
+    along = (apart < SAME_WAY) @ np.hypot(way[:, 0], way[:, 1])
+    return float(angles[int(np.argmax(np.round(along, 3)))] % quarter)
+
+
+def _host_spans(problem: HallProblem, hosts: Floats) -> Floats:
+    if len(problem.ground.host_spans):
+        return _fresh(problem.ground.host_spans, 2)
+    length = np.hypot(hosts[:, 2] - hosts[:, 0], hosts[:, 3] - hosts[:, 1])
+    return np.column_stack([np.zeros(len(hosts)), length])
+
+
+def _or_zeros(given: Floats, count: int) -> Floats:
+    return np.array(given, np.float64) if len(given) else np.zeros(count)
+
+
+def _unit_arrays(units: Units, printed: bool) -> dict[str, Any]:
     sizes, clear = _fresh(units.sizes, 2), _fresh(units.clear, 4)
     spans = np.array(units.spans, np.int64).reshape(-1, 2)
     counts = spans[:, 1] - spans[:, 0]
@@ -115,8 +156,10 @@ def _unit_arrays(units: Units) -> dict[str, Any]:
     ends = np.cumsum(rows)
     demanded = (sizes[:, 0] + clear[:, 1] + clear[:, 3]) * (sizes[:, 1] + clear[:, 0] + clear[:, 2])
     beta, largest, gaps = np.zeros(len(spans)), np.zeros((len(spans), 2)), np.zeros((len(spans), 2))
+    constant = np.full(len(spans), -1.0)
     for u, (first, last) in enumerate(spans):
         beta[u] = (demanded - sizes.prod(1))[first:last].sum()
+        constant[u] = demanded[first:last].sum() if printed else -1.0
         largest[u] = sizes[first:last].max(0)
         ahead, left, back, right = clear[first:last].max(0)
         gaps[u] = left + right, ahead + back
@@ -129,6 +172,8 @@ def _unit_arrays(units: Units) -> dict[str, Any]:
         "zones": np.array(units.zones, np.int64),
         "choices": np.array(units.choices, np.int64).reshape(len(spans), -1),
         "beta": np.maximum(beta, 1e-9),
+        "divisor": np.ones(len(spans)) if printed else np.maximum(beta, 1e-9),
+        "constant": constant,
         "iota": clear.max(1, initial=0.0),
         "largest": largest,
         "gaps": gaps,
@@ -176,6 +221,7 @@ def make_state(p: PreparedHall) -> State:
         np.zeros((g, 3)),
         np.zeros((g, 3)),
         np.zeros((len(HALL_TERMS), many)),
+        np.zeros((2, int(np.hypot(*(high - low)) / LINE) + 2), np.int64),
         make_buckets(np.concatenate([low, high]), radii),
     )
 
@@ -208,7 +254,8 @@ def parts_of(problem: HallProblem, p: PreparedHall, s: State, missed: float) -> 
         if weight == 0.0:
             continue
         if row.kind == "hall":
-            found.append(Part("", row.name, missed, weight, weight * missed))
+            value = missed if row.number == REACH else float(s.costs[row.number, 0])
+            found.append(Part("", row.name, value, weight, weight * value))
             continue
         names = _names_of(problem, row.kind)
         values = s.costs[row.number, : len(names)]

@@ -96,7 +96,7 @@ def _fit(
     units = drop_unplaceable(hall, wishes, units, share)
     lack = lacking(units, wishes, walls, whole)
     order = visiting_order(hall.plan.links, hall.names, _first_zone(hall))
-    built = hosts(hall.borders, hall.plan.links, hall.names, order, lack)
+    built = hosts(hall.borders, hall.plan.links, hall.names, order, lack, whole)
     spans = np.array([host.span for host in built]).reshape(-1, 2)
     for attempt in range(MOST_ROUNDS):
         problem = build_problem(hall, wishes, units, built, weights, catalog)
@@ -112,7 +112,8 @@ def _fit(
     stay = [k for k in range(len(units)) if k not in lost]
     start = without(start, problem, stay)
     units = [units[k] for k in stay]
-    return Fitted(units, built, build_problem(hall, wishes, units, built, weights, catalog), start)
+    problem = build_problem(hall, wishes, units, built, weights, catalog)
+    return Fitted(units, built, problem, start)
 
 
 def _all_reached(problem: HallProblem, start: Kept, seed: int) -> bool:

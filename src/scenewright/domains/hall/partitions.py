@@ -1,8 +1,8 @@
 """Generated walls: where a zone has less wall than its wall objects need.
 
 The demand is 100 (M + 1) + Σ l centimetres for M objects of length l (Cao, Cheng, Zhang 2024,
-after George 2015, The Curator's Handbook); ours takes the objects' own side clearances where
-they are less than the metre. Walls go on borders of zones that do not follow each other in the
+after George 2015, The Curator's Handbook); ours takes no metre between objects that ask for no
+clearance at their sides. Walls go on borders of zones that do not follow each other in the
 visiting order first; where the border is a passage, gaps stay at both ends of the wall.
 """
 
@@ -26,17 +26,19 @@ SPARE = 0.3
 
 
 class Host(NamedTuple):
-    """A border that carries a wall: row of x0, y0, x1, y1, zone left, zone right, and the wall's
-    start and end along it, in metres."""
+    """A border that carries a wall, or may: row of x0, y0, x1, y1, zone left, zone right, the
+    wall's start and end along it (equal: none yet) and those of the longest it may carry, in
+    metres."""
 
     row: tuple[float, float, float, float, float, float]
     span: tuple[float, float]
+    most: tuple[float, float]
 
 
 def wall_needed(wish: HallDemand, count: int, printed: bool) -> float:
     """Metres of wall for some objects of a demand."""
     side = wish.clearance[1] + wish.clearance[3]
-    between = BETWEEN if printed else min(BETWEEN, side)
+    between = BETWEEN if printed or side > 0.0 else 0.0
     return sum(size.width for size in wish.sizes[:count]) + between * (count + 1)
 
 
@@ -71,8 +73,10 @@ def hosts(
     names: tuple[str, ...],
     order: list[int],
     lack: Floats,
+    spare: bool = False,
 ) -> tuple[Host, ...]:
-    """Walls on borders until no zone lacks any, or borders run out.
+    """Walls on borders until no zone lacks any, or borders run out; with ``spare`` also borders
+    on which a search may build more.
 
     ``lack`` (z,) metres of wall that each zone is short of.
     """
@@ -81,14 +85,16 @@ def hosts(
     found: list[Host] = []
     for border in sorted(borders, key=lambda b: _rank(b, widths, names, order)):
         want = max(left[border.first], left[border.second])
-        if want <= 0.0:
+        if want <= 0.0 and not spare:
             continue
         gap = widths.get(frozenset((names[border.first], names[border.second])), 0.0)
-        span = _span(border, gap, want)
-        if span is None:
+        most = _span(border, gap, _length(border))
+        span = _span(border, gap, want) if want > 0.0 else (0.0, 0.0)
+        span = span if spare else most
+        if span is None or most is None:
             continue
         row = (*border.start, *border.end, float(border.first), float(border.second))
-        found.append(Host(row, span))
+        found.append(Host(row, span, most))
         left[[border.first, border.second]] -= span[1] - span[0]
     return tuple(found)
 

@@ -17,11 +17,18 @@ PAPER = dict.fromkeys(PRINTED, 1.0)
 USUALLY = HallSettings()
 
 PRESETS: dict[str, HallPreset] = {
-    "default": Preset("our seven terms, four chains annealed", "anneal", 24_000, OURS, USUALLY),
+    "default": Preset("our nine terms, four chains annealed", "anneal", 24_000, OURS, USUALLY),
     "quick": Preset("the default with a quarter of the work", "anneal", 6_000, OURS, USUALLY),
     "fine": Preset("the default with eight times the work", "anneal", 192_000, OURS, USUALLY),
     "paper": Preset(
-        "Cao, Cheng, Zhang 2024: four energies, 1000 iterations, groups whole",
+        "Cao, Cheng, Zhang 2024 as printed: four energies, 1000 iterations, groups whole",
+        "gd-mh",
+        1000,
+        PAPER,
+        HallSettings(whole=True, printed=True),
+    ),
+    "paper-repaired": Preset(
+        "the same with the divisor of eq. 1 and the extents of eq. 3 repaired",
         "gd-mh",
         1000,
         PAPER,

@@ -16,6 +16,7 @@ from scenewright.domains.hall.settings import HallSettings
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
+_NONE: Floats = np.zeros(0)
 
 
 class HallGround(NamedTuple):
@@ -32,7 +33,9 @@ class HallGround(NamedTuple):
     ``borders`` (b, 5): x0, y0, x1, y1 of the straight pieces of border between two linked zones,
     and the number of the link; ``links`` (l, 3): zones i, j and the least clear width.
     ``hosts`` (p, 6): borders on which a partition may be built: x0, y0, x1, y1 and the zones to
-    the left and to the right. ``bounds`` (4,).
+    the left and to the right. ``bounds`` (4,). ``host_spans`` (p, 2): start and end of the longest
+    partition each may carry (left out: all of the border), ``zone_walls`` (z,) metres of wall
+    that the objects of a zone need (left out: none).
     """
 
     edges: Floats
@@ -49,6 +52,8 @@ class HallGround(NamedTuple):
     links: Floats
     hosts: Floats
     bounds: Floats
+    host_spans: Floats = _NONE
+    zone_walls: Floats = _NONE
     thickness: float = 0.15
 
 

@@ -36,10 +36,11 @@ class SearchSettings(NamedTuple):
 
 
 class HallSettings(NamedTuple):
-    """Whether groups stay ``whole``; how chains anneal, the paper's chain runs, and attempts
-    follow one another."""
+    """Whether groups stay ``whole``, and whether eqs. 1 and 3 stand as ``printed``; how chains
+    anneal, the paper's chain runs, and attempts follow one another."""
 
     whole: bool = False
+    printed: bool = False
     chains: ChainSettings = ChainSettings()
     guided: GuidedSettings = GuidedSettings()
     search: SearchSettings = SearchSettings()

@@ -139,7 +139,7 @@ def seed(
         return seed_radiation(layers, 0, number, rings, wide, deep, along, across, 0), 0.0
     if code == CIRCULATION:
         rings = 1 + int(shape * shape * 3.0)
-        return seed_circulation(layers, 0, number, rings, wide, deep, 0.02, across, 0), 0.0
+        return seed_circulation(layers, 0, number, rings, wide, deep, 0.005, across, 0), 0.0
     if code == FAN:
         sector = math.pi * (0.35 + 0.5 * shape)
         used = seed_fan(layers, 0, number, sector, near, wide, deep, along, across, 0)

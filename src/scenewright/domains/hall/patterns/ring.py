@@ -74,7 +74,7 @@ def seed_circulation(
         share = (k + 1) / (ahead * (k + 1 + 0.5 * ahead))
         count = left if ahead == 1 else max(int(left * share), 3)
         needed = ring_radius(max(count, 3), wide + along, deep, opening)
-        radius = max(radius + deep + 2.0 * across if k > 0 else 0.0, needed + 0.01)
+        radius = max(radius + deep + 2.0 * across if k > 0 else 0.0, needed + 0.002)
         layers[first + k, NUMBER], layers[first + k, ALONG] = count, opening
         layers[first + k, ACROSS] = radius
         layers[first + k, CODE], layers[first + k, PART] = CIRCULATION, part

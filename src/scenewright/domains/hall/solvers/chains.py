@@ -16,9 +16,10 @@ import numpy as np
 
 from scenewright.domains.hall.energy import kept_of, make_state, prepare, route_grid
 from scenewright.domains.hall.patterns import WALL
-from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back, count_missed, run
 from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout, lacking
+from scenewright.domains.hall.solvers.printed_metropolis import run_printed
 from scenewright.domains.hall.solvers.start import copy_frames, place_units
 from scenewright.domains.hall.terms.place import build
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, Scratch, State, make_scratch
@@ -117,6 +118,29 @@ def layout_of(chain: HallChain) -> MeasuredLayout:
     return MeasuredLayout(kept_of(chain.s), boxes, total, count, lacking(chain.p, chain.s))
 
 
+def _advance_printed(
+    chain: HallChain, schedule: Floats, stuck: Ints, first: int, steps: int
+) -> None:
+    """Run a chain on by the printed guidance; energies are measured afresh before."""
+    chain.tally[0] = measure_all(chain.p, chain.s, chain.work) + chain.tally[1]
+    run_printed(
+        chain.p,
+        chain.s,
+        chain.work,
+        chain.grid,
+        chain.bits,
+        chain.inset,
+        chain.stream,
+        chain.tally,
+        schedule,
+        stuck,
+        first,
+        steps,
+        chain.last,
+        chain.best,
+    )
+
+
 def gd_mh(
     problem: HallProblem,
     start: Kept,
@@ -125,7 +149,7 @@ def gd_mh(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> HallFound:
-    """GD-MH as printed: one chain, λ = 0.1, 1000 iterations, every move led by the energies.
+    """GD-MH as printed (:mod:`.printed_metropolis`): one chain, λ = 0.1, 1000 iterations.
 
     The paper keeps the last state; this keeps the best on the way, which is never worse.
     """
@@ -134,10 +158,10 @@ def gd_mh(
     chain = begin_chain(problem, start, streams(seed, 1)[0])
     rate = problem.settings.guided.rate
     schedule = np.array([rate, rate, float(steps), 0.0])
-    made = 0
+    made, stuck = 0, np.zeros(len(chain.p.spans), np.int64)
     while made < steps and not _is_over(watch, [chain], made):
         length = min(SLICE, steps - made)
-        advance(chain, schedule, made, length)
+        _advance_printed(chain, schedule, stuck, made, length)
         made += length
     return Found((layout_of(chain),), max(made, 1))
 

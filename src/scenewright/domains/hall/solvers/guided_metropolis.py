@@ -19,6 +19,7 @@ from scenewright.domains.hall.solvers.moves import (
     spread,
     turn,
 )
+from scenewright.domains.hall.solvers.ordering import line_up, match_pitch
 from scenewright.domains.hall.terms.place import build
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, Scratch, State
 from scenewright.domains.hall.terms.table import ACCESS, FILL, PROPORTION, REACH, SPACE, space_cost
@@ -33,6 +34,10 @@ from scenewright.geometry.paths import CLEAR, RouteGrid, sweep_box
 
 WALLS = 0.03
 """Share of the moves that extend or shorten a partition, where there are any."""
+KINDS = 9
+"""Kinds of moves drawn blindly: the paper's four, five of ours."""
+OUT = 0.98
+"""Share of those that make it as long as it may be: walls are built to be hung on."""
 BLOCK = 16
 """Accepted moves between two looks at the route."""
 
@@ -140,7 +145,7 @@ def propose(
     blind = uniform(stream) < free
     unit, kind, step = choose_move(p, s, stream, size)
     if blind:
-        unit, kind = below(stream, p.spans.shape[0]), below(stream, 6)
+        unit, kind = below(stream, p.spans.shape[0]), below(stream, KINDS)
         step = (uniform(stream) - 0.5) * 2.0 * size
         called = called_for(p, s, stream) if uniform(stream) < 0.3 else -1
         if called >= 0:
@@ -158,6 +163,10 @@ def propose(
         change_pattern(p, s, unit, stream)
     elif kind == 4 and s.code[unit] != WALL:
         snap(p, s, unit, stream)
+    elif kind in (6, 7) and s.code[unit] != WALL:
+        line_up(p, s, unit, stream)
+    elif kind == 8:
+        match_pitch(p, s, unit, stream)
     else:
         scatter(p, s, unit, stream)
     return unit
@@ -165,19 +174,21 @@ def propose(
 
 @inlined
 def move_wall(p: PreparedHall, s: State, work: Scratch, size: float, stream: Stream) -> int:
-    """Extend or shorten one end of a partition; the host, or -1 if it has none."""
+    """Extend or shorten one end of a partition, most often as far as its border lets it; the
+    host, or -1 if it has none."""
     host = below(stream, p.hosts.shape[0])
     low, high = s.partitions[host, 0], s.partitions[host, 1]
     work.pose[0], work.pose[1] = low, high
     if high <= low:
         return -1
     step = (uniform(stream) - 0.5) * 4.0 * size
-    x0, y0, x1, y1 = p.hosts[host, 0], p.hosts[host, 1], p.hosts[host, 2], p.hosts[host, 3]
-    length = math.hypot(x1 - x0, y1 - y0)
+    least, most = p.host_spans[host, 0], p.host_spans[host, 1]
+    if uniform(stream) < OUT:
+        step = most - least
     if uniform(stream) < 0.5:
-        s.partitions[host, 0] = min(max(low + step, 0.0), high - 0.5)
+        s.partitions[host, 0] = min(max(low - step, least), high - 0.5)
     else:
-        s.partitions[host, 1] = max(min(high + step, length), low + 0.5)
+        s.partitions[host, 1] = max(min(high + step, most), low + 0.5)
     build(p, s, host)
     return host
 

@@ -132,7 +132,9 @@ def note(work: Scratch, unit: int, change: float) -> None:
 @inlined
 def used_area(p: PreparedHall, s: State, unit: int) -> float:
     """Area of a unit's extent in its zone: its pattern's box, or the clearances of wall rows and
-    single objects."""
+    single objects; as printed, footprints and clearances wherever they stand."""
+    if p.constant[unit] >= 0.0:
+        return p.constant[unit]
     first, last = p.spans[unit, 0], p.spans[unit, 1]
     zone = p.zones[unit]
     edges = p.zone_edges[p.zone_spans[zone, 0] : p.zone_spans[zone, 1]]

@@ -15,6 +15,8 @@ Bytes = NDArray[np.uint8]
 
 STEP = 0.05
 """Length of a border's cells in metres."""
+LINE = 0.01
+"""Objects whose middles share a cell of so many metres stand in one line."""
 
 
 class PreparedHall(NamedTuple):
@@ -26,10 +28,14 @@ class PreparedHall(NamedTuple):
     ``stretches`` (s, 7): x0, y0, unit direction, length, zone and what to leave free at its start
     in corners (1 or 0); the last 2 p rows are the two sides of the p hosts, without length.
     ``loops`` lists the stretches of zone z at rows ``loop_spans[z]``. ``unit_of`` (n,);
-    ``beta`` (g,) clearance demanded, ``iota`` (n,) greatest clear depth, ``largest`` (g, 2)
+    ``beta`` (g,) clearance demanded, ``divisor`` (g,) what covered clearance is divided by (1 as
+    printed), ``constant`` (g,) floor a unit uses wherever it stands (as printed; negative: its
+    extent), ``iota`` (n,) greatest clear depth, ``largest`` (g, 2)
     width and depth of the largest object, ``gaps`` (g, 2) along and across that keep
     clearances apart, ``near`` (g,) least radius of a fan, ``targets`` (g,) units looked at;
-    ``layer_spans`` (g, 2).
+    ``layer_spans`` (g, 2). ``axes`` (2, 3) directions along and across the hall, and where its
+    lines begin. ``host_spans`` (p, 2) the longest partition a host may carry, ``wall_needs``
+    (z,) metres of wall the objects of a zone need.
     """
 
     edges: Floats
@@ -57,12 +63,17 @@ class PreparedHall(NamedTuple):
     zones: Ints
     choices: Ints
     beta: Floats
+    divisor: Floats
+    constant: Floats
     iota: Floats
     largest: Floats
     gaps: Floats
     near: Floats
     targets: Ints
     layer_spans: Ints
+    axes: Floats
+    host_spans: Floats
+    wall_needs: Floats
     thickness: float
     weights: Floats
 
@@ -76,7 +87,8 @@ class State(NamedTuple):
     ``frames``, ``clears`` (n, 8) footprints and clearances, ``partitions`` (p, 2) start and end
     of the wall on each host (none if equal), ``walls`` (p, 8) its frame, ``stretches`` as in
     Prepared with those of partitions filled in. ``covered`` (g, 3) α_S, α_M, α_W; ``extent``
-    (g, 3) used area and middle; ``costs`` (7, max(g, z, l)) by term.
+    (g, 3) used area and middle; ``costs`` (terms, max(g, z, l)) by term; ``lines`` (2, c)
+    objects in each cell along the axes.
     """
 
     code: Ints
@@ -91,6 +103,7 @@ class State(NamedTuple):
     covered: Floats
     extent: Floats
     costs: Floats
+    lines: Ints
     buckets: Buckets
 
 
@@ -108,7 +121,7 @@ class Scratch(NamedTuple):
     """Room to try a move: local places (n, 3), old frames and clears (n, 8), old layers (L, 5)
     and pose (4,), ``delta`` (g,) change of α_M, ``touched`` (g + 1,) with its count last, marks
     (g,), ``cells`` of the longest border, ``fresh`` (3, g or l) costs as they would be,
-    ``old`` (8,) other old values."""
+    ``old`` (9,) other old values."""
 
     local: Floats
     frames: Floats
@@ -140,5 +153,5 @@ def make_scratch(p: PreparedHall) -> Scratch:
         np.zeros(g, np.int64),
         np.zeros(longest + 2, np.uint8),
         np.zeros((3, many)),
-        np.zeros(8),
+        np.zeros(9),
     )

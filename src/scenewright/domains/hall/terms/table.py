@@ -22,7 +22,10 @@ EPSILON = 1.5
 NEAR = 1.0
 """Z of the proportion: what neighbours may stand apart beyond their clearances, in metres."""
 
-SPACE, FILL, ACCESS, PROPORTION, REACH, BALANCE, FACING = range(7)
+PASS, ABUT = 0.6, 0.02
+"""Gaps people get through, and gaps of objects that stand side by side, in metres."""
+
+SPACE, FILL, ACCESS, PROPORTION, REACH, BALANCE, FACING, ALIGNMENT, AISLES = range(9)
 
 
 _PAPER = "Cao, Cheng, Zhang 2024, eq. "
@@ -48,6 +51,22 @@ HALL_TERMS: tuple[TermRow, ...] = (
     TermRow("reach", REACH, "hall", 30, "objects and doors that the route does not reach", "ours"),
     TermRow("balance", BALANCE, "zone", 4, "groups crowded at one side of their zone", "ours"),
     TermRow("facing", FACING, "group", 10, "groups turned away from what they look at", "ours"),
+    TermRow(
+        "alignment",
+        ALIGNMENT,
+        "hall",
+        0.3,
+        "lines through the middles of objects, along and across the hall",
+        "Ngo, Teo, Byrne 2003, as Cao, Cheng, Zhang 2024, eq. 7",
+    ),
+    TermRow(
+        "aisles",
+        AISLES,
+        "group",
+        2,
+        "metres that gaps of neighbours lack for a person, unless side by side",
+        "Cao, Cheng, Zhang 2024, eq. 9",
+    ),
 )
 MEANINGS: dict[str, str] = {row.name: row.doc for row in HALL_TERMS}
 """What each term says, in one line."""
@@ -58,7 +77,7 @@ def read_hall_weights(weights: Mapping[str, float]) -> NDArray[np.float64]:
     """Weights by name to the vector ``(terms,)``; a name left out weighs nothing.
 
     >>> read_hall_weights({"fill": 2.0}).tolist()
-    [0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    [0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     """
     places = {row.name: row.number for row in HALL_TERMS}
     return vector_of(weights, places, np.zeros(len(HALL_TERMS)), "term of halls")
@@ -119,6 +138,17 @@ def proportion_cost(gap: float, most: float) -> float:
     20.0
     """
     return barrier(1.0 - max(gap - most, 0.0) / most)
+
+
+@compiled
+def aisle_cost(gap: float) -> float:
+    """max(0, 0.6 - gap) of two neighbours, in metres; 0 for those at most 2 cm apart, which stand
+    side by side.
+
+    >>> round(aisle_cost(0.5), 6), aisle_cost(0.01), aisle_cost(0.7)
+    (0.1, 0.0, 0.0)
+    """
+    return max(PASS - gap, 0.0) if gap > ABUT else 0.0
 
 
 @compiled

@@ -15,10 +15,13 @@ from scenewright.domains.hall.terms.measure import (
     used_area,
     write_row,
 )
+from scenewright.domains.hall.terms.order import aisles_of, count_lines, lines_change
 from scenewright.domains.hall.terms.place import middle_of, unfold
 from scenewright.domains.hall.terms.state import PreparedHall, Scratch, State
 from scenewright.domains.hall.terms.table import (
     ACCESS,
+    AISLES,
+    ALIGNMENT,
     BALANCE,
     FACING,
     FILL,
@@ -95,7 +98,7 @@ def judge(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
     change = space_change(p, s, work, unit)
     work.old[4] = proportion_of(p, s, unit) if p.weights[PROPORTION] != 0.0 else 0.0
     change += p.weights[PROPORTION] * (work.old[4] - s.costs[PROPORTION, unit])
-    change += zone_change(p, s, work, unit, zone)
+    change += zone_change(p, s, work, unit, zone) + order_change(p, s, work, unit)
     if p.weights[FACING] != 0.0:
         for other in range(p.targets.shape[0]):
             if p.targets[other] >= 0 and (other == unit or p.targets[other] == unit):
@@ -114,8 +117,20 @@ def space_change(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
         if other == unit:
             own = work.old[2] + work.old[3]
         covered = own + max(s.covered[other, 1] + work.delta[other], 0.0)
-        work.fresh[0, other] = space_cost(covered, p.beta[other])
+        work.fresh[0, other] = space_cost(covered, p.divisor[other])
         change += p.weights[SPACE] * (work.fresh[0, other] - s.costs[SPACE, other])
+    return change
+
+
+@inlined
+def order_change(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
+    """Change of the weighted terms of a unit's gaps and of the lines of the hall."""
+    change = 0.0
+    if p.weights[AISLES] != 0.0:
+        work.old[8] = aisles_of(p, s, unit)
+        change += p.weights[AISLES] * (work.old[8] - s.costs[AISLES, unit])
+    if p.weights[ALIGNMENT] != 0.0:
+        change += p.weights[ALIGNMENT] * lines_change(p, s, work.frames, unit)
     return change
 
 
@@ -166,6 +181,12 @@ def settle(p: PreparedHall, s: State, work: Scratch, unit: int) -> None:
         s.costs[SPACE, other] = work.fresh[0, other]
     s.costs[PROPORTION, unit] = work.old[4]
     s.extent[unit, 0], s.extent[unit, 1], s.extent[unit, 2] = work.old[5], work.old[6], work.old[7]
+    if p.weights[AISLES] != 0.0:
+        s.costs[AISLES, unit] = work.old[8]
+    if p.weights[ALIGNMENT] != 0.0:
+        first, last = p.spans[unit, 0], p.spans[unit, 1]
+        s.costs[ALIGNMENT, 0] += count_lines(p, s, work.frames, first, last, -1)
+        s.costs[ALIGNMENT, 0] += count_lines(p, s, s.frames, first, last, 1)
     fill, balance = fill_and_balance(p, s, zone, -1, 0.0, 0.0, 0.0)
     s.costs[FILL, zone], s.costs[BALANCE, zone] = fill, balance
     if p.weights[ACCESS] != 0.0:

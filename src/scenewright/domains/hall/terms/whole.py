@@ -18,10 +18,13 @@ from scenewright.domains.hall.terms.measure import (
     wall_covered,
     within,
 )
+from scenewright.domains.hall.terms.order import aisles_of, all_lines
 from scenewright.domains.hall.terms.place import middle_of, unfold
 from scenewright.domains.hall.terms.state import PreparedHall, Scratch, State
 from scenewright.domains.hall.terms.table import (
     ACCESS,
+    AISLES,
+    ALIGNMENT,
     BALANCE,
     FACING,
     FILL,
@@ -106,13 +109,15 @@ def sum_up(p: PreparedHall, s: State, work: Scratch) -> float:
     total = 0.0
     for unit in range(p.spans.shape[0]):
         covered = s.covered[unit, 0] + s.covered[unit, 1] + s.covered[unit, 2]
-        s.costs[SPACE, unit] = space_cost(covered, p.beta[unit])
+        s.costs[SPACE, unit] = space_cost(covered, p.divisor[unit])
         s.costs[PROPORTION, unit] = proportion_of(p, s, unit)
         s.extent[unit, 0] = used_area(p, s, unit)
         x, y = middle_of(s, p.spans[unit, 0], p.spans[unit, 1])
         s.extent[unit, 1], s.extent[unit, 2] = x, y
         s.costs[FACING, unit] = facing_of(p, s, unit)
         total += p.weights[FACING] * s.costs[FACING, unit]
+        s.costs[AISLES, unit] = aisles_of(p, s, unit)
+        total += p.weights[AISLES] * s.costs[AISLES, unit]
         total += p.weights[SPACE] * s.costs[SPACE, unit]
         total += p.weights[PROPORTION] * s.costs[PROPORTION, unit]
     for zone in range(p.zone_areas.shape[0]):
@@ -122,7 +127,8 @@ def sum_up(p: PreparedHall, s: State, work: Scratch) -> float:
     for link in range(p.links.shape[0]):
         s.costs[ACCESS, link] = access_of(p, s, work, link)
         total += p.weights[ACCESS] * s.costs[ACCESS, link]
-    return total
+    s.costs[ALIGNMENT, 0] = all_lines(p, s)
+    return total + p.weights[ALIGNMENT] * s.costs[ALIGNMENT, 0]
 
 
 @compiled

@@ -1,0 +1,78 @@
+"""How orderly a hall stands: the lines its objects share, and the gaps between neighbours. Ours.
+
+Both are what the measures of Cao, Cheng and Zhang (2024, eqs. 7 and 9) see of a layout, as the
+search can follow them move by move.
+"""
+
+from __future__ import annotations
+
+import math
+
+from scenewright.domains.hall.patterns import NUMBER, SINGLE, WALL
+from scenewright.domains.hall.terms.measure import gap_between
+from scenewright.domains.hall.terms.state import LINE, Floats, PreparedHall, State
+from scenewright.domains.hall.terms.table import aisle_cost
+from scenewright.geometry.boxes import read_frame
+from scenewright.geometry.compiled import inlined
+
+
+@inlined
+def count_lines(
+    p: PreparedHall, s: State, frames: Floats, first: int, last: int, sign: int
+) -> float:
+    """Enter (sign 1) or strike out (-1) the middles of objects ``first`` to ``last`` - 1 in the
+    lines along both axes of the hall; how many more lines there are than before."""
+    change = 0
+    for i in range(first, last):
+        for axis in range(2):
+            along = frames[i, 0] * p.axes[axis, 0] + frames[i, 1] * p.axes[axis, 1]
+            k = math.floor((along - p.axes[axis, 2]) / LINE)
+            k = min(max(k, 0), s.lines.shape[1] - 1)
+            if sign > 0 and s.lines[axis, k] == 0:
+                change += 1
+            s.lines[axis, k] += sign
+            if sign < 0 and s.lines[axis, k] == 0:
+                change -= 1
+    return float(change)
+
+
+@inlined
+def all_lines(p: PreparedHall, s: State) -> float:
+    """n_vap + n_hap of eq. 7 in cells of 1 cm, counted afresh."""
+    for axis in range(2):
+        for k in range(s.lines.shape[1]):
+            s.lines[axis, k] = 0
+    return count_lines(p, s, s.frames, 0, s.frames.shape[0], 1)
+
+
+@inlined
+def lines_change(p: PreparedHall, s: State, old: Floats, unit: int) -> float:
+    """How many more lines there are if a unit moves from ``old`` frames to those it has now."""
+    first, last = p.spans[unit, 0], p.spans[unit, 1]
+    change = count_lines(p, s, old, first, last, -1) + count_lines(p, s, s.frames, first, last, 1)
+    count_lines(p, s, s.frames, first, last, -1)
+    count_lines(p, s, old, first, last, 1)
+    return change
+
+
+@inlined
+def aisles_of(p: PreparedHall, s: State, unit: int) -> float:
+    """Metres that gaps lack: neighbours of each layer, and layers in turn, as often as the layer
+    has objects."""
+    if s.code[unit] == SINGLE:
+        return 0.0
+    first, last, row = p.spans[unit, 0], p.spans[unit, 1], p.layer_spans[unit, 0]
+    total, i = 0.0, first
+    if s.code[unit] == WALL:
+        for j in range(first, last - 1):
+            total += aisle_cost(gap_between(read_frame(s.frames, j), read_frame(s.frames, j + 1)))
+        return total
+    for k in range(s.used[unit]):
+        number = int(s.layers[row + k, NUMBER])
+        for j in range(i, i + number - 1):
+            total += aisle_cost(gap_between(read_frame(s.frames, j), read_frame(s.frames, j + 1)))
+        i += number
+        if k + 1 < s.used[unit]:
+            before = read_frame(s.frames, i - number)
+            total += number * aisle_cost(gap_between(before, read_frame(s.frames, i)))
+    return total
