@@ -1,0 +1,179 @@
+"""The experiments of Liu et al. (2017) repeated, and the same with our default solver.
+
+``scenewright bench papers_home`` takes some minutes, ``--quick`` two rooms and two runs;
+``python -m benchmarks.papers_home`` prints the tables as Markdown. All costs are the printed one
+(preset ``paper``), of patches; those of single pieces are of the boxes round their groups. Runs are
+ten, as the paper's; its figures, of a room it does not print and a machine of 2011, stand beside.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any
+
+from benchmarks.comparison import ratio
+from benchmarks.designer_rooms import files
+from benchmarks.home_methods import Method, lay_out
+from benchmarks.home_peers import Ended
+from benchmarks.home_rooms import Case
+from benchmarks.papers_home_designer import designed
+from benchmarks.papers_home_rooms import FOUR, ROOMS, case_of
+from scenewright.domains.home.energy import evaluate
+from scenewright.domains.home.problem import Problem
+from scenewright.domains.home.solvers import SOLVERS
+from scenewright.domains.home.solvers.paper_annealing import paper_sa
+from scenewright.engine.solve import Budget
+
+Record = dict[str, Any]
+Row = dict[str, Any]
+Progress = Callable[[float, str], None]
+RUNS, QUICK = 10, 2
+GA, SA, SA1, MERRELL = (
+    "composite GA",
+    "patch annealing, 8 moves an iteration",
+    "patch annealing, 1 move an iteration",
+    "furniture annealing",
+)
+EVALUATIONS, TIME = "ours, 4000 layouts", "ours, as long as the GA"
+PRINTED = {
+    (GA, "cost"): (52.74, 43.2, 75.9),
+    (SA, "cost"): (1047.3, 840.8, 1384.2),
+    (SA1, "cost"): (1047.3, 840.8, 1384.2),
+    (GA, "seconds"): (50.3, 47.5, 52.8),
+    (SA, "seconds"): (46.7, 43.3, 50.4),
+    (SA1, "seconds"): (46.7, 43.3, 50.4),
+    (MERRELL, "seconds"): (217.3, 196.5, 225.9),
+}
+"""Mean, least and most of tables 1 and 2."""
+
+
+def _solver(name: str, pieces: bool = False) -> Method:
+    def run(problem: Problem, budget: Budget, seed: int) -> Ended:
+        found = SOLVERS[name].run(problem, budget, seed)
+        return Ended(found.layouts[0].boxes, found.layouts[0].energy, found.evaluations)
+
+    return Method(name, run, pieces)
+
+
+def _annealing(moves: int) -> Method:
+    def run(problem: Problem, budget: Budget, seed: int) -> Ended:
+        found = paper_sa(problem, budget, seed, moves=moves)
+        return Ended(found.layouts[0].boxes, found.layouts[0].energy, found.evaluations)
+
+    return Method("paper-sa", run)
+
+
+METHODS = {
+    GA: _solver("paper-ga"),
+    SA: _annealing(8),
+    SA1: _annealing(1),
+    MERRELL: _solver("merrell", pieces=True),
+}
+
+
+def records(quick: bool = False, progress: Progress | None = None) -> Iterator[Record]:
+    """Every method in every room against ours, then the designer's layouts against the GA's and
+    ours, all under the printed cost."""
+    chosen = (ROOMS[0], ROOMS[4]) if quick else (*ROOMS, FOUR)
+    runs = QUICK if quick else RUNS
+    for number, room in enumerate(chosen):
+        if progress:
+            progress(number / (len(chosen) + 1), room.name)
+        rows = measure(case_of(room), runs)
+        for name in rows:
+            yield from _compared(room.name, name, rows)
+    if not quick:
+        yield from designer_records(runs)
+
+
+def measure(case: Case, runs: int) -> dict[str, list[Row]]:
+    """Rows of every method, seeds from 0 on; kernels are warm before the first is timed."""
+    rows: dict[str, list[Row]] = {}
+    for name, method in METHODS.items():
+        lay_out(method, case, Budget(steps=50, threads=1), 0)
+        rows[name] = [lay_out(method, case, Budget(threads=1), seed) for seed in range(runs)]
+    ours = _solver("anneal")
+    lay_out(ours, case, Budget(steps=50, threads=1), 0)
+    seconds = statistics.fmean(row["seconds"] for row in rows[GA])
+    for name, budget in (
+        (EVALUATIONS, Budget(steps=4000, threads=1)),
+        (TIME, Budget(seconds=seconds, threads=1)),
+    ):
+        rows[name] = [lay_out(ours, case, budget, seed) for seed in range(runs)]
+    return rows
+
+
+def _compared(room: str, name: str, rows: dict[str, list[Row]]) -> Iterator[Record]:
+    """Mean cost and seconds of a method beside ours at equal evaluations."""
+    for metric, key, unit in (
+        ("printed cost, mean", "energy", "cost"),
+        ("seconds", "seconds", "s"),
+    ):
+        theirs, ours = ([float(row[key]) for row in rows[n]] for n in (name, EVALUATIONS))
+        printed = PRINTED.get((name, "cost" if key == "energy" else "seconds"))
+        mean, mine = statistics.fmean(theirs), statistics.fmean(ours)
+        yield Record(
+            case=room,
+            metric=metric,
+            unit=unit,
+            ours=round(mine, 4),
+            baseline=round(mean, 4),
+            baseline_name=name,
+            ratio=ratio(mine, mean, "s"),
+            runs=len(theirs),
+            least=round(min(theirs), 4),
+            most=round(max(theirs), 4),
+            layouts=round(statistics.fmean(row["layouts"] for row in rows[name])),
+            printed=printed,
+        )
+
+
+def designer_records(runs: int) -> Iterator[Record]:
+    """Rooms of the six furnished homes: the printed cost of the designer's groups, the mean of the
+    GA's and of ours for the same groups."""
+    for case, boxes in (pair for path in files() for pair in designed(path)):
+        was = float(evaluate(case.problem, boxes[None])[0])
+        solvers = (
+            (GA, METHODS[GA], Budget()),
+            (EVALUATIONS, _solver("anneal"), Budget(steps=4000)),
+        )
+        for name, method, budget in solvers:
+            run = partial(lay_out, method, case, budget._replace(threads=1))
+            costs = [float(run(seed)["energy"]) for seed in range(runs)]
+            yield Record(
+                case=case.name,
+                metric=f"printed cost, mean of the {name}"
+                if name == GA
+                else f"printed cost, {name}",
+                unit="cost",
+                ours=round(statistics.fmean(costs), 4),
+                baseline=round(was, 4),
+                baseline_name="designer",
+                ratio=ratio(statistics.fmean(costs), was, "s"),
+                runs=runs,
+                least=round(min(costs), 4),
+                most=round(max(costs), 4),
+                layouts=4000,
+                printed=(0.012, 0.2848, 0.2848),
+            )
+
+
+def lines(told: list[Record]) -> Iterator[str]:
+    """The records as a Markdown table: mean (least to most), the paper's beside."""
+    yield "| room | what | method | mean | least | most | layouts | the paper's mean, least, most |"
+    yield "|---|---|---|---|---|---|---|---|"
+    for row in told:
+        designer = row["baseline_name"] == "designer"
+        name = f"designer {row['baseline']:.4g}" if designer else row["baseline_name"]
+        mean = row["ours"] if designer else row["baseline"]
+        printed = ", ".join(f"{v:g}" for v in row["printed"] or ()) or "not printed"
+        yield (
+            f"| {row['case']} | {row['metric']} | {name} | {mean:.4g} | {row['least']:.4g} "
+            f"| {row['most']:.4g} | {row['layouts']} | {printed} |"
+        )
+
+
+if __name__ == "__main__":
+    print("\n".join(lines(list(records()))))

@@ -1,0 +1,36 @@
+"""The paper's experiments on homes: every room is its problem, and ours is below every method."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from benchmarks.papers_home import EVALUATIONS, METHODS, lines, records
+from benchmarks.papers_home_rooms import FOUR, ROOMS, case_of
+
+from scenewright.domains.home.presets import PAPER
+
+
+@pytest.mark.parametrize("room", [*ROOMS, FOUR], ids=lambda room: room.name)
+def test_rooms_are_the_papers_problem(room):
+    case = case_of(room)
+    ground = case.problem.ground
+    living = room.groups[0] == "seating"
+    assert 10.0 < ground.area < 40.0
+    assert (ground.area > 25.0) == living
+    assert case.problem.weights == PAPER
+    assert (case.problem.items.back_to_wall == 1.0).all()
+    assert (len(ground.paths) > 0) == (len(room.doors) > 1)
+    assert np.hypot(*(ground.main_wall[0, 2:] - ground.main_wall[0, :2])) >= 1.5
+
+
+def test_quick_form_has_every_method_and_ours_is_at_least_as_good():
+    told = list(records(quick=True))
+    costs = {(r["case"], r["baseline_name"]): r for r in told if r["unit"] == "cost"}
+    for room in (ROOMS[0].name, ROOMS[4].name):
+        for name in (*METHODS, EVALUATIONS):
+            row = costs[room, name]
+            assert row["least"] <= row["baseline"] <= row["most"]
+            assert row["ours"] <= row["baseline"]
+    table = list(lines(told))
+    assert len(table) == len(told) + 2
+    assert sum("52.74, 43.2, 75.9" in line for line in table) == 2
