@@ -155,7 +155,7 @@ def area_as_built(p: SitePrepared, i: int, frame: Frame, grown: int) -> float:
     return 4.0 * (frame[4] + by) * (frame[5] + by)
 
 
-@inlined
+@compiled
 def pair_of_rings(a: Frame, i: int, b: Frame, j: int, p: SitePrepared) -> tuple[float, float]:
     """:func:`pair_cost` of buildings that are no boxes."""
     first, second = p.rings.facts[i], p.rings.facts[j]
