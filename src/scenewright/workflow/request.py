@@ -99,7 +99,7 @@ def check_name(what: str, name: str, known: Collection[str]) -> None:
 
     >>> check_name("preset", "papper", ["default", "paper"])
     Traceback (most recent call last):
-    scenewright.core.errors.InputError: there is no preset 'papper'; use one of: default, paper
+    scenewright.core.errors.InputError: unknown preset 'papper'; use one of: default, paper
     """
     if name not in known:
         raise InputError(f"unknown {what} '{name}'", f"use one of: {', '.join(known)}")

@@ -90,7 +90,7 @@ def json_of(content: bytes, what: str) -> dict[str, Any]:
 
     >>> json_of(b'{"asset": [NaN]}', "glTF")
     Traceback (most recent call last):
-    scenewright.core.errors.InputError: is not glTF: NaN is no number of JSON; save it again
+    scenewright.core.errors.InputError: is not glTF: NaN is not valid JSON; save it again
     """
     check_json(content)
     try:
