@@ -105,8 +105,8 @@ def check_characters(document: Any, source: str) -> None:
 
     >>> check_characters({"rooms": [{"name": "\\ud800"}]}, '{"rooms": [{"name": "\\\\ud800"}]}')
     Traceback (most recent call last):
-    scenewright.core.errors.InputError: rooms[0].name: holds half of a surrogate pair, which is not a \
-character; give whole Unicode characters
+    scenewright.core.errors.InputError: rooms[0].name: holds half of a surrogate pair, which is \
+not a character; give whole Unicode characters
     """
     if not HALF.search(source):
         return
