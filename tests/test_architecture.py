@@ -19,6 +19,7 @@ ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "scenewright"
 FILES = sorted(PACKAGE.rglob("*.py"))
 TESTS = sorted((ROOT / "tests").rglob("*.py"))
+BENCHMARKS = sorted((ROOT / "benchmarks").glob("*.py"))
 NAMES = [str(file.relative_to(PACKAGE)) for file in FILES]
 
 LAYERS = (
@@ -143,8 +144,8 @@ def test_files_and_functions_are_small(file: Path) -> None:
             assert (node.end_lineno or 0) - node.lineno <= 60, f"{node.name} is too long"
 
 
-@pytest.mark.parametrize("file", TESTS, ids=lambda file: file.name)
-def test_files_of_tests_are_small(file: Path) -> None:
+@pytest.mark.parametrize("file", [*TESTS, *BENCHMARKS], ids=lambda file: file.name)
+def test_files_of_tests_and_benchmarks_are_small(file: Path) -> None:
     assert len(file.read_text(encoding="utf-8").splitlines()) <= 400, "split it by theme"
 
 
@@ -307,9 +308,7 @@ def names_used_by_python(tree: ast.AST, names: dict[str, str]) -> Iterator[str]:
 
 
 @pytest.mark.parametrize(
-    "file",
-    [*FILES, *(ROOT / "tests").glob("*.py"), *(ROOT / "benchmarks").glob("*.py")],
-    ids=lambda file: str(file.relative_to(ROOT)),
+    "file", [*FILES, *TESTS, *BENCHMARKS], ids=lambda file: str(file.relative_to(ROOT))
 )
 def test_inlined_functions_are_only_called_by_kernels(file: Path) -> None:
     """They have no entry from Python: a call would crash."""

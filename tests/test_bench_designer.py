@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import shapely
-from benchmarks import designer_guidelines as guidelines
+from benchmarks import designer_measures as measures
 from benchmarks.designer import NEAR, homes, lines, records, values
 from benchmarks.designer_guidelines import GUIDELINES
 from benchmarks.designer_rooms import Seen
@@ -56,14 +56,13 @@ def test_a_seat_before_its_screen(turn: float) -> None:
     """Straight before it nothing is off; a metre aside at two metres both are 26.6 degrees."""
     before = seen([("sofa", 1.0, 2.0, 0.0, SOFA), ("tv", 3.0, 2.0, pi, TV)], turn)
     aside = seen([("sofa", 1.0, 1.0, 0.0, SOFA), ("tv", 3.0, 2.0, pi, TV)], turn)
-    for measure, far in ((guidelines.off_axis, 26.565), (guidelines.turned_away, 26.565)):
+    for measure, far in ((measures.off_axis, 26.565), (measures.turned_away, 26.565)):
         assert measure(before) == pytest.approx(0.0, abs=1e-9)
         assert measure(aside) == pytest.approx(far, abs=1e-3)
-    assert guidelines.viewing_distance(before) == pytest.approx(2.0)
-    assert guidelines.focal_point(before) == 1.0
+    assert measures.viewing_distance(before) == pytest.approx(2.0)
+    assert measures.focal_point(before) == 1.0
     assert (
-        guidelines.focal_point(seen([("sofa", 1.0, 2.0, pi, SOFA), ("tv", 3.0, 2.0, pi, TV)]))
-        == 0.0
+        measures.focal_point(seen([("sofa", 1.0, 2.0, pi, SOFA), ("tv", 3.0, 2.0, pi, TV)])) == 0.0
     )
 
 
@@ -78,12 +77,12 @@ def test_the_bed_and_the_door(turn: float) -> None:
         [("double_bed", 4.0, 2.0, pi, bed), ("wardrobe", 2.0, 1.2, pi / 2, Size(1.0, 0.6, 2.2))],
         turn,
     )
-    ahead = guidelines.door_in_sight(facing)
+    ahead = measures.door_in_sight(facing)
     assert ahead is not None
     assert ahead < 30.0
-    assert (guidelines.door_in_sight(back) or 0.0) > 90.0
-    assert guidelines.door_in_sight(hidden) == 180.0
-    far, near = guidelines.away_from_door(facing), guidelines.away_from_door(back)
+    assert (measures.door_in_sight(back) or 0.0) > 90.0
+    assert measures.door_in_sight(hidden) == 180.0
+    far, near = measures.away_from_door(facing), measures.away_from_door(back)
     assert far is not None
     assert near is not None
     assert far > near
@@ -92,19 +91,19 @@ def test_the_bed_and_the_door(turn: float) -> None:
 def test_ways_windows_and_walls() -> None:
     """A wardrobe across the room narrows the way to 0.6 m, and stands in the window's light."""
     across = seen([("wardrobe", 4.7, 1.7, pi, Size(3.4, 0.6, 2.2))])
-    assert guidelines.windows(across) == pytest.approx(1.0)
-    assert guidelines.backs(across) == 1.0
+    assert measures.windows(across) == pytest.approx(1.0)
+    assert measures.backs(across) == 1.0
     empty = seen([("wardrobe", 2.5, 3.7, -pi / 2, Size(1.0, 0.6, 2.2))])
-    assert guidelines.windows(empty) == 0.0
-    assert guidelines.route(empty) == pytest.approx(1.0)
+    assert measures.windows(empty) == 0.0
+    assert measures.route(empty) == pytest.approx(1.0)
     barred = seen(
         [
             ("bookcase", 2.0, 1.7, 0.0, Size(3.4, 0.3, 2.0)),
             ("desk", 4.0, 2.0, pi, Size(1, 0.6, 0.7)),
         ]
     )
-    assert guidelines.route(barred) == pytest.approx(0.6, abs=0.051)
-    assert guidelines.desk_light(barred) == pytest.approx(0.7, abs=1e-6)
+    assert measures.route(barred) == pytest.approx(0.6, abs=0.051)
+    assert measures.desk_light(barred) == pytest.approx(0.7, abs=1e-6)
 
 
 def test_limits() -> None:
