@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from time import process_time
+
 import numpy as np
 import pytest
 import shapely
@@ -114,3 +116,18 @@ def test_a_passage_narrower_than_a_way_is_used_as_wide_as_it_is():
     ]
     shape = shape_of(paths_of(room_with(narrow, (1, 0), (1, 6))))
     assert shape.intersection(shapely.box(0, 2.5, 2, 3.5)).area == pytest.approx(0.4)
+
+
+def test_ways_among_hundreds_of_columns_are_found_in_time() -> None:
+    """Every corner is one a way may bend at, and the search is cubic in them."""
+    side = 62.0
+    at = np.stack(np.meshgrid(np.arange(2.0, 60.0, 3.0), np.arange(2.0, 60.0, 3.0)), -1)
+    solids = np.column_stack([at.reshape(-1, 2), np.tile([0.0, 0.6, 0.4], (at.size // 2, 1))])
+    outline = [(0, 0), (side, 0), (side, side), (0, side)]
+    space = room_with(outline, (1.2, 0.0), (side - 1.2, side))
+    begun = process_time()
+    edges = paths_of(space, solids)
+    assert process_time() - begun < 10.0
+    assert area_of(edges) == pytest.approx(WIDTH * np.hypot(side - 2.4, side), rel=0.05)
+    taken = shapely.union_all(shapely.polygons(corners(solids)))
+    assert shape_of(edges).intersection(taken).area < 0.01

@@ -26,6 +26,9 @@ MARGINS = (0.35, 0.2, 0.05)
 """Metres a way keeps from walls and fixed pieces, the widest that joins two doors first."""
 FAR = 0.6
 """How far off the line through a door its way may begin, metres."""
+MOST_BENDS = 160
+"""Corners that ways are led round, where a floor has more: those nearest to the straight lines
+between the doors. The search is cubic in them."""
 HAIR = 1e-6
 
 
@@ -59,8 +62,9 @@ def _lines(
     free = floor.buffer(-margin, join_style="mitre")
     if not pairs or free.is_empty:
         return
-    starts = [_start(free, door, margin) for door in doors]
-    nodes = np.concatenate([np.array(starts), _inner_corners(free)])
+    starts = np.array([_start(free, door, margin) for door in doors])
+    bends = _near_lines(_inner_corners(free), starts, pairs)
+    nodes = np.concatenate([starts, bends])
     length, after = _shortest(nodes, free)
     for i, j in pairs:
         if np.isfinite(length[i, j]):
@@ -86,6 +90,20 @@ def _inner_corners(free: shapely.Geometry) -> Floats:
             back, ahead = points - np.roll(points, 1, 0), np.roll(points, -1, 0) - points
             found.append(points[back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0] < 0.0])
     return np.concatenate(found)
+
+
+def _near_lines(bends: Floats, starts: Floats, pairs: list[tuple[int, int]]) -> Floats:
+    """Of the corners ``(k, 2)`` the :data:`MOST_BENDS` nearest to the straight lines between the
+    starts of pairs, in their order; all if there are no more."""
+    ends = starts[np.array(pairs)]
+    ends = ends[np.isfinite(ends).all((1, 2))]
+    if len(bends) <= MOST_BENDS or not len(ends):
+        return bends[:MOST_BENDS]
+    tree = shapely.STRtree(shapely.linestrings(ends))
+    (asked, _), away = tree.query_nearest(
+        shapely.points(bends), return_distance=True, all_matches=False
+    )
+    return bends[np.sort(asked[np.argsort(away, kind="stable")[:MOST_BENDS]])]
 
 
 def _shortest(nodes: Floats, free: shapely.Geometry) -> tuple[Floats, NDArray[np.int64]]:
