@@ -35,6 +35,11 @@ TURN = 0.05
 """What half a turn off the preferred heading costs, as a share of the ground taken."""
 
 
+FreeRegions = dict[tuple[bytes, float], tuple[shapely.Geometry, int]]
+"""Where the middle of buildings alike (outline as turned, height) can stand in a block, and how
+many of those that stand were cut out of it."""
+
+
 class Standing(NamedTuple):
     """A building that stands: its polygon in the plan, and its height."""
 
@@ -87,13 +92,14 @@ def _set_all(
     forms = list(start.forms or ("",) * len(present))
     standing = [_standing(outlines[i], boxes[i], made.sizes[i, 2]) for i in np.flatnonzero(present)]
     for block in blocks_of(problem):
+        free: FreeRegions = {}
         for i in order:
             free_form = not made.forms or not made.forms[i]
             if present[i] or not free_form:
                 continue
             if watch.cancelled() or watch.share(0) >= 1.0:
                 break
-            box = _best_place(problem, block, outlines[i], made.sizes[i], standing, corner)
+            box = _best_place(problem, block, outlines[i], made.sizes[i], standing, corner, free)
             if box is not None:
                 boxes[i], present[i], forms[i] = box, True, ""
                 standing.append(_standing(outlines[i], boxes[i], made.sizes[i, 2]))
@@ -111,14 +117,19 @@ def _best_place(
     size: Floats,
     standing: Sequence[Standing],
     corner: int,
+    free: FreeRegions,
 ) -> Floats | None:
-    """The box of a building where it fits and takes least ground; None if it fits nowhere."""
+    """The box of a building where it fits and takes least ground; None if it fits nowhere.
+    ``free`` keeps what was found for buildings alike: only what was set since is cut out of it."""
     best, least = None, math.inf
-    kept = keep_away(problem, standing, float(size[2]))
     for quarter in range(4):
         heading = wrap_angle(problem.facing + quarter * math.pi / 2)
         turned = place_outline(outline, 0.0, 0.0, heading)
-        points = shapely.get_coordinates(middles(block, turned, kept))
+        key = (turned.tobytes(), float(size[2]))
+        region, known = free.get(key) or (places_in(block, turned), 0)
+        region = clear_of(region, turned, keep_away(problem, standing[known:], float(size[2])))
+        free[key] = region, len(standing)
+        points = shapely.get_coordinates(region)
         if not len(points):
             continue
         off = abs(wrap_angle(heading - problem.facing)) / math.pi
@@ -162,11 +173,36 @@ def middles(
     >>> [round(v, 2) + 0.0 for v in found.bounds]
     [0.0, 0.0, 0.2, 0.0]
     """
-    parts = convex_parts(_corners(shapely.Polygon(turned).buffer(-SLACK, join_style="mitre")))
+    return clear_of(places_in(block, turned), turned, kept)
+
+
+def places_in(block: shapely.Polygon, turned: Floats) -> shapely.Geometry:
+    """Where the origin of a polygon (k, 2) can stand so that it lies in a block."""
+    parts = _convex_parts_of(turned)
     rings = [shapely.get_coordinates(ring)[:-1] for ring in (block.exterior, *block.interiors)]
     edges = np.concatenate([np.stack([r, np.roll(r, -1, axis=0)], 1) for r in rings])
-    obstacles = list(edges)
-    obstacles += [np.array(part) for shape in kept for part in convex_parts(_corners(shape))]
+    inner = np.mean(parts[0], 0)
+    start = shapely.transform(block, lambda points: points - inner)
+    return shapely.difference(start, _sums(list(edges), parts))
+
+
+def clear_of(
+    region: shapely.Geometry, turned: Floats, kept: Sequence[shapely.Polygon]
+) -> shapely.Geometry:
+    """The part of a region of origins where the polygon shares nothing with what is ``kept``."""
+    if region.is_empty or not kept:
+        return region
+    obstacles = [np.array(part) for shape in kept for part in convex_parts(_corners(shape))]
+    return shapely.difference(region, _sums(obstacles, _convex_parts_of(turned)))
+
+
+def _convex_parts_of(turned: Floats) -> tuple[Footprint, ...]:
+    """A polygon's convex parts, drawn in by :data:`SLACK`."""
+    return convex_parts(_corners(shapely.Polygon(turned).buffer(-SLACK, join_style="mitre")))
+
+
+def _sums(obstacles: Sequence[Floats], parts: Sequence[Footprint]) -> shapely.Geometry:
+    """Where the origin may not be so that none of the convex ``parts`` meets an obstacle."""
     owners = np.repeat(np.arange(len(obstacles)), [len(one) for one in obstacles])
     points = np.concatenate(obstacles)
     hulls = []
@@ -174,9 +210,7 @@ def middles(
         sums = (points[:, None] - np.array(part)).reshape(-1, 2)
         groups = shapely.multipoints(sums, indices=np.repeat(owners, len(part)))
         hulls.append(shapely.convex_hull(groups))
-    inner = np.mean(parts[0], 0)
-    start = shapely.transform(block, lambda points: points - inner)
-    return shapely.difference(start, shapely.union_all(np.concatenate(hulls)))
+    return shapely.union_all(np.concatenate(hulls))
 
 
 def _corners(shape: shapely.Polygon) -> Footprint:
