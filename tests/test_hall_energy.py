@@ -12,6 +12,7 @@ from benchmarks.shapely_hall import Laid, energies
 from scenewright.domains.hall.energy import make_state, prepare
 from scenewright.domains.hall.patterns import NUMBER, PATTERNS
 from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.solvers.guided_metropolis import move_wall
 from scenewright.domains.hall.solvers.moves import reseed, scatter
 from scenewright.domains.hall.solvers.start import copy_frames, place_units
 from scenewright.domains.hall.terms.place import build
@@ -104,3 +105,18 @@ def test_what_moves_change_adds_up(seed: int) -> None:
     assert accepted > 5
     assert energy == pytest.approx(measure_all(p, s, work), rel=1e-9)
     assert energy == pytest.approx(told(problem, p, s)["total"], rel=1e-6)
+
+
+def test_a_wall_that_stays_what_it_is_is_no_move() -> None:
+    problem = narrow(1.2)
+    found = drawn(problem, 1)
+    assert found is not None
+    p, s, work, stream = found
+    s.partitions[0] = p.host_spans[0]
+    build(p, s, 0)
+    hosts = [move_wall(p, s, work, 0.0, stream) for _ in range(50)]
+    assert -1 in hosts
+    for _ in range(200):
+        before = s.partitions[0].copy()
+        host = move_wall(p, s, work, 1.0, stream)
+        assert (host < 0) == bool((s.partitions[0] == before).all())

@@ -172,10 +172,10 @@ def propose(
     return unit
 
 
-@inlined
+@compiled
 def move_wall(p: PreparedHall, s: State, work: Scratch, size: float, stream: Stream) -> int:
     """Extend or shorten one end of a partition, most often as far as its border lets it; the
-    host, or -1 if it has none."""
+    host, or -1 if it has none or stays what it is."""
     host = below(stream, p.hosts.shape[0])
     low, high = s.partitions[host, 0], s.partitions[host, 1]
     work.pose[0], work.pose[1] = low, high
@@ -189,6 +189,8 @@ def move_wall(p: PreparedHall, s: State, work: Scratch, size: float, stream: Str
         s.partitions[host, 0] = min(max(low - step, least), high - 0.5)
     else:
         s.partitions[host, 1] = max(min(high + step, most), low + 0.5)
+    if s.partitions[host, 0] == low and s.partitions[host, 1] == high:
+        return -1
     build(p, s, host)
     return host
 

@@ -46,16 +46,6 @@ def all_lines(p: PreparedHall, s: State) -> float:
 
 
 @inlined
-def lines_change(p: PreparedHall, s: State, old: Floats, unit: int) -> float:
-    """How many more lines there are if a unit moves from ``old`` frames to those it has now."""
-    first, last = p.spans[unit, 0], p.spans[unit, 1]
-    change = count_lines(p, s, old, first, last, -1) + count_lines(p, s, s.frames, first, last, 1)
-    count_lines(p, s, s.frames, first, last, -1)
-    count_lines(p, s, old, first, last, 1)
-    return change
-
-
-@inlined
 def aisles_of(p: PreparedHall, s: State, unit: int) -> float:
     """Metres that gaps lack: neighbours of each layer, and layers in turn, as often as the layer
     has objects."""

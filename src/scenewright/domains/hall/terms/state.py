@@ -121,7 +121,7 @@ class Scratch(NamedTuple):
     """Room to try a move: local places (n, 3), old frames and clears (n, 8), old layers (L, 5)
     and pose (4,), ``delta`` (g,) change of α_M, ``touched`` (g + 1,) with its count last, marks
     (g,), ``cells`` of the longest border, ``fresh`` (3, g or l) costs as they would be,
-    ``old`` (9,) other old values."""
+    ``old`` (11,) other old values."""
 
     local: Floats
     frames: Floats
@@ -153,5 +153,5 @@ def make_scratch(p: PreparedHall) -> Scratch:
         np.zeros(g, np.int64),
         np.zeros(longest + 2, np.uint8),
         np.zeros((3, many)),
-        np.zeros(9),
+        np.zeros(11),
     )

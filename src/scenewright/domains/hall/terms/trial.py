@@ -15,7 +15,7 @@ from scenewright.domains.hall.terms.measure import (
     used_area,
     write_row,
 )
-from scenewright.domains.hall.terms.order import aisles_of, count_lines, lines_change
+from scenewright.domains.hall.terms.order import aisles_of, count_lines
 from scenewright.domains.hall.terms.place import middle_of, unfold
 from scenewright.domains.hall.terms.state import PreparedHall, Scratch, State
 from scenewright.domains.hall.terms.table import (
@@ -83,6 +83,7 @@ def judge(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
     """
     first, last, zone = p.spans[unit, 0], p.spans[unit, 1], p.zones[unit]
     forget(work)
+    work.old[10] = 0.0
     for i in range(first, last):
         remove(s.buckets, i)
     if not unfold(p, s, work, unit):
@@ -124,13 +125,18 @@ def space_change(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
 
 @inlined
 def order_change(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
-    """Change of the weighted terms of a unit's gaps and of the lines of the hall."""
+    """Change of the weighted terms of a unit's gaps and of the lines of the hall; its lines are
+    entered as they are now, and :func:`undo` strikes them out again."""
     change = 0.0
     if p.weights[AISLES] != 0.0:
         work.old[8] = aisles_of(p, s, unit)
         change += p.weights[AISLES] * (work.old[8] - s.costs[AISLES, unit])
     if p.weights[ALIGNMENT] != 0.0:
-        change += p.weights[ALIGNMENT] * lines_change(p, s, work.frames, unit)
+        first, last = p.spans[unit, 0], p.spans[unit, 1]
+        work.old[9] = count_lines(p, s, work.frames, first, last, -1)
+        work.old[9] += count_lines(p, s, s.frames, first, last, 1)
+        work.old[10] = 1.0
+        change += p.weights[ALIGNMENT] * work.old[9]
     return change
 
 
@@ -184,9 +190,7 @@ def settle(p: PreparedHall, s: State, work: Scratch, unit: int) -> None:
     if p.weights[AISLES] != 0.0:
         s.costs[AISLES, unit] = work.old[8]
     if p.weights[ALIGNMENT] != 0.0:
-        first, last = p.spans[unit, 0], p.spans[unit, 1]
-        s.costs[ALIGNMENT, 0] += count_lines(p, s, work.frames, first, last, -1)
-        s.costs[ALIGNMENT, 0] += count_lines(p, s, s.frames, first, last, 1)
+        s.costs[ALIGNMENT, 0] += work.old[9]
     fill, balance = fill_and_balance(p, s, zone, -1, 0.0, 0.0, 0.0)
     s.costs[FILL, zone], s.costs[BALANCE, zone] = fill, balance
     if p.weights[ACCESS] != 0.0:
@@ -202,4 +206,8 @@ def settle(p: PreparedHall, s: State, work: Scratch, unit: int) -> None:
 @compiled
 def undo(p: PreparedHall, s: State, work: Scratch, unit: int) -> None:
     """Take the move back."""
+    if work.old[10] != 0.0:
+        first, last = p.spans[unit, 0], p.spans[unit, 1]
+        count_lines(p, s, s.frames, first, last, -1)
+        count_lines(p, s, work.frames, first, last, 1)
     put_back(p, s, work, unit)
