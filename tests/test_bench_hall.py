@@ -6,8 +6,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from benchmarks import hall_ablation, hall_malls, hall_methods, hall_scale, papers_halls
+from benchmarks import (
+    hall_ablation,
+    hall_malls,
+    hall_methods,
+    hall_scale,
+    papers_halls,
+    papers_halls_forms,
+    papers_halls_measures,
+)
 from benchmarks.hall_measure import energies_of, gaps_of, least_tree, own_energy
+from benchmarks.papers_halls_markdown import lines
 
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
@@ -108,11 +117,11 @@ def test_the_paper_s_table_counts_only_whole_and_valid_runs() -> None:
         good | {"whole": False, "aesthetic": 0.5},
         good | {"valid": 0.0, "aesthetic": 0.9},
     ]
-    assert papers_halls.counted(rows) == [good]
-    assert papers_halls.figure(rows, "aesthetic").mean == 0.02
-    ours = papers_halls.MeasuredFigure(1.0, 0.0, 5)
-    assert not papers_halls.no_worse(ours, ours._replace(mean=1.1), "aesthetic")
-    assert papers_halls.no_worse(ours, ours._replace(mean=1.1), "circulation")
+    assert papers_halls_measures.counted(rows) == [good]
+    assert papers_halls_measures.figure(rows, "aesthetic").mean == 0.02
+    ours = papers_halls_measures.MeasuredFigure(1.0, 0.0, 5)
+    assert not papers_halls_measures.no_worse(ours, ours._replace(mean=1.1), "aesthetic")
+    assert papers_halls_measures.no_worse(ours, ours._replace(mean=1.1), "circulation")
 
 
 def test_the_paper_s_table_in_brief() -> None:
@@ -122,12 +131,15 @@ def test_the_paper_s_table_in_brief() -> None:
     assert {name.split(",")[0] for name in names} == {"default", "paper", "paper-repaired"}
     share = [r for r in found if r["metric"] == "valid and complete"]
     assert all(record["ours"] == 1.0 for record in share)
+    table = "\n".join(lines(found))
+    assert table.count("| **ours** | 100% |") == 1
+    assert table.count("No worse than: aesthetic, ") == 1
 
 
 def test_the_printed_fill_is_blind_to_expansion() -> None:
-    found = list(papers_halls.printed_forms("sample:hall-reading-room"))
+    found = papers_halls_forms.printed_forms("sample:hall-reading-room")
     fill = [record for record in found if record["metric"].startswith("E_u")]
     space = [record for record in found if record["metric"].startswith("E_s")]
     assert len({record["baseline"] for record in fill}) == 1
-    assert len({record["ours"] for record in fill}) == len(papers_halls.SPREADS)
+    assert len({record["ours"] for record in fill}) == len(papers_halls_forms.SPREADS)
     assert all(record["baseline"] > record["ours"] for record in space)

@@ -1,0 +1,170 @@
+"""The three measures of Cao, Cheng and Zhang (2024, eqs. 7 to 9) by every method, in one table.
+
+Measures, energy and seconds are of the runs that are valid and place everything, of all runs where
+a method has none such. ``error`` is the standard error of the mean: what lies within one of each
+other counts as equal. All methods start from the same first layout and have the budgets of their
+papers; ``layouts`` is how many each looked at.
+"""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Iterator
+from functools import cache, partial
+from typing import Any, NamedTuple
+
+from benchmarks.hall_methods import METHODS, judged, methods
+from benchmarks.spread import SpreadTable
+from scenewright.core.brief import Brief
+from scenewright.core.solution import Solution
+from scenewright.domains.hall.solving import solve
+from scenewright.formats import read
+
+Row = dict[str, Any]
+
+BETTER = {"aesthetic": 1.0, "uniformity": -1.0, "circulation": -1.0}
+"""The three measures, and whether more or less of each is better."""
+FIGURES = (
+    ("aesthetic", "1"),
+    ("uniformity", "1"),
+    ("circulation", "m"),
+    ("excess", "1"),
+    ("seconds", "s"),
+)
+PRINTED = {"paper": {"preset": "paper"}, "paper-repaired": {"preset": "paper-repaired"}}
+OURS = "default"
+WARM = "sample:hall-irregular"
+"""What a method lays out once in each process before it is timed: kernels are loaded then."""
+
+
+class MeasuredFigure(NamedTuple):
+    """The mean of a figure over runs, its standard error, and of how many runs it is."""
+
+    mean: float
+    error: float
+    runs: int
+
+
+def compared(case: str) -> Brief:
+    """The brief of a sample as all methods are given it: where it asks for a fan, rows may be
+    straight too, as those of methods that know no patterns always are."""
+    document = read(case).model_dump()
+    for room in document["rooms"]:
+        for demand in room["demands"]:
+            if demand["patterns"] == ["fan"]:
+                demand["patterns"] = ["fan", "chain"]
+    return Brief.model_validate(document)
+
+
+def names() -> list[str]:
+    """The methods that run here, the paper's printed and repaired presets among them."""
+    return [*(name for name in methods() if name != "paper"), *PRINTED]
+
+
+def run(case: str, method: str, seed: int) -> Row:
+    """One sample by one method on one thread, with the energy above its floor; ``seconds`` are
+    the processor's."""
+    brief, options = compared(case), _warm(method)
+    begun = time.process_time()
+    solution = solve(brief, seed=seed, threads=1, **options)
+    seconds = time.process_time() - begun
+    return {"case": case, "method": method, "seed": seed} | measured(solution, seconds)
+
+
+def measured(solution: Solution, seconds: float) -> Row:
+    """A solution as a row of the table."""
+    row = judged(solution)
+    more = {"excess": row["energy"] - row["least"], "whole": not row["left_out"]}
+    return row | more | {"seconds": seconds, "layouts": solution.evaluations}
+
+
+@cache
+def _warm(method: str) -> Row:
+    """What a method is called with, once it has run in this process."""
+    options = PRINTED.get(method) or METHODS[method]
+    solve(read(WARM), seed=0, threads=1, **options)
+    return options
+
+
+def counted(rows: list[Row]) -> list[Row]:
+    """The runs that are valid and place everything: dropping objects raises the first measure."""
+    return [row for row in rows if row["valid"] and row["whole"]]
+
+
+def figure(rows: list[Row], name: str) -> MeasuredFigure:
+    """A figure over the runs that count, else over all.
+
+    >>> run = {"valid": 1.0, "whole": True}
+    >>> figure([run | {"a": 1.0}, run | {"a": 3.0}], "a")
+    MeasuredFigure(mean=2.0, error=1.0, runs=2)
+    """
+    values = [float(row[name]) for row in counted(rows) or rows]
+    error = statistics.stdev(values) / len(values) ** 0.5 if len(values) > 1 else 0.0
+    return MeasuredFigure(statistics.fmean(values), error, len(values))
+
+
+def no_worse(ours: MeasuredFigure, theirs: MeasuredFigure, name: str) -> bool:
+    """Whether a mean is at least as good as another, within one standard error of the difference
+    (both taken to spread alike, as one run alone says nothing of its spread).
+
+    >>> no_worse(MeasuredFigure(1.0, 0.3, 9), MeasuredFigure(1.3, 0.1, 9), "aesthetic")
+    True
+    """
+    runs = ours.runs + theirs.runs
+    squares = [(one.error**2) * one.runs * (one.runs - 1) for one in (ours, theirs)]
+    spread = (sum(squares) / max(runs - 2, 1)) ** 0.5
+    error = spread * (1 / ours.runs + 1 / theirs.runs) ** 0.5
+    return BETTER[name] * (ours.mean - theirs.mean) >= -error - 1e-9
+
+
+def measures(case: str, seeds: int, among: list[str]) -> SpreadTable:
+    """The table of one sample: every figure of every method beside ours, then the verdict."""
+    jobs = [partial(run, case, method, seed) for method in among for seed in range(seeds)]
+    return SpreadTable(f"measures, {case}", jobs, partial(compare_methods, case))
+
+
+def compare_methods(case: str, rows: list[Row]) -> Iterator[Row]:
+    """Records of one sample: each method beside ours; then how many of those with a valid run
+    ours is no worse than, by each measure."""
+    found: dict[str, list[Row]] = {}
+    for row in rows:
+        found.setdefault(row["method"], []).append(row)
+    for method, theirs in found.items():
+        yield from _against(case, method, found[OURS], theirs)
+    rivals = {name: rows for name, rows in found.items() if name != OURS and counted(rows)}
+    for name in BETTER:
+        ours = figure(found[OURS], name)
+        beaten = [no_worse(ours, figure(rows, name), name) for rows in rivals.values()]
+        worse = [name for name, good in zip(rivals, beaten, strict=True) if not good]
+        told = make_record(case, f"{name}: no worse than", "1", float(sum(beaten)), len(beaten))
+        rival = "methods with a valid run" + (f", not {', '.join(worse)}" if worse else "")
+        yield told | {"baseline_name": rival, "runs": ours.runs}
+
+
+def _against(case: str, method: str, ours: list[Row], theirs: list[Row]) -> Iterator[Row]:
+    shares = [len(counted(rows)) / len(rows) for rows in (ours, theirs)]
+    told = make_record(case, "valid and complete", "share", *shares)
+    layouts = round(statistics.fmean(row["layouts"] for row in theirs))
+    yield told | {"baseline_name": method, "runs": len(theirs), "layouts": layouts}
+    for name, unit in FIGURES:
+        a, b = figure(ours, name), figure(theirs, name)
+        told = make_record(case, name, unit, a.mean, b.mean)
+        errors = {"error": round(a.error, 5), "baseline_error": round(b.error, 5)}
+        valid = method if counted(theirs) else f"{method}, no valid run"
+        yield told | errors | {"baseline_name": valid, "runs": b.runs}
+
+
+def make_record(case: str, metric: str, unit: str, ours: float, baseline: float) -> Row:
+    """A record of a benchmark, without the names of what is compared and of how many runs."""
+    ratio = round(ours / baseline, 4) if baseline else None
+    return {
+        "case": case,
+        "metric": metric,
+        "unit": unit,
+        "ours": round(ours, 5),
+        "baseline": round(baseline, 5),
+        "baseline_name": "",
+        "ratio": ratio,
+        "runs": 0,
+    }
