@@ -1,12 +1,15 @@
 """Compiled kernels on disk: whatever is wrong with a file, it is compiled and written again."""
 
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+import scenewright
 
 PROGRAM = """
 import numpy as np
@@ -104,3 +107,50 @@ def test_processes_that_compile_at_once_do_not_disturb_each_other(tmp_path: Path
     assert len(kernels(tmp_path)) == 1
     assert not list(tmp_path.rglob("*.partial"))
     assert run(tmp_path) == [ANSWER, "0"]
+
+
+EACH = """
+import numpy as np
+from scenewright.geometry.compile_clock import compile_clock
+from scenewright.geometry.boxes import wrap
+from scenewright.domains.home.terms.packing import size
+from scenewright.domains.site.solvers.perimeter_block import set_along
+few, none = np.zeros((1, 4)), np.zeros((0, 5))
+calls = (wrap, (7.0,)), (size, (4.5, 10.0)), (set_along, (few, few, 1.0, none, none))
+for kernel, given in calls:
+    with compile_clock() as clock:
+        kernel(*given)
+    print(clock.kernels)
+"""
+
+
+def test_words_compile_nothing_and_code_what_it_is_part_of(tmp_path: Path) -> None:
+    """Edits in a copy of the sources: of a docstring, of a home's constant, of a part of sites."""
+    sources = tmp_path / "scenewright"
+    unread = shutil.ignore_patterns("__pycache__", "*.json", "samples")
+    shutil.copytree(Path(scenewright.__file__).parent, sources, ignore=unread)
+    boxes = sources / "geometry/boxes.py"
+
+    def kernels_compiled() -> str:
+        given = command(tmp_path / "kernels") | {"PYTHONPATH": str(tmp_path)}
+        ended = subprocess.run(
+            [sys.executable, "-c", EACH], env=given, capture_output=True, text=True, check=True
+        )
+        return "".join(ended.stdout.split())
+
+    def edit(file: Path, old: str, new: str) -> None:
+        text = file.read_text(encoding="utf-8")
+        assert old in text
+        file.write_text(text.replace(old, new), encoding="utf-8")
+
+    assert kernels_compiled() == "111"
+    assert kernels_compiled() == "000"
+    edit(boxes, '"""The angle brought into', '"""More words.\n\n    The angle brought into')
+    edit(boxes, "@compiled\ndef wrap", "# a comment\n\n@compiled\ndef wrap")
+    assert kernels_compiled() == "000", "words are no code"
+    edit(sources / "domains/home/terms/packing.py", "MOST_SHARE = 0.55", "MOST_SHARE = 0.56")
+    assert kernels_compiled() == "010", "a home's constant is no part of sites"
+    edit(sources / "domains/site/solvers/perimeter_block.py", "HAIR * HAIR", "HAIR * 0.5 * HAIR")
+    assert kernels_compiled() == "001", "a part is code of the kernel it is copied into"
+    edit(boxes, "angle - 2.0 * math.pi", "angle - 2.5 * math.pi")
+    assert kernels_compiled() == "100"

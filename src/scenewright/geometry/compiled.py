@@ -1,7 +1,7 @@
 """How kernels are compiled: numba, no Python inside, kept on disk between runs.
 
-A file of kernels says nothing of the files whose functions were inlined into them. So the cache
-folder is named by the size and time of every kernel source: any change starts afresh.
+What is kept is found by the code of a kernel and of all that is copied into it
+(:mod:`scenewright.geometry.code_digest`): a change elsewhere, or of words only, compiles nothing.
 """
 
 from __future__ import annotations
@@ -27,28 +27,12 @@ OPTIONS: dict[str, Any] = {
     "_nrt": False,
     "no_cfunc_wrapper": True,
 }
-SOURCES = (
-    "engine",
-    "geometry",
-    "render",
-    "domains/*/problem.py",
-    "domains/*/energy.py",
-    "domains/*/terms",
-    "domains/*/encodings",
-    "domains/*/patterns",
-    "domains/*/solvers",
-)
 
 
-def fingerprint(package: Path) -> str:
-    """Short name for the present state of the kernel sources below ``package``."""
-    versions = f"{numba.__version__} {sys.implementation.cache_tag}"
-    digest = blake2b(versions.encode(), digest_size=6)
-    for source in SOURCES:
-        for file in sorted(package.glob(source if "." in source else f"{source}/**/*.py")):
-            told = file.stat()
-            digest.update(f"{file.name} {told.st_size} {told.st_mtime_ns};".encode())
-    return digest.hexdigest()
+def fingerprint() -> str:
+    """Short name for the compilers: numba's, Python's and how they are used."""
+    versions = f"{numba.__version__} {sys.implementation.cache_tag} {OPTIONS}"
+    return blake2b(versions.encode(), digest_size=6).hexdigest()
 
 
 @cache
@@ -62,11 +46,11 @@ def cache_folders() -> tuple[Path, ...]:
         with suppress(RuntimeError):  # a user without a home
             own = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
             roots.append(Path(own) / "scenewright")
-    return tuple(root / f"kernels-{fingerprint(package)}" for root in roots)
+    return tuple(root / f"kernels-{fingerprint()}" for root in roots)
 
 
 def is_cold() -> bool:
-    """True if nothing was compiled yet for these sources: the first call will take seconds."""
+    """True if nothing was compiled yet with these compilers: the first call will take seconds."""
     return not any(next(folder.glob(f"*{SUFFIX}"), None) for folder in cache_folders())
 
 

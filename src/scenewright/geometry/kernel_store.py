@@ -4,7 +4,8 @@ A file is a mark, a digest of what follows and the compiler's result. What is mi
 altered, unreadable or of another compiler counts as not there: it is removed, compiled and written
 again. Files appear whole, so that processes that compile at once do not disturb each other, and
 a folder that cannot be written to costs time but no failure. The name of a file tells processor,
-signature and source apart.
+signature and code apart (:mod:`scenewright.geometry.code_digest`): what was compiled is used until
+the code of a kernel, or of what is copied into it, changes.
 """
 
 from __future__ import annotations
@@ -21,6 +22,8 @@ from typing import Any
 
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
+
+from scenewright.geometry.code_digest import code_digest
 
 SUFFIX = ".kernel"
 MARK = b"scenewright kernel 1\n"
@@ -68,16 +71,8 @@ class KernelStore:
 
 def file_name(function: Callable[..., Any], signature: Any, codegen: Any) -> str:
     """Name for a function as compiled for one signature on one kind of processor."""
-    source = os.stat(function.__code__.co_filename)
-    state = (
-        str(signature),
-        codegen.magic_tuple(),
-        function.__code__.co_firstlineno,
-        source.st_size,
-        source.st_mtime_ns,
-    )
-    digest = blake2b(repr(state).encode(), digest_size=8)
-    digest.update(function.__code__.co_code)
+    digest = blake2b(repr((str(signature), codegen.magic_tuple())).encode(), digest_size=8)
+    digest.update(code_digest(function))
     place = function.__module__.rpartition(".")[2]
     return f"{place}.{function.__name__}-{digest.hexdigest()}{SUFFIX}"
 
