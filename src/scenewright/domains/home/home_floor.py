@@ -166,15 +166,22 @@ def list_obstacles(
         for k, p in enumerate(solid)
         if p.space in floor.rooms or shapes[k].intersection(inside).area > UNSEEN
     ]
-    wide = {k: shapes[k].buffer(SLACK, join_style="mitre") for k in near}
-    return tuple(
-        Obstacle(solid[k].id, shapes[k])
-        for k in near
-        if not any(
-            solid[k].pose.z > max(solid[j].pose.z, SLACK) and wide[j].covers(shapes[k])
-            for j in near
-        )
-    )
+    carried = _find_carried(near, solid, shapes)
+    return tuple(Obstacle(solid[k].id, shapes[k]) for k in near if k not in carried)
+
+
+def _find_carried(near: list[int], solid: list[Piece], shapes: list[Shape]) -> set[int]:
+    """Those of the pieces ``near`` that stand on or hang over one lower than they are."""
+    heights = np.array([solid[k].pose.z for k in near])
+    if not (heights > SLACK).any():
+        return set()
+    ground = np.array([shapes[k] for k in near])
+    wide = shapely.buffer(ground, SLACK, join_style="mitre")
+    return {
+        near[i]
+        for i in np.flatnonzero(heights > SLACK)
+        if shapely.covers(wide[heights < heights[i]], ground[i]).any()
+    }
 
 
 def _takes_floor(piece: Piece, catalog: Catalog) -> bool:
