@@ -10,6 +10,7 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.solution import Solution
 from scenewright.domains import scene_of
 from scenewright.drawing import rooms
+from scenewright.drawing.svg import write_svg
 
 _HEAD = re.compile(r'<svg [^>]*?width="([\d.]+)mm" height="([\d.]+)mm"', re.DOTALL)
 _NAMES = re.compile(r'(\bid="|href="#|url\(#)')
@@ -37,7 +38,7 @@ def sheet(home: Home) -> str:
 
 def _plan(solution: Solution, name: str, prefix: str) -> tuple[str, float, float]:
     """A plan to stand within another, names of its own, and its width and height in millimetres."""
-    text = rooms.plan(replace(scene_of(solution), name=name), shipped())
+    text = write_svg(rooms.plan(replace(scene_of(solution), name=name), shipped()))
     text = text[text.index("<svg ") :]
     found = _HEAD.search(text)
     if found is None:

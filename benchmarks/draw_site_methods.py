@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 
 from benchmarks.site_methods import BUDGETS, EVALUATIONS, SECONDS, chosen, rows
-from scenewright.drawing.marks import GREY, INK, PALE, group, line, number, shape, tag, text
+from scenewright.drawing.marks import GREY, INK, PALE, Mark, group, line, shape, text
+from scenewright.drawing.svg import mark_text, number, tag
 
 Row = dict[str, Any]
 FONT = "Helvetica, Arial, 'DejaVu Sans', sans-serif"
@@ -59,7 +60,7 @@ def sheet(found: list[Row]) -> str:
     seeds = len({row["seed"] for row in found})
     told = f"Scenes of 6 to 120 buildings, {seeds} seeds: medians and quartiles"
     marks = [
-        tag("rect", width=width, height=height, fill="#ffffff"),
+        shape([[(0, 0), (width, 0), (width, height), (0, height)]], fill="#ffffff"),
         text(told, (LEFT, 5.0), 3.6, text_anchor="start", font_weight="bold"),
     ]
     names = {"evaluations": f"{EVALUATIONS} evaluations", "seconds": f"{SECONDS:g} s each"}
@@ -78,7 +79,7 @@ def sheet(found: list[Row]) -> str:
         )
     return tag(
         "svg",
-        "\n".join(marks),
+        "\n".join(map(mark_text, marks)),
         xmlns="http://www.w3.org/2000/svg",
         version="1.1",
         width=f"{width:g}mm",
@@ -95,7 +96,7 @@ def _panel(
     panel: tuple[str, str, float],
     corner: tuple[float, float],
     named: bool,
-) -> str:
+) -> Mark:
     """One figure of all methods over the size of the scene."""
     name, words, times = panel
     sizes = sorted({row["buildings"] for row in found})
@@ -160,7 +161,7 @@ def _step(most: float) -> float:
     return float(unit * min((m for m in (1, 2, 5, 10) if m * unit >= rough), default=10))
 
 
-def _names(ends: dict[str, float], x: float) -> list[str]:
+def _names(ends: dict[str, float], x: float) -> list[Mark]:
     """The methods' names beside the ends of their curves, moved apart where they would meet."""
     order = sorted(ends, key=lambda method: ends[method])
     places = [ends[method] for method in order]

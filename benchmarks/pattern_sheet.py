@@ -25,17 +25,19 @@ from scenewright.drawing.marks import (
     GREY,
     INK,
     LINE,
+    NOTHING,
     OUTLINE,
     POCHE,
+    Mark,
     PaperView,
     arrow_head,
     group,
     line,
     shape,
-    tag,
     text,
     to_paper,
 )
+from scenewright.drawing.svg import mark_text, tag
 
 Floats = NDArray[np.float64]
 
@@ -104,7 +106,7 @@ def grown(boxes: Floats, category: str) -> Floats:
     )
 
 
-def drawn(name: str, x: float, y: float, wide: float) -> str:
+def drawn(name: str, x: float, y: float, wide: float) -> Mark:
     """One cell so wide with its upper left corner at paper point x, y."""
     example = EXAMPLES[name]
     boxes = wall_boxes(example) if name == "wall" else free_boxes(name, example)
@@ -137,7 +139,7 @@ def rings(view: PaperView, boxes: Floats) -> Iterable[Floats]:
     return list(to_paper(view, corners(boxes)))
 
 
-def front_marks(view: PaperView, boxes: Floats) -> list[str]:
+def front_marks(view: PaperView, boxes: Floats) -> list[Mark]:
     """A small arrow head at the front of every object."""
     marks = []
     for x, y, heading, _, depth in boxes:
@@ -147,7 +149,7 @@ def front_marks(view: PaperView, boxes: Floats) -> list[str]:
     return marks
 
 
-def around(name: str, view: PaperView, boxes: Floats) -> str:
+def around(name: str, view: PaperView, boxes: Floats) -> Mark:
     """What a pattern refers to: the walls of a row, the apex of a fan, the centre of rings."""
     if name == "wall":
         ring = np.array(ROOM) - np.array(ROOM[2]) / 2
@@ -158,7 +160,7 @@ def around(name: str, view: PaperView, boxes: Floats) -> str:
         return line(
             to_paper(view, ends), fill="none", stroke=GREY, stroke_width=0.2, stroke_dasharray="1 1"
         )
-    return ""
+    return NOTHING
 
 
 def apex(boxes: Floats) -> Floats:
@@ -169,15 +171,16 @@ def apex(boxes: Floats) -> Floats:
     return found
 
 
-def key(y: float) -> str:
+def key(y: float) -> Mark:
     """What the colours mean, and the scale."""
     bar = np.array([[10.0, y], [10.0 + 2 * SCALE, y]])
+    swatch = [(42.0, y - 2.2), (49.0, y - 2.2), (49.0, y + 1.8), (42.0, y + 1.8)]
     words = "wish for free floor (clearance); where two overlap, two objects share it"
     return group(
         [
             line(bar, stroke=INK, stroke_width=OUTLINE, fill="none"),
             text("2 m", (10.0 + SCALE, y - 2.5), 2.7),
-            tag("rect", x=42.0, y=y - 2.2, width=7.0, height=4.0, fill=ALLEY),
+            shape([swatch], fill=ALLEY),
             text(words, (52.0, y), 2.9, text_anchor="start"),
             shape([arrow_head((178.0, y - 1.4), (0.0, -1.0), 2.6)], fill=FRONT),
             text("front", (182.0, y), 2.9, text_anchor="start"),
@@ -199,7 +202,7 @@ def sheet() -> str:
     return (
         tag(
             "svg",
-            "\n".join([paper, *cells, key(height - 7.0)]),
+            "\n".join([paper, *map(mark_text, [*cells, key(height - 7.0)])]),
             xmlns="http://www.w3.org/2000/svg",
             viewBox=f"0 0 {width:g} {height:g}",
             width=f"{3 * width:g}",

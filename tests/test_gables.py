@@ -18,6 +18,7 @@ from scenewright.core.catalog import Part
 from scenewright.core.scene import Prism, Scene
 from scenewright.drawing import rooms
 from scenewright.drawing.slopes import contours
+from scenewright.drawing.svg import write_svg
 from scenewright.geometry.mesh import volume
 from scenewright.render.items import things
 
@@ -120,7 +121,7 @@ def test_plans_show_where_the_ceiling_is_one_and_two_metres_high() -> None:
     assert sorted(round(float(line[0]), 3) for line in lines) == pytest.approx(
         [max(1.1 / np.tan(0.7), 0.2 / np.tan(0.2)), 4 - 0.7 / np.tan(0.5)], abs=0.002
     )
-    text = rooms.plan(scene, catalog_of([]))
+    text = write_svg(rooms.plan(scene, catalog_of([])))
     assert text.count("2.0 m<") >= 2
     assert text.count("1.0 m<") >= 1
     assert "living area" in text

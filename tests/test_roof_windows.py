@@ -17,6 +17,7 @@ from scenewright.domains import scene_of
 from scenewright.domains.home import solving as home
 from scenewright.domains.home.ground import ground_of
 from scenewright.drawing import rooms
+from scenewright.drawing.svg import write_svg
 
 STEEP = {"edge": 0, "knee": 0.9, "pitch": 1.1}
 SLOPE = {"edge": 0, "knee": 1.0, "pitch": math.pi / 4}
@@ -95,7 +96,7 @@ def test_a_roof_window_is_drawn_and_has_neither_hole_nor_curtain() -> None:
     assert all(p.base == 0 for p in wall.prisms)
     plain = scene_of(home.solve(brief(SLOPE), steps=500))
     dashed = 'stroke-dasharray="1 0.7"'
-    drawn = [rooms.plan(s, catalog_of([])).count(dashed) for s in (scene, plain)]
+    drawn = [write_svg(rooms.plan(s, catalog_of([]))).count(dashed) for s in (scene, plain)]
     assert drawn[0] == drawn[1] + 1
 
 

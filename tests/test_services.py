@@ -30,6 +30,7 @@ from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.problem import Problem, empty_items
 from scenewright.domains.home.wished.plugged import out_of_reach
 from scenewright.drawing import rooms
+from scenewright.drawing.svg import write_svg
 from scenewright.formats import solution_json
 from scenewright.formats.brief_json import loads
 
@@ -303,10 +304,10 @@ def test_plans_draw_outlets_and_radiators() -> None:
         ],
     )
     solution = home.solve(brief, steps=500)
-    drawn = rooms.plan(scene_of(solution), shipped())
+    drawn = write_svg(rooms.plan(scene_of(solution), shipped()))
     titles = ("power outlet", "antenna outlet", "data outlet", "water outlet, required", "Radiator")
     assert all(f"<title>{told}" in drawn for told in titles)
-    without = rooms.plan(scene_of(home.solve(room(), steps=500)), shipped())
+    without = write_svg(rooms.plan(scene_of(home.solve(room(), steps=500)), shipped()))
     assert "outlet" not in without
 
 

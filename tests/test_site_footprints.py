@@ -28,6 +28,7 @@ from scenewright.domains.site.solvers.interlock import blocks_of, convex_parts, 
 from scenewright.domains.site.solving import problems
 from scenewright.domains.site.terms.measure import evaluate
 from scenewright.drawing.marks import PaperView
+from scenewright.drawing.svg import mark_text
 from scenewright.formats import brief_json, solution_json
 from sites import SOUTH, building, site
 
@@ -160,7 +161,7 @@ def test_files_show_the_polygon(tmp_path: Path) -> None:
 def test_the_plan_marks_the_side_farthest_ahead() -> None:
     corners = np.array([(0, 0), (30, 0), (30, 7), (8, 7), (8, 16), (0, 16)], float)
     house = StandingBuilding("h", "", "villa", "s", corners, 0, 7, np.pi / 2, 2, False)
-    drawn = buildings_mark(PaperView(1.0, 0.0, 0.0), [house])
+    drawn = mark_text(buildings_mark(PaperView(1.0, 0.0, 0.0), [house]))
     tips = [[*map(float, spot.split(","))] for spot in re.findall(r"-?[0-9.]+,-?[0-9.]+", drawn)]
     assert np.mean([x for x, _ in tips[-3:]]) == pytest.approx(4.0, abs=0.1)
 

@@ -27,6 +27,7 @@ from scenewright.core.stairs import Stairs, build_stairs
 from scenewright.domains import check, resolve, scene_of
 from scenewright.domains.home import solving as home
 from scenewright.drawing import rooms
+from scenewright.drawing.svg import write_svg
 from scenewright.formats import solution_json
 from scenewright.render.items import things
 
@@ -344,7 +345,7 @@ def test_saved_homes_keep_their_stairs_once(furnished: Solution, tmp_path: Path)
 
 def test_they_are_drawn_on_both_plans(furnished: Solution) -> None:
     scene = scene_of(furnished)
-    text = rooms.plan(scene, catalog_of([]))
+    text = write_svg(rooms.plan(scene, catalog_of([])))
     told = "stairs: 17 rises of 17.1 cm, goings of 22.0 cm"
     assert text.count(f"<title>{told}</title>") == 2
     assert len(re.findall(r"stroke-dasharray=\"0\.9 0\.6\"", text)) == 9, "treads above the cut"

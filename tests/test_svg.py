@@ -19,16 +19,19 @@ from scenewright.core.kind import Kind
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.core.space import Level, Opening, Space
-from scenewright.domains import scene_of
+from scenewright.domains import draw_plan, scene_of, solve
 from scenewright.drawing import rooms
 from scenewright.drawing import sheet as svg_sheet
 from scenewright.drawing.dimensions import chains
 from scenewright.drawing.labels import extent, place, polygon_of, wordings
-from scenewright.drawing.marks import PaperView, clean, number, text_width, to_paper
+from scenewright.drawing.marks import PaperView, clean, text_width, to_paper
 from scenewright.drawing.pieces import drawing_height, footprint, pieces_mark, symbol
 from scenewright.drawing.shell import cut_walls, openings_mark, swing_square, walls_mark
+from scenewright.drawing.svg import mark_text, number, write_svg
+from scenewright.formats import read
 
 SVG = "{http://www.w3.org/2000/svg}"
+INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 UNIT = PaperView(20.0, 0.0, 0.0)
 PLACES = st.floats(-50, 50)
 KINDS = {
@@ -52,7 +55,7 @@ def rings(path: str) -> list[np.ndarray]:
 
 
 def test_walls_keep_their_area_at_scale(scene: Scene) -> None:
-    root = ET.fromstring(walls_mark(UNIT, scene.walls))
+    root = ET.fromstring(mark_text(walls_mark(UNIT, scene.walls)))
     dark = [p for p in root.iter("path") if p.get("fill") not in ("#ffffff", "none")]
     drawn = 0.0
     for path in dark:
@@ -82,7 +85,7 @@ def test_the_door_arc_turns_around_the_hinge(
     along = np.array([np.cos(angle), np.sin(angle)])
     left = np.array([-along[1], along[0]])
     door = Opening("d", "door", "0", 3.0, 2.0, *along, width, thickness, 0, 2.05, hinge, swing)
-    mark = openings_mark(UNIT, [door])
+    mark = mark_text(openings_mark(UNIT, [door]))
     found = re.search(r"M([-\d.]+),([-\d.]+)A([\d.]+),\S+ 0 0 ([01]) ([-\d.]+),([-\d.]+)", mark)
     assert found
     x0, y0, radius, sweep, x1, y1 = map(float, found.groups())
@@ -112,7 +115,7 @@ def test_the_front_is_drawn_at_the_front() -> None:
     piece = Piece("a", "sofa", "", "r", Pose(5, 5, 0, 0.0), Size(2, 1, 1))
     outline, front = symbol(piece, Catalog())
     assert outline[0].tolist() == outline[-1].tolist()
-    drawn = pieces_mark(PaperView(20, 0, 0), [piece], Catalog())
+    drawn = mark_text(pieces_mark(PaperView(20, 0, 0), [piece], Catalog()))
     # heading 0 looks to +x, so the front line is right of the middle on paper
     assert f"M{number(108.5)},-120 {number(108.5)},-80" in drawn
     assert front[:, 1].tolist() == [0.425, 0.425]
@@ -129,7 +132,7 @@ def test_lower_things_are_drawn_first(scene: Scene) -> None:
     order = sorted(heights, key=lambda name: drawing_height(heights[name], KINDS))
     assert order == ["rug", "chair", "table", "vase", "lamp"]
     lamp = Piece("p", "pendant", "", "r", Pose(0, 0, 2.0, 0), Size(0.2, 0.2, 0.3))
-    drawn = pieces_mark(UNIT, [*list(heights.values())[::-1], lamp], Catalog(KINDS))
+    drawn = mark_text(pieces_mark(UNIT, [*list(heights.values())[::-1], lamp], Catalog(KINDS)))
     assert "pendant" not in drawn
     assert [drawn.index(f"<title>{name}</title>") for name in order] == sorted(
         drawn.index(f"<title>{name}</title>") for name in order
@@ -144,7 +147,7 @@ def test_a_hostile_name_stays_text(tmp_path: Path) -> None:
     brief = solution.brief.model_copy(update={"rooms": [room, solution.brief.rooms[1]]})
     piece = dataclasses.replace(solution.pieces[0], category=hostile, asset=hostile)
     solution = dataclasses.replace(solution, brief=brief, pieces=(piece,))
-    text = rooms.plan(scene_of(solution), Catalog())
+    text = write_svg(rooms.plan(scene_of(solution), Catalog()))
     allowed = {"svg", "title", "rect", "g", "path", "circle", "text", "defs", "pattern"}
     root = ET.fromstring(text)
     assert {node.tag.removeprefix(SVG) for node in root.iter()} <= allowed
@@ -162,7 +165,7 @@ def test_cleaned_words_are_one_printable_line(words: str) -> None:
 
 
 def test_the_sheet_is_in_millimetres_and_holds_the_drawing(scene: Scene) -> None:
-    root = ET.fromstring(rooms.plan(scene, Catalog()))
+    root = ET.fromstring(write_svg(rooms.plan(scene, Catalog())))
     assert (root.get("version"), root.get("width"), root.get("height")) == ("1.1", "297mm", "210mm")
     _, _, width, height = map(float, root.get("viewBox", "").split())
     for path in root.iter(f"{SVG}path"):
@@ -184,7 +187,7 @@ def test_every_drawing_gets_a_sheet_it_fits(
 
 
 def test_dimensions_tell_the_building(scene: Scene) -> None:
-    root = ET.fromstring(rooms.plan(scene, Catalog()))
+    root = ET.fromstring(write_svg(rooms.plan(scene, Catalog())))
     words = [node.text for node in root.iter(f"{SVG}text")]
     # 5.00 + 0.12 + 3.08 inside, 0.25 of wall on either side; openings and the wall between
     assert {"8.70", "4.50", "5.31", "3.39", "0.90", "1.80"} <= set(words)
@@ -269,7 +272,7 @@ def test_levels_stand_side_by_side(scene: Scene) -> None:
         spaces=(*scene.spaces, *upper),
         walls=(*scene.walls, *walls),
     )
-    root = ET.fromstring(rooms.plan(two, Catalog()))
+    root = ET.fromstring(write_svg(rooms.plan(two, Catalog())))
     captions = [node for node in root.iter(f"{SVG}text") if "floor ·" in (node.text or "")]
     assert [node.text for node in captions] == [
         "Ground floor · ±0.00 · 32.3 m²",
@@ -283,4 +286,24 @@ def test_levels_stand_side_by_side(scene: Scene) -> None:
 
 def test_an_empty_scene_still_makes_a_sheet() -> None:
     empty = Scene("nothing", (), (), (), (), ())
-    assert ET.fromstring(rooms.plan(empty, Catalog())).tag == f"{SVG}svg"
+    assert ET.fromstring(write_svg(rooms.plan(empty, Catalog()))).tag == f"{SVG}svg"
+
+
+def test_every_kind_of_scene_is_drawn_in_layers_by_name() -> None:
+    """What a drawing program shows and hides: no layer twice, none empty, in the order drawn."""
+    samples = {
+        "home-room": ["Floors", "Furniture", "Walls", "Names"],
+        "hall-shop": ["Zones", "Furniture", "Walls", "Route", "Legend"],
+        "site-30": ["Ground", "Buildings", "Names", "Legend"],
+    }
+    for sample, wanted in samples.items():
+        solution = solve(read(f"sample:{sample}"), steps=200)
+        drawing = draw_plan(solution)
+        names = [layer.name for layer in drawing.layers]
+        assert len(set(names)) == len(names)
+        assert [name for name in names if name in wanted] == wanted
+        root = ET.fromstring(write_svg(drawing))
+        layers = [g for g in root.findall(f"{SVG}g") if (g.get("id") or "").startswith("layer-")]
+        assert [g.get(f"{INKSCAPE}label") for g in layers] == names
+        assert all(len(layer) for layer in layers)
+        assert not [node for node in root if node.tag == f"{SVG}path"], "all is in a layer"

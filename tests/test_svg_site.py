@@ -15,6 +15,7 @@ from scenewright.domains.site.drawing import plan as svg_site
 from scenewright.domains.site.drawing.marks import FAULT, HATCH, tint
 from scenewright.domains.site.drawing.views import views_of
 from scenewright.domains.site.plan import plans_of
+from scenewright.drawing.svg import write_svg
 from scenewright.formats import svg
 from sites import answer, building, field, quarter, site
 
@@ -22,7 +23,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def draw_site(solution, views=None):
-    return svg_site.plan(solution, plans_of(solution.brief), check(solution), views)
+    return write_svg(svg_site.plan(solution, plans_of(solution.brief), check(solution), views))
 
 
 def drawn(ground, pieces, views=None):

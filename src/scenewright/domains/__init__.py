@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from scenewright.core.brief import Brief
 from scenewright.core.brief.domain_keys import check_domain
@@ -22,6 +22,9 @@ from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.domains.contract import Domain
+
+if TYPE_CHECKING:
+    from scenewright.drawing.layers import PlanDrawing
 
 __all__ = [
     "adjust",
@@ -150,12 +153,12 @@ def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:
     return scene
 
 
-def draw_plan(solution: Solution, plan: Plan | None = None) -> str:
-    """The plan of a solution to print, as SVG text."""
+def draw_plan(solution: Solution, plan: Plan | None = None) -> PlanDrawing:
+    """The plan of a solution to print."""
     made = plan or plan_of(solution.brief)
     judge = partial(check, solution, plan=made)
-    text: str = domain_of(solution.brief.domain).verb("draw")(solution, made, judge)
-    return text
+    drawing: PlanDrawing = domain_of(solution.brief.domain).verb("draw")(solution, made, judge)
+    return drawing
 
 
 def alternatives(

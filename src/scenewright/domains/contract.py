@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from importlib import import_module
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from scenewright.core.brief import Brief
 from scenewright.core.brief.fields import FURNITURE
@@ -20,6 +20,9 @@ from scenewright.core.registry import Format
 from scenewright.core.report import Report
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
+
+if TYPE_CHECKING:
+    from scenewright.drawing.layers import PlanDrawing
 
 Verb = Literal[
     "plan",
@@ -89,10 +92,12 @@ class Staging(Protocol):
 
 
 class Drawing(Protocol):
-    """``draw``: the plan as SVG text. ``judge`` gives the referee's report, for plans that show
+    """``draw``: the plan to print. ``judge`` gives the referee's report, for plans that show
     some of it."""
 
-    def __call__(self, solution: Solution, plan: Plan, judge: Callable[[], Report]) -> str: ...
+    def __call__(
+        self, solution: Solution, plan: Plan, judge: Callable[[], Report]
+    ) -> PlanDrawing: ...
 
 
 class Domain(NamedTuple):

@@ -16,6 +16,8 @@ from scenewright.drawing.marks import (
     FINE,
     GREY,
     LINE,
+    NOTHING,
+    Mark,
     PaperView,
     group,
     line,
@@ -71,7 +73,7 @@ def margins(found: dict[Side, list[DimensionChain]]) -> dict[Side, float]:
     return {side: FIRST + STEP * len(rows) if rows else 3.0 for side, rows in found.items()}
 
 
-def chains_mark(view: PaperView, bounds: Bounds, found: dict[Side, list[DimensionChain]]) -> str:
+def chains_mark(view: PaperView, bounds: Bounds, found: dict[Side, list[DimensionChain]]) -> Mark:
     """All chains of a plan, with the stations whose figures can be read at its scale."""
     marks = []
     for rows in found.values():
@@ -106,7 +108,7 @@ def readable(stations: Sequence[float], scale: float) -> tuple[float, ...]:
     return (*kept, last)
 
 
-def _chain_mark(view: PaperView, bounds: Bounds, chain: DimensionChain, offset: float) -> str:
+def _chain_mark(view: PaperView, bounds: Bounds, chain: DimensionChain, offset: float) -> Mark:
     places = [_on_paper(view, bounds, chain.side, s) for s in chain.stations]
     out = _outward(chain.side)
     along = np.array([1.0, 0.0]) if chain.side in ("south", "north") else np.array([0.0, 1.0])
@@ -131,12 +133,12 @@ def _chain_mark(view: PaperView, bounds: Bounds, chain: DimensionChain, offset: 
     return group(marks)
 
 
-def _measure(metres: float, middle: NDArray[np.float64], side: Side, room: float) -> str:
+def _measure(metres: float, middle: NDArray[np.float64], side: Side, room: float) -> Mark:
     """The figure over its segment, smaller where that is short, none where there is no room."""
     words = f"{metres:.2f}"
     size = DIGITS if text_width(words, DIGITS) < room - 0.6 else SMALL
     if text_width(words, size) > room:
-        return ""
+        return NOTHING
     turned = side in ("west", "east")
     up = np.array([-1.0, 0.0]) if turned else np.array([0.0, -1.0])
     return text(words, middle + 1.5 * up, size, 90 if turned else 0, stroke="none", fill=GREY)

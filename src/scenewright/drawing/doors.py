@@ -13,6 +13,8 @@ from scenewright.drawing.marks import (
     FINE,
     GREY,
     INK,
+    NOTHING,
+    Mark,
     PaperView,
     group,
     plate,
@@ -36,7 +38,7 @@ Vector = NDArray[np.float64]
 
 def doors_mark(
     view: PaperView, openings: Sequence[Opening], middle: ArrayLike | None = None
-) -> str:
+) -> Mark:
     """Widths in the doors between rooms and a triangle at those that lead outside. In halls
     there are words and the width beside the triangle, towards the ``middle`` of the plan."""
     doors = [opening for opening in openings if opening.kind != "window"]
@@ -45,7 +47,7 @@ def doors_mark(
         if len(door.spaces) > 1:
             marks.append(_width(view, door))
         elif middle is None:
-            marks.append(_width(view, door) + _before(view, door))
+            marks += [_width(view, door), _before(view, door)]
         else:
             marks.append(_note(view, door, np.asarray(middle, dtype=float)))
     return group(marks)
@@ -56,7 +58,7 @@ def outwards(door: Opening) -> Vector:
     return -frame_of(door)[2]
 
 
-def _before(view: PaperView, door: Opening) -> str:
+def _before(view: PaperView, door: Opening) -> Mark:
     """A triangle before the door, or behind it where its leaf turns outwards."""
     side = outwards(door) * (-1.0 if door.swing < 0 else 1.0)
     face = frame_of(door)[0] + side * door.thickness / 2
@@ -64,7 +66,7 @@ def _before(view: PaperView, door: Opening) -> str:
     return triangle(at, _paper(-outwards(door)), INK)
 
 
-def triangle(at: Vector, way: Vector, fill: str) -> str:
+def triangle(at: Vector, way: Vector, fill: str) -> Mark:
     """A triangle on paper, its middle at ``at``, that points along ``way``."""
     half = WIDE / 2 * np.array([-way[1], way[0]])
     foot = at - LONG / 2 * way
@@ -72,18 +74,18 @@ def triangle(at: Vector, way: Vector, fill: str) -> str:
     return shape([corners], fill=fill, stroke="#ffffff", stroke_width=FINE)
 
 
-def _width(view: PaperView, door: Opening) -> str:
+def _width(view: PaperView, door: Opening) -> Mark:
     """The clear width in metres, set into the opening where the wall is thick enough."""
     size = min(FIGURE, 0.62 * door.thickness * view.scale)
     words = f"{door.width:.2f}"
     room = door.width * view.scale - 0.6
     if size < LEAST or text_width(words, size) > room or (door.kind == "door" and not door.hinge):
-        return ""
+        return NOTHING
     middle, along, _ = frame_of(door)
     return text(words, to_paper(view, middle), size, _turn(along), fill=GREY, stroke="none")
 
 
-def _note(view: PaperView, door: Opening, middle: Vector) -> str:
+def _note(view: PaperView, door: Opening, middle: Vector) -> Mark:
     """Triangles in and out, what the door is for and its width: outside, beside it."""
     at, along, _ = frame_of(door)
     out = _paper(outwards(door))

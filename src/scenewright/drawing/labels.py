@@ -11,7 +11,17 @@ from shapely import Geometry, Point, Polygon, contains_xy, prepare
 from shapely.ops import polylabel
 
 from scenewright.core.space import Space
-from scenewright.drawing.marks import GREY, INK, PaperView, clean, group, text, text_width, to_paper
+from scenewright.drawing.marks import (
+    GREY,
+    INK,
+    Mark,
+    PaperView,
+    clean,
+    group,
+    text,
+    text_width,
+    to_paper,
+)
 
 NAME, AREA, SIZE = 2.5, 2.0, 1.6
 """Text heights in millimetres: room name, its area, its inner dimensions."""
@@ -31,7 +41,7 @@ class Label(NamedTuple):
 
 def labels_mark(
     view: PaperView, spaces: Sequence[Space], busy: Sequence[Geometry], halos: Sequence[str]
-) -> str:
+) -> Mark:
     """Names of all rooms; ``busy[i]`` is what label i should not cover, in plan metres, and
     ``halos[i]`` the colour around its letters."""
     rows = zip(spaces, busy, halos, strict=True)
@@ -196,7 +206,7 @@ def _candidates(room: Polygon, count: int = 24) -> NDArray[np.float64]:
     return np.vstack([np.array(room.representative_point().coords), inside])
 
 
-def _label_mark(view: PaperView, label: Label, at: NDArray[np.float64], colour: str) -> str:
+def _label_mark(view: PaperView, label: Label, at: NDArray[np.float64], colour: str) -> Mark:
     """The lines, each over its own halo, stacked around the position."""
     centre = to_paper(view, at)
     heights = np.array([1.35 * size for _, size in label.lines])

@@ -13,16 +13,17 @@ from scenewright.drawing.marks import (
     GREY,
     INK,
     LINE,
+    NOTHING,
     OUTLINE,
     POCHE,
     ROUTE,
+    Mark,
     arrow_head,
     clean,
     fit_text,
     group,
     line,
     shape,
-    tag,
     text,
     text_width,
 )
@@ -119,10 +120,10 @@ def _flow(rows: Sequence[LegendRow], per: int) -> list[tuple[LegendRow, ...]]:
     return columns
 
 
-def legend_mark(arranged: Arrangement) -> str:
+def legend_mark(arranged: Arrangement) -> Mark:
     """The columns with a thin line that parts them from the drawing."""
     if not arranged.columns:
-        return ""
+        return NOTHING
     sheet, (wide, high) = arranged.sheet, arranged.room
     beside = wide < drawing_area(sheet)[0] - 1e-6
     if beside:
@@ -136,7 +137,7 @@ def legend_mark(arranged: Arrangement) -> str:
     return group(marks, fill="none")
 
 
-def _row(row: LegendRow, left: float, y: float) -> str:
+def _row(row: LegendRow, left: float, y: float) -> Mark:
     room = COLUMN - INSET
     if row.sign == "heading":
         rule = line(
@@ -144,7 +145,7 @@ def _row(row: LegendRow, left: float, y: float) -> str:
             stroke=GREY,
             stroke_width=FINE,
         )
-        return _words(row.words, left, y, 1.05 * TEXT, weight="bold") + rule
+        return group([_words(row.words, left, y, 1.05 * TEXT, weight="bold"), rule])
     told = text_width(row.right, 0.9 * TEXT) + 2.0 if row.right else 0.0
     words, size = fit_text(clean(row.words, 80), TEXT, room - SIGN - told - 2.0, 0.75)
     marks = [_sign(row, left, y), _words(words, left + SIGN, y, size)]
@@ -161,12 +162,12 @@ def _words(
     anchor: str = "start",
     weight: str = "normal",
     fill: str = INK,
-) -> str:
+) -> Mark:
     style: dict[str, str | float] = {"text_anchor": anchor, "font_weight": weight, "fill": fill}
     return text(words, (x, y), size, 0.0, stroke="none", **style)
 
 
-def _sign(row: LegendRow, left: float, y: float) -> str:
+def _sign(row: LegendRow, left: float, y: float) -> Mark:
     """The sign of a row, in the ``SIGN`` millimetres before its words."""
     middle = np.array([left + SIGN / 2 - 0.9, y])
     box = [(left, y - 1.4), (left + 5.6, y - 1.4), (left + 5.6, y + 1.4), (left, y + 1.4)]
@@ -180,11 +181,10 @@ def _sign(row: LegendRow, left: float, y: float) -> str:
             return bubble(int(row.value), middle, filled=row.sign == "stop")
         case "route":
             head = arrow_head((left + 6.4, y), (1, 0), 2.0)
-            return line(flat, stroke=ROUTE, stroke_width=PEN, stroke_dasharray="2.4 1.1") + shape(
-                [head], fill=ROUTE
-            )
+            bar = line(flat, stroke=ROUTE, stroke_width=PEN, stroke_dasharray="2.4 1.1")
+            return group([bar, shape([head], fill=ROUTE)])
         case "ends":
-            return start_mark((left + 1.4, y)) + end_mark((left + 5.0, y))
+            return group([start_mark((left + 1.4, y)), end_mark((left + 5.0, y))])
         case "tight":
             return narrow_mark(np.array([(left + 0.6, y), (left + 5.6, y)]))
         case "border":
@@ -194,12 +194,11 @@ def _sign(row: LegendRow, left: float, y: float) -> str:
             return shape([thin], fill=POCHE, stroke=INK, stroke_width=OUTLINE / 2)
         case "passage":
             heads = [arrow_head((left + end, y), (way, 0), 1.5) for end, way in ((0, -1), (6, 1))]
-            return line([(left, y), (left + 6, y)], stroke=INK, stroke_width=2 * FINE) + "".join(
-                shape([head], fill=INK) for head in heads
-            )
+            bar = line([(left, y), (left + 6, y)], stroke=INK, stroke_width=2 * FINE)
+            return group([bar, *(shape([head], fill=INK) for head in heads)])
         case "entrance" | "exit":
             up = row.sign == "exit"
             tip, foot = (y - 1.15, y + 1.15) if up else (y + 1.15, y - 1.15)
             x = float(middle[0])
             return shape([[(x, tip), (x - 1.3, foot), (x + 1.3, foot)]], fill=EXIT if up else INK)
-    return tag("g")
+    return NOTHING

@@ -1,18 +1,24 @@
-"""Marks on paper: the few SVG elements a plan is made of, in millimetres, as text.
+"""Marks on paper: the few things a plan is made of, in millimetres, as plain values.
 
-Paper runs x to the right and y down from the upper left corner; plans run y up. A
-:class:`PaperView` takes one to the other.
+Lines, filled shapes, curves, discs, words and groups of them; what file they become is not said
+here (:mod:`scenewright.drawing.svg` writes them). Paper runs x to the right and y down from the
+upper left corner; plans run y up. A :class:`PaperView` takes one to the other.
+
+A style holds the pen and fill by the names of SVG's presentation attributes with underscores:
+``stroke``, ``stroke_width``, ``stroke_dasharray``, ``fill``, ``fill_rule``, ``font_weight`` …; what
+a mark does not say it takes from the groups it is in.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
-from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from scenewright.core.space import Points
 
 CUT, OUTLINE, LINE, FINE = 0.5, 0.35, 0.18, 0.1
 """Pens in millimetres: cut walls, frames, edges of things, details."""
@@ -43,54 +49,140 @@ def to_paper(view: PaperView, points: ArrayLike) -> NDArray[np.float64]:
     return np.asarray(points, dtype=float) * (view.scale, -view.scale) + (view.x, view.y)
 
 
-def tag(name: str, content: str = "", **attributes: str | float) -> str:
-    """One element; underscores in attribute names stand for hyphens, values are escaped.
-
-    >>> tag("circle", r=2.50, stroke_width=0.1)
-    '<circle r="2.5" stroke-width="0.1"/>'
-    """
-    pairs = "".join(
-        f" {key.rstrip('_').replace('_', '-')}={quoteattr(_text(value))}"
-        for key, value in attributes.items()
-    )
-    return f"<{name}{pairs}>{content}</{name}>" if content else f"<{name}{pairs}/>"
+Style = Mapping[str, str | float]
 
 
-def group(marks: Iterable[str], **attributes: str | float) -> str:
-    """Marks that share their attributes; nothing at all if there are none."""
-    content = "\n".join(mark for mark in marks if mark)
-    return tag("g", f"\n{content}\n", **attributes) if content else ""
+class PathMark(NamedTuple):
+    """Rings ``(k, 2)`` filled as one shape, inner rings holes; one open line if not ``closed``."""
+
+    rings: tuple[Points, ...]
+    closed: bool
+    style: Style
 
 
-def outline(points: ArrayLike, closed: bool = True) -> str:
-    """Path data through paper points ``(k, 2)``."""
-    steps = " ".join(f"{number(x)},{number(y)}" for x, y in np.asarray(points, dtype=float))
-    return f"M{steps}{'Z' if closed else ''}"
+class CurveMark(NamedTuple):
+    """Cubic pieces through ``points`` (3 k + 1, 2): an end, two handles, an end, …"""
+
+    points: Points
+    style: Style
 
 
-def shape(rings: Sequence[ArrayLike], **attributes: str | float) -> str:
-    """One filled path of several rings; inner rings are holes."""
-    return tag("path", "", d="".join(outline(ring) for ring in rings), **attributes)
+class ArcMark(NamedTuple):
+    """The shorter arc of a circle from ``start`` to ``end``, clockwise on paper or not."""
+
+    start: tuple[float, float]
+    end: tuple[float, float]
+    radius: float
+    clockwise: bool
+    style: Style
 
 
-def line(points: ArrayLike, **attributes: str | float) -> str:
-    """An open line through paper points."""
-    return tag("path", "", d=outline(points, closed=False), **attributes)
+class DiscMark(NamedTuple):
+    """A circle around a point."""
+
+    x: float
+    y: float
+    radius: float
+    style: Style
 
 
-def text(
-    words: str, at: ArrayLike, size: float, turn: float = 0.0, **attributes: str | float
-) -> str:
+class TextMark(NamedTuple):
+    """Words ``size`` high with their middle height at a point, turned by degrees
+    counter-clockwise; where they are anchored is in the style (``middle`` unless told)."""
+
+    words: str
+    x: float
+    y: float
+    size: float
+    turn: float
+    style: Style
+
+
+class NoteMark(NamedTuple):
+    """Words a viewer shows when the pointer rests on the group this stands in."""
+
+    words: str
+
+
+class CopyMark(NamedTuple):
+    """A :class:`Stencil` at a point, turned by degrees clockwise, with the words of a note."""
+
+    stencil: str
+    x: float
+    y: float
+    turn: float
+    note: NoteMark
+
+
+class GroupMark(NamedTuple):
+    """Marks that share a style."""
+
+    marks: tuple[Mark, ...]
+    style: Style
+
+
+Mark = PathMark | CurveMark | ArcMark | DiscMark | TextMark | NoteMark | CopyMark | GroupMark
+
+NOTHING = GroupMark((), {})
+"""The mark that leaves the paper as it is."""
+
+
+class Stencil(NamedTuple):
+    """Marks around the origin that are drawn more than once, by their id."""
+
+    id: str
+    marks: tuple[Mark, ...]
+
+
+class FillPattern(NamedTuple):
+    """A tile, ``width`` by ``height``, that fills shapes by its id, turned by degrees clockwise;
+    ``paper`` is the colour under its marks, if any."""
+
+    id: str
+    width: float
+    height: float
+    turn: float
+    paper: str
+    marks: tuple[Mark, ...]
+
+
+Definition = Stencil | FillPattern
+
+
+def group(marks: Iterable[Mark], **style: str | float) -> Mark:
+    """Marks that share a style; nothing at all if there are none."""
+    drawn = tuple(mark for mark in marks if not is_blank(mark))
+    return GroupMark(drawn, style) if drawn else NOTHING
+
+
+def is_blank(mark: Mark) -> bool:
+    """Whether a mark leaves the paper as it is."""
+    return isinstance(mark, GroupMark) and not mark.marks
+
+
+def shape(rings: Sequence[ArrayLike], **style: str | float) -> Mark:
+    """One filled shape of several rings ``(k, 2)``; inner rings are holes."""
+    return PathMark(tuple(np.asarray(ring, dtype=float) for ring in rings), True, style)
+
+
+def line(points: ArrayLike, **style: str | float) -> Mark:
+    """An open line through paper points ``(k, 2)``."""
+    return PathMark((np.asarray(points, dtype=float),), False, style)
+
+
+def disc(at: ArrayLike, radius: float, **style: str | float) -> Mark:
+    """A circle around a paper point."""
+    x, y = np.asarray(at, dtype=float).tolist()
+    return DiscMark(x, y, radius, style)
+
+
+def text(words: str, at: ArrayLike, size: float, turn: float = 0.0, **style: str | float) -> Mark:
     """Text centred at a paper point (its middle height), turned by degrees counter-clockwise."""
-    x, y = np.asarray(at, dtype=float)
-    place: dict[str, str | float] = {"x": x, "y": y, "dy": 0.35 * size}
-    if turn:
-        place["transform"] = f"rotate({number(-turn)} {number(x)} {number(y)})"
-    style: dict[str, str | float] = {"font_size": size, "text_anchor": "middle"}
-    return tag("text", escape(clean(words, 120)), **(place | style | attributes))
+    x, y = np.asarray(at, dtype=float).tolist()
+    return TextMark(clean(words, 120), x, y, size, turn, style)
 
 
-def plate(words: str, at: ArrayLike, size: float, **attributes: str | float) -> str:
+def plate(words: str, at: ArrayLike, size: float, **attributes: str | float) -> Mark:
     """Text over a white halo, to stand on lines and tints."""
     halo: dict[str, str | float] = {
         "stroke": "#ffffff",
@@ -99,7 +191,8 @@ def plate(words: str, at: ArrayLike, size: float, **attributes: str | float) -> 
     }
     turn = float(attributes.pop("turn", 0.0))
     plain: dict[str, str | float] = attributes | {"stroke": "none"}
-    return text(words, at, size, turn, **(attributes | halo)) + text(words, at, size, turn, **plain)
+    both = (attributes | halo, plain)
+    return group([text(words, at, size, turn, **style) for style in both])
 
 
 def arrow_head(tip: ArrayLike, way: ArrayLike, size: float) -> NDArray[np.float64]:
@@ -111,9 +204,9 @@ def arrow_head(tip: ArrayLike, way: ArrayLike, size: float) -> NDArray[np.float6
     return np.array([point, foot + side, foot - side])
 
 
-def title(words: str) -> str:
+def title(words: str) -> Mark:
     """The words a viewer shows when the pointer rests on the group this stands in."""
-    return tag("title", escape(clean(words)))
+    return NoteMark(clean(words))
 
 
 def clean(words: str, longest: int = 48) -> str:
@@ -150,17 +243,3 @@ def fit_text(
     while count > 1 and wide * text_width(clean(words, count), size) > room + 1e-6:
         count -= 1
     return clean(words, count), size
-
-
-def number(value: float) -> str:
-    """A length to a hundredth of a millimetre, short.
-
-    >>> [number(v) for v in (1.0, -0.001, 12.345)]
-    ['1', '0', '12.35']
-    """
-    short = f"{float(value):.2f}".rstrip("0").rstrip(".")
-    return "0" if short == "-0" else short
-
-
-def _text(value: str | float) -> str:
-    return value if isinstance(value, str) else number(value)

@@ -15,10 +15,11 @@ from scenewright.core.space import Outlet, Space
 from scenewright.drawing.marks import (
     LINE,
     ROUTE,
+    Mark,
     PaperView,
+    disc,
     group,
     line,
-    tag,
     text,
     title,
     to_paper,
@@ -33,12 +34,12 @@ WORDS = {"antenna": "TV", "data": "D"}
 _ARC = np.linspace(-np.pi / 2, np.pi / 2, 13)
 
 
-def outlets_mark(view: PaperView, spaces: Sequence[Space]) -> str:
+def outlets_mark(view: PaperView, spaces: Sequence[Space]) -> Mark:
     """The outlets of rooms, readable over furniture."""
     return group([_outlet(view, outlet) for space in spaces for outlet in space.outlets])
 
 
-def _outlet(view: PaperView, outlet: Outlet) -> str:
+def _outlet(view: PaperView, outlet: Outlet) -> Mark:
     """One symbol, its stem standing on the wall."""
     foot = to_paper(view, [outlet.x, outlet.y])
     ahead = np.array([np.cos(outlet.heading), -np.sin(outlet.heading)])
@@ -54,11 +55,9 @@ def _outlet(view: PaperView, outlet: Outlet) -> str:
         for points in lines
     ]
     if outlet.kind == "water":
-        x, y = foot + (STEM + RADIUS) * ahead
-        marks.append(
-            tag("circle", cx=x, cy=y, r=RADIUS, fill="#ffffff", stroke=ROUTE, stroke_width=LINE)
-        )
-        marks.append(tag("circle", cx=x, cy=y, r=0.4 * RADIUS, fill=ROUTE))
+        ring = foot + (STEM + RADIUS) * ahead
+        marks.append(disc(ring, RADIUS, fill="#ffffff", stroke=ROUTE, stroke_width=LINE))
+        marks.append(disc(ring, 0.4 * RADIUS, fill=ROUTE))
     if outlet.kind in WORDS:
         words = foot + (STEM + RADIUS + LETTERS) * ahead
         marks.append(text(WORDS[outlet.kind], words, LETTERS, fill=ROUTE))

@@ -22,13 +22,15 @@ from scenewright.drawing.marks import (
     GREY,
     INK,
     LINE,
+    CopyMark,
+    Mark,
+    NoteMark,
     PaperView,
+    Stencil,
+    clean,
     group,
     line,
-    number,
     shape,
-    tag,
-    title,
     to_paper,
 )
 from scenewright.drawing.shell import CUT_HEIGHT
@@ -47,7 +49,7 @@ class Symbols(NamedTuple):
     """Symbols drawn more than once: the id of each, and their definitions."""
 
     ids: dict[Key, str]
-    definitions: tuple[str, ...]
+    definitions: tuple[Stencil, ...]
 
 
 NONE = Symbols({}, ())
@@ -68,8 +70,7 @@ def define_repeated_symbols(scale: float, pieces: Sequence[Piece], catalog: Cata
     for key, name in ids.items():
         high = firsts[key].pose.z
         model = replace(firsts[key], pose=upright._replace(z=high))
-        content = "\n".join(_strokes(PaperView(scale, 0.0, 0.0), model, catalog))
-        found.append(tag("g", content, id=name))
+        found.append(Stencil(name, tuple(_strokes(PaperView(scale, 0.0, 0.0), model, catalog))))
     return Symbols(ids, tuple(found))
 
 
@@ -82,7 +83,7 @@ def is_drawn(piece: Piece, kinds: dict[str, Kind]) -> bool:
 
 def pieces_mark(
     view: PaperView, pieces: Sequence[Piece], catalog: Catalog, symbols: Symbols = NONE
-) -> str:
+) -> Mark:
     """Every piece by its symbol, drawn from the floor up; what hangs on a wall above the cut is
     dashed."""
     seen = [piece for piece in pieces if is_drawn(piece, catalog.kinds)]
@@ -139,19 +140,18 @@ def _key(piece: Piece) -> Key:
     )
 
 
-def _piece(view: PaperView, piece: Piece, catalog: Catalog, symbols: Symbols) -> str:
-    name = title(_name(piece, catalog))
+def _piece(view: PaperView, piece: Piece, catalog: Catalog, symbols: Symbols) -> Mark:
+    name = NoteMark(clean(_name(piece, catalog)))
     known = symbols.ids.get(_key(piece))
     if known is None:
         return group([name, *_strokes(view, piece, catalog)])
-    x, y = to_paper(view, piece.pose[:2])
+    x, y = to_paper(view, piece.pose[:2]).tolist()
     turn = 90.0 - np.degrees(piece.pose.heading)
-    turned = f" rotate({number(turn)})" if abs(np.remainder(turn + 1e-6, 360.0)) > 1e-5 else ""
-    where = f"translate({number(x)} {number(y)}){turned}"
-    return tag("use", name, **{"xlink:href": f"#{known}", "transform": where})
+    turned = turn if abs(np.remainder(turn + 1e-6, 360.0)) > 1e-5 else 0.0
+    return CopyMark(known, x, y, turned, name)
 
 
-def _strokes(view: PaperView, piece: Piece, catalog: Catalog) -> list[str]:
+def _strokes(view: PaperView, piece: Piece, catalog: Catalog) -> list[Mark]:
     lines = symbol(piece, catalog)
     if view.scale < COARSE:
         lines = plain(piece, lines, view.scale)
@@ -209,7 +209,7 @@ def _outline_symbol(piece: Piece) -> tuple[Points, ...]:
     return (ring, *lines)
 
 
-def _stroke(points: Points, pen: float, fill: str) -> str:
+def _stroke(points: Points, pen: float, fill: str) -> Mark:
     """Closed lines are filled, so that what is below does not show through."""
     style: dict[str, str | float] = {"stroke_width": pen}
     if len(points) > 2 and np.allclose(points[0], points[-1]):

@@ -1,8 +1,7 @@
-"""A plan to print: SVG 1.1 to scale, in millimetres, levels side by side.
+"""A plan of rooms to print, to scale, in millimetres, levels side by side.
 
 Cut at 1.2 m: walls solid, windows and doors by their symbols, furniture by the symbols of its
-assets, room names and areas, dimension chains, scale bar, north arrow and title block. The file
-holds no script, no style sheet, no image and no font; names are escaped.
+assets, room names and areas, dimension chains, scale bar, north arrow and title block.
 """
 
 from __future__ import annotations
@@ -21,8 +20,9 @@ from scenewright.drawing import dimensions as dimensions
 from scenewright.drawing import sheet as sheets
 from scenewright.drawing.doors import doors_mark
 from scenewright.drawing.labels import area_words, labels_mark, polygon_of
+from scenewright.drawing.layers import Layer, PlanDrawing, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
-from scenewright.drawing.marks import INK, PaperView, clean, group, tag, text
+from scenewright.drawing.marks import INK, Definition, Mark, PaperView, clean, text
 from scenewright.drawing.outlets import outlets_mark
 from scenewright.drawing.pieces import (
     Symbols,
@@ -58,9 +58,9 @@ class Storey(NamedTuple):
     chains: dict[dimensions.Side, list[dimensions.DimensionChain]]
 
 
-def _nothing(view: PaperView, storey: Storey) -> str:
+def _nothing(view: PaperView, storey: Storey) -> Sequence[Layer]:
     del view, storey
-    return ""
+    return ()
 
 
 def _keep_nothing(view: PaperView, storey: Storey) -> list[Geometry]:
@@ -86,15 +86,15 @@ def furnished_summary(scene: Scene) -> str:
 class Overlay(NamedTuple):
     """What a domain adds to the plan of its rooms.
 
-    ``floor`` is drawn under the furniture, ``over`` above it, ``ways`` above walls and doors, each
-    of a storey; ``keep_off`` are shapes that names of rooms do not cover; ``labels`` what is named,
-    with the colour around the words; ``legend`` the rows of the legend; ``summary`` the line below
-    the title; ``inward`` whether the triangles at doors point to the middle of the storey.
+    ``floor`` are layers under the furniture, ``over`` above it, ``ways`` above walls and doors,
+    each of a storey; ``keep_off`` are shapes that names of rooms do not cover; ``labels`` what is
+    named, with the colour around the words; ``legend`` the rows of the legend; ``summary`` the line
+    below the title; ``inward`` whether the triangles at doors point to the middle of the storey.
     """
 
-    floor: Callable[[PaperView, Storey], str] = _nothing
-    over: Callable[[PaperView, Storey], str] = _nothing
-    ways: Callable[[PaperView, Storey], str] = _nothing
+    floor: Callable[[PaperView, Storey], Sequence[Layer]] = _nothing
+    over: Callable[[PaperView, Storey], Sequence[Layer]] = _nothing
+    ways: Callable[[PaperView, Storey], Sequence[Layer]] = _nothing
     keep_off: Callable[[PaperView, Storey], list[Geometry]] = _keep_nothing
     labels: Callable[[Storey], list[tuple[Space, str]]] = _plain_labels
     legend: Callable[[Scene, Sequence[Storey]], Sequence[LegendRow]] = _no_rows
@@ -111,8 +111,8 @@ class Paper(NamedTuple):
     overlay: Overlay
 
 
-def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> str:
-    """The SVG text of a scene's plan, with what its domain adds."""
+def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> PlanDrawing:
+    """A scene's plan, with what its domain adds."""
     overlay = overlay or Overlay()
     found = [_storey(scene, level) for level in scene.levels]
     storeys = [storey for storey in found if storey is not None]
@@ -127,7 +127,7 @@ def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> str:
     symbols = define_repeated_symbols(1000 / sheet.scale, scene.pieces, catalog)
     paper = Paper(catalog, sheet, symbols, overlay)
     summary = overlay.summary(scene)
-    marks = [paper_defs(paper), sheets.sheet_mark(sheet, scene.name, summary)]
+    parts = [[Layer("Sheet", sheets.sheet_mark(sheet, scene.name, summary))]]
     spare = (room_wide - wide * 1000 / sheet.scale - extra_wide) / (len(storeys) + 1)
     below = max((m["south"] for m in margins), default=0.0)
     bottom = sheets.EDGE + room_high - CAPTION - below
@@ -135,9 +135,12 @@ def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> str:
     left = sheets.EDGE
     for storey, margin in zip(storeys, margins, strict=True):
         left += spare + margin["west"]
-        marks.append(_storey_mark(storey, paper, left, bottom, below))
+        parts.append(_storey_layers(storey, paper, left, bottom, below))
         left += (storey.bounds[2] - storey.bounds[0]) * 1000 / sheet.scale + margin["east"]
-    return sheets.document(sheet, scene.name, [*marks, legend_mark(arranged)])
+    parts.append([Layer("Legend", legend_mark(arranged))])
+    tiles = tile_pattern(PaperView(1000 / sheet.scale, 0.0, 0.0))
+    defined: tuple[Definition, ...] = (tiles, *symbols.definitions)
+    return PlanDrawing(scene.name, sheet, defined, merge_layers(parts))
 
 
 def _storey(scene: Scene, level: Level) -> Storey | None:
@@ -167,43 +170,36 @@ def _storey(scene: Scene, level: Level) -> Storey | None:
     return Storey(level, part, cut, bounds, chains)
 
 
-def paper_defs(paper: Paper) -> str:
-    """What is defined once: floor tiles and the symbols that occur more than once."""
-    view = PaperView(1000 / paper.sheet.scale, 0.0, 0.0)
-    return tag("defs", "\n".join([tile_pattern(view), *paper.symbols.definitions]))
-
-
-def _storey_mark(storey: Storey, paper: Paper, left: float, bottom: float, below: float) -> str:
+def _storey_layers(
+    storey: Storey, paper: Paper, left: float, bottom: float, below: float
+) -> list[Layer]:
+    """A storey on paper, from the floor up."""
     view = sheets.view_at(paper.sheet, storey.bounds[0], storey.bounds[1], left, bottom)
     part, overlay = storey.scene, paper.overlay
     west, south, east, north = storey.bounds
     middle = (west + east) / 2, (south + north) / 2
-    marks = [
-        floors(view, part.spaces),
-        overlay.floor(view, storey),
-        stairs_mark(view, part.stairs, storey.level.id, part.spaces),
-        pieces_mark(view, part.pieces, paper.catalog, paper.symbols),
-        overlay.over(view, storey),
-        slopes_mark(
-            view,
-            part.spaces,
-            union_all(
-                [*_list_footprints(part.pieces, paper.catalog), *roof_windows(part.openings)]
-            ),
-        ),
-        walls_mark(view, (*part.walls, *partition_walls(part.pieces))),
-        openings_mark(view, part.openings),
-        outlets_mark(view, part.spaces),
-        doors_mark(view, part.openings, middle if overlay.inward else None),
-        overlay.ways(view, storey),
-        _labels(view, storey, paper),
-        dimensions.chains_mark(view, storey.bounds, storey.chains),
-        _caption(storey, (left + (east - west) * view.scale / 2, bottom + below + CAPTION / 2)),
+    foot = (left + (east - west) * view.scale / 2, bottom + below + CAPTION / 2)
+    busy = [*_list_footprints(part.pieces, paper.catalog), *roof_windows(part.openings)]
+    walls = (*part.walls, *partition_walls(part.pieces))
+    return [
+        Layer("Floors", floors(view, part.spaces)),
+        *overlay.floor(view, storey),
+        Layer("Stairs", stairs_mark(view, part.stairs, storey.level.id, part.spaces)),
+        Layer("Furniture", pieces_mark(view, part.pieces, paper.catalog, paper.symbols)),
+        *overlay.over(view, storey),
+        Layer("Sloped ceilings", slopes_mark(view, part.spaces, union_all(busy))),
+        Layer("Walls", walls_mark(view, walls)),
+        Layer("Windows and doors", openings_mark(view, part.openings)),
+        Layer("Outlets", outlets_mark(view, part.spaces)),
+        Layer("Ways in", doors_mark(view, part.openings, middle if overlay.inward else None)),
+        *overlay.ways(view, storey),
+        Layer("Names", _labels(view, storey, paper)),
+        Layer("Dimensions", dimensions.chains_mark(view, storey.bounds, storey.chains)),
+        Layer("Levels", _caption(storey, foot)),
     ]
-    return group(marks)
 
 
-def _labels(view: PaperView, storey: Storey, paper: Paper) -> str:
+def _labels(view: PaperView, storey: Storey, paper: Paper) -> Mark:
     """Names of rooms and zones off the furniture, doors' swings and routes."""
     part = storey.scene
     named = paper.overlay.labels(storey)
@@ -232,7 +228,7 @@ def _flat(category: str, catalog: Catalog) -> bool:
     return kind is not None and kind.flat
 
 
-def _caption(storey: Storey, at: tuple[float, float]) -> str:
+def _caption(storey: Storey, at: tuple[float, float]) -> Mark:
     spaces, level = storey.scene.spaces, storey.level
     floor = area_words(sum(polygon_of(space).area for space in spaces))
     if any(space.slopes for space in spaces):

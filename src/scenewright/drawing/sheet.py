@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from scenewright._version import __version__
@@ -12,16 +11,16 @@ from scenewright.drawing.marks import (
     INK,
     LINE,
     OUTLINE,
+    Mark,
     PaperView,
     clean,
+    disc,
     fit_text,
     group,
     line,
     shape,
-    tag,
     text,
     text_width,
-    title,
 )
 
 SCALES = (50, 100, 200, 500, 1000, 2000, 5000, 10_000)
@@ -68,7 +67,7 @@ def papers(scale: int, large: int = 200) -> tuple[tuple[float, float], ...]:
     return PAPERS if scale < large else PAPERS + LARGE
 
 
-def sheet_mark(sheet: PaperSheet, name: str, summary: str) -> str:
+def sheet_mark(sheet: PaperSheet, name: str, summary: str) -> Mark:
     """Frame and title strip: name and summary take the room that the scale bar leaves."""
     right, bottom = sheet.width - EDGE, sheet.height - EDGE
     top = bottom - STRIP
@@ -100,7 +99,7 @@ def _divisions(scale: int, most: float) -> tuple[int, int]:
     return unit, 4 if 4 * unit * 1000 / scale + 4 <= most else 2
 
 
-def scale_bar(right: float, y: float, scale: int, most: float = 100.0) -> str:
+def scale_bar(right: float, y: float, scale: int, most: float = 100.0) -> Mark:
     """A bar of divisions, black and white, ending at ``right``, at most ``most`` millimetres
     long; labelled in metres."""
     unit, count = _divisions(scale, most)
@@ -120,12 +119,12 @@ def scale_bar(right: float, y: float, scale: int, most: float = 100.0) -> str:
     return group(marks)
 
 
-def north_arrow(x: float, y: float, radius: float = 4.0) -> str:
+def north_arrow(x: float, y: float, radius: float = 4.0) -> Mark:
     """A circle with a needle to the top of the sheet: plans have y to the north."""
     needle = [(x, y - radius), (x - 0.45 * radius, y + 0.78 * radius), (x, y + 0.45 * radius)]
     half = [(x, y - radius), (x + 0.45 * radius, y + 0.78 * radius), (x, y + 0.45 * radius)]
     marks = [
-        tag("circle", cx=x, cy=y, r=radius, stroke_width=FINE, stroke=GREY),
+        disc((x, y), radius, stroke_width=FINE, stroke=GREY),
         shape([needle], fill=INK, stroke_width=FINE),
         shape([half], fill="#ffffff", stroke_width=FINE),
         text("N", (x, y - 1.3 * radius), 1.9, stroke="none", fill=INK),
@@ -144,27 +143,9 @@ def view_at(sheet: PaperSheet, west: float, south: float, left: float, bottom: f
     return PaperView(scale, left - west * scale, bottom + south * scale)
 
 
-def document(sheet: PaperSheet, name: str, marks: Sequence[str]) -> str:
-    """The SVG file of a sheet with its marks."""
-    paper = tag("rect", width=sheet.width, height=sheet.height, fill="#ffffff")
-    content = "\n".join([title(name), paper, *marks])
-    body = tag(
-        "svg",
-        f"\n{content}\n",
-        xmlns="http://www.w3.org/2000/svg",
-        version="1.1",
-        **{"xmlns:xlink": "http://www.w3.org/1999/xlink"},
-        width=f"{sheet.width:g}mm",
-        height=f"{sheet.height:g}mm",
-        viewBox=f"0 0 {sheet.width:g} {sheet.height:g}",
-        font_family="Helvetica, Arial, 'DejaVu Sans', sans-serif",
-    )
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{body}\n'
-
-
 def _words(
     words: str, at: tuple[float, float], size: float, weight: str = "normal", fill: str = INK
-) -> str:
+) -> Mark:
     style: dict[str, str | float] = {
         "text_anchor": "start",
         "font_weight": weight,

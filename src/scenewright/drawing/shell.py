@@ -18,12 +18,14 @@ from scenewright.drawing.marks import (
     INK,
     LINE,
     POCHE,
+    ArcMark,
+    FillPattern,
+    Mark,
     PaperView,
+    Style,
     group,
     line,
-    number,
     shape,
-    tag,
     to_paper,
 )
 
@@ -37,7 +39,7 @@ TILED = {"kitchen", "bathroom", "toilet", "washroom", "balcony"}
 Corner = NDArray[np.float64]
 
 
-def floors(view: PaperView, spaces: Sequence[Space]) -> str:
+def floors(view: PaperView, spaces: Sequence[Space]) -> Mark:
     """Room floors, tinted so that white furniture stands out; wet rooms are tiled."""
     marks = []
     for space in spaces:
@@ -48,17 +50,11 @@ def floors(view: PaperView, spaces: Sequence[Space]) -> str:
     return group(marks, fill_rule="evenodd")
 
 
-def tile_pattern(view: PaperView, size: float = 0.3) -> str:
+def tile_pattern(view: PaperView, size: float = 0.3) -> FillPattern:
     """The pattern of square floor tiles, ``size`` metres each."""
     side = size * view.scale
-    joint = tag(
-        "path",
-        d=f"M{number(side)},0H0V{number(side)}",
-        fill="none",
-        stroke="#dedbd3",
-        stroke_width=FINE,
-    )
-    return tag("pattern", joint, id="tiles", width=side, height=side, patternUnits="userSpaceOnUse")
+    joint = line([(side, 0), (0, 0), (0, side)], fill="none", stroke="#dedbd3", stroke_width=FINE)
+    return FillPattern("tiles", side, side, 0.0, "", (joint,))
 
 
 def cut_walls(walls: Sequence[Wall]) -> Geometry:
@@ -74,7 +70,7 @@ def low_walls(walls: Sequence[Wall]) -> Geometry:
     return union_all([_polygon(prism) for prism in low])
 
 
-def walls_mark(view: PaperView, walls: Sequence[Wall]) -> str:
+def walls_mark(view: PaperView, walls: Sequence[Wall]) -> Mark:
     """Low walls as outlines, cut walls solid."""
     low = _draw_filled(view, low_walls(walls), fill="#ffffff", stroke=INK, stroke_width=LINE)
     cut = _draw_filled(view, cut_walls(walls), fill=POCHE, stroke=INK, stroke_width=CUT)
@@ -93,7 +89,7 @@ def partition_walls(pieces: Sequence[Piece]) -> tuple[Wall, ...]:
     return tuple(found)
 
 
-def openings_mark(view: PaperView, openings: Sequence[Opening]) -> str:
+def openings_mark(view: PaperView, openings: Sequence[Opening]) -> Mark:
     """Every opening by its symbol."""
     return group([_opening(view, opening) for opening in openings], stroke=INK, fill="none")
 
@@ -115,7 +111,7 @@ def swing_square(opening: Opening) -> Polygon | None:
     return Polygon([near - half, near + half, far + half, far - half])
 
 
-def _opening(view: PaperView, opening: Opening) -> str:
+def _opening(view: PaperView, opening: Opening) -> Mark:
     if opening.roof is not None:
         return _roof_window(view, opening, *opening.roof)
     if opening.kind == "window":
@@ -125,7 +121,7 @@ def _opening(view: PaperView, opening: Opening) -> str:
     return group([shape(gap, fill=FLOOR, stroke="none"), _way(view, opening)])
 
 
-def _way(view: PaperView, opening: Opening) -> str:
+def _way(view: PaperView, opening: Opening) -> Mark:
     if opening.kind == "passage":
         return _faces(view, opening, stroke_dasharray="1 0.7", stroke_width=LINE)
     if opening.hinge and opening.swing:
@@ -140,7 +136,7 @@ def _box(opening: Opening, begin: float, end: float, right: float, left: float) 
     return np.array([middle + a * along + b * side for a, b in places])
 
 
-def _window(view: PaperView, opening: Opening) -> str:
+def _window(view: PaperView, opening: Opening) -> Mark:
     half, face = opening.width / 2, opening.thickness / 2
     if opening.sill >= CUT_HEIGHT:
         return _faces(view, opening, stroke="#ffffff", stroke_dasharray="1 0.7")
@@ -161,7 +157,7 @@ def _window(view: PaperView, opening: Opening) -> str:
     return group([whole, *ends, *panes])
 
 
-def _roof_window(view: PaperView, opening: Opening, near: float, far: float) -> str:
+def _roof_window(view: PaperView, opening: Opening, near: float, far: float) -> Mark:
     """A window overhead, in a slope: dashed, with its diagonals; the room is on the left."""
     box = to_paper(view, _overhead(opening, near, far))
     frame = shape([box], stroke_width=LINE, stroke_dasharray="1 0.7")
@@ -178,7 +174,7 @@ def roof_windows(openings: Sequence[Opening]) -> list[Polygon]:
     return [Polygon(_overhead(o, *o.roof)) for o in openings if o.roof is not None]
 
 
-def _door(view: PaperView, opening: Opening) -> str:
+def _door(view: PaperView, opening: Opening) -> Mark:
     """Leaf at a right angle to the wall and the quarter arc it sweeps."""
     middle, along, left = frame_of(opening)
     out = left * opening.swing
@@ -191,15 +187,14 @@ def _door(view: PaperView, opening: Opening) -> str:
         fill="#ffffff",
         stroke_width=LINE,
     )
-    (x0, y0), (x1, y1) = to_paper(view, [open_, shut])
-    radius = number(opening.width * view.scale)
-    sweep = 1 if opening.hinge * opening.swing < 0 else 0
-    path = f"M{number(x0)},{number(y0)}A{radius},{radius} 0 0 {sweep} {number(x1)},{number(y1)}"
-    arc = tag("path", d=path, stroke_width=FINE, stroke=GREY)
+    (x0, y0), (x1, y1) = to_paper(view, [open_, shut]).tolist()
+    style: Style = {"stroke_width": FINE, "stroke": GREY}
+    sweep = opening.hinge * opening.swing < 0
+    arc = ArcMark((x0, y0), (x1, y1), opening.width * view.scale, sweep, style)
     return group([_faces(view, opening, stroke_width=FINE, stroke=GREY), arc, leaf])
 
 
-def _sliding_door(view: PaperView, opening: Opening) -> str:
+def _sliding_door(view: PaperView, opening: Opening) -> Mark:
     """Two panels passing each other in the thickness of the wall."""
     half = opening.width / 2
     depth = min(LEAF, opening.thickness / 4)
@@ -211,19 +206,19 @@ def _sliding_door(view: PaperView, opening: Opening) -> str:
     return group([_faces(view, opening, stroke_width=FINE, stroke=GREY), *panels])
 
 
-def _faces(view: PaperView, opening: Opening, **style: str | float) -> str:
+def _faces(view: PaperView, opening: Opening, **style: str | float) -> Mark:
     """Lines across the opening in the two faces of the wall."""
     half, face = opening.width / 2, opening.thickness / 2
     box = _box(opening, -half, half, -face, face)
     pen: dict[str, str | float] = {"stroke_width": FINE}
-    return "\n".join(line(to_paper(view, side), **(pen | style)) for side in (box[:2], box[2:]))
+    return group([line(to_paper(view, side), **(pen | style)) for side in (box[:2], box[2:])])
 
 
 def _polygon(prism: Prism) -> Polygon:
     return Polygon(prism.outline, prism.holes)
 
 
-def _draw_filled(view: PaperView, region: Geometry, **style: str | float) -> list[str]:
+def _draw_filled(view: PaperView, region: Geometry, **style: str | float) -> list[Mark]:
     parts = region.geoms if isinstance(region, MultiPolygon) else [region]
     return [
         shape(

@@ -5,24 +5,23 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from scenewright.drawing.marks import LINE, ROUTE, WARNING, group, line, tag, text
+from scenewright.drawing.marks import LINE, ROUTE, WARNING, Mark, disc, group, line, text
 
 Vector = NDArray[np.float64]
 PEN, CASING, BUBBLE, HEAD = 0.5, 1.2, 1.75, 3.0
 """Millimetres: the line, the white under it, radius of a stop's number, arrow heads."""
 
 
-def bubble(count: int, at: Vector, filled: bool) -> str:
+def bubble(count: int, at: Vector, filled: bool) -> Mark:
     """The number of a group in a circle: filled at a stop of the route."""
-    x, y = at
     fill, pen = (ROUTE, "#ffffff") if filled else ("#ffffff", ROUTE)
     size = 2.1 if count < 10 else 1.8 if count < 100 else 1.4
-    ring = tag("circle", cx=x, cy=y, r=BUBBLE, fill=fill, stroke=pen, stroke_width=2 * LINE)
+    ring = disc(at, BUBBLE, fill=fill, stroke=pen, stroke_width=2 * LINE)
     figure = text(str(count), at, size, fill=pen, stroke="none", font_weight="bold")
-    return ring + figure
+    return group([ring, figure])
 
 
-def narrow_mark(ends: Vector) -> str:
+def narrow_mark(ends: Vector) -> Mark:
     """A dimension line between two paper points, with slashes at its ends."""
     way = (ends[1] - ends[0]) / max(float(np.hypot(*(ends[1] - ends[0]))), 1e-9)
     slash = 0.8 * (way + np.array([-way[1], way[0]])) / np.sqrt(2)
@@ -31,14 +30,12 @@ def narrow_mark(ends: Vector) -> str:
     return group(strokes, stroke=WARNING)
 
 
-def start_mark(at: ArrayLike) -> str:
+def start_mark(at: ArrayLike) -> Mark:
     """A disc: where the route starts."""
-    x, y = np.asarray(at, dtype=float)
-    return tag("circle", cx=x, cy=y, r=1.2, fill=ROUTE, stroke="#ffffff", stroke_width=LINE)
+    return disc(at, 1.2, fill=ROUTE, stroke="#ffffff", stroke_width=LINE)
 
 
-def end_mark(at: ArrayLike) -> str:
+def end_mark(at: ArrayLike) -> Mark:
     """A ring with a dot: where the route ends."""
-    x, y = np.asarray(at, dtype=float)
-    ring = tag("circle", cx=x, cy=y, r=1.1, fill="#ffffff", stroke=ROUTE, stroke_width=PEN)
-    return ring + tag("circle", cx=x, cy=y, r=0.5, fill=ROUTE, stroke="none")
+    ring = disc(at, 1.1, fill="#ffffff", stroke=ROUTE, stroke_width=PEN)
+    return group([ring, disc(at, 0.5, fill=ROUTE, stroke="none")])

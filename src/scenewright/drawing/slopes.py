@@ -11,7 +11,7 @@ from shapely import Geometry, LineString
 from scenewright.building.ceiling import HALF, WHOLE, below, planes
 from scenewright.core.space import Space
 from scenewright.drawing.labels import polygon_of
-from scenewright.drawing.marks import GREY, LINE, PaperView, group, line, plate, to_paper
+from scenewright.drawing.marks import GREY, LINE, Mark, PaperView, group, line, plate, to_paper
 
 WORD = 1.5
 """Height of the figures, millimetres."""
@@ -19,7 +19,7 @@ CLEAR = 0.02
 """What of a line lies nearer than this to a wall is not drawn, in metres."""
 
 
-def slopes_mark(view: PaperView, spaces: Sequence[Space], busy: Geometry) -> str:
+def slopes_mark(view: PaperView, spaces: Sequence[Space], busy: Geometry) -> Mark:
     """The lines of all rooms with their heights, written where least is ``busy``, plan metres."""
     marks, words = [], []
     for space in spaces:
@@ -29,7 +29,7 @@ def slopes_mark(view: PaperView, spaces: Sequence[Space], busy: Geometry) -> str
                 at = to_paper(view, _quiet(part, busy))
                 words.append(plate(f"{height:.1f} m", at, WORD, fill=GREY))
     drawn = group(marks, stroke=GREY, stroke_width=LINE, stroke_dasharray="2.2 1.1", fill="none")
-    return group([drawn, *words]) if marks else ""
+    return group([drawn, *words])
 
 
 def low_lines(view: PaperView, space: Space) -> list[Geometry]:

@@ -19,12 +19,13 @@ from scenewright.drawing.marks import (
     GREY,
     INK,
     LINE,
+    Mark,
     PaperView,
     arrow_head,
+    disc,
     group,
     line,
     shape,
-    tag,
     title,
     to_paper,
 )
@@ -42,7 +43,7 @@ WHITE = "#ffffff"
 
 def stairs_mark(
     view: PaperView, stairs: Sequence[Stairs], level: str, spaces: Sequence[Space]
-) -> str:
+) -> Mark:
     """The stairs that lead up from a level, over those that arrive in it."""
     floors = [polygon_of(space) for space in spaces]
     arriving = [_upper(view, one, floors) for one in stairs if one.upper == level]
@@ -50,7 +51,7 @@ def stairs_mark(
     return group([*arriving, *leaving], stroke_linejoin="round", stroke_linecap="round")
 
 
-def _lower(view: PaperView, stairs: Stairs) -> str:
+def _lower(view: PaperView, stairs: Stairs) -> Mark:
     """Up to the cut solid, above it dashed; the cut line across; the arrow as far as the cut."""
     solid = [t for t in stairs.treads if t.height <= CUT_HEIGHT]
     rest = [t for t in stairs.treads if t.height > CUT_HEIGHT]
@@ -64,7 +65,7 @@ def _lower(view: PaperView, stairs: Stairs) -> str:
     return group(marks)
 
 
-def _upper(view: PaperView, stairs: Stairs, floors: Sequence[shapely.Polygon]) -> str:
+def _upper(view: PaperView, stairs: Stairs, floors: Sequence[shapely.Polygon]) -> Mark:
     """The well with the steps seen in it, the railing, and the arrow as far as the head."""
     well = well_of(stairs)
     marks = [title(f"{stairs.name or stairs.id}: {describe_stairs(stairs)}")]
@@ -81,12 +82,12 @@ def _upper(view: PaperView, stairs: Stairs, floors: Sequence[shapely.Polygon]) -
     return group(marks)
 
 
-def _treads(view: PaperView, treads: Sequence[Tread], **pen: str | float) -> Iterator[str]:
+def _treads(view: PaperView, treads: Sequence[Tread], **pen: str | float) -> Iterator[Mark]:
     for tread in treads:
         yield shape([to_paper(view, tread.outline)], **({"fill": "none"} | pen))
 
 
-def _cut(view: PaperView, tread: Tread) -> str:
+def _cut(view: PaperView, tread: Tread) -> Mark:
     """The cut line: across the first step above the cut, with a zigzag in its middle."""
     a, b = tread.outline[0], tread.outline[1]
     across = b - a
@@ -117,19 +118,11 @@ def _along(stairs: Stairs, share: float, start: float = 0.0) -> Floats:
     return np.asarray(shapely.get_coordinates(part), np.float64)
 
 
-def _arrow(view: PaperView, path: Floats) -> str:
+def _arrow(view: PaperView, path: Floats) -> Mark:
     """A line with a ring where it sets out and a head where it leads."""
     points = to_paper(view, path)
     head = arrow_head(points[-1], points[-1] - points[-2], HEAD)
-    ring = tag(
-        "circle",
-        cx=float(points[0][0]),
-        cy=float(points[0][1]),
-        r=0.45,
-        fill=WHITE,
-        stroke=INK,
-        stroke_width=LINE,
-    )
+    ring = disc(points[0], 0.45, fill=WHITE, stroke=INK, stroke_width=LINE)
     return group(
         [
             line(points, fill="none", stroke=INK, stroke_width=LINE),

@@ -11,8 +11,9 @@ from scenewright.core.atomic_file import write_atomically
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains import draw_plan
+from scenewright.drawing.svg import write_svg
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the plan of a solution to ``path``; the file appears whole or not at all."""
-    write_atomically(path, draw_plan(solution, plan))
+    write_atomically(path, write_svg(draw_plan(solution, plan)))

@@ -16,21 +16,22 @@ from scenewright.core.solution import Solution
 from scenewright.domains.hall.drawing.legend_rows import legend_rows
 from scenewright.domains.hall.drawing.plan import (
     Halls,
-    floor_mark,
+    floor_layers,
     halls_of,
     list_labelled_spaces,
     part_of,
     route_of,
     solid_of,
-    ways_mark,
+    ways_layers,
 )
 from scenewright.drawing.labels import area_words, polygon_of
+from scenewright.drawing.layers import PlanDrawing
 from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.rooms import Overlay, Storey, count_words, plan
 
 
-def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> str:
-    """The SVG text of a laid out hall; it shows nothing of the referee's report."""
+def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
+    """The plan of a laid out hall; it shows nothing of the referee's report."""
     del judge
     scene = scene_of_rooms(solution, made)
     catalog, halls = catalog_of(solution.brief.catalogs), halls_of(solution)
@@ -51,8 +52,8 @@ def overlay_of(halls: Halls, catalog: Catalog) -> Overlay:
         return legend_rows(halls, scene, solids)
 
     return Overlay(
-        floor=lambda view, s: floor_mark(view, mine(s), s.walls, s.scene.pieces),
-        ways=lambda view, s: ways_mark(view, mine(s), solid(s)),
+        floor=lambda view, s: floor_layers(view, mine(s), s.walls, s.scene.pieces),
+        ways=lambda view, s: ways_layers(view, mine(s), solid(s)),
         keep_off=lambda view, s: [route_of(mine(s)).buffer(2.0 / view.scale)],
         labels=lambda s: list_labelled_spaces(mine(s), s.scene.spaces),
         legend=legend,

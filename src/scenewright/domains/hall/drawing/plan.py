@@ -26,6 +26,7 @@ from scenewright.domains.hall.drawing.zones import (
     zones_mark,
 )
 from scenewright.domains.hall.hall_layout import HallLayout, Tour, Zone
+from scenewright.drawing.layers import Layer
 from scenewright.drawing.marks import PaperView, group, to_paper
 from scenewright.drawing.pieces import footprint
 from scenewright.drawing.signs import bubble
@@ -113,15 +114,20 @@ def part_of(halls: Halls, spaces: Collection[str]) -> Halls:
     return halls._replace(graph=part, tours=tours)
 
 
-def floor_mark(view: PaperView, halls: Halls, walls: Geometry, pieces: Sequence[Piece]) -> str:
+def floor_layers(
+    view: PaperView, halls: Halls, walls: Geometry, pieces: Sequence[Piece]
+) -> list[Layer]:
     """Under the furniture: zones and their borders."""
     zones = halls.graph.zones
     standing = [Polygon(footprint(piece)) for piece in pieces if piece.category == "partition"]
     solid = shapely.union_all([walls, *standing])
-    return zones_mark(view, zones, halls.colours) + "\n" + borders_mark(view, zones, solid)
+    return [
+        Layer("Zones", zones_mark(view, zones, halls.colours)),
+        Layer("Borders of zones", borders_mark(view, zones, solid)),
+    ]
 
 
-def ways_mark(view: PaperView, halls: Halls, solid: Geometry) -> str:
+def ways_layers(view: PaperView, halls: Halls, solid: Geometry) -> list[Layer]:
     """Over the furniture: passages, routes, and the numbers of groups no route stops at;
     ``solid`` is what people cannot walk through."""
     graph = halls.graph
@@ -135,7 +141,11 @@ def ways_mark(view: PaperView, halls: Halls, solid: Geometry) -> str:
     bubbles = [
         bubble(halls.numbers[g.id], to_paper(view, g.pose[:2]), filled=False) for g in others
     ]
-    return group([links, *routes, *bubbles])
+    return [
+        Layer("Passages", links),
+        Layer("Route", group(routes)),
+        Layer("Numbers", group(bubbles)),
+    ]
 
 
 def solid_of(walls: Geometry, pieces: Sequence[Piece], catalog: Catalog) -> Geometry:

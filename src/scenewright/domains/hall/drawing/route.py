@@ -12,15 +12,16 @@ from scenewright.domains.hall.drawing.narrow import Narrow, run_of, select_narro
 from scenewright.domains.hall.hall_layout import Tour
 from scenewright.drawing.marks import (
     LINE,
+    NOTHING,
     ROUTE,
     WARNING,
+    CurveMark,
+    Mark,
     PaperView,
     arrow_head,
     group,
-    number,
     plate,
     shape,
-    tag,
     text_width,
     to_paper,
 )
@@ -44,12 +45,12 @@ Vector = NDArray[np.float64]
 
 def route_mark(
     view: PaperView, tour: Tour, numbers: Mapping[str, int], places: Sequence[Narrow]
-) -> str:
+) -> Mark:
     """The route of one tour; ``numbers`` of the groups it stops at, ``places`` where it is
     narrow."""
     points = to_paper(view, tour.points)
     if len(points) < 2:
-        return ""
+        return NOTHING
     run = run_of(points)
     path = curve(points)
     tight = [
@@ -60,8 +61,8 @@ def route_mark(
     stops = _stops(points, run, tour, numbers, busy)
     taken = np.array([points[0], points[-1], *busy, *(at for _, at in stops)])
     marks = [
-        tag("path", d=path, stroke="#ffffff", stroke_width=CASING),
-        tag("path", d=path, stroke=ROUTE, stroke_width=PEN, stroke_dasharray="2.4 1.1"),
+        CurveMark(path, {"stroke": "#ffffff", "stroke_width": CASING}),
+        CurveMark(path, {"stroke": ROUTE, "stroke_width": PEN, "stroke_dasharray": "2.4 1.1"}),
         *_heads(points, run, taken),
         *(mark for mark, _ in tight),
         _word(points, run, taken),
@@ -71,27 +72,26 @@ def route_mark(
     return group(marks, fill="none", stroke_linecap="round", stroke_linejoin="round")
 
 
-def curve(points: Vector) -> str:
-    """Path data of a smooth curve through paper points: cubic pieces whose tangents follow the
-    neighbours (Catmull and Rom, 1974)."""
+def curve(points: Vector) -> Vector:
+    """Ends and handles (3 n - 2, 2) of a smooth curve through paper points (n, 2): cubic pieces
+    whose tangents follow the neighbours (Catmull and Rom, 1974)."""
     padded = np.vstack([points[:1], points, points[-1:]])
     slope = (padded[2:] - padded[:-2]) / 6
     steps = np.hstack([points[:-1] + slope[:-1], points[1:] - slope[1:], points[1:]])
-    start = f"M{number(points[0, 0])},{number(points[0, 1])}"
-    return start + "".join(f"C{' '.join(number(v) for v in step)}" for step in steps)
+    return np.vstack([points[:1], steps.reshape(-1, 2)])
 
 
 def _narrow(
     points: Vector, run: Vector, place: Narrow, ends: Vector, scale: float
-) -> tuple[str, list[Vector]]:
+) -> tuple[Mark, list[Vector]]:
     """The mark of a narrow place, and the paper points it takes."""
     words = f"{place.width:.2f}"
     at = int(np.searchsorted(run, place.run * scale - 1e-6).clip(0, len(points) - 1))
     ahead = _direction(points, at)
     reach = np.abs(ahead) @ np.array([text_width(words, FIGURE) / 2, FIGURE / 2]) + 0.9
     figure = ends.mean(axis=0) + reach * ahead
-    mark = narrow_mark(ends) + plate(words, figure, FIGURE, fill=WARNING, font_weight="bold")
-    return mark, [points[at], figure]
+    mark = plate(words, figure, FIGURE, fill=WARNING, font_weight="bold")
+    return group([narrow_mark(ends), mark]), [points[at], figure]
 
 
 def _away(points: Vector, taken: Vector) -> Vector:
@@ -105,7 +105,7 @@ def _direction(points: Vector, at: int) -> Vector:
     return step / max(float(np.hypot(*step)), 1e-9)
 
 
-def _heads(points: Vector, run: Vector, taken: Vector) -> list[str]:
+def _heads(points: Vector, run: Vector, taken: Vector) -> list[Mark]:
     """Arrow heads at about even distances, away from what is drawn on the route already."""
     count = int(np.clip(run[-1] / EVERY, 1, HEADS))
     away = _away(points, taken)
@@ -118,7 +118,7 @@ def _heads(points: Vector, run: Vector, taken: Vector) -> list[str]:
     return found
 
 
-def _ends(points: Vector) -> list[str]:
+def _ends(points: Vector) -> list[Mark]:
     """The start, and an arrow head before the end."""
     ahead = _direction(points, len(points) - 1)
     head = arrow_head(points[-1] - 1.0 * ahead, ahead, HEAD)
@@ -141,7 +141,7 @@ def _stops(
     return placed
 
 
-def _word(points: Vector, run: Vector, taken: Vector) -> str:
+def _word(points: Vector, run: Vector, taken: Vector) -> Mark:
     """The word "route" over the straightest and levellest stretch free of other marks."""
     need = text_width("route", WORD) + 2.0
     best, found = -np.inf, None
@@ -155,7 +155,7 @@ def _word(points: Vector, run: Vector, taken: Vector) -> str:
         if score > best:
             best, found = score, (middle, way)
     if found is None:
-        return ""
+        return NOTHING
     middle, way = found
     turn = (float(np.degrees(np.arctan2(-way[1], way[0]))) + 90 - 1e-6) % 180 - 90 + 1e-6
     up = np.array([-np.sin(np.radians(turn)), -np.cos(np.radians(turn))])

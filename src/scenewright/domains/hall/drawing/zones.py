@@ -18,6 +18,7 @@ from scenewright.drawing.marks import (
     INK,
     LINE,
     WARNING,
+    Mark,
     PaperView,
     arrow_head,
     group,
@@ -68,7 +69,7 @@ def tints(zones: Sequence[Zone]) -> dict[Key, str]:
     return {(zone.space, zone.id): TINTS[chosen[k]] for k, zone in enumerate(zones)}
 
 
-def zones_mark(view: PaperView, zones: Sequence[Zone], colours: dict[Key, str]) -> str:
+def zones_mark(view: PaperView, zones: Sequence[Zone], colours: dict[Key, str]) -> Mark:
     """The tinted floors."""
     marks = [
         shape(
@@ -80,7 +81,7 @@ def zones_mark(view: PaperView, zones: Sequence[Zone], colours: dict[Key, str]) 
     return group(marks, fill_rule="evenodd", stroke="none")
 
 
-def borders_mark(view: PaperView, zones: Sequence[Zone], walls: Geometry) -> str:
+def borders_mark(view: PaperView, zones: Sequence[Zone], walls: Geometry) -> Mark:
     """Borders of the zones, each drawn once, dashed, where no wall or partition stands."""
     rings = shapely.set_precision([shape_of(zone).boundary for zone in zones], 0.01)
     open_ = shapely.difference(shapely.union_all(rings), walls.buffer(0.06))
@@ -108,7 +109,7 @@ def links_mark(
     zones: Sequence[Zone],
     bodies: Geometry,
     route: Geometry,
-) -> str:
+) -> Mark:
     """A double arrow through the border of zones that must be linked, with the least width."""
     known = {(zone.space, zone.id): zone for zone in zones}
     busy = shapely.union(bodies, route.buffer(0.8 / view.scale))
@@ -145,7 +146,7 @@ def passage(
     )
 
 
-def _link(view: PaperView, found: ZoneCrossing, width: float, busy: Geometry) -> str:
+def _link(view: PaperView, found: ZoneCrossing, width: float, busy: Geometry) -> Mark:
     middle = to_paper(view, found.at)
     along = found.along * (1.0, -1.0)
     across = np.array([-along[1], along[0]])

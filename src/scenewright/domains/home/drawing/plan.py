@@ -10,12 +10,13 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.domains.home.drawing.turning import Turns, turning_mark, turning_of
+from scenewright.drawing.layers import Layer, PlanDrawing
 from scenewright.drawing.marks import PaperView
 from scenewright.drawing.rooms import Overlay, Storey, plan
 
 
-def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> str:
-    """The SVG text of a furnished home; ``judge`` gives the referee's report."""
+def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
+    """The plan of a furnished home; ``judge`` gives the referee's report."""
     scene = scene_of_rooms(solution, made)
     turns = turning_of(judge()) if solution.brief.accessible else {}
     return plan(scene, catalog_of(solution.brief.catalogs), overlay_of(turns))
@@ -24,7 +25,8 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> str:
 def overlay_of(turns: Turns) -> Overlay:
     """What homes add to a plan: circles where wheelchairs turn."""
 
-    def circles(view: PaperView, storey: Storey) -> str:
-        return turning_mark(view, [turns[s.id] for s in storey.scene.spaces if s.id in turns])
+    def circles(view: PaperView, storey: Storey) -> list[Layer]:
+        here = [turns[space.id] for space in storey.scene.spaces if space.id in turns]
+        return [Layer("Turning circles", turning_mark(view, here))]
 
     return Overlay(over=circles)

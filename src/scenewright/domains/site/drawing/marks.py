@@ -17,13 +17,16 @@ from scenewright.drawing.marks import (
     GREY,
     INK,
     LINE,
+    NOTHING,
     OUTLINE,
+    FillPattern,
+    Mark,
     PaperView,
+    disc,
     group,
     line,
     plate,
     shape,
-    tag,
     text_width,
     title,
     to_paper,
@@ -53,22 +56,13 @@ def tint(floors: int) -> str:
     return next(colour for most, colour in STOREYS if floors <= most)
 
 
-def hatch() -> str:
+def hatch() -> FillPattern:
     """The pattern of landmarks, defined once."""
-    stroke = tag("path", d="M0,0L0,1.4", stroke=INK, stroke_width=0.22)
-    paper = tag("rect", width=1.4, height=1.4, fill="#ffffff")
-    return tag(
-        "pattern",
-        paper + stroke,
-        id="hatch",
-        width=1.4,
-        height=1.4,
-        patternUnits="userSpaceOnUse",
-        patternTransform="rotate(45)",
-    )
+    stroke = line([(0, 0), (0, 1.4)], stroke=INK, stroke_width=0.22)
+    return FillPattern("hatch", 1.4, 1.4, 45.0, "#ffffff", (stroke,))
 
 
-def ground_mark(view: PaperView, plan: SitePlan) -> str:
+def ground_mark(view: PaperView, plan: SitePlan) -> Mark:
     """The ground, its outline as a border of dashes and dots, its holes white."""
     rings = [to_paper(view, ring) for ring in (plan.outline, *plan.holes)]
     return shape(
@@ -81,7 +75,7 @@ def ground_mark(view: PaperView, plan: SitePlan) -> str:
     )
 
 
-def setback_mark(view: PaperView, plan: SitePlan, setback: float) -> str:
+def setback_mark(view: PaperView, plan: SitePlan, setback: float) -> Mark:
     """The line up to which may be built, dashed."""
     floor = shapely.Polygon(plan.outline, plan.holes)
     inner = shapely.buffer(floor, -setback, join_style="mitre", mitre_limit=2.0)
@@ -97,10 +91,10 @@ def setback_mark(view: PaperView, plan: SitePlan, setback: float) -> str:
     return group(rings, fill="none", stroke=GREY, stroke_width=LINE, stroke_dasharray="1.6 1")
 
 
-def ways_mark(view: PaperView, ways: Sequence[Way]) -> str:
-    """Paths, then roads over them with their middle line; names along the longest piece."""
+def ways_mark(view: PaperView, ways: Sequence[Way]) -> Mark:
+    """Paths, then roads over them with their middle line."""
     ordered = sorted(ways, key=lambda way: way.kind != "path")
-    areas, middles, names = [], [], []
+    areas, middles = [], []
     for way in ordered:
         fill = ASPHALT if way.kind == "road" else PAVING
         for area in way.areas:
@@ -108,49 +102,52 @@ def ways_mark(view: PaperView, ways: Sequence[Way]) -> str:
             areas.append(shape(rings, fill=fill, fill_rule="evenodd"))
         if way.kind == "road" and way.width * view.scale > 2.0:
             middles += [line(to_paper(view, part)) for part in way.inside]
-        names.append(_name(view, way))
     dashed = group(
         middles, fill="none", stroke="#ffffff", stroke_width=0.25, stroke_dasharray="2.4 1.6"
     )
-    return group([*areas, dashed, *names])
+    return group([*areas, dashed])
 
 
-def _name(view: PaperView, way: Way) -> str:
+def way_names_mark(view: PaperView, ways: Sequence[Way]) -> Mark:
+    """The names of ways along their longest piece, to be read over whatever is drawn on them."""
+    return group([_name(view, way) for way in ways])
+
+
+def _name(view: PaperView, way: Way) -> Mark:
     """The name of a way on the longest straight piece inside the site, if it fits there."""
     steps = [(a, b) for part in way.inside for a, b in pairwise(part)]
     size = min(LABEL, 0.7 * way.width * view.scale)
     if not way.name or not steps or size < SMALLEST:
-        return ""
+        return NOTHING
     a, b = max(steps, key=lambda step: float(np.hypot(*(step[1] - step[0]))))
     if np.hypot(*(b - a)) * view.scale < text_width(way.name, size) + 2:
-        return ""
+        return NOTHING
     turn = float(np.degrees(np.arctan2(b[1] - a[1], b[0] - a[0])))
     turn = (turn + 90.0) % 180.0 - 90.0
     return plate(way.name, to_paper(view, (a + b) / 2), size, turn=turn, fill=INK)
 
 
-def trees_mark(view: PaperView, pieces: Iterable[Piece]) -> str:
+def trees_mark(view: PaperView, pieces: Iterable[Piece]) -> Mark:
     """Crowns with a dot for the stem."""
     marks = []
     for piece in pieces:
-        x, y = to_paper(view, piece.pose[:2])
         radius = max(min(piece.size[:2]) / 2 * view.scale, 0.3)
-        marks.append(tag("circle", cx=x, cy=y, r=radius))
+        marks.append(disc(to_paper(view, piece.pose[:2]), radius))
     return group(marks, fill=LEAF, fill_opacity=0.8, stroke="#7d9c66", stroke_width=FINE)
 
 
-def buildings_mark(view: PaperView, rows: Sequence[StandingBuilding]) -> str:
+def buildings_mark(view: PaperView, rows: Sequence[StandingBuilding]) -> Mark:
     """Buildings by their storeys with a mark at the middle of the front, landmarks hatched."""
     marks = []
     for row in rows:
         words = model_of(row)
         fill = HATCH if row.landmark else tint(row.floors)
         body = shape([to_paper(view, row.footprint)], fill=fill)
-        marks.append(group([title(words), body, "" if row.landmark else _front(view, row)]))
+        marks.append(group([title(words), body, NOTHING if row.landmark else _front(view, row)]))
     return group(marks, stroke=INK, stroke_width=LINE, stroke_linejoin="round")
 
 
-def _front(view: PaperView, row: StandingBuilding) -> str:
+def _front(view: PaperView, row: StandingBuilding) -> Mark:
     """A small triangle at the middle of the side farthest ahead, pointing out."""
     ahead = np.array([np.cos(row.heading), np.sin(row.heading)])
     ends = np.stack([row.footprint, np.roll(row.footprint, -1, axis=0)], 1)
@@ -168,7 +165,7 @@ def _front(view: PaperView, row: StandingBuilding) -> str:
 
 def labels_mark(
     view: PaperView, rows: Sequence[StandingBuilding], letters: Mapping[str, str]
-) -> str:
+) -> Mark:
     """The letter of each building's model (by :func:`model_of`) and its storeys, the name and
     height of landmarks, where there is room."""
     marks = []
@@ -185,13 +182,13 @@ def model_of(row: StandingBuilding) -> str:
     return f"{row.name} · {row.floors} storeys · {row.high - row.low:.1f} m"
 
 
-def walks_mark(view: PaperView, lines: Iterable[shapely.LineString]) -> str:
+def walks_mark(view: PaperView, lines: Iterable[shapely.LineString]) -> Mark:
     """Walks from the ways to the doors."""
     marks = [line(to_paper(view, shapely.get_coordinates(walk))) for walk in lines]
     return group(marks, fill="none", stroke=PAVING, stroke_width=max(1.8 * view.scale, FINE))
 
 
-def _label(view: PaperView, footprint: Points, words: list[str]) -> str:
+def _label(view: PaperView, footprint: Points, words: list[str]) -> Mark:
     """Two short lines, or one joined, as large as fits upright in the footprint."""
     polygon = shapely.Polygon(footprint)
     circle = shapely.maximum_inscribed_circle(polygon, tolerance=0.1)
@@ -212,12 +209,12 @@ def _label(view: PaperView, footprint: Points, words: list[str]) -> str:
                     for line_, off in zip(lines, offsets, strict=True)
                 ]
             )
-    return ""
+    return NOTHING
 
 
 def faults_mark(
     view: PaperView, rows: Sequence[StandingBuilding], findings: Sequence[Finding]
-) -> str:
+) -> Mark:
     """What the referee found, in red: the gap between buildings too close with its length, all
     else as an outline of the building."""
     known = {row.id: shapely.Polygon(row.footprint) for row in rows}
@@ -238,7 +235,7 @@ def faults_mark(
     return group([*marks, *words], fill="none", stroke=FAULT, stroke_width=0.5)
 
 
-def entrances_mark(view: PaperView, plan: SitePlan) -> str:
+def entrances_mark(view: PaperView, plan: SitePlan) -> Mark:
     """Where roads and paths come in: a triangle pointing inwards."""
     floor = shapely.Polygon(plan.outline, plan.holes)
     marks = []
@@ -256,7 +253,7 @@ def entrances_mark(view: PaperView, plan: SitePlan) -> str:
     return group(marks, fill="#007a4d", stroke="#ffffff", stroke_width=FINE)
 
 
-def views_mark(view: PaperView, points: Points, values: Points) -> str:
+def views_mark(view: PaperView, points: Points, values: Points) -> Mark:
     """What walkers see, a band along the ways: the deeper the violet, the more. ``points`` (n, 2)
     that follow each other closely are joined; ``values`` (n,) are visual qualities V."""
     places, marks = to_paper(view, points), []

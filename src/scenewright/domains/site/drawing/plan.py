@@ -1,4 +1,4 @@
-"""The plan of a site to print: SVG 1.1 to scale, north up, sites of a brief side by side.
+"""The plan of a site to print, to scale, north up, sites of a brief side by side.
 
 Outline, setback, roads and paths, landmarks hatched, buildings tinted by storeys with a mark at
 their front, trees, entrances; what the referee finds is drawn in red. Beside it the legend with
@@ -24,8 +24,9 @@ from scenewright.domains.site.drawing import marks as marks
 from scenewright.domains.site.drawing.views import Views, views_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.drawing import sheet as sheets
+from scenewright.drawing.layers import Layer, PlanDrawing, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
-from scenewright.drawing.marks import PaperView, clean, group, tag, text
+from scenewright.drawing.marks import NOTHING, PaperView, clean, text
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.walks import Walk, walks
 
@@ -35,7 +36,7 @@ LARGE, MODELS = 2000, 30
 """The scale from which papers above A3 are used; most models listed."""
 
 
-class Drawing(NamedTuple):
+class SiteSheet(NamedTuple):
     """One site with what stands on it, what was found, and its bounds in metres."""
 
     site: Site
@@ -48,16 +49,16 @@ class Drawing(NamedTuple):
     bounds: tuple[float, float, float, float]
 
 
-def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> str:
-    """The SVG text of the plan of a solution's sites, with what walkers see along the ways;
+def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
+    """The plan of a solution's sites, with what walkers see along the ways;
     ``judge`` gives the referee's report."""
     return plan(solution, made.detail, judge(), views_of(solution, made.detail))
 
 
 def plan(
     solution: Solution, plans: tuple[SitePlan, ...], report: Report, views: Views | None = None
-) -> str:
-    """The SVG text of a plan of all sites with what the referee reports of them; ``views`` adds
+) -> PlanDrawing:
+    """The plan of all sites with what the referee reports of them; ``views`` adds
     what walkers see along the ways."""
     views = views or {}
     drawings = drawings_of(solution, plans, report)
@@ -70,27 +71,26 @@ def plan(
     sheet, (room_wide, room_high) = arranged.sheet, arranged.room
     scale = 1000 / sheet.scale
     spare = (room_wide - wide * scale) / (len(drawings) + 1)
-    left, body = sheets.EDGE, []
+    title_strip = sheets.sheet_mark(sheet, solution.brief.name, _summary(drawings, views))
+    left, parts = sheets.EDGE, [[Layer("Sheet", title_strip)]]
     for drawing in drawings:
         west, south, east, north = drawing.bounds
         left += spare
         bottom = sheets.EDGE + (room_high - CAPTION + (north - south) * scale) / 2
         view = sheets.view_at(sheet, west, south, left, bottom)
-        body.append(_site_mark(view, drawing, letters, views.get(drawing.plan.id)))
+        parts.append(_site_layers(view, drawing, letters, views.get(drawing.plan.id)))
         if len(drawings) > 1:
             middle = left + (east - west) * scale / 2
-            body.append(text(drawing.plan.name, (middle, bottom + MARGIN), 2.6))
+            caption = text(drawing.plan.name, (middle, bottom + MARGIN), 2.6)
+            parts.append([Layer("Names of sites", caption)])
         left += (east - west) * scale
-    head = [
-        tag("defs", marks.hatch()),
-        sheets.sheet_mark(sheet, solution.brief.name, _summary(drawings, views)),
-    ]
-    return sheets.document(sheet, solution.brief.name, [*head, *body, legend_mark(arranged)])
+    parts.append([Layer("Legend", legend_mark(arranged))])
+    return PlanDrawing(solution.brief.name, sheet, (marks.hatch(),), merge_layers(parts))
 
 
 def drawings_of(
     solution: Solution, plans: tuple[SitePlan, ...], report: Report
-) -> tuple[Drawing, ...]:
+) -> tuple[SiteSheet, ...]:
     """What there is to draw of each site of a solution."""
     rows = standing(solution, plans)
     return tuple(
@@ -118,7 +118,7 @@ def _drawing(
     walks: tuple[Walk, ...],
     findings: tuple[Finding, ...],
     figures: dict[str, Any],
-) -> Drawing:
+) -> SiteSheet:
     """Bounds take in the site and what stands no farther outside than it is long."""
     low, high = plan.outline.min(0), plan.outline.max(0)
     reach = float((high - low).max()) / 2
@@ -132,10 +132,10 @@ def _drawing(
     corners = np.vstack([plan.outline, *inside])
     (west, south), (east, north) = corners.min(0).tolist(), corners.max(0).tolist()
     drawn = tuple(row for row in rows if any(row.footprint is kept for kept in inside))
-    return Drawing(site, plan, drawn, trees, walks, findings, figures, (west, south, east, north))
+    return SiteSheet(site, plan, drawn, trees, walks, findings, figures, (west, south, east, north))
 
 
-def letters_of(drawings: Sequence[Drawing]) -> dict[str, str]:
+def letters_of(drawings: Sequence[SiteSheet]) -> dict[str, str]:
     """A letter for every model, the most frequent first: A to Z, then A1 …"""
     counts = Counter(marks.model_of(r) for d in drawings for r in d.rows if not r.landmark)
     return {
@@ -144,31 +144,31 @@ def letters_of(drawings: Sequence[Drawing]) -> dict[str, str]:
     }
 
 
-def _site_mark(
+def _site_layers(
     view: PaperView,
-    drawing: Drawing,
+    drawing: SiteSheet,
     letters: Mapping[str, str],
     seen: tuple[Points, Points] | None,
-) -> str:
+) -> list[Layer]:
+    """A site on paper, from the ground up."""
     plan, rows = drawing.plan, drawing.rows
-    return group(
-        [
-            marks.ground_mark(view, plan),
-            marks.walks_mark(view, drawing.walks),
-            marks.ways_mark(view, plan.roads),
-            marks.views_mark(view, *seen) if seen else "",
-            marks.setback_mark(view, plan, drawing.site.setback),
-            marks.trees_mark(view, drawing.trees),
-            marks.buildings_mark(view, rows),
-            marks.labels_mark(view, rows, letters),
-            marks.entrances_mark(view, plan),
-            marks.faults_mark(view, rows, drawing.findings),
-        ]
-    )
+    return [
+        Layer("Ground", marks.ground_mark(view, plan)),
+        Layer("Walks", marks.walks_mark(view, drawing.walks)),
+        Layer("Roads and paths", marks.ways_mark(view, plan.roads)),
+        Layer("Views", marks.views_mark(view, *seen) if seen else NOTHING),
+        Layer("Names of ways", marks.way_names_mark(view, plan.roads)),
+        Layer("Setback", marks.setback_mark(view, plan, drawing.site.setback)),
+        Layer("Trees", marks.trees_mark(view, drawing.trees)),
+        Layer("Buildings", marks.buildings_mark(view, rows)),
+        Layer("Names", marks.labels_mark(view, rows, letters)),
+        Layer("Ways in", marks.entrances_mark(view, plan)),
+        Layer("Violations", marks.faults_mark(view, rows, drawing.findings)),
+    ]
 
 
 def legend(
-    drawings: Sequence[Drawing], letters: Mapping[str, str], views: Views
+    drawings: Sequence[SiteSheet], letters: Mapping[str, str], views: Views
 ) -> tuple[LegendRow, ...]:
     """Signs that occur, the models with their numbers, then the figures of each site."""
     rows = [LegendRow("heading", "Legend")]
@@ -199,7 +199,7 @@ def legend(
     return tuple(rows)
 
 
-def _models(drawings: Sequence[Drawing], letters: Mapping[str, str]) -> list[LegendRow]:
+def _models(drawings: Sequence[SiteSheet], letters: Mapping[str, str]) -> list[LegendRow]:
     """The models by letter: how many there are, storeys and height."""
     counts = Counter(marks.model_of(r) for d in drawings for r in d.rows if not r.landmark)
     first = {marks.model_of(r): r for d in drawings for r in d.rows if not r.landmark}
@@ -218,7 +218,9 @@ def _models(drawings: Sequence[Drawing], letters: Mapping[str, str]) -> list[Leg
     return [LegendRow("heading", "Models"), *rows] if rows else []
 
 
-def _figures(drawing: Drawing, heading: str, seen: tuple[Points, Points] | None) -> list[LegendRow]:
+def _figures(
+    drawing: SiteSheet, heading: str, seen: tuple[Points, Points] | None
+) -> list[LegendRow]:
     found, site = drawing.figures, drawing.site
     least, sun = found["least_spacing"], found["sun_mean"]
     told = [
@@ -253,7 +255,7 @@ def _against(value: str, wanted: float | None, form: str) -> str:
     return value if wanted is None else f"{value} of {wanted:{form}}"
 
 
-def _summary(drawings: Sequence[Drawing], views: Views) -> str:
+def _summary(drawings: Sequence[SiteSheet], views: Views) -> str:
     buildings = sum(d.figures["buildings"] for d in drawings)
     area = sum(d.plan.area for d in drawings)
     faults = sum(not f.given for d in drawings for f in d.findings)
