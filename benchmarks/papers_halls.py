@@ -3,24 +3,23 @@
 Their three measures (eqs. 7 to 9) of every sample by every method over 20 seeds, with the share of
 valid runs, the energy above its floor and the seconds (:mod:`.papers_halls_measures`); then the
 energies of eqs. 1 and 3 as printed beside the repaired ones as a group is spread out
-(:mod:`.papers_halls_forms`). Runs are spread over the cores. ``--json`` prints the records,
-``python -m benchmarks.papers_halls [records.json]`` the tables as Markdown.
+(:mod:`.papers_halls_forms`). Runs are spread over the cores. ``-o tables.json -o tables.md`` writes
+the records and the tables.
 """
 
 from __future__ import annotations
 
-import json
-import sys
 from collections.abc import Iterator
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from benchmarks.hall_methods import halls
 from benchmarks.papers_halls_forms import printed_forms
-from benchmarks.papers_halls_markdown import lines
+from benchmarks.papers_halls_markdown import markdown_lines
 from benchmarks.papers_halls_measures import measures, names
 from benchmarks.spread import Progress, SpreadTable, spread_tables
+
+__all__ = ["markdown_lines", "records"]
 
 Row = dict[str, Any]
 SEEDS, QUICK_SEEDS = 20, 1
@@ -41,8 +40,3 @@ def forms(case: str) -> SpreadTable:
     """Eqs. 1 and 3 as printed and repaired."""
     job = partial(printed_forms, case)
     return SpreadTable(f"printed forms, {case}", [job], lambda found: found[0])
-
-
-if __name__ == "__main__":
-    told = json.loads(Path(sys.argv[1]).read_text()) if sys.argv[1:] else list(records())
-    print("\n".join(lines(told)))

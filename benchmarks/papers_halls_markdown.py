@@ -17,7 +17,7 @@ COLUMNS = (
 VALID = "valid and complete"
 
 
-def lines(told: list[Row]) -> Iterator[str]:
+def markdown_lines(told: list[Row]) -> Iterator[str]:
     """One table a hall, then what else the records say."""
     for case in dict.fromkeys(row["case"] for row in told if row["metric"] == VALID):
         yield from measures_table(case, [row for row in told if row["case"] == case])

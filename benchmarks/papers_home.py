@@ -160,7 +160,7 @@ def designer_records(runs: int) -> Iterator[Record]:
             )
 
 
-def lines(told: list[Record]) -> Iterator[str]:
+def markdown_lines(told: list[Record]) -> Iterator[str]:
     """The records as a Markdown table: mean (least to most), the paper's beside."""
     yield "| room | what | method | mean | least | most | layouts | the paper's mean, least, most |"
     yield "|---|---|---|---|---|---|---|---|"
@@ -176,4 +176,4 @@ def lines(told: list[Record]) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    print("\n".join(lines(list(records()))))
+    print("\n".join(markdown_lines(list(records()))))

@@ -69,6 +69,26 @@ def test_json_stands_alone_on_the_standard_output(capsys: pytest.CaptureFixture[
     assert told.err == "a note\n"
 
 
+def test_records_are_written_as_json_and_as_markdown(capsys: pytest.CaptureFixture[str]) -> None:
+    save_benchmark()
+    assert cli.run(["bench", "tiny", "-q", "-o", "out/t.json", "-o", "t.md"]) == 0
+    assert [row["case"] for row in json.loads(Path("out/t.json").read_text())] == ["0", "1"]
+    head, rule, *rows = Path("t.md").read_text().splitlines()
+    assert head == "| case | metric | unit | ours | baseline | baseline_name | ratio | runs |"
+    assert set(rule) == set("|- ")
+    assert rows[1] == "| 1 | time | s | 1.0 | 2.0 | b | 2.0 | 3 |"
+    own = "def markdown_lines(records):\n    yield f'{len(records)} records'\n"
+    Path("benchmarks/tiny.py").write_text(Path("benchmarks/tiny.py").read_text() + own)
+    sys.modules.pop("benchmarks.tiny")
+    assert cli.run(["bench", "tiny", "-q", "-o", "t.md"]) == 0
+    assert Path("t.md").read_text() == "2 records\n"
+    capsys.readouterr()
+    assert cli.run(["bench", "tiny", "-o", "t.csv"]) == 2
+    assert "t.csv: benchmarks are not written as '.csv'; use .json or .md" in (
+        capsys.readouterr().err
+    )
+
+
 @pytest.mark.skipif(os.name == "nt", reason="signals")
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("count", [0, 2])

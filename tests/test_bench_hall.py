@@ -16,7 +16,7 @@ from benchmarks import (
     papers_halls_measures,
 )
 from benchmarks.hall_measure import energies_of, gaps_of, least_tree, own_energy
-from benchmarks.papers_halls_markdown import lines
+from benchmarks.papers_halls_markdown import markdown_lines
 
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
@@ -131,7 +131,7 @@ def test_the_paper_s_table_in_brief() -> None:
     assert {name.split(",")[0] for name in names} == {"default", "paper", "paper-repaired"}
     share = [r for r in found if r["metric"] == "valid and complete"]
     assert all(record["ours"] == 1.0 for record in share)
-    table = "\n".join(lines(found))
+    table = "\n".join(markdown_lines(found))
     assert table.count("| **ours** | 100% |") == 1
     assert table.count("No worse than: aesthetic, ") == 1
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from benchmarks.papers_home import EVALUATIONS, METHODS, lines, records
+from benchmarks.papers_home import EVALUATIONS, METHODS, markdown_lines, records
 from benchmarks.papers_home_rooms import FOUR, ROOMS, case_of
 
 from scenewright.domains.home.presets import PAPER
@@ -31,6 +31,6 @@ def test_quick_form_has_every_method_and_ours_is_at_least_as_good():
             row = costs[room, name]
             assert row["least"] <= row["baseline"] <= row["most"]
             assert row["ours"] <= row["baseline"]
-    table = list(lines(told))
+    table = list(markdown_lines(told))
     assert len(table) == len(told) + 2
     assert sum("52.74, 43.2, 75.9" in line for line in table) == 2

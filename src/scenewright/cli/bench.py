@@ -6,16 +6,18 @@ A benchmark yields its records as they are measured, so that an interrupted run 
 from __future__ import annotations
 
 import inspect
+import json
 import re
 import signal
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from importlib import import_module
 from pathlib import Path
 from types import FrameType
 from typing import Any, Literal, NamedTuple
 
+from scenewright.core.atomic_file import check_targets, whole_together
 from scenewright.core.errors import InputError
 from scenewright.workflow.request import check_name
 
@@ -23,6 +25,8 @@ Record = dict[str, Any]
 Extent = Literal["quick", "usual", "full"]
 KEYS = ("case", "metric", "unit", "ours", "baseline", "baseline_name", "ratio", "runs")
 """What every record holds; ``runs`` is how many runs its medians or means are of."""
+SUFFIXES = (".json", ".md")
+"""What records can be written as."""
 RECORDS = re.compile(r"^def records\(\s*quick\b", re.MULTILINE)
 """How a module that is a benchmark is known."""
 
@@ -39,6 +43,39 @@ def extent_of(quick: bool, full: bool) -> Extent:
     if quick and full:
         raise InputError("--quick and --full exclude each other", "give one of them")
     return "quick" if quick else "full" if full else "usual"
+
+
+def check_outputs(paths: Sequence[Path]) -> None:
+    """InputError unless records can be written to every path, before any is measured."""
+    for path in paths:
+        if path.suffix not in SUFFIXES:
+            raise InputError(
+                f"benchmarks are not written as '{path.suffix}'",
+                f"use {' or '.join(SUFFIXES)}",
+                file=str(path),
+            )
+    check_targets(paths)
+
+
+def write(paths: Sequence[Path], name: str, records: Sequence[Record]) -> None:
+    """Write the records of a benchmark as JSON and as Markdown, all or none."""
+    with whole_together(paths) as partials:
+        for path, partial in zip(paths, partials, strict=True):
+            told = [json.dumps(list(records), indent=1)]
+            if path.suffix == ".md":
+                told = list(markdown(name, records))
+            partial.write_text("\n".join(told) + "\n", encoding="utf-8")
+
+
+def markdown(name: str, records: Sequence[Record]) -> Iterable[str]:
+    """The tables of a benchmark that makes its own (its function ``markdown_lines``), else one of all
+    records."""
+    own = getattr(import_module(f"benchmarks.{name}"), "markdown_lines", None)
+    if own is not None:
+        return list(own(list(records)))
+    rows = [[str(record[key]) for key in KEYS] for record in records]
+    cells = [list(KEYS), ["---"] * len(KEYS), *rows]
+    return [f"| {' | '.join(row)} |" for row in cells]
 
 
 def measure(name: str, extent: Extent, progress: Callable[[float, str], None]) -> Measured:

@@ -243,6 +243,10 @@ def bench(
     full: Annotated[
         bool, typer.Option("--full", help="All measurements, however long they take.")
     ] = False,
+    outputs: Annotated[
+        list[Path] | None,
+        typer.Option("-o", "--output", metavar="OUT", help="A .json or .md; may be repeated."),
+    ] = None,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
@@ -251,8 +255,10 @@ def bench(
     from scenewright.cli.progress import show_progress
 
     extent = cli_bench.extent_of(quick, full)
+    cli_bench.check_outputs(outputs or ())
     with show_progress(terminal.console(stderr=True), quiet) as progress:
         measured = cli_bench.measure(name, extent, progress)
+    cli_bench.write(outputs or (), name, measured.records)
     if as_json:
         tables.print_json(list(measured.records))
     elif not quiet:
