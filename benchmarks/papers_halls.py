@@ -1,7 +1,8 @@
 """The tables of Cao, Cheng and Zhang (2024) on our halls: ``scenewright bench papers_halls``.
 
-Their three measures (eqs. 7 to 9) of every sample by every method over 20 seeds, with the share of
-valid runs, the energy above its floor and the seconds (:mod:`.papers_halls_measures`); then the
+Their three measures (eqs. 7 to 9) of every sample, and of a home laid out as a hall, by every
+method over 20 seeds, with the share of valid runs, the energy above its floor and the seconds, and
+of layouts drawn by hand (:mod:`.papers_halls_measures`); tables 1 and 2 are made of these. Then the
 energies of eqs. 1 and 3 as printed beside the repaired ones as a group is spread out
 (:mod:`.papers_halls_forms`). Runs are spread over the cores. ``-o tables.json -o tables.md`` writes
 the records and the tables.
@@ -17,6 +18,7 @@ from benchmarks.hall_methods import halls
 from benchmarks.papers_halls_forms import printed_forms
 from benchmarks.papers_halls_markdown import markdown_lines
 from benchmarks.papers_halls_measures import measures, names
+from benchmarks.papers_halls_scenes import HOME
 from benchmarks.spread import Progress, SpreadTable, spread_tables
 
 __all__ = ["markdown_lines", "records"]
@@ -31,7 +33,7 @@ def records(quick: bool = False, progress: Progress | None = None) -> Iterator[R
     among = ["default", "paper", "paper-repaired"] if quick else names()
     seeds = QUICK_SEEDS if quick else SEEDS
     cases = list(QUICK) if quick else halls()
-    tables = [measures(case, seeds, among) for case in cases]
+    tables = [measures(case, seeds, among) for case in (*cases, HOME)]
     tables += [forms(case) for case in cases]
     yield from spread_tables(tables, progress, 1 if quick else None)
 

@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from benchmarks.papers_halls_scenes import SCENES
+
 Row = dict[str, Any]
+COMPARED = ("by hand", "merrell", "miqp", "paper", "paper-repaired", "default")
+"""The methods of table 2, and ours."""
 COLUMNS = (
     ("aesthetic", "aesthetic", ".4f"),
     ("uniformity", "uniformity", ".3f"),
@@ -18,11 +22,55 @@ VALID = "valid and complete"
 
 
 def markdown_lines(told: list[Row]) -> Iterator[str]:
-    """One table a hall, then what else the records say."""
+    """Tables 1 and 2 of the paper, one table a hall, then what else the records say."""
+    yield from scale_table(told)
+    yield ""
+    yield from scenes_table(told)
+    yield ""
     for case in dict.fromkeys(row["case"] for row in told if row["metric"] == VALID):
         yield from measures_table(case, [row for row in told if row["case"] == case])
         yield ""
     yield from forms_tables(row for row in told if row["metric"].startswith("E_"))
+
+
+def scale_table(told: list[Row]) -> Iterator[str]:
+    """Table 1: how much each scene holds, and the seconds that the paper's preset and ours take."""
+    yield "| scene | objects | walls built | s, paper | s, ours |"
+    yield "|---|---|---|---|---|"
+    for share in (row for row in told if row["metric"] == VALID and _is(row, "default")):
+        mine = [r for r in told if r["case"] == share["case"] and r["metric"] == "seconds"]
+        paper, ours = (
+            next((f"{r['baseline']:.2f}" for r in mine if _is(r, name)), "")
+            for name in ("paper", "default")
+        )
+        size = f"{share['objects']:.0f} | {share['walls']:g}"
+        yield f"| {_case(share)} | {size} | {paper} | {ours} |"
+
+
+def scenes_table(told: list[Row]) -> Iterator[str]:
+    """Table 2: the three measures and the seconds of the three kinds of scene by the methods that
+    the paper compares, and drawn by hand."""
+    yield "| scene | method | valid | aesthetic | uniformity | circulation, m | s |"
+    yield "|---|---|---|---|---|---|---|"
+    for case, method in ((case, method) for case in SCENES for method in COMPARED):
+        mine = {r["metric"]: r for r in told if r["case"] == case and _is(r, method)}
+        if VALID in mine:
+            slant = "*" if any("no valid run" in r["baseline_name"] for r in mine.values()) else ""
+            cells = [_cell(mine.get(n), form, slant) for n, _, form in COLUMNS if n != "excess"]
+            share = f"{mine[VALID]['baseline']:.0%}"
+            yield f"| {SCENES[case]} | {_method(method)} | {share} | {' | '.join(cells)} |"
+
+
+def _is(row: Row, method: str) -> bool:
+    return bool(row["baseline_name"].removesuffix(", no valid run") == method)
+
+
+def _method(name: str) -> str:
+    return "**ours**" if name == "default" else name
+
+
+def _case(row: Row) -> str:
+    return str(row["case"]).removeprefix("sample:hall-")
 
 
 def measures_table(case: str, told: list[Row]) -> Iterator[str]:
@@ -32,13 +80,12 @@ def measures_table(case: str, told: list[Row]) -> Iterator[str]:
     yield f"| {case.removeprefix('sample:hall-')} | {' | '.join(heads)} |"
     yield "|---" * (len(heads) + 1) + "|"
     for method, share in valid.items():
-        names = (method, f"{method}, no valid run")
-        mine = {row["metric"]: row for row in told if row["baseline_name"] in names}
-        slant = "*" if any(row["baseline_name"] == names[1] for row in mine.values()) else ""
+        mine = {row["metric"]: row for row in told if _is(row, method)}
+        slant = "*" if any("no valid run" in row["baseline_name"] for row in mine.values()) else ""
         cells = [_cell(mine.get(name), form, slant) for name, _, form in COLUMNS]
-        name = "**ours**" if method == "default" else method
         yield (
-            f"| {name} | {share['baseline']:.0%} | {' | '.join(cells)} | {share['layouts']:,d} |"
+            f"| {_method(method)} | {share['baseline']:.0%} | {' | '.join(cells)} "
+            f"| {share['layouts']:,.0f} |"
         )
     verdicts = [row for row in told if row["metric"].endswith("no worse than")]
     yield ""
@@ -64,8 +111,8 @@ def forms_tables(told: Iterable[Row]) -> Iterator[str]:
     if found:
         yield "| hall | gaps | E_s repaired | E_s printed | E_u repaired | E_u printed |"
         yield "|---|---|---|---|---|---|"
-    for (case, gaps), pair in found.items():
+    for (_, gaps), pair in found.items():
         cells = [
             f"{pair[name][side]:.4g}" for name in ("E_s", "E_u") for side in ("ours", "baseline")
         ]
-        yield f"| {case.removeprefix('sample:hall-')} | {gaps} | {' | '.join(cells)} |"
+        yield f"| {_case(pair['E_s'])} | {gaps.removeprefix('gaps ')} | {' | '.join(cells)} |"

@@ -2,7 +2,8 @@
 
 Measures, energy and seconds are of the runs that are valid and place everything, of all runs where
 a method has none such. ``error`` is the standard error of the mean: what lies within one of each
-other counts as equal. All methods start from the same first layout and have the budgets of their
+other counts as equal. Layouts drawn by hand (:mod:`.papers_halls_scenes`) stand beside. All
+methods start from the same first layout and have the budgets of their
 papers; ``layouts`` is how many each looked at.
 """
 
@@ -15,6 +16,7 @@ from functools import cache, partial
 from typing import Any, NamedTuple
 
 from benchmarks.hall_methods import METHODS, judged, methods
+from benchmarks.papers_halls_scenes import SCENES, by_hand, read_scene
 from benchmarks.spread import SpreadTable
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
@@ -33,7 +35,7 @@ FIGURES = (
     ("seconds", "s"),
 )
 PRINTED = {"paper": {"preset": "paper"}, "paper-repaired": {"preset": "paper-repaired"}}
-OURS = "default"
+OURS, HAND = "default", "by hand"
 WARM = "sample:hall-irregular"
 """What a method lays out once in each process before it is timed: kernels are loaded then."""
 
@@ -49,7 +51,7 @@ class MeasuredFigure(NamedTuple):
 def compared(case: str) -> Brief:
     """The brief of a sample as all methods are given it: where it asks for a fan, rows may be
     straight too, as those of methods that know no patterns always are."""
-    document = read(case).model_dump()
+    document = read_scene(case).model_dump()
     for room in document["rooms"]:
         for demand in room["demands"]:
             if demand["patterns"] == ["fan"]:
@@ -74,9 +76,15 @@ def run(case: str, method: str, seed: int) -> Row:
 
 def measured(solution: Solution, seconds: float) -> Row:
     """A solution as a row of the table."""
-    row = judged(solution)
+    row, walls = judged(solution), sum(p.category == "partition" for p in solution.pieces)
     more = {"excess": row["energy"] - row["least"], "whole": not row["left_out"]}
-    return row | more | {"seconds": seconds, "layouts": solution.evaluations}
+    size = {"objects": row["pieces"] - walls, "walls": walls}
+    return row | more | size | {"seconds": seconds, "layouts": solution.evaluations}
+
+
+def run_by_hand(case: str) -> Row:
+    """The layout drawn by hand, which took no seconds that can be compared."""
+    return {"case": case, "method": HAND, "seed": 0} | measured(by_hand(case), 0.0)
 
 
 @cache
@@ -121,6 +129,7 @@ def no_worse(ours: MeasuredFigure, theirs: MeasuredFigure, name: str) -> bool:
 def measures(case: str, seeds: int, among: list[str]) -> SpreadTable:
     """The table of one sample: every figure of every method beside ours, then the verdict."""
     jobs = [partial(run, case, method, seed) for method in among for seed in range(seeds)]
+    jobs += [partial(run_by_hand, case)] if case in SCENES else []
     return SpreadTable(f"measures, {case}", jobs, partial(compare_methods, case))
 
 
@@ -145,9 +154,12 @@ def compare_methods(case: str, rows: list[Row]) -> Iterator[Row]:
 def _against(case: str, method: str, ours: list[Row], theirs: list[Row]) -> Iterator[Row]:
     shares = [len(counted(rows)) / len(rows) for rows in (ours, theirs)]
     told = make_record(case, "valid and complete", "share", *shares)
-    layouts = round(statistics.fmean(row["layouts"] for row in theirs))
-    yield told | {"baseline_name": method, "runs": len(theirs), "layouts": layouts}
-    for name, unit in FIGURES:
+    sizes = {
+        name: round(statistics.fmean(row[name] for row in theirs), 2)
+        for name in ("layouts", "objects", "walls")
+    }
+    yield told | {"baseline_name": method, "runs": len(theirs)} | sizes
+    for name, unit in FIGURES if method != HAND else FIGURES[:-1]:
         a, b = figure(ours, name), figure(theirs, name)
         told = make_record(case, name, unit, a.mean, b.mean)
         errors = {"error": round(a.error, 5), "baseline_error": round(b.error, 5)}

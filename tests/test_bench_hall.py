@@ -14,9 +14,11 @@ from benchmarks import (
     papers_halls,
     papers_halls_forms,
     papers_halls_measures,
+    papers_halls_scenes,
 )
 from benchmarks.hall_measure import energies_of, gaps_of, least_tree, own_energy
 from benchmarks.papers_halls_markdown import markdown_lines
+from benchmarks.papers_halls_scenes import read_scene
 
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
@@ -128,12 +130,23 @@ def test_the_paper_s_table_in_brief() -> None:
     found = list(papers_halls.records(quick=True))
     assert all(list(record)[:8] == KEYS for record in found)
     names = {record["baseline_name"] for record in found if record["metric"] == "uniformity"}
-    assert {name.split(",")[0] for name in names} == {"default", "paper", "paper-repaired"}
+    tried = {"default", "paper", "paper-repaired", "by hand"}
+    assert {name.split(",")[0] for name in names} == tried
     share = [r for r in found if r["metric"] == "valid and complete"]
     assert all(record["ours"] == 1.0 for record in share)
     table = "\n".join(markdown_lines(found))
-    assert table.count("| **ours** | 100% |") == 1
-    assert table.count("No worse than: aesthetic, ") == 1
+    assert table.count("\n| **ours** | 100% |") == 2
+    assert table.count("\n| home | by hand | 100% |") == 1
+    assert table.count("No worse than: aesthetic, ") == 2
+
+
+@pytest.mark.parametrize("case", papers_halls_scenes.SCENES)
+def test_layouts_drawn_by_hand_hold_what_is_asked_for_and_are_valid(case: str) -> None:
+    row = papers_halls_measures.run_by_hand(case)
+    assert row["valid"] == 1.0, row["told"]
+    assert row["whole"]
+    asked = read_scene(case).rooms[0].demands
+    assert sum(demand.count or 0 for demand in asked) <= row["objects"]
 
 
 def test_the_printed_fill_is_blind_to_expansion() -> None:

@@ -68,8 +68,7 @@ def write(paths: Sequence[Path], name: str, records: Sequence[Record]) -> None:
 
 
 def markdown(name: str, records: Sequence[Record]) -> Iterable[str]:
-    """The tables of a benchmark that makes its own (its function ``markdown_lines``), else one of all
-    records."""
+    """The tables a benchmark makes itself (``markdown_lines``), else one of all records."""
     own = getattr(import_module(f"benchmarks.{name}"), "markdown_lines", None)
     if own is not None:
         return list(own(list(records)))
