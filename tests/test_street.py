@@ -17,7 +17,6 @@ from scenewright.core.errors import InputError
 from scenewright.core.layout import corners
 from scenewright.core.solution import Solution
 from scenewright.domains import scene_of
-from scenewright.domains.site.drawing.street_spot import FREE, Standpoint, standpoint
 from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.writing import street_picture as street
 from scenewright.formats import suffix_of, writer
@@ -25,6 +24,8 @@ from scenewright.geometry.box_grid import box_grid
 from scenewright.geometry.walker import sights_of_boxes
 from scenewright.geometry.walker_meshes import best_spot, best_spots
 from scenewright.render.stage import blocks_of
+from scenewright.render.street import sun_for
+from scenewright.render.street_spot import FREE, Standpoint, standpoint
 
 ROADS = [{"line": [[-5, 45], [125, 45]], "width": 9}]
 
@@ -77,7 +78,7 @@ def test_there_is_sky_above_and_ground_below(roads: list[dict[str, object]]) -> 
 def test_the_sun_is_never_in_the_north_and_lights_what_is_seen() -> None:
     for angle in np.linspace(0, 2 * np.pi, 16, endpoint=False):
         way = np.array([np.cos(angle), np.sin(angle)])
-        sun = np.array(street.sun_for(way))
+        sun = np.array(sun_for(way))
         assert np.linalg.norm(sun) == pytest.approx(1.0)
         assert sun[1] <= 1e-9
         if way[1] > 0.3:

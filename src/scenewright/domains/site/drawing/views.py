@@ -10,9 +10,9 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Points
-from scenewright.domains.site.drawing.sides import collect_building_quality
 from scenewright.geometry.walker import eyes_along, seen
 from scenewright.ground.plan import SitePlan
+from scenewright.render.building_quality import collect_building_quality
 
 PACE, EYES = 5.0, 4000
 """Metres between points on the ways, and about how many there are at most."""

@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece
-from scenewright.domains.site.drawing.sides import collect_building_quality
 from scenewright.geometry import rays
 from scenewright.geometry.box_grid import box_grid
 from scenewright.geometry.mesh import Mesh, merge
@@ -25,6 +24,7 @@ from scenewright.geometry.walker import Sights, sights_of_boxes
 from scenewright.geometry.walker_meshes import best_spots
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.surfaces import kerb
+from scenewright.render.building_quality import collect_building_quality
 from scenewright.render.picture import Camera, view_of
 from scenewright.render.stage import PartTriangles
 
