@@ -2,17 +2,20 @@
 
 Without the space, clearances are covered; without the fill, zones stay empty; without the access,
 a group blocks the passage; without the proportion, a group takes too much. Each failure is one
-figure, beside the same figure with all weights.
+figure, beside the same figure with all weights: in the shipped samples, in three of which walls
+are generated, and in a hall made so that all four have room to fail.
 """
 
 from __future__ import annotations
 
 import statistics
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from benchmarks.hall_measure import gaps_of, posed
+from benchmarks.spread import SpreadTable
 from scenewright.core.brief import Brief
 from scenewright.domains.hall.energy import make_state, prepare
 from scenewright.domains.hall.patterns import NUMBER, SINGLE, WALL
@@ -24,6 +27,7 @@ from scenewright.domains.hall.terms.measure import passage
 from scenewright.domains.hall.terms.state import PreparedHall, State, make_scratch
 from scenewright.domains.hall.terms.table import NEAR, PRINTED
 from scenewright.engine.solve import Budget
+from scenewright.formats import read
 
 Row = dict[str, Any]
 CASE = "crowded lobby, roomy gallery"
@@ -107,7 +111,8 @@ def ablated(brief: Brief, without: str, seed: int, solver: str) -> Ablated:
 
 
 def figures_of(problem: HallProblem, layout: MeasuredLayout) -> dict[str, float]:
-    """The four figures of a layout, and the greatest share of its zone that a group takes."""
+    """The four figures of a layout, the greatest share of its zone that a group takes, and how
+    many walls are generated."""
     p = prepare(problem)
     s, work = make_state(p), make_scratch(p)
     bring_back(p, s, work, layout.kept)
@@ -121,6 +126,7 @@ def figures_of(problem: HallProblem, layout: MeasuredLayout) -> dict[str, float]
         "passage": float(min(wide, default=1.0)),
         "gap": max((widest_gap(p, s, layout.boxes, u) for u in range(len(p.spans))), default=0.0),
         "extent": float((s.extent[:, 0] / p.zone_areas[p.zones]).max()),
+        "walls": int((layout.kept.walls[:, 1] > layout.kept.walls[:, 0]).sum()),
     }
 
 
@@ -141,36 +147,52 @@ def widest_gap(p: PreparedHall, s: State, boxes: Floats, unit: int) -> float:
     return most
 
 
-def rows(seeds: int, brief: Brief | None = None, solver: str = "gd-mh") -> list[Row]:
+def rows(seeds: int, case: str = CASE, solver: str = "gd-mh") -> list[Row]:
     """A row for every variant and seed."""
-    brief = brief or Brief.model_validate(HALL)
-    return [
-        {"case": brief.name, "solver": solver, "without": without, "seed": seed}
-        | ablated(brief, without, seed, solver).figures
-        for without in VARIANTS
-        for seed in range(seeds)
+    return [run(case, solver, without, seed) for without in VARIANTS for seed in range(seeds)]
+
+
+def run(case: str, solver: str, without: str, seed: int) -> Row:
+    """One layout of a sample, or of the hall made for it, without one of the weights."""
+    brief = Brief.model_validate(HALL) if case == CASE else read(case)
+    row = {"case": case, "solver": solver, "without": without, "seed": seed}
+    return row | ablated(brief, without, seed, solver).figures
+
+
+def ablation(case: str, solver: str, seeds: int) -> SpreadTable:
+    """The table of one hall by one solver."""
+    jobs = [
+        partial(run, case, solver, without, seed) for without in VARIANTS for seed in range(seeds)
     ]
+    return SpreadTable(f"ablation, {case} by {solver}", jobs, summary)
 
 
 def summary(found: list[Row]) -> list[Row]:
-    """Records: the failing figure without a weight against the same figure with all of them."""
+    """Records of one hall: the failing figure without a weight against the same figure with all of
+    them, and the walls generated."""
     records: list[Row] = []
     for solver in dict.fromkeys(row["solver"] for row in found):
         mine = [row for row in found if row["solver"] == solver]
+        case = f"{mine[0]['case']} by {solver}"
         for name, (figure, told) in FIGURES.items():
             full = [row[figure] for row in mine if row["without"] == "all"]
             lost = [row[figure] for row in mine if row["without"] == name]
             a, b = statistics.median(full), statistics.median(lost)
-            records.append(
-                {
-                    "case": f"{mine[0]['case']} by {solver}",
-                    "metric": told,
-                    "unit": "1",
-                    "ours": a,
-                    "baseline": b,
-                    "baseline_name": f"without {name}",
-                    "ratio": b / a if a else None,
-                    "runs": len(full),
-                }
-            )
+            records.append(_record(case, told, a, b, f"without {name}", len(full)))
+        walls = [row["walls"] for row in mine if row["without"] == "all"]
+        built = statistics.median(walls)
+        records.append(_record(case, "walls generated", built, built, "same", len(walls)))
     return records
+
+
+def _record(case: str, metric: str, ours: float, baseline: float, by: str, runs: int) -> Row:
+    return {
+        "case": case,
+        "metric": metric,
+        "unit": "1",
+        "ours": ours,
+        "baseline": baseline,
+        "baseline_name": by,
+        "ratio": baseline / ours if ours else None,
+        "runs": runs,
+    }

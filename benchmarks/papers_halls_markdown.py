@@ -30,6 +30,8 @@ def markdown_lines(told: list[Row]) -> Iterator[str]:
     for case in dict.fromkeys(row["case"] for row in told if row["metric"] == VALID):
         yield from measures_table(case, [row for row in told if row["case"] == case])
         yield ""
+    yield from ablation_table(row for row in told if " by " in row["case"])
+    yield ""
     yield from forms_tables(row for row in told if row["metric"].startswith("E_"))
 
 
@@ -100,6 +102,22 @@ def _verdict(row: Row) -> str:
 
 def _cell(row: Row | None, form: str, slant: str) -> str:
     return "" if row is None else f"{slant}{row['baseline']:{form}}{slant}"
+
+
+def ablation_table(told: Iterable[Row]) -> Iterator[str]:
+    """Each hall and solver: the figure of every energy, with all weights and without its own."""
+    found: dict[str, list[Row]] = {}
+    for row in told:
+        found.setdefault(row["case"], []).append(row)
+    if found:
+        yield "| hall | by | walls | covered | in use | passage | gap |"
+        yield "|---|---|---|---|---|---|---|"
+    for case, rows in found.items():
+        hall, _, solver = case.removeprefix("sample:hall-").rpartition(" by ")
+        *four, walls = rows
+        shares = [f"{row['ours']:.0%} → {row['baseline']:.0%}" for row in four[:2]]
+        ratios = [f"{row['ours']:.2f} → {row['baseline']:.2f}" for row in four[2:]]
+        yield f"| {hall} | {solver} | {walls['ours']:g} | {' | '.join(shares + ratios)} |"
 
 
 def forms_tables(told: Iterable[Row]) -> Iterator[str]:

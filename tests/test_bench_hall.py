@@ -86,6 +86,11 @@ def test_ablation_shows_the_failures_of_space_and_proportion() -> None:
     assert all(list(record) == KEYS for record in hall_ablation.summary(rows))
 
 
+def test_walls_are_generated_in_three_of_the_samples() -> None:
+    runs = [hall_ablation.run(case, "gd-mh", "all", 0) for case in hall_methods.halls()]
+    assert sum(row["walls"] > 0 for row in runs) == 3
+
+
 def test_scaled_halls_hold_what_they_say() -> None:
     for objects in hall_scale.SIZES:
         room = hall_scale.scaled_brief(objects).rooms[0]
@@ -138,6 +143,7 @@ def test_the_paper_s_table_in_brief() -> None:
     assert table.count("\n| **ours** | 100% |") == 2
     assert table.count("\n| home | by hand | 100% |") == 1
     assert table.count("No worse than: aesthetic, ") == 2
+    assert table.count("\n| irregular | gd-mh | 2 |") == 1
 
 
 @pytest.mark.parametrize("case", papers_halls_scenes.SCENES)
