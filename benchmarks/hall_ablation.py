@@ -154,9 +154,13 @@ def rows(seeds: int, case: str = CASE, solver: str = "gd-mh") -> list[Row]:
 
 def run(case: str, solver: str, without: str, seed: int) -> Row:
     """One layout of a sample, or of the hall made for it, without one of the weights."""
-    brief = Brief.model_validate(HALL) if case == CASE else read(case)
     row = {"case": case, "solver": solver, "without": without, "seed": seed}
-    return row | ablated(brief, without, seed, solver).figures
+    return row | ablated(brief_of(case), without, seed, solver).figures
+
+
+def brief_of(case: str) -> Brief:
+    """A sample, or the hall made for the ablation."""
+    return Brief.model_validate(HALL) if case == CASE else read(case)
 
 
 def ablation(case: str, solver: str, seeds: int) -> SpreadTable:
