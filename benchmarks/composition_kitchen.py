@@ -1,0 +1,61 @@
+"""Worktop beside hob and sink, read off the run of cabinets they stand in."""
+
+from __future__ import annotations
+
+from math import cos, hypot, remainder, sin, tau
+
+from scenewright.core.scene import Piece
+
+WORKTOP = ("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwasher", "washing_machine")
+TOUCH = 0.03  # cabinets nearer than this have one worktop, metres
+LEAST = 0.6  # of worktop in one piece, metres
+BESIDE = 0.28  # of worktop beside a hob, metres
+
+
+def _run_of(piece: Piece, pieces: list[Piece], side: int) -> float:
+    """Metres of worktop that begin at one side of a piece: ``side`` +1 is its right."""
+    length, at = 0.0, piece
+    while True:
+        following = next((p for p in pieces if p is not at and _touches(at, p, side)), None)
+        if following is None or following.category not in WORKTOP:
+            return length
+        length, at = length + following.size.width, following
+
+
+def neighbour(piece: Piece, pieces: list[Piece], side: int) -> Piece | None:
+    """What of the kitchen stands at one side of a cabinet in the same line."""
+    return next((p for p in pieces if p is not piece and _touches(piece, p, side)), None)
+
+
+def _touches(one: Piece, other: Piece, side: int) -> bool:
+    turned = abs(remainder(one.pose.heading - other.pose.heading, tau)) > 0.1
+    if turned or other.pose.z > 0.3:
+        return False
+    s, c = sin(one.pose.heading), cos(one.pose.heading)
+    dx, dy = other.pose.x - one.pose.x, other.pose.y - one.pose.y
+    along, ahead = side * (s * dx - c * dy), c * dx + s * dy
+    gap = along - (one.size.width + other.size.width) / 2
+    return abs(gap) < TOUCH and abs(ahead) < 0.3
+
+
+def _first(pieces: list[Piece], category: str) -> Piece:
+    return next(p for p in pieces if p.category == category)
+
+
+def short_worktop(pieces: list[Piece]) -> bool:
+    """Less than 0.6 m of worktop in one piece anywhere."""
+    tops = [p for p in pieces if p.category in WORKTOP and p.pose.z < 0.3]
+    return not any(p.size.width + _run_of(p, pieces, 1) >= LEAST - 1e-6 for p in tops)
+
+
+def hob_at_sink(pieces: list[Piece]) -> bool:
+    """The hob stands next to the sink, with no worktop between."""
+    hob, sink = _first(pieces, "hob_cabinet"), _first(pieces, "sink_cabinet")
+    apart = hypot(hob.pose.x - sink.pose.x, hob.pose.y - sink.pose.y)
+    return apart - (hob.size.width + sink.size.width) / 2 < BESIDE
+
+
+def hob_at_end(pieces: list[Piece]) -> bool:
+    """Less than 0.28 m of worktop on one side of the hob."""
+    hob = _first(pieces, "hob_cabinet")
+    return min(_run_of(hob, pieces, side) for side in (-1, 1)) < BESIDE
