@@ -32,13 +32,15 @@ class Posed(NamedTuple):
     fitted: Fitted
 
 
-def posed(brief: Brief, preset: str = "default", seed: int = 0) -> Posed:
+def posed(brief: Brief, preset: str = "default", seed: int = 0, **rule: Any) -> Posed:
+    """A brief made to fit, by a preset with another ``rule`` of fitting."""
     space = spaces(brief)[0]
     plan = zones_of(brief, 0, space)
     found = hall_of(space, plan, borders_of(plan, space), (), brief.route_width)
     wishes = collect_demands(brief, 0, (), shipped())
     row = PRESETS[preset]
-    found = found._replace(settings=row.settings)
+    settings = row.settings._replace(fit=row.settings.fit._replace(**rule))
+    found = found._replace(settings=settings)
     return Posed(
         found, wishes, fit(found, wishes, row.weights, shipped(), seed, row.settings.whole)
     )

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
-
 import numpy as np
 import pytest
 import shapely
@@ -119,9 +117,8 @@ def test_walls_are_as_long_as_the_paper_says() -> None:
         assert found.fitted.units == [Unit(0, east, 0, count)]
 
 
-def test_what_has_no_place_in_the_end_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_has_no_place_in_the_end_is_left_out() -> None:
     """Were there only one look for places, what stays would still stand where it was put."""
-    module = importlib.import_module("scenewright.domains.hall.fit")
     art = {"id": "art", "category": "wall_exhibit", "count": 26, "size": [1.2, 0.1, 1.5]}
     cases = [
         {
@@ -135,8 +132,7 @@ def test_what_has_no_place_in_the_end_is_left_out(monkeypatch: pytest.MonkeyPatc
     ]
     brief = two_zones(art, *cases)
     asked = 26 + 27
-    monkeypatch.setattr(module, "MOST_ROUNDS", 1)
-    found = posed(brief).fitted
+    found = posed(brief, most_rounds=1).fitted
     chain = begin_chain(found.problem, found.start, streams(0, 1)[0])
     placed = len(boxes_of(chain))
     assert 0 < placed < asked

@@ -13,7 +13,8 @@ from scenewright import cli
 from scenewright.core.solution import Patch, Solution
 from scenewright.domains import alternatives, check
 from scenewright.domains.home import solving as home
-from scenewright.domains.home.alternatives import LEAST, choose, difference, sides
+from scenewright.domains.home.alternatives import choose, difference, sides
+from scenewright.domains.home.presets import PRESETS
 from scenewright.formats import read
 
 
@@ -47,7 +48,7 @@ def test_they_are_ranked_and_the_best_is_no_worse_than_any_one_solution(
 
 def test_plans_that_do_not_differ_are_not_given(plans: tuple[Solution, ...]) -> None:
     assert len(choose([plans[0]] * 3, 3)) == 1
-    assert LEAST > 0
+    assert PRESETS["default"].settings.variety.least > 0
 
 
 def test_difference_counts_what_moved_turned_came_or_went(plans: tuple[Solution, ...]) -> None:

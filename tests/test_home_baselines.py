@@ -211,7 +211,7 @@ def test_circulation_counts_the_regions_a_person_can_stand_in():
 def test_places_of_greedy_have_their_backs_at_walls():
     problem = full_problem()
     walls = problem.ground.walls
-    boxes = along_walls(walls, 1.0, 0.4)
+    boxes = along_walls(walls, 1.0, 0.4, 0.25)
     backs = boxes[:, :2] - 0.5 * boxes[:, 4:] * np.column_stack(
         [np.cos(boxes[:, 2]), np.sin(boxes[:, 2])]
     )

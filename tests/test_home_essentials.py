@@ -15,7 +15,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.domains import check
 from scenewright.domains.home import remove_blockers as yielding
-from scenewright.domains.home import second_try, shortfall
+from scenewright.domains.home import shortfall
 from scenewright.domains.home import solving as home
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import cases
@@ -26,7 +26,9 @@ from scenewright.domains.home.furnishing.whole import below, is_whole, without
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.groups.least import LEAST
+from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.settings import FaultCosts
 from scenewright.domains.home.shortfall import groups_serving
 from scenewright.domains.home.wall_places import free_places
 from scenewright.domains.home.ways import find_unreached
@@ -91,8 +93,10 @@ def test_before_something_essential_goes_the_room_tries(
     assert not report.notes, report.notes
     assert not [out for out in solution.left_out if out.required]
     assert essential in {piece.category for piece in solution.pieces}
-    monkeypatch.setattr(second_try, "TRIALS", 0)
-    assert check(home.solve(brief, seed=0, threads=1)).notes
+    usual = PRESETS["default"]
+    none = usual.settings._replace(retry=usual.settings.retry._replace(walked=0))
+    monkeypatch.setitem(PRESETS, "untried", usual._replace(settings=none))
+    assert check(home.solve(brief, preset="untried", seed=0, threads=1)).notes
 
 
 def test_nothing_forbidden_is_taken_instead() -> None:
@@ -193,14 +197,14 @@ def test_the_whole_run_gives_way_where_its_hob_bars_a_door() -> None:
     )
     answer = RoomAnswer(0.0, (item,), (), (), None, 0.0, 0)
     hob = next(piece for piece in pieces if piece.category == "hob_cabinet")
-    loss = yielding._loss(hob.id, [answer])
+    loss = yielding._loss(hob.id, [answer], FaultCosts())
     assert loss is not None
     assert loss.piece == ""
     left = yielding._without(answer, loss, [])
     assert left.placed == ()
     assert [m.wish.group for m in left.missing] == ["kitchen"]
     drawer = next(piece for piece in pieces if piece.category == "drawer_cabinet")
-    spare = yielding._loss(drawer.id, [answer])
+    spare = yielding._loss(drawer.id, [answer], FaultCosts())
     assert spare is not None
     less = yielding._without(answer, spare, [])
     assert [gone.category for gone in less.gone] == ["drawer_cabinet"]

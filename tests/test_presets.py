@@ -20,6 +20,13 @@ CHANGED: list[tuple[str, str, str, Any, str, int]] = [
     ("home", "chains", "cold", 1e-3, "anneal", 4000),
     ("home", "chains", "agreed", 1, "anneal", 40_000),
     ("home", "chains", "alike", 0.5, "anneal", 40_000),
+    ("home", "chains", "samples", 8, "anneal", 4000),
+    ("home", "chains", "pilot", 64, "anneal", 4000),
+    ("home", "greedy", "along", 0.6, "greedy", 400),
+    ("home", "greedy", "apart", 1.1, "greedy", 400),
+    ("home", "greedy", "one", 60, "greedy", 2000),
+    ("home", "greedy", "first", 60, "greedy", 2000),
+    ("home", "greedy", "shake", 3.0, "greedy", 4000),
     ("hall", "chains", "chains", 2, "anneal", 800),
     ("hall", "chains", "low", 1.0, "anneal", 800),
     ("hall", "chains", "high", 5.0, "anneal", 800),
@@ -100,6 +107,31 @@ def test_attempts_at_halls_follow_the_preset(
     tuned = usual._replace(settings=usual.settings._replace(search=search))
     monkeypatch.setitem(table, "tuned", tuned)  # type: ignore[arg-type]
     told = [sw.solve(brief, preset=each, steps=200, seed=3) for each in ("default", "tuned")]
+    assert told[0].pieces != told[1].pieces or told[0].evaluations != told[1].evaluations
+
+
+@pytest.mark.parametrize(
+    ("group", "name", "value"),
+    [
+        ("tries", "first", 0.1),
+        ("tries", "fill", 0.9),
+        ("tries", "layouts", 1),
+        ("tries", "crowded", 1),
+        ("tries", "again", 0.9),
+        ("tries", "fills", 1),
+        ("costs", "missing", (1000.0, 1.0, 0.0)),
+        ("costs", "energy", 50.0),
+    ],
+)
+def test_rooms_are_tried_and_answers_compared_by_the_preset(
+    group: str, name: str, value: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    brief, table = sw.read("sample:home-flat"), presets("home")
+    usual = table["quick"]
+    changed = getattr(usual.settings, group)._replace(**{name: value})
+    tuned = usual._replace(settings=usual.settings._replace(**{group: changed}))
+    monkeypatch.setitem(table, "tuned", tuned)  # type: ignore[arg-type]
+    told = [sw.solve(brief, preset=each, seed=1) for each in ("quick", "tuned")]
     assert told[0].pieces != told[1].pieces or told[0].evaluations != told[1].evaluations
 
 

@@ -18,11 +18,12 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.domains import check, resolve
 from scenewright.domains.home import solving as home
-from scenewright.domains.home.attempt import UNHEARD, build_task_problem, score_answer
+from scenewright.domains.home.attempt import build_task_problem, score_answer
 from scenewright.domains.home.build_problem import items_of
 from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.settings import FaultCosts
 from scenewright.domains.home.tasks import task_of
 from scenewright.domains.home.wished.wishes import apply_preferences, apply_wishes
 from scenewright.formats import solution_json
@@ -235,7 +236,7 @@ def test_layouts_that_meet_a_wish_score_better(x: float, deaf: int) -> None:
     standing = tuple(fixed_pieces(asked, space, shipped()))
     task = task_of(brief, asked, space, standing, shipped(), SHIPPED, PRESETS["default"], "", 0)
     told = score_answer(task, (), (), build_task_problem(task, (), task.ground), 0.0)
-    assert (told.unheard, told.score) == (deaf, deaf * UNHEARD)
+    assert (told.unheard, told.score) == (deaf, deaf * FaultCosts().unmet)
 
 
 def test_a_fixed_piece_draws_too() -> None:

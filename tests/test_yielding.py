@@ -10,7 +10,6 @@ from scenewright.building.plan import spaces
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.domains import check
-from scenewright.domains.home import remove_blockers as yielding
 from scenewright.domains.home import solving as home
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import SHIPPED
@@ -48,8 +47,10 @@ def test_what_bars_the_way_to_another_room_gives_way(
     assert any("it would bar the walking route to the room in" in reason for reason in told)
     names = {piece.group for piece in solution.pieces}
     assert {patch.id for patch in solution.patches} <= names
-    monkeypatch.setattr(yielding, "ROUNDS", 0)
-    before = home.solve(brief, seed=0, steps=2000)
+    usual = PRESETS["default"]
+    never = usual.settings._replace(retry=usual.settings.retry._replace(rounds=0))
+    monkeypatch.setitem(PRESETS, "untouched", usual._replace(settings=never))
+    before = home.solve(brief, preset="untouched", seed=0, steps=2000)
     assert not check(before).valid
     assert {p.id for p in solution.pieces} < {p.id for p in before.pieces}
 

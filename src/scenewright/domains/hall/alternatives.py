@@ -18,15 +18,13 @@ from scenewright.building.plan import plan_rooms
 from scenewright.core.brief import Brief
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
+from scenewright.domains.hall.presets import PRESETS
+from scenewright.domains.hall.settings import OtherPlansSettings
 from scenewright.domains.hall.solving import solve
+from scenewright.engine.rows import preset_named
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
-
-TRIED = 2
-"""Candidates for every plan asked for, and two more."""
-DIFFERENT = 0.5
-"""Weight of differing against being good."""
 
 
 def alternatives(
@@ -42,7 +40,8 @@ def alternatives(
     """``count`` plans that differ, best first; ``options`` are those of
     :func:`scenewright.domains.hall.solving.solve`."""
     made = plan or plan_rooms(brief)
-    tried = TRIED * count + 2
+    rule = preset_named(PRESETS, options.get("preset", "default")).settings.other_plans
+    tried = rule.tried * count + rule.spare
     found: list[Solution] = []
     for k in range(tried):
         if cancel is not None and cancel() and found:
@@ -51,11 +50,15 @@ def alternatives(
         found.append(solve(brief, plan=made, cancel=cancel, **varied, **options))
         if progress:
             progress((k + 1) / tried, f"plan {k + 1} of {tried}")
-    chosen = choose(found, count)
+    chosen = choose(found, count, rule)
     return tuple(sorted(chosen, key=_rank))
 
 
-def choose(found: list[Solution], count: int) -> list[Solution]:
+def choose(
+    found: list[Solution],
+    count: int,
+    rule: OtherPlansSettings = PRESETS["default"].settings.other_plans,
+) -> list[Solution]:
     """The best, then those that add most."""
     left = sorted(found, key=_rank)
     energies = np.array([_rank(solution)[1] for solution in left])
@@ -66,8 +69,8 @@ def choose(found: list[Solution], count: int) -> list[Solution]:
             -np.inf
             if k in taken
             else worth[k]
-            - 10.0 * len(left[k].left_out)
-            + DIFFERENT * min((difference(left[k], left[t]) for t in taken), default=0.0)
+            - rule.missing * len(left[k].left_out)
+            + rule.different * min((difference(left[k], left[t]) for t in taken), default=0.0)
             for k in range(len(left))
         ]
         taken.append(int(np.argmax(scores)))

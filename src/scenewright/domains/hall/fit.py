@@ -27,15 +27,6 @@ from scenewright.domains.hall.solvers.chains import anneal_hall, first_layout
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.solve import Budget, Cancel
 
-ROUNDS = 12
-MOST_ROUNDS = 10 * ROUNDS
-TRIES = 300
-SMALL = 3
-CHANCES, LITTLE = 3, 0.02
-"""First layouts tried where no more than this share of the objects finds no room."""
-SHARES, LOOK = (0.1, 0.4, 0.7, 1.0), 1200
-"""Shares of their clearances that objects get floor for, and layouts looked at for each share,
-where not everything fits."""
 NOTHING = Kept(np.zeros((0, 4)), np.zeros((0, 5)), np.zeros((0, 2)), np.zeros((0, 2)))
 
 
@@ -63,20 +54,21 @@ def fit(
     Where only a little does not fit, other first layouts are tried; else more is left out until
     the route reaches what stays.
     """
-    asked = sum(len(wish.sizes) for wish in wishes)
-    for chance in range(CHANCES):
-        fitted = _fit(hall, wishes, weights, catalog, seed + 7 * chance, whole, SHARES[0], cancel)
+    asked, rule = sum(len(wish.sizes) for wish in wishes), hall.settings.fit
+    for chance in range(rule.chances):
+        other, share = seed + 7 * chance, rule.shares[0]
+        fitted = _fit(hall, wishes, weights, catalog, other, whole, share, cancel)
         missing = asked - sum(unit.last - unit.first for unit in fitted.units)
         if missing == 0 or (cancel is not None and cancel()):
             return fitted
-        if missing > max(2, LITTLE * asked):
+        if missing > max(2, rule.little * asked):
             break
-    for share in SHARES:
+    for share in rule.shares:
         fitted = _fit(hall, wishes, weights, catalog, seed, whole, share, cancel)
         placed = sum(unit.last - unit.first for unit in fitted.units)
         if placed in (0, asked) or (cancel is not None and cancel()):
             break
-        if _all_reached(fitted.problem, fitted.start, seed):
+        if _all_reached(fitted.problem, fitted.start, seed, rule.looked):
             break
     return fitted
 
@@ -98,17 +90,18 @@ def _fit(
     order = visiting_order(hall.plan.links, hall.names, _first_zone(hall))
     built = hosts(hall.borders, hall.plan.links, hall.names, order, lack, whole)
     spans = np.array([host.span for host in built]).reshape(-1, 2)
-    for attempt in range(MOST_ROUNDS):
+    rule = hall.settings.fit
+    for attempt in range(rule.most_rounds):
         problem = build_problem(hall, wishes, units, built, weights, catalog)
         if not units:
             return Fitted([], built, problem, NOTHING)
-        start, lost = first_layout(problem, spans, seed + attempt, TRIES)
+        start, lost = first_layout(problem, spans, seed + attempt, rule.tried)
         if not lost:
             return Fitted(units, built, problem, start)
         if cancel is not None and cancel():
             break
-        if attempt + 1 < MOST_ROUNDS:
-            units = _reduce_units(units, lost, whole, attempt)
+        if attempt + 1 < rule.most_rounds:
+            units = _reduce_units(units, lost, whole and attempt < rule.rounds, attempt, rule.small)
     stay = [k for k in range(len(units)) if k not in lost]
     start = without(start, problem, stay)
     units = [units[k] for k in stay]
@@ -116,9 +109,9 @@ def _fit(
     return Fitted(units, built, problem, start)
 
 
-def _all_reached(problem: HallProblem, start: Kept, seed: int) -> bool:
+def _all_reached(problem: HallProblem, start: Kept, seed: int, looked: int) -> bool:
     """Whether a short search finds a layout in which the route misses nothing."""
-    found = anneal_hall(problem, start, Budget(steps=LOOK, threads=1), seed)
+    found = anneal_hall(problem, start, Budget(steps=looked, threads=1), seed)
     return min(layout.missed for layout in found.layouts) == 0.0
 
 
@@ -142,7 +135,7 @@ def _first_zone(hall: HallContext) -> int:
 
 
 def _reduce_units(
-    units: list[Unit], lost: tuple[int, ...], whole: bool, attempt: int
+    units: list[Unit], lost: tuple[int, ...], whole: bool, attempt: int, small: int
 ) -> list[Unit]:
     """Units after those without a place were split, or gave objects up."""
     found: list[Unit] = []
@@ -150,10 +143,10 @@ def _reduce_units(
         count = unit.last - unit.first
         if k not in lost:
             found.append(unit)
-        elif count > SMALL and not (whole and attempt < ROUNDS):
+        elif count > small and not whole:
             half = unit.first + (count + 1) // 2
             found += [unit._replace(last=half), unit._replace(first=half)]
-        elif count > SMALL or attempt % 2 == 0:
+        elif count > small or attempt % 2 == 0:
             found.append(unit)
         elif count > 1:
             found.append(unit._replace(last=unit.last - 1))

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from scenewright.core.catalog import Catalog
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext, build_problem
-from scenewright.domains.hall.fit import TRIES, Fitted
+from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.problem import HallProblem
@@ -25,8 +25,6 @@ Heard = Callable[[Report], None]
 
 WAYS = ("access", "reach")
 """What is wrong where it costs anything."""
-LARGE = 6
-"""Groups of so many objects are tried in halves in the end."""
 
 
 class HallSearch(NamedTuple):
@@ -151,15 +149,16 @@ def _make_progress_reporter(
 
 def halve_groups(search: HallSearch, fitted: Fitted, seed: int) -> Fitted:
     """The same with every free group of six or more in two; unchanged if that finds no room."""
-    units: list[Unit] = []
+    settings, units = search.preset.settings, list[Unit]()
+    large = settings.search.large
     for unit in fitted.units:
         middle = (unit.first + unit.last + 1) // 2
-        if unit.last - unit.first >= LARGE and not search.wishes[unit.demand].at_wall:
+        if unit.last - unit.first >= large and not search.wishes[unit.demand].at_wall:
             units += [unit._replace(last=middle), unit._replace(first=middle)]
         else:
             units.append(unit)
     problem = build_problem(
         search.hall, search.wishes, units, fitted.hosts, search.preset.weights, search.catalog
     )
-    start, lost = first_layout(problem, fitted.start.walls, seed, TRIES)
+    start, lost = first_layout(problem, fitted.start.walls, seed, settings.fit.tried)
     return fitted if lost else fitted._replace(units=units, problem=problem, start=start)

@@ -27,20 +27,53 @@ class GuidedSettings(NamedTuple):
 
 class SearchSettings(NamedTuple):
     """Attempts while something cannot be reached; of a stated budget the share of the ``first``
-    and of each ``again``; how much more what is ``wrong`` weighs in the end."""
+    and of each ``again``; how much more what is ``wrong`` weighs in the end, and the objects of a
+    group that is then tried in halves (``large``)."""
 
     attempts: int = 4
     first: float = 0.5
     again: float = 0.1
     wrong: float = 20.0
+    large: int = 6
+
+
+class FitSettings(NamedTuple):
+    """Making demands fit: ``rounds`` in which groups that are to stay whole are not split, of
+    ``most_rounds``; first layouts ``tried`` in each; units of no more than so many objects are not
+    split (``small``). Other first layouts (``chances``) are tried where no more than the share
+    ``little`` of the objects finds no room; where more does not, objects get these ``shares`` of
+    their clearances in turn, and so many layouts of each are ``looked`` at."""
+
+    rounds: int = 12
+    most_rounds: int = 120
+    tried: int = 300
+    small: int = 3
+    chances: int = 3
+    little: float = 0.02
+    shares: tuple[float, ...] = (0.1, 0.4, 0.7, 1.0)
+    looked: int = 1200
+
+
+class OtherPlansSettings(NamedTuple):
+    """Plans that differ: candidates ``tried`` for every plan asked for, and ``spare`` ones; the
+    weight of differing (``different``) against being good; what it costs that something is not
+    placed (``missing``)."""
+
+    tried: int = 2
+    spare: int = 2
+    different: float = 0.5
+    missing: float = 10.0
 
 
 class HallSettings(NamedTuple):
-    """Whether groups stay ``whole``, and whether eqs. 1 and 3 stand as ``printed``; how chains
-    anneal, the paper's chain runs, and attempts follow one another."""
+    """Whether groups stay ``whole``, and whether eqs. 1 and 3 stand as ``printed``; how demands are
+    made to fit, chains anneal, the paper's chain runs, attempts follow one another and plans
+    differ."""
 
     whole: bool = False
     printed: bool = False
     chains: ChainSettings = ChainSettings()
     guided: GuidedSettings = GuidedSettings()
     search: SearchSettings = SearchSettings()
+    fit: FitSettings = FitSettings()
+    other_plans: OtherPlansSettings = OtherPlansSettings()

@@ -22,19 +22,14 @@ from scenewright.core.plan import Plan
 from scenewright.core.solution import Patch, Solution
 from scenewright.core.space import Space
 from scenewright.domains import check
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.settings import VarietySettings
 from scenewright.domains.home.solving import solve
+from scenewright.engine.rows import preset_named
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 
-TRIED = 2
-"""Candidates for every plan asked for, and two more."""
-DIFFERENT = 1.0
-"""Weight of differing against being good: energies count from 0, the best, to 1."""
-MISSING = 2.0
-"""What it costs that something essential or asked for is left out of a room."""
-LEAST = 0.1
-"""Plans that differ by less from one already taken are not given."""
 FAR = 2.0
 """A group that lies this far from where it did counts as standing elsewhere, metres."""
 
@@ -62,10 +57,11 @@ def alternatives(
     cancel: Cancel | None = None,
     **options: Any,
 ) -> tuple[Solution, ...]:
-    """Up to ``count`` plans that differ by at least :data:`LEAST`, best first; ``options`` are
-    those of :func:`scenewright.domains.home.solving.solve`."""
+    """Up to ``count`` plans that differ by the ``least`` of the preset's variety, best first;
+    ``options`` are those of :func:`scenewright.domains.home.solving.solve`."""
     made = plan or plan_rooms(brief)
-    tried = TRIED * count + 2
+    rule = preset_named(PRESETS, options.get("preset", "default")).settings.variety
+    tried = rule.tried * count + rule.spare
     found: list[Solution] = []
     for k in range(tried):
         if cancel is not None and cancel() and found:
@@ -73,10 +69,15 @@ def alternatives(
         found.append(solve(brief, plan=made, seed=seed + k, variant=k, cancel=cancel, **options))
         if progress:
             progress((k + 1) / tried, f"plan {k + 1} of {tried}")
-    return choose(found, count, made)
+    return choose(found, count, made, rule)
 
 
-def choose(found: Sequence[Solution], count: int, plan: Plan | None = None) -> tuple[Solution, ...]:
+def choose(
+    found: Sequence[Solution],
+    count: int,
+    plan: Plan | None = None,
+    rule: VarietySettings = PRESETS["default"].settings.variety,
+) -> tuple[Solution, ...]:
     """Plans put together room by room from whole ones: the best, then those that add most."""
     made = plan or plan_rooms(found[0].brief)
     rooms = made.spaces
@@ -85,26 +86,28 @@ def choose(found: Sequence[Solution], count: int, plan: Plan | None = None) -> t
     plans: list[Solution] = []
     for _ in range(count):
         for room in rooms:
-            chosen[room.id].append(_next(ordered, room, chosen[room.id]))
+            chosen[room.id].append(_next(ordered, room, chosen[room.id], rule))
         home = compose_home(ordered, [chosen[room.id][-1].number for room in rooms], rooms)
         if not check(home, plan=made).valid:
             home = max(
                 ordered, key=lambda s: min((difference(s, p, made) for p in plans), default=0.0)
             )
-        if all(difference(home, other, made) >= LEAST for other in plans):
+        if all(difference(home, other, made) >= rule.least for other in plans):
             plans.append(home)
     return tuple(sorted(plans, key=_rank))
 
 
-def _next(found: Sequence[Solution], room: Space, taken: Sequence[Candidate]) -> Candidate:
+def _next(
+    found: Sequence[Solution], room: Space, taken: Sequence[Candidate], rule: VarietySettings
+) -> Candidate:
     """The candidate for a room that adds most to those taken."""
     known = [_candidate(k, solution, room.id) for k, solution in enumerate(found)]
     energies = np.array([c.energy for c in known])
     spread = max(float(np.ptp(energies)), 1e-9)
     scores = [
         -(c.energy - float(energies.min())) / spread
-        - MISSING * c.lacking
-        + DIFFERENT * min((_apart(c.patches, t.patches) for t in taken), default=0.0)
+        - rule.missing * c.lacking
+        + rule.different * min((_apart(c.patches, t.patches) for t in taken), default=0.0)
         for c in known
     ]
     return known[int(np.argmax(scores))]

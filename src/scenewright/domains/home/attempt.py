@@ -31,6 +31,7 @@ from scenewright.domains.home.paper_problem import as_in_paper
 from scenewright.domains.home.presets import HomePreset
 from scenewright.domains.home.problem import Ground, Problem
 from scenewright.domains.home.programme import Wish, part_of
+from scenewright.domains.home.settings import FaultCosts
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.ways import find_unreached
 from scenewright.domains.home.wished.places import assign_places as at_places
@@ -41,15 +42,7 @@ from scenewright.engine.solve import Budget, Progress
 Floats = NDArray[np.float64]
 Cancel = Callable[[], bool]
 
-PENALTY = (1000.0, 60.0, 8.0)  # for what is missing, by rank
-CORE = 3000.0  # for a missing core
-UNREACHED = 600.0  # for a group no route reaches
-BARRED = 1500.0  # for a door that nothing joins to the others
-LOST = 4.0
-UNHEARD = 30.0  # for a wish for a place, or an outlet, that what stands does not meet
-ENERGY = 0.05  # what a unit of energy counts beside the above
 DOOR = "door "
-LAYOUTS = 5  # how many of the solver's layouts are dressed
 
 
 class RoomTask(NamedTuple):
@@ -87,6 +80,11 @@ class RoomTask(NamedTuple):
     entered: tuple[int, ...] = ()
     progress: Progress | None = None
 
+    @property
+    def costs(self) -> FaultCosts:
+        """What faults of an answer cost."""
+        return self.preset.settings.costs
+
     def cancelled(self) -> bool:
         """Whether nobody waits for a better answer."""
         return self.cancel is not None and self.cancel()
@@ -123,9 +121,9 @@ class RoomAnswer(NamedTuple):
     gone: tuple[Gone, ...] = ()
 
 
-def penalty(wish: Wish) -> float:
+def penalty(wish: Wish, costs: FaultCosts) -> float:
     """What it costs that a wish did not come true."""
-    return CORE if wish.core else PENALTY[wish.rank]
+    return costs.core if wish.core else costs.missing[wish.rank]
 
 
 def floor_of(ground: Ground) -> float:
@@ -165,10 +163,10 @@ def attempt(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget, seed: int)
     preset = task.preset
     problem = build_task_problem(task, wishes, task.ground)
     found = SOLVERS[task.solver].run(problem, budget, seed, task.progress, task.cancel)
-    first, *others = found.layouts[: LAYOUTS if preset.settings.exact else 1]
+    first, *others = found.layouts[: preset.settings.tries.layouts if preset.settings.exact else 1]
     best = furnish_layout(task, wishes, problem, first.boxes, first.energy)
     for layout in others:
-        if ENERGY * layout.energy >= best.score or task.cancelled():
+        if task.costs.energy * layout.energy >= best.score or task.cancelled():
             continue
         other = furnish_layout(task, wishes, problem, layout.boxes, layout.energy, most=best.score)
         best = other if other.score < best.score else best
@@ -190,7 +188,7 @@ def furnish_layout(
     ``boxes`` (n, 5) x, y, heading, width, depth of the patches, metres and radians.
     """
     placed, missing = _place_groups(task, wishes, problem.names, boxes, before, most)
-    if sum(penalty(m.wish) for m in missing) >= most:
+    if sum(penalty(m.wish, task.costs) for m in missing) >= most:
         return RoomAnswer(math.inf, placed, missing, (), problem, energy, 0)
     if task.preset.settings.exact and placed:
         new = np.array([p not in before for p in placed])
@@ -254,7 +252,7 @@ def _place_groups(
         )
         if isinstance(worn, Refused):
             missing.append(Missing(wish, worn.reason))
-            if sum(penalty(m.wish) for m in missing) >= most:
+            if sum(penalty(m.wish, task.costs) for m in missing) >= most:
                 break
             continue
         group = f"{task.space.id}/{name}"
@@ -280,17 +278,17 @@ def score_answer(
         placed, gone, blocked = _open_ways(task, placed)
         missing = (*missing, *gone)
     standing = (*task.fixed, *(p for item in placed for p in item.pieces))
-    deaf = count_unmet_wishes(task.asked, task.space, standing, task.catalog)
+    deaf, costs = count_unmet_wishes(task.asked, task.space, standing, task.catalog), task.costs
     score = (
-        sum(penalty(m.wish) for m in missing)
-        + sum(BARRED if b.startswith(DOOR) else UNREACHED for b in blocked)
-        + LOST * _count_lost(placed)
-        + UNHEARD * deaf
+        sum(penalty(m.wish, task.costs) for m in missing)
+        + sum(costs.barred if b.startswith(DOOR) else costs.unreached for b in blocked)
+        + costs.piece * _count_lost(placed)
+        + costs.unmet * deaf
     )
     if score >= most:
         return RoomAnswer(math.inf, placed, missing, blocked, problem, energy, 0)
     energy = _energy(task, placed, problem, energy)
-    total = score + ENERGY * energy
+    total = score + costs.energy * energy
     return RoomAnswer(total, placed, missing, blocked, problem, energy, 0, deaf)
 
 

@@ -19,10 +19,7 @@ from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer
 from scenewright.domains.home.barred import Barred, find_barred
 from scenewright.domains.home.furnishing.whole import Gone, is_whole, without
 from scenewright.domains.home.home_floor import join_floors
-
-ROUNDS = 24
-MEMBER = 4.0  # what it costs to lose one piece of a group that can do without, as in attempt
-KEPT = 200.0  # what it costs more to take what is in the way than what cannot be reached
+from scenewright.domains.home.settings import FaultCosts, HomeSettings
 
 
 class Loss(NamedTuple):
@@ -41,15 +38,18 @@ def remove_blockers(
     rooms: tuple[Space, ...],
     catalog: Catalog,
     width: float,
+    settings: HomeSettings,
 ) -> list[RoomAnswer]:
     """The answers for all rooms of a home without what bars a way or cannot be walked to;
-    ``standing`` is what is to stay in each room."""
+    ``standing`` is what is to stay in each room, ``settings`` those of the preset."""
     found, floors = list(answers), join_floors(rooms, width)
-    for _ in range(ROUNDS):
+    for _ in range(settings.retry.rounds):
         placed = [(*here, *_pieces(a)) for here, a in zip(standing, found, strict=True)]
         pieces = tuple(p for here in placed for p in here)
         barred = find_barred(pieces, rooms, floors, catalog, width)
-        losses = {loss for each in barred if (loss := _least(each, found)) is not None}
+        losses = {
+            loss for each in barred if (loss := _least(each, found, settings.costs)) is not None
+        }
         if not losses:
             break
         for loss in _apart(losses):
@@ -61,25 +61,25 @@ def _pieces(answer: RoomAnswer) -> tuple[Piece, ...]:
     return tuple(piece for item in answer.placed for piece in item.pieces)
 
 
-def _least(barred: Barred, answers: Sequence[RoomAnswer]) -> Loss | None:
+def _least(barred: Barred, answers: Sequence[RoomAnswer], costs: FaultCosts) -> Loss | None:
     """The cheapest thing to take away: what cannot be reached itself, or what is in the way."""
     losses = []
     for piece in filter(None, (barred.piece, *barred.openers)):
-        loss = _loss(piece, answers)
+        loss = _loss(piece, answers, costs)
         if loss is not None:
-            more = 0.0 if piece == barred.piece else KEPT
+            more = 0.0 if piece == barred.piece else costs.in_the_way
             losses.append(loss._replace(cost=loss.cost + more))
     return min(losses, key=lambda loss: loss.cost, default=None)
 
 
-def _loss(piece: str, answers: Sequence[RoomAnswer]) -> Loss | None:
+def _loss(piece: str, answers: Sequence[RoomAnswer], costs: FaultCosts) -> Loss | None:
     """Taking a piece away, with its group if that cannot do without; none for what was fixed."""
     for room, answer in enumerate(answers):
         for number, item in enumerate(answer.placed):
             for here in item.pieces:
                 if here.id == piece:
                     spare = _is_spare(item, piece)
-                    cost = MEMBER if spare else penalty(item.wish)
+                    cost = costs.piece if spare else penalty(item.wish, costs)
                     return Loss(room, number, piece if spare else "", cost)
     return None
 

@@ -15,14 +15,9 @@ from scenewright.domains.home.attempt import (
 )
 from scenewright.domains.home.piecewise import piecewise
 from scenewright.domains.home.programme import FALLBACK, Wish, instead_of
+from scenewright.domains.home.settings import FaultCosts, TrySettings
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.engine.solve import Budget
-
-FIRST, AGAIN, FILL = 0.5, 0.3, 0.2  # shares of a room's work: first, each later try, the rest
-INSTEAD = 200.0  # what it costs to take a fallback
-FILLS = 6  # layouts tried when filling up
-HEARING = 2  # further tries of a room that does not meet a wish for a place, or an outlet
-ROOMY = 4  # placed groups that make another try worth its time
 
 
 def furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
@@ -35,25 +30,26 @@ def furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAns
         return piecewise(task, wishes, budget)
     if not task.preset.settings.exact:
         return attempt(task, wishes, budget, task.seed)
-    best = attempt(task, wishes, share_of(budget, FIRST), task.seed)
+    rule = task.preset.settings.tries
+    best = attempt(task, wishes, share_of(budget, rule.first, rule), task.seed)
     if budget.seconds is not None and _sound(best) and not task.cancelled():
-        rest = budget._replace(seconds=budget.seconds * (1 - FIRST / ALL_SHARES))
+        rest = budget._replace(seconds=budget.seconds * (1 - rule.first / _all_shares(rule)))
         return _better(best, attempt(task, wishes, rest, task.seed + 1))
     known = {_sort_wishes(wishes)}
     for round_, fewer in enumerate(FEWER, 1):
-        again = () if _sound(best) or task.cancelled() else fewer(best, wishes)
+        again = () if _sound(best) or task.cancelled() else fewer(best, wishes, rule)
         if again and (fewer is _afresh or _sort_wishes(again) not in known):
             known.add(_sort_wishes(again))
-            tried = attempt(task, again, share_of(budget, AGAIN), task.seed + round_)
-            best = _better(best, _report_dropped(tried, wishes, best))
-    for round_ in range(HEARING if budget.seconds is None else 0):
+            tried = attempt(task, again, share_of(budget, rule.again, rule), task.seed + round_)
+            best = _better(best, _report_dropped(tried, wishes, best, task.costs))
+    for round_ in range(rule.unmet if budget.seconds is None else 0):
         if best.unheard and not task.cancelled():
             seed = task.seed + len(FEWER) + 1 + round_
-            tried = attempt(task, wishes, share_of(budget, AGAIN), seed)
-            best = _better(best, _report_dropped(tried, wishes, best))
+            tried = attempt(task, wishes, share_of(budget, rule.again, rule), seed)
+            best = _better(best, _report_dropped(tried, wishes, best, task.costs))
     if not best.missing or task.cancelled():
         return best
-    return fill_rest(task, best, share_of(budget, FILL))
+    return fill_rest(task, best, share_of(budget, rule.fill, rule))
 
 
 def _sort_wishes(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
@@ -65,7 +61,9 @@ def _sound(answer: RoomAnswer) -> bool:
     return not answer.unreached and not any(m.wish.rank == 0 for m in answer.missing)
 
 
-def _keep_standing(answer: RoomAnswer, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
+def _keep_standing(
+    answer: RoomAnswer, wishes: tuple[Wish, ...], _: TrySettings
+) -> tuple[Wish, ...]:
     """What stood and could be reached, and fallbacks for the essential that did not or that bars
     a way."""
     kept: list[Wish] = []
@@ -79,9 +77,9 @@ def _keep_standing(answer: RoomAnswer, wishes: tuple[Wish, ...]) -> tuple[Wish, 
     return tuple(kept)
 
 
-def _afresh(answer: RoomAnswer, _: tuple[Wish, ...]) -> tuple[Wish, ...]:
+def _afresh(answer: RoomAnswer, _: tuple[Wish, ...], rule: TrySettings) -> tuple[Wish, ...]:
     """All that is placed, to be laid out anew, if something of a roomy room is out of reach."""
-    if not answer.unreached or len(answer.placed) < ROOMY:
+    if not answer.unreached or len(answer.placed) < rule.roomy:
         return ()
     return tuple(p.wish for p in answer.placed)
 
@@ -91,7 +89,7 @@ def _is_barred(answer: RoomAnswer) -> bool:
     return bool(set(answer.unreached) - {p.name for p in answer.placed})
 
 
-def _core(_: RoomAnswer, wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
+def _core(_: RoomAnswer, wishes: tuple[Wish, ...], __: TrySettings) -> tuple[Wish, ...]:
     """What makes the room's functions alone, in its smallest form."""
     return tuple(other for w in wishes if w.core for other in instead_of(w))
 
@@ -106,8 +104,8 @@ def fill_rest(task: RoomTask, answer: RoomAnswer, budget: Budget) -> RoomAnswer:
     found = SOLVERS[task.solver].run(problem, budget, task.seed, task.progress, task.cancel)
     best = answer
     others = tuple(m for m in answer.missing if m.wish not in wanted)
-    lacking = sum(penalty(m.wish) for m in others)
-    for layout in found.layouts[:FILLS]:
+    lacking = sum(penalty(m.wish, task.costs) for m in others)
+    for layout in found.layouts[: task.preset.settings.tries.fills]:
         more = furnish_layout(
             task, wishes, problem, layout.boxes, answer.energy, answer.placed, best.score - lacking
         )
@@ -116,7 +114,9 @@ def fill_rest(task: RoomTask, answer: RoomAnswer, budget: Budget) -> RoomAnswer:
     return best._replace(evaluations=answer.evaluations + found.evaluations)
 
 
-def _report_dropped(tried: RoomAnswer, wishes: tuple[Wish, ...], before: RoomAnswer) -> RoomAnswer:
+def _report_dropped(
+    tried: RoomAnswer, wishes: tuple[Wish, ...], before: RoomAnswer, costs: FaultCosts
+) -> RoomAnswer:
     """A later answer, also telling what it no longer attempted, scored against all wishes."""
     asked = [p.wish for p in tried.placed] + [m.wish for m in tried.missing]
     groups = [w.group for w in asked]
@@ -130,7 +130,7 @@ def _report_dropped(tried: RoomAnswer, wishes: tuple[Wish, ...], before: RoomAns
             instead += 1
         else:
             dropped.append(Missing(wish, why.get(wish.group, "no room is left beside the rest")))
-    score = tried.score + sum(penalty(m.wish) for m in dropped) + INSTEAD * instead
+    score = tried.score + sum(penalty(m.wish, costs) for m in dropped) + costs.fallback * instead
     return tried._replace(missing=(*tried.missing, *dropped), score=score)
 
 
@@ -139,13 +139,16 @@ def _better(first: RoomAnswer, second: RoomAnswer) -> RoomAnswer:
     return (second if second.score < first.score else first)._replace(evaluations=evaluations)
 
 
-def share_of(budget: Budget, share: float) -> Budget:
+def share_of(budget: Budget, share: float, rule: TrySettings) -> Budget:
     """A share of the work; all shares a room may take together stay within its seconds."""
     return budget._replace(
-        seconds=None if budget.seconds is None else budget.seconds * share / ALL_SHARES,
+        seconds=None if budget.seconds is None else budget.seconds * share / _all_shares(rule),
         steps=None if budget.steps is None else max(1, int(budget.steps * share)),
     )
 
 
 FEWER = (_keep_standing, _afresh, _afresh, _afresh, _afresh, _core)
-ALL_SHARES = FIRST + len(FEWER) * AGAIN + FILL
+
+
+def _all_shares(rule: TrySettings) -> float:
+    return rule.first + len(FEWER) * rule.again + rule.fill

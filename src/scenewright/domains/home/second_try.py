@@ -8,22 +8,21 @@ numbers with wider ways kept open, and of both homes the one that lacks less is 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import islice
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, penalty
 from scenewright.domains.home.programme import Wish, is_essential
-from scenewright.domains.home.room import FILL, fill_rest, share_of
+from scenewright.domains.home.room import fill_rest, share_of
+from scenewright.domains.home.settings import FaultCosts
 from scenewright.domains.home.systematic import essential_layouts
 from scenewright.domains.home.wheelchair import furnish_by_use
 from scenewright.engine.solve import Budget
 
-WIDER = (0.08, 0.02)
-"""How much wider the ways of each further try are, metres: up to two cells of the grid they are
-walked on."""
-OTHERWISE = 7919  # added to the seed of a room for each
-LEAST = 0.7  # a room of less floor has hardly another place for anything, square metres
-
-TRIALS = 6  # layouts of essentials that are walked through exactly, at most
+OTHERWISE = 7919
+"""Added to the seed of a room for each further try."""
+LEAST = 0.7
+"""A room of less floor has hardly another place for anything, square metres."""
 
 Opened = Callable[[Sequence[RoomAnswer]], list[RoomAnswer]]
 
@@ -40,17 +39,20 @@ def tried_again(
     are stated: these are spent), and a search along the walls for what is lacking then."""
     found = opened(before)
     for room, task in enumerate(tasks):
-        wanted = _lacks(before[room])
+        rule, costs = task.preset.settings.retry, task.costs
+        wanted = _lacks(before[room], costs)
         if task.ground.area < LEAST or task.cancelled():
             continue
         most = 0 if budgets[room].seconds is not None else 1 if before[room].unreached else None
-        for number, wider in enumerate(WIDER[:most], 1):
-            if _lacks(found[room]) <= wanted:
+        for number, wider in enumerate(rule.wider[:most], 1):
+            if _lacks(found[room], costs) <= wanted:
                 break
             other = furnish_by_use(_otherwise(task, number, wider), wishes[room], budgets[room])
-            if _lacks(other) < _lacks(found[room]):
-                found = min(found, opened(_with(found, room, other)), key=_lacking)
-        if _lacks(found[room]) and not task.accessible:
+            if _lacks(other, costs) < _lacks(found[room], costs):
+                found = min(
+                    found, opened(_with(found, room, other)), key=partial(_lacking, costs=costs)
+                )
+        if _lacks(found[room], costs) and not task.accessible:
             found = _with_essentials(room, task, wishes[room], budgets[room], found, opened)
     return found
 
@@ -81,13 +83,15 @@ def _at_rank(
 ) -> list[RoomAnswer]:
     if not any(is_essential(m.wish) and m.wish.rank <= rank for m in found[room].missing):
         return found
-    for bare in islice(essential_layouts(task, wishes, found[room], rank), TRIALS):
+    rule, costs = task.preset.settings, task.costs
+    for bare in islice(essential_layouts(task, wishes, found[room], rank), rule.retry.walked):
         trial = opened(_with(found, room, bare))
-        if _essential(trial) >= _essential(found):
+        if _essential(trial, costs) >= _essential(found, costs):
             continue
-        filled = opened(_with(found, room, fill_rest(task, bare, share_of(budget, FILL))))
-        found = min(trial, filled, key=lambda each: (_essential(each), _lacking(each)))
-        if not _lacks(found[room]):
+        part = share_of(budget, rule.tries.fill, rule.tries)
+        filled = opened(_with(found, room, fill_rest(task, bare, part)))
+        found = min(trial, filled, key=lambda a: (_essential(a, costs), _lacking(a, costs)))
+        if not _lacks(found[room], costs):
             break
     return found
 
@@ -96,17 +100,17 @@ def _with(found: Sequence[RoomAnswer], room: int, answer: RoomAnswer) -> list[Ro
     return [answer if i == room else other for i, other in enumerate(found)]
 
 
-def _essential(answers: Sequence[RoomAnswer]) -> float:
-    return sum(map(_lacks, answers))
+def _essential(answers: Sequence[RoomAnswer], costs: FaultCosts) -> float:
+    return sum(_lacks(answer, costs) for answer in answers)
 
 
-def _lacks(answer: RoomAnswer) -> float:
+def _lacks(answer: RoomAnswer, costs: FaultCosts) -> float:
     """What it costs that some of what is essential is missing."""
-    return sum(penalty(m.wish) for m in answer.missing if is_essential(m.wish))
+    return sum(penalty(m.wish, costs) for m in answer.missing if is_essential(m.wish))
 
 
-def _lacking(answers: Sequence[RoomAnswer]) -> float:
-    return sum(penalty(m.wish) for answer in answers for m in answer.missing)
+def _lacking(answers: Sequence[RoomAnswer], costs: FaultCosts) -> float:
+    return sum(penalty(m.wish, costs) for answer in answers for m in answer.missing)
 
 
 def _otherwise(task: RoomTask, number: int, wider: float) -> RoomTask:

@@ -8,21 +8,128 @@ from typing import NamedTuple
 class ChainSettings(NamedTuple):
     """Annealing of patches: temperatures at the start and the end, in spreads of the energies of
     random layouts; ``agreed`` chains whose bests differ by no more than the share ``alike`` have
-    found the same, and the run ends; ``seconds`` is the work without a budget."""
+    found the same, and the run ends; ``seconds`` is the work without a budget. ``samples`` layouts
+    and ``pilot`` moves of each tell the spread."""
 
     hot: float = 0.07
     cold: float = 5e-6
     agreed: int = 3
     alike: float = 0.005
     seconds: float = 0.1
+    samples: int = 32
+    pilot: int = 16
+
+
+class GreedySettings(NamedTuple):
+    """Greedy placement: metres between places ``along`` a wall and ``apart`` on the floor; places
+    looked at for ``one`` item, and in the ``first`` pass; how much the logarithm of an area may err
+    in further passes (``shake``); layouts ``kept``."""
+
+    along: float = 0.25
+    apart: float = 0.5
+    one: int = 400
+    first: int = 4000
+    shake: float = 0.5
+    kept: int = 64
+
+
+class FaultCosts(NamedTuple):
+    """What faults of a furnished room cost when answers for it are compared.
+
+    A wish that is ``missing``, by its rank, or one that the room's function fails without
+    (``core``); a group no route reaches (``unreached``), a door that nothing joins to the others
+    (``barred``); a lost ``piece`` of a group that can do without; an ``unmet`` wish for a place, or
+    an outlet; a unit of ``energy``; a ``fallback`` taken instead; taking what is in the way rather
+    than what cannot be reached (``in_the_way``); a room where a wheelchair cannot turn
+    (``no_turn``), a bed or toilet it cannot get to (``no_transfer``)."""
+
+    missing: tuple[float, float, float] = (1000.0, 60.0, 8.0)
+    core: float = 3000.0
+    unreached: float = 600.0
+    barred: float = 1500.0
+    piece: float = 4.0
+    unmet: float = 30.0
+    energy: float = 0.05
+    fallback: float = 200.0
+    in_the_way: float = 200.0
+    no_turn: float = 1500.0
+    no_transfer: float = 900.0
+
+
+class TrySettings(NamedTuple):
+    """How a room is tried: shares of its work for the ``first`` try, each ``again`` and to ``fill``
+    it up; layouts furnished of a try (``layouts``) and when filling up (``fills``); further tries
+    while a wish for a place is not met (``unmet``); the placed groups that make another try worth
+    its time (``roomy``); the items from which on each takes more steps, being in one another's way
+    (``crowded``)."""
+
+    first: float = 0.5
+    again: float = 0.3
+    fill: float = 0.2
+    layouts: int = 5
+    fills: int = 6
+    unmet: int = 2
+    roomy: int = 4
+    crowded: int = 9
+
+
+class RetrySettings(NamedTuple):
+    """Rooms that gave up something essential: how much ``wider`` the ways of each further try are,
+    metres (up to two cells of the grid they are walked on); layouts of essentials walked through
+    exactly (``walked``); how often what bars a way is taken out (``rounds``)."""
+
+    wider: tuple[float, ...] = (0.08, 0.02)
+    walked: int = 6
+    rounds: int = 24
+
+
+class WallSearchSettings(NamedTuple):
+    """Essential groups tried at every place along the walls: ``places`` of one form, layouts whose
+    ways are ``walked`` and ``answers`` given for one set of groups, at most; essential ``groups``
+    at most; of each so many of its smallest ``forms``."""
+
+    places: int = 6
+    walked: int = 40
+    answers: int = 2
+    groups: int = 5
+    forms: int = 2
+
+
+class RearrangeSettings(NamedTuple):
+    """Changes to a furnished room: layouts furnished (``layouts``); what it costs to put a group a
+    metre away from where it was (``shift``); share of the work for groups placed anew."""
+
+    layouts: int = 6
+    shift: float = 10.0
+    share: float = 0.5
+
+
+class VarietySettings(NamedTuple):
+    """Plans that differ: candidates ``tried`` for every plan asked for, and ``spare`` ones; the
+    weight of differing (``different``) against being good, energies counting from 0, the best, to
+    1; what it costs that something essential is ``missing`` from a room; plans that differ by less
+    than ``least`` from one already taken are not given."""
+
+    tried: int = 2
+    spare: int = 2
+    different: float = 1.0
+    missing: float = 2.0
+    least: float = 0.1
 
 
 class HomeSettings(NamedTuple):
     """``printed`` takes the formulas as the paper prints them, ``paper`` its problem
     (:mod:`scenewright.domains.home.paper_problem`) instead of ours; ``exact`` checks every piece
-    while furnishing; how ``chains`` anneal."""
+    while furnishing; how ``chains`` anneal, what faults cost, and how rooms are tried."""
 
     printed: bool = False
     paper: bool = False
     exact: bool = True
     chains: ChainSettings = ChainSettings()
+    greedy: GreedySettings = GreedySettings()
+    costs: FaultCosts = FaultCosts()
+    tries: TrySettings = TrySettings()
+    retry: RetrySettings = RetrySettings()
+    walls: WallSearchSettings = WallSearchSettings()
+    rearrange: RearrangeSettings = RearrangeSettings()
+    variety: VarietySettings = VarietySettings()

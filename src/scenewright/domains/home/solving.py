@@ -52,8 +52,6 @@ __all__ = ["PRESETS", "problems", "solve"]
 MOST_THREADS = 16
 LAST = 0.02
 """Share of the progress of all rooms that is left for the routes of the whole home."""
-MANY = 9
-"""Items from which on a room takes more steps for each: they are in one another's way."""
 
 
 def solve(
@@ -105,7 +103,12 @@ def solve(
     if chosen.settings.exact:
         standing = [task.fixed for task in tasks]
         opened = partial(
-            remove_blockers, standing, rooms=rooms, catalog=catalog, width=brief.route_width
+            remove_blockers,
+            standing,
+            rooms=rooms,
+            catalog=catalog,
+            width=brief.route_width,
+            settings=chosen.settings,
         )
         answers = tried_again(turned, wishes, budgets, answers, opened)
     if shared is not None:
@@ -234,7 +237,8 @@ def _budget(
     each = steps or (preset.steps if solver == preset.solver else None)
     if each is None:
         return least
-    return least._replace(steps=int(each * max(items, 1) * max(items / MANY, 1.0)))
+    crowded = max(items / preset.settings.tries.crowded, 1.0)
+    return least._replace(steps=int(each * max(items, 1) * crowded))
 
 
 def assemble_solution(

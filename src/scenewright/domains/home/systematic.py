@@ -32,12 +32,6 @@ from scenewright.domains.home.programme import FALLBACK, LAST, Wish, instead_of,
 from scenewright.domains.home.wall_places import free_places
 from scenewright.domains.home.wished.wishes import list_barred_groups
 
-PLACES = 6  # tried for one form of a group
-LOOKED_AT = 40  # layouts whose ways are walked, at most, for one set of groups
-ANSWERS = 2  # layouts given for one set of groups, at most
-MANY = 5  # essential groups that are tried at most
-FORMS = 2  # of a group: so many of its smallest
-
 Forms = Callable[[RoomTask, Wish], tuple[Group, ...]]
 
 
@@ -62,7 +56,7 @@ def essential_layouts(
         looked = [0]
         for number, placed in enumerate(_extended(task, way, way.stays, way.rest, looked), 1):
             yield _answer(task, placed, wishes)
-            if number == ANSWERS:
+            if number == task.preset.settings.walls.answers:
                 break
 
 
@@ -82,7 +76,12 @@ def _ways(
         for stays, rest in sets if walked else sets[:1]:
             key = (forms, walked, len(stays), tuple(w.group for w in rest))
             possible = not any(wish.group in out for wish in rest)
-            if rest and possible and len(rest) <= MANY and key not in known:
+            if (
+                rest
+                and possible
+                and len(rest) <= task.preset.settings.walls.groups
+                and key not in known
+            ):
                 known.add(key)
                 yield Attempt(stays, _largest_first(task, rest), forms, walked)
 
@@ -103,7 +102,7 @@ def small_forms(task: RoomTask, wish: Wish) -> tuple[Group, ...]:
     known = cases(wish.group, task.library)
     order = np.argsort(known.sizes.prod(-1), kind="stable")
     fit = [i for i in order if wish.most is None or (known.sizes[i] <= wish.most).all()]
-    return tuple(known.groups[i] for i in (fit or order)[:FORMS])
+    return tuple(known.groups[i] for i in (fit or order)[: task.preset.settings.walls.forms])
 
 
 def least_forms(task: RoomTask, wish: Wish) -> tuple[Group, ...]:
@@ -126,7 +125,7 @@ def _extended(
         yield placed
         return
     for item in _candidates(task, way.forms, placed, rest[0]):
-        if looked[0] >= LOOKED_AT:
+        if looked[0] >= task.preset.settings.walls.walked:
             return
         looked[0] += 1
         more = (*placed, item)
@@ -143,7 +142,8 @@ def _candidates(
     name = _free_name(task, placed, wish.group)
     for case in forms(task, wish):
         height = task.space.height
-        for box in free_places(case, task.ground, standing, task.catalog, height)[:PLACES]:
+        free = free_places(case, task.ground, standing, task.catalog, height)
+        for box in free[: task.preset.settings.walls.places]:
             worn = dress_case(wish.group, case, box, task.ground, standing, task.catalog, height)
             if isinstance(worn, FurnishedPatch):
                 group = f"{task.space.id}/{name}"

@@ -36,8 +36,6 @@ SPARE = 0.03  # what is reserved more than needed, metres
 BEDS = ("double_bed", "single_bed")
 WIDENED = {"sleeping": "double_bed", "single": "single_bed", "toilet": "toilet"}
 INSTEAD = {"bunk": "single", "bath": "shower"}
-NO_TURN = 1500.0  # for a room in which one cannot turn
-NO_TRANSFER = 900.0  # for a bed or toilet one cannot get to
 APART = frozenset(("storage", "balcony", "other"))
 
 
@@ -109,7 +107,7 @@ def for_wheelchairs(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) ->
     ]
     if not answers or any(m.wish.core for m in min(answers, key=_score).missing):
         plain = _clear_approaches(task, furnish(task, wishes, budget))
-        more = NO_TURN if answers else 0.0
+        more = task.costs.no_turn if answers else 0.0
         answers.append(plain._replace(score=plain.score + more))
     best = min(answers, key=_score)
     told = tuple(m._replace(reason=_reword_reason(m.reason)) for m in best.missing)
@@ -187,13 +185,13 @@ def _clear_approaches(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
             and any(q.id in names for q in g.pieces for names in shut.values())
         ]
         if not giving:
-            return answer._replace(score=answer.score + NO_TRANSFER * len(shut))
+            return answer._replace(score=answer.score + task.costs.no_transfer * len(shut))
         gone = max(giving, key=lambda g: g.wish.rank)
         told = "it would stand where one gets from a wheelchair to bed or toilet"
         answer = answer._replace(
             placed=tuple(g for g in answer.placed if g is not gone),
             missing=(*answer.missing, Missing(gone.wish, told)),
-            score=answer.score + penalty(gone.wish),
+            score=answer.score + penalty(gone.wish, task.costs),
         )
 
 

@@ -14,7 +14,6 @@ import numpy as np
 
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import (
-    UNREACHED,
     FurnishedGroup,
     RoomAnswer,
     RoomTask,
@@ -28,10 +27,6 @@ from scenewright.domains.home.room import furnish
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.wheelchair import furnish_by_use
 from scenewright.engine.solve import Budget
-
-TRIED = 6  # layouts that are dressed
-SHIFT = 10.0  # what it costs to put a group a metre away from where it was
-ALIKE = 0.5  # share of the work for the groups that are placed anew
 
 
 class Rest(NamedTuple):
@@ -48,20 +43,22 @@ def rearrange_groups(task: RoomTask, groups: Sequence[FurnishedGroup], budget: B
     stay = _unhurt(task, groups)
     stay = _open(task, stay)
     freed = [g for g in groups if g not in stay]
-    part = budget.steps and max(1, int(ALIKE * budget.steps * len(freed) / max(len(groups), 1)))
+    share = task.preset.settings.rearrange.share
+    part = budget.steps and max(1, int(share * budget.steps * len(freed) / max(len(groups), 1)))
     answer = _anew(task, freed, stay, budget._replace(steps=part))
-    if not _trouble(answer):
+    if not _trouble(task, answer):
         return Rest(stay, answer)
     whole = furnish_by_use(task, tuple(g.wish for g in groups), budget)
     evaluations = answer.evaluations + whole.evaluations
-    if _trouble(whole) < _trouble(answer):
+    if _trouble(task, whole) < _trouble(task, answer):
         return Rest((), whole._replace(evaluations=evaluations))
     return Rest(stay, answer._replace(evaluations=evaluations))
 
 
-def _trouble(answer: RoomAnswer) -> float:
+def _trouble(task: RoomTask, answer: RoomAnswer) -> float:
     """What is wrong with an answer apart from its energy."""
-    return sum(penalty(m.wish) for m in answer.missing) + UNREACHED * len(answer.unreached)
+    missing = sum(penalty(m.wish, task.costs) for m in answer.missing)
+    return missing + task.costs.unreached * len(answer.unreached)
 
 
 def _unhurt(task: RoomTask, groups: Sequence[FurnishedGroup]) -> tuple[FurnishedGroup, ...]:
@@ -108,11 +105,11 @@ def _anew(
     ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, boxes]))
     problem = build_task_problem(task, wishes, ground)
     found = SOLVERS[task.solver].run(problem, budget, task.seed, cancel=task.cancel)
-    before = np.array([g.dressed.box for g in freed])
-    layouts = [before, *(layout.boxes for layout in found.layouts[:TRIED])]
+    before, rule = np.array([g.dressed.box for g in freed]), task.preset.settings.rearrange
+    layouts = [before, *(layout.boxes for layout in found.layouts[: rule.layouts])]
     energy = found.layouts[0].energy
     answers = [furnish_layout(firm, wishes, problem, layout, energy) for layout in layouts]
-    best = min(answers, key=lambda a: a.score + SHIFT * _measure_displacement(a, freed))
+    best = min(answers, key=lambda a: a.score + rule.shift * _measure_displacement(a, freed))
     return best._replace(evaluations=found.evaluations)
 
 

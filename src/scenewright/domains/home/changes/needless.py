@@ -15,12 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.domains.home.attempt import (
-    BARRED,
     DOOR,
-    ENERGY,
-    LOST,
-    UNHEARD,
-    UNREACHED,
     FurnishedGroup,
     Missing,
     RoomTask,
@@ -86,18 +81,19 @@ def cost(task: RoomTask, groups: Sequence[FurnishedGroup], missing: Sequence[Mis
     cut = sum(any(p.id in far for p in g.pieces) for g in groups)
     fixed = len(far - {p.id for p in pieces}) - doors
     standing = (*task.fixed, *pieces)
+    costs = task.costs
     total = (
-        sum(penalty(m.wish) for m in missing)
-        + BARRED * doors
-        + UNREACHED * (cut + fixed)
-        + LOST * sum(g.dressed.lost for g in groups)
-        + UNHEARD * count_unmet_wishes(task.asked, task.space, standing, task.catalog)
+        sum(penalty(m.wish, costs) for m in missing)
+        + costs.barred * doors
+        + costs.unreached * (cut + fixed)
+        + costs.piece * sum(g.dressed.lost for g in groups)
+        + costs.unmet * count_unmet_wishes(task.asked, task.space, standing, task.catalog)
     )
     if not groups:
         return total
     problem = build_task_problem(task, tuple(g.wish for g in groups), task.ground)
     boxes = np.array([[g.dressed.box for g in groups]])
-    return total + ENERGY * float(evaluate(problem, boxes)[0])
+    return total + costs.energy * float(evaluate(problem, boxes)[0])
 
 
 def _why_not(
@@ -120,7 +116,7 @@ def _why_not(
     back = cost(task, [*beside, pair.was], _without(missing, pair))
     if back <= now + SAME:
         return ""
-    return BARS if back > now + UNHEARD else WORSE
+    return BARS if back > now + task.costs.unmet else WORSE
 
 
 def _present(pairs: Sequence[Pair]) -> list[FurnishedGroup]:

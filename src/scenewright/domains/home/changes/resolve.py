@@ -224,7 +224,8 @@ def _yield(
     found: dict[str, Revised], rooms: tuple[Space, ...], solution: Solution, change: EditedHome
 ) -> None:
     """What now bars a way through the home gives way, in the touched rooms only."""
-    if not found or not preset_named(PRESETS, solution.preset).settings.exact:
+    settings = preset_named(PRESETS, solution.preset).settings
+    if not found or not settings.exact:
         return
     standing, answers = [], []
     for space in rooms:
@@ -237,7 +238,7 @@ def _yield(
             standing.append(revised.task.fixed)
             answers.append(answer._replace(placed=(*stay, *answer.placed)))
     catalog = catalog_of(solution.brief.catalogs)
-    after = remove_blockers(standing, answers, rooms, catalog, solution.brief.route_width)
+    after = remove_blockers(standing, answers, rooms, catalog, solution.brief.route_width, settings)
     for space, answer in zip(rooms, after, strict=True):
         if space.id in found:
             found[space.id] = found[space.id]._replace(rest=Rest((), answer))

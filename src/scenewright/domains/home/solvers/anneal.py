@@ -34,8 +34,6 @@ from scenewright.geometry.paths import RouteGrid
 Floats = NDArray[np.float64]
 SLICE, CALL = 16384, 8192
 """Steps of all chains between two reports, and of a call between two looks at cancelling."""
-SAMPLES = 32
-PILOT = 16
 
 
 class AnnealingStage(NamedTuple):
@@ -174,10 +172,10 @@ def _is_over(setup: Setup, chains: Chains, spent: int) -> bool:
 
 def _run_stages(setup: Setup, chains: Chains, budget: Budget) -> tuple[list[Chains], int]:
     """All stages; the chains of each as they ended, and the steps spent."""
-    begun = time.perf_counter()
-    _advance(setup, chains, PILOT, 0.0, 0.0)
-    spent = SAMPLES * (PILOT + 1)
-    rate = SAMPLES * PILOT / (time.perf_counter() - begun)
+    begun, samples, pilot = time.perf_counter(), setup.settings.samples, setup.settings.pilot
+    _advance(setup, chains, pilot, 0.0, 0.0)
+    spent = samples * (pilot + 1)
+    rate = samples * pilot / (time.perf_counter() - begun)
     left = math.inf if budget.seconds is None else budget.seconds - setup.watch.seconds()
     steps = min(rate * max(left, 0.0), math.inf if budget.steps is None else budget.steps - spent)
     ended = [chains]
@@ -242,7 +240,7 @@ def anneal(
     p, grid = prepare(problem), route_grid(problem, 0.1)
     if not len(p.limits):
         return Found((empty_layout(problem),), 1)
-    chains = _begin(p, grid, SAMPLES, seed)
+    chains = _begin(p, grid, problem.settings.chains.samples, seed)
     threads = threads or budget.threads or min(os.cpu_count() or 1, 16)
     with ThreadPoolExecutor(threads) as pool:
         settings = problem.settings.chains

@@ -21,12 +21,6 @@ from scenewright.domains.home.problem import Items, Problem
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress, distinct
 from scenewright.geometry.boxes import Floats
 
-STEP = 0.25  # metres between places along a wall
-SPACING = 0.5  # metres between places on the floor
-MOST = 400  # places looked at for one item
-TOGETHER = 4000  # places looked at in the first pass
-SHAKE = 0.5  # how much the logarithm of an area may err in further passes
-KEPT = 64
 HASTE = 4  # places looked at for one item once the run is cancelled
 
 
@@ -56,15 +50,16 @@ def select_items(items: Items, order: list[int]) -> Items:
     )
 
 
-def along_walls(walls: Floats, width: float, depth: float) -> Floats:
-    """Boxes (k, 5) with their back flush to a wall: in both corners and every 0.25 m between."""
+def along_walls(walls: Floats, width: float, depth: float, step: float) -> Floats:
+    """Boxes (k, 5) with their back flush to a wall: in both corners and every ``step`` metres
+    between."""
     found = [np.empty((0, 5))]
     for x0, y0, x1, y1 in walls:
         length = math.hypot(x1 - x0, y1 - y0)
         if length < 1e-9:
             continue
         low = min(0.5 * width, 0.5 * length)
-        count = max(int((length - 2.0 * low) / STEP), 1)
+        count = max(int((length - 2.0 * low) / step), 1)
         along = np.linspace(low, length - low, count + 1) / length
         normal = math.atan2(x1 - x0, y0 - y1)
         x = x0 + along * (x1 - x0) + 0.5 * depth * math.cos(normal)
@@ -74,11 +69,11 @@ def along_walls(walls: Floats, width: float, depth: float) -> Floats:
     return np.concatenate(found)
 
 
-def on_floor(bounds: Floats, heading: float, width: float, depth: float) -> Floats:
-    """Boxes (k, 5) on a lattice over the bounds, in four quarter turns."""
+def on_floor(bounds: Floats, heading: float, width: float, depth: float, apart: float) -> Floats:
+    """Boxes (k, 5) on a lattice over the bounds, ``apart`` metres, in four quarter turns."""
     x, y, turn = np.meshgrid(
-        np.arange(bounds[0] + 0.5 * SPACING, bounds[2], SPACING),
-        np.arange(bounds[1] + 0.5 * SPACING, bounds[3], SPACING),
+        np.arange(bounds[0] + 0.5 * apart, bounds[2], apart),
+        np.arange(bounds[1] + 0.5 * apart, bounds[3], apart),
         heading + 0.5 * np.pi * np.arange(4),
     )
     same = np.ones(x.size)
@@ -106,7 +101,7 @@ def with_partners(problem: Problem, i: int, boxes: Floats, standing: list[int]) 
 
 def places(problem: Problem, i: int, boxes: Floats, standing: list[int]) -> Floats:
     """Every box (k, 5) to be tried for an item."""
-    items, ground = problem.items, problem.ground
+    items, ground, rule = problem.items, problem.ground, problem.settings.greedy
     low, high, wish = items.low[i], items.high[i], items.wish[i]
     usual = np.clip(np.where(np.isnan(wish), 0.5 * (low + high), wish), low, high)
     heading = 0.0
@@ -115,9 +110,9 @@ def places(problem: Problem, i: int, boxes: Floats, standing: list[int]) -> Floa
         heading = math.atan2(y1 - y0, x1 - x0)
     found = []
     for width, depth in (usual, low):
-        found.append(along_walls(ground.walls, width, depth))
+        found.append(along_walls(ground.walls, width, depth, rule.along))
         if items.back_to_wall[i] < 1.0 or not len(ground.walls):
-            found.append(on_floor(ground.bounds, heading, width, depth))
+            found.append(on_floor(ground.bounds, heading, width, depth, rule.apart))
         poses = with_partners(problem, i, boxes, standing)
         found.append(np.column_stack([poses, np.tile([width, depth], (len(poses), 1))]))
     return np.concatenate(found)
@@ -156,7 +151,8 @@ def greedy(
     rng, watch = np.random.default_rng(seed), BudgetWatch(budget, progress, cancel)
     n, p, grid = len(problem.items.low), prepare(problem), route_grid(problem, 0.1)
     area, shake, done = problem.items.high.prod(axis=1), 0.0, 0
-    most = min(MOST, max(TOGETHER // n, 1))
+    rule = problem.settings.greedy
+    most = min(rule.one, max(rule.first // n, 1))
     kept: list[Layout] = []
     while True:
         if budget.steps:
@@ -164,8 +160,8 @@ def greedy(
         order = np.argsort(-area * np.exp(shake * rng.normal(size=n)), kind="stable")
         found = place_all(problem, order.tolist(), most, rng, watch.cancelled)
         energy = float(energies_of(p, grid, found.boxes[None])[0][0])
-        kept = sorted([*kept, Layout(found.boxes, energy)], key=lambda a: a.energy)[:KEPT]
-        done, most, shake = done + found.looked, min(most, MOST // 4), SHAKE
+        kept = sorted([*kept, Layout(found.boxes, energy)], key=lambda a: a.energy)[: rule.kept]
+        done, most, shake = done + found.looked, min(most, rule.one // 4), rule.shake
         over = watch.over(done, kept[0].energy, partial(min, kept, key=lambda a: a.energy))
         if over or not (budget.steps or budget.seconds):
             boxes, energies = zip(*kept, strict=True)
