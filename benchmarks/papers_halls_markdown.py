@@ -32,6 +32,8 @@ def markdown_lines(told: list[Row]) -> Iterator[str]:
         yield ""
     yield from ablation_table(row for row in told if " by " in row["case"])
     yield ""
+    yield from lists_table(row for row in told if row["case"].startswith("requirement list"))
+    yield ""
     yield from forms_tables(row for row in told if row["metric"].startswith("E_"))
 
 
@@ -118,6 +120,21 @@ def ablation_table(told: Iterable[Row]) -> Iterator[str]:
         shares = [f"{row['ours']:.0%} → {row['baseline']:.0%}" for row in four[:2]]
         ratios = [f"{row['ours']:.2f} → {row['baseline']:.2f}" for row in four[2:]]
         yield f"| {hall} | {solver} | {walls['ours']:g} | {' | '.join(shares + ratios)} |"
+
+
+def lists_table(told: Iterable[Row]) -> Iterator[str]:
+    """One outline with several requirement lists."""
+    found: dict[str, dict[str, Row]] = {}
+    for row in told:
+        found.setdefault(row["case"].partition(", ")[2], {})[row["metric"]] = row
+    if found:
+        yield "| requirement list | objects | valid | walls | s |"
+        yield "|---|---|---|---|---|"
+    for name, row in found.items():
+        held, valid, walls, seconds = (
+            row[key]["ours"] for key in ("objects", "valid", "walls", "seconds")
+        )
+        yield f"| {name} | {held:g} | {valid:.0%} | {walls:.2g} | {seconds:.2f} |"
 
 
 def forms_tables(told: Iterable[Row]) -> Iterator[str]:

@@ -7,12 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from benchmarks import (
+    draw_hall_lists,
     hall_ablation,
     hall_malls,
     hall_methods,
     hall_scale,
     papers_halls,
     papers_halls_forms,
+    papers_halls_lists,
     papers_halls_measures,
     papers_halls_scenes,
 )
@@ -144,6 +146,17 @@ def test_the_paper_s_table_in_brief() -> None:
     assert table.count("\n| home | by hand | 100% |") == 1
     assert table.count("No worse than: aesthetic, ") == 2
     assert table.count("\n| irregular | gd-mh | 2 |") == 1
+    assert table.count("\n| paintings | 45 | 100% | 3 |") == 1
+
+
+def test_every_requirement_list_finds_room_in_the_one_outline() -> None:
+    layouts = {name: papers_halls_lists.lay_out(name, 0) for name in papers_halls_lists.lists()}
+    assert len(layouts) == 4
+    assert not any(one.left_out for one in layouts.values())
+    assert len({len(one.pieces) for one in layouts.values()}) == 4
+    picture = draw_hall_lists.panel(layouts["paintings"], "paintings")
+    dots = set(map(tuple, np.asarray(picture).reshape(-1, 3).tolist()))
+    assert {draw_hall_lists.WALL, draw_hall_lists.DOOR} <= dots
 
 
 @pytest.mark.parametrize("case", papers_halls_scenes.SCENES)
