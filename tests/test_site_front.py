@@ -40,7 +40,10 @@ def test_a_front_at_the_border_sees_a_way_or_nothing(x: float, seen: bool) -> No
 def test_what_looks_to_the_sun_or_stands_on_a_site_without_ways_stays() -> None:
     sunny = np.array([[60.0, 9.0, SOUTH + 0.3, 10.0, 10.0]])
     problem = posed([(60, -1), (60, 81)])
-    assert turned_in(posed([(30, -1), (30, 81)]), sunny).tolist() == sunny.tolist()
+    aside = posed([(30, -1), (30, 81)])
+    assert turned_in(aside._replace(door_distance=3.5), sunny).tolist() == sunny.tolist()
+    near = turned_in(aside._replace(door_distance=5.0), sunny)
+    assert near[0, 2] == pytest.approx(sunny[0, 2] + math.pi)
     house = np.array([[10.0, 40.0, WEST, 10.0, 10.0]])
     assert blind(problem, house).all()
     bare = problem._replace(ground=problem.ground._replace(roads=np.zeros((0, 5))))

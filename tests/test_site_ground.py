@@ -18,7 +18,6 @@ from scenewright.core.solution import Solution
 from scenewright.domains import scene_of
 from scenewright.domains.site.plan import plans_of
 from scenewright.formats.glb import encode_scene
-from scenewright.ground.walks import CLEAR, walks
 
 CROSSING = [
     {"line": [[-5, 40], [60, 30], [125, 45]], "width": 10},
@@ -74,25 +73,23 @@ def test_roads_are_one_piece_and_cover_what_the_plan_says(street: Solution) -> N
     assert crossing.area == 0.0
 
 
-def test_a_site_without_roads_has_nothing_on_the_ground() -> None:
-    assert shapes_of(solved([], buildings=BUILDINGS)) == {}
+def test_a_site_without_roads_has_only_lanes_and_walks_on_the_ground() -> None:
+    assert set(shapes_of(solved([], buildings=BUILDINGS))) == {"lane", "walk"}
 
 
 def test_walks_lead_from_doors_to_ways_past_all_buildings(street: Solution) -> None:
+    (works,) = street.detail
+    walks = [shapely.LineString(row.line) for row in works.pathways if row.kind == "walk"]
+    paved = [shapely.LineString(r.line).buffer(r.width / 2) for r in works.pathways]
     plan = plans_of(street.brief)[0]
-    buildings = [p for p in street.pieces if p.category == "building"]
-    found = walks(plan, buildings)
-    assert len(found) == len(buildings)
-    every = shapely.union_all([walk.buffer(0.1) for walk in found])
-    ways = shapely.union_all([shapely.Polygon(a.outline) for w in plan.roads for a in w.areas])
-    for part in shapely.get_parts(every):
-        assert part.intersects(ways)
+    ways = [shapely.Polygon(a.outline) for w in plan.roads for a in w.areas]
+    parts = shapely.get_parts(shapely.union_all([*paved, *ways]))
+    assert all(part.intersects(shapely.union_all(ways)) for part in parts)
     floor = shapely.Polygon(plan.outline).buffer(1e-6)
-    for walk in found:
-        assert floor.covers(walk)
-        _, *rest = shapely.get_coordinates(walk)
-        near = [shapely.LineString(rest).distance(shape) for shape in footprints(street)]
-        assert min(near) > CLEAR - 1e-6
+    assert all(floor.covers(walk) for walk in walks)
+    for shape in footprints(street):
+        door = shape.buffer(1.5)
+        assert min(walk.difference(door).distance(shape) for walk in walks) > 0.75
 
 
 def test_trees_and_lamps_keep_clear(street: Solution) -> None:

@@ -29,6 +29,10 @@ KINDS = (
     "setback",
     "spacing",
     "unreachable_building",
+    "unserved_door",
+    "door_at_border",
+    "far_from_lane",
+    "lack_of_sun",
     "changed_landmark",
     "too_high",
 )

@@ -84,8 +84,9 @@ class Wall:
 
 
 class GroundSurface(NamedTuple):
-    """What lies on the ground of a space: ``kind`` (``asphalt``, ``pavement``, ``path``, ``walk``,
-    ``marking``) and the polygons it covers, each an outline with holes, between two heights."""
+    """What lies on the ground of a space: ``kind`` (``asphalt``, ``pavement``, ``path``, ``lane``,
+    ``walk``, ``marking``) and the polygons it covers, each an outline with holes, between two
+    heights."""
 
     id: str
     space: str

@@ -48,7 +48,7 @@ class Solution:
     ``energies`` is the final energy of each space, ``evaluations`` the number of layouts looked
     at, ``seconds`` the time solving took: it is not saved, and solutions that differ in nothing
     else are equal. ``detail`` is what only the brief's domain knows of its answers: a hall's
-    layout of zones and groups, with the visitors' tours.
+    layout of zones and groups, with the visitors' tours; the lanes and walks of a site.
     """
 
     brief: Brief

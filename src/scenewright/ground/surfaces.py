@@ -11,13 +11,20 @@ import numpy as np
 import shapely
 
 from scenewright.building.outlines import rings
-from scenewright.core.scene import GroundSurface, Piece
+from scenewright.core.scene import GroundSurface
 from scenewright.core.space import Points
 from scenewright.ground.outlines import GRID, MITRE
 from scenewright.ground.plan import SitePlan, Way
-from scenewright.ground.walks import walks
+from scenewright.ground.works import GroundWorks, Pathway
 
-HEIGHTS = {"asphalt": 0.03, "marking": 0.035, "walk": 0.04, "path": 0.05, "pavement": 0.12}
+HEIGHTS = {
+    "asphalt": 0.03,
+    "marking": 0.035,
+    "lane": 0.036,
+    "walk": 0.04,
+    "path": 0.05,
+    "pavement": 0.12,
+}
 """How far the top of each lies above the ground, in metres."""
 DASH, GAP, STRIPE = 3.0, 5.0, 0.16
 """Length, distance and width of the dashes of a road's middle line, in metres."""
@@ -25,12 +32,13 @@ SPECK = 0.02
 """Areas smaller than this, in square metres, are left out."""
 
 
-def surfaces(plans: Sequence[SitePlan], pieces: Sequence[Piece]) -> tuple[GroundSurface, ...]:
-    """What lies on the ground of all sites, a row for each kind that occurs."""
-    return tuple(row for plan in plans for row in _of_plan(plan, pieces))
+def surfaces(plans: Sequence[SitePlan], works: Sequence[GroundWorks]) -> tuple[GroundSurface, ...]:
+    """What lies on the ground of all sites, a row for each kind that occurs; ``works`` are the
+    ways laid out on each."""
+    return tuple(row for plan, one in zip(plans, works, strict=True) for row in _of_plan(plan, one))
 
 
-def _of_plan(plan: SitePlan, pieces: Sequence[Piece]) -> Iterator[GroundSurface]:
+def _of_plan(plan: SitePlan, works: GroundWorks) -> Iterator[GroundSurface]:
     floor = shapely.Polygon(plan.outline, plan.holes)
     driven = [way for way in plan.roads if way.kind == "road"]
     roads, paths = (
@@ -39,22 +47,33 @@ def _of_plan(plan: SitePlan, pieces: Sequence[Piece]) -> Iterator[GroundSurface]
     )
     lanes = shapely.intersection(_lanes(driven), floor, grid_size=GRID)
     shapely.prepare(lanes)
-    standing = [p for p in pieces if p.space == plan.id and p.category == "building"]
-    strips = shapely.union_all(
-        [walk.buffer(0.9, cap_style="flat", join_style="mitre") for walk in walks(plan, standing)]
-    )
     ways = shapely.union(roads, paths)
+    drives = shapely.difference(paved(works.pathways, "lane"), ways)
+    strips = shapely.difference(paved(works.pathways, "walk"), shapely.union(ways, drives))
     found = {
         "asphalt": lanes,
         "pavement": shapely.difference(roads, lanes, grid_size=GRID),
         "path": shapely.difference(paths, roads, grid_size=GRID),
-        "walk": shapely.intersection(shapely.difference(strips, ways), floor, grid_size=GRID),
+        "lane": shapely.intersection(drives, floor, grid_size=GRID),
+        "walk": shapely.intersection(strips, floor, grid_size=GRID),
         "marking": _markings(driven, lanes),
     }
     for kind, shape in found.items():
         areas = tuple(rings(part) for part in _polygons(shape))
         if areas:
             yield GroundSurface(f"{kind} of {plan.id}", plan.id, kind, areas, -0.01, HEIGHTS[kind])
+
+
+def paved(pathways: Sequence[Pathway], kind: str) -> shapely.Geometry:
+    """The ground that ways of a kind cover, with round bends.
+
+    >>> round(paved([Pathway("walk", 2.0, ((0, 0), (10, 0)))], "walk").area)
+    20
+    """
+    rows = [row for row in pathways if row.kind == kind]
+    lines = np.array([shapely.LineString(row.line) for row in rows], object)
+    half = np.array([row.width / 2 for row in rows])
+    return shapely.union_all(shapely.buffer(lines, half, cap_style="flat", quad_segs=4))
 
 
 def kerb(width: float) -> float:

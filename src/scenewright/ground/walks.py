@@ -1,107 +1,125 @@
-"""Walks: how people get from a street to the door of every building, for the eye only.
-
-From the middle of each front a walk leads some metres ahead, then straight to the nearest street;
-where a building stands between, to the door of a neighbour nearer to a street.
-"""
+"""Walks from the doors of buildings to the nearest street, lane or path, joined on their way."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.core.footprint import polygons_of
-from scenewright.core.scene import Piece
 from scenewright.core.space import Points
+from scenewright.ground.lanes import corners_of_line, lead_out, measure_ground
+from scenewright.ground.path_raster import PathRaster
+from scenewright.ground.path_tree import find_times, grow_paths, straighten
 from scenewright.ground.plan import SitePlan
+from scenewright.ground.works import Pathway
 
-AHEAD = (2.5, 6.0, 10.0)
-"""How far a walk may lead straight ahead, in metres; the first that gets through is taken."""
-CLEAR, LONGEST, NEIGHBOURS = 1.2, 80.0, 12
-"""Metres kept from buildings and of a walk at most; how many doors of neighbours are tried."""
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int32]
+Flags = NDArray[np.bool_]
 
-Walk: TypeAlias = shapely.LineString
-
-
-def walks(plan: SitePlan, buildings: Sequence[Piece]) -> tuple[Walk, ...]:
-    """The middle lines of the walks of a site, inside it; buildings that none can reach have
-    none."""
-    areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
-    standing = [p for p in buildings if np.isfinite([*p.pose, *p.size]).all()]
-    if not standing or not areas:
-        return ()
-    streets = shapely.union_all(areas)
-    shapely.prepare(streets)
-    taken = shapely.STRtree(polygons_of(standing))
-    floor = shapely.Polygon(plan.outline, plan.holes)
-    shapely.prepare(floor)
-    found: dict[int, Walk] = {}
-    for ahead in AHEAD:
-        _lay(standing, ahead, streets, taken, floor, found)
-    return tuple(found[i] for i in sorted(found))
+WALK = 1.5
+"""Width of a walk in metres."""
+COMFORT = 3.0
+"""Metres from what stands up to which walks avoid it."""
+KERB = 0.05
+"""Metres that walks keep from walls at least."""
+STEPS = (1.0, 1.4, 1.9, 2.5, 3.2)
+"""How far ahead of a door, in metres, its walk may begin to bend."""
 
 
-def _nearest(places: Points) -> list[list[int]]:
-    """For each place the nearest to it within reach of a walk, itself first."""
-    points = shapely.points(places)
-    one, other = shapely.STRtree(points).query(points, predicate="dwithin", distance=LONGEST)
-    order = np.lexsort((other, np.hypot(*(places[one] - places[other]).T), one))
-    parts = np.split(other[order], np.cumsum(np.bincount(one, minlength=len(places)))[:-1])
-    return [part[:NEIGHBOURS].tolist() for part in parts]
+class Doors(NamedTuple):
+    """The doors of buildings: the middle of each front, ``places`` (n, 2), and the directions
+    they look in, ``ways`` (n, 2)."""
+
+    places: Floats
+    ways: Floats
 
 
-def _lay(
-    buildings: Sequence[Piece],
-    ahead: float,
-    streets: shapely.Geometry,
-    taken: shapely.STRtree,
-    floor: shapely.Polygon,
-    found: dict[int, Walk],
-) -> None:
-    """Add the walks that bend so far ahead of the doors, the nearest to a street first."""
-    doors, knees = _doors(buildings, ahead)
-    direct = shapely.shortest_line(shapely.points(knees), streets)
-    away = shapely.length(direct)
-    first = shapely.linestrings(np.stack([doors, knees], 1))
-    within = shapely.covers(floor, first) & shapely.covers(floor, direct)
-    through = within & _free(taken, direct) & (away <= LONGEST)
-    near = _nearest(knees)
-    for i in (int(i) for i in np.argsort(away, kind="stable") if int(i) not in found):
-        if through[i]:
-            found[i] = _line(doors[i], knees[i], shapely.get_coordinates(direct[i])[-1])
-            continue
-        bends = [shapely.get_coordinates(found[j])[1] for j in near[i] if j in found]
-        ways = [Walk([knees[i], bend]) for bend in bends]
-        for bend, way, there in zip(bends, ways, _free(taken, ways), strict=True):
-            inside = there and floor.covers(first[i]) and floor.covers(way)
-            if inside and way.length <= LONGEST:
-                found[i] = _line(doors[i], knees[i], bend)
-                break
+def find_doors(footprints: Sequence[Points], headings: Floats) -> Doors:
+    """The middle of the side farthest ahead of each of some footprints, corners (k, 2).
+
+    >>> square = np.array([(0, 0), (4, 0), (4, 4), (0, 4)], float)
+    >>> find_doors([square], np.array([0.0])).places.tolist()
+    [[4.0, 2.0]]
+    """
+    ways = np.stack([np.cos(headings), np.sin(headings)], 1).reshape(-1, 2)
+    places = np.zeros((len(footprints), 2))
+    for k, (ring, ahead) in enumerate(zip(footprints, ways, strict=True)):
+        middles = 0.5 * (ring + np.roll(ring, -1, axis=0))
+        places[k] = middles[int(np.argmax(np.round(middles @ ahead, 6)))]
+    return Doors(places, ways)
 
 
-def _doors(buildings: Sequence[Piece], far: float) -> tuple[Points, Points]:
-    """The middle of every front ``(n, 2)``, and the point so far ahead of it."""
-    poses = np.array([(p.pose.x, p.pose.y, p.pose.heading, p.size.depth) for p in buildings])
-    ahead = np.stack([np.cos(poses[:, 2]), np.sin(poses[:, 2])], 1)
-    doors = poses[:, :2] + ahead * poses[:, 3:] / 2
-    return doors, doors + ahead * far
+def lay_walks(
+    plan: SitePlan,
+    raster: PathRaster,
+    built: NDArray[np.object_],
+    doors: Doors,
+    lanes: Sequence[Pathway],
+) -> tuple[tuple[Pathway, ...], Flags]:
+    """Walks to doors, and which doors have one. They begin on streets, paths and lanes."""
+    streets = raster.walked.copy()
+    for lane in lanes:
+        line = shapely.segmentize(shapely.LineString(lane.line), raster.cell)
+        streets.reshape(-1)[raster.cells_of(shapely.get_coordinates(line))] = True
+    clear = 0.5 * WALK + KERB + 0.2 * raster.cell
+    slow, starts = measure_ground(plan, raster, clear, COMFORT, streets)
+    times, _ = find_times(slow, raster.cell, starts)
+    outward = {} if plan.entrances else _find_ways_out(plan, doors)
+    goals, served = _find_bends(raster, doors, times)
+    served = served & ~np.isin(np.arange(len(served)), list(outward))
+    pieces = grow_paths(slow, raster.cell, starts, goals[served])
+    lines = _draw_lines(raster, slow, pieces, built)
+    if not plan.entrances:
+        lines = [lead_out(plan, line, 2.0 * (clear + raster.cell)) for line in lines]
+    stubs = [
+        np.stack([place, raster.points_of(goals[k : k + 1])[0]])
+        for k, place in enumerate(doors.places)
+        if served[k]
+    ]
+    served[list(outward)] = True
+    return tuple(
+        Pathway("walk", WALK, corners_of_line(shapely.LineString(line)))
+        for line in (*lines, *stubs, *outward.values())
+        if len(line) > 1
+    ), served
 
 
-def _free(taken: shapely.STRtree, lines: Sequence[Walk]) -> NDArray[np.bool_]:
-    """Whether each line keeps clear of all buildings."""
-    blocked = np.zeros(len(lines), np.bool_)
-    if len(lines):
-        blocked[taken.query(lines, predicate="dwithin", distance=CLEAR)[0]] = True
-    return ~blocked
+def _find_ways_out(plan: SitePlan, doors: Doors) -> dict[int, Floats]:
+    """By the number of a door the walk (2, 2) straight out of the site, where it is that near."""
+    border = shapely.LinearRing(plan.outline)
+    ahead = np.stack([doors.places, doors.places + STEPS[-1] * doors.ways], 1)
+    met = shapely.intersection(border, shapely.linestrings(ahead))
+    ends = shapely.shortest_line(shapely.points(doors.places), met)
+    return {
+        k: shapely.get_coordinates(ends[k])
+        for k in range(len(ahead))
+        if not met[k].is_empty and shapely.length(ends[k]) > 1e-3
+    }
 
 
-def _line(door: Points, knee: Points, end: Points) -> Walk:
-    """Door, knee and 0.2 m beyond the end."""
-    step = end - knee
-    length = float(np.hypot(*step))
-    beyond = end + step / length * 0.2 if length > 1e-6 else end
-    points = [door, knee, beyond] if length > 0.05 else [door, knee]
-    return Walk(points)
+def _draw_lines(
+    raster: PathRaster, slow: Floats, pieces: list[Ints], built: NDArray[np.object_]
+) -> list[Floats]:
+    """Pieces of ways pulled straight, but where that leads too near to what is ``built``."""
+    straight = [raster.points_of(straighten(piece, slow, raster.cell)) for piece in pieces]
+    rows = [shapely.LineString(np.repeat(line, 2, axis=0)) for line in straight]
+    lines = np.array(rows, object)
+    near = shapely.STRtree(built).query(lines, predicate="dwithin", distance=0.5 * WALK + KERB)[0]
+    for k in np.unique(near).tolist():
+        straight[k] = raster.points_of(pieces[k])
+    return straight
+
+
+def _find_bends(raster: PathRaster, doors: Doors, times: Floats) -> tuple[Ints, Flags]:
+    """The first cell ahead of each door that a walk can reach, and whether there is one."""
+    goals = np.zeros(len(doors.places), np.int32)
+    served = np.zeros(len(doors.places), bool)
+    for ahead in STEPS:
+        cells = raster.cells_of(doors.places + ahead * doors.ways)
+        fresh = ~served & np.isfinite(times[cells])
+        goals[fresh], served = cells[fresh], served | fresh
+    return goals, served

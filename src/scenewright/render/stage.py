@@ -37,6 +37,7 @@ PATTERNS = {
     "pavement": finish.SLABS,
     "gravel path": finish.GRIT,
     "garden walk": finish.SLABS,
+    "lane": finish.GRIT,
     "crown": finish.LEAVES,
     "light crown": finish.LEAVES,
     "needles": finish.LEAVES,

@@ -11,6 +11,7 @@ DOMAIN = Domain(
     about="groups of buildings on a site, around landmarks",
     package=__name__,
     part=".brief:SitePart",
+    detail=".record:DetailRecord",
     rooms=False,
     lacks=("rooms", "levels", "walls", "stairs", "accessible"),
     defaults={"name": "site"},
@@ -26,6 +27,8 @@ DOMAIN = Domain(
         "draw": ".drawing.plan:draw",
         "adjust": ".adjust:adjust",
         "locked": ".locks:lock_sites",
+        "detail_document": ".record:detail_document",
+        "detail_of": ".record:detail_of",
     },
     tables={
         "presets": ".presets:PRESETS",

@@ -101,8 +101,11 @@ class Site(StrictModel):
     the least distance of buildings to each other, ``sun_spacing`` the least distance behind a
     building to the south in heights of that building (0: by hours of sun alone).
     ``facing`` is the preferred heading of fronts (south); ``fire_access`` the width of the way
-    that must reach each building. ``latitude`` (degrees) and ``day`` (of the year; 355 is the
-    winter solstice in the north, 20 January is 20) are for hours of sun, at least ``sun_hours``.
+    that must reach each building, of which a paved one must come within ``fire_reach``.
+    ``door_distance`` is kept from the border ahead of a door, but where a way runs there.
+    ``latitude`` (degrees) and ``day`` (of the year; 355 is the winter solstice in the north, 20
+    January is 20) are for hours of sun, at least ``sun_hours``: a wish, or a rule with
+    ``sun_required``.
     ``fixed`` are buildings that stay where they stand and count for what is asked.
     Without ``buildings`` those of the brief's ``catalogs``, or shipped dwellings, fill the site
     up to ``floor_area_ratio`` and ``coverage``. ``origin`` is the longitude and latitude of
@@ -127,9 +130,12 @@ class Site(StrictModel):
     sun_spacing: Annotated[Number, Field(ge=0, le=5)] = 0.0
     facing: Heading = -pi / 2
     fire_access: Annotated[Number, Field(gt=0, le=20)] = 4.0
+    fire_reach: Annotated[Number, Field(ge=1, le=200)] = 25.0
+    door_distance: Clearance = 5.0
     latitude: Annotated[Number, Field(ge=-89, le=89)] = 35.0
     day: Annotated[Whole, Field(ge=1, le=366)] = 20
     sun_hours: Annotated[Number, Field(ge=0, le=12)] = 2.0
+    sun_required: Switch = False
     origin: tuple[Coordinate, Coordinate] | None = None
     system: Annotated[str, Field(max_length=200)] = ""
     shift: tuple[Place, Place] = (0.0, 0.0)

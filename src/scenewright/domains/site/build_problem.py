@@ -66,6 +66,7 @@ def build_problem(
         fire_access=site.fire_access,
         latitude=site.latitude,
         day=site.day,
+        door_distance=site.door_distance,
     )
 
 

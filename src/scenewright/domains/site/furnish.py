@@ -11,6 +11,7 @@ from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.core.solution import Solution
 from scenewright.domains.site.holdings import BuildingDemand
 from scenewright.domains.site.problem import Flags, Floats
+from scenewright.domains.site.works import works_of
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.surfaces import surfaces
 
@@ -106,5 +107,5 @@ def wrap_angle(angle: float) -> float:
 
 def scene_of_sites(solution: Solution, plan: Plan) -> Scene:
     """The scene of a solution of sites: what lies on the ground, and what stands on it."""
-    ground = surfaces(plan.detail, solution.pieces)
+    ground = surfaces(plan.detail, works_of(solution, plan.detail))
     return Scene(solution.brief.name, plan.levels, plan.spaces, (), (), solution.pieces, ground, ())

@@ -18,7 +18,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.site.problem import Floats
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.surfaces import kerb
-from scenewright.ground.walks import walks
+from scenewright.ground.works import GroundWorks
 
 TREES = 900
 """Most trees of a site."""
@@ -28,7 +28,7 @@ GROVE = 6.5
 """Side of the squares that hold at most one tree of a grove, in metres."""
 LAMPS, LAMP_IN = 28.0, 0.45
 """Distance of the lamps of a street, and how far inside its edge they stand, in metres."""
-FROM_BUILDINGS, FROM_WAYS, FROM_WALKS, FROM_BORDER = 4.6, 1.4, 2.0, 2.5
+FROM_BUILDINGS, FROM_WAYS, FROM_WALKS, FROM_BORDER = 4.6, 1.4, 1.3, 2.5
 SCALES = (0.75, 0.88, 1.0, 1.15)
 """Sizes of trees, few so that files can share their meshes."""
 
@@ -43,13 +43,17 @@ class GreenGround(NamedTuple):
 
 
 def green(
-    plan: SitePlan, buildings: Sequence[Piece], catalog: Catalog, rng: np.random.Generator
+    plan: SitePlan,
+    works: GroundWorks,
+    buildings: Sequence[Piece],
+    catalog: Catalog,
+    rng: np.random.Generator,
 ) -> tuple[Piece, ...]:
-    """Trees and lamps of a site with its buildings and landmarks."""
+    """Trees and lamps of a site with its buildings and landmarks, and the ways to them."""
     kinds = catalog.of("tree")
     if not kinds:
         return ()
-    ground = _ground(plan, buildings)
+    ground = _ground(plan, works, buildings)
     beside = np.concatenate([np.zeros((0, 2)), *(_avenue(way) for way in plan.roads)])
     beside = beside[:: max(1, len(beside) // (8 * TREES))]
     rows = _apart(_clear(beside, ground), 0.55 * AVENUE)[: 2 * TREES // 3]
@@ -66,14 +70,14 @@ def green(
     return (*trees, *_lamps(plan, catalog))
 
 
-def _ground(plan: SitePlan, buildings: Sequence[Piece]) -> GreenGround:
+def _ground(plan: SitePlan, works: GroundWorks, buildings: Sequence[Piece]) -> GreenGround:
     boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in buildings]
     areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
     return GreenGround(
         shapely.Polygon(plan.outline, plan.holes).buffer(-FROM_BORDER),
         shapely.STRtree(shapely.polygons(corners(np.array(boxes).reshape(-1, 5)))),
         shapely.STRtree(areas),
-        shapely.STRtree(walks(plan, buildings)),
+        shapely.STRtree([shapely.LineString(p.line).buffer(0.5 * p.width) for p in works.pathways]),
     )
 
 

@@ -84,7 +84,8 @@ class SiteProblem(NamedTuple):
     ``sun_spacing`` that behind one to the south in heights of it, ``facing`` the preferred
     heading, ``fire_access`` the width of the way to each building, all in metres and radians.
     ``form`` is that of the paper's measures: ``printed``, or ``repaired`` where they need it;
-    ``settings`` steer the solvers."""
+    ``settings`` steer the solvers. ``door_distance`` is kept before doors from the border, but
+    where a way runs."""
 
     ground: SiteGround
     buildings: Buildings
@@ -98,6 +99,7 @@ class SiteProblem(NamedTuple):
     day: int
     form: Literal["printed", "repaired"] = "repaired"
     settings: SiteSettings = SiteSettings()
+    door_distance: float = 0.0
 
 
 def sides_of(sides: Floats, quality: Floats) -> Floats:

@@ -41,10 +41,7 @@ def solution_of(
         )
         boxes, present = match_boxes(rows, layouts.get(ground.id, ()), ground.id)
         found = Found((SiteLayout(boxes, present, {}),), 0)
-        cut_off = np.zeros(len(rows), np.bool_)
-        built.append(
-            furnish_site(site, ground, rows, problem, found, cut_off, catalog, seed + 7919 * k)
-        )
+        built.append(furnish_site(site, ground, rows, problem, found, catalog, seed + 7919 * k))
     return assemble_solution(brief, built, "default", "given", seed, time.perf_counter() - started)
 
 

@@ -26,6 +26,7 @@ from scenewright.core.solution import LeftOut, Solution, TermValue
 from scenewright.domains.site.access import find_reached_buildings
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.build_problem import Looks, build_problem
+from scenewright.domains.site.doors import serve_doors
 from scenewright.domains.site.furnish import buildings, fixed_buildings, landmark_assets, landmarks
 from scenewright.domains.site.holdings import BuildingDemand, collect_buildings
 from scenewright.domains.site.plan import site_plans
@@ -35,9 +36,12 @@ from scenewright.domains.site.problem import Flags, SiteProblem
 from scenewright.domains.site.reasons import reasons
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
+from scenewright.domains.site.sunlight import solve_in_sun
+from scenewright.domains.site.works import lay_works
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
 from scenewright.ground.plan import SitePlan
+from scenewright.ground.works import GroundWorks
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -56,6 +60,7 @@ class Built(NamedTuple):
     terms: tuple[TermValue, ...]
     left_out: tuple[LeftOut, ...]
     evaluations: int
+    works: GroundWorks
 
 
 def solve(
@@ -111,6 +116,7 @@ def assemble_solution(
         brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
         seconds=seconds,
         evaluations=sum(one.evaluations for one in found),
+        detail=tuple(one.works for one in found),
     )
 
 
@@ -133,10 +139,23 @@ def _build(
     rows, problem = build_site_problem(site, plan, place, catalog, preset, progress)
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
-    found = SITE_SOLVERS[solver].run(problem, budget, seed, progress, cancel)
-    layout, cut_off = _reached_only(plan, problem, found.layouts[0])
-    found = found._replace(layouts=(layout,))
-    return furnish_site(site, plan, rows, problem, found, cut_off, catalog, seed)
+
+    def run(posed: SiteProblem) -> SiteFound:
+        found: SiteFound = SITE_SOLVERS[solver].run(posed, budget, seed, progress, cancel)
+        return found
+
+    if site.sun_required:
+        found, dark = solve_in_sun(run, problem, site.sun_hours)
+    else:
+        found, dark = run(problem), {}
+    layout, lost = _reached_only(site, plan, problem, found.layouts[0])
+    served = serve_doors(site, plan, problem, layout, fixed_buildings(plan))
+    found = found._replace(layouts=(served.layout,))
+    works = GroundWorks(plan.id, served.network.pathways)
+    built = furnish_site(site, plan, rows, problem, found, catalog, seed, works)
+    return built._replace(
+        left_out=_left_out(plan, rows, served.layout.present, dark | lost | served.lost)
+    )
 
 
 def furnish_site(
@@ -145,22 +164,24 @@ def furnish_site(
     rows: list[BuildingDemand],
     problem: SiteProblem,
     found: SiteFound,
-    cut_off: Flags,
     catalog: Catalog,
     seed: int,
+    works: GroundWorks | None = None,
 ) -> Built:
-    """A site as built: its pieces, terms, and what was left out, ``cut_off`` (n,) for want of a
-    way."""
+    """A site as built: its pieces, terms, and what was left out; ``works`` are the ways to what
+    stands (laid out unless given)."""
     standing = (*landmarks(plan, catalog), *fixed_buildings(plan))
     layout = found.layouts[0]
     placed = buildings(plan, rows, layout.boxes, layout.present)
-    grown = green(plan, (*standing, *placed), catalog, np.random.default_rng(seed))
+    works = works or lay_works(site, plan, (*standing, *placed))
+    grown = green(plan, works, (*standing, *placed), catalog, np.random.default_rng(seed))
     return Built(
         plan.id,
         (*standing, *placed, *grown),
         reasons(problem, layout, plan.id),
-        (*_left_out(plan, rows, layout.present | cut_off), *_cut_off(site, plan, rows, cut_off)),
+        _left_out(plan, rows, layout.present, {}),
         found.evaluations,
+        works,
     )
 
 
@@ -207,42 +228,40 @@ def _looks(
 
 
 def _reached_only(
-    plan: SitePlan, problem: SiteProblem, found: SiteLayout
-) -> tuple[SiteLayout, Flags]:
-    """What was found without the buildings that no way leads to, and which those are."""
-    cut_off = np.zeros(len(found.present), np.bool_)
+    site: Site, plan: SitePlan, problem: SiteProblem, found: SiteLayout
+) -> tuple[SiteLayout, dict[int, str]]:
+    """What was found without the buildings that no way leads to, and by the number of each of
+    those why it is left out."""
     here = np.flatnonzero(found.present)
     made = problem.buildings
     outlines = [made.outlines()[i] for i in here] if made.footprints else []
-    cut_off[here] = ~find_reached_buildings(plan, found.boxes[here], problem.fire_access, outlines)
-    if cut_off.any():
-        found = found._replace(present=found.present & ~cut_off, score={})
-    return found, cut_off
-
-
-def _cut_off(
-    site: Site, plan: SitePlan, rows: list[BuildingDemand], cut_off: Flags
-) -> tuple[LeftOut, ...]:
-    """Buildings that no way leads to where they would stand, by model."""
+    got = find_reached_buildings(plan, found.boxes[here], problem.fire_access, outlines)
+    if got.all():
+        return found, {}
+    present = found.present.copy()
+    present[here[~got]] = False
     told = f"no way {site.fire_access:g} m wide leads to where there is room for it"
-    missing = Counter(row for row, lost in zip(rows, cut_off, strict=True) if lost)
-    return tuple(
-        LeftOut(plan.id, f"{count} of {row.name}" if count > 1 else row.name, told, row.required)
-        for row, count in missing.items()
+    return found._replace(present=present, score={}), {int(i): told for i in here[~got]}
+
+
+def _left_out(
+    plan: SitePlan, rows: list[BuildingDemand], present: Flags, lost: dict[int, str]
+) -> tuple[LeftOut, ...]:
+    """Buildings without a place, by model, and why: what ``lost`` says by the number of each, else
+    that there is no room."""
+    room = "no place left for {0:g} x {1:g} m on {2:.0f} m² that can be built on"
+    missing = Counter(
+        (row, lost.get(k) or room.format(*row.size[:2], plan.buildable))
+        for k, (row, there) in enumerate(zip(rows, present, strict=True))
+        if not there
     )
-
-
-def _left_out(plan: SitePlan, rows: list[BuildingDemand], present: Flags) -> tuple[LeftOut, ...]:
-    """Buildings without a place, by model, and how much ground they lack."""
-    missing = Counter(row for row, there in zip(rows, present, strict=True) if not there)
     asked = Counter(rows)
     return tuple(
         LeftOut(
             plan.id,
             f"{count} of {asked[row]} {row.name}" if asked[row] > 1 else row.name,
-            f"no place left for {row.size.width:g} x {row.size.depth:g} m on "
-            f"{plan.buildable:.0f} m² that can be built on",
+            told,
             row.required,
         )
-        for row, count in missing.items()
+        for (row, told), count in missing.items()
     )

@@ -20,14 +20,16 @@ from scenewright.domains.site.check.bodies import (
     fault_of,
     grounds_of,
 )
+from scenewright.domains.site.check.doors import find_served, find_unserved_doors
 from scenewright.domains.site.check.rules import (
     find_near_edges,
     find_outside,
     find_overlaps,
     find_too_close,
 )
-from scenewright.domains.site.check.sun import sample_rows, sun_hours
+from scenewright.domains.site.check.sun import find_sunless, sample_rows, sun_hours
 from scenewright.ground.plan import SitePlan
+from scenewright.ground.works import GroundWorks
 
 SOUTHERLY = np.deg2rad(30.0)
 """How far a front may turn from the preferred heading and still count, in radians."""
@@ -42,11 +44,16 @@ class SiteVerdict(NamedTuple):
 
 
 def judge_sites(
-    sites: Sequence[Site], pieces: Sequence[Piece], plans: Sequence[SitePlan]
+    sites: Sequence[Site],
+    pieces: Sequence[Piece],
+    plans: Sequence[SitePlan],
+    works: Sequence[GroundWorks] = (),
 ) -> SiteVerdict:
     """Every violation on some sites, and their figures. Landmarks are known by their ids; what
     else is a building was placed. Broken pieces become findings. ``plans`` are those of the
-    sites."""
+    sites; ``works`` say what is laid out on them: doors of sites they do not name are not
+    judged."""
+    laid = {one.site: one for one in works}
     grounds = grounds_of(sites, plans)
     known = {ground.plan.id for ground in grounds}
     faults = [(piece, fault_of(piece, known)) for piece in pieces]
@@ -58,18 +65,40 @@ def judge_sites(
     )
     sound = [piece for piece, fault in faults if not fault]
     for ground in grounds:
-        _judge(verdict, ground, [piece for piece in sound if piece.space == ground.plan.id])
+        here = [piece for piece in sound if piece.space == ground.plan.id]
+        _judge(verdict, ground, here, laid.get(ground.plan.id))
     return verdict
 
 
-def _judge(verdict: SiteVerdict, ground: JudgedSite, pieces: list[Piece]) -> None:
+def _judge(
+    verdict: SiteVerdict, ground: JudgedSite, pieces: list[Piece], works: GroundWorks | None
+) -> None:
     bodies, changed = bodies_of(ground, pieces)
     got = find_reached_bodies(ground, bodies)
     verdict.findings.extend(changed)
     for find in (find_overlaps, find_outside, find_near_edges, find_too_close):
         verdict.findings.extend(find(ground, bodies))
     verdict.findings.extend(find_unreachable(ground, bodies, got))
-    verdict.figures[ground.plan.id] = _figures(ground, bodies, got)
+    verdict.findings.extend(find_unserved_doors(ground, bodies, works) if works else ())
+    figures = _figures(ground, bodies, got)
+    verdict.findings.extend(find_sunless(ground, bodies) if ground.site.sun_required else ())
+    verdict.figures[ground.plan.id] = figures | (_served(ground, bodies, works) if works else {})
+
+
+def _served(ground: JudgedSite, bodies: SiteBodies, works: GroundWorks) -> dict[str, Any]:
+    """The share of doors with a walk and of buildings near a lane, and metres of lanes and walks
+    laid out."""
+    own = ~bodies.landmark
+    served, near = find_served(ground, bodies, works)
+    length = {"lane": 0.0, "walk": 0.0}
+    for row in works.pathways:
+        length[row.kind] += float(np.hypot(*np.diff(np.array(row.line), axis=0).T).sum())
+    return {
+        "doors_served": _share(served[own]),
+        "near_lane_share": _share(near[own]),
+        "lanes": round(length["lane"], 1),
+        "walks": round(length["walk"], 1),
+    }
 
 
 def _figures(ground: JudgedSite, bodies: SiteBodies, got: Flags) -> dict[str, Any]:

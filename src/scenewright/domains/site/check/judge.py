@@ -16,6 +16,6 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     no ``kinds``."""
     del kinds
     sites = solution.brief.part.sites
-    findings, by_site = judge_sites(sites, solution.pieces, plan.detail)
+    findings, by_site = judge_sites(sites, solution.pieces, plan.detail, solution.detail or ())
     figures = {**count_findings(solution.pieces, findings), "sites": by_site}
     return Report(tuple(findings), tuple(find_small(sites, plan.detail)), figures)

@@ -12,7 +12,8 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import Floats, Indices, Shapes
-from scenewright.domains.site.check.bodies import SiteBodies
+from scenewright.core.report import Finding
+from scenewright.domains.site.check.bodies import JudgedSite, SiteBodies
 
 SILL, STEP, MOST = 0.9, 0.25, 120
 """Height of sills in metres, hours between two looks at the sun, and buildings looked at."""
@@ -58,6 +59,29 @@ def sun_hours(bodies: SiteBodies, latitude: float, day: int, rows: Indices) -> F
             shadows = _shadows(edges[last], bodies.high[owner[last]] - SILL, away)
             total[facing] += STEP * _lit(sides[facing], rows[facing], shadows, owner[last])
     return total
+
+
+def find_sunless(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
+    """Buildings, every one of them looked at, with fewer hours of sun than the brief requires."""
+    own, asked = np.flatnonzero(~bodies.landmark), grounds.site.sun_hours
+    if not len(own):
+        return []
+    hours = sun_hours(bodies, grounds.site.latitude, grounds.site.day, own)
+    return [
+        Finding(
+            "lack_of_sun",
+            "",
+            grounds.plan.id,
+            bodies.ids[row],
+            "",
+            f"{bodies.ids[row]} has {got:.2f} h of sun, {asked:g} h are required",
+            round(asked - got, 3),
+            0.0,
+            bool(bodies.given[row]),
+        )
+        for row, got in zip(own.tolist(), hours.tolist(), strict=True)
+        if got < asked - 1e-6
+    ]
 
 
 def sunny_sides(corners: Floats, latitude: float) -> Floats:

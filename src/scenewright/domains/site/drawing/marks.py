@@ -32,8 +32,10 @@ from scenewright.drawing.marks import (
     to_paper,
 )
 from scenewright.ground.plan import SitePlan, Way
+from scenewright.ground.works import GroundWorks
 
 GROUND, ASPHALT, PAVING, LEAF, FAULT = "#f1f4ea", "#d9d9d6", "#ece3d0", "#bcd6a8", "#d1121f"
+LANE = "#e2ded6"
 HATCH = "url(#hatch)"
 FAINT, FULL = np.array([236.0, 226.0, 240.0]), np.array([106.0, 27.0, 130.0])
 """Colours of what walkers see: nothing, and most."""
@@ -182,10 +184,17 @@ def model_of(row: StandingBuilding) -> str:
     return f"{row.name} · {row.floors} storeys · {row.high - row.low:.1f} m"
 
 
-def walks_mark(view: PaperView, lines: Iterable[shapely.LineString]) -> Mark:
-    """Walks from the ways to the doors."""
-    marks = [line(to_paper(view, shapely.get_coordinates(walk))) for walk in lines]
-    return group(marks, fill="none", stroke=PAVING, stroke_width=max(1.8 * view.scale, FINE))
+def pathways_mark(view: PaperView, works: GroundWorks) -> Mark:
+    """Walks to the doors, and lanes over them."""
+    marks = []
+    for kind, colour in (("walk", PAVING), ("lane", LANE)):
+        rows = [row for row in works.pathways if row.kind == kind]
+        lines = [
+            line(to_paper(view, np.array(row.line)), stroke_width=max(row.width * view.scale, FINE))
+            for row in rows
+        ]
+        marks.append(group(lines, fill="none", stroke=colour, stroke_linejoin="round"))
+    return group(marks)
 
 
 def _label(view: PaperView, footprint: Points, words: list[str]) -> Mark:

@@ -23,12 +23,13 @@ from scenewright.domains.site.brief import Site
 from scenewright.domains.site.drawing import marks as marks
 from scenewright.domains.site.drawing.views import Views, views_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
+from scenewright.domains.site.works import works_of
 from scenewright.drawing import sheet as sheets
 from scenewright.drawing.layers import Layer, PlanDrawing, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import NOTHING, PaperView, clean, text
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.walks import Walk, walks
+from scenewright.ground.works import GroundWorks
 
 MARGIN, CAPTION = 6.0, 7.0
 """Millimetres around a site, and below it for its name."""
@@ -43,7 +44,7 @@ class SiteSheet(NamedTuple):
     plan: SitePlan
     rows: tuple[StandingBuilding, ...]
     trees: tuple[Piece, ...]
-    walks: tuple[Walk, ...]
+    works: GroundWorks
     findings: tuple[Finding, ...]
     figures: dict[str, Any]
     bounds: tuple[float, float, float, float]
@@ -99,14 +100,13 @@ def drawings_of(
             plan,
             tuple(row for row in rows if row.site == plan.id),
             tuple(p for p in solution.pieces if p.space == plan.id and p.category == "tree"),
-            walks(
-                plan,
-                [p for p in solution.pieces if p.space == plan.id and p.category == "building"],
-            ),
+            works,
             tuple(f for f in report.findings if f.space == plan.id),
             report.figures["sites"][plan.id],
         )
-        for site, plan in zip(solution.brief.part.sites, plans, strict=True)
+        for site, plan, works in zip(
+            solution.brief.part.sites, plans, works_of(solution, plans), strict=True
+        )
     )
 
 
@@ -115,7 +115,7 @@ def _drawing(
     plan: SitePlan,
     rows: tuple[StandingBuilding, ...],
     trees: tuple[Piece, ...],
-    walks: tuple[Walk, ...],
+    works: GroundWorks,
     findings: tuple[Finding, ...],
     figures: dict[str, Any],
 ) -> SiteSheet:
@@ -132,7 +132,7 @@ def _drawing(
     corners = np.vstack([plan.outline, *inside])
     (west, south), (east, north) = corners.min(0).tolist(), corners.max(0).tolist()
     drawn = tuple(row for row in rows if any(row.footprint is kept for kept in inside))
-    return SiteSheet(site, plan, drawn, trees, walks, findings, figures, (west, south, east, north))
+    return SiteSheet(site, plan, drawn, trees, works, findings, figures, (west, south, east, north))
 
 
 def letters_of(drawings: Sequence[SiteSheet]) -> dict[str, str]:
@@ -154,7 +154,7 @@ def _site_layers(
     plan, rows = drawing.plan, drawing.rows
     return [
         Layer("Ground", marks.ground_mark(view, plan)),
-        Layer("Walks", marks.walks_mark(view, drawing.walks)),
+        Layer("Lanes and walks", marks.pathways_mark(view, drawing.works)),
         Layer("Roads and paths", marks.ways_mark(view, plan.roads)),
         Layer("Views", marks.views_mark(view, *seen) if seen else NOTHING),
         Layer("Names of ways", marks.way_names_mark(view, plan.roads)),
@@ -179,10 +179,13 @@ def legend(
         rows += [LegendRow("swatch", told, value=colour)] if colour in used else []
         least = most + 1
     ways = {way.kind for d in drawings for way in d.plan.roads}
+    laid = {path.kind for d in drawings for path in d.works.pathways}
     signs = (
         (any(r.landmark for d in drawings for r in d.rows), "swatch", "Landmark", marks.HATCH),
         ("road" in ways, "swatch", "Road", marks.ASPHALT),
+        ("lane" in laid, "swatch", "Lane", marks.LANE),
         ("path" in ways, "swatch", "Path", marks.PAVING),
+        ("walk" in laid, "swatch", "Walk to a door", marks.PAVING),
         (any(d.trees for d in drawings), "swatch", "Tree", marks.LEAF),
         (any(d.site.setback for d in drawings), "border", "Setback", ""),
         (bool(letters), "entrance", "Front of a building", ""),
@@ -241,6 +244,10 @@ def _figures(
         (
             "Visual quality seen from the ways" if seen else "",
             f"{seen[1].mean():.3f}" if seen else "",
+        ),
+        (
+            "Doors with a way to them" if "doors_served" in found else "",
+            f"{found.get('doors_served', 1.0):.0%}",
         ),
         ("Reached by the fire brigade", f"{found['reached_share']:.0%}"),
         ("Faults", f"{sum(not f.given for f in drawing.findings)}"),

@@ -12,7 +12,7 @@ import numpy as np
 
 from scenewright.core.layout import corners
 from scenewright.domains.site.problem import Floats, SiteProblem
-from scenewright.domains.site.solvers.front import turned_in
+from scenewright.domains.site.solvers.front import list_front_margins, turned_in
 from scenewright.domains.site.solvers.perimeter_block import rim
 from scenewright.domains.site.solvers.strips import StripRule, back, rotate_block, rows
 
@@ -91,7 +91,8 @@ def lay_out_block(
         edges = np.concatenate(
             [edges, list_reserved_edges(problem, boxes, sizes[numbers, 2], ahead)]
         )
-    block = rotate_block(edges, heading)
+    margins = list_front_margins(problem, edges, heading)
+    block = rotate_block(np.concatenate([edges, margins]), heading)
     placed = rows(block, sizes, waiting, rule)
     found = np.zeros((len(placed), 5))
     if placed:

@@ -10,20 +10,23 @@ from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 
 AHEAD, PACE = 10.0, 0.5
 """How far ahead of a front the border is looked for, and every how many metres a way."""
+FACING, HAIR = 0.35, 1e-3
+"""Cosine of how far an edge of the ground may turn from the fronts that look over it, and metres
+by which margins reach over it."""
 NEARLY = math.radians(45.0)
 """Fronts that look so near to the preferred heading may look out for the sun."""
 
 
-def blind(problem: SiteProblem, boxes: Floats) -> Flags:
-    """Which of boxes (k, 5) have the site's border ahead and no way before it. None on sites
-    without ways, which are entered from anywhere on their border."""
+def blind(problem: SiteProblem, boxes: Floats, far: float = AHEAD) -> Flags:
+    """Which of boxes (k, 5) have the site's border within ``far`` metres ahead and no way before
+    it. None on sites without ways, which are entered from anywhere on their border."""
     found = np.zeros(len(boxes), np.bool_)
     if not len(problem.ground.roads) or not len(boxes):
         return found
     front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], 1)
     door = boxes[:, :2] + 0.5 * boxes[:, 4:] * front
-    out = np.flatnonzero(~inside(problem.ground.edges, door + AHEAD * front))
-    steps = np.arange(0.0, AHEAD + PACE, PACE)
+    out = np.flatnonzero(~inside(problem.ground.edges, door + far * front))
+    steps = np.arange(0.0, far + PACE, PACE)
     points = door[out, None] + steps[:, None] * front[out, None]
     found[out] = ~_on_ways(problem.ground.roads, points).any(1)
     return found
@@ -31,11 +34,40 @@ def blind(problem: SiteProblem, boxes: Floats) -> Flags:
 
 def turned_in(problem: SiteProblem, boxes: Floats) -> Floats:
     """Boxes (k, 5) with those that look out where no way is turned round, to the court behind;
-    fronts to the sun stay."""
+    fronts to the sun stay, if the border is as far from them as doors need."""
     off = np.abs((boxes[:, 2] - problem.facing + math.pi) % (2.0 * math.pi) - math.pi)
     turned = boxes.copy()
-    turned[blind(problem, boxes) & (off > NEARLY), 2] += math.pi
+    near = blind(problem, boxes, problem.door_distance)
+    turned[near | blind(problem, boxes) & (off > NEARLY), 2] += math.pi
     return turned
+
+
+def list_front_margins(problem: SiteProblem, edges: Floats, heading: float) -> Floats:
+    """Edges (4 m, 4), clockwise, of the ground along the border that rows with fronts to some
+    ``heading`` leave free for their doors; ``edges`` (e, 4) are those of a block."""
+    along = edges[:, 2:] - edges[:, :2]
+    long = np.maximum(np.hypot(along[:, 0], along[:, 1]), 1e-9)
+    out = np.column_stack([along[:, 1], -along[:, 0]]) / long[:, None]
+    middles = 0.5 * (edges[:, :2] + edges[:, 2:])
+    turn, flat = np.arctan2(out[:, 1], out[:, 0]), np.zeros(len(edges))
+    boxes = np.column_stack([middles, turn, long, flat])
+    facing = out @ (math.cos(heading), math.sin(heading)) > FACING
+    rows = np.flatnonzero(facing & blind(problem, boxes, problem.door_distance))
+    gaps = [_to_border(problem.ground.edges, middles[k]) for k in rows]
+    deep = np.maximum(problem.door_distance - np.array(gaps), 0.0)[:, None]
+    begin, end = edges[rows, :2] + HAIR * out[rows], edges[rows, 2:] + HAIR * out[rows]
+    inward = -(deep + 2.0 * HAIR) * out[rows]
+    ring = np.stack([begin, begin + inward, end + inward, end], 1)
+    found: Floats = np.concatenate([ring, np.roll(ring, -1, axis=1)], axis=2).reshape(-1, 4)
+    return found
+
+
+def _to_border(edges: Floats, point: Floats) -> float:
+    """Metres from a point to the nearest of the edges (e, 4)."""
+    along = edges[:, 2:] - edges[:, :2]
+    share = ((point - edges[:, :2]) * along).sum(1) / np.maximum((along**2).sum(1), 1e-12)
+    nearest = edges[:, :2] + np.clip(share, 0.0, 1.0)[:, None] * along
+    return float(np.hypot(*(nearest - point).T).min())
 
 
 def inside(edges: Floats, points: Floats) -> Flags:

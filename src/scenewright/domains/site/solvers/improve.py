@@ -222,6 +222,7 @@ def turns(problem: SiteProblem, boxes: Floats) -> Ints:
     places = boxes[slot]
     places[:, 2] = after
     fit &= ~blind(problem, places) | (_off(after, np.full(len(slot), problem.facing)) <= leeway)
+    fit &= ~blind(problem, places, problem.door_distance)
     moves = np.column_stack([slot, slot, quarters])[fit]
     return np.ascontiguousarray(moves, np.int64)
 

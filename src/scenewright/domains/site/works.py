@@ -1,0 +1,44 @@
+"""What is laid out on the ground of a site between the buildings that stand on it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from scenewright.core.footprint import outline_of
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.domains.site.brief import Site
+from scenewright.ground.pathways import Network, lay_pathways
+from scenewright.ground.plan import SitePlan
+from scenewright.ground.works import GroundWorks
+
+
+def works_of(solution: Solution, plans: Sequence[SitePlan]) -> tuple[GroundWorks, ...]:
+    """What a solution says is laid out on each of its sites; where it says nothing (it was saved
+    before ways were, or made by another program), ways are laid out to what stands."""
+    told = {one.site: one for one in solution.detail or ()}
+    return tuple(
+        told[plan.id] if plan.id in told else lay_works(site, plan, solution.pieces)
+        for site, plan in zip(solution.brief.part.sites, plans, strict=True)
+    )
+
+
+def lay_works(site: Site, plan: SitePlan, pieces: Sequence[Piece]) -> GroundWorks:
+    """The ways to the buildings among some pieces."""
+    marks = {name for row in plan.landmarks for name in (row.id, f"{plan.id}/{row.id}")}
+    here = [
+        piece
+        for piece in pieces
+        if piece.space == plan.id and piece.category == "building" and piece.id not in marks
+    ]
+    sound = [p for p in here if np.isfinite([*p.pose, *p.size]).all() and min(p.size) > 0]
+    return GroundWorks(plan.id, network_of(site, plan, sound).pathways)
+
+
+def network_of(site: Site, plan: SitePlan, buildings: Sequence[Piece]) -> Network:
+    """The ways of a site to all of some buildings."""
+    headings = np.array([piece.pose.heading for piece in buildings])
+    outlines = [outline_of(piece) for piece in buildings]
+    return lay_pathways(plan, outlines, headings, site.fire_access, site.fire_reach)

@@ -1,0 +1,201 @@
+"""Lanes for fire engines and cars: as few as come within reach of every building.
+
+The middle of a lane lies where a disc of its width stays on the site and off all that stands: the
+ground less the buildings, each grown by half the width. A raster finds the way, and its points are
+then moved onto that ground exactly.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.core.space import Points
+from scenewright.ground.path_raster import PathRaster
+from scenewright.ground.path_tree import find_times, straighten, trace
+from scenewright.ground.plan import SitePlan
+from scenewright.ground.works import Pathway
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int32]
+Flags = NDArray[np.bool_]
+Shapes = NDArray[np.object_]
+
+SLACK, WITHIN = 0.008, 0.05
+"""Metres a lane may lack on each side, so that one exactly wide enough counts, and by which it is
+nearer than it must be."""
+NEAR, FAR, RINGS, ROUND = 0.6, 10.0, 4, 8
+"""Metres from a wall within which a lane ends, distances tried, segments of a quarter circle."""
+TIGHT = 1.5
+"""How much more a metre costs right beside a wall."""
+
+
+class Tree(NamedTuple):
+    """Quickest ways over a raster: what a metre costs (rows, columns), travel ``times`` (cells,)
+    and the cell each is come from."""
+
+    slow: Floats
+    times: Floats
+    before: Ints
+
+
+def lay_lanes(
+    plan: SitePlan,
+    raster: PathRaster,
+    solids: list[Points],
+    built: Shapes,
+    ahead: Floats,
+    width: float,
+    reach: float,
+) -> tuple[tuple[Pathway, ...], Flags]:
+    """Lanes to the first of some ``solids`` (``built`` as polygons), those of which fronts look
+    ``ahead`` (n, 2), and which of these a lane or road is within ``reach`` of. The farthest are
+    served first; what stands beside their lanes needs none."""
+    count = len(ahead)
+    near, radius = _find_near_start(plan, built[:count], reach), 0.5 * width
+    offs = radius + np.linspace(NEAR, max(min(reach, FAR) - 1.5 * raster.cell, NEAR), RINGS)
+    laid: list[shapely.LineString] = []
+    for slack in (0.0, 0.36 * raster.cell):
+        if near.all():
+            break
+        slow, starts = measure_ground(plan, raster, radius - slack, radius + 1.0, raster.driven)
+        tree = Tree(slow, *find_times(slow, raster.cell, starts))
+        goals, far = _find_ends(raster, solids[:count], ahead, tree.times, offs)
+        centres, used = find_centres(plan, built, radius), set[int]()
+        for k in np.argsort(np.where(np.isfinite(far), -far, np.inf), kind="stable"):
+            if near[k] or not np.isfinite(far[k]):
+                continue
+            lane = _lay_lane(plan, raster, tree, int(goals[k]), used, laid, centres, radius)
+            if not shapely.dwithin(built, lane, radius - WITHIN).any():
+                laid.append(lane)
+                near |= shapely.dwithin(built[:count], lane, reach + radius - WITHIN)
+    return tuple(Pathway("lane", width, corners_of_line(lane)) for lane in laid), near
+
+
+def corners_of_line(line: shapely.LineString) -> tuple[tuple[float, float], ...]:
+    """The corners of a line to the millimetre, none twice in a row."""
+    rows = np.round(shapely.get_coordinates(line), 3).tolist()
+    return tuple((x, y) for k, (x, y) in enumerate(rows) if k == 0 or rows[k - 1] != [x, y])
+
+
+def _find_near_start(plan: SitePlan, built: Shapes, reach: float) -> Flags:
+    """Which buildings are near enough to a road, or to the border of a site without ways."""
+    roads = [
+        shapely.Polygon(area.outline, area.holes)
+        for way in plan.roads
+        if way.kind == "road"
+        for area in way.areas
+    ]
+    if not roads and plan.entrances:
+        return np.zeros(len(built), bool)
+    start = shapely.union_all(roads) if roads else shapely.LinearRing(plan.outline)
+    shapely.prepare(start)
+    found: Flags = shapely.dwithin(start, built, reach - WITHIN)
+    return found
+
+
+def measure_ground(
+    plan: SitePlan, raster: PathRaster, least: float, comfort: float, streets: Flags
+) -> tuple[Floats, Ints]:
+    """What a metre costs at every cell (rows, columns): more up to ``comfort`` metres from what
+    stands, infinite within ``least`` of it or of the border; and the cells that ways start from:
+    ``streets``, or without any the entrances, or the border of a site without ways."""
+    apart = np.minimum(raster.solid, raster.border)
+    slow = 1.0 + TIGHT * np.clip((comfort - raster.solid) / max(comfort - least, 0.1), 0.0, 1.0)
+    slow[apart < least] = np.inf
+    if streets.any():
+        starts = streets & (raster.solid >= least)
+    elif plan.entrances:
+        starts = _find_entrance_cells(plan, raster, least)
+    else:
+        starts = (raster.border > 0.0) & (raster.border < least + raster.cell)
+        starts &= raster.solid >= least
+    slow[starts] = np.where(np.isfinite(slow[starts]), slow[starts], 1.0)
+    rim = starts & ~_shrink(starts)
+    slow[starts & ~rim] = np.inf
+    return slow, np.flatnonzero(rim).astype(np.int32)
+
+
+def _shrink(cells: Flags) -> Flags:
+    """The cells (rows, columns) all of whose eight neighbours are marked as well."""
+    wide = np.pad(cells, 1)
+    rows = wide[:-2] & wide[1:-1] & wide[2:]
+    found: Flags = rows[:, :-2] & rows[:, 1:-1] & rows[:, 2:]
+    return found
+
+
+def _find_entrance_cells(plan: SitePlan, raster: PathRaster, least: float) -> Flags:
+    """Cells about the points where ways come in, for sites without roads."""
+    places = raster.points_of(np.arange(raster.solid.size, dtype=np.int32))
+    doors = shapely.points([(e.x, e.y) for e in plan.entrances])
+    near = shapely.union_all(shapely.buffer(doors, 3.0 * max(least, raster.cell)))
+    shapely.prepare(near)
+    close = shapely.contains_xy(near, places[:, 0], places[:, 1]).reshape(raster.solid.shape)
+    found: Flags = close & (raster.border > 0.0) & (raster.solid >= least)
+    return found
+
+
+def _find_ends(
+    raster: PathRaster, rings: list[Points], ahead: Floats, times: Floats, offs: Floats
+) -> tuple[Ints, Floats]:
+    """The cell beside each building that is reached first, and when (infinite: none): before its
+    front, which looks ``ahead`` (n, 2), where that can be reached, else on any side."""
+    goals, far = np.zeros(len(rings), np.int32), np.full(len(rings), np.inf)
+    for k, ring in enumerate(rings):
+        along = np.concatenate([ring, 0.5 * (ring + np.roll(ring, -1, axis=0))])
+        out = along - ring.mean(0)
+        out /= np.maximum(np.hypot(*out.T), 1e-9)[:, None]
+        cells = raster.cells_of((along + offs[:, None, None] * out).reshape(-1, 2))
+        before = np.tile(out @ ahead[k] > 0.2, len(offs))
+        late = np.where(before | ~np.isfinite(times[cells[before]]).any(), 0.0, np.inf)
+        best = int(np.argmin(times[cells] + late))
+        goals[k], far[k] = cells[best], times[cells[best]]
+    return goals, far
+
+
+def lead_out(plan: SitePlan, line: Floats, reach: float) -> Floats:
+    """A line (n, 2) led on to the outline of a site without ways if it ends within ``reach``."""
+    end, border = shapely.Point(line[-1]), shapely.LinearRing(plan.outline)
+    if border.distance(end) > reach:
+        return line
+    return np.vstack([line, shapely.get_coordinates(shapely.shortest_line(end, border))[1]])
+
+
+def find_centres(plan: SitePlan, built: Shapes, radius: float) -> shapely.Geometry:
+    """Where the middle of a lane may lie."""
+    around = shapely.union_all(shapely.buffer(built, radius - SLACK, quad_segs=ROUND))
+    floor = shapely.Polygon(plan.outline, plan.holes)
+    return shapely.difference(floor.buffer(-radius + SLACK, quad_segs=ROUND), around)
+
+
+def _lay_lane(
+    plan: SitePlan,
+    raster: PathRaster,
+    tree: Tree,
+    goal: int,
+    used: set[int],
+    laid: list[shapely.LineString],
+    centres: shapely.Geometry,
+    radius: float,
+) -> shapely.LineString:
+    """A lane from a goal to the nearest road or lane; its cells join those ``used``."""
+    piece = trace(tree.before, goal, used)
+    joins = piece[-1] in used
+    used.update(piece)
+    line = raster.points_of(straighten(piece, tree.slow, raster.cell))
+    if len(line) < 2:
+        line = np.stack([line[0], line[0] + (raster.cell, 0.0)])
+    dense = shapely.get_coordinates(shapely.segmentize(shapely.LineString(line), 0.5))
+    moved = shapely.get_coordinates(shapely.shortest_line(shapely.points(dense), centres))[1::2]
+    if joins:
+        end = shapely.Point(moved[-1])
+        nearest = min(laid, key=lambda other: float(other.distance(end)), default=None)
+        if nearest is not None:
+            moved = np.vstack([moved, shapely.get_coordinates(shapely.shortest_line(end, nearest))])
+    else:
+        moved[-2:] = dense[-2:]
+        moved = moved if plan.entrances else lead_out(plan, moved, 4.0 * raster.cell + radius)
+    return shapely.simplify(shapely.LineString(moved), 0.02)
