@@ -11,6 +11,9 @@ from benchmarks.real_data import data_folder
 
 from flat import flat_solution
 from scenewright.core.solution import Solution
+from skip_summary import pytest_terminal_summary
+
+__all__ = ["pytest_terminal_summary"]
 
 # On a build server property tests try the same examples every time; at a desk they go on looking.
 hypothesis.settings.register_profile(
