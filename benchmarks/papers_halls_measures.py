@@ -34,7 +34,7 @@ FIGURES = (
     ("excess", "1"),
     ("seconds", "s"),
 )
-PRINTED = {"paper": {"preset": "paper"}, "paper-repaired": {"preset": "paper-repaired"}}
+PRINTED = {name: {"preset": name} for name in ("paper", "paper-repaired", "paper-strict")}
 OURS, HAND = "default", "by hand"
 WARM = "sample:hall-irregular"
 """What a method lays out once in each process before it is timed: kernels are loaded then."""

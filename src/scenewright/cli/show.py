@@ -148,7 +148,7 @@ def _halls(console: Console, halls: Mapping[str, Mapping[str, Any]]) -> None:
 
 def _format_measures(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
     keys = ("objects", "aesthetic", "uniformity", "circulation")
-    return {"hall": name} | {key: figures[key] for key in keys}
+    return {"hall": name} | {key: figures[key] for key in keys} | {"excess": figures.get("excess")}
 
 
 def _format_usage(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
@@ -186,6 +186,7 @@ def print_explanation(console: Console, solution: Solution, plan: Plan | None = 
         for term in sorted(felt, key=lambda t: -t.cost)
     ]
     table(console, why, "why", right=("value", "weight", "cost"))
+    _print_excess(console, solution, rooms)
     domain = solution.brief.domain
     figures = [t for t in solution.terms if t.weight == 0.0]
     if figures:
@@ -203,6 +204,20 @@ def print_explanation(console: Console, solution: Solution, plan: Plan | None = 
     _left_out(console, solution, rooms)
 
 
+def _floors(solution: Solution) -> dict[str, float]:
+    """The least the energy of each space could be, where the domain knows it."""
+    domain = domain_of(solution.brief.domain)
+    return dict(domain.verb("floors")(solution)) if domain.has("floors") else {}
+
+
+def _print_excess(console: Console, solution: Solution, rooms: Mapping[str, str]) -> None:
+    """The energy of each space beside the least it could be."""
+    for space, floor in _floors(solution).items():
+        energy = solution.energies[space]
+        told = f"{energy:.1f}, {energy - floor:.1f} above its floor of {floor:.1f}"
+        print_line(console, f"energy of {rooms.get(space, space)}: {told}")
+
+
 def _meanings(names: set[str], domain: str) -> dict[str, str]:
     """One line for each term."""
     meanings = domain_of(domain).table("meanings")
@@ -217,6 +232,7 @@ def explained_document(solution: Solution, plan: Plan | None = None) -> dict[str
     figures = check(solution, plan=plan).figures if wished else {}
     return {
         "energies": dict(solution.energies),
+        **({"floors": floors} if (floors := _floors(solution)) else {}),
         "terms": [term._asdict() for term in solution.terms],
         "left_out": [entry._asdict() for entry in solution.left_out],
         "wishes": figures.get("wishes", []),

@@ -40,12 +40,14 @@ Verb = Literal[
     "locked",
     "accessible",
     "groups",
+    "floors",
     "detail_document",
     "detail_of",
 ]
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged;
-of the others ``validate``, ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups`` and
-the two of the detail are passed over where a domain has none, the rest refused by name."""
+of the others ``validate``, ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups``,
+``floors`` (the least the energy of each space could be) and the two of the detail are passed over
+where a domain has none, the rest refused by name."""
 Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels"]
 
 NEEDED: tuple[Verb, ...] = ("plan", "solve", "check", "scene", "draw")

@@ -26,6 +26,7 @@ DOMAIN = Domain(
         "describe": ".alternatives:describe",
         "adjust": ".adjust:adjust",
         "locked": ".record:lock_halls",
+        "floors": ".floors:floors_of",
         "detail_document": ".record:detail_document",
         "detail_of": ".record:detail_of",
     },

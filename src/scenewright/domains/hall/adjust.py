@@ -107,6 +107,7 @@ def _merge_halls(before: Solution, found: Solution, touched: frozenset[str]) -> 
         join(old.groups, new.groups),
         tuple(p.id for p in pieces if p.function == PARTITION),
     )
+    floors = dict(before.detail.floors) | {k: v for k, v in found.detail.floors if k in touched}
     return replace(
         found,
         pieces=pieces,
@@ -114,5 +115,7 @@ def _merge_halls(before: Solution, found: Solution, touched: frozenset[str]) -> 
         left_out=join(before.left_out, found.left_out),
         energies=before.energies | {k: v for k, v in found.energies.items() if k in touched},
         brief_hash=before.brief_hash,
-        detail=HallDetail(layout, join(before.detail.tours, found.detail.tours)),
+        detail=HallDetail(
+            layout, join(before.detail.tours, found.detail.tours), tuple(floors.items())
+        ),
     )

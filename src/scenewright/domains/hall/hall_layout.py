@@ -97,8 +97,9 @@ class Tour(NamedTuple):
 
 
 class HallDetail(NamedTuple):
-    """What only a solution of halls holds: the layout of zones and groups, and the visitors'
-    tours, one a space."""
+    """What only a solution of halls holds: the layout of zones and groups, the visitors' tours, one
+    a space, and the ``floors``: each space and the least its energy could be."""
 
     layout: HallLayout
     tours: tuple[Tour, ...] = ()
+    floors: tuple[tuple[str, float], ...] = ()

@@ -7,17 +7,22 @@ from scenewright.domains.hall.terms.table import HALL_TERMS, PRINTED
 from scenewright.engine.rows import Preset
 
 HallPreset = Preset[HallSettings]
-"""Its steps are layouts looked at in a hall of :data:`USUAL` groups, more where there are more."""
+"""Its steps are layouts looked at in a hall of :data:`FEW` to :data:`USUAL` groups."""
 
 USUAL = 20
 """Groups of a hall for which the steps of a preset are meant."""
 
+FEW = 9
+"""Halls of fewer groups take less: the work grows with what there is to place."""
+
 OURS = {row.name: row.weight for row in HALL_TERMS}
 PAPER = dict.fromkeys(PRINTED, 1.0)
+REFUSING = 1e4
+"""At λ = 0.1 a passage narrower by a centimetre is taken once in twenty thousand times."""
 USUALLY = HallSettings()
 
 PRESETS: dict[str, HallPreset] = {
-    "default": Preset("our nine terms, four chains annealed", "anneal", 24_000, OURS, USUALLY),
+    "default": Preset("all terms, four chains annealed", "anneal", 24_000, OURS, USUALLY),
     "quick": Preset("the default with a quarter of the work", "anneal", 6_000, OURS, USUALLY),
     "fine": Preset("the default with eight times the work", "anneal", 192_000, OURS, USUALLY),
     "paper": Preset(
@@ -34,4 +39,23 @@ PRESETS: dict[str, HallPreset] = {
         PAPER,
         HallSettings(whole=True),
     ),
+    "paper-strict": Preset(
+        "paper-repaired, where moves that break a rule of the referee are refused",
+        "gd-mh",
+        1000,
+        {**PAPER, "access": REFUSING, "reach": REFUSING},
+        HallSettings(whole=True),
+    ),
 }
+
+
+def count_steps(preset: HallPreset, groups: int) -> int:
+    """Layouts looked at in a hall of so many groups: fewer below :data:`FEW`, more above
+    :data:`USUAL`; the paper's are the same for all.
+
+    >>> [count_steps(PRESETS["default"], groups) for groups in (3, 9, 20, 40)]
+    [8000, 24000, 24000, 48000]
+    """
+    if preset.settings.whole:
+        return preset.steps or 0
+    return int((preset.steps or 0) * max(min(groups / FEW, 1.0), groups / USUAL))

@@ -96,23 +96,26 @@ class TourRecord(StrictModel):
 
 
 class DetailRecord(StrictModel):
-    """What only solutions of halls hold: the layout of zones and groups, and the tours."""
+    """What only solutions of halls hold: the layout of zones and groups, the tours, and the least
+    the energy of each space could be."""
 
     graph: GraphRecord | None = None
     tours: Annotated[list[TourRecord], Field(max_length=10_000)] = []
+    floors: Annotated[dict[str, Number], Many] = {}
 
 
 def detail_document(detail: HallDetail) -> dict[str, Any]:
     """The keys a solution of halls adds to its document."""
     tours = [tour_document(tour) for tour in detail.tours]
-    return {"graph": graph_document(detail.layout), "tours": tours}
+    return {"graph": graph_document(detail.layout), "tours": tours, "floors": dict(detail.floors)}
 
 
 def detail_of(record: DetailRecord) -> HallDetail | None:
     """What a document says of halls; ``None`` if it holds no layout."""
     if record.graph is None:
         return None
-    return HallDetail(graph_of(record.graph), tuple(tour_of(tour) for tour in record.tours))
+    tours = tuple(tour_of(tour) for tour in record.tours)
+    return HallDetail(graph_of(record.graph), tours, tuple(record.floors.items()))
 
 
 def lock_halls(solution: Solution) -> Brief:

@@ -56,7 +56,7 @@ def search_layout(
     narrow, ours tries again: from other first layouts, then with large groups in halves. Of
     seconds or steps that a user states, a part is kept for that; what is left of them in the end
     improves the answer."""
-    again = search.solver == "anneal" and not search.preset.settings.whole
+    again = may_retry(search)
     shared = again and (search.stated or search.budget.seconds is not None)
     rule = search.preset.settings.search
     tries = 1 if not again else rule.attempts if len(fitted.units) <= MANY else 2
@@ -82,6 +82,11 @@ def search_layout(
         found = _improve_answer(best, rest, search.seed, heard, cancel)
         seen, best = seen + found.evaluations - best.found.evaluations, best._replace(found=found)
     return best.fitted, best.found._replace(evaluations=seen)
+
+
+def may_retry(search: HallSearch) -> bool:
+    """Whether a solver may try again, and groups may be split or given up: ours may."""
+    return search.solver == "anneal" and not search.preset.settings.whole
 
 
 def _wrong(layout: MeasuredLayout) -> float:

@@ -28,13 +28,15 @@ class GuidedSettings(NamedTuple):
 class SearchSettings(NamedTuple):
     """Attempts while something cannot be reached; of a stated budget the share of the ``first``
     and of each ``again``; how much more what is ``wrong`` weighs in the end, and the objects of a
-    group that is then tried in halves (``large``)."""
+    group that is then tried in halves (``large``); how often what no route reaches is then
+    ``given_up``."""
 
     attempts: int = 4
     first: float = 0.5
     again: float = 0.1
     wrong: float = 20.0
     large: int = 6
+    given_up: int = 6
 
 
 class FitSettings(NamedTuple):

@@ -85,8 +85,14 @@ def excess(zone: Floats, size: Size) -> float:
     return float(np.minimum(one, other).min())
 
 
-def left_out(hall: HallContext, wishes: list[HallDemand], units: list[Unit]) -> tuple[LeftOut, ...]:
-    """What was not placed, and by how much it does not fit."""
+def left_out(
+    hall: HallContext,
+    wishes: list[HallDemand],
+    units: list[Unit],
+    unreached: frozenset[int] = frozenset(),
+) -> tuple[LeftOut, ...]:
+    """What was not placed, and by how much it does not fit; of the demands ``unreached``
+    something found room, but no way to it."""
     areas = zone_areas(hall)
     used = np.zeros(len(areas))
     placed: list[set[int]] = [set() for _ in wishes]
@@ -94,12 +100,14 @@ def left_out(hall: HallContext, wishes: list[HallDemand], units: list[Unit]) -> 
         used[unit.zone] += (unit.last - unit.first) * area_of(wishes[unit.demand])
         placed[unit.demand].update(range(unit.first, unit.last))
     found = []
-    for wish, there in zip(wishes, placed, strict=True):
+    for number, (wish, there) in enumerate(zip(wishes, placed, strict=True)):
         absent = [size for k, size in enumerate(wish.sizes) if k not in there]
         if absent:
             many = len(wish.sizes) > 1
             told = f"{len(absent)} of {len(wish.sizes)} {wish.name}" if many else wish.name
-            reason = _reason(hall, wish, absent, areas, used)
+            reason = f"no route {hall.route:.2f} m wide would reach everything with it"
+            if number not in unreached:
+                reason = _reason(hall, wish, absent, areas, used)
             found.append(LeftOut(hall.space.id, told, reason, wish.required))
     return tuple(found)
 

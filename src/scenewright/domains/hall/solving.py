@@ -32,14 +32,16 @@ from scenewright.domains.hall.chairs import grow_table, with_chairs
 from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.fit import Fitted, fit
+from scenewright.domains.hall.floors import least_energies
 from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
 from scenewright.domains.hall.hall_layout import HallDetail, HallLayout, PlacedGroup, Tour
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
-from scenewright.domains.hall.presets import PRESETS, USUAL, HallPreset
-from scenewright.domains.hall.search import HallSearch, search_layout
+from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
+from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
 from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall, measure_layout
 from scenewright.domains.hall.tour import tour
+from scenewright.domains.hall.unreached import drop_unreached
 from scenewright.domains.hall.zones import borders_of, zones_of
 from scenewright.engine.energy import Part
 from scenewright.engine.rows import preset_named
@@ -230,15 +232,16 @@ def _lay(
         way = tour(hall.space, hall.fixed, layout, catalog, hall.route) if kept else None
         return Laid((), kept, (), (), missing, 0.0, 0, way)
     budget = task.budget
-    own = preset.steps if task.solver == preset.solver else None
-    if budget.steps is None and budget.seconds is None and own is not None:
-        scale = 1.0 if preset.settings.whole else max(len(fitted.units) / USUAL, 1.0)
-        budget = budget._replace(steps=int(own * scale))
+    if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
+        budget = budget._replace(steps=count_steps(preset, len(fitted.units)))
     search = HallSearch(
         hall, wishes, preset, task.solver, budget, task.seed, catalog, task.budget.steps is not None
     )
     fitted, found = search_layout(search, fitted, progress, cancel)
-    missing = left_out(hall, wishes, fitted.units)
+    given_up: frozenset[int] = frozenset()
+    if may_retry(search) and not (cancel is not None and cancel()):
+        fitted, found, given_up = drop_unreached(search, fitted, found)
+    missing = left_out(hall, wishes, fitted.units, given_up)
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, found.layouts[0])
     return furnish_layout(hall, wishes, fitted, best, locked, missing, found.evaluations, catalog)
 
@@ -308,6 +311,7 @@ def assemble_solution(
         for hall, answer in zip(halls, found, strict=True)
         for part in (answer.parts if answer else ())
     )
+    printed = PRESETS[preset].settings.printed
     return Solution(
         brief=brief,
         pieces=tuple(pieces),
@@ -326,5 +330,9 @@ def assemble_solution(
         brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
         seconds=seconds,
         evaluations=sum(answer.evaluations for answer in done),
-        detail=HallDetail(layout, tuple(answer.tour for answer in done if answer.tour is not None)),
+        detail=HallDetail(
+            layout,
+            tuple(answer.tour for answer in done if answer.tour is not None),
+            tuple(least_energies(terms, layout, printed).items()),
+        ),
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from scenewright.building.plan import room_ids
 from scenewright.check.plan_notes import note_reading
 from scenewright.check.rooms import count_findings, judge_rooms, walk_rooms
@@ -36,5 +38,17 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     notes = (*note_reading(brief), *doorless, *shared.notes, *verdict.notes)
     figures = {**count_findings(solution.pieces, findings), **shared.figures}
     if halls:
-        figures["halls"] = verdict.figures
+        figures["halls"] = _add_energies(solution, verdict.figures)
     return Report(findings, notes, figures)
+
+
+def _add_energies(
+    solution: Solution, figures: dict[str, dict[str, Any]]
+) -> dict[str, dict[str, Any]]:
+    """Figures with the energy of each hall that was solved and its excess over its floor."""
+    for space, floor in solution.detail.floors:
+        if space in figures and space in solution.energies:
+            energy = solution.energies[space]
+            above = {"energy": round(energy, 3), "excess": round(energy - floor, 3)}
+            figures[space] = {**figures[space], **above}
+    return figures

@@ -1,0 +1,92 @@
+"""What nobody could get to, however it was laid out, is left out by name instead of standing there.
+
+Optional groups go first where a required one is not reached: they are what stands in its way.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.domains.hall.assign import Unit
+from scenewright.domains.hall.build_problem import build_problem
+from scenewright.domains.hall.fit import Fitted
+from scenewright.domains.hall.search import HallSearch, search_layout
+from scenewright.domains.hall.solvers.chains import first_layout
+from scenewright.domains.hall.solvers.outcome import HallFound, measure_layout
+from scenewright.domains.hall.terms.table import REACH
+
+
+class Reached(NamedTuple):
+    """What was found in the end, and the numbers of the demands of which something was given up
+    for want of a way to it."""
+
+    fitted: Fitted
+    found: HallFound
+    given_up: frozenset[int]
+
+
+def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reached:
+    """Solve again without what the route misses, until it misses nothing or nothing is left to
+    give up. What cannot be solved without is kept, for the referee to find."""
+    given_up: frozenset[int] = frozenset()
+    for attempt in range(search.preset.settings.search.given_up):
+        if found.layouts[0].missed == 0.0:
+            break
+        units = _fewer(search, fitted, found)
+        if not units:
+            break
+        smaller = _fit_units(search, fitted, units, search.seed + 31 * (attempt + 1))
+        if smaller is None:
+            break
+        dropped = _demands_with_fewer(fitted.units, units)
+        seen = found.evaluations
+        fitted, found = search_layout(_tried_once(search), smaller, None, None)
+        found = found._replace(evaluations=found.evaluations + seen)
+        given_up |= dropped
+    return Reached(fitted, found, given_up)
+
+
+def _tried_once(search: HallSearch) -> HallSearch:
+    """The same search without further attempts: there will be a smaller one if it fails."""
+    settings = search.preset.settings
+    once = settings._replace(search=settings.search._replace(attempts=1))
+    return search._replace(preset=search.preset._replace(settings=once))
+
+
+def _fewer(search: HallSearch, fitted: Fitted, found: HallFound) -> list[Unit]:
+    """Units less one optional group where a required one is not reached, else less as many
+    objects of each group as the route misses of it; doors it misses cost the largest group one."""
+    units, wishes = fitted.units, search.wishes
+    _, s, _ = measure_layout(fitted.problem, found.layouts[0])
+    missed = s.costs[REACH, : len(units)].astype(int)
+    counts = np.array([unit.last - unit.first for unit in units])
+    optional = [k for k, unit in enumerate(units) if not wishes[unit.demand].required]
+    needed = any(missed[k] and wishes[unit.demand].required for k, unit in enumerate(units))
+    if needed and optional:
+        missed[:] = 0
+        last = min(optional, key=lambda k: int(counts[k]))
+        missed[last] = counts[last]
+    elif not missed.any():
+        missed[int(np.argmax(counts))] = 1
+    left = zip(units, missed, strict=True)
+    return [u._replace(last=u.last - int(n)) for u, n in left if u.last - u.first > n]
+
+
+def _fit_units(search: HallSearch, fitted: Fitted, units: list[Unit], seed: int) -> Fitted | None:
+    """A first layout of other units in the same hall; none if there is no room for it."""
+    problem = build_problem(
+        search.hall, search.wishes, units, fitted.hosts, search.preset.weights, search.catalog
+    )
+    tried = search.preset.settings.fit.tried
+    start, lost = first_layout(problem, fitted.start.walls, seed, tried)
+    return None if lost else Fitted(units, fitted.hosts, problem, start)
+
+
+def _demands_with_fewer(before: list[Unit], after: list[Unit]) -> frozenset[int]:
+    counts: dict[int, int] = {}
+    for units, sign in ((before, 1), (after, -1)):
+        for unit in units:
+            counts[unit.demand] = counts.get(unit.demand, 0) + sign * (unit.last - unit.first)
+    return frozenset(demand for demand, count in counts.items() if count > 0)
