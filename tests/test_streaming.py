@@ -5,13 +5,17 @@ from __future__ import annotations
 import importlib.util
 import statistics
 import time
+from functools import partial
 from pathlib import Path
+from threading import Event
 
 import pytest
 
 import scenewright as sw
+from scenewright.core.layout import BestLayout, NamedBox
 from scenewright.core.plan import Plan
 from scenewright.domains import plan_of, solvers
+from scenewright.domains.hall.solvers.blocks import stop_when
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Report
 from scenewright.formats import solution_json
@@ -78,6 +82,80 @@ def test_cancelled_at_the_first_report_it_answers_at_once(
     assert read.pieces == found.pieces
     kinds = {finding.kind for finding in sw.check(read).findings}
     assert not kinds & {"malformed", "unknown_space"}
+
+
+def test_the_best_layout_so_far_is_streamed_and_makes_a_solution(
+    case: tuple[str, str], planned: dict[str, tuple[sw.Brief, Plan]]
+) -> None:
+    domain, name = case
+    brief, plan = planned[domain]
+    heard: list[tuple[str, float]] = []
+    rows: dict[str, tuple[NamedBox, ...]] = {}
+
+    def watch(best: BestLayout) -> None:
+        heard.append((best.space, best.energy))
+        rows[best.space] = best.rows()
+
+    found = sw.solve(brief, plan=plan, solver=name, steps=300, threads=1, watch=watch)
+    assert {piece.space for piece in found.pieces} <= set(rows)
+    assert len(heard) > len(rows), "heard of more than once"
+    drawn = sw.solution_of(brief, rows, plan=plan)
+    assert len(drawn.pieces) > len(brief.rooms)
+    assert not any(
+        "the layout has no place" in out.reason for out in drawn.left_out if domain == "hall"
+    )
+    again = sw.solve(brief, plan=plan, solver=name, steps=300, threads=1)
+    assert again.pieces == found.pieces, "who watches changes nothing"
+
+
+def test_cancelled_in_the_middle_of_a_search_it_answers_at_once(
+    case: tuple[str, str], planned: dict[str, tuple[sw.Brief, Plan]]
+) -> None:
+    """Whatever it is at: also within one call of another program's solver."""
+    domain, name = case
+    brief, plan = planned[domain]
+    took = []
+    for wait in (0.4, 0.7):
+        end = time.perf_counter() + wait
+        late = partial(lambda end: time.perf_counter() > end, end)
+        sw.solve(brief, plan=plan, solver=name, seconds=60.0, cancel=late)
+        took.append(time.perf_counter() - end)
+    assert min(took) < 3.0 * AT_ONCE, "three times for a busy machine"
+
+
+def test_one_long_call_of_cp_sat_is_cancelled() -> None:
+    """Twenty-six groups in one zone: one model, worked on until its seconds are spent."""
+    pytest.importorskip("ortools")
+    outline = [[0, 0], [40, 0], [40, 22], [30, 22], [30, 30], [0, 30]]
+    demands = [
+        {"id": f"g{k}", "category": "showcase", "count": 3 + k % 5, "size": [1.2, 0.7, 1.5]}
+        for k in range(26)
+    ]
+    doors = [{"at": [20, 0], "width": 2, "use": "both"}]
+    hall = {"id": "h", "function": "hall", "outline": outline, "doors": doors, "demands": demands}
+    brief = sw.Brief.model_validate({"domain": "hall", "rooms": [hall]})
+    sw.solve(brief, solver="miqp", steps=50, seconds=0.2)
+    end = time.perf_counter() + 2.0
+    sw.solve(brief, solver="miqp", seconds=20.0, cancel=lambda: time.perf_counter() > end)
+    assert time.perf_counter() - end < 5.0 * AT_ONCE, "it took 16 s; five times for a busy machine"
+
+
+def test_a_search_that_asks_nobody_is_stopped_from_beside() -> None:
+    """As CP-SAT is: the first calls are not heard, the search has not begun."""
+    stopped, waited = Event(), [0]
+
+    def stop() -> None:
+        waited[0] += 1
+        if waited[0] > 2:
+            stopped.set()
+
+    begun = time.perf_counter()
+    with stop_when(lambda: time.perf_counter() - begun > 0.05, stop, 0.01):
+        assert stopped.wait(10.0)
+    assert 0.05 <= time.perf_counter() - begun < 3.0
+    with stop_when(lambda: False, stop, 0.01):
+        pass
+    assert waited[0] == 3
 
 
 def test_progress_of_parts_side_by_side_only_rises() -> None:

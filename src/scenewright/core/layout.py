@@ -7,7 +7,7 @@ the heading, the back edge is opposite.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -36,6 +36,32 @@ class NamedBox(NamedTuple):
 
 Layouts = Mapping[str, Sequence[NamedBox]]
 """Rows of a layout by the id of the room, hall or site they are in."""
+
+
+class BestLayout(NamedTuple):
+    """What a run has found so far in one space: the ``share`` of its present search, the energy of
+    its best layout (infinite where the solver knows none), and ``rows``, which makes that layout
+    as it may be given by hand. It may only be called before the listener returns: the search goes
+    on with the same arrays."""
+
+    space: str
+    share: float
+    energy: float
+    rows: Callable[[], tuple[NamedBox, ...]]
+
+
+Watch = Callable[[BestLayout], None]
+"""A listener to the best layouts of a run; called from the threads that search."""
+
+
+def name_rows(names: Sequence[str], boxes: Boxes) -> tuple[NamedBox, ...]:
+    """Rows of names and boxes ``(n, 5)``.
+
+    >>> name_rows(["desk"], np.array([[1.0, 2.0, 0.0, 1.2, 0.6]]))
+    (NamedBox(name='desk', box=(1.0, 2.0, 0.0, 1.2, 0.6)),)
+    """
+    found = zip(names, np.asarray(boxes, np.float64).tolist(), strict=True)
+    return tuple(NamedBox(name, (x, y, heading, w, d)) for name, (x, y, heading, w, d) in found)
 
 
 def check_layouts(layouts: Layouts, spaces: Sequence[str]) -> None:

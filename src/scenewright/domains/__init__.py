@@ -14,7 +14,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.domain_keys import check_domain
 from scenewright.core.catalog import Catalog
 from scenewright.core.edits import Adjusted, Edits
-from scenewright.core.layout import Layouts
+from scenewright.core.layout import Layouts, Watch
 from scenewright.core.plan import Plan
 from scenewright.core.registry import domain_names, domain_of
 from scenewright.core.report import Report
@@ -83,6 +83,7 @@ def solve(
     threads: int | None = None,
     progress: Callable[[float, str], None] | None = None,
     cancel: Callable[[], bool] | None = None,
+    watch: Watch | None = None,
 ) -> Solution:
     """Solve a brief by its domain: a home is furnished, a hall laid out, a site built on.
 
@@ -90,8 +91,18 @@ def solve(
     ``preset`` and ``solver`` are names (``scenewright list presets``). The work is ``steps`` or
     ``seconds``, else what the preset says; the same seed and steps give the same answer.
     ``progress`` is called with the share done and what is being done; when ``cancel`` answers true,
-    the best so far is returned.
+    the best so far is returned. ``watch`` is called with the best layout of a space whenever a
+    solver reports, from the thread that searches; :func:`solution_of` makes a solution of such
+    layouts.
+
+    >>> from scenewright.formats import read
+    >>> best = {}
+    >>> def watch(layout): best[layout.space] = layout.rows()
+    >>> _ = solve(read("sample:home-room"), steps=200, watch=watch)
+    >>> sorted(row.name for row in best["room"])[:2]
+    ['desk', 'dining_wall']
     """
+    watched = {} if watch is None else {"watch": watch}
     solution: Solution = domain_of(brief.domain).verb("solve")(
         brief,
         plan=plan or plan_of(brief),
@@ -103,6 +114,7 @@ def solve(
         threads=threads,
         progress=progress,
         cancel=cancel,
+        **watched,
     )
     return solution
 

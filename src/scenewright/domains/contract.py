@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 from scenewright.core.brief import Brief
 from scenewright.core.brief.fields import FURNITURE
 from scenewright.core.errors import InputError
+from scenewright.core.layout import Watch
 from scenewright.core.plan import Plan
 from scenewright.core.registry import Format
 from scenewright.core.report import Report
@@ -63,7 +64,8 @@ class Planning(Protocol):
 class Solving(Protocol):
     """``solve``: ``plan`` is that of the brief, made once a run. The work is ``steps`` or
     ``seconds``, else what the preset says. ``progress`` is called with the share done and what is
-    being done; when ``cancel`` answers true, the best so far is returned."""
+    being done; when ``cancel`` answers true, the best so far is returned. ``watch`` is only handed
+    to a domain where somebody watches: it is told the best layout of each space."""
 
     def __call__(
         self,
@@ -78,6 +80,7 @@ class Solving(Protocol):
         threads: int | None = None,
         progress: Callable[[float, str], None] | None = None,
         cancel: Callable[[], bool] | None = None,
+        watch: Watch | None = None,
     ) -> Solution: ...
 
 

@@ -6,7 +6,10 @@ import time
 from collections.abc import Callable
 from typing import NamedTuple
 
+import numpy as np
+
 from scenewright.core.catalog import Catalog
+from scenewright.core.layout import NamedBox, Watch, name_rows
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext, build_problem
 from scenewright.domains.hall.fit import Fitted
@@ -18,6 +21,7 @@ from scenewright.domains.hall.solvers import HALL_SOLVERS
 from scenewright.domains.hall.solvers.chains import MANY, cooled_hall, first_layout
 from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout, StartedHall
 from scenewright.engine.solve import Budget, Found, Report
+from scenewright.engine.watched import add_watch
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -28,7 +32,8 @@ WAYS = ("access", "reach")
 
 
 class HallSearch(NamedTuple):
-    """A hall to solve, and how; ``stated`` if a user said how many steps."""
+    """A hall to solve, and how; ``stated`` if a user said how many steps; ``watch`` is told the
+    best layouts of objects."""
 
     hall: HallContext
     wishes: list[HallDemand]
@@ -38,6 +43,7 @@ class HallSearch(NamedTuple):
     seed: int
     catalog: Catalog
     stated: bool
+    watch: Watch | None = None
 
 
 class Answer(NamedTuple):
@@ -68,6 +74,7 @@ def search_layout(
         share = rule.again if attempt else rule.first
         budget = _share(search.budget, share) if shared else search.budget
         heard = _make_progress_reporter(progress, attempt, shared, rule)
+        heard = _watch_objects(search, fitted, heard)
         run = HALL_SOLVERS[search.solver].run
         problem = _heavy(fitted.problem) if shared and attempt else fitted.problem
         found = run(StartedHall(problem, fitted.start), budget, seed, heard, cancel)
@@ -79,6 +86,7 @@ def search_layout(
     if shared and not (cancel is not None and cancel()):
         rest = _rest(search.budget, seen, time.perf_counter() - begun)
         heard = _make_progress_reporter(progress, rule.attempts, shared, rule)
+        heard = _watch_objects(search, best.fitted, heard)
         found = _improve_answer(best, rest, search.seed, heard, cancel)
         seen, best = seen + found.evaluations - best.found.evaluations, best._replace(found=found)
     return best.fitted, best.found._replace(evaluations=seen)
@@ -150,6 +158,20 @@ def _make_progress_reporter(
         progress(low + (high - low) * report.share, f"energy {report.energy:.1f}{again}")
 
     return pass_on
+
+
+def _watch_objects(search: HallSearch, fitted: Fitted, heard: Heard | None) -> Heard | None:
+    """A listener that tells who watches of the objects, by the ids of their demands and without
+    the chairs at them."""
+    each = [search.wishes[unit.demand] for unit in fitted.units for _ in range(*unit[2:4])]
+    chairs = np.array([2.0 * wish.chairs for wish in each])
+
+    def rows(layout: MeasuredLayout) -> tuple[NamedBox, ...]:
+        boxes = layout.boxes.copy()
+        boxes[:, 4] -= chairs
+        return name_rows([wish.id for wish in each], boxes)
+
+    return add_watch(heard, search.watch, search.hall.space.id, rows)
 
 
 def halve_groups(search: HallSearch, fitted: Fitted, seed: int) -> Fitted:

@@ -23,6 +23,7 @@ from scenewright.building.standing import fixed_pieces, reaching_in
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
+from scenewright.core.layout import Watch
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
@@ -91,6 +92,7 @@ def solve(
     threads: int | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
+    watch: Watch | None = None,
     variant: int = 0,
     lean: int = 0,
 ) -> Solution:
@@ -101,8 +103,8 @@ def solve(
     ``plan`` is that of the brief (made unless given).
     ``variant`` takes another proposal of zones where the brief leaves them open; ``lean`` above 0
     narrows every demand to one of its patterns, another for another number. ``progress`` hears
-    the share done and what is done; when ``cancel`` answers true, what was found so far is
-    returned.
+    the share done and what is done, ``watch`` the best layouts of objects; when ``cancel`` answers
+    true, what was found so far is returned.
     """
     started = time.perf_counter()
     chosen = preset_named(PRESETS, preset)
@@ -119,7 +121,7 @@ def solve(
         k: HallTask(halls[k], k, chosen, named, each._replace(steps=steps), stream, lean)
         for k, stream in ((k, _stream(seed, rooms[k])) for k in busy)
     }
-    laid = _run(brief, tasks, catalog, threads, progress, cancel)
+    laid = _run(brief, tasks, catalog, threads, progress, cancel, watch)
     return assemble_solution(brief, halls, laid, preset, named, seed, time.perf_counter() - started)
 
 
@@ -184,6 +186,7 @@ def _run(
     threads: int,
     progress: Progress | None,
     cancel: Cancel | None,
+    watch: Watch | None,
 ) -> dict[int, Laid]:
     """Halls in parallel; compiled code runs without the interpreter's lock."""
     work = [float(number in tasks) for number in range(len(brief.rooms))]
@@ -196,7 +199,7 @@ def _run(
         heard = progress
         if shared is not None and not alone:
             heard = partial(shared.hear, task.number)
-        return _lay(brief, task, catalog, heard, cancel)
+        return _lay(brief, task, catalog, heard, cancel, watch)
 
     answers: dict[int, Laid] = {}
     with ThreadPoolExecutor(max(min(threads, len(tasks)), 1)) as pool:
@@ -218,7 +221,12 @@ def _locked_of(hall: HallContext) -> tuple[Piece, ...]:
 
 
 def _lay(
-    brief: Brief, task: HallTask, catalog: Catalog, progress: Progress | None, cancel: Cancel | None
+    brief: Brief,
+    task: HallTask,
+    catalog: Catalog,
+    progress: Progress | None,
+    cancel: Cancel | None,
+    watch: Watch | None,
 ) -> Laid:
     preset = task.preset
     hall = task.hall._replace(settings=preset.settings)
@@ -235,7 +243,15 @@ def _lay(
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
         budget = budget._replace(steps=count_steps(preset, len(fitted.units)))
     search = HallSearch(
-        hall, wishes, preset, task.solver, budget, task.seed, catalog, task.budget.steps is not None
+        hall,
+        wishes,
+        preset,
+        task.solver,
+        budget,
+        task.seed,
+        catalog,
+        task.budget.steps is not None,
+        watch,
     )
     fitted, found = search_layout(search, fitted, progress, cancel)
     given_up: frozenset[int] = frozenset()

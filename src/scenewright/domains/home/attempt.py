@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.brief import Room
 from scenewright.core.catalog import Catalog
+from scenewright.core.layout import Layout, NamedBox, Watch, name_rows
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.build_problem import build_problem, scale_area_weights
@@ -38,6 +39,7 @@ from scenewright.domains.home.wished.places import assign_places as at_places
 from scenewright.domains.home.wished.unmet import count_unmet_wishes
 from scenewright.domains.home.wished.wishes import apply_preferences
 from scenewright.engine.solve import Budget, Progress
+from scenewright.engine.watched import add_watch
 
 Floats = NDArray[np.float64]
 Cancel = Callable[[], bool]
@@ -55,7 +57,7 @@ class RoomTask(NamedTuple):
     the room of the brief; ``beside`` is what stands in other rooms and reaches into this one. In an
     open space groups may stand ``elsewhere``, in another room of it, and this one has others
     ``instead``. ``entered`` are the doors one comes in by (none: any). ``progress`` is told what
-    the solvers report."""
+    the solvers report, ``watch`` the best layouts of groups."""
 
     space: Space
     ground: Ground
@@ -79,6 +81,7 @@ class RoomTask(NamedTuple):
     instead: tuple[Wish, ...] = ()
     entered: tuple[int, ...] = ()
     progress: Progress | None = None
+    watch: Watch | None = None
 
     @property
     def costs(self) -> FaultCosts:
@@ -162,7 +165,8 @@ def attempt(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget, seed: int)
     more than the best's score are not looked at."""
     preset = task.preset
     problem = build_task_problem(task, wishes, task.ground)
-    found = SOLVERS[task.solver].run(problem, budget, seed, task.progress, task.cancel)
+    heard = hear_groups(task, tuple(w.group for w in wishes))
+    found = SOLVERS[task.solver].run(problem, budget, seed, heard, task.cancel)
     first, *others = found.layouts[: preset.settings.tries.layouts if preset.settings.exact else 1]
     best = furnish_layout(task, wishes, problem, first.boxes, first.energy)
     for layout in others:
@@ -171,6 +175,19 @@ def attempt(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget, seed: int)
         other = furnish_layout(task, wishes, problem, layout.boxes, layout.energy, most=best.score)
         best = other if other.score < best.score else best
     return best._replace(evaluations=found.evaluations)
+
+
+def hear_groups(
+    task: RoomTask, groups: tuple[str, ...], before: tuple[FurnishedGroup, ...] = ()
+) -> Progress | None:
+    """The listener to a solver that places groups beside those that stand ``before``."""
+    standing = tuple((p.wish.group, p.dressed.box) for p in before)
+
+    def rows(layout: Layout) -> tuple[NamedBox, ...]:
+        names = (*(name for name, _ in standing), *groups)
+        return name_rows(names, np.array([*(box for _, box in standing), *layout.boxes]))
+
+    return add_watch(task.progress, task.watch, task.space.id, rows)
 
 
 def furnish_layout(

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
+from scenewright.core.layout import Layout, NamedBox, name_rows
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
     Missing,
@@ -35,6 +38,7 @@ from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.engine.solve import Budget
+from scenewright.engine.watched import add_watch
 from scenewright.geometry.fit import faults, is_backed
 
 Floats = NDArray[np.float64]
@@ -49,10 +53,20 @@ def piecewise(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomA
     problem = posed_pieces(
         task.ground, parts, task.catalog, preset.weights, preset.settings.printed, task.route_width
     )
-    found = SOLVERS[task.solver].run(problem, budget, task.seed, task.progress, task.cancel)
+    heard = add_watch(task.progress, task.watch, task.space.id, partial(_group_rows, parts))
+    found = SOLVERS[task.solver].run(problem, budget, task.seed, heard, task.cancel)
     placed, missing = lay_out_parts(task, parts, found.layouts[0].boxes)
     answer = score_answer(task, placed, missing, build_task_problem(task, wishes, task.ground), 0.0)
     return answer._replace(evaluations=found.evaluations)
+
+
+def _group_rows(parts: tuple[Parts, ...], layout: Layout) -> tuple[NamedBox, ...]:
+    """The groups of a layout of single pieces, each by the box drawn round its pieces."""
+    first, boxes = 0, []
+    for part in parts:
+        boxes.append(as_laid(part, layout.boxes[first : first + len(part.placed)])[1])
+        first += len(part.placed)
+    return name_rows([part.wish.group for part in parts], np.array(boxes))
 
 
 def lay_out_parts(

@@ -11,6 +11,7 @@ from scenewright.domains.home.attempt import (
     attempt,
     build_task_problem,
     furnish_layout,
+    hear_groups,
     penalty,
 )
 from scenewright.domains.home.piecewise import piecewise
@@ -101,7 +102,8 @@ def fill_rest(task: RoomTask, answer: RoomAnswer, budget: Budget) -> RoomAnswer:
     taken = np.array([p.dressed.box for p in answer.placed]).reshape(-1, 5)
     ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, taken]))
     problem = build_task_problem(task, wishes, ground)
-    found = SOLVERS[task.solver].run(problem, budget, task.seed, task.progress, task.cancel)
+    heard = hear_groups(task, tuple(w.group for w in wishes), answer.placed)
+    found = SOLVERS[task.solver].run(problem, budget, task.seed, heard, task.cancel)
     best = answer
     others = tuple(m for m in answer.missing if m.wish not in wanted)
     lacking = sum(penalty(m.wish, task.costs) for m in others)

@@ -19,6 +19,7 @@ from scenewright.building.standing import fixed_pieces, reaching_in
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import Catalog
+from scenewright.core.layout import Watch
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
@@ -66,6 +67,7 @@ def solve(
     threads: int | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
+    watch: Watch | None = None,
     variant: int = 0,
 ) -> Solution:
     """Furnish every room of a home.
@@ -75,10 +77,10 @@ def solve(
     what the preset says, else what the solver does of itself. The same seed and steps give the
     same answer, whatever the number of ``threads`` (one for each processor, if not stated); each
     room has its own stream of random numbers.
-    ``plan`` is that of the brief (made unless given).
-    ``progress`` hears the share done and the room's name; when ``cancel`` answers true, what was
-    found so far is returned. A ``variant`` above 0 arranges rooms around other walls and takes
-    other groups for the same use; its energies are told as those of the usual problem.
+    ``plan`` is that of the brief (made unless given). ``progress`` hears the share done and the
+    room's name, ``watch`` the best layouts of groups in each room; when ``cancel`` answers true,
+    what was found so far is returned. A ``variant`` above 0 arranges rooms around other walls and
+    takes other groups for the same use; its energies are told as those of the usual problem.
     """
     started = time.perf_counter()
     chosen = preset_named(PRESETS, preset)
@@ -97,7 +99,7 @@ def solve(
         _budget(each, chosen, named, len(w), pool * b / (sum(work) or 1), seconds, steps)
         for w, b in zip(wishes, work, strict=True)
     ]
-    turned = [vary_task(task, variant) for task in tasks]
+    turned = [vary_task(task, variant)._replace(watch=watch) for task in tasks]
     shared = None if progress is None else SharedProgress(progress, [*work, LAST * sum(work)])
     answers = _run(turned, wishes, budgets, pool, shared)
     if chosen.settings.exact:

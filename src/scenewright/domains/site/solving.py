@@ -11,6 +11,7 @@ import math
 import time
 from collections import Counter
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,7 @@ from scenewright.catalog.appearance import facts
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
+from scenewright.core.layout import NamedBox, Watch, name_rows
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
@@ -40,6 +42,7 @@ from scenewright.domains.site.sunlight import solve_in_sun
 from scenewright.domains.site.works import lay_works
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
+from scenewright.engine.watched import add_watch
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import GroundWorks
 
@@ -75,6 +78,7 @@ def solve(
     threads: int | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
+    watch: Watch | None = None,
 ) -> Solution:
     """Place the buildings of every site of a brief.
 
@@ -93,7 +97,9 @@ def solve(
         heard = None if progress is None else _part(progress, number, len(grounds), ground.name)
         rng_seed = seed + 7919 * number
         found.append(
-            _build(site, ground, place, catalog, chosen, named, budget, rng_seed, heard, cancel)
+            _build(
+                site, ground, place, catalog, chosen, named, budget, rng_seed, heard, cancel, watch
+            )
         )
     return assemble_solution(brief, found, preset, named, seed, time.perf_counter() - started)
 
@@ -135,13 +141,15 @@ def _build(
     seed: int,
     progress: Callable[[Report], None] | None,
     cancel: Cancel | None,
+    watch: Watch | None,
 ) -> Built:
     rows, problem = build_site_problem(site, plan, place, catalog, preset, progress)
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
+    heard = add_watch(progress, watch, plan.id, partial(_building_rows, rows))
 
     def run(posed: SiteProblem) -> SiteFound:
-        found: SiteFound = SITE_SOLVERS[solver].run(posed, budget, seed, progress, cancel)
+        found: SiteFound = SITE_SOLVERS[solver].run(posed, budget, seed, heard, cancel)
         return found
 
     if site.sun_required:
@@ -156,6 +164,12 @@ def _build(
     return built._replace(
         left_out=_left_out(plan, rows, served.layout.present, dark | lost | served.lost)
     )
+
+
+def _building_rows(rows: list[BuildingDemand], layout: SiteLayout) -> tuple[NamedBox, ...]:
+    """The buildings of a layout that have a place, by name."""
+    here = np.flatnonzero(layout.present)
+    return name_rows([rows[k].name for k in here], layout.boxes[here])
 
 
 def furnish_site(

@@ -10,6 +10,9 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from threading import Event, Thread
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,11 +21,14 @@ import shapely.affinity
 from numpy.typing import NDArray
 
 from scenewright.core.errors import InputError
+from scenewright.engine.solve import Cancel
 
 Floats = NDArray[np.float64]
 UNIT = 0.1
 STAIR = 3
 """Height of the stairs that stand for slanted sides, in units."""
+POLL = 0.02
+"""Seconds between looks at whether a search is still waited for."""
 
 
 class ZoneFrame(NamedTuple):
@@ -138,12 +144,14 @@ def cut_blocks(
     targets: list[float],
     seed: int,
     seconds: float | None,
+    cancelled: Cancel,
 ) -> list[GroupBlock] | None:
     """Blocks of a zone, no two of them overlapping; None if none were found.
 
     Each takes one of its options and at least its size, and comes as near to its target area
     (square metres) as it can: the sum of what they miss is least. Without ``seconds`` the effort
-    is bounded by counted work, so the result depends on the seed alone.
+    is bounded by counted work, so the result depends on the seed alone. When ``cancelled`` answers
+    true, what was found so far is the answer.
     """
     cp = solver_module()
     model = cp.CpModel()
@@ -163,12 +171,34 @@ def cut_blocks(
     solver.parameters.max_deterministic_time = 4.0
     if seconds is not None:
         solver.parameters.max_time_in_seconds = max(seconds, 0.05)
-    if solver.solve(model) not in (cp.OPTIMAL, cp.FEASIBLE):
+    with stop_when(cancelled, solver.stop_search):
+        status = solver.solve(model)
+    if status not in (cp.OPTIMAL, cp.FEASIBLE):
         return None
     told = [[solver.value(row[name]) for name in ("x", "y", "w", "h", "k")] for row in rows]
     return [
         GroupBlock(x, y, w, h, one[k]) for (x, y, w, h, k), one in zip(told, options, strict=True)
     ]
+
+
+@contextmanager
+def stop_when(cancelled: Cancel, stop: Callable[[], None], every: float = POLL) -> Iterator[None]:
+    """Call ``stop`` as soon as ``cancelled`` answers true while the block runs, and again until it
+    has ended: a search that has not begun yet does not hear the first call."""
+    ended = Event()
+
+    def watch() -> None:
+        while not ended.wait(every):
+            if cancelled():
+                stop()
+
+    thread = Thread(target=watch, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        thread.join()
 
 
 def _block_variables(

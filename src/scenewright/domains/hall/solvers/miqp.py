@@ -107,7 +107,13 @@ def set_rows(p: PreparedHall, zone: MiqpZone, boxes: Floats, share: float) -> tu
 
 
 def set_blocks(
-    p: PreparedHall, zone: MiqpZone, boxes: Floats, share: float, seed: int, seconds: float | None
+    p: PreparedHall,
+    zone: MiqpZone,
+    boxes: Floats,
+    share: float,
+    seed: int,
+    seconds: float | None,
+    cancelled: Cancel,
 ) -> tuple[list[tuple[int, GroupBlock]], Any] | None:
     """Blocks of the units of a zone that stand free, and the sheet they lie on; None if they find
     no room."""
@@ -126,6 +132,7 @@ def set_blocks(
         [target * area for area in demanded],
         seed,
         seconds,
+        cancelled,
     )
     return None if found is None else (list(zip(units, found, strict=True)), sheet)
 
@@ -194,11 +201,12 @@ def miqp(
         seconds = budget.seconds and 0.8 * max(budget.seconds - watch.seconds(), 0.0) / (
             len(zones) - k
         )
-        for share in SHARES:
-            found = set_blocks(p, zone, boxes, share, seed, seconds)
+        for share in () if watch.cancelled() else SHARES:
+            found = set_blocks(p, zone, boxes, share, seed, seconds, watch.cancelled)
             if found is not None:
                 each = ITERATIONS if budget.steps is None else budget.steps // len(zones)
-                more, tried = fit_cells(p, *found, boxes, rng, min(each, ITERATIONS))
+                each = 0 if watch.cancelled() else min(each, ITERATIONS)
+                more, tried = fit_cells(p, *found, boxes, rng, each)
                 cost, done = cost + more, done + tried
                 break
         if watch.over(done, math.inf, lambda: _turn_back(boxes)) and k + 1 < len(zones):
