@@ -14,7 +14,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
-from scenewright.ground.path_raster import PathRaster
+from scenewright.ground.path_raster import PathRaster, is_drivable
 from scenewright.ground.path_tree import find_times, straighten, trace
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import Pathway
@@ -55,7 +55,7 @@ def lay_lanes(
     ``ahead`` (n, 2), and which of these a lane or road is within ``reach`` of. The farthest are
     served first; what stands beside their lanes needs none."""
     count = len(ahead)
-    near, radius = _find_near_start(plan, built[:count], reach), 0.5 * width
+    near, radius = _find_near_start(plan, built[:count], width, reach), 0.5 * width
     offs = radius + np.linspace(NEAR, max(min(reach, FAR) - 1.5 * raster.cell, NEAR), RINGS)
     laid: list[shapely.LineString] = []
     for slack in (0.0, 0.36 * raster.cell):
@@ -81,12 +81,12 @@ def corners_of_line(line: shapely.LineString) -> tuple[tuple[float, float], ...]
     return tuple((x, y) for k, (x, y) in enumerate(rows) if k == 0 or rows[k - 1] != [x, y])
 
 
-def _find_near_start(plan: SitePlan, built: Shapes, reach: float) -> Flags:
+def _find_near_start(plan: SitePlan, built: Shapes, width: float, reach: float) -> Flags:
     """Which buildings are near enough to a road, or to the border of a site without ways."""
     roads = [
         shapely.Polygon(area.outline, area.holes)
         for way in plan.roads
-        if way.kind == "road"
+        if is_drivable(way, width)
         for area in way.areas
     ]
     if not roads and plan.entrances:

@@ -6,6 +6,7 @@ The raster lies along the direction most buildings have, so that ways run along 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ from scenewright.building.outlines import edges
 from scenewright.core.space import Points
 from scenewright.geometry.distance_raster import clearance, walls_between
 from scenewright.ground.fit import main_direction
-from scenewright.ground.plan import SitePlan
+from scenewright.ground.plan import SitePlan, Way
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
@@ -31,7 +32,7 @@ NO_BOXES = np.zeros((0, 5))
 class PathRaster(NamedTuple):
     """Cells (rows, columns) of side ``cell`` from ``corner`` (2,) in a frame turned by ``angle``:
     distance to what stands (``solid``), to the border of the site (``border``), both capped, 0
-    outside, and which lie on roads (``driven``) or on roads and paths (``walked``)."""
+    outside, and which lie on ways that are ``driven``, and on any (``walked``)."""
 
     angle: float
     corner: Floats
@@ -63,9 +64,14 @@ def turn(points: Points, angle: float) -> Floats:
     return found
 
 
-def make_raster(plan: SitePlan, footprints: list[Points], cap: float) -> PathRaster:
+def is_drivable(way: Way, width: float) -> bool:
+    """Whether a lane of some width may begin on a way: a road, or a path as wide."""
+    return way.kind == "road" or way.width >= width - 1e-6
+
+
+def make_raster(plan: SitePlan, footprints: list[Points], cap: float, width: float) -> PathRaster:
     """The raster of a site on which ``footprints``, corners (k, 2) each, stand; distances are
-    known up to ``cap`` metres."""
+    known up to ``cap`` metres. Paths as wide as lanes of some ``width`` are driven on."""
     angle = main_direction(footprints or [plan.outline])
     ground = [turn(ring, -angle) for ring in (plan.outline, *plan.holes)]
     rings = np.concatenate([edges(ring) for ring in ground])
@@ -80,22 +86,18 @@ def make_raster(plan: SitePlan, footprints: list[Points], cap: float) -> PathRas
     solid = clearance(rings, built, NO_BOXES, NO_BOXES, *given)
     border = clearance(rings, around, NO_BOXES, NO_BOXES, *given)
     shape = solid.values.shape
-    roads = [_mark_ways(plan, kinds, angle, low, cell, shape) for kinds in (("road",), ())]
+    wide = [way for way in plan.roads if is_drivable(way, width)]
+    roads = [_mark_ways(ways, angle, low, cell, shape) for ways in (wide, plan.roads)]
     return PathRaster(angle, low, cell, solid.values, border.values, roads[0], roads[1])
 
 
 def _mark_ways(
-    plan: SitePlan,
-    kinds: tuple[str, ...],
-    angle: float,
-    corner: Floats,
-    cell: float,
-    shape: tuple[int, ...],
+    ways: Sequence[Way], angle: float, corner: Floats, cell: float, shape: tuple[int, ...]
 ) -> Flags:
-    """Which cells lie on ways of some kinds (all if none is named)."""
+    """Which cells lie on some ways."""
     found = np.zeros(shape, bool)
-    for way in plan.roads:
-        for area in way.areas if not kinds or way.kind in kinds else ():
+    for way in ways:
+        for area in way.areas:
             polygon = shapely.Polygon(
                 turn(area.outline, -angle), [turn(hole, -angle) for hole in area.holes]
             )

@@ -43,7 +43,7 @@ def lay_pathways(
     marks = [np.asarray(row.footprint, float) for row in plan.landmarks]
     solids = [*(np.asarray(ring, float) for ring in footprints), *marks]
     built = np.array([shapely.Polygon(ring) for ring in solids], object)
-    raster = make_raster(plan, solids, max(0.5 * width + 1.0, COMFORT) + 1.0)
+    raster = make_raster(plan, solids, max(0.5 * width + 1.0, COMFORT) + 1.0, width)
     doors = find_doors(footprints, headings)
     lanes, near = lay_lanes(plan, raster, solids, built, doors.ways, width, reach)
     walks, served = lay_walks(plan, raster, built, doors, lanes)

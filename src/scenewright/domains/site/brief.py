@@ -31,7 +31,9 @@ from scenewright.core.brief.fields import (
 Place = Annotated[Number, Field(ge=-1e9, le=1e9)]
 Metres = Annotated[Number, Field(gt=0, le=BUILDING)]
 Side = Annotated[Number, Field(ge=0.5, le=BUILDING)]
-FormName = Literal["parallel", "staggered", "peripheral", "mixed"]
+FormName = Literal[
+    "parallel", "staggered", "spliced", "rotated", "peripheral", "half-closed", "point", "mixed"
+]
 
 
 class Road(StrictModel):
@@ -64,9 +66,10 @@ class Building(StrictModel):
     """Buildings of one model to be placed: ``model`` names a shipped style
     (``scenewright list assets``) or a model of the brief's ``catalogs``; ``size`` width, depth and
     height in metres (left out: the model's own); ``count`` how many; ``floors`` storeys, for the
-    floor-area ratio. ``forms`` are the planar forms they may take (left out: all): rows
-    ``parallel`` or ``staggered``, ``peripheral`` around a court, ``mixed``. ``footprint`` is the
-    polygon each covers, x to its right and y to its front: in metres, or stretched to ``size``
+    floor-area ratio. ``forms`` are the planar forms they may take (left out: rows ``parallel`` or
+    ``staggered``, ``peripheral`` around a court, ``mixed``); see ``form`` of a site.
+    ``footprint`` is the polygon each covers, x to its right and y to its front: in metres, or
+    stretched to ``size``
     (left out: the model's, else its box)."""
 
     id: str = ""
@@ -76,8 +79,15 @@ class Building(StrictModel):
     size: tuple[Side, Side, Side] | None = None
     footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
     floors: Annotated[Whole, Field(ge=1, le=300)] | None = None
-    forms: Annotated[list[FormName], Field(max_length=4)] = []
+    forms: Annotated[list[FormName], Field(max_length=8)] = []
     required: Switch = True
+
+
+class BlockForm(StrictModel):
+    """The planar form of the block that a point ``at`` lies in."""
+
+    at: Point
+    form: FormName
 
 
 class LockedBuilding(StrictModel):
@@ -106,6 +116,9 @@ class Site(StrictModel):
     ``latitude`` (degrees) and ``day`` (of the year; 355 is the winter solstice in the north, 20
     January is 20) are for hours of sun, at least ``sun_hours``: a wish, or a rule with
     ``sun_required``.
+    ``form`` is the planar form of all blocks, ``blocks`` that of some: rows ``parallel``,
+    ``staggered``, ``spliced`` of two directions or ``rotated`` in place; ``peripheral`` all round
+    a court or ``half-closed``, open to the front; ``point`` towers apart; ``mixed``.
     ``fixed`` are buildings that stay where they stand and count for what is asked.
     Without ``buildings`` those of the brief's ``catalogs``, or shipped dwellings, fill the site
     up to ``floor_area_ratio`` and ``coverage``. ``origin`` is the longitude and latitude of
@@ -120,6 +133,8 @@ class Site(StrictModel):
     roads: Annotated[list[Road], Field(max_length=5000)] = []
     landmarks: Annotated[list[Landmark], Field(max_length=2000)] = []
     buildings: Annotated[list[Building], Field(max_length=1000)] = []
+    form: FormName | None = None
+    blocks: Annotated[list[BlockForm], Field(max_length=1000)] = []
     fixed: Annotated[list[LockedBuilding], Field(max_length=20_000)] = []
     floor_area_ratio: Annotated[Number, Field(gt=0, le=30)] | None = None
     coverage: Annotated[Number, Field(gt=0, le=0.9)] | None = None

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
+import shapely
 
 from scenewright.building.outlines import edges
 from scenewright.catalog.appearance import PLAIN, Facts, Measure, qualities
@@ -13,7 +14,7 @@ from scenewright.core.space import Points
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.holdings import BuildingDemand
 from scenewright.domains.site.problem import Buildings, Floats, SiteGround, SiteProblem
-from scenewright.ground.plan import SitePlan
+from scenewright.ground.plan import Block, SitePlan
 
 PACE = 5.0
 """Distance of the points from which people look, along ways, in metres."""
@@ -40,9 +41,9 @@ def build_problem(
     facts = [looks.facts[b.asset.id] for b in buildings]
     marks = [looks.facts.get(name, PLAIN) for name in looks.landmarks]
     quality, sides = qualities([*facts, *marks], looks.measure)
-    count = len(buildings)
+    count, least = len(buildings), float(sizes[:, :2].min(initial=np.inf))
     return SiteProblem(
-        ground=_ground(plan, float(sizes[:, :2].min(initial=np.inf)))._replace(
+        ground=_ground(plan, least)._replace(
             landmark_quality=quality[count:], landmark_sides=sides[count:]
         ),
         buildings=Buildings(
@@ -67,12 +68,13 @@ def build_problem(
         latitude=site.latitude,
         day=site.day,
         door_distance=site.door_distance,
+        block_forms=_block_forms(site, _wide_blocks(plan, least)),
     )
 
 
 def _ground(plan: SitePlan, least: float) -> SiteGround:
     """The ground, with the blocks that are at least ``least`` metres wide somewhere."""
-    blocks = [block for block in plan.free if 2.02 * block.radius >= least]
+    blocks = _wide_blocks(plan, least)
     rings = [_rings(block.outline, block.holes) for block in blocks]
     ends = np.cumsum([len(ring) for ring in rings])
     standing = (*plan.landmarks, *plan.fixed)
@@ -99,6 +101,21 @@ def _ground(plan: SitePlan, least: float) -> SiteGround:
         bounds=np.concatenate([low, high]),
         area=plan.area,
     )
+
+
+def _wide_blocks(plan: SitePlan, least: float) -> list[Block]:
+    """The blocks in which something as wide as ``least`` may stand."""
+    return [block for block in plan.free if 2.02 * block.radius >= least]
+
+
+def _block_forms(site: Site, blocks: Sequence[Block]) -> tuple[str, ...]:
+    """The form asked for each block: its own, else that of the site ("": any)."""
+    shapes = [shapely.Polygon(block.outline, block.holes) for block in blocks]
+    found = [site.form or ""] * len(shapes)
+    for row in site.blocks:
+        near = int(np.argmin(shapely.distance(shapes, shapely.Point(row.at)))) if shapes else 0
+        found[near : near + 1] = [row.form] * len(found[near : near + 1])
+    return tuple(found)
 
 
 def _rings(outline: Points, holes: tuple[Points, ...]) -> Floats:

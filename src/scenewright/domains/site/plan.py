@@ -125,6 +125,7 @@ def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
             "lower road_setback or spacing, or take some out",
             place=place,
         )
+    _check_block_forms(site, blocks, place)
     outline, holes = rings(floor)
     return SitePlan(
         name,
@@ -141,6 +142,23 @@ def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
         fixed,
         _beside(blocks, fixed, site.spacing),
     )
+
+
+def _check_block_forms(site: Site, blocks: Sequence[Block], place: str) -> None:
+    """InputError for a form asked for where nothing can be built."""
+    shapes = [shapely.Polygon(block.outline, block.holes) for block in blocks]
+    for number, row in enumerate(site.blocks):
+        if not shapely.intersects(shapes, shapely.Point(row.at)).any():
+            raise InputError(
+                f"({row.at[0]:g}, {row.at[1]:g}) lies in no block that can be built on",
+                f"give a point of one, such as ({', '.join(_point_in(shapes[0]))})",
+                place=f"{place} blocks[{number}]",
+            )
+
+
+def _point_in(shape: shapely.Polygon) -> tuple[str, str]:
+    point = shape.representative_point()
+    return f"{point.x:.0f}", f"{point.y:.0f}"
 
 
 def _block(part: shapely.Polygon) -> Block:

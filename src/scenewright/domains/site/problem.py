@@ -85,7 +85,7 @@ class SiteProblem(NamedTuple):
     heading, ``fire_access`` the width of the way to each building, all in metres and radians.
     ``form`` is that of the paper's measures: ``printed``, or ``repaired`` where they need it;
     ``settings`` steer the solvers. ``door_distance`` is kept before doors from the border, but
-    where a way runs."""
+    where a way runs. ``block_forms`` are the planar forms asked for block by block ("": any)."""
 
     ground: SiteGround
     buildings: Buildings
@@ -100,6 +100,7 @@ class SiteProblem(NamedTuple):
     form: Literal["printed", "repaired"] = "repaired"
     settings: SiteSettings = SiteSettings()
     door_distance: float = 0.0
+    block_forms: tuple[str, ...] = ()
 
 
 def sides_of(sides: Floats, quality: Floats) -> Floats:

@@ -86,8 +86,11 @@ def find_at_border(grounds: JudgedSite, bodies: SiteBodies) -> Flags:
 
 
 def _streets(grounds: JudgedSite, drivable: bool) -> Shapes:
-    """Where paved ground may begin: roads (and paths); else entrances; else the border."""
-    ways = grounds.ways[grounds.drivable] if drivable else grounds.ways
+    """Where paved ground may begin: roads and paths, ``drivable`` paths if they are as wide as a
+    lane; else entrances; else the border."""
+    wide = {w.id for w in grounds.plan.roads if w.width >= grounds.site.fire_access - TOLERANCE}
+    strong = grounds.drivable | np.array([name in wide for name in grounds.way_ids], bool)
+    ways = grounds.ways[strong] if drivable else grounds.ways
     if len(ways):
         return ways
     doors = [(e.x, e.y) for e in grounds.plan.entrances]

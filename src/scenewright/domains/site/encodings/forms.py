@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
-FRONT = 0.5 * math.pi
+FRONT, TURNED = 0.5 * math.pi, math.pi / 6
 Target = tuple[float, float]
 Place = Callable[[Floats, float, Target, float], Floats]
 
@@ -122,6 +122,18 @@ def rotate_boxes(boxes: Floats, angle: float, x: float, y: float) -> Floats:
     found[:, 1] = boxes[:, 0] * s + boxes[:, 1] * c + y
     found[:, 2] += angle
     return np.where(boxes[:, 3:4] > 0.0, found, 0.0)
+
+
+def lay_rotated(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) -> Floats:
+    """Rows whose buildings are each turned by 30 degrees in their place.
+
+    Boxes (k, 5) for ``sizes`` (k, 3), metres.
+    """
+    c, s = math.cos(TURNED), math.sin(TURNED)
+    wide, deep = sizes[:, 0] * c + sizes[:, 1] * s, sizes[:, 0] * s + sizes[:, 1] * c
+    boxes = parallel(np.column_stack([wide, deep, sizes[:, 2]]), spacing, target, behind)
+    turned = np.column_stack([boxes[:, :2], boxes[:, 2] + TURNED, sizes[:, :2]])
+    return np.where(boxes[:, 3:4] > 0.0, turned, 0.0)
 
 
 def _join_parts(parts: list[tuple[NDArray[np.int64], Floats]], count: int) -> Floats:
@@ -289,6 +301,9 @@ _ROWS = (
     ),
     FormRow(
         "spliced", "rows and rows turned by a quarter side by side", _PAPER + "Fig. 9", lay_spliced
+    ),
+    FormRow(
+        "rotated", "rows of buildings turned in place", _PAPER + "Fig. 9, determinant", lay_rotated
     ),
     FormRow(
         "peripheral", "a closed courtyard, fronts to the streets", _PAPER + "Fig. 11", peripheral

@@ -16,7 +16,24 @@ from scenewright.domains.site.solvers.front import list_front_margins, turned_in
 from scenewright.domains.site.solvers.perimeter_block import rim
 from scenewright.domains.site.solvers.strips import StripRule, back, rotate_block, rows
 
-FORMS = ("parallel", "staggered", "peripheral", "mixed")
+FORMS = (
+    "parallel",
+    "staggered",
+    "peripheral",
+    "mixed",
+    "half-closed",
+    "spliced",
+    "rotated",
+    "point",
+)
+USUAL = FORMS[:4]
+"""What is tried where no form is asked for."""
+COURTS = {"peripheral": 1.0, "half-closed": 1.0, "mixed": 0.5}
+"""Forms with buildings along the rim, and what share of the buildings."""
+TURNED = math.pi / 6
+"""How far each building of the form ``rotated`` is turned in its row, in radians."""
+APART = 0.6
+"""How many heights towers of the form ``point`` stand apart at least, if there is room for it."""
 HALVINGS = 5
 
 
@@ -28,11 +45,14 @@ class BlockLayout(NamedTuple):
     form: str
 
 
-def forms(problem: SiteProblem, share: list[int]) -> list[str]:
-    """The forms that all buildings of a block may take; all, if there is none."""
+def list_forms(problem: SiteProblem, share: list[int], block: int = -1) -> list[str]:
+    """The form asked for a block, else those all buildings of it may take, else the usual ones."""
+    if 0 <= block < len(problem.block_forms) and problem.block_forms[block]:
+        return [problem.block_forms[block]]
     asked = [problem.buildings.forms[i] for i in share] if problem.buildings.forms else []
-    allowed = [form for form in FORMS if all(form in one for one in asked if one)]
-    return allowed or list(FORMS)
+    named = [one for one in asked if one]
+    allowed = [form for form in FORMS if named and all(form in one for one in named)]
+    return allowed or list(USUAL)
 
 
 def headings(problem: SiteProblem, edges: Floats) -> list[float]:
@@ -77,31 +97,94 @@ def lay_out_block(
     ``edges`` (e, 4) of the block in metres, ``heading`` in radians.
     """
     sizes, way = problem.buildings.sizes, problem.fire_access
-    rule = StripRule(problem.spacing, way, problem.sun_spacing, loose, form == "staggered", True)
+    spacing = problem.spacing
+    if form == "point" and loose > 1.0 and queue:
+        spacing = max(spacing, APART * float(np.median(sizes[queue, 2])))
+    rule = StripRule(spacing, way, problem.sun_spacing, loose, form == "staggered", True)
     numbers: list[int] = []
     boxes = np.zeros((0, 5))
-    waiting = queue
-    if form in ("peripheral", "mixed"):
-        share = 0.5 if form == "mixed" else 1.0
-        numbers, boxes = rim(edges, sizes, queue, max(rule.beside(), way), share)
+    if form in COURTS:
+        open_to = heading if form == "half-closed" else None
+        gap = max(rule.beside(), way)
+        numbers, boxes = rim(edges, sizes, queue, gap, COURTS[form], open_to)
         boxes = turned_in(problem, boxes)
-        waiting = [i for i in queue if i not in set(numbers)]
-    if len(boxes):
-        ahead = float(sizes[waiting, 2].max()) if waiting else 0.0
-        edges = np.concatenate(
-            [edges, list_reserved_edges(problem, boxes, sizes[numbers, 2], ahead)]
-        )
+    left = [i for i in queue if i not in set(numbers)]
+    edges = _reserve(problem, edges, numbers, boxes, left)
+    parts = [(edges, left, heading)]
+    if form == "spliced":
+        parts = _splice(problem, edges, left, heading)
+    for ground, waiting, ahead in parts:
+        placed, found = _set_rows(problem, ground, waiting, ahead, rule, form)
+        numbers, boxes = numbers + placed, np.concatenate([boxes, found])
+    return _in_sun(problem, BlockLayout(tuple(numbers), boxes, form))
+
+
+def _reserve(
+    problem: SiteProblem, edges: Floats, numbers: list[int], boxes: Floats, waiting: list[int]
+) -> Floats:
+    """Edges of a block less what the buildings that stand keep from those that wait."""
+    if not len(boxes):
+        return edges
+    sizes = problem.buildings.sizes
+    ahead = float(sizes[waiting, 2].max()) if waiting else 0.0
+    taken = list_reserved_edges(problem, boxes, sizes[numbers, 2], ahead)
+    return np.concatenate([edges, taken])
+
+
+def _set_rows(
+    problem: SiteProblem,
+    edges: Floats,
+    waiting: list[int],
+    heading: float,
+    rule: StripRule,
+    form: str,
+) -> tuple[list[int], Floats]:
+    """Rows in a block: the numbers of the buildings placed, and their boxes (k, 5)."""
+    sizes, turn = problem.buildings.sizes, TURNED if form == "rotated" else 0.0
     margins = list_front_margins(problem, edges, heading)
     block = rotate_block(np.concatenate([edges, margins]), heading)
-    placed = rows(block, sizes, waiting, rule)
-    found = np.zeros((len(placed), 5))
+    placed = rows(block, _widen(sizes, turn), waiting, rule)
+    found, numbers = np.zeros((len(placed), 5)), [i for i, _, _ in placed]
     if placed:
         at = np.array([(x, y) for _, x, y in placed])
         found[:, 0], found[:, 1] = back(at[:, 0], at[:, 1], heading)
-        found[:, 2] = heading
-        found[:, 3:] = sizes[[i for i, _, _ in placed], :2]
-    numbers += [i for i, _, _ in placed]
-    return _in_sun(problem, BlockLayout(tuple(numbers), np.concatenate([boxes, found]), form))
+        found[:, 2] = heading + turn
+        found[:, 3:] = sizes[numbers, :2]
+    return numbers, found
+
+
+def _widen(sizes: Floats, turn: float) -> Floats:
+    """Sizes (n, 3) of the boxes along a row about buildings that are turned in it."""
+    if turn == 0.0:
+        return sizes
+    c, s = abs(math.cos(turn)), abs(math.sin(turn))
+    wide, deep = sizes[:, 0] * c + sizes[:, 1] * s, sizes[:, 0] * s + sizes[:, 1] * c
+    return np.column_stack([wide, deep, sizes[:, 2]])
+
+
+def _splice(
+    problem: SiteProblem, edges: Floats, queue: list[int], heading: float
+) -> list[tuple[Floats, list[int], float]]:
+    """Two parts side by side with their share of the buildings, the second with its rows turned
+    by a quarter."""
+    sizes = problem.buildings.sizes
+    floor = np.cumsum([(sizes[i, :2] + problem.spacing).prod() for i in queue])
+    cut = int(np.searchsorted(floor, 0.5 * floor[-1])) + 1 if len(queue) else 0
+    share = float(floor[cut - 1] / floor[-1]) if cut else 0.5
+    block = rotate_block(edges, heading).edges
+    low, high = block.reshape(-1, 2).min(0), block.reshape(-1, 2).max(0)
+    middle, gap = (
+        low[0] + share * (high[0] - low[0]),
+        0.5 * max(problem.spacing, problem.fire_access),
+    )
+    found = []
+    for x0, x1 in ((middle - gap, high[0] + 1.0), (low[0] - 1.0, middle + gap)):
+        y0, y1 = low[1] - 1.0, high[1] + 1.0
+        px, py = np.array([x0, x0, x1, x1]), np.array([y0, y1, y1, y0])
+        ring = np.stack(back(px, py, heading), -1)
+        taken = np.hstack([ring, np.roll(ring, -1, axis=0)])
+        found.append(np.concatenate([edges, taken]))
+    return [(found[0], queue[:cut], heading), (found[1], queue[cut:], heading - math.pi / 2)]
 
 
 def _in_sun(problem: SiteProblem, found: BlockLayout) -> BlockLayout:

@@ -20,9 +20,9 @@ from scenewright.domains.site.problem import Flags, Floats, SiteProblem, sides_o
 from scenewright.domains.site.solvers.aims import Around, around, lacking
 from scenewright.domains.site.solvers.block import (
     BlockLayout,
-    forms,
     headings,
     lay_out_block,
+    list_forms,
     list_reserved_edges,
     loosen_layout,
 )
@@ -103,14 +103,15 @@ def _fill_blocks(
         about = around(problem, _edges(problem, b), boxes, present)
         effort = (tried if loosest > 1.0 else 4 * tried, loosest)
         over = partial(_over_in_block, filling, count, len(order), boxes, present, forms)
-        found = _best(problem, about, ground, share, effort, rng, over)
+        found = _best(problem, about, b, ground, share, effort, rng, over)
         done += tried
         left = _record_block(found, left, boxes, present, forms)
     for b in order if left else []:
         if filling.watch.cancelled():
             break
         ground = _ground(problem, b, boxes, present, left)
-        found = lay_out_block(problem, ground, left, problem.facing, "parallel", 1.0)
+        form = list_forms(problem, left, b)[0]
+        found = lay_out_block(problem, ground, left, problem.facing, form, 1.0)
         left = _record_block(found, left, boxes, present, forms)
     return SiteLayout(boxes, present, {}, tuple(forms)), done
 
@@ -204,6 +205,7 @@ def _ground(
 def _best(
     problem: SiteProblem,
     about: Around,
+    block: int,
     edges: Floats,
     share: list[int],
     effort: tuple[int, float],
@@ -212,7 +214,7 @@ def _best(
 ) -> BlockLayout:
     """The best of several layouts of one block: most floor placed, then what it lacks in the aims
     and how far fronts are turned away. Aims are looked at only where they may decide."""
-    ways, allowed = headings(problem, edges), forms(problem, share)
+    ways, allowed = headings(problem, edges), list_forms(problem, share, block)
     best, least = BlockLayout((), np.zeros((0, 5)), "parallel"), math.inf
     looks = sides_of(problem.buildings.sides, problem.buildings.quality)[:, :4].mean(1)
     handsome = sorted(share, key=lambda i: (-float(looks[i]), i))

@@ -27,6 +27,7 @@ from scenewright.domains.site.problem import Floats, SiteProblem
 from scenewright.domains.site.solvers.answer import Measure, answer, make_measure, stand
 from scenewright.domains.site.solvers.lattice import make_cells
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
+from scenewright.domains.site.solvers.seed_layouts import seed_layouts
 from scenewright.domains.site.terms.measure import lay
 from scenewright.domains.site.terms.table import LEFT, QUALITY
 from scenewright.domains.site.terms.value import OMEGA, Worth, make_worth, value_parts
@@ -40,6 +41,8 @@ ALIKE = 0.002
 """δ of (12): how little the values may differ when the global search ends."""
 POSITION = 0.1
 """What a building's mean position cost of (5) takes off the value of (22)."""
+TEMPLATES = 5
+"""Layouts of the first generation that are made of local templates."""
 STALLED = 40
 """Generations of local search without gain after which a run without a budget ends."""
 
@@ -267,6 +270,7 @@ def viewpoint_site(
     form printed, (22) alone judges, and (12) ends the search."""
     cells, printed = make_cells(problem), problem.form == "printed"
     solver = MatrixGenetic(cells, problem.buildings.quality, local=not printed, ends=printed)
+    solver = solver._replace(parents=seed_layouts(problem, cells, TEMPLATES, seed))
     judge = make_judge(problem, cells)._replace(position=0.0 if printed else POSITION)
     return evolve(problem, solver, judge, budget, seed, progress, cancel)
 
