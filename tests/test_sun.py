@@ -10,9 +10,6 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.geometry.box_grid import box_grid, cast
-from scenewright.geometry.boxes import frames_of
-from scenewright.geometry.buckets import insert, make_buckets, remove
-from scenewright.geometry.shadows import gather, hours_of, throw
 from scenewright.geometry.sun import (
     REFRACTED,
     declination,
@@ -308,30 +305,6 @@ def test_the_spacing_of_the_rules_keeps_its_hours() -> None:
     for gap, lit in ((apart - 0.1, 0.0), (apart + 0.1, 0.2)):
         boxes = [[0, 0, SOUTH, 400, 12], [0, 12 + gap, SOUTH, 40, 12]]
         assert sun_hours(boxes, [18.0, 18.0], path)[1, 0] == pytest.approx(lit)
-
-
-def test_hours_kept_up_to_date_while_buildings_move() -> None:
-    rng = np.random.default_rng(8)
-    boxes, heights = town(rng, 60)
-    path, sill = sun_path(40.0, 20), 0.9
-    frames = frames_of(boxes)
-    buckets = make_buckets(np.array([0.0, 0.0, 150.0, 150.0]), frames[:, 6])
-    for i, frame in enumerate(frames):
-        insert(buckets, i, frame[0], frame[1], frame[6])
-    counts = np.zeros((60, 4, len(path)), np.int16)
-    for i in range(60):
-        gather(frames, heights, path, sill, buckets, i, heights.max(), counts)
-    for _ in range(40):
-        i = int(rng.integers(60))
-        throw(frames, heights, path, sill, buckets, i, -1, counts)
-        boxes[i, :3] += rng.normal(0, [20, 20, 1])
-        frames[i] = frames_of(boxes[i : i + 1])[0]
-        remove(buckets, i)
-        insert(buckets, i, frames[i, 0], frames[i, 1], frames[i, 6])
-        throw(frames, heights, path, sill, buckets, i, 1, counts)
-        gather(frames, heights, path, sill, buckets, i, heights.max(), counts)
-    found = [[hours_of(frames, path, i, side, counts) for side in range(4)] for i in range(60)]
-    assert np.array(found) == pytest.approx(sun_hours(boxes, heights, path))
 
 
 def test_no_buildings_and_no_sun() -> None:

@@ -23,7 +23,7 @@ from scenewright.geometry.walker import (
 )
 from scenewright.geometry.walker_meshes import (
     SaliencyModel,
-    best_spot,
+    best_spots,
     side_densities,
     sights_of_meshes,
     street,
@@ -250,7 +250,7 @@ def test_the_best_spot_shows_several_buildings_rather_than_one() -> None:
         box_grid(np.concatenate([one, four]), np.full(5, 12.0)), np.ones(5), [[0, 0]], rays=2048
     )
     assert made.values[made.found == 0].sum() > made.values[made.found > 0].sum()
-    assert best_spot(made).way[0] > 0.9
+    assert best_spots(made)[0].way[0] > 0.9
 
 
 def test_the_best_spot_looks_at_the_best_facade() -> None:
@@ -259,11 +259,9 @@ def test_the_best_spot_looks_at_the_best_facade() -> None:
     density = np.array([[0.05] * 5, [0.05] * 5, [1.0, 0.05, 0.05, 0.05, 0.05]])
     eyes = eyes_along([[(-20, 0), (80, 0)]], 2.0)
     made = sights_of_boxes(box_grid(boxes, [9.0, 9.0, 15.0]), density, eyes, rays=512)
-    spot = best_spot(made)
+    spot = best_spots(made)[0]
     assert spot.way[0] > 0.95
     assert np.linalg.norm(spot.way) == pytest.approx(1.0)
     assert 15.0 < 85.0 - spot.point[0] < 60.0
     assert spot.point[2] == 1.6
     assert 0.0 < spot.score <= 3 * made.values.mean(1).max()
-    with pytest.raises(ValueError, match="no eyes"):
-        best_spot(sights(np.zeros((0, 2))))

@@ -74,12 +74,6 @@ def scale_footprint(footprint: Footprint, width: float, depth: float) -> Footpri
     return read_footprint(footprint, width, depth) if footprint else ()
 
 
-def fills_box(footprint: Footprint, width: float, depth: float) -> bool:
-    """Whether the extents of a footprint are those of its box."""
-    reach = np.abs(np.array(footprint)).max(0) if footprint else np.array([width, depth]) / 2
-    return bool(np.abs(2 * reach - (width, depth)).max() <= EXACT)
-
-
 def outline_of(piece: Piece) -> Points:
     """Corners ``(n, 2)`` in the plan of what a piece covers, counter-clockwise: of its footprint,
     or from back right of its box."""

@@ -146,11 +146,6 @@ def rotate_mesh(mesh: Mesh, axis: str, angle: float, about: ArrayLike = (0.0, 0.
     return Mesh(out + centre, mesh.faces)
 
 
-def mirror_mesh(mesh: Mesh) -> Mesh:
-    """The mesh mirrored in x, faces still outward."""
-    return Mesh(mesh.vertices * np.array([-1.0, 1.0, 1.0]), mesh.faces[:, ::-1])
-
-
 def map_points(points: Floats, source: tuple[Floats, Floats], low: Floats, high: Floats) -> Floats:
     """Points taken affinely, axis by axis, from the box ``source`` to the box ``low``, ``high``.
 

@@ -169,13 +169,6 @@ def side_densities(model: SaliencyModel, count: int = 2000) -> Floats:
     return out
 
 
-def best_spot(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> Viewpoint:
-    """Where a picture from the path shows most: the first of :func:`best_spots`."""
-    if not made.found.size:
-        raise ValueError("no eyes")
-    return best_spots(made, view, standoff)[0]
-
-
 def best_spots(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> list[Viewpoint]:
     """Of every eye the direction in which a picture shows most, the best eye first.
 

@@ -90,11 +90,6 @@ def spire(
     )
 
 
-def pyramid(x: Interval, y: Interval, z: Interval) -> Mesh:
-    """Four slopes to a point."""
-    return loft([rectangle_ring(x, y, z[0]), np.tile([middle(x), middle(y), z[1]], (4, 1))])
-
-
 def dome(
     radius: float,
     z: Interval,

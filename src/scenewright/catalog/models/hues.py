@@ -20,7 +20,6 @@ HUES = (
     (360, "red"),
 )
 """Hues in degrees up to which a colour has its name."""
-COLOURS = ("white", "grey", "black", "beige", "brown", *dict.fromkeys(name for _, name in HUES))
 
 
 def main_colour(parts: Sequence[Part]) -> str:

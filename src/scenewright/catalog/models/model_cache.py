@@ -23,7 +23,6 @@ from scenewright.core.scene import Size
 
 VERSION = 1
 MOST_BYTES = 2**31
-Arrays = dict[str, NDArray[Any]]
 
 
 def keep(file: Path, found: LibraryReport, made_of: str) -> None:

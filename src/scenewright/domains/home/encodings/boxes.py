@@ -39,24 +39,6 @@ def _turn_to_boxes(rows: Floats) -> None:
         rows[i, 2] += 0.5 * math.pi
 
 
-def to_genes(boxes: Floats) -> Floats:
-    """Genes ``(..., n, 5)`` of boxes ``(..., n, 5)``, angles in [0, 2π).
-
-    >>> to_genes(np.array([[1.0, 0.5, np.pi / 2, 2.0, 1.0]])).round(3).tolist()
-    [[0.0, 0.0, 0.0, 2.0, 1.0]]
-    """
-    angle, half, genes = (
-        (boxes[..., 2] - 0.5 * np.pi) % (2.0 * np.pi),
-        0.5 * boxes[..., 3:],
-        boxes.copy(),
-    )
-    cos, sin = np.cos(angle), np.sin(angle)
-    genes[..., 0] -= half[..., 0] * cos - half[..., 1] * sin
-    genes[..., 1] -= half[..., 0] * sin + half[..., 1] * cos
-    genes[..., 2] = angle
-    return genes
-
-
 def gene_bounds(problem: Problem) -> tuple[Floats, Floats]:
     """Least and greatest genes ``(n, 5)``: corners within the ground's bounds, any angle, sizes
     within the items' limits."""
