@@ -38,11 +38,13 @@ HALVINGS = 5
 
 
 class BlockLayout(NamedTuple):
-    """Buildings of a block: their numbers and boxes (k, 5), and the form."""
+    """Buildings of a block: their numbers and boxes (k, 5), the form, and how many stand round a
+    court."""
 
     numbers: tuple[int, ...]
     boxes: Floats
     form: str
+    around: int = 0
 
 
 def list_forms(problem: SiteProblem, share: list[int], block: int = -1) -> list[str]:
@@ -82,7 +84,7 @@ def loosen_layout(
     for _ in range(HALVINGS if loosest > 1.0 else 0):
         loose = 0.5 * (low + high)
         found = lay_out_block(problem, edges, queue, heading, form, loose)
-        if len(found.numbers) >= len(tight.numbers):
+        if len(found.numbers) >= len(tight.numbers) and found.around >= tight.around:
             low, best = loose, found
         else:
             high = loose
@@ -108,6 +110,7 @@ def lay_out_block(
         gap = max(rule.beside(), way)
         numbers, boxes = rim(edges, sizes, queue, gap, COURTS[form], open_to)
         boxes = turned_in(problem, boxes)
+    around = len(numbers)
     left = [i for i in queue if i not in set(numbers)]
     edges = _reserve(problem, edges, numbers, boxes, left)
     parts = [(edges, left, heading)]
@@ -116,7 +119,7 @@ def lay_out_block(
     for ground, waiting, ahead in parts:
         placed, found = _set_rows(problem, ground, waiting, ahead, rule, form)
         numbers, boxes = numbers + placed, np.concatenate([boxes, found])
-    return _in_sun(problem, BlockLayout(tuple(numbers), boxes, form))
+    return _in_sun(problem, BlockLayout(tuple(numbers), boxes, form, around))
 
 
 def _reserve(
@@ -202,7 +205,9 @@ def _in_sun(problem: SiteProblem, found: BlockLayout) -> BlockLayout:
     behind = y.mean(1)[:, None] > y.mean(1)[None, :]
     dark = (beside & behind & (gap < reach[:, None] - 1e-6)).any(0)
     kept = np.flatnonzero(~dark)
-    return BlockLayout(tuple(found.numbers[k] for k in kept), found.boxes[kept], found.form)
+    return BlockLayout(
+        tuple(found.numbers[k] for k in kept), found.boxes[kept], found.form, found.around
+    )
 
 
 def list_reserved_edges(
