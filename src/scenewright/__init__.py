@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from scenewright.formats import read, samples, write
     from scenewright.formats.solution_json import read as read_solution
     from scenewright.workflow.arrange import arrange
+    from scenewright.workflow.evolve import evolve
 if TYPE_CHECKING:
     from typing import Any
 
@@ -58,6 +59,7 @@ __all__ = [
     "arrange",
     "batch",
     "check",
+    "evolve",
     "read",
     "read_solution",
     "resolve",
@@ -76,6 +78,7 @@ _HOMES = {
     "write": "formats:write",
     "alternatives": "domains:alternatives",
     "arrange": "workflow.arrange:arrange",
+    "evolve": "workflow.evolve:evolve",
     "batch": "batch:batch",
     "solve": "domains:solve",
     "resolve": "domains:resolve",

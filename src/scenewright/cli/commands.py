@@ -20,6 +20,7 @@ from scenewright._version import __version__
 from scenewright.cli import adjust as cli_adjust
 from scenewright.cli import batch as cli_batch
 from scenewright.cli import catalog as cli_catalog
+from scenewright.cli import evolve as cli_evolve
 from scenewright.cli import show, tables, terminal
 from scenewright.cli.arguments import check_words
 from scenewright.cli.reading import CatalogOption, GroupsOption, HiddenOption, ScaleOption
@@ -38,6 +39,7 @@ app = typer.Typer(
 
 app.add_typer(cli_catalog.app, name="catalog")
 app.command()(cli_adjust.adjust)
+app.command()(cli_evolve.evolve)
 
 USAGE_FAULT = cast(type[Exception], typer.BadParameter.__mro__[2])
 """What the parser raises for arguments it cannot use (its own ``ClickException``)."""

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from scenewright.core.breeding import Breeder, Gene
 from scenewright.core.brief import Brief
 from scenewright.core.brief.domain_keys import check_domain
 from scenewright.core.catalog import Catalog
@@ -22,6 +23,7 @@ from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.domains.contract import Domain
+from scenewright.engine.preference.features import composition_features
 
 if TYPE_CHECKING:
     from scenewright.drawing.layers import PlanDrawing
@@ -29,20 +31,27 @@ if TYPE_CHECKING:
 __all__ = [
     "adjust",
     "alternatives",
+    "breeder_of",
     "check",
     "domain_names",
     "domain_of",
     "domains",
     "draw_plan",
+    "features_of",
     "plan_of",
     "presets",
     "problems",
+    "reasons_of",
     "resolve",
     "scene_of",
     "solution_of",
     "solve",
     "solvers",
 ]
+
+
+CHANCES = 64
+"""Seeds that layouts of a domain without genes are made of."""
 
 
 def domains() -> tuple[Domain, ...]:
@@ -237,6 +246,34 @@ def adjust(
         solution, edits, plan=plan or plan_of(solution.brief), steps=steps, seed=seed
     )
     return adjusted
+
+
+def features_of(solution: Solution, plan: Plan) -> dict[str, float]:
+    """What can be liked about a solution, by name, as its domain measures it; for a domain that
+    does not, the composition of its pieces."""
+    domain: Domain = domain_of(solution.brief.domain)
+    if domain.has("features"):
+        return dict(domain.verb("features")(solution, plan))
+    return composition_features(solution, plan)
+
+
+def breeder_of(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
+    """How layouts of a brief are bred, as its domain does it; else by seed alone."""
+    domain: Domain = domain_of(brief.domain)
+    if domain.has("breeder"):
+        made: Breeder = domain.verb("breeder")(brief, plan, seed)
+        return made
+    return Breeder(
+        (Gene("chance", CHANCES),),
+        lambda genome: solve(brief, plan=plan, seed=seed + genome[0], threads=1),
+    )
+
+
+def reasons_of(domain: str) -> Mapping[str, Mapping[str, float]]:
+    """Reasons a person may give for a domain's scenes, by their words: features and the sign in
+    which they should change."""
+    table: Mapping[str, Mapping[str, float]] = domain_of(domain).table("reasons")
+    return table
 
 
 def presets(domain: str) -> Mapping[str, Any]:

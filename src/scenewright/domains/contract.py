@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
+from scenewright.core.breeding import Breeder
 from scenewright.core.brief import Brief
 from scenewright.core.brief.fields import FURNITURE
 from scenewright.core.errors import InputError
@@ -44,12 +45,14 @@ Verb = Literal[
     "floors",
     "detail_document",
     "detail_of",
+    "features",
+    "breeder",
 ]
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged;
 of the others ``validate``, ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups``,
-``floors`` (the least the energy of each space could be) and the two of the detail are passed over
-where a domain has none, the rest refused by name."""
-Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels"]
+``floors`` (the least the energy of each space could be), ``features``, ``breeder`` and the two of
+the detail are passed over where a domain has none, the rest refused by name."""
+Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels", "reasons"]
 
 NEEDED: tuple[Verb, ...] = ("plan", "solve", "check", "scene", "draw")
 """The verbs every domain has."""
@@ -103,6 +106,20 @@ class Drawing(Protocol):
     def __call__(
         self, solution: Solution, plan: Plan, judge: Callable[[], Report]
     ) -> PlanDrawing: ...
+
+
+class Measuring(Protocol):
+    """``features``: what can be liked about a solution, by name; the same names for all solutions
+    of a brief."""
+
+    def __call__(self, solution: Solution, plan: Plan) -> Mapping[str, float]: ...
+
+
+class Breeding(Protocol):
+    """``breeder``: the genes of a brief's layouts and how they develop
+    (:mod:`scenewright.core.breeding`)."""
+
+    def __call__(self, brief: Brief, plan: Plan, seed: int = 0) -> Breeder: ...
 
 
 class Domain(NamedTuple):

@@ -29,8 +29,11 @@ DOMAIN = Domain(
         "floors": ".floors:floors_of",
         "detail_document": ".record:detail_document",
         "detail_of": ".record:detail_of",
+        "features": ".features:measure_features",
+        "breeder": ".breeding:make_breeder",
     },
     tables={
+        "reasons": ".features:REASONS",
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:HALL_SOLVERS",
         "terms": ".terms.table:HALL_TERMS",

@@ -25,8 +25,11 @@ DOMAIN = Domain(
         "locked": "scenewright.building.standing:locked_rooms",
         "accessible": ".wheelchair:accessible",
         "groups": ".cases.listing:list_groups",
+        "features": ".features:measure_features",
+        "breeder": ".breeding:make_breeder",
     },
     tables={
+        "reasons": ".features:REASONS",
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:SOLVERS",
         "terms": ".terms.table:TERMS",

@@ -29,8 +29,11 @@ DOMAIN = Domain(
         "locked": ".locks:lock_sites",
         "detail_document": ".record:detail_document",
         "detail_of": ".record:detail_of",
+        "features": ".features:measure_features",
+        "breeder": ".breeding:make_breeder",
     },
     tables={
+        "reasons": ".features:REASONS",
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:SITE_SOLVERS",
         "terms": ".terms.table:TERM_ROWS",

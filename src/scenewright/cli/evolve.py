@@ -1,0 +1,298 @@
+"""The verb ``evolve``: a numbered contact sheet, a prompt, and better layouts from what is said."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+
+import typer
+
+from scenewright.core.errors import InputError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from scenewright.engine.preference.events import Event
+    from scenewright.workflow.evolution.candidate import Screen
+    from scenewright.workflow.evolve import Evolution
+
+LOG, SHEET = ".evolution", "-sheet.png"
+"""What the log and the sheet are called after the first output."""
+
+
+class EvolveRequest(NamedTuple):
+    """What the command line asks for."""
+
+    source: str | None
+    outputs: tuple[Path, ...]
+    log: Path
+    sheet: Path
+    resumed: bool
+    views: bool
+    seed: int
+    say: str | None
+
+
+def evolve(
+    source: Annotated[
+        str | None, typer.Argument(metavar="[INPUT]", help="A file, or sample:NAME.")
+    ] = None,
+    outputs: Annotated[
+        list[Path] | None,
+        typer.Option("-o", "--output", metavar="OUT", help="Output file; may be repeated."),
+    ] = None,
+    resume: Annotated[
+        Path | None, typer.Option("--from", metavar="LOG", help="Go on with a saved evolution.")
+    ] = None,
+    log: Annotated[
+        Path | None, typer.Option(metavar="LOG", help="Where all that is said is kept.")
+    ] = None,
+    sheet: Annotated[
+        Path | None, typer.Option(metavar="SHEET.png", help="The contact sheet.")
+    ] = None,
+    views: Annotated[bool, typer.Option("--views", help="Views instead of plans.")] = False,
+    say: Annotated[
+        str | None,
+        typer.Option(metavar="LINES", help="What to say, instead of the prompt: 3; done"),
+    ] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Same seed, same candidates.")] = 0,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
+) -> int:
+    """Look at a dozen layouts at a time, say what you think, get better ones; done writes OUT."""
+    request = _read_request(source, outputs or [], resume, log, sheet, views, seed, say)
+    return _run(request, as_json, quiet)
+
+
+def _read_request(
+    source: str | None,
+    outputs: list[Path],
+    resume: Path | None,
+    log: Path | None,
+    sheet: Path | None,
+    views: bool,
+    seed: int,
+    say: str | None,
+) -> EvolveRequest:
+    """The request, with names for what is not named."""
+    if source is None and resume is None:
+        raise InputError("there is nothing to evolve", "give a file, sample:NAME or --from LOG")
+    if source is not None and resume is not None:
+        raise InputError("INPUT and --from exclude each other", "the log holds its brief")
+    first = outputs[0] if outputs else Path(resume or "evolution.json")
+    base = first.with_name(first.name.split(".")[0] or "evolution")
+    kept = resume or log or base.with_name(base.name + LOG)
+    drawn = sheet or base.with_name(base.name + SHEET)
+    if drawn.suffix.lower() != ".png":
+        raise InputError("sheets are .png files", "choose such a name", file=str(drawn))
+    return EvolveRequest(source, tuple(outputs), kept, drawn, resume is not None, views, seed, say)
+
+
+def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
+    from scenewright.cli import tables, terminal
+    from scenewright.core.atomic_file import check_targets
+    from scenewright.workflow.evolve import evolve as begin
+    from scenewright.workflow.evolve import resume_evolution
+    from scenewright.workflow.request import check_outputs
+
+    check_outputs(request.outputs)
+    check_targets([request.sheet])
+    console = terminal.console(stderr=True, quiet=quiet or as_json)
+    if request.resumed:
+        evolution = resume_evolution(request.log)
+    else:
+        evolution = begin(str(request.source), request.log, seed=request.seed)
+    with evolution:
+        ended = _converse(evolution, request, console)
+        code = _write(evolution, request, console) if ended == "done" else 0
+        if as_json:
+            tables.print_json(document(evolution, request, ended, code))
+        elif ended != "done":
+            told = f"nothing written; go on with --from {request.log}"
+            tables.print_line(console, told, "dim", whole=True)
+    return code
+
+
+def _converse(evolution: Evolution, request: EvolveRequest, console: Console) -> str:
+    """Show sheets and hear lines until ``done`` or ``quit``; which of them. A line that cannot be
+    meant is told so, and ends a run that was given its lines beforehand."""
+    from scenewright.cli.tables import print_line
+
+    screen = evolution.screen or _ask(evolution, console)
+    show_screen(screen, evolution, request, console)
+    for line in _lines(request):
+        try:
+            ended = _obey(line, evolution, request, console)
+        except InputError as error:
+            if request.say is not None:
+                raise
+            print_line(console, str(error))
+            continue
+        if ended:
+            return ended
+    return "quit"
+
+
+def _lines(request: EvolveRequest) -> Iterator[str]:
+    """What is said: the lines given, else those typed or piped in."""
+    if request.say is not None:
+        yield from (part.strip() for part in request.say.split(";"))
+        return
+    while True:
+        if sys.stdin.isatty():
+            sys.stderr.write("evolve> ")
+            sys.stderr.flush()
+        line = sys.stdin.readline()
+        if not line:
+            return
+        yield line
+
+
+def _obey(line: str, evolution: Evolution, request: EvolveRequest, console: Console) -> str:
+    """Do what a line says; ``done`` or ``quit`` where it ends the evolution."""
+    from scenewright.cli import evolve_words as words
+    from scenewright.cli.tables import print_line
+
+    screen = evolution.screen
+    assert screen is not None
+    shown = [one.number for one in screen.candidates]
+    said = evolution.said_of_screen
+    meant = words.parse_line(line, shown, screen.number, said, evolution.reasons, screen.champion)
+    if not isinstance(meant, words.Command):
+        evolution.tell(*meant)
+        for event in meant:
+            print_line(console, describe_event(event, shown), "dim")
+        return ""
+    if meant.verb == "done" and evolution.champion is None:
+        raise InputError("there is no champion to write", "pick one first: 3")
+    if meant.verb in ("done", "quit"):
+        return meant.verb
+    _do(meant, evolution, request, console, shown)
+    return ""
+
+
+def _do(
+    command: Any, evolution: Evolution, request: EvolveRequest, console: Console, shown: list[int]
+) -> None:
+    """Commands that go on."""
+    from math import radians
+
+    from scenewright.cli import evolve_words as words
+    from scenewright.cli.tables import print_line
+
+    match command:
+        case words.Command("next"):
+            show_screen(_ask(evolution, console), evolution, request, console)
+        case words.Command("undo"):
+            event = evolution.undo()
+            told = (
+                "nothing to take back"
+                if event is None
+                else "taken back: " + describe_event(event, shown)
+            )
+            print_line(console, told, "dim")
+        case words.Command("help"):
+            for line in words.HELP.splitlines():
+                print_line(console, line)
+        case words.Command("reasons"):
+            print_line(console, ", ".join(evolution.reasons) or "no reasons for this kind of scene")
+        case words.Command("auto", rounds):
+            count = evolution.rate_itself(rounds)
+            print_line(console, f"{count} candidates bred on what is *predicted*", "dim")
+            show_screen(_ask(evolution, console), evolution, request, console)
+        case words.Command("move", number, name, (x, y, *degrees)):
+            pose = (x, y, *(radians(angle) for angle in degrees))
+            made = evolution.edit(number, move={name: pose})
+            print_line(console, f"moved: candidate {made.number}, better than it was", "dim")
+
+
+def _ask(evolution: Evolution, console: Console) -> Screen:
+    """The next screen, with a bar where it takes long."""
+    from scenewright.cli.progress import show_progress
+
+    with show_progress(console, console.quiet) as progress:
+        return evolution.ask(progress)
+
+
+def show_screen(
+    screen: Screen, evolution: Evolution, request: EvolveRequest, console: Console
+) -> None:
+    """Draw the sheet of a screen and tell where it is."""
+    from scenewright.cli.tables import print_line
+    from scenewright.render.contact_sheet import SheetEntry, draw_sheet, write_sheet
+
+    entries = []
+    for place, one in enumerate(screen.candidates, 1):
+        picture = one.view() if request.views else one.picture()
+        champion = one.number == screen.champion
+        told = "" if one.chance is None else f"predicted: picked {100 * one.chance:.0f} %"
+        text = " · ".join(filter(None, ["champion" if champion else "", told]))
+        entries.append(SheetEntry(picture, str(place), text, champion))
+    title = f"{evolution.brief.name}: sheet {screen.number + 1}"
+    write_sheet(draw_sheet(entries, title, f"predictions: {screen.trust}"), request.sheet)
+    print_line(console, f"sheet {screen.number + 1}: {request.sheet}", whole=True)
+    if screen.trust.screens:
+        print_line(console, str(screen.trust), "dim")
+
+
+def describe_event(event: Event, shown: list[int]) -> str:
+    """What was heard, in words, by places on the sheet (candidates of earlier sheets by number)."""
+    from scenewright.engine.preference import events as said
+
+    def place(number: int) -> str:
+        return str(shown.index(number) + 1) if number in shown else f"candidate {number}"
+
+    match event:
+        case said.Pick(best, among):
+            return f"{place(best)} is the best of {len(among)}"
+        case said.Worst(worst, among):
+            return f"{place(worst)} is the worst of {len(among)}"
+        case said.Prefer(one, other):
+            return f"{place(one)} is better than {place(other)}"
+        case said.Stars(candidate, stars, _):
+            return f"{place(candidate)}: {stars} star{'s' * (stars != 1)}"
+        case said.Reason(candidate, reason):
+            return f"{place(candidate)}: {reason}"
+        case said.Lock(name):
+            return f"{name} stays as in the champion"
+        case said.Keep(candidate):
+            return f"{place(candidate)} is the champion until another is kept"
+        case _:
+            return "changed by hand"
+
+
+def _write(evolution: Evolution, request: EvolveRequest, console: Console) -> int:
+    """Write the champion to all outputs, and tell what it is; the exit code."""
+    from scenewright.cli import show, tables
+    from scenewright.domains import check
+    from scenewright.workflow.events import run_to_end
+    from scenewright.workflow.writing import write_all
+
+    champion = evolution.champion
+    assert champion is not None
+    solution, plan = champion.solution, champion.plan
+    run_to_end(write_all([(solution, path) for path in request.outputs], plan))
+    report = check(solution, plan=plan)
+    complete = report.valid and not any(out.required for out in solution.left_out)
+    if not console.quiet:
+        show.print_arranged(tables.output_console(), request.outputs, solution, plan, report)
+    return 0 if complete else 1
+
+
+def document(evolution: Evolution, request: EvolveRequest, ended: str, code: int) -> dict[str, Any]:
+    """What a machine reads: how it ended, the champion, all that was said, and the trust."""
+    from scenewright.engine.preference.events import record_of
+
+    champion = evolution.champion
+    return {
+        "ended": ended,
+        "code": code,
+        "outputs": [str(path) for path in request.outputs] if ended == "done" else [],
+        "log": str(request.log),
+        "sheet": str(request.sheet),
+        "champion": None if champion is None else champion.figures(),
+        "events": [record_of(event) for event in evolution.events],
+        "trust": evolution.trust._asdict() | {"enough": evolution.trust.enough},
+    }

@@ -1,0 +1,42 @@
+"""Homes bred room by room: a genome says for each room from which of many answers it is taken."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from threading import Lock
+
+from scenewright.core.breeding import Breeder, Gene, Genome
+from scenewright.core.brief import Brief
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.domains.home.alternatives import compose_home
+from scenewright.domains.home.solving import solve
+
+ANSWERS = 240
+"""Whole homes that rooms are taken from."""
+
+
+def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
+    """Genes of a home, one a room: whole homes are solved around other walls and with other
+    groups (as for alternatives) when a genome first names them, then put together anew."""
+    solved: dict[int, Solution] = {}
+    busy = [Lock() for _ in range(ANSWERS)]
+
+    def answer(number: int) -> Solution:
+        with busy[number]:
+            if number not in solved:
+                solved[number] = solve(
+                    brief, plan=plan, seed=seed + number, variant=number, threads=1
+                )
+            return solved[number]
+
+    genes = tuple(Gene(room.id, ANSWERS) for room in plan.spaces)
+    return Breeder(genes, partial(_develop, plan, answer))
+
+
+def _develop(plan: Plan, answer: Callable[[int], Solution], genome: Genome) -> Solution:
+    """The home of which each room is that of the answer its gene names."""
+    numbers = sorted(set(genome))
+    parts = [answer(number) for number in numbers]
+    return compose_home(parts, [numbers.index(number) for number in genome], plan.spaces)

@@ -1,0 +1,138 @@
+"""Which candidates to show next: few enough to look at, and worth the look.
+
+A screen holds the champion, the one predicted best, some drawn by Thompson sampling (each is the
+best under one draw of what the person may like; Thompson 1933) and some that lie farthest from
+all that was shown. The first screen spreads over sane layouts.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.engine.preference.taste import PersonTaste, judge, judge_each, standardise
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+
+SHORT = 200
+"""Candidates with the best prospects that are drawn for."""
+
+
+class ScreenMix(NamedTuple):
+    """How many candidates a screen has, how many of them are the predicted best and how many the
+    farthest from all shown; the rest is drawn by Thompson sampling. ``apart`` is how much more
+    two of a screen differ at least, as a share of the mean distance of the archive."""
+
+    size: int = 12
+    greedy: int = 3
+    farthest: int = 2
+    apart: float = 0.35
+
+
+def spread_over(points: Floats, count: int, start: int) -> list[int]:
+    """``count`` rows of ``points`` (n, D) that lie far from each other: after ``start`` always the
+    one farthest from those taken (Gonzalez 1985).
+
+    >>> spread_over(np.array([[0.0], [1.0], [9.0], [5.0]]), 3, 0)
+    [0, 2, 3]
+    """
+    taken = [start]
+    nearest = _distances(points, points[[start]])[:, 0]
+    while len(taken) < min(count, len(points)):
+        nearest[taken] = -1.0
+        taken.append(int(np.argmax(nearest)))
+        nearest = np.minimum(nearest, _distances(points, points[taken[-1:]])[:, 0])
+    return taken
+
+
+def first_screen(taste: PersonTaste, values: Floats, mix: ScreenMix) -> list[int]:
+    """Rows of ``values`` (n, D) for the first screen: the most usual layout and those that differ
+    most from it and from each other."""
+    points = standardise(taste.scale, values)
+    usual = int(np.argmin((points**2).sum(1)))
+    return spread_over(points, mix.size, usual)
+
+
+def choose_screen(
+    taste: PersonTaste,
+    values: Floats,
+    shown: Flags,
+    champion: int | None,
+    rng: np.random.Generator,
+    mix: ScreenMix,
+) -> list[int]:
+    """Rows of ``values`` (n, D) for the next screen, the champion first; ``shown`` (n,) were seen
+    before and, but for the champion, are not shown again while there are others."""
+    if taste.posterior is None and not taste.start.any():
+        return first_screen(taste, values, mix)
+    points = standardise(taste.scale, values)
+    far = _distances(points, points)
+    least = mix.apart * float(np.median(far)) if len(points) > 1 else 0.0
+    taken = [] if champion is None else [champion]
+    open_ = ~shown
+    open_[taken] = False
+    ranked = _rank_by_draws(taste, values, open_, rng, mix)
+    for value in ranked:
+        if len(taken) >= mix.size - mix.farthest:
+            break
+        _take_best(value, open_, far, least, taken)
+    _take_farthest(far, shown, open_, mix.size, taken)
+    return taken
+
+
+def _rank_by_draws(
+    taste: PersonTaste, values: Floats, open_: Flags, rng: np.random.Generator, mix: ScreenMix
+) -> list[Floats]:
+    """Values (n,) by which to choose one after the other: predicted means, then draws; those that
+    have no prospect are left out."""
+    mean, deviation = judge_each(taste, values)
+    hope = np.where(open_, mean + deviation, -np.inf)
+    short = np.sort(np.argsort(-hope, kind="stable")[:SHORT])
+    liking = judge(taste, values[short])
+    ranked = []
+    for drawn in _draw(liking.mean, liking.covariance, mix.size, rng):
+        wide = np.full(len(mean), -np.inf)
+        wide[short] = drawn
+        ranked.append(wide)
+    return [mean] * mix.greedy + ranked
+
+
+def _take_best(value: Floats, open_: Flags, far: Floats, least: float, taken: list[int]) -> None:
+    """Take the row of the greatest value that is open and not too like one taken, if any."""
+    free = open_ & ((far[:, taken] >= least).all(1) if taken else True)
+    free = free & np.isfinite(value)
+    free = free if free.any() else open_ & np.isfinite(value)
+    if free.any():
+        best = int(np.argmax(np.where(free, value, -np.inf)))
+        taken.append(best)
+        open_[best] = False
+
+
+def _take_farthest(far: Floats, shown: Flags, open_: Flags, size: int, taken: list[int]) -> None:
+    """Fill a screen with the rows farthest from all shown and taken."""
+    known = shown.copy()
+    known[taken] = True
+    nearest = far[:, known].min(1) if known.any() else np.full(len(far), np.inf)
+    while len(taken) < size and open_.any():
+        best = int(np.argmax(np.where(open_, nearest, -1.0)))
+        taken.append(best)
+        open_[best] = False
+        nearest = np.minimum(nearest, far[:, best])
+
+
+def _draw(mean: Floats, covariance: Floats, count: int, rng: np.random.Generator) -> Floats:
+    """``count`` draws (count, n) of a normal vector."""
+    values, vectors = np.linalg.eigh(covariance)
+    root = vectors * np.sqrt(np.maximum(values, 0.0))
+    drawn: Floats = mean + rng.standard_normal((count, len(mean))) @ root.T
+    return drawn
+
+
+def _distances(one: Floats, other: Floats) -> Floats:
+    """Distances (n, m) of rows."""
+    squares = (one**2).sum(1)[:, None] + (other**2).sum(1)[None] - 2.0 * one @ other.T
+    return np.sqrt(np.maximum(squares, 0.0))

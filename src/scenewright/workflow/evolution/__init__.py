@@ -1,0 +1,1 @@
+"""One evolution: its log, its population, what is shown, and the session that ties them."""

@@ -1,0 +1,84 @@
+"""Where candidates are bred while the person looks: threads, and what they breed on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import NamedTuple
+
+from scenewright import domains
+from scenewright.core.breeding import Genome
+from scenewright.core.brief import Brief
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.workflow.evolution.population import BredLayout, BreedingGround, develop_all
+
+Told = Callable[[float, str], None]
+Developed = tuple[BredLayout, Solution]
+WORKERS = 2
+"""Threads that breed."""
+CHUNK = 4
+"""Genomes that a thread develops at a time."""
+
+
+class Batch(NamedTuple):
+    """Candidates being bred for a ``screen`` of an ``epoch``, in order."""
+
+    epoch: str
+    screen: int
+    parts: tuple[Future[list[Developed]], ...]
+
+    def ready(self) -> bool:
+        """Whether all are bred."""
+        return all(part.done() for part in self.parts)
+
+
+class Nursery:
+    """Breeds one batch at a time in the background. ``locked`` gives the brief of an epoch."""
+
+    def __init__(self, brief: Brief, plan: Plan, seed: int, locked: Callable[[str], Brief]) -> None:
+        self._brief, self._plan, self._seed, self._locked = brief, plan, seed, locked
+        self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="breeding")
+        self._grounds: dict[str, BreedingGround] = {}
+        self.batch: Batch | None = None
+
+    def ground(self, epoch: str) -> BreedingGround:
+        """What an epoch's candidates are bred on."""
+        if epoch not in self._grounds:
+            brief = self._locked(epoch) if epoch else self._brief
+            plan = domains.plan_of(brief) if epoch else self._plan
+            self._grounds[epoch] = BreedingGround(plan, domains.breeder_of(brief, plan, self._seed))
+        return self._grounds[epoch]
+
+    def begin(self, epoch: str, screen: int, genomes: Sequence[Genome]) -> None:
+        """Begin to breed ``genomes``; what was being bred is given up."""
+        self.give_up()
+        ground = self.ground(epoch)
+        chunks = [genomes[k : k + CHUNK] for k in range(0, len(genomes), CHUNK)]
+        parts = tuple(self._pool.submit(develop_all, ground, chunk) for chunk in chunks)
+        self.batch = Batch(epoch, screen, parts)
+
+    def is_breeding(self, epoch: str, screen: int) -> bool:
+        """Whether the batch is for this screen of this epoch."""
+        return self.batch is not None and self.batch[:2] == (epoch, screen)
+
+    def collect(self, progress: Told | None) -> list[Developed]:
+        """What was bred, when all is; ``progress`` hears how much is."""
+        found: list[Developed] = []
+        parts = self.batch.parts if self.batch else ()
+        for k, part in enumerate(parts):
+            if progress is not None and not part.done():
+                progress(k / len(parts), "breeding candidates")
+            found += part.result()
+        self.batch = None
+        return found
+
+    def give_up(self) -> None:
+        """Breed no more of what was begun."""
+        for part in self.batch.parts if self.batch else ():
+            part.cancel()
+        self.batch = None
+
+    def close(self) -> None:
+        """Let the threads go when they have done what they are at."""
+        self._pool.shutdown(wait=False, cancel_futures=True)

@@ -1,0 +1,158 @@
+"""The candidates of an evolution and how more of them are bred on what the model predicts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright import domains
+from scenewright.core.breeding import Breeder, Gene, Genome
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.engine.preference.taste import PersonTaste, judge_each
+
+Floats = NDArray[np.float64]
+
+
+class BreedingPlan(NamedTuple):
+    """How many candidates there are before the first screen and how many are bred for each later
+    one; ``alleles`` of a gene that may be used at first, and how many more with each screen;
+    ``fresh`` share of children made without parents, ``mutated`` genes of a child on average,
+    ``crossed`` share of children of two parents, ``parents`` that children are made of."""
+
+    first: int = 24
+    each: int = 24
+    alleles: int = 8
+    more: int = 4
+    fresh: float = 0.2
+    mutated: float = 1.2
+    crossed: float = 0.7
+    parents: int = 12
+
+
+class BredLayout(NamedTuple):
+    """One candidate: its genome (empty: changed by hand), its features (D,), how much that was
+    asked for it lacks, and whether no rule is broken."""
+
+    genome: Genome
+    values: Floats
+    lacking: int
+    valid: bool
+
+    def record(self) -> dict[str, Any]:
+        """Plain values, ready for JSON."""
+        return {**self._asdict(), "genome": list(self.genome), "values": self.values.tolist()}
+
+
+class BreedingGround(NamedTuple):
+    """What candidates are bred on: the plan of a brief and its breeder."""
+
+    plan: Plan
+    breeder: Breeder
+
+
+def bred_of(record: dict[str, Any]) -> BredLayout:
+    """The candidate a record holds."""
+    values = np.array(record["values"], np.float64)
+    return BredLayout(
+        tuple(record["genome"]), values, int(record["lacking"]), bool(record["valid"])
+    )
+
+
+def measure_solution(solution: Solution, plan: Plan, genome: Genome = ()) -> BredLayout:
+    """A solution as a candidate."""
+    values = np.array(list(domains.features_of(solution, plan).values()), np.float64)
+    lacking = sum(out.required for out in solution.left_out)
+    valid = domains.check(solution, plan=plan).valid
+    return BredLayout(genome, np.nan_to_num(values), lacking, valid)
+
+
+def draw_genomes(
+    genes: Sequence[Gene], open_: int, count: int, rng: np.random.Generator
+) -> list[Genome]:
+    """``count`` genomes by chance, of the first ``open_`` alleles of each gene."""
+    most = [min(gene.alleles, open_) for gene in genes]
+    return [tuple(int(rng.integers(0, top)) for top in most) for _ in range(count)]
+
+
+def breed_genomes(
+    genes: Sequence[Gene],
+    parents: Sequence[Genome],
+    known: set[Genome],
+    number: int,
+    rng: np.random.Generator,
+    how: BreedingPlan,
+) -> list[Genome]:
+    """Genomes of batch ``number`` that are not ``known``: some by chance, else of one or two
+    ``parents``, the best of which come first; fewer where there are no more."""
+    count = how.each if number else how.first
+    open_ = _count_open(genes, how.alleles + how.more * number, 2 * (count + len(known)))
+    made: dict[Genome, None] = {}
+    for _ in range(20 * count):
+        if len(made) == count:
+            break
+        if not parents or rng.random() < how.fresh:
+            child = draw_genomes(genes, open_, 1, rng)[0]
+        else:
+            child = _make_child(genes, parents, open_, rng, how)
+        if child not in known:
+            made[child] = None
+    return list(made)
+
+
+def _count_open(genes: Sequence[Gene], least: int, wanted: int) -> int:
+    """How many alleles of each gene may be used: ``least``, or as many as make so many genomes."""
+    most = max((gene.alleles for gene in genes), default=1)
+    for open_ in range(least, most):
+        if math.prod(min(gene.alleles, open_) for gene in genes) >= wanted:
+            return open_
+    return max(least, most)
+
+
+def _make_child(
+    genes: Sequence[Gene],
+    parents: Sequence[Genome],
+    open_: int,
+    rng: np.random.Generator,
+    how: BreedingPlan,
+) -> Genome:
+    """A child of a good parent, often crossed with another, with some genes drawn anew."""
+    one, other = (parents[int(len(parents) * rng.random() ** 2)] for _ in range(2))
+    mixed = rng.random() < how.crossed
+    child = [b if mixed and rng.random() < 0.5 else a for a, b in zip(one, other, strict=True)]
+    rate = how.mutated / max(len(genes), 1)
+    for k, gene in enumerate(genes):
+        if rng.random() < rate:
+            child[k] = int(rng.integers(0, min(gene.alleles, open_)))
+    return tuple(child)
+
+
+def rank_parents(taste: PersonTaste, bred: Sequence[BredLayout], count: int) -> list[Genome]:
+    """Genomes of the most promising sane candidates, best first: predicted mean and half a
+    standard deviation."""
+    rows = [one for one in bred if one.genome and one.valid]
+    if not rows or (taste.posterior is None and not taste.start.any()):
+        return []
+    mean, deviation = judge_each(taste, np.array([one.values for one in rows]))
+    order = np.argsort(-(mean + 0.5 * deviation), kind="stable")[:count]
+    return [rows[k].genome for k in order.tolist()]
+
+
+def develop_all(
+    ground: BreedingGround, genomes: Sequence[Genome]
+) -> list[tuple[BredLayout, Solution]]:
+    """What genomes develop into, measured."""
+    found = []
+    for genome in genomes:
+        solution = ground.breeder.develop(genome)
+        found.append((measure_solution(solution, ground.plan, genome), solution))
+    return found
+
+
+def is_sane(bred: BredLayout, least: int) -> bool:
+    """Whether a candidate may be shown: no rule broken, nothing lacking that others have."""
+    return bred.valid and bred.lacking <= least

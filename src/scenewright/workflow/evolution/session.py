@@ -1,0 +1,274 @@
+"""An evolution: candidates are shown, a person says what she thinks of them, better ones come.
+
+:meth:`Evolution.ask` gives the next screen, :meth:`Evolution.tell` hears what was said. While she
+looks, the next candidates are bred on what was known when the screen was chosen; so the next
+screen is there at once, and the same log and seed give the same screens however fast she is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+
+from scenewright import domains
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.solution import Solution
+from scenewright.engine.preference.events import (
+    Edit,
+    Event,
+    Lock,
+    Undo,
+    champion_of,
+    counting,
+    record_of,
+)
+from scenewright.engine.preference.screens import ScreenMix, choose_screen
+from scenewright.engine.preference.taste import (
+    FeatureScale,
+    PersonTaste,
+    judge_each,
+    learn_taste,
+    start_from,
+)
+from scenewright.engine.preference.trust import TrustRecord
+from scenewright.workflow.evolution.archive import Archive
+from scenewright.workflow.evolution.candidate import Screen, ShownCandidate, predicted_shares
+from scenewright.workflow.evolution.history import read_history
+from scenewright.workflow.evolution.locking import lock_brief, name_epoch
+from scenewright.workflow.evolution.log import EvolutionLog
+from scenewright.workflow.evolution.nursery import Nursery, Told
+from scenewright.workflow.evolution.population import (
+    BreedingPlan,
+    breed_genomes,
+    measure_solution,
+    rank_parents,
+)
+from scenewright.workflow.evolution.said import check_said
+
+
+class Evolution:
+    """One person's evolution of one brief, kept in a log that survives whatever ends the run.
+
+    Use it in a ``with`` block, or :meth:`close` it.
+    """
+
+    def __init__(
+        self,
+        brief: Brief,
+        log: EvolutionLog,
+        *,
+        seed: int = 0,
+        start: Sequence[PersonTaste] = (),
+        mix: ScreenMix | None = None,
+        breeding: BreedingPlan | None = None,
+    ) -> None:
+        self.brief, self.log, self.seed = brief, log, seed
+        self.plan = domains.plan_of(brief)
+        self.reasons = domains.reasons_of(brief.domain)
+        self._mix, self._breeding = mix or ScreenMix(), breeding or BreedingPlan()
+        self._others = tuple(start)
+        self._names: tuple[str, ...] = ()
+        self._archive = Archive(log, self._breeding.first)
+        self._history = read_history(log.entries())
+        self._nursery = Nursery(
+            brief, self.plan, seed, lambda epoch: lock_brief(epoch, self.solution_of)
+        )
+
+    def __enter__(self) -> Evolution:
+        return self
+
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _error: BaseException | None,
+        _trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Stop breeding and close the log."""
+        self._nursery.close()
+        self.log.close()
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """All that was said and still counts, in order."""
+        return counting(self._history.events)
+
+    @property
+    def said_of_screen(self) -> tuple[Event, ...]:
+        """What was said since the last screen was shown, and still counts."""
+        screens = self._history.screens
+        return counting(self._history.events[screens[-1].before if screens else 0 :])
+
+    @property
+    def trust(self) -> TrustRecord:
+        """How often the predicted top held the person's pick, on screens not learned from."""
+        return self._history.trust
+
+    @property
+    def champion(self) -> ShownCandidate | None:
+        """What the person has chosen so far; only what she says changes it."""
+        number = champion_of(self._history.events)
+        return None if number is None else self._show([number])[0]
+
+    @property
+    def screen(self) -> Screen | None:
+        """The screen shown last, with what is predicted now; none before the first."""
+        screens = self._history.screens
+        if not screens:
+            return None
+        shown = self._show(screens[-1].shown)
+        champion = champion_of(self._history.events)
+        return Screen(len(screens) - 1, tuple(shown), champion, self.trust)
+
+    @property
+    def taste(self) -> PersonTaste:
+        """What was learned so far."""
+        return self._learn(self.events)
+
+    def ready(self) -> bool:
+        """Whether the next screen can be shown at once."""
+        return self._nursery.batch is not None and self._nursery.batch.ready()
+
+    def ask(self, progress: Told | None = None) -> Screen:
+        """The next screen: the champion, the predicted best, draws and the farthest. ``progress``
+        hears the share bred and what is done, where the screen has to wait for it."""
+        epoch, number = name_epoch(self.events), len(self._history.screens)
+        self._adopt(epoch, number, progress)
+        taste = self.taste
+        shown = self._choose(taste, epoch, number)
+        candidates = self._show(shown, taste)
+        predicted = [one.predicted for one in candidates]
+        told = {"screen": number, "shown": shown, "predicted": predicted}
+        self._append("screen", told, shown)
+        self._breed(epoch, number + 1, taste)
+        return Screen(number, tuple(candidates), champion_of(self._history.events), self.trust)
+
+    def tell(self, *events: Event) -> None:
+        """Hear what was said; it is on disk when this returns. Raises :class:`InputError`, and
+        keeps nothing, for what cannot be meant."""
+        for k, event in enumerate(events):
+            check_said(event, self._history.shown, self.reasons)
+            if isinstance(event, Lock):
+                self._check_lock(event.name, champion_of((*self._history.events, *events[:k])))
+        for event in events:
+            self._append("event", record_of(event))
+
+    def undo(self) -> Event | None:
+        """Take back what was said last; what it was, if anything."""
+        events = self.events
+        if events:
+            self.tell(Undo())
+        return events[-1] if events else None
+
+    def edit(self, number: int, **edits: Any) -> ShownCandidate:
+        """Change a candidate by hand, as :func:`scenewright.domains.adjust` does: the answer is a
+        new candidate that is better than it was."""
+        check_said(Edit(number, number), self._history.shown, ())
+        solution = domains.adjust(self.solution_of(number), **edits).solution
+        plan = domains.plan_of(solution.brief)
+        (made,) = self._archive.add(
+            [(measure_solution(solution, plan), solution)], name_epoch(self.events)
+        )
+        self._append("event", record_of(Edit(number, made)), [made])
+        return self._show([made])[0]
+
+    def rate_itself(self, rounds: int, progress: Told | None = None) -> int:
+        """Breed on for so many rounds without asking, the model rating in the person's place; only
+        where it may be trusted. Nothing is learned from that and the champion stays; the next
+        screen is the person's again. How many candidates were bred."""
+        if not self.trust.enough:
+            raise InputError(f"predictions are not good enough yet: {self.trust}", "go on picking")
+        before, epoch = len(self._archive.bred), name_epoch(self.events)
+        for _ in range(rounds):
+            number = len(self._history.screens)
+            self._adopt(epoch, number, progress)
+            self._append("auto", {"screen": number})
+            self._breed(epoch, number, self.taste)
+        return len(self._archive.bred) - before
+
+    def solution_of(self, number: int) -> Solution:
+        """The solution of a candidate."""
+        return self._archive.solution(number, self._develop)
+
+    def _develop(self, number: int) -> Solution:
+        ground = self._nursery.ground(self._archive.epochs[number])
+        return ground.breeder.develop(self._archive.bred[number].genome)
+
+    def _choose(self, taste: PersonTaste, epoch: str, screen: int) -> list[int]:
+        """The numbers of the candidates of a screen."""
+        rows = self._archive.sane(epoch)
+        champion = champion_of(self._history.events)
+        if champion is not None and champion not in rows:
+            rows = [*rows, champion]
+        values = np.array([self._archive.bred[n].values for n in rows])
+        seen = np.array([n in self._history.shown for n in rows])
+        place = None if champion is None else rows.index(champion)
+        rng = np.random.default_rng([self.seed, 1, screen])
+        chosen = choose_screen(taste, values, seen, place, rng, self._mix)
+        return [rows[k] for k in chosen]
+
+    def _adopt(self, epoch: str, screen: int, progress: Told | None) -> None:
+        """Take in what was bred for a screen, breeding it now if nobody has."""
+        if not self._nursery.is_breeding(epoch, screen):
+            before = self._history.before_screen(screen - 1)
+            known = self._archive.of_epoch(epoch)
+            self._breed(epoch, screen, self._learn(counting(before)) if known else None)
+        self._archive.add(self._nursery.collect(progress), epoch)
+
+    def _breed(self, epoch: str, screen: int, taste: PersonTaste | None) -> None:
+        """Begin to breed for a screen, on what was known when the one before was chosen."""
+        rows = [self._archive.bred[n] for n in self._archive.of_epoch(epoch)]
+        parents = rank_parents(taste, rows, self._breeding.parents) if taste else []
+        autos = self._history.autos
+        rng = np.random.default_rng([self.seed, 2, screen, autos, epoch.count(":")])
+        genes = self._nursery.ground(epoch).breeder.genes
+        known = {one.genome for one in rows}
+        age = screen + autos if rows else 0
+        genomes = breed_genomes(genes, parents, known, age, rng, self._breeding)
+        self._nursery.begin(epoch, screen, genomes)
+
+    def _learn(self, events: Sequence[Event]) -> PersonTaste:
+        if not self._archive.bred:
+            return PersonTaste(FeatureScale((), np.zeros(0), np.ones(0)), None, np.zeros(0))
+        if not self._names:
+            self._names = tuple(domains.features_of(self.solution_of(0), self.plan))
+        start = start_from(self._others, self._names) if self._others else None
+        scale = self._archive.scale(self._names)
+        return learn_taste(scale, events, self._archive.values(), self.reasons, start)
+
+    def _show(
+        self, numbers: Sequence[int], taste: PersonTaste | None = None
+    ) -> list[ShownCandidate]:
+        """Candidates with what is predicted of them, if anything is."""
+        taste = taste or self.taste
+        values = np.array([self._archive.bred[number].values for number in numbers])
+        known = taste.posterior is not None or bool(taste.start.any())
+        mean, deviation = judge_each(taste, values)
+        shares = predicted_shares(mean)
+        return [
+            ShownCandidate(
+                number,
+                self.solution_of(number),
+                self._nursery.ground(self._archive.epochs[number]).plan,
+                float(mean[k]) if known else None,
+                float(deviation[k]) if known else None,
+                float(shares[k]) if known else None,
+            )
+            for k, number in enumerate(numbers)
+        ]
+
+    def _check_lock(self, name: str, champion: int | None) -> None:
+        """InputError unless the champion has what is to be locked."""
+        if champion is None:
+            raise InputError("there is no champion yet to lock anything in", "pick one first")
+        domains.adjust(self.solution_of(champion), lock=[name])
+
+    def _append(self, kind: str, body: dict[str, Any], shown: Sequence[int] = ()) -> None:
+        self.log.append(self._history.entries, kind, body, self._archive.unwritten(shown))
+        self._history = self._history.after(kind, body)
