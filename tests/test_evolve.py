@@ -126,13 +126,12 @@ def test_a_resumed_evolution_goes_on_as_if_never_ended(tmp_path: Path) -> None:
 def test_what_is_locked_stands_in_all_that_comes(tmp_path: Path) -> None:
     with evolve("sample:home-studio", tmp_path / "log", breeding=FEW) as evolution:
         shown = numbers(evolution.ask())
-        evolution.tell(Pick(shown[0], shown), Lock("sofa"))
-        champion = evolution.champion
-        assert champion is not None
-        sofa = next(p for p in champion.solution.pieces if p.category == "sofa")
+        pieces = evolution.solution_of(shown[0]).pieces
+        seat = next(p for p in pieces if p.category in ("sofa", "loveseat"))
+        evolution.tell(Pick(shown[0], shown), Lock(seat.id))
         second = evolution.ask()
         for one in second.candidates[1:]:
-            assert any(p.pose == sofa.pose and p.fixed for p in one.solution.pieces)
+            assert any(p.pose == seat.pose and p.fixed for p in one.solution.pieces)
         evolution.undo()
         third = evolution.ask()
         poses = {p.pose for one in third.candidates for p in one.solution.pieces}

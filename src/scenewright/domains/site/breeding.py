@@ -19,7 +19,7 @@ from scenewright.domains.site.brief import Building, FormName, Site
 from scenewright.domains.site.plan import plan_sites
 from scenewright.domains.site.solving import solve
 
-FORMS = get_args(FormName)
+FORMS: tuple[FormName, ...] = get_args(FormName)
 LOOSE = (1.0, 1.15, 1.35, 1.7)
 """Times the least distance that buildings keep."""
 SETBACKS = (1.0, 1.5, 2.5)

@@ -11,6 +11,7 @@ from scenewright import domains
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
+from scenewright.drawing.svg import write_svg
 from scenewright.engine.preference.trust import TrustRecord
 from scenewright.render.picture import Pixels
 from scenewright.render.plan_picture import draw_scene_plan
@@ -61,7 +62,7 @@ class ShownCandidate(NamedTuple):
 
     def plan_svg(self) -> str:
         """The plan to print, as SVG text."""
-        return domains.draw_plan(self.solution, self.plan)
+        return write_svg(domains.draw_plan(self.solution, self.plan))
 
 
 def predicted_shares(mean: Floats) -> Floats:
