@@ -156,7 +156,8 @@ def along_walls(problem: Problem, genes: Floats, rng: Any) -> Floats:
     length = np.hypot(*along.T)
     chosen = rng.choice(len(walls), len(genes), p=length / length.sum())
     found = genes.copy()
-    found[:, 2] = [float(inward(walls[k])) - 0.5 * math.pi for k in chosen]
+    headings = np.array([float(inward(walls[k])) for k in chosen])
+    found[:, 2] = np.mod(headings - 0.5 * math.pi, 2.0 * math.pi)
     middle = walls[chosen, :2] + rng.random((len(genes), 1)) * along[chosen]
     back = np.column_stack([np.cos(found[:, 2]), np.sin(found[:, 2])])
     found[:, :2] = middle - 0.5 * genes[:, 3:4] * back
