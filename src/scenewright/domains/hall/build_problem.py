@@ -27,6 +27,7 @@ from scenewright.domains.hall.partitions import Host, lacking
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.problem import Floats, HallGround, HallProblem, Ints, Units
 from scenewright.domains.hall.settings import HallSettings
+from scenewright.domains.hall.visitor_plan import plan_visitors
 from scenewright.domains.hall.zones import HallPlan
 
 LANDING = 1.5
@@ -112,7 +113,7 @@ def build_problem(
             access=_access(wishes, units, catalog),
             spans=np.stack([ends - counts, ends], 1),
             zones=np.array([unit.zone for unit in units], np.int64),
-            choices=_choices(wishes, units),
+            choices=_choices(wishes, units, hall.settings.whole),
             demands=np.array([unit.demand for unit in units], np.int64),
             targets=_targets(wishes, units),
         ),
@@ -121,6 +122,7 @@ def build_problem(
         weights=weights,
         route=hall.route,
         settings=hall.settings,
+        visitors=plan_visitors(hall.space, hall.fixed, wishes, units),
     )
 
 
@@ -254,12 +256,15 @@ def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Fl
     return _rows(rows, 4)
 
 
-def _choices(wishes: list[HallDemand], units: list[Unit]) -> Ints:
+def _choices(wishes: list[HallDemand], units: list[Unit], whole: bool) -> Ints:
+    """Patterns (g, 8) a unit may take; the paper's groups stand at walls or free, never either."""
     rows = np.zeros((len(units), len(PATTERNS)), np.int64)
     codes = {name: code for code, name in enumerate(PATTERNS)}
     for row, unit in zip(rows, units, strict=True):
         alone = unit.last - unit.first == 1
         for name in wishes[unit.demand].patterns:
+            if name == "wall" and (alone or whole) and not wishes[unit.demand].at_wall:
+                continue
             row[codes["single" if alone and name != "wall" else name]] = 1
     return rows
 

@@ -9,11 +9,11 @@ import shapely
 
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.doors import ways_in
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
-from scenewright.domains.hall.tour import ways_in
 
 SERVING = ("info_desk", "counter", "checkout")
 

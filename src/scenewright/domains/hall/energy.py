@@ -11,7 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from scenewright.domains.hall.problem import HallProblem, Units
+from scenewright.domains.hall.patterns import WALL
+from scenewright.domains.hall.problem import HallProblem, Units, VisitorPlan
 from scenewright.domains.hall.terms.measure import block_solids
 from scenewright.domains.hall.terms.state import (
     LINE,
@@ -24,6 +25,7 @@ from scenewright.domains.hall.terms.state import (
     make_scratch,
 )
 from scenewright.domains.hall.terms.table import HALL_TERMS, REACH, read_hall_weights
+from scenewright.domains.hall.terms.visitors import MAIN
 from scenewright.engine.energy import Part
 from scenewright.geometry.boxes import frames_of
 from scenewright.geometry.buckets import make_buckets
@@ -73,6 +75,7 @@ def prepare(problem: HallProblem) -> PreparedHall:
         host_spans=_host_spans(problem, hosts),
         wall_needs=_or_zeros(ground.zone_walls, len(ground.zone_areas)),
         **_unit_arrays(units, problem.settings.printed),
+        **_visitor_arrays(problem.visitors, len(units.sizes), len(units.spans)),
     )
     _block(p)
     return p
@@ -155,6 +158,7 @@ def _unit_arrays(units: Units, printed: bool) -> dict[str, Any]:
     rows = capacity(counts)
     ends = np.cumsum(rows)
     demanded = (sizes[:, 0] + clear[:, 1] + clear[:, 3]) * (sizes[:, 1] + clear[:, 0] + clear[:, 2])
+    choices = np.array(units.choices, np.int64).reshape(len(spans), -1)
     beta, largest, gaps = np.zeros(len(spans)), np.zeros((len(spans), 2)), np.zeros((len(spans), 2))
     constant = np.full(len(spans), -1.0)
     for u, (first, last) in enumerate(spans):
@@ -170,7 +174,8 @@ def _unit_arrays(units: Units, printed: bool) -> dict[str, Any]:
         "unit_of": np.repeat(np.arange(len(spans)), counts).astype(np.int64),
         "spans": spans,
         "zones": np.array(units.zones, np.int64),
-        "choices": np.array(units.choices, np.int64).reshape(len(spans), -1),
+        "choices": choices,
+        "wall_bound": (choices[:, WALL] * (choices.sum(axis=1) == 1)).astype(np.int64),
         "beta": np.maximum(beta, 1e-9),
         "divisor": np.ones(len(spans)) if printed else np.maximum(beta, 1e-9),
         "constant": constant,
@@ -180,6 +185,20 @@ def _unit_arrays(units: Units, printed: bool) -> dict[str, Any]:
         "near": np.full(len(spans), STAGE),
         "targets": np.array(units.targets, np.int64),
         "layer_spans": np.stack([ends - rows, ends], 1).astype(np.int64),
+    }
+
+
+def _visitor_arrays(visitors: VisitorPlan, objects: int, groups: int) -> dict[str, Any]:
+    roles = _or_zeros(visitors.roles, groups).astype(np.int64)
+    main = np.flatnonzero(roles & MAIN) if len(visitors.entrances) else roles[:0]
+    return {
+        "entrances": _fresh(visitors.entrances, 2),
+        "exits": _fresh(visitors.exits, 2),
+        "ways_out": _fresh(visitors.ways_out, 2),
+        "hiding": frames_of(_fresh(visitors.hiding, 5)),
+        "tall": _or_zeros(visitors.tall, objects),
+        "roles": roles,
+        "main": int(main[0]) if len(main) else -1,
     }
 
 
@@ -222,6 +241,7 @@ def make_state(p: PreparedHall) -> State:
         np.zeros((g, 3)),
         np.zeros((len(HALL_TERMS), many)),
         np.zeros((2, int(np.hypot(*(high - low)) / LINE) + 2), np.int64),
+        np.zeros(g + 1, np.int64),
         make_buckets(np.concatenate([low, high]), radii),
     )
 

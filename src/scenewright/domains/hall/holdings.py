@@ -132,7 +132,9 @@ def _patterns(demand: Demand, place: str, usual: tuple[str, ...], count: int) ->
     where = demand.place or ("wall" if demand.patterns == ["wall"] else None)
     if where == "wall" or (where is None and not demand.patterns and place == "wall"):
         return ("wall",)
-    free = tuple(name for name in usual if name != "wall") or ("chain", "grid")
+    free = usual if set(usual) - {"wall"} else ("chain", "grid")
+    if where == "free":
+        free = tuple(name for name in free if name != "wall")
     chosen: tuple[str, ...] = tuple(demand.patterns) or free
     if count == 1 or set(chosen) == {"single"}:
         return ("single",)

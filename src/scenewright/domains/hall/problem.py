@@ -78,6 +78,21 @@ class Units(NamedTuple):
     targets: Ints
 
 
+class VisitorPlan(NamedTuple):
+    """What terms about visitors read. ``entrances`` (e, 2) points inside the doors people come in
+    by, the main one first, ``exits`` (x, 2) those visitors leave by, ``ways_out`` (w, 2) all they
+    may leave by; ``hiding`` (h, 5) boxes as high as the eyes that do not move; ``tall`` (n,) 1 for
+    objects as high; ``roles`` (g,) of the units, as bits: 1 seen first, 2 a till, 4 the main
+    exhibit. Empty arrays: nobody comes."""
+
+    entrances: Floats = _NONE
+    exits: Floats = _NONE
+    ways_out: Floats = _NONE
+    hiding: Floats = _NONE
+    tall: Floats = _NONE
+    roles: Floats = _NONE
+
+
 class HallProblem(NamedTuple):
     """One hall to solve. ``names`` of the units and ``zone_names``, ``weights`` by name of the
     term, ``route`` the width of the route every object must be reached by, in metres;
@@ -90,3 +105,4 @@ class HallProblem(NamedTuple):
     weights: dict[str, float]
     route: float
     settings: HallSettings = HallSettings()
+    visitors: VisitorPlan = VisitorPlan()

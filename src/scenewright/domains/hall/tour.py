@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Points, Space
+from scenewright.domains.hall.doors import visitor_exits, ways_in
 from scenewright.domains.hall.floor import WalkingFloor, find_floor
 from scenewright.domains.hall.hall_layout import HallLayout, Stop, Tour
 from scenewright.domains.hall.visits import find_places, find_visits, search_from
@@ -41,7 +42,7 @@ def tour(
     have no stop.
     """
     floor = find_floor(space, pieces, catalog, width)
-    entrances, exits = ways_in(space), _ways_out(space)
+    entrances, exits = ways_in(space), visitor_exits(space)
     entrances = [door for door in entrances if math.isfinite(floor.slow.flat[_cell(floor, door)])]
     if not entrances:
         return None
@@ -62,27 +63,6 @@ def tour(
     first = [int(np.flatnonzero(places.groups[order] == g)[0]) for g in seen]
     stops = tuple(Stop(groups[g].id, int(marks[k])) for g, k in zip(seen, first, strict=True))
     return Tour(space.id, points, 2 * distances(points, floor.solids), stops)
-
-
-def ways_in(space: Space) -> list[Opening]:
-    """The doors visitors may come in by, the main entrance first."""
-    return _rank_doors(space, "entrance", "exit")
-
-
-def _ways_out(space: Space) -> list[Opening]:
-    return _rank_doors(space, "exit", "entrance")
-
-
-def _rank_doors(space: Space, use: str, other: str) -> list[Opening]:
-    """Doors for one use, those for it alone first, then those to the outside, then wide ones."""
-    doors = [door for door in space.openings if door.kind != "window"]
-    uses = [door.use if door.spaces[:1] in ((), (space.id,)) else "both" for door in doors]
-    rows = [
-        (told != use, len(door.spaces) > 1, -door.width, k)
-        for k, (door, told) in enumerate(zip(doors, uses, strict=True))
-        if told != other
-    ]
-    return [doors[row[-1]] for row in sorted(rows)]
 
 
 def _last_doors(

@@ -12,6 +12,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 from scenewright.domains.hall.floor import WalkingFloor
 from scenewright.domains.hall.hall_layout import PlacedGroup
+from scenewright.domains.hall.roles import turn_of
 from scenewright.domains.hall.stops import MOST, stops_of
 from scenewright.geometry.travel import TravelSearch, shorten, spread
 from scenewright.geometry.visiting_order import shortest_path_through
@@ -30,12 +31,14 @@ CROWDED = 10.0
 class Places(NamedTuple):
     """Where the tour has to pass: ``cells`` (n,) of the raster, entrance first, and the number
     of the ``groups`` (n,) and ``zones`` (n,) they belong to (-1 for doors); ``others``
-    has for each place all cells that would do, the best one first."""
+    has for each place all cells that would do, the best one first; ``turns`` (n,) when the tour
+    comes to each: desks to ask at first of all, tills last (:mod:`.roles`)."""
 
     cells: Cells
     groups: Cells
     zones: Cells
     others: list[Cells]
+    turns: Cells
 
 
 def find_places(
@@ -55,14 +58,18 @@ def find_places(
     known = {piece.id: piece for piece in pieces}
     zones = {zone: k for k, zone in enumerate(dict.fromkeys(group.zone for group in groups))}
     rows, others = [(start, -1, -1)], [np.array([start])]
+    beside = {piece.category for piece in pieces}
+    turns = [-1]
     most = min(max(MANY // max(len(groups), 1), 1), MOST)
     for number, group in enumerate(groups):
         members = tuple(known[name] for name in group.objects if name in known)
         stops = stops_of(members, catalog, floor, times, width / 2, most)
         rows += [(int(spots[0]), number, zones[group.zone]) for spots in stops]
+        category = members[0].category if members else ""
+        turns += [turn_of(category, beside)] * len(stops)
         others += stops
     cells, owners, within = np.array(rows, np.int64).T
-    return Places(cells, owners, within, others)
+    return Places(cells, owners, within, others, np.array(turns))
 
 
 def find_visits(
@@ -93,8 +100,28 @@ def _find_order(
     costs[1:n, 1:n] += LEAVE_ZONE * (places.zones[1:, None] != places.zones[1:])
     costs[1:n, 1:n] += LEAVE_GROUP * (places.groups[1:, None] != places.groups[1:])
     costs[n, :n] = costs[:n, n] = times[:n, n:].min(axis=1)
-    order = shortest_path_through(costs)[:-1]
+    order = _turn_by_turn(costs, places.turns)
     return order, int(np.argmin(times[order[-1], n:]))
+
+
+def _turn_by_turn(costs: Floats, turns: Cells) -> Cells:
+    """A short path (n,) from place 0 through all others, those of an earlier turn first; ``costs``
+    (n + 1, n + 1) symmetric, the last row that of the way out, ``turns`` (n,).
+
+    >>> x = np.array([0.0, 5.0, 1.0, 3.0, 6.0])
+    >>> _turn_by_turn(np.abs(x[:, None] - x), np.array([-1, 0, 1, 1])).tolist()
+    [0, 1, 3, 2]
+    """
+    order = [0]
+    for turn in np.unique(turns[1:]):
+        mine, later = (np.flatnonzero(told) for told in (turns == turn, turns > turn))
+        ends = later if len(later) else np.array([len(turns)])
+        here = np.array([order[-1], *mine])
+        block = np.zeros((len(here) + 1, len(here) + 1))
+        block[:-1, :-1] = costs[np.ix_(here, here)]
+        block[-1, :-1] = block[:-1, -1] = costs[np.ix_(here, ends)].min(axis=1)
+        order += here[shortest_path_through(block)[1:-1]].tolist()
+    return np.array(order)
 
 
 def _slide(floor: WalkingFloor, choices: list[Cells]) -> list[int]:

@@ -15,7 +15,6 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.domains.hall.energy import kept_of, make_state, prepare, route_grid
-from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back, count_missed, run
 from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout, lacking
@@ -67,7 +66,7 @@ def first_layout(
     for host in range(len(walls)):
         build(p, s, host)
     need = np.array([p.sizes[a:b].prod(1).sum() + p.beta[u] for u, (a, b) in enumerate(p.spans)])
-    order = np.lexsort([-need, -p.choices[:, WALL]]).astype(np.int64)
+    order = np.lexsort([-need, -p.wall_bound]).astype(np.int64)
     placed = np.zeros(len(need))
     place_units(p, s, work, order, tries, streams(seed, 1)[0], placed)
     return kept_of(s), tuple(int(u) for u in order if not placed[u])

@@ -16,7 +16,6 @@ import numpy as np
 import shapely
 
 from scenewright.domains.hall.energy import make_state, prepare
-from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.solvers.blocks import (
     GroupBlock,
@@ -75,7 +74,7 @@ def zone_of(problem: HallProblem, p: PreparedHall, zone: int) -> MiqpZone:
     )
     free = floor.difference(shapely.union_all(polygons_of(solids)))
     units = np.flatnonzero(p.zones == zone).tolist()
-    rows = [u for u in units if p.choices[u, WALL] == 1]
+    rows = [u for u in units if p.wall_bound[u] == 1]
     walls = p.stretches[p.loops[slice(*p.loop_spans[zone])]]
     return MiqpZone(
         edges, free, walls[walls[:, 4] > 0.0], [u for u in units if u not in rows], rows

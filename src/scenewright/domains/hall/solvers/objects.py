@@ -9,7 +9,6 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.solvers.moves import drawn_edge
 from scenewright.domains.hall.terms.guidelines import Ways, put, stamp
@@ -100,7 +99,7 @@ def anywhere(p: PreparedHall, i: int, stream: Stream) -> Frame:
 @inlined
 def drawn_place(p: PreparedHall, i: int, stream: Stream) -> Frame:
     """At a wall for objects that belong there, else anywhere."""
-    if p.choices[p.unit_of[i], WALL] == 1:
+    if p.wall_bound[p.unit_of[i]] == 1:
         found, frame = at_wall(p, i, stream)
         if found:
             return frame

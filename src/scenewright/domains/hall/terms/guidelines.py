@@ -15,7 +15,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.terms.measure import clear_of, gap_between, write_row
 from scenewright.domains.hall.terms.state import Floats, PreparedHall, State
 from scenewright.engine.guidelines import (
@@ -178,7 +177,7 @@ def faces(p: PreparedHall, i: int, frame: Frame, doors: Floats) -> float:
     ``doors`` (d, 2) x, y of the entrances in metres.
     """
     unit = p.unit_of[i]
-    if p.choices[unit, WALL] == 1:
+    if p.wall_bound[unit] == 1:
         x, y = frame[0] - frame[2] * frame[5], frame[1] - frame[3] * frame[5]
         least, normal, zone = math.inf, 0.0, p.zones[unit]
         for k in range(p.loop_spans[zone, 0], p.loop_spans[zone, 1]):

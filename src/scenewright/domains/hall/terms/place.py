@@ -90,7 +90,9 @@ def stand_at_wall(p: PreparedHall, s: State, i: int, row: int, along: float) -> 
         p.sizes[i, 1],
     )
     write_row(s.frames, i, frame)
-    write_row(s.clears, i, clear_of(frame, p.clear, i))
+    behind = 0.5 * p.clear[i, 2]
+    clear = clear_of(frame, p.clear, i)
+    write_row(s.clears, i, part_of(clear, 0.0, behind, clear[4], clear[5] - behind))
 
 
 @inlined

@@ -35,7 +35,10 @@ class PreparedHall(NamedTuple):
     clearances apart, ``near`` (g,) least radius of a fan, ``targets`` (g,) units looked at;
     ``layer_spans`` (g, 2). ``axes`` (2, 3) directions along and across the hall, and where its
     lines begin. ``host_spans`` (p, 2) the longest partition a host may carry, ``wall_needs``
-    (z,) metres of wall the objects of a zone need.
+    (z,) metres of wall the objects of a zone need. ``entrances``, ``exits``, ``ways_out`` (k, 2)
+    points before doors, ``hiding`` (h, 8) frames of what hides and does not move, ``tall`` (n,) 1
+    for objects that hide, ``roles`` (g,) bits of :mod:`.visitors`, ``main`` the unit that is the
+    main exhibit (-1: none); ``wall_bound`` (g,) 1 for units that can stand at walls only.
     """
 
     edges: Floats
@@ -76,6 +79,14 @@ class PreparedHall(NamedTuple):
     wall_needs: Floats
     thickness: float
     weights: Floats
+    entrances: Floats
+    exits: Floats
+    ways_out: Floats
+    hiding: Floats
+    tall: Floats
+    roles: Ints
+    main: int
+    wall_bound: Ints
 
 
 class State(NamedTuple):
@@ -88,7 +99,8 @@ class State(NamedTuple):
     of the wall on each host (none if equal), ``walls`` (p, 8) its frame, ``stretches`` as in
     Prepared with those of partitions filled in. ``covered`` (g, 3) α_S, α_M, α_W; ``extent``
     (g, 3) used area and middle; ``costs`` (terms, max(g, z, l)) by term; ``lines`` (2, c)
-    objects in each cell along the axes.
+    objects in each cell along the axes, ``shade`` (g + 1,) the lines of sight to the main exhibit
+    that each unit hides, as bits, and what does not move.
     """
 
     code: Ints
@@ -104,6 +116,7 @@ class State(NamedTuple):
     extent: Floats
     costs: Floats
     lines: Ints
+    shade: Ints
     buckets: Buckets
 
 
@@ -120,8 +133,8 @@ class Kept(NamedTuple):
 class Scratch(NamedTuple):
     """Room to try a move: local places (n, 3), old frames and clears (n, 8), old layers (L, 5)
     and pose (4,), ``delta`` (g,) change of α_M, ``touched`` (g + 1,) with its count last, marks
-    (g,), ``cells`` of the longest border, ``fresh`` (3, g or l) costs as they would be,
-    ``old`` (11,) other old values."""
+    (g,), ``cells`` of the longest border, ``shade`` (g + 1,) old masks, ``fresh``
+    (4, g or l) costs as they would be, ``old`` (16,) other old values."""
 
     local: Floats
     frames: Floats
@@ -132,6 +145,7 @@ class Scratch(NamedTuple):
     touched: Ints
     marks: Ints
     cells: Bytes
+    shade: Ints
     fresh: Floats
     old: Floats
 
@@ -152,6 +166,7 @@ def make_scratch(p: PreparedHall) -> Scratch:
         np.zeros(g + 1, np.int64),
         np.zeros(g, np.int64),
         np.zeros(longest + 2, np.uint8),
-        np.zeros((3, many)),
-        np.zeros(11),
+        np.zeros(g + 1, np.int64),
+        np.zeros((4, many)),
+        np.zeros(16),
     )

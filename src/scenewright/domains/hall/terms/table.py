@@ -24,8 +24,11 @@ NEAR = 1.0
 
 PASS, ABUT = 0.6, 0.02
 """Gaps people get through, and gaps of objects that stand side by side, in metres."""
+NEAR_OUT = 15.0
+"""Nobody minds so many metres to a way out."""
 
 SPACE, FILL, ACCESS, PROPORTION, REACH, BALANCE, FACING, ALIGNMENT, AISLES = range(9)
+EVENNESS, SIGHT, ORDER, QUEUES, EGRESS = range(9, 14)
 
 
 _PAPER = "Cao, Cheng, Zhang 2024, eq. "
@@ -67,6 +70,28 @@ HALL_TERMS: tuple[TermRow, ...] = (
         "metres that gaps of neighbours lack for a person, unless side by side",
         "Cao, Cheng, Zhang 2024, eq. 9",
     ),
+    TermRow(
+        "evenness",
+        EVENNESS,
+        "hall",
+        60,
+        "walls of some zones hung fuller than those of others",
+        "Cao, Cheng, Zhang 2024, eq. 8",
+    ),
+    TermRow(
+        "sight", SIGHT, "hall", 8, "main exhibit hidden from who stands in the entrance", "ours"
+    ),
+    TermRow(
+        "order",
+        ORDER,
+        "hall",
+        1.5,
+        "metres that others lie nearer to the entrance than the information desk, or to the way "
+        "out than the tills",
+        "ours",
+    ),
+    TermRow("queues", QUEUES, "group", 6, "floor before tills not free to queue on", "ours"),
+    TermRow("egress", EGRESS, "group", 10, "objects more than 15 m from every way out", "ours"),
 )
 MEANINGS: dict[str, str] = {row.name: row.doc for row in HALL_TERMS}
 """What each term says, in one line."""
@@ -77,7 +102,7 @@ def read_hall_weights(weights: Mapping[str, float]) -> NDArray[np.float64]:
     """Weights by name to the vector ``(terms,)``; a name left out weighs nothing.
 
     >>> read_hall_weights({"fill": 2.0}).tolist()
-    [0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    [0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     """
     places = {row.name: row.number for row in HALL_TERMS}
     return vector_of(weights, places, np.zeros(len(HALL_TERMS)), "term of halls")
@@ -149,6 +174,16 @@ def aisle_cost(gap: float) -> float:
     (0.1, 0.0, 0.0)
     """
     return max(PASS - gap, 0.0) if gap > ABUT else 0.0
+
+
+@compiled
+def egress_cost(far: float) -> float:
+    """max(0, d - 15 m) / 15 m: 1 at the 30 m that building codes let people walk to a way out.
+
+    >>> egress_cost(12.0), egress_cost(30.0)
+    (0.0, 1.0)
+    """
+    return max(far - NEAR_OUT, 0.0) / NEAR_OUT
 
 
 @compiled

@@ -7,6 +7,7 @@ objects and tells the change of energy, or that a hard rule is broken; :func:`se
 
 from __future__ import annotations
 
+from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.terms.measure import (
     access_of,
     crowd,
@@ -23,11 +24,25 @@ from scenewright.domains.hall.terms.table import (
     AISLES,
     ALIGNMENT,
     BALANCE,
+    EGRESS,
+    EVENNESS,
     FACING,
     FILL,
+    ORDER,
     PROPORTION,
+    QUEUES,
+    SIGHT,
     SPACE,
     space_cost,
+)
+from scenewright.domains.hall.terms.visitors import (
+    TILL,
+    egress_of,
+    evenness_of,
+    in_queue,
+    look_again,
+    order_of,
+    queues_of,
 )
 from scenewright.domains.hall.terms.whole import (
     REFUSED,
@@ -83,7 +98,7 @@ def judge(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
     """
     first, last, zone = p.spans[unit, 0], p.spans[unit, 1], p.zones[unit]
     forget(work)
-    work.old[10] = 0.0
+    work.old[10], work.old[15] = 0.0, 0.0
     for i in range(first, last):
         remove(s.buckets, i)
     if not unfold(p, s, work, unit):
@@ -100,6 +115,7 @@ def judge(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
     work.old[4] = proportion_of(p, s, unit) if p.weights[PROPORTION] != 0.0 else 0.0
     change += p.weights[PROPORTION] * (work.old[4] - s.costs[PROPORTION, unit])
     change += zone_change(p, s, work, unit, zone) + order_change(p, s, work, unit)
+    change += visit_change(p, s, work, unit)
     if p.weights[FACING] != 0.0:
         for other in range(p.targets.shape[0]):
             if p.targets[other] >= 0 and (other == unit or p.targets[other] == unit):
@@ -138,6 +154,51 @@ def order_change(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
         work.old[10] = 1.0
         change += p.weights[ALIGNMENT] * work.old[9]
     return change
+
+
+@inlined
+def visit_change(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
+    """Change of the weighted terms about visitors, and of the evenness; masks of what hides are
+    written, and :func:`undo` brings the old ones back."""
+    w, change = p.weights, 0.0
+    work.old[11], work.old[12] = s.costs[EVENNESS, 0], s.costs[SIGHT, 0]
+    if w[EVENNESS] != 0.0 and (s.code[unit] == WALL) != (int(work.old[0]) == WALL):
+        work.old[11] = evenness_of(p, s)
+        change += w[EVENNESS] * (work.old[11] - s.costs[EVENNESS, 0])
+    if w[SIGHT] != 0.0 and p.main >= 0:
+        for u in range(s.shade.shape[0]):
+            work.shade[u] = s.shade[u]
+        work.old[12] = look_again(p, s, unit)
+        work.old[15] = 1.0
+        change += w[SIGHT] * (work.old[12] - s.costs[SIGHT, 0])
+    if w[ORDER] != 0.0:
+        work.old[13] = order_of(p, s, unit, work.old[6], work.old[7])
+        change += w[ORDER] * (work.old[13] - s.costs[ORDER, 0])
+    if w[EGRESS] != 0.0:
+        work.old[14] = egress_of(p, unit, work.old[6], work.old[7])
+        change += w[EGRESS] * (work.old[14] - s.costs[EGRESS, unit])
+    if w[QUEUES] != 0.0:
+        for u in range(p.spans.shape[0]):
+            if p.roles[u] & TILL:
+                work.fresh[3, u] = s.costs[QUEUES, u]
+                if in_queue(p, s, work, unit, u):
+                    work.fresh[3, u] = queues_of(p, s, u)
+                change += w[QUEUES] * (work.fresh[3, u] - s.costs[QUEUES, u])
+    return change
+
+
+@inlined
+def settle_visits(p: PreparedHall, s: State, work: Scratch, unit: int) -> None:
+    """Keep what :func:`visit_change` found."""
+    s.costs[EVENNESS, 0], s.costs[SIGHT, 0] = work.old[11], work.old[12]
+    if p.weights[ORDER] != 0.0:
+        s.costs[ORDER, 0] = work.old[13]
+    if p.weights[EGRESS] != 0.0:
+        s.costs[EGRESS, unit] = work.old[14]
+    if p.weights[QUEUES] != 0.0:
+        for u in range(p.spans.shape[0]):
+            if p.roles[u] & TILL:
+                s.costs[QUEUES, u] = work.fresh[3, u]
 
 
 @inlined
@@ -191,6 +252,7 @@ def settle(p: PreparedHall, s: State, work: Scratch, unit: int) -> None:
         s.costs[AISLES, unit] = work.old[8]
     if p.weights[ALIGNMENT] != 0.0:
         s.costs[ALIGNMENT, 0] += work.old[9]
+    settle_visits(p, s, work, unit)
     fill, balance = fill_and_balance(p, s, zone, -1, 0.0, 0.0, 0.0)
     s.costs[FILL, zone], s.costs[BALANCE, zone] = fill, balance
     if p.weights[ACCESS] != 0.0:
@@ -210,4 +272,7 @@ def undo(p: PreparedHall, s: State, work: Scratch, unit: int) -> None:
         first, last = p.spans[unit, 0], p.spans[unit, 1]
         count_lines(p, s, s.frames, first, last, -1)
         count_lines(p, s, work.frames, first, last, 1)
+    if work.old[15] != 0.0:
+        for u in range(s.shade.shape[0]):
+            s.shade[u] = work.shade[u]
     put_back(p, s, work, unit)

@@ -26,13 +26,25 @@ from scenewright.domains.hall.terms.table import (
     AISLES,
     ALIGNMENT,
     BALANCE,
+    EGRESS,
+    EVENNESS,
     FACING,
     FILL,
+    ORDER,
     PROPORTION,
+    QUEUES,
+    SIGHT,
     SPACE,
     facing_cost,
     fill_cost,
     space_cost,
+)
+from scenewright.domains.hall.terms.visitors import (
+    egress_of,
+    evenness_of,
+    look_again,
+    order_of,
+    queues_of,
 )
 from scenewright.geometry.boxes import read_frame
 from scenewright.geometry.buckets import insert, remove
@@ -128,7 +140,30 @@ def sum_up(p: PreparedHall, s: State, work: Scratch) -> float:
         s.costs[ACCESS, link] = access_of(p, s, work, link)
         total += p.weights[ACCESS] * s.costs[ACCESS, link]
     s.costs[ALIGNMENT, 0] = all_lines(p, s)
-    return total + p.weights[ALIGNMENT] * s.costs[ALIGNMENT, 0]
+    return total + p.weights[ALIGNMENT] * s.costs[ALIGNMENT, 0] + sum_up_visits(p, s)
+
+
+@inlined
+def sum_up_visits(p: PreparedHall, s: State) -> float:
+    """Costs of the terms about visitors, where they weigh anything, and the evenness; the sum."""
+    w, total = p.weights, 0.0
+    if w[EVENNESS] != 0.0:
+        s.costs[EVENNESS, 0] = evenness_of(p, s)
+        total += w[EVENNESS] * s.costs[EVENNESS, 0]
+    if w[SIGHT] != 0.0 and p.main >= 0:
+        s.costs[SIGHT, 0] = look_again(p, s, -1)
+        total += w[SIGHT] * s.costs[SIGHT, 0]
+    if w[ORDER] != 0.0:
+        s.costs[ORDER, 0] = order_of(p, s, -1, 0.0, 0.0)
+        total += w[ORDER] * s.costs[ORDER, 0]
+    for u in range(p.spans.shape[0]):
+        if w[QUEUES] != 0.0:
+            s.costs[QUEUES, u] = queues_of(p, s, u)
+            total += w[QUEUES] * s.costs[QUEUES, u]
+        if w[EGRESS] != 0.0:
+            s.costs[EGRESS, u] = egress_of(p, u, s.extent[u, 1], s.extent[u, 2])
+            total += w[EGRESS] * s.costs[EGRESS, u]
+    return total
 
 
 @compiled

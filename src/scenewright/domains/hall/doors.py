@@ -1,0 +1,43 @@
+"""The doors of a hall as its visitors use them: in by one, out by another, never by an emergency
+exit.
+"""
+
+from __future__ import annotations
+
+from scenewright.core.space import Opening, Space
+
+EMERGENCY = 0.7
+"""A door out narrower than this share of the widest is an emergency exit where that one is left."""
+
+
+def ways_in(space: Space) -> list[Opening]:
+    """The doors visitors may come in by, the main entrance first."""
+    return _rank_doors(space, "entrance", "exit")
+
+
+def ways_out(space: Space) -> list[Opening]:
+    """Every door people may leave by in an emergency, those for it alone first."""
+    return _rank_doors(space, "exit", "entrance")
+
+
+def visitor_exits(space: Space) -> list[Opening]:
+    """The doors visitors leave by, best first: emergency exits only where there is no other.
+
+    An emergency exit is one that is much narrower than the widest way out, as a stage door or the
+    back door of a shop.
+    """
+    doors = ways_out(space)
+    widest = max((door.width for door in doors), default=0.0)
+    return [door for door in doors if door.width > EMERGENCY * widest]
+
+
+def _rank_doors(space: Space, use: str, other: str) -> list[Opening]:
+    """Doors for one use, those for it alone first, then those to the outside, then wide ones."""
+    doors = [door for door in space.openings if door.kind != "window"]
+    uses = [door.use if door.spaces[:1] in ((), (space.id,)) else "both" for door in doors]
+    rows = [
+        (told != use, len(door.spaces) > 1, -door.width, k)
+        for k, (door, told) in enumerate(zip(doors, uses, strict=True))
+        if told != other
+    ]
+    return [doors[row[-1]] for row in sorted(rows)]

@@ -1,0 +1,68 @@
+"""Who visits a hall and how: the doors they use, what hides what, and the part each group plays."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scenewright.building.door_approach import gates
+from scenewright.core.footprint import boxes_of
+from scenewright.core.scene import Piece
+from scenewright.core.space import Opening, Space
+from scenewright.domains.hall.assign import Unit
+from scenewright.domains.hall.doors import visitor_exits, ways_in, ways_out
+from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.problem import Floats, VisitorPlan
+from scenewright.domains.hall.roles import is_first, is_till
+from scenewright.domains.hall.terms.visitors import FIRST, MAIN, TILL
+
+EYES = 1.6
+"""What rises above this height hides what is behind it, in metres."""
+INSIDE = 0.5
+"""How far inside a door a visitor looks round, in metres."""
+EXHIBITS = ("exhibit_island", "showcase", "plinth", "interactive_table", "stage", "screen")
+
+
+def plan_visitors(
+    space: Space, fixed: tuple[Piece, ...], wishes: list[HallDemand], units: list[Unit]
+) -> VisitorPlan:
+    """What the terms about visitors read of a hall and its units.
+
+    The main exhibit is the largest of those that stand alone: a demand of one exhibit, a stage or
+    a screen.
+    """
+    sizes = [size for u in units for size in wishes[u.demand].sizes[u.first : u.last]]
+    hides = [piece for piece in fixed if piece.pose.z + piece.size.height > EYES]
+    return VisitorPlan(
+        entrances=_points(space, ways_in(space)),
+        exits=_points(space, visitor_exits(space)),
+        ways_out=_points(space, ways_out(space)),
+        hiding=np.array([box for piece in hides for box in boxes_of(piece)]).reshape(-1, 5),
+        tall=np.array([float(size.height > EYES) for size in sizes]),
+        roles=_roles(wishes, units),
+    )
+
+
+def _points(space: Space, doors: list[Opening]) -> Floats:
+    """Points (k, 2) just inside some doors."""
+    seen = {gate.opening.id: gate.face + INSIDE * gate.inward for gate in gates(space)}
+    return np.array([seen[door.id] for door in doors], np.float64).reshape(-1, 2)
+
+
+def _roles(wishes: list[HallDemand], units: list[Unit]) -> Floats:
+    beside = {wish.category for wish in wishes}
+    roles = np.zeros(len(units))
+    for k, unit in enumerate(units):
+        category = wishes[unit.demand].category
+        if is_till(category, beside):
+            roles[k] = TILL
+        elif is_first(category, beside):
+            roles[k] = FIRST
+    alone = [
+        (size.width * size.depth, -k)
+        for k, unit in enumerate(units)
+        if len(wishes[unit.demand].sizes) == 1 and wishes[unit.demand].category in EXHIBITS
+        for size in wishes[unit.demand].sizes
+    ]
+    if alone:
+        roles[-max(alone)[1]] += MAIN
+    return roles
