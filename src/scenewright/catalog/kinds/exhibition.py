@@ -101,7 +101,7 @@ KINDS = (
         access=ALL_SIDES,
         reach=0.75,
         sizes=size_range("150 300 900", "120 240 600", "60 160 400"),
-        hall=free("single grid", 1.2),
+        hall=free("single grid", 0.9),
         words=(
             words(
                 en="exhibit island, exhibition island, diorama",
