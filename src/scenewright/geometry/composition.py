@@ -163,7 +163,8 @@ def _enclosure(eyes: Floats, boxes: Floats, reach: float) -> float:
     """The share of directions from free points in which a box stands within ``reach``."""
     if not len(eyes):
         return 0.0
-    some = eyes[np.unique(np.linspace(0, len(eyes) - 1, min(len(eyes), EYES)).astype(int))]
+    places = np.rint(np.linspace(0, len(eyes) - 1, min(len(eyes), EYES)))
+    some = eyes[np.unique(places.astype(np.int64))]
     along, across = _local(some, boxes)
     angle = np.linspace(0.0, 2 * np.pi, RAYS, endpoint=False)
     ahead = np.cos(angle[:, None] - boxes[None, :, 2])

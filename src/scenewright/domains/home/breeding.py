@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cache, partial
 from threading import Lock
 
 from scenewright.core.breeding import Breeder, Gene, Genome
@@ -11,6 +11,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains.home.alternatives import compose_home
+from scenewright.domains.home.features import RoomFeatures, combine_rooms, measure_room
 from scenewright.domains.home.solving import solve
 
 ANSWERS = 240
@@ -31,8 +32,18 @@ def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
                 )
             return solved[number]
 
+    @cache
+    def measured(place: int, number: int) -> tuple[RoomFeatures, int]:
+        room, solution = plan.spaces[place], answer(number)
+        lacking = sum(o.required for o in solution.left_out if o.space == room.id)
+        return measure_room(solution, room), lacking
+
+    def measure(genome: Genome) -> tuple[dict[str, float], int]:
+        rooms = [measured(place, number) for place, number in enumerate(genome)]
+        return combine_rooms([room for room, _ in rooms]), sum(lacking for _, lacking in rooms)
+
     genes = tuple(Gene(room.id, ANSWERS) for room in plan.spaces)
-    return Breeder(genes, partial(_develop, plan, answer))
+    return Breeder(genes, partial(_develop, plan, answer), measure)
 
 
 def _develop(plan: Plan, answer: Callable[[int], Solution], genome: Genome) -> Solution:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,11 +13,12 @@ from scenewright.core.solution import Solution
 from scenewright.core.space import Opening, Space
 from scenewright.domains.home.terms.table import MEANINGS
 from scenewright.engine.preference.features import (
-    composition_features,
-    mean_distance,
+    Floats,
+    compose_space,
+    space_area,
     stands_on_floor,
-    term_features,
 )
+from scenewright.geometry.composition import NAMES
 
 BEDS = ("sleeping", "single", "bunk", "cot")
 PLACES = {
@@ -27,6 +29,9 @@ PLACES = {
     "reading": ("reading",),
 }
 """What people speak of, by the furniture groups it is in."""
+WORDS = ("to window", "to door", "looks east", "looks north")
+PLACE_NAMES = tuple(f"{name} {word}" for name in PLACES for word in WORDS)
+TERM_NAMES = tuple(MEANINGS)
 FAR = 3.0
 """Metres that count as far in a room."""
 
@@ -47,32 +52,60 @@ REASONS: dict[str, dict[str, float]] = {
 """Reasons by their words: features, and the sign in which they should change."""
 
 
+class RoomFeatures(NamedTuple):
+    """What can be liked about one room: what each term costs, the composition (17,), the weight it
+    has in the home's (the area of a room that holds anything), and by name what was measured of
+    beds, desks, sofas and tables there are."""
+
+    terms: Floats
+    composition: Floats
+    weight: float
+    places: Mapping[str, float]
+
+
 def measure_features(solution: Solution, plan: Plan) -> dict[str, float]:
     """The features of a furnished home by name: terms, composition of the rooms, and how far
     beds, desks, sofas and tables stand from windows and doors and which way they look."""
-    found = term_features(solution, MEANINGS)
-    found |= composition_features(solution, plan, _counts)
+    return combine_rooms([measure_room(solution, space) for space in plan.spaces])
+
+
+def measure_room(solution: Solution, room: Space) -> RoomFeatures:
+    """The features of one room of a home."""
+    terms = np.zeros(len(TERM_NAMES))
+    for row in solution.terms:
+        if row.space == room.id and np.isfinite(row.cost):
+            terms[TERM_NAMES.index(row.term)] += row.cost
+    here = [p for p in solution.pieces if p.space == room.id and stands_on_floor(p)]
+    counted = [p for p in here if p.category != "rug"]
+    places: dict[str, float] = {}
     for name, groups in PLACES.items():
-        here = [p for p in solution.pieces if p.function in groups and stands_on_floor(p)]
-        rooms = {space.id: space for space in plan.spaces}
-        leads = _largest_of_groups(here)
-        for kind in ("window", "door"):
-            far = [_distance_to(p, rooms[p.space], kind) for p in leads]
-            found[f"{name} to {kind}"] = float(np.mean(far)) if far else 1.0
-        look = [p.pose.heading for p in leads]
-        found[f"{name} looks east"] = float(np.mean(np.cos(look))) if look else 0.0
-        found[f"{name} looks north"] = float(np.mean(np.sin(look))) if look else 0.0
-    cook, eat = _of(solution, ("kitchen", "counter")), _of(solution, PLACES["table"])
-    found["table to kitchen"] = mean_distance(eat, cook, FAR)
+        leads = _largest_of_groups([p for p in counted if p.function in groups])
+        if leads:
+            values = np.mean([_measure_lead(piece, room) for piece in leads], axis=0)
+            places |= zip((f"{name} {word}" for word in WORDS), values.tolist(), strict=True)
+    composition = compose_space(counted, room) if counted else np.zeros(len(NAMES))
+    return RoomFeatures(terms, composition, space_area(room) if counted else 0.0, places)
+
+
+def combine_rooms(rooms: Sequence[RoomFeatures]) -> dict[str, float]:
+    """The features of a home of such rooms: costs add up, composition is the mean by area, and
+    what is measured of furniture the mean over rooms that have such."""
+    terms = np.sum([room.terms for room in rooms], axis=0)
+    weight = max(sum(room.weight for room in rooms), 1e-9)
+    composition = np.sum([room.weight * room.composition for room in rooms], axis=0) / weight
+    found = dict(zip((f"term {name}" for name in TERM_NAMES), terms.tolist(), strict=True))
+    found |= zip(NAMES, composition.tolist(), strict=True)
+    for name in PLACE_NAMES:
+        told = [room.places[name] for room in rooms if name in room.places]
+        found[name] = sum(told) / len(told) if told else 0.0
     return found
 
 
-def _counts(piece: Piece) -> bool:
-    return stands_on_floor(piece) and piece.category != "rug"
-
-
-def _of(solution: Solution, groups: Sequence[str]) -> list[Piece]:
-    return [p for p in solution.pieces if p.function in groups and stands_on_floor(p)]
+def _measure_lead(piece: Piece, room: Space) -> tuple[float, ...]:
+    """How far a piece is from a window and a door, and the way it looks."""
+    heading = piece.pose.heading
+    window, door = _distance_to(piece, room, "window"), _distance_to(piece, room, "door")
+    return window, door, float(np.cos(heading)), float(np.sin(heading))
 
 
 def _largest_of_groups(pieces: Sequence[Piece]) -> list[Piece]:

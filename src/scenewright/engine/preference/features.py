@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.geometry.composition import NAMES, box_distances, measure_composition
+from scenewright.core.space import Space
+from scenewright.geometry.composition import NAMES, measure_composition
 
 Floats = NDArray[np.float64]
 LOW = 0.3
@@ -48,19 +49,19 @@ def composition_features(
     total, weight = np.zeros(len(NAMES)), 0.0
     for space in plan.spaces:
         here = [p for p in solution.pieces if p.space == space.id and counted(p)]
-        if not here:
-            continue
-        floor = shapely.Polygon(space.outline, list(space.holes))
-        _, kinds = np.unique([p.function or p.category for p in here], return_inverse=True)
-        total += floor.area * measure_composition(boxes_of(here), kinds, floor)
-        weight += float(floor.area)
+        if here:
+            total += space_area(space) * compose_space(here, space)
+            weight += space_area(space)
     return dict(zip(NAMES, (total / max(weight, 1e-9)).tolist(), strict=True))
 
 
-def mean_distance(pieces: Sequence[Piece], others: Sequence[Piece], unit: float) -> float:
-    """Mean distance of the middles of ``pieces`` to the nearest of ``others``, in ``unit`` metres;
-    1 where there is nothing to measure."""
-    if not pieces or not others:
-        return 1.0
-    apart = box_distances(boxes_of(pieces)[:, :2], boxes_of(others)).min(1)
-    return float(apart.mean()) / unit
+def compose_space(pieces: Sequence[Piece], space: Space) -> Floats:
+    """The composition (17,) of some pieces in their space."""
+    floor = shapely.Polygon(space.outline, list(space.holes))
+    _, kinds = np.unique([p.function or p.category for p in pieces], return_inverse=True)
+    return measure_composition(boxes_of(pieces), kinds, floor)
+
+
+def space_area(space: Space) -> float:
+    """Floor area in square metres."""
+    return float(shapely.Polygon(space.outline, list(space.holes)).area)

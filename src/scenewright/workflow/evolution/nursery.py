@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import NamedTuple
 
@@ -17,8 +17,8 @@ Told = Callable[[float, str], None]
 Developed = tuple[BredLayout, Solution]
 WORKERS = 2
 """Threads that breed."""
-CHUNK = 4
-"""Genomes that a thread develops at a time."""
+PARTS = 6
+"""Parts that a batch is developed in."""
 
 
 class Batch(NamedTuple):
@@ -50,12 +50,14 @@ class Nursery:
             self._grounds[epoch] = BreedingGround(plan, domains.breeder_of(brief, plan, self._seed))
         return self._grounds[epoch]
 
-    def begin(self, epoch: str, screen: int, genomes: Sequence[Genome]) -> None:
-        """Begin to breed ``genomes``; what was being bred is given up."""
+    def begin(self, epoch: str, screen: int, choose: Callable[[], list[Genome]]) -> None:
+        """Begin to breed the genomes that ``choose`` gives; what was being bred is given up."""
         self.give_up()
         ground = self.ground(epoch)
-        chunks = [genomes[k : k + CHUNK] for k in range(0, len(genomes), CHUNK)]
-        parts = tuple(self._pool.submit(develop_all, ground, chunk) for chunk in chunks)
+        genomes = self._pool.submit(choose)
+        parts = tuple(
+            self._pool.submit(_develop_part, ground, genomes, part) for part in range(PARTS)
+        )
         self.batch = Batch(epoch, screen, parts)
 
     def is_breeding(self, epoch: str, screen: int) -> bool:
@@ -82,3 +84,12 @@ class Nursery:
     def close(self) -> None:
         """Let the threads go when they have done what they are at."""
         self._pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _develop_part(
+    ground: BreedingGround, genomes: Future[list[Genome]], part: int
+) -> list[Developed]:
+    """One of :data:`PARTS` equal parts of the genomes, developed when they are chosen."""
+    chosen = genomes.result()
+    first, last = (len(chosen) * k // PARTS for k in (part, part + 1))
+    return develop_all(ground, chosen[first:last])

@@ -22,7 +22,8 @@ class BreedingPlan(NamedTuple):
     """How many candidates there are before the first screen and how many are bred for each later
     one; ``alleles`` of a gene that may be used at first, and how many more with each screen;
     ``fresh`` share of children made without parents, ``mutated`` genes of a child on average,
-    ``crossed`` share of children of two parents, ``parents`` that children are made of."""
+    ``crossed`` share of children of two parents, ``parents`` that children are made of; ``rounds``
+    of so large a ``brood`` are bred unseen where genomes can be measured by themselves."""
 
     first: int = 24
     each: int = 24
@@ -32,6 +33,8 @@ class BreedingPlan(NamedTuple):
     mutated: float = 1.2
     crossed: float = 0.7
     parents: int = 12
+    rounds: int = 6
+    brood: int = 120
 
 
 class BredLayout(NamedTuple):
@@ -140,6 +143,41 @@ def rank_parents(taste: PersonTaste, bred: Sequence[BredLayout], count: int) -> 
     mean, deviation = judge_each(taste, np.array([one.values for one in rows]))
     order = np.argsort(-(mean + 0.5 * deviation), kind="stable")[:count]
     return [rows[k].genome for k in order.tolist()]
+
+
+def breed_further(
+    breeder: Breeder,
+    taste: PersonTaste,
+    begun: Sequence[Genome],
+    known: set[Genome],
+    number: int,
+    rng: np.random.Generator,
+    how: BreedingPlan,
+) -> list[Genome]:
+    """The best of ``how.rounds`` further generations bred by what is predicted, from genomes
+    ``begun``, where genomes can be measured without developing them: mostly what is predicted
+    best, a third for what might be."""
+    if breeder.measure is None or taste.posterior is None:
+        return [genome for genome in begun if genome not in known][: how.each]
+    pool: dict[Genome, Floats] = {}
+    parents = list(begun)
+    for _ in range(how.rounds):
+        wide = how._replace(each=how.brood)
+        children = breed_genomes(breeder.genes, parents, set(pool), max(number, 1), rng, wide)
+        told = [breeder.measure(child) for child in [*parents, *children]]
+        least = min(lacking for _, lacking in told)
+        for genome, (values, lacking) in zip([*parents, *children], told, strict=True):
+            if lacking <= least:
+                pool[genome] = np.array(list(values.values()))
+        mean, deviation = judge_each(taste, np.array(list(pool.values())))
+        order = np.argsort(-(mean + 0.5 * deviation), kind="stable")
+        ranked = [list(pool)[k] for k in order.tolist()]
+        parents = ranked[: 2 * how.parents]
+    fresh = [genome for genome in ranked if genome not in known]
+    best, rest = fresh[: how.each // 2], fresh[how.each // 2 : 6 * how.each]
+    drawn = rng.permutation(len(rest))[: how.each // 4].tolist()
+    chosen = [*best, *(rest[k] for k in sorted(drawn))]
+    return [*chosen, *(g for g in begun if g not in chosen)][: how.each]
 
 
 def develop_all(

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from scenewright import domains
+from scenewright.core.breeding import Genome
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.solution import Solution
@@ -43,6 +44,7 @@ from scenewright.workflow.evolution.log import EvolutionLog
 from scenewright.workflow.evolution.nursery import Nursery, Told
 from scenewright.workflow.evolution.population import (
     BreedingPlan,
+    breed_further,
     breed_genomes,
     measure_solution,
     rank_parents,
@@ -227,11 +229,17 @@ class Evolution:
         parents = rank_parents(taste, rows, self._breeding.parents) if taste else []
         autos = self._history.autos
         rng = np.random.default_rng([self.seed, 2, screen, autos, epoch.count(":")])
-        genes = self._nursery.ground(epoch).breeder.genes
+        breeder, how = self._nursery.ground(epoch).breeder, self._breeding
         known = {one.genome for one in rows}
         age = screen + autos if rows else 0
-        genomes = breed_genomes(genes, parents, known, age, rng, self._breeding)
-        self._nursery.begin(epoch, screen, genomes)
+
+        def choose() -> list[Genome]:
+            begun = breed_genomes(breeder.genes, parents, known, age, rng, how)
+            if taste is None or not rows:
+                return begun
+            return breed_further(breeder, taste, [*parents, *begun], known, age, rng, how)
+
+        self._nursery.begin(epoch, screen, choose)
 
     def _learn(self, events: Sequence[Event]) -> PersonTaste:
         if not self._archive.bred:
