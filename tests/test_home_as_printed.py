@@ -196,6 +196,26 @@ def test_late_mutation_keeps_its_sigma(age):
     assert len(steps) / 20_000 == pytest.approx(0.85, abs=0.01)
 
 
+def test_early_mutation_draws_from_the_whole_range():
+    ga, rng, low = PaperGenetic(), np.random.default_rng(0), np.full(5, -50.0)
+    state = ga.init(rng, low, -low)._replace(age=3)
+    moved = ga.mutate(np.zeros((20_000, 5)), state, rng)
+    assert ((moved != 0.0).sum(axis=1) <= 1).all()
+    drawn = moved[moved != 0.0]
+    assert np.quantile(drawn, [0.25, 0.5, 0.75]) == pytest.approx([-25, 0, 25], abs=1.5)
+
+
+def test_the_best_of_a_generation_survives():
+    ga, rng, low = PaperGenetic(), np.random.default_rng(0), np.full(3, -1.0)
+    state = ga.init(rng, low, -low)
+    for _ in range(12):
+        asked, state = ga.ask(state, rng)
+        least = min(state.energies, default=math.inf)
+        state = ga.tell(state, asked, (asked**2).sum(axis=1))
+        assert len(state.genes) == 40
+        assert state.energies.min() <= least
+
+
 def test_roulette_draws_by_fitness():
     energies = np.array([0.0, 5.0, 10.0, 10.0])  # C_max - C: 10, 5, 0, 0
     drawn = np.bincount(roulette(energies, 30_000, np.random.default_rng(0)), minlength=4)
