@@ -9,7 +9,7 @@ import numpy as np
 
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.symbols import Line, Lines, Spot, box, oval, path, rectangle
-from scenewright.core.catalog import Mesher, Symbol
+from scenewright.core.catalog import Covering, Mesher, Symbol, covers_box
 from scenewright.core.scene import Size
 
 
@@ -56,8 +56,16 @@ def plan(*lines: Line, outline: Line | None = None, door: Spot = (0.0, 1.0)) -> 
 
 
 def style(
-    identity: str, name: str, mesh: Mesher, symbol: Symbol, usual: tuple[float, float, float]
+    identity: str,
+    name: str,
+    mesh: Mesher,
+    symbol: Symbol,
+    usual: tuple[float, float, float],
+    footprint: Covering = covers_box,
 ) -> Drawing:
-    """How a building is drawn that can be 0.6 to 1.5 times its usual size."""
+    """How a building is drawn that can be 0.6 to 1.5 times its usual size; ``footprint`` is what
+    it covers."""
     small, large = (Size(*(round(f * v, 2) for v in usual)) for f in (0.6, 1.5))
-    return Drawing("building", mesh, symbol, identity, name, (small, Size(*usual), large))
+    return Drawing(
+        "building", mesh, symbol, identity, name, (small, Size(*usual), large), footprint
+    )

@@ -68,6 +68,7 @@ _ROWS = (
     Style("buddhist_temple", "Buddhist temple", 8.0, 1, "sacred"),
     Style("modernist_house", "Modernism style", 3.2, 2, "housing"),
     Style("point_tower", "Point tower", 3.1, 27, "housing", named=False),
+    Style("corner_house", "L-shaped house", 2.9, 2, "housing", named=False),
     Style("office_tower", "Office tower", 4.0, 23, "commercial", named=False),
     Style("row_houses", "Row houses", 3.0, 3, "housing", named=False),
     Style("warehouse", "Warehouse", 8.0, 1, "works", named=False),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scenewright.catalog.assets.corners import Outline, corner_outline, cover
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import door_pulls, drawer_pulls, fronts, spread
 from scenewright.catalog.assets.materials import (
@@ -18,7 +19,7 @@ from scenewright.catalog.assets.materials import (
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff
 from scenewright.catalog.assets.symbols import Lines, close_line, draw_crossed_box, path, rectangle
-from scenewright.core.footprint import Footprint, read_footprint
+from scenewright.core.footprint import Footprint
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, extrude, loft
 from scenewright.geometry.solids import Interval, block, rectangle_ring, slab
@@ -213,16 +214,13 @@ def _island_symbol(size: Size) -> Lines:
     return rectangle(size, 0, 0.02), path((-w, d - over), (w, d - over))
 
 
-def _corner_outline(size: Size) -> list[tuple[float, float]]:
-    w, d = size.width / 2, size.depth / 2
+def _corner_outline(size: Size) -> Outline:
     leg = min(0.6, 0.7 * size.width)
-    return [(-w, -d), (w, -d), (w, -d + leg), (-w + leg, -d + leg), (-w + leg, d), (-w, d)]
+    return corner_outline(size, leg, leg)
 
 
 def _corner_footprint(size: Size) -> Footprint:
-    if size.depth <= 0.6:
-        return ()
-    return read_footprint(_corner_outline(size), *size[:2])
+    return () if size.depth <= 0.6 else cover(_corner_outline)(size)
 
 
 def _corner_symbol(size: Size) -> Lines:

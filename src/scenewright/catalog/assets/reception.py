@@ -4,6 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from scenewright.catalog.assets.corners import (
+    Outline,
+    corner_outline,
+    cover,
+    draw_border,
+    turn_about,
+)
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import spread
 from scenewright.catalog.assets.materials import (
@@ -33,7 +40,7 @@ from scenewright.catalog.assets.objects import Stuff, wobble
 from scenewright.catalog.assets.symbols import Lines, arc, box, oval, path, rectangle
 from scenewright.catalog.assets.wares import goods, levels_of, merge_by_material
 from scenewright.core.scene import Size
-from scenewright.geometry.mesh import Mesh
+from scenewright.geometry.mesh import Mesh, extrude
 from scenewright.geometry.solids import block, disc, lathe, rod, slab, tube
 
 
@@ -89,6 +96,53 @@ def _info_desk(size: Size) -> Parts:
             PAPER: [
                 block((-0.06 * w, 0.06 * w), (d - 0.04, d - 0.036), (0.5 * h, 0.8 * h)),
                 block((-0.1 * w, 0.04 * w), (-0.6 * d, -0.6 * d + 0.2), (desk, desk + 0.02)),
+            ],
+        },
+    )
+
+
+def _corner_counter_outline(size: Size) -> Outline:
+    """The leg to the visitors, the wing behind it on the right; staff stand in the nook."""
+    deep = min(0.75, 0.42 * size.depth, 0.42 * size.width)
+    return turn_about(corner_outline(size, deep, deep))
+
+
+def _corner_counter(size: Size) -> Parts:
+    """Panels to both sides that visitors see; below the ledge a worktop round the nook."""
+    h = size.height
+    outline = _corner_counter_outline(size)
+    (w, d), (edge, back) = outline[0], outline[4]
+    inner = outline[2][1]
+    shown, work = min(0.3, 0.5 * (d - inner)), 0.68 * h
+    at, desk = d - shown - 0.26, w - shown
+    ledge = [(w, d), (-w, d), (-w, d - shown), (w - shown, d - shown), (w - shown, back), (w, back)]
+    front = [
+        block((a + 0.004, b - 0.004), (d - 0.05, d - 0.03), (0.1, h - 0.05))
+        for a, b in spread(-w + 0.02, w - 0.05, max(1, round(size.width / 0.6)))
+    ]
+    side = [
+        block((w - 0.05, w - 0.03), (a + 0.004, b - 0.004), (0.1, h - 0.05))
+        for a, b in spread(back + 0.02, d - 0.05, max(1, round(size.depth / 0.6)))
+    ]
+    return parts(
+        size,
+        {
+            OAK: [*front, *side],
+            STONE: [extrude(np.array(ledge), h - 0.04, h)],
+            WHITE: [
+                extrude(np.array(ledge) * [0.97, 0.97], 0.1, h - 0.04),
+                block((-w + 0.02, w - shown), (inner, d - shown), (work - 0.04, work)),
+                block((edge, w - shown), (back + 0.02, inner), (work - 0.04, work)),
+                block((-w + 0.02, -w + 0.05), (inner + 0.02, d - shown), (0, work - 0.04)),
+                block((edge + 0.02, w - shown), (back + 0.02, back + 0.05), (0, work - 0.04)),
+            ],
+            BLACK: [extrude(np.array(ledge) * [0.94, 0.94], 0, 0.1)],
+            SCREEN: [
+                block((x - 0.24, x + 0.24), (at - 0.04, at), (work + 0.06, 0.97 * h))
+                for x in (-0.55 * w, 0.1 * w)
+            ],
+            PAPER: [
+                block((desk - 0.3, desk - 0.1), (back + 0.3, back + 0.58), (work, work + 0.02))
             ],
         },
     )
@@ -293,6 +347,14 @@ def _bin_symbol(size: Size) -> Lines:
     return rectangle(size, 0, 0.04), rectangle(size, 0.05, 0.02)
 
 
+def _corner_counter_symbol(size: Size) -> Lines:
+    outline = _corner_counter_outline(size)
+    (w, d), (_, back), inner = outline[0], outline[4], outline[2][1]
+    shown = min(0.3, 0.5 * (d - inner))
+    edge = path((-w, d - shown), (w - shown, d - shown), (w - shown, back))
+    return draw_border(outline), edge
+
+
 def _totem_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     return rectangle(size), box(-0.9 * w, 0.9 * w, -0.4 * d, 0.4 * d)
@@ -316,6 +378,12 @@ def _machine_symbol(size: Size) -> Lines:
 ASSETS = (
     Drawing("counter", _counter, _ledge_symbol),
     Drawing("info_desk", _info_desk, _info_symbol),
+    Drawing(
+        "corner_counter",
+        _corner_counter,
+        _corner_counter_symbol,
+        footprint=cover(_corner_counter_outline),
+    ),
     Drawing("ticket_gate", _ticket_gate, _gate_symbol),
     Drawing("rope_barrier", _rope_barrier, _rope_symbol),
     Drawing("partition", _partition, _draw_hatching),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import cos, pi, sin
 
+from scenewright.catalog.assets.corners import Outline, corner_outline, cover
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import bent, four_legs, spread
 from scenewright.catalog.assets.materials import (
@@ -33,7 +34,6 @@ from scenewright.catalog.assets.symbols import (
     rectangle,
     round_plain,
 )
-from scenewright.core.footprint import Footprint, read_footprint
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, rotate_mesh, translate_mesh
 from scenewright.geometry.solids import (
@@ -314,14 +314,8 @@ def sofa_symbol(size: Size) -> Lines:
     return tuple(lines)
 
 
-def _corner_outline(size: Size) -> list[tuple[float, float]]:
-    w, d = size.width / 2, size.depth / 2
-    front, edge = -d + min(0.95, 1.4 * d), -w + min(1.0, 0.84 * w)
-    return [(-w, -d), (w, -d), (w, front), (edge, front), (edge, d), (-w, d)]
-
-
-def _corner_footprint(size: Size) -> Footprint:
-    return read_footprint(_corner_outline(size), *size[:2])
+def _corner_outline(size: Size) -> Outline:
+    return corner_outline(size, min(0.95, 0.7 * size.depth), min(1.0, 0.42 * size.width))
 
 
 def _corner_symbol(size: Size) -> Lines:
@@ -367,7 +361,7 @@ def _bench_symbol(size: Size) -> Lines:
 ASSETS = (
     Drawing("sofa", _sofa, sofa_symbol),
     Drawing("loveseat", _sofa, sofa_symbol),
-    Drawing("corner_sofa", _corner_sofa, _corner_symbol, footprint=_corner_footprint),
+    Drawing("corner_sofa", _corner_sofa, _corner_symbol, footprint=cover(_corner_outline)),
     Drawing("armchair", _armchair, sofa_symbol),
     Drawing("dining_chair", _dining_chair, _chair_symbol),
     Drawing("office_chair", _office_chair, _office_symbol),

@@ -4,6 +4,16 @@ from __future__ import annotations
 
 from math import cos, pi, sin
 
+import numpy as np
+
+from scenewright.catalog.assets.corners import (
+    Outline,
+    corner_outline,
+    cover,
+    draw_border,
+    mirror_outline,
+    mirror_parts,
+)
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import drawer_pulls, four_legs, fronts, knobs
 from scenewright.catalog.assets.materials import (
@@ -20,7 +30,7 @@ from scenewright.catalog.assets.materials import (
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.symbols import Lines, box, oval, path, rectangle, round_plain
 from scenewright.core.scene import Size
-from scenewright.geometry.mesh import Mesh
+from scenewright.geometry.mesh import Mesh, extrude, rotate_mesh
 from scenewright.geometry.solids import block, disc, lathe, leg, make_bevelled_box, rod, slab
 
 
@@ -109,6 +119,51 @@ def _desk(size: Size) -> Parts:
     )
 
 
+def _corner_desk_outline(size: Size) -> Outline:
+    return corner_outline(size, min(0.7, 0.5 * size.depth), min(0.6, 0.45 * size.width))
+
+
+def _corner_desk(size: Size) -> Parts:
+    """A top round the corner, drawers under the end of its wing, a rail along both walls."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    outline = _corner_desk_outline(size)
+    (_, front), (edge, _) = outline[2], outline[4]
+    x, y, z = (-w + 0.03, edge - 0.03), (d - 0.5, d - 0.03), (0.12, h - 0.025)
+    chest = block((x[0], x[1] - 0.016), y, z)
+    feet = ((w - 0.05, -d + 0.05), (w - 0.05, front - 0.05), (-w + 0.05, -d + 0.05))
+    legs = [
+        make_bevelled_box((fx - 0.02, fx + 0.02), (fy - 0.02, fy + 0.02), (0, h - 0.025), 0.005)
+        for fx, fy in (*feet, (-w + 0.05, y[0] + 0.04), (-w + 0.05, y[1] - 0.04))
+    ]
+    rails = [
+        block((-w + 0.06, w - 0.06), (-d + 0.04, -d + 0.06), (h - 0.3, h - 0.025)),
+        block((-w + 0.04, -w + 0.06), (-d + 0.06, d - 0.06), (h - 0.3, h - 0.025)),
+    ]
+    middle = (y[0] + y[1]) / 2
+    drawers = [
+        rotate_mesh(mesh, "z", -pi / 2, (x[1] - 0.016, middle, 0.0))
+        for mesh in fronts(
+            (x[1] - 0.016 - 0.235, x[1] - 0.016 + 0.235), z, 1, 3, (middle, middle + 0.016)
+        )
+    ]
+    return parts(
+        size,
+        {
+            OAK: [extrude(np.array(outline), h - 0.025, h), *rails],
+            WHITE: [chest, *drawers],
+            BLACK: legs,
+        },
+    )
+
+
+def _other_corner_desk(size: Size) -> Parts:
+    return mirror_parts(_corner_desk(size))
+
+
+def _other_corner_outline(size: Size) -> Outline:
+    return mirror_outline(_corner_desk_outline(size))
+
+
 def _kids_desk(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     x, z = (-w + 0.04, w - 0.04), (h - 0.13, h - 0.022)
@@ -189,6 +244,16 @@ def _desk_symbol(size: Size) -> Lines:
     return rectangle(size), path((w - wide, -d), (w - wide, d))
 
 
+def _corner_desk_symbol(size: Size) -> Lines:
+    outline = _corner_desk_outline(size)
+    (edge, _), d = outline[4], size.depth / 2
+    return draw_border(outline), path((-size.width / 2, d - 0.5), (edge, d - 0.5))
+
+
+def _other_corner_symbol(size: Size) -> Lines:
+    return tuple(line * (-1.0, 1.0) for line in _corner_desk_symbol(size))
+
+
 def _vanity_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     return rectangle(size, 0, 0.02), box(-0.5 * w, 0.5 * w, -d + 0.02, -d + 0.06)
@@ -204,6 +269,17 @@ ASSETS = (
     Drawing("coffee_table", _coffee_table, _coffee_symbol),
     Drawing("side_table", _side_table, _side_symbol),
     Drawing("desk", _desk, _desk_symbol),
+    Drawing(
+        "corner_desk", _corner_desk, _corner_desk_symbol, footprint=cover(_corner_desk_outline)
+    ),
+    Drawing(
+        "corner_desk",
+        _other_corner_desk,
+        _other_corner_symbol,
+        "corner_desk_right",
+        "Corner desk, wing on the right",
+        footprint=cover(_other_corner_outline),
+    ),
     Drawing("kids_desk", _kids_desk, _table_symbol),
     Drawing("console_table", _console_table, _console_symbol),
     Drawing("vanity", _vanity, _vanity_symbol),

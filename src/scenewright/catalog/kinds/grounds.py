@@ -11,7 +11,16 @@ KINDS = (
         access=FRONT,
         reach=1.5,
         sizes=size_range("540 2400 12000", "540 1800 9600", "480 1400 15000"),
-        drawn_by=(".eastern", ".sacred", ".mosques", ".civic", ".houses", ".towers", ".works"),
+        drawn_by=(
+            ".eastern",
+            ".sacred",
+            ".mosques",
+            ".civic",
+            ".houses",
+            ".corner_houses",
+            ".towers",
+            ".works",
+        ),
     ),
     Kind(
         "tree",

@@ -43,6 +43,24 @@ KINDS = (
         drawn_by=(".reception",),
     ),
     Kind(
+        "corner_counter",
+        access=FRONT,
+        reach=0.9,
+        sizes=size_range("160 280 600", "140 220 400", "90 110 120"),
+        hall=free("single", 1.2, 0.3, 0.3, 0.3),
+        words=(
+            words(
+                en="corner counter, l shaped counter, l shaped reception, corner reception desk",
+                fr="comptoir d'angle, banque d'accueil d'angle",
+                de="ecktheke, winkeltheke, ecktresen",
+                es="mostrador esquinero, mostrador en l",
+                zh="转角柜台, 转角前台",
+                ja="コーナーカウンター, L字カウンター",
+            ),
+        ),
+        drawn_by=(".reception",),
+    ),
+    Kind(
         "ticket_gate",
         access=BOTH,
         reach=0.9,

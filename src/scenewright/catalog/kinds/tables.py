@@ -118,6 +118,27 @@ KINDS = (
         drawn_by=(".tables",),
     ),
     Kind(
+        "corner_desk",
+        access=("front", "right"),
+        airy=True,
+        label="corner desk",
+        sizes=size_range("120 160 220", "110 150 200", "68 74 80"),
+        services=(Service("power", 1.8, "lead"), Service("data", 2.0, "cable")),
+        words=(
+            words(
+                en="corner desk, l shaped desk, l desk, desk corner",
+                fr="bureau d'angle",
+                de="eckschreibtisch, winkelschreibtisch",
+                es="escritorio esquinero, escritorio en l",
+                zh="转角书桌, 转角办公桌",
+                ja="コーナーデスク, L字デスク",
+            ),
+        ),
+        essential=("desk",),
+        forms="corner_desk",
+        drawn_by=(".tables",),
+    ),
+    Kind(
         "kids_desk",
         access=FRONT,
         airy=True,

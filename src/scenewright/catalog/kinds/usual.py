@@ -14,7 +14,7 @@ THREE: tuple[Side, ...] = ("front", "left", "right")
 BOTH: tuple[Side, ...] = ("front", "back")
 
 TABLES = ("dining_table", "round_table", "outdoor_table")
-DESKS = ("desk", "kids_desk", "vanity")
+DESKS = ("desk", "corner_desk", "kids_desk", "vanity")
 
 LEAD = Service("power", 1.5, "lead")
 HOSE = Service("water", 1.5, "hose")

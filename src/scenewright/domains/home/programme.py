@@ -178,6 +178,8 @@ ALSO: dict[str, str] = {"kitchenette": "fridge"}
 LAST: dict[str, str] = {"wardrobe": "chest", "bunk": "single", "shower": "bath"}
 """Fallbacks that are taken only where all else fails: a chest of drawers or a bathtub stands below
 a window, a wardrobe or a shower does not."""
+INSTEAD_OF: dict[str, tuple[str, ...]] = {"corner_desk": ("desk", "kids_desk")}
+"""Usual groups that a group asked for takes the place of."""
 _BED = ("double_bed", "single_bed", "bunk_bed", "cot")
 _TABLE = ("dining_table", "round_table")
 _COATS = ("shoe_cabinet", "coat_rack", "console_table")
@@ -186,8 +188,8 @@ STANDS_FOR: dict[str, tuple[str, ...]] = {
     "single": _BED,
     "bunk": _BED,
     "wardrobe": ("wardrobe",),
-    "desk": ("desk", "kids_desk"),
-    "kids_desk": ("desk", "kids_desk"),
+    "desk": ("desk", "kids_desk", "corner_desk"),
+    "kids_desk": ("desk", "kids_desk", "corner_desk"),
     "seating": ("sofa", "loveseat", "corner_sofa"),
     "media": ("tv", "tv_stand", "fireplace"),
     "dining": _TABLE,

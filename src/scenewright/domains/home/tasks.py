@@ -22,6 +22,7 @@ from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.presets import HomePreset
 from scenewright.domains.home.programme import (
+    INSTEAD_OF,
     STANDS_FOR,
     WELCOME,
     Wish,
@@ -128,7 +129,9 @@ def wishes_of(
             *(w for w in usual if w.rank < WELCOME),
             *(Wish(group, WELCOME) for group in task.welcome),
         )
-    usual = tuple(w for w in (*task.instead, *usual) if w.group not in task.elsewhere)
+    replaced = {g for w in room.wishes if not w.forbid for g in INSTEAD_OF.get(w.what, ())}
+    out = task.elsewhere | replaced
+    usual = tuple(w for w in (*task.instead, *usual) if w.group not in out)
     return apply_wishes(_less(usual, standing), room, task.library, there)
 
 

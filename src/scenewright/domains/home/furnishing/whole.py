@@ -47,6 +47,7 @@ TOGETHER: dict[str, tuple[Need, ...]] = {
     "dining": ((_TABLE, 1), (_CHAIR, 2)),
     "dining_wall": ((_TABLE, 1), (_CHAIR, 2)),
     "desk": _each("desk", "office_chair"),
+    "corner_desk": _each("corner_desk", "office_chair"),
     "kids_desk": _each("kids_desk", "dining_chair"),
     "terrace": _each("outdoor_table", "outdoor_chair"),
 }

@@ -15,6 +15,27 @@ def desk() -> Iterator[Group]:
         yield _desk("desk", width, deep, "office_chair", Size(0.58, 0.58, 0.95))
 
 
+def corner_desk() -> Iterator[Group]:
+    """A desk round the corner, its wing on either side; the chair stands in its nook, where a
+    rectangle would have no floor left, with a screen before it and a lamp in the corner."""
+    for width, deep in ((1.3, 1.2), (1.4, 1.3), (1.6, 1.4), (1.8, 1.5)):
+        for model, side in (("corner_desk", 1.0), ("corner_desk_right", -1.0)):
+            yield _corner_desk(model, side, width, deep)
+
+
+def _corner_desk(model: str, side: float, width: float, deep: float) -> Group:
+    leg, wing = min(0.7, 0.5 * deep), min(0.6, 0.45 * width)
+    back, chair, lamp = -deep / 2, Size(0.58, 0.58, 0.95), Size(0.2, 0.24, 0.45)
+    x, end = side * wing / 2, side * (0.13 - width / 2)
+    members = (
+        Member("corner_desk", 0, 0, 0, 0, Size(width, deep, 0.74), asset=model),
+        Member("office_chair", x, back + leg - 0.2 + chair.depth / 2, 0, pi, chair),
+        Member("desk_lamp", end, back + 0.18, 0.74, 0, lamp, on=0),
+        Member("monitor", x, back + 0.2, 0.74, 0, Size(0.58, 0.2, 0.45), on=0),
+    )
+    return Group("corner_desk", f"{width:.1f} m corner desk", width, deep, members)
+
+
 def kids_desk() -> Iterator[Group]:
     """A smaller desk with a chair."""
     for width in (0.8, 0.9, 1.0, 1.2):

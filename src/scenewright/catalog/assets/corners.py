@@ -1,0 +1,65 @@
+"""Things round a corner: a leg along the back, a wing to the front on the left, and the nook."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from scenewright.catalog.assets.symbols import Line, close_line
+from scenewright.core.catalog import Covering, Part
+from scenewright.core.footprint import Footprint, read_footprint
+from scenewright.core.scene import Size
+
+Outline = list[tuple[float, float]]
+Parts = tuple[Part, ...]
+
+
+def corner_outline(size: Size, leg: float, wing: float) -> Outline:
+    """Corners of an L that fills a box, counter-clockwise from back left: the ``leg`` along the
+    back so deep, the ``wing`` on the left so wide, metres.
+
+    >>> corner_outline(Size(2.0, 2.0, 1.0), 0.5, 0.75)[2:5]
+    [(1.0, -0.5), (-0.25, -0.5), (-0.25, 1.0)]
+    """
+    w, d = size.width / 2, size.depth / 2
+    front, edge = -d + leg, -w + wing
+    return [(-w, -d), (w, -d), (w, front), (edge, front), (edge, d), (-w, d)]
+
+
+def turn_about(outline: Outline) -> Outline:
+    """The same turned by half a turn: the leg along the front, the wing on the right.
+
+    >>> turn_about([(1.0, -2.0)])
+    [(-1.0, 2.0)]
+    """
+    return [(-x, -y) for x, y in outline]
+
+
+def mirror_outline(outline: Outline) -> Outline:
+    """The same with left and right changed over, counter-clockwise still.
+
+    >>> mirror_outline([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0)])
+    [(-2.0, 1.0), (-2.0, 0.0), (-0.0, 0.0)]
+    """
+    return [(-x, y) for x, y in reversed(outline)]
+
+
+def mirror_parts(built: Parts) -> Parts:
+    """Parts with left and right changed over."""
+    flip = np.array([-1.0, 1.0, 1.0])
+    return tuple(Part(p.material, p.vertices * flip, p.faces[:, ::-1]) for p in built)
+
+
+def cover(outline: Callable[[Size], Outline]) -> Covering:
+    """What a thing of an outline covers at each size."""
+
+    def covering(size: Size) -> Footprint:
+        return read_footprint(outline(size), size.width, size.depth)
+
+    return covering
+
+
+def draw_border(outline: Outline) -> Line:
+    """The outline as a closed line of a symbol."""
+    return close_line(outline)
