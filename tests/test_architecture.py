@@ -99,6 +99,16 @@ def test_no_domain_imports_another(file: Path) -> None:
         assert domain_in(name) in ("", own), f"{file.name} imports {name}"
 
 
+@pytest.mark.parametrize("file", FILES, ids=NAMES)
+def test_domains_are_asked_through_the_contract(file: Path) -> None:
+    """Outside a domain nobody imports its modules; the façade names one class of homes."""
+    if "domains" in file.parts or file == PACKAGE / "__init__.py":
+        return
+    for name in imported(file):
+        parts = name.split(".")
+        assert parts[1:2] != ["domains"] or parts[2:3] in ([], ["contract"]), f"imports {name}"
+
+
 def test_nothing_outside_the_domains_is_named_after_one() -> None:
     outside = [name for name in NAMES if not name.startswith("domains/")]
     assert not [n for n in outside if re.search(r"(^|[/_])(home|hall|site)s?([_./]|$)", n)]

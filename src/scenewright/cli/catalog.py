@@ -141,59 +141,26 @@ def learn(
     as_json: Json = False,
 ) -> int:
     """Learn furniture groups from furnished homes: what stands together, how, in which sizes."""
-    from scenewright.catalog.assets import shipped
-    from scenewright.domains.home.learned.groups import document, learn, write
+    from scenewright import formats
+    from scenewright.domains import learn_groups
 
     for home in homes:
         if not home.lower().endswith(FURNISHED):
             remedy = f"give files of Sweet Home 3D: {' or '.join(FURNISHED)}"
             raise InputError("is not a furnished home to learn from", remedy, file=home)
     check_targets([output])
-    rooms = [room for home in homes for room in _read_furnished_rooms(home)]
+    briefs = {home: formats.read(home, keep=True) for home in homes}
     check_targets([output])
-    found = learn(rooms, shipped())
-    if not found.cases:
-        raise InputError(
-            "no furniture groups are found", "give homes with furniture in them", file=homes[0]
-        )
-    write(found, output)
+    found = learn_groups(briefs, output)
     if as_json:
-        tables.print_json(document(found))
+        tables.print_json(found.document)
         return 0
-    table: dict[str, list[Any]] = {}
-    for case in found.cases:
-        table.setdefault(case.case.function, []).append(case)
-    rows = [
-        {
-            "function": name,
-            "cases": len(own),
-            "seen": sum(c.seen for c in own),
-            "homes": len({home for c in own for home in c.homes}),
-            "holds": "; ".join(dict.fromkeys(c.case.name for c in own)),
-        }
-        for name, own in table.items()
-    ]
     console = tables.output_console()
-    tables.table(console, rows, title="learned groups")
+    tables.table(console, list(found.rows), title="learned groups")
     several, files = "s" * (found.rooms != 1), "s" * (len(homes) != 1)
     told = f"{found.rooms} furnished room{several} of {len(homes)} home{files}; wrote {output}"
     tables.print_line(console, told, "dim")
     return 0
-
-
-def _read_furnished_rooms(home: str) -> list[Any]:
-    """The rooms of a home as furnished."""
-    from scenewright import formats
-    from scenewright.building.plan import spaces
-    from scenewright.building.standing import fixed_pieces
-    from scenewright.catalog.assets import shipped
-    from scenewright.domains.home.learned.learning import FurnishedSpace
-
-    brief = formats.read(home, keep=True)
-    return [
-        FurnishedSpace(Path(home).stem, space, tuple(fixed_pieces(room, space, shipped())))
-        for space, room in zip(spaces(brief), brief.rooms, strict=True)
-    ]
 
 
 def _write(models: Sequence[Listed], output: Path, console: Console, quiet: bool) -> None:

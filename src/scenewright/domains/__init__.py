@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from scenewright.core.breeding import Breeder, Gene
@@ -16,6 +17,7 @@ from scenewright.core.brief.domain_keys import check_domain
 from scenewright.core.catalog import Catalog
 from scenewright.core.edits import Adjusted, Edits
 from scenewright.core.layout import Layouts, Watch
+from scenewright.core.learned import LearnedGroups
 from scenewright.core.plan import Plan
 from scenewright.core.registry import domain_names, domain_of
 from scenewright.core.report import Report
@@ -38,6 +40,7 @@ __all__ = [
     "domains",
     "draw_plan",
     "features_of",
+    "learn_groups",
     "plan_of",
     "presets",
     "problems",
@@ -246,6 +249,15 @@ def adjust(
         solution, edits, plan=plan or plan_of(solution.brief), steps=steps, seed=seed
     )
     return adjusted
+
+
+def learn_groups(homes: Mapping[str, Brief], output: Path) -> LearnedGroups:
+    """Learn how people group furniture from furnished scenes of one domain, read with all that
+    stands in them as fixed (by file), and write the file of groups that briefs name. A domain
+    that cannot learn is refused."""
+    domain: Domain = domain_of(next(iter(homes.values())).domain)
+    found: LearnedGroups = domain.verb("learn")(homes, output)
+    return found
 
 
 def features_of(solution: Solution, plan: Plan) -> dict[str, float]:

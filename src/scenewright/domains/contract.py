@@ -42,6 +42,7 @@ Verb = Literal[
     "locked",
     "accessible",
     "groups",
+    "learn",
     "floors",
     "detail_document",
     "detail_of",

@@ -25,6 +25,7 @@ DOMAIN = Domain(
         "locked": "scenewright.building.standing:locked_rooms",
         "accessible": ".wheelchair:accessible",
         "groups": ".cases.listing:list_groups",
+        "learn": ".learned.from_homes:learn_from_homes",
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",
     },
