@@ -41,7 +41,7 @@ SOLVING = {"terms", "encodings", "energy", "solvers", "solving", "problem", "bui
 """Parts of a domain that its referee never imports."""
 LOADING = ("scenewright.catalog.loading", "scenewright.catalog.models")
 """What reads models from files: the referee is given its kinds."""
-DOMAINS = {"home", "hall", "site"}
+DOMAINS = {"home", "hall", "site", "village"}
 HEAVY = ("numpy", "numba", "shapely", "trimesh", "embreex", "scipy", "pydantic")
 
 
@@ -111,7 +111,7 @@ def test_domains_are_asked_through_the_contract(file: Path) -> None:
 
 def test_nothing_outside_the_domains_is_named_after_one() -> None:
     outside = [name for name in NAMES if not name.startswith("domains/")]
-    assert not [n for n in outside if re.search(r"(^|[/_])(home|hall|site)s?([_./]|$)", n)]
+    assert not [n for n in outside if re.search(r"(^|[/_])(home|hall|site|village)s?([_./]|$)", n)]
 
 
 def test_the_referee_shares_no_code_with_what_it_judges() -> None:

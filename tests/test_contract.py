@@ -18,9 +18,15 @@ from scenewright.domains import adjust, domain_of, plan_of, problems
 from scenewright.domains.contract import NEEDED, Domain, Table, Verb
 from scenewright.formats import solution_json
 
-SAMPLES = {"home": "home-studio", "hall": "hall-shop", "site": "site-courtyards"}
+SAMPLES = {
+    "home": "home-studio",
+    "hall": "hall-shop",
+    "site": "site-courtyards",
+    "village": "village-dense",
+}
 PLUGINS = Path(__file__).parent / "plugins"
-STEPS = {"home": 500, "hall": 1500, "site": 2}
+STEPS = {"home": 500, "hall": 1500, "site": 2, "village": 1}
+OUTDOORS = ("site", "village")
 
 
 def arrange(domain: str, brief: sw.Brief, seed: int = 0) -> sw.Solution:
@@ -35,7 +41,7 @@ def solved(request: pytest.FixtureRequest) -> sw.Solution:
 def groups(solution: sw.Solution) -> list[list[sw.Piece]]:
     """What is locked together: furniture groups, groups of a hall, single buildings."""
     found: dict[str, list[sw.Piece]] = {}
-    single = solution.brief.domain == "site"
+    single = solution.brief.domain in OUTDOORS
     for piece in solution.pieces:
         furniture = piece.group and piece.function not in ("light", "partition", "fixed")
         if not piece.fixed and (piece.category == "building" if single else furniture):
@@ -219,7 +225,7 @@ def test_buildings_in_the_way_of_a_moved_one_make_room() -> None:
     assert {c.reason for c in changes} >= {"moved by hand"}
 
 
-@pytest.mark.parametrize("domain", ["hall", "site"])
+@pytest.mark.parametrize("domain", ["hall", "site", "village"])
 def test_swaps_are_for_homes(domain: str) -> None:
     solution = arrange(domain, sw.read(f"sample:{SAMPLES[domain]}"))
     one, other = (group[0].id for group in groups(solution)[:2])

@@ -134,7 +134,7 @@ def test_every_row_is_whole(kind: Any) -> None:
     assert kind.hall is None or kind.support == "floor"
 
 
-NAMELESS = {"obstacle", "partition", "building", "road"}
+NAMELESS = {"obstacle", "partition", "building", "house", "road"}
 """Made by the program or told by size: no model is recognised as one by its name."""
 
 

@@ -22,6 +22,9 @@ SURFACES: dict[str, Material] = {
     "path": Material("gravel path", (0.70, 0.65, 0.56), roughness=1.0),
     "lane": Material("lane", (0.56, 0.55, 0.53), roughness=0.95),
     "walk": Material("garden walk", (0.70, 0.68, 0.63), roughness=0.95),
+    "yard": Material("yard", (0.66, 0.62, 0.54), roughness=1.0),
+    "bed": Material("vegetable bed", (0.40, 0.40, 0.26), roughness=1.0),
+    "square": Material("cobbles", (0.67, 0.64, 0.59), roughness=0.95),
     "marking": Material("road marking", (0.93, 0.93, 0.91), roughness=0.9),
 }
 """What lies on open ground, by kind."""
@@ -35,6 +38,7 @@ FLOORS: dict[str, Material] = {
     "balcony": DECK_FLOOR,
     "storage": PLAIN_FLOOR,
     "site": GRASS,
+    "village": GRASS,
 }
 """Floor finish by a room's first function; all others are oak."""
 

@@ -25,6 +25,7 @@ SAMPLES = {
     "home": ("home-flat", "home-attic"),
     "hall": ("hall-reading-room", "hall-exhibition"),
     "site": ("site-30", "site-landmarks"),
+    "village": ("village-hamlet",),
 }
 """What is solved to compile a kind of scene."""
 STEPS = 200

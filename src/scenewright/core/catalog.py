@@ -50,6 +50,7 @@ class Part:
 Mesher = Callable[[Size], tuple[Part, ...]]
 Symbol = Callable[[Size], tuple[NDArray[np.float64], ...]]
 Covering = Callable[[Size], Footprint]
+OutlineMesher = Callable[[Size, Footprint], tuple[Part, ...]]
 
 
 def covers_box(_size: Size) -> Footprint:
@@ -64,7 +65,8 @@ class Asset:
     ``mesh(size)`` gives parts that fill exactly ``[-w/2, w/2] x [-d/2, d/2] x [0, h]``;
     ``symbol(size)`` polylines ``(k, 2)`` in the same frame seen from above (closed ones repeat
     their first point). ``style`` and ``colour`` are words, where somebody told or they show.
-    ``footprint(size)`` is the polygon it covers, empty where that is its box.
+    ``footprint(size)`` is the polygon it covers, empty where that is its box; ``over(size,
+    footprint)``, if there is one, draws it over any other.
     """
 
     id: str
@@ -80,6 +82,7 @@ class Asset:
     style: str = ""
     colour: str = ""
     footprint: Covering = covers_box
+    over: OutlineMesher | None = None
 
 
 class Member(NamedTuple):

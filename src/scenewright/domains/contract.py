@@ -136,7 +136,8 @@ class Domain(NamedTuple):
     ``"module:name"`` below the package. ``samples`` are names of briefs in its folder
     ``samples``; ``formats`` files only it reads or writes. ``documents`` read a parsed JSON
     document of another program: its ``type`` -> ``"module:name"``. ``maps`` is the module that
-    reads GeoJSON as such a brief: ``recognises(collection)`` and ``brief_of(collection, name)``.
+    reads GeoJSON as such a brief: ``recognises(collection)`` and ``brief_of(collection, name)``;
+    ``names_itself(collection)``, if there, tells whether tags say so plainly.
     """
 
     name: str

@@ -40,6 +40,8 @@ INDOORS = Look((0.08, 0.42, -1.0), (-0.50, -0.22, 1.0), 2.0, REACH, SHADOW)
 """Mostly down, a little to the north and east."""
 OUTDOORS = Look((0.22, 0.80, -0.86), (-0.62, -0.48, 0.80), None, 14.0, 120.0)
 """From the south, as a bird sees it, on an afternoon."""
+OPEN = {"site", "village"}
+"""Functions of spaces that are open ground."""
 MARGIN = 1.06
 
 Floats = NDArray[np.float64]
@@ -59,7 +61,7 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
 
 def picture(scene: Scene, catalog: Catalog, width: int = WIDTH) -> Pixels:
     """The scene as pixels ``(height, width, 3)``; the height follows the scene's shape."""
-    look = OUTDOORS if any("site" in space.functions for space in scene.spaces) else INDOORS
+    look = OUTDOORS if any(OPEN & set(space.functions) for space in scene.spaces) else INDOORS
     stage, camera, shape = _stage_scene(scene, catalog, look)
     height = int(np.clip(round(width * shape), width // 3, TALLEST * width // WIDTH))
     return render(stage, camera, width, height, look.sun)

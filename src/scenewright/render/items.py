@@ -20,6 +20,7 @@ from scenewright.building.stair_parts import flight_parts, railing_parts, wells
 from scenewright.catalog.assets.extruded import extrude_model
 from scenewright.catalog.assets.tints import apply_tint, tint_of
 from scenewright.core.catalog import Asset, Catalog, Part, asset_of, footprint_of
+from scenewright.core.footprint import Footprint
 from scenewright.core.scene import STAIRS, GroundSurface, Piece, Prism, Scene, Size, Wall
 from scenewright.core.space import Level, Opening, Space
 from scenewright.geometry.mesh import Floats, Mesh, merge
@@ -262,7 +263,7 @@ def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> Ren
     parts = _mesh_asset(asset, size)
     if piece.footprint != footprint_of(asset, size):
         key = (key, piece.footprint)
-        parts = _mesh_outline(piece, size, parts)
+        parts = _mesh_outline(piece, size, asset, parts)
     if piece.category == "building" and not piece.fixed:
         tint = tint_of(piece.id, parts)
         key, parts = (key, tint), apply_tint(parts, tint)
@@ -303,6 +304,12 @@ def _shape_asset(asset: Asset, size: Size) -> tuple[Part, ...]:
     return tuple(p for p in asset.mesh(size) if face_normals(p.vertices, p.faces).any())
 
 
+@lru_cache(maxsize=4096)
+def _shape_outline(asset: Asset, size: Size, footprint: Footprint) -> tuple[Part, ...]:
+    found = asset.over(size, footprint) if asset.over else ()
+    return tuple(p for p in found if face_normals(p.vertices, p.faces).any())
+
+
 def _mesh_asset(asset: Asset | None, size: Size) -> tuple[Part, ...]:
     if asset is not None:
         return _shape_asset(asset, size)
@@ -310,8 +317,12 @@ def _mesh_asset(asset: Asset | None, size: Size) -> tuple[Part, ...]:
     return (Part(UNKNOWN, *box((-width / 2, -depth / 2, 0), (width / 2, depth / 2, height))),)
 
 
-def _mesh_outline(piece: Piece, size: Size, parts: tuple[Part, ...]) -> tuple[Part, ...]:
+def _mesh_outline(
+    piece: Piece, size: Size, asset: Asset | None, parts: tuple[Part, ...]
+) -> tuple[Part, ...]:
     """What a piece looks like over a footprint that is not its model's."""
+    if asset is not None and asset.over is not None:
+        return _shape_outline(asset, size, piece.footprint)
     w, d = size.width / 2, size.depth / 2
     outline = piece.footprint or ((-w, -d), (w, -d), (w, d), (-w, d))
     return extrude_model(outline, size, parts, piece.category == "building")

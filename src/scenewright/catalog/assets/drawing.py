@@ -8,7 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog.assets.symbols import plain
-from scenewright.core.catalog import Asset, Covering, Mesher, Part, Symbol, covers_box
+from scenewright.core.catalog import (
+    Asset,
+    Covering,
+    Mesher,
+    OutlineMesher,
+    Part,
+    Symbol,
+    covers_box,
+)
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import Footprint, scale_footprint
 from scenewright.core.kind import Kind, SizeRange
@@ -23,7 +31,7 @@ class Drawing(NamedTuple):
     """How one model of a kind is drawn: its mesh and its symbol. Of several models of a kind each
     but the first has an ``id`` of its own (left out: the category), a ``name`` (left out: the
     kind's) and the ``sizes`` it can take (left out: the kind's). ``footprint`` is what it covers
-    (left out: its box)."""
+    (left out: its box), ``over`` what it looks like over another footprint (left out: a prism)."""
 
     category: str
     mesh: Mesher
@@ -32,6 +40,7 @@ class Drawing(NamedTuple):
     name: str = ""
     sizes: SizeRange | tuple[()] = ()
     footprint: Covering = covers_box
+    over: OutlineMesher | None = None
 
 
 def buildable(size: Size, small: Size, large: Size) -> Size:
@@ -101,4 +110,5 @@ def asset_of(drawing: Drawing, kind: Kind) -> Asset:
         mesh,
         symbol,
         footprint=_stretch_footprint(drawing.footprint, small, large),
+        over=drawing.over,
     )

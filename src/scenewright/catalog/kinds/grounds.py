@@ -23,6 +23,13 @@ KINDS = (
         ),
     ),
     Kind(
+        "house",
+        access=FRONT,
+        reach=1.5,
+        sizes=size_range("250 1100 4000", "250 900 3000", "220 750 1800"),
+        drawn_by=(".rural_houses",),
+    ),
+    Kind(
         "tree",
         sizes=size_range("200 700 1600", "200 700 1600", "300 900 2500"),
         words=(

@@ -7,7 +7,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import LockedBuilding
-from scenewright.domains.site.plan import assign_ids
+from scenewright.ground.names import assign_ids
 
 LANDMARK = "landmark"
 

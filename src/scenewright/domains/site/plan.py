@@ -6,10 +6,7 @@ that leaves something, landmarks that stand inside and apart, roads that reach t
 
 from __future__ import annotations
 
-import re
-from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import Protocol
 
 import numpy as np
 import shapely
@@ -25,23 +22,12 @@ from scenewright.domains.site.brief import Site
 from scenewright.domains.site.models import building_models, fixed_of, landmarks_of
 from scenewright.ground import outlines as shapes
 from scenewright.ground.fit import main_direction
+from scenewright.ground.names import assign_ids
 from scenewright.ground.plan import Area, Block, Entrance, SitePlan, Standing, Way
 
 LEVEL = Level("0", "", 0.0, 2.6)
 SKY = 600.0
 """What may be built up to on a site that states no limit, in metres."""
-
-
-class Named(Protocol):
-    """What has an id and a name, either of which may be empty."""
-
-    @property
-    def id(self) -> str:
-        """Given by the user, or empty."""
-
-    @property
-    def name(self) -> str:
-        """What people call it."""
 
 
 def plan_sites(brief: Brief) -> Plan:
@@ -82,22 +68,6 @@ def site_plan(site: Site, catalog: Catalog | None = None) -> SitePlan:
     ([2160, 2160], 2)
     """
     return site_plans([site], catalog)[0]
-
-
-def assign_ids(rows: Sequence[Named], word: str, key: str, place: str = "") -> tuple[str, ...]:
-    """The id of every row: the one given, else its name in plain letters, else ``road-3``;
-    InputError if one is given twice."""
-    given = Counter(row.id for row in rows if row.id)
-    taken, found = set(given), []
-    for number, row in enumerate(rows):
-        if row.id and given[row.id] > 1:
-            told = f"{place} {key}[{number}]".strip()
-            raise InputError(f"the id '{row.id}' is used twice", "give each its own", place=told)
-        wish = re.sub(r"[\W_]+", "-", row.name.casefold()).strip("-") or f"{word}-{number + 1}"
-        fresh = (wish if k == 1 else f"{wish}-{k}" for k in range(1, len(taken) + 2))
-        found.append(row.id or next(name for name in fresh if name not in taken))
-        taken.add(found[-1])
-    return tuple(found)
 
 
 def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:

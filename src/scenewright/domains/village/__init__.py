@@ -1,0 +1,50 @@
+"""Villages: blocks between lanes, filled with real houses as those of a region stand."""
+
+from __future__ import annotations
+
+from scenewright.core.brief.fields import BUILDING
+from scenewright.core.registry import Format
+from scenewright.domains.contract import Domain
+
+DOMAIN = Domain(
+    name="village",
+    about="blocks of a village filled with houses",
+    package=__name__,
+    part=".brief:VillagePart",
+    rooms=False,
+    lacks=("rooms", "levels", "walls", "stairs", "accessible"),
+    defaults={"name": "village"},
+    noun="block",
+    largest_piece=BUILDING,
+    verbs={
+        "plan": ".plan:plan_village",
+        "solve": ".solving:solve",
+        "problems": ".solving:problems",
+        "solution": ".solution:solution_of",
+        "check": ".check.judge:check",
+        "scene": ".furnish:scene_of_village",
+        "draw": ".drawing.plan:draw",
+        "adjust": ".adjust:adjust",
+        "locked": ".locks:lock_village",
+    },
+    tables={
+        "presets": ".presets:PRESETS",
+        "solvers": ".solvers:VILLAGE_SOLVERS",
+        "meanings": ".reasons:MEANINGS",
+    },
+    formats=(
+        Format(
+            ".geojson",
+            "lanes, blocks and houses of a village (written)",
+            writer=f"{__name__}.writing.geojson",
+            domain="village",
+        ),
+        Format(
+            ".street.png",
+            "picture of a village from its lane",
+            writer=f"{__name__}.writing.street_picture",
+            domain="village",
+        ),
+    ),
+    maps=".reading.geojson",
+)

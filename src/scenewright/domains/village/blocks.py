@@ -1,0 +1,48 @@
+"""Blocks of a village as values: what stands, which sides are streets, the lanes beside."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from scenewright.core.footprint import Footprint
+from scenewright.core.space import Points
+from scenewright.domains.village.house import House
+from scenewright.ground.plan import SitePlan, Way
+
+
+class StandingHouse(NamedTuple):
+    """A house that stays: its id, name in the library, the asset that draws it, its footprint
+    ``outline`` (n, 2) in the plan, box (x, y, heading, width, depth), height, and footprint in the
+    frame of the box (empty: the box)."""
+
+    id: str
+    house: str
+    asset: str
+    outline: Points
+    box: tuple[float, float, float, float, float]
+    height: float
+    local: Footprint
+
+
+class BlockPlan(NamedTuple):
+    """A valid block: its ``outline`` (n, 2) counter-clockwise, square metres, street sides
+    (s, 2, 2), the share of its outline that is street, houses that stay, and ``ground``: the same
+    with the lanes beside it, the verge included, as walks and pictures of streets take it."""
+
+    id: str
+    name: str
+    outline: Points
+    area: float
+    streets: Points
+    street_share: float
+    fixed: tuple[StandingHouse, ...]
+    ground: SitePlan
+
+
+class VillagePlan(NamedTuple):
+    """A valid village: its blocks, all lanes, the houses to choose from, and its style."""
+
+    blocks: tuple[BlockPlan, ...]
+    lanes: tuple[Way, ...]
+    houses: tuple[House, ...]
+    look: str

@@ -1,0 +1,104 @@
+"""The part of the brief that only villages have: blocks, lanes, and the houses to choose from.
+
+A block is ground between lanes; houses stand on it as those of a region stand (Zhu, Jiang,
+Li 2022): each a real house of the library, none invented.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from scenewright.core.brief.fields import (
+    BUILDING,
+    Coordinate,
+    FootprintOutline,
+    Heading,
+    Number,
+    Outline,
+    Point,
+    StrictModel,
+    Whole,
+    is_left_out,
+)
+
+Stretch = Annotated[Number, Field(gt=0, le=BUILDING)]
+Portion = Annotated[Number, Field(ge=0, le=1)]
+RoofName = Literal["gabled", "hipped", "flat"]
+HouseClass = Literal["small", "medium", "large"]
+
+
+class Lane(StrictModel):
+    """A street, lane or path by its middle line and width in metres. Sides of blocks along one are
+    street sides."""
+
+    id: str = ""
+    name: str = ""
+    line: Annotated[list[Point], Field(min_length=2, max_length=5000)]
+    width: Annotated[Number, Field(ge=0.5, le=60)] = 5.0
+    kind: Literal["road", "path"] = "road"
+
+
+class LibraryHouse(StrictModel):
+    """A house to choose: the ``footprint`` it covers in metres, as drawn, with ``levels`` and a
+    ``roof`` (built in the style of the brief), or a ``model`` of the brief's ``catalogs`` as large
+    as it is. ``height`` in metres (left out: by its levels); ``share`` how often it is chosen
+    among houses of its class."""
+
+    name: Annotated[str, Field(min_length=1, max_length=80)]
+    footprint: FootprintOutline | None = None
+    model: Annotated[str, Field(max_length=500)] = ""
+    levels: Annotated[Whole, Field(ge=1, le=12)] = 2
+    roof: RoofName = "gabled"
+    height: Stretch | None = None
+    share: Annotated[Number, Field(gt=0, le=1e6)] = 1.0
+
+
+class LockedHouse(StrictModel):
+    """A house that stays where it stands: one that stands already, or one locked in a saved
+    solution. ``house`` is its name in the library, ``size`` width, depth and height in metres,
+    ``footprint`` the polygon it covers, stretched to these."""
+
+    id: Annotated[str, Field(min_length=1, max_length=500)]
+    house: str = ""
+    model: Annotated[str, Field(max_length=500)] = ""
+    at: Point
+    heading: Heading = -pi / 2
+    size: tuple[Stretch, Stretch, Stretch]
+    footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
+
+
+class VillageBlock(StrictModel):
+    """One block. Lengths in metres, y to the north.
+
+    ``streets`` are the sides of the ``outline`` that are streets, by number: side 0 runs from the
+    first corner to the second (left out: the sides along ``lanes``). ``count`` houses, or as many
+    as cover the share ``coverage`` of the block (both left out: as many as such blocks have).
+    ``classes`` are the shares of small (under 50 m²), medium and large (over 100 m²) houses;
+    ``square`` keeps so many square metres free on the street. ``fixed`` are houses that stay
+    where they stand and count.
+    """
+
+    id: str = ""
+    name: str = ""
+    outline: Outline
+    streets: Annotated[list[Whole], Field(max_length=5000)] | None = None
+    count: Annotated[Whole, Field(ge=0, le=500)] | None = None
+    coverage: Annotated[Number, Field(gt=0, le=0.7)] | None = None
+    classes: dict[HouseClass, Portion] = {}
+    square: Annotated[Number, Field(gt=0, le=1e5)] | None = None
+    fixed: Annotated[list[LockedHouse], Field(max_length=1000)] = []
+
+
+class VillagePart(StrictModel):
+    """The keys only briefs of villages have. ``origin`` is the longitude and latitude of (0, 0),
+    if known."""
+
+    blocks: Annotated[list[VillageBlock], Field(min_length=1, max_length=1000)] = Field(
+        default=[], validate_default=True
+    )
+    lanes: Annotated[list[Lane], Field(max_length=5000)] = []
+    houses: Annotated[list[LibraryHouse], Field(max_length=2000)] = []
+    origin: tuple[Coordinate, Coordinate] | None = None

@@ -1,0 +1,154 @@
+"""The plan of a village to print, to scale, north up: all blocks in one drawing.
+
+Ground, lanes and street sides, yards and walks, houses by class of area with their doors, trees;
+what the referee finds in red. Beside it the legend with the houses used and the figures.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from scenewright.core.footprint import outline_of
+from scenewright.core.plan import Plan
+from scenewright.core.report import Report
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.domains.village.blocks import VillagePlan
+from scenewright.domains.village.drawing import marks as marks
+from scenewright.domains.village.gardens import lay_ground
+from scenewright.drawing import sheet as sheets
+from scenewright.drawing.layers import Layer, PlanDrawing, merge_layers
+from scenewright.drawing.legend import LegendRow, arrange, legend_mark
+from scenewright.drawing.marks import PaperView, clean
+
+MARGIN, LARGE, LISTED = 6.0, 1000, 30
+"""Millimetres around the village; the scale from which papers above A3 are used; most houses
+listed."""
+
+
+def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
+    """The plan of a solution's blocks; ``judge`` gives the referee's report."""
+    village: VillagePlan = made.detail
+    report = judge()
+    houses = [p for p in solution.pieces if _is_house(p)]
+    west, south, east, north = _bounds(village, houses)
+    numbers = number_houses(houses)
+    rows = legend(village, houses, numbers, report)
+    arranged = arrange((east - west, north - south), (2 * MARGIN, 2 * MARGIN), rows, LARGE)
+    sheet, (wide, high) = arranged.sheet, arranged.room
+    scale = 1000 / sheet.scale
+    left = sheets.EDGE + (wide - (east - west) * scale) / 2
+    bottom = sheets.EDGE + (high + (north - south) * scale) / 2
+    view = sheets.view_at(sheet, west, south, left, bottom)
+    strip = sheets.sheet_mark(sheet, solution.brief.name, _summary(village, houses, report))
+    layers = [
+        [Layer("Sheet", strip)],
+        _layers(view, solution, village, houses, numbers, report),
+        [Layer("Legend", legend_mark(arranged))],
+    ]
+    return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers))
+
+
+def _is_house(piece: Piece) -> bool:
+    whole = np.isfinite([*piece.pose, *piece.size]).all()
+    return piece.category == "building" and bool(whole) and max(map(abs, piece.pose[:2])) < 1e5
+
+
+def number_houses(houses: Sequence[Piece]) -> dict[str, int]:
+    """A number for every house of the library that is used, the most frequent first."""
+    counts = Counter(piece.function for piece in houses)
+    return {name: number for number, (name, _) in enumerate(counts.most_common(), 1)}
+
+
+def _bounds(village: VillagePlan, houses: Sequence[Piece]) -> tuple[float, float, float, float]:
+    """What is drawn: blocks, and houses not farther outside than the village is long."""
+    low = np.min([b.outline.min(0) for b in village.blocks], 0)
+    high = np.max([b.outline.max(0) for b in village.blocks], 0)
+    reach = float((high - low).max()) / 2
+    rings = [outline_of(p) for p in houses]
+    near = [r for r in rings if (r > low - reach).all() and (r < high + reach).all()]
+    corners = np.vstack([low, high, *near])
+    (west, south), (east, north) = (corners.min(0) - 4).tolist(), (corners.max(0) + 4).tolist()
+    return west, south, east, north
+
+
+def _layers(
+    view: PaperView,
+    solution: Solution,
+    village: VillagePlan,
+    houses: Sequence[Piece],
+    numbers: dict[str, int],
+    report: Report,
+) -> list[Layer]:
+    """The village on paper, from the ground up."""
+    surfaces = lay_ground(village, solution.pieces, solution.patches)
+    lanes = [row for row in surfaces if row.kind in ("asphalt", "path")]
+    paved = [row for row in surfaces if row.kind in ("yard", "walk", "square")]
+    trees = [p for p in solution.pieces if p.category == "tree"]
+    blocks = village.blocks
+    found = [*(Layer("Ground", marks.ground_mark(view, block)) for block in blocks)]
+    found += [
+        Layer("Yards and walks", marks.paving_mark(view, paved)),
+        Layer("Lanes", marks.paving_mark(view, lanes)),
+        *(Layer("Street sides", marks.streets_mark(view, block)) for block in blocks),
+        Layer("Names of lanes", marks.names_mark(view, village.lanes)),
+        Layer("Trees", marks.trees_mark(view, trees)),
+        Layer("Houses", marks.houses_mark(view, houses)),
+        Layer("Numbers", marks.labels_mark(view, numbers, houses)),
+        Layer("Violations", marks.faults_mark(view, houses, report.findings)),
+    ]
+    return found
+
+
+def legend(
+    village: VillagePlan, houses: Sequence[Piece], numbers: dict[str, int], report: Report
+) -> tuple[LegendRow, ...]:
+    """Signs that occur, the houses by number, the figures of each block."""
+    rows = [LegendRow("heading", "Legend")]
+    used = {marks.fill_of(piece, outline_of(piece)) for piece in houses}
+    rows += [LegendRow("swatch", w, value=colour) for w, colour in marks.CLASSES if colour in used]
+    if marks.KEPT in used:
+        rows.append(LegendRow("swatch", "House that stays", value=marks.KEPT))
+    rows.append(LegendRow("swatch", "Street side", value=marks.STREET))
+    rows.append(LegendRow("entrance", "Door"))
+    if report.findings:
+        rows.append(LegendRow("swatch", "Violation", value=marks.FAULT))
+    counts = Counter(piece.function for piece in houses)
+    rows.append(LegendRow("heading", "Houses"))
+    rows += [
+        LegendRow("letter", clean(name, 40), f"{counts[name]} ×", str(number))
+        for name, number in list(numbers.items())[:LISTED]
+    ]
+    for block in village.blocks[:6]:
+        heading = clean(block.name, 40) if len(village.blocks) > 1 else "Figures"
+        rows += _figures(heading, report.figures["blocks"][block.id])
+    return tuple(rows)
+
+
+def _figures(heading: str, found: dict[str, Any]) -> list[LegendRow]:
+    told = [
+        ("Ground", f"{found['area']:,.0f} m²"),
+        ("Houses", f"{found['houses']}"),
+        ("Coverage", f"{found['coverage']:.0%}"),
+        ("Distance to the nearest, median", _metres(found["median_gap"])),
+        ("Distance to the street, median", _metres(found["median_setback"])),
+        ("Reached from a street", f"{found['reached_share']:.0%}"),
+    ]
+    return [LegendRow("heading", heading), *(LegendRow("", w, right) for w, right in told)]
+
+
+def _metres(value: float | None) -> str:
+    return "–" if value is None else f"{value:.1f} m"
+
+
+def _summary(village: VillagePlan, houses: Sequence[Piece], report: Report) -> str:
+    area = sum(block.area for block in village.blocks)
+    faults = sum(not found.given for found in report.findings)
+    told = [f"{area / 1e4:.2f} ha", f"{len(houses)} houses"]
+    told += [f"{len(village.blocks)} blocks"] if len(village.blocks) > 1 else []
+    told += [f"{faults} violation{'s' * (faults != 1)}"] if faults else []
+    return " · ".join(["Village plan", *told])

@@ -1,0 +1,91 @@
+"""What lies on the ground of a village: lanes, verges, squares, walks to doors, yards."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+import shapely
+
+from scenewright.building.outlines import rings
+from scenewright.core.footprint import polygons_of
+from scenewright.core.layout import corners
+from scenewright.core.scene import GroundSurface, Piece
+from scenewright.core.solution import Patch
+from scenewright.domains.village.blocks import BlockPlan, VillagePlan
+from scenewright.ground.outlines import GRID
+from scenewright.ground.walks import walks
+
+HEIGHTS = {"asphalt": 0.03, "path": 0.035, "yard": 0.02, "square": 0.04, "walk": 0.045}
+"""How far the top of each lies above the ground, in metres."""
+YARD, WALK = 1.6, 0.6
+"""How far paving reaches around houses, and half the width of a walk, in metres."""
+SPECK = 0.3
+"""Areas smaller than this, in square metres, are left out."""
+
+
+def lay_ground(
+    plan: VillagePlan, pieces: Sequence[Piece], patches: Sequence[Patch]
+) -> tuple[GroundSurface, ...]:
+    """What lies on the ground of all blocks and between them."""
+    return (*_lanes(plan), *(row for b in plan.blocks for row in _of_block(b, pieces, patches)))
+
+
+def _lanes(plan: VillagePlan) -> Iterator[GroundSurface]:
+    """Lanes and paths, and the verges between them and the blocks."""
+    blocks = shapely.union_all([shapely.Polygon(block.outline) for block in plan.blocks])
+    roads = _union(plan, "road")
+    paths = shapely.difference(_union(plan, "path"), roads, grid_size=GRID)
+    grounds = [shapely.Polygon(b.ground.outline, b.ground.holes) for b in plan.blocks]
+    verge = shapely.union_all(grounds, grid_size=GRID)
+    for shape in (blocks, roads, paths):
+        verge = shapely.difference(verge, shape, grid_size=GRID)
+    first = plan.blocks[0].id
+    for kind, shape in (("asphalt", roads), ("path", paths), ("yard", verge)):
+        yield from _surface("verge" if kind == "yard" else f"lanes, {kind}", first, kind, shape)
+
+
+def _union(plan: VillagePlan, kind: str) -> shapely.Geometry:
+    areas = [
+        shapely.Polygon(a.outline, a.holes)
+        for way in plan.lanes
+        if way.kind == kind
+        for a in way.areas
+    ]
+    return shapely.union_all(np.array(areas, object), grid_size=GRID)
+
+
+def _of_block(
+    block: BlockPlan, pieces: Sequence[Piece], patches: Sequence[Patch]
+) -> Iterator[GroundSurface]:
+    here = [p for p in pieces if p.space == block.id and p.category == "building"]
+    here = [p for p in here if np.isfinite([*p.pose, *p.size]).all()]
+    floor = shapely.Polygon(block.outline)
+    squares = shapely.union_all(
+        [shapely.Polygon(corners(np.array([p.box]))[0]) for p in patches if p.space == block.id]
+    )
+    houses = shapely.union_all(polygons_of(here)) if here else shapely.Polygon()
+    trod = [
+        walk.buffer(WALK, cap_style="flat", join_style="mitre")
+        for walk in walks(block.ground, here)
+    ]
+    strips = shapely.intersection(shapely.union_all(trod), floor, grid_size=GRID)
+    strips = shapely.difference(strips, squares, grid_size=GRID)
+    yards = shapely.intersection(
+        shapely.buffer(houses, YARD, join_style="mitre", mitre_limit=2.0), floor, grid_size=GRID
+    )
+    for shape in (squares, strips):
+        yards = shapely.difference(yards, shape, grid_size=GRID)
+    for kind, shape in (("square", squares), ("walk", strips), ("yard", yards)):
+        yield from _surface(f"{kind} of {block.id}", block.id, kind, shape)
+
+
+def _surface(name: str, space: str, kind: str, shape: shapely.Geometry) -> Iterator[GroundSurface]:
+    areas = tuple(rings(part) for part in _polygons([shape]))
+    if areas:
+        yield GroundSurface(name, space, kind, areas, -0.01, HEIGHTS[kind])
+
+
+def _polygons(shapes: Iterable[shapely.Geometry]) -> list[shapely.Polygon]:
+    parts = [p for shape in shapes for p in shapely.get_parts(shapely.get_parts(shape))]
+    return [p for p in parts if p.geom_type == "Polygon" and p.area > SPECK]

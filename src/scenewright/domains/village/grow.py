@@ -1,0 +1,221 @@
+"""Filling a block house by house, the largest first.
+
+How many houses, then which, then where each stands: poses are proposed, those that are legal are
+weighed, and one is drawn. What no way can lead to is taken away and tried again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.core.space import Points
+from scenewright.domains.village.doors import assign_doors
+from scenewright.domains.village.house import House
+from scenewright.domains.village.problem import (
+    Floats,
+    Shapes,
+    Standing,
+    VillageLayout,
+    VillageProblem,
+    add,
+    place,
+)
+from scenewright.domains.village.proposals import is_legal, propose, shapes_at, shrink
+from scenewright.domains.village.relations import relate
+from scenewright.domains.village.weights import weigh
+
+MOST = 500
+"""Most houses of a block."""
+JITTER = 0.12
+"""How far chance may change the order of houses by area."""
+
+Weighing = Callable[[VillageProblem, Standing, House, Shapes, Floats], Floats]
+"""Log weights (k,) of legal poses (k, 3) of a house with their footprints (k,)."""
+
+
+class Growth(NamedTuple):
+    """A block while it is filled: what stands, and the numbers in the library and poses of the
+    houses placed."""
+
+    standing: Standing
+    houses: tuple[int, ...]
+    poses: tuple[Floats, ...]
+
+
+def grow(
+    problem: VillageProblem,
+    rng: np.random.Generator,
+    weighing: Weighing | None = None,
+    cancel: Callable[[], bool] | None = None,
+) -> VillageLayout:
+    """Fill a block. ``weighing`` tells how likely poses are (left out: by the tables of the
+    manner)."""
+    chosen = choose_houses(problem, rng)
+    growth = Growth(problem.fixed, (), ())
+    grown = _add_all(problem, growth, chosen, rng, weighing or weigh_by_tables, cancel)
+    grown, doors, lost = _reached(problem, grown)
+    if lost:
+        grown = _add_all(problem, grown, lost, rng, weighing or weigh_by_tables, cancel)
+        grown, doors, _ = _reached(problem, grown)
+    return VillageLayout(
+        np.array(grown.houses, np.int64),
+        np.array(grown.poses).reshape(-1, 3),
+        doors,
+        len(chosen),
+        {},
+    )
+
+
+def weigh_by_tables(
+    problem: VillageProblem, standing: Standing, house: House, shapes: Shapes, poses: Floats
+) -> Floats:
+    """Log weights of poses by the tables of the manner."""
+    turn = poses[:, 2]
+    found = relate(shapes, turn, standing, problem.streets)
+    return weigh(found, house.size, problem.settings.manner, not len(standing.shapes))
+
+
+def draw_count(problem: VillageProblem, rng: np.random.Generator) -> int:
+    """How many houses a block of its size and streets has: log n is normal."""
+    a, b, c, spread = problem.settings.manner.count_law
+    mean = a + b * np.log(problem.floor.area) + c * problem.street_share
+    return max(1, min(MOST, round(float(np.exp(mean + spread * 0.5 * rng.normal())))))
+
+
+def choose_houses(problem: VillageProblem, rng: np.random.Generator) -> list[int]:
+    """The numbers of the houses to place besides those that stand, the largest first.
+
+    Without classes asked for, a class without houses in the library goes to the others.
+    """
+    groups = [[k for k, h in enumerate(problem.houses) if h.size == size] for size in range(3)]
+    odds = np.array([s if group else 0.0 for s, group in zip(problem.sizes, groups, strict=True)])
+    odds = odds / odds.sum() if odds.sum() else np.array([len(g) for g in groups], float)
+    odds = odds / odds.sum()
+    area = float(shapely.area(problem.fixed.shapes).sum()) if len(problem.fixed.shapes) else 0.0
+    whole = None if problem.coverage is None else problem.coverage * problem.floor.area
+    count = problem.asked
+    if count is None and whole is None:
+        count = draw_count(problem, rng)
+    wanted = MOST if count is None else max(count - len(problem.fixed.shapes), 0)
+    found: list[int] = []
+    while len(found) < wanted and (whole is None or area < whole):
+        group = groups[int(rng.choice(3, p=odds))]
+        share = np.array([problem.houses[k].share for k in group])
+        found.append(group[int(rng.choice(len(group), p=share / share.sum()))])
+        area += problem.houses[found[-1]].area
+    order = np.array([problem.houses[k].area for k in found])
+    order = order * np.exp(rng.normal(0.0, JITTER, len(found)))
+    return [found[k] for k in np.argsort(-order, kind="stable")]
+
+
+def _add_all(
+    problem: VillageProblem,
+    growth: Growth,
+    chosen: list[int],
+    rng: np.random.Generator,
+    weighing: Weighing,
+    cancel: Callable[[], bool] | None,
+) -> Growth:
+    """Place houses one by one; one without a place is tried again, then a smaller one of its
+    class in its stead."""
+    for number in chosen:
+        if cancel is not None and cancel():
+            break
+        for candidate in [number] * problem.settings.grow.retries + _smaller(problem, number):
+            pose = draw_pose(problem, growth.standing, problem.houses[candidate], rng, weighing)
+            if pose is not None:
+                growth = _with(growth, problem.houses[candidate], candidate, pose)
+                break
+    return growth
+
+
+def _smaller(problem: VillageProblem, number: int) -> list[int]:
+    """Houses of the same class of area that need less ground, the largest first; one of each of
+    three sizes."""
+    house = problem.houses[number]
+    fitting = [
+        k for k, h in enumerate(problem.houses) if h.size == house.size and h.area < house.area
+    ]
+    fitting.sort(key=lambda k: -problem.houses[k].area)
+    return fitting[:: max(1, len(fitting) // 3)][-3:]
+
+
+def draw_pose(
+    problem: VillageProblem,
+    standing: Standing,
+    house: House,
+    rng: np.random.Generator,
+    weighing: Weighing,
+) -> Floats | None:
+    """A legal pose (3,) of a house, drawn by its weight; None if none of those proposed is."""
+    settings = problem.settings.grow
+    poses = propose(problem, standing, house, rng)
+    shapes, rings = shapes_at(house, poses)
+    blocked = [*standing.shapes, problem.kept_free]
+    good = np.flatnonzero(is_legal(problem.floor, shrink(np.array(blocked, object)), shapes, rings))
+    if not len(good):
+        return None
+    good = rng.permutation(good)[: settings.judged]
+    weight = weighing(problem, standing, house, shapes[good], poses[good])
+    if settings.temperature <= 0:
+        return np.asarray(poses[good[int(np.argmax(weight))]])
+    odds = np.exp((weight - weight.max()) / settings.temperature)
+    return np.asarray(poses[good[int(rng.choice(len(good), p=odds / odds.sum()))]])
+
+
+def _with(growth: Growth, house: House, number: int, pose: Floats) -> Growth:
+    ring = place(house.outline, pose[None])[0]
+    frame = np.array([pose[0], pose[1], pose[2], *house.extent])
+    standing = add(growth.standing, shapely.Polygon(ring), frame, house.size)
+    return Growth(standing, (*growth.houses, number), (*growth.poses, pose))
+
+
+def _reached(problem: VillageProblem, growth: Growth) -> tuple[Growth, np.ndarray, list[int]]:
+    """What was grown less houses that no way leads to, smallest first; their doors; and which
+    were taken away."""
+    fixed = len(problem.fixed.shapes)
+    lost: list[int] = []
+    while True:
+        doors = assign_doors(
+            problem.walkable, problem.streets, _rings(growth.standing), fronts_of(problem, growth)
+        )
+        own = np.flatnonzero(~doors.reached[fixed:])
+        if not len(own):
+            return growth, doors.side[fixed:], lost
+        worst = int(min(own, key=lambda k: problem.houses[growth.houses[k]].area))
+        lost.append(growth.houses[worst])
+        growth = _without(growth, fixed, worst)
+
+
+def _rings(standing: Standing) -> list[Points]:
+    return [shapely.get_coordinates(shape.exterior)[:-1] for shape in standing.shapes]
+
+
+def fronts_of(problem: VillageProblem, growth: Growth) -> list[int]:
+    """The only side that may have the door of each house (-1: any); models have a front."""
+    found = [-1] * len(problem.fixed.shapes)
+    for number in growth.houses:
+        house = problem.houses[number]
+        found.append(-1 if house.front is None else front_side(house.outline, house.front))
+    return found
+
+
+def front_side(outline: Points, front: float) -> int:
+    """The side of a ring (n, 2) farthest ahead in a direction.
+
+    >>> front_side(np.array([[-1, -1], [1, -1], [1, 1], [-1, 1.0]]), np.pi / 2)
+    2
+    """
+    middle = (outline + np.roll(outline, -1, axis=0)) / 2
+    return int(np.argmax(np.round(middle @ (np.cos(front), np.sin(front)), 6)))
+
+
+def _without(growth: Growth, fixed: int, number: int) -> Growth:
+    keep = np.arange(len(growth.standing.shapes)) != fixed + number
+    standing = Standing(*(values[keep] for values in growth.standing))
+    houses = (*growth.houses[:number], *growth.houses[number + 1 :])
+    return Growth(standing, houses, (*growth.poses[:number], *growth.poses[number + 1 :]))

@@ -1,0 +1,158 @@
+"""The houses a village is filled with: those of the brief, models of its catalogues, or ours."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+import shapely
+
+from scenewright.catalog.loading import BUILDING, find_asset
+from scenewright.core.catalog import OWN, Asset, Catalog
+from scenewright.core.errors import InputError
+from scenewright.core.space import Points
+from scenewright.domains.village.brief import LibraryHouse
+from scenewright.domains.village.house import House, class_of_area, class_of_shape, to_own_frame
+
+STOREY, SILL = 2.7, 0.4
+"""Height of a storey and of the plinth, in metres."""
+PITCH = {"rural": 0.85, "riviera": 0.42, "hui": 0.55}
+"""Rise of a roof by half its span, by style."""
+FLAT = 0.5
+"""Height of a parapet, in metres."""
+LOOKS = ("rural", "riviera", "hui")
+
+_OURS: tuple[tuple[str, float, float, float, float, int, str, float], ...] = (
+    ("Shed", 4.0, 3.0, 0, 0, 1, "gabled", 2.0),
+    ("Garage", 6.0, 3.5, 0, 0, 1, "flat", 3.0),
+    ("Small barn", 7.0, 5.0, 0, 0, 1, "gabled", 3.0),
+    ("Wash house", 5.0, 4.5, 0, 0, 1, "hipped", 2.0),
+    ("Stable", 9.0, 5.0, 0, 0, 1, "gabled", 2.0),
+    ("Cottage", 9.0, 7.0, 0, 0, 1, "gabled", 2.0),
+    ("Smallholding", 11.0, 7.5, 0, 0, 1, "gabled", 2.0),
+    ("Square house", 9.0, 8.5, 0, 0, 2, "hipped", 2.0),
+    ("Corner cottage", 10.0, 8.5, 4.5, 3.5, 1, "gabled", 1.5),
+    ("House", 12.0, 9.0, 0, 0, 2, "gabled", 4.0),
+    ("Broad house", 13.5, 10.0, 0, 0, 2, "gabled", 4.0),
+    ("Square villa", 11.5, 10.5, 0, 0, 2, "hipped", 3.0),
+    ("Farmhouse", 16.0, 10.0, 0, 0, 2, "gabled", 3.0),
+    ("Long farmhouse", 21.0, 10.0, 0, 0, 2, "gabled", 2.0),
+    ("Barn", 18.0, 12.0, 0, 0, 1, "gabled", 1.5),
+    ("Large barn", 25.0, 13.0, 0, 0, 1, "gabled", 1.0),
+    ("Angle house", 13.0, 11.0, 5.5, 4.5, 2, "gabled", 3.0),
+    ("Angle farm", 18.0, 14.0, 9.0, 6.0, 2, "gabled", 2.0),
+    ("Inn", 20.0, 15.0, 10.0, 6.0, 2, "gabled", 1.0),
+    ("Annexe house", 15.0, 9.5, 4.5, 3.0, 2, "gabled", 3.0),
+    ("Corner farm", 22.0, 18.0, 13.0, 10.0, 2, "gabled", 1.0),
+    ("Court farm", 22.0, 16.0, -9.0, 8.0, 2, "gabled", 1.0),
+    ("Court house", 14.0, 11.0, -5.0, 4.5, 2, "gabled", 1.5),
+)
+"""Name, width, depth, width and depth of what is cut out (of a corner; below 0: of the middle of
+a long side), storeys, roof, share."""
+
+
+def houses_of(rows: Sequence[LibraryHouse], look: str, catalog: Catalog) -> tuple[House, ...]:
+    """The houses to choose from: those of the brief, else the models of its catalogues, else our
+    own. InputError, with its place, for a row that is no house."""
+    if not rows:
+        own = [a for a in catalog.of(BUILDING) if a.id.startswith(OWN)]
+        if own:
+            return tuple(_of_model(asset.name, asset, 1.0, 2) for asset in own)
+        return our_houses(look)
+    found = []
+    for number, row in enumerate(rows):
+        try:
+            found.append(_of_row(row, look, catalog))
+        except InputError as error:
+            raise error.located(place=f"houses[{number}] '{row.name}'") from None
+    names = [house.name for house in found]
+    for number, name in enumerate(names):
+        if name in names[:number]:
+            told = f"houses[{number}]"
+            raise InputError(f"the name '{name}' is used twice", "give each its own", place=told)
+    return tuple(found)
+
+
+@lru_cache(maxsize=8)
+def our_houses(look: str) -> tuple[House, ...]:
+    """Our own library in a style.
+
+    >>> len(our_houses("rural")) > 20, our_houses("hui")[0].asset
+    (True, 'house_hui_gabled')
+    """
+    return tuple(
+        _house(name, _shape(w, d, cut_w, cut_d), levels, None, _asset(look, roof), look, share)
+        for name, w, d, cut_w, cut_d, levels, roof, share in _OURS
+    )
+
+
+def _shape(width: float, depth: float, cut_w: float, cut_d: float) -> list[tuple[float, float]]:
+    """A rectangle, an L or a U."""
+    w, d = width / 2, depth / 2
+    if cut_w > 0:
+        return [(-w, -d), (w, -d), (w, d - cut_d), (w - cut_w, d - cut_d), (w - cut_w, d), (-w, d)]
+    if cut_w < 0:
+        c = -cut_w / 2
+        cut = [(c, d), (c, d - cut_d), (-c, d - cut_d), (-c, d)]
+        return [(-w, -d), (w, -d), (w, d), *cut, (-w, d)]
+    return [(-w, -d), (w, -d), (w, d), (-w, d)]
+
+
+def _asset(look: str, roof: str) -> str:
+    return f"house_{look}_{roof}"
+
+
+def _of_row(row: LibraryHouse, look: str, catalog: Catalog) -> House:
+    if row.model:
+        found = _of_model(row.name, find_asset(catalog, row.model), row.share, row.levels)
+        return found._replace(height=row.height or found.height)
+    if row.footprint is None:
+        raise InputError("has neither footprint nor model", 'give "footprint" or "model"')
+    outline = [(float(x), float(y)) for x, y in row.footprint]
+    asset = _asset(look, row.roof)
+    return _house(row.name, outline, row.levels, row.height, asset, look, row.share)
+
+
+def _of_model(name: str, asset: Asset, share: float, levels: int) -> House:
+    width, depth, height = asset.usual
+    box = ((-width / 2, -depth / 2), (width / 2, -depth / 2), (width / 2, depth / 2))
+    outline = list(asset.footprint(asset.usual) or (*box, (-width / 2, depth / 2)))
+    local, turn = to_own_frame(np.array(outline, float))
+    return _classify(name, local, levels, height, asset.id, share)._replace(front=np.pi / 2 - turn)
+
+
+def _house(
+    name: str,
+    outline: Sequence[tuple[float, float]],
+    levels: int,
+    height: float | None,
+    asset: str,
+    look: str,
+    share: float,
+) -> House:
+    local = to_own_frame(np.array(outline, float))[0]
+    wide = float(np.ptp(local, axis=0).min())
+    rise = FLAT if asset.endswith("flat") else PITCH[look] * min(wide, 12.0) / 2
+    tall = height or round(levels * STOREY + SILL * (levels > 1) + rise, 2)
+    return _classify(name, local, levels, tall, asset, share)
+
+
+def _classify(
+    name: str, outline: Points, levels: int, height: float, asset: str, share: float
+) -> House:
+    polygon = shapely.Polygon(outline)
+    wide, deep = np.ptp(outline, axis=0).tolist()
+    area = float(polygon.area)
+    return House(
+        name,
+        outline,
+        area,
+        (wide, deep),
+        class_of_area(area),
+        class_of_shape(outline),
+        levels,
+        height,
+        asset,
+        share,
+    )

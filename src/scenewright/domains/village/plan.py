@@ -1,0 +1,274 @@
+"""The plan of a village: blocks with their street sides, lanes, and the library of houses.
+
+Everything later stages rely on is checked here, once: outlines that are simple and apart, a street
+side for each block, a house that fits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+
+from scenewright.building.outlines import rings
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.footprint import place_outline, read_footprint
+from scenewright.core.layout import corners
+from scenewright.core.plan import Plan
+from scenewright.core.space import Level, Points, Space
+from scenewright.domains.village.blocks import BlockPlan, StandingHouse, VillagePlan
+from scenewright.domains.village.brief import LockedHouse, VillageBlock
+from scenewright.domains.village.house import House
+from scenewright.domains.village.library import LOOKS, houses_of
+from scenewright.ground import outlines as shapes
+from scenewright.ground.names import assign_ids
+from scenewright.ground.plan import Area, SitePlan, Way
+
+LEVEL = Level("0", "", 0.0, 2.6)
+SKY = 60.0
+LANE = 4.4
+"""Width in metres of a lane along street sides where the brief draws none."""
+BESIDE = 6.0
+"""How far beyond the edge of a lane, in metres, a side of a block may lie and be on it."""
+VERGE = 1.2
+"""Metres before a street side that belong to the street."""
+OVERLAP = 1.0
+"""Square metres that two blocks may share."""
+
+
+def plan_village(brief: Brief) -> Plan:
+    """The plan of a brief of a village: open ground, ``detail`` a :class:`VillagePlan`.
+
+    Raises InputError, with the place in the brief, for anything that cannot be built on.
+    """
+    look = _look(brief.style)
+    houses = houses_of(brief.part.houses, look, catalog_of(brief.catalogs))
+    names = assign_ids(brief.part.blocks, "block", "blocks")
+    floors = [
+        _floor(block, f"blocks[{k}] '{block.name or names[k]}'", houses)
+        for k, block in enumerate(brief.part.blocks)
+    ]
+    _check_apart(floors)
+    everything = shapely.union_all(floors)
+    lanes = _lanes(brief)
+    streets = [
+        _streets(block, lanes, f"blocks[{k}] '{block.name or names[k]}'")
+        for k, block in enumerate(brief.part.blocks)
+    ]
+    lanes = lanes or _implied_lanes(streets, everything)
+    blocks = tuple(
+        _block(block, name, floor, sides, lanes, f"blocks[{k}]")
+        for k, (block, name, floor, sides) in enumerate(
+            zip(brief.part.blocks, names, floors, streets, strict=True)
+        )
+    )
+    spaces = tuple(
+        Space(block.id, block.name, ("village",), LEVEL.id, block.outline, (), SKY)
+        for block in blocks
+    )
+    detail = VillagePlan(blocks, lanes, houses, look)
+    return Plan((LEVEL,), spaces, {block.id: block.name for block in blocks}, detail)
+
+
+def _look(style: str) -> str:
+    """The style of the houses a brief names."""
+    if style and style not in LOOKS:
+        raise InputError(
+            f"'{style[:40]}' is no style of villages",
+            f"use one of: {', '.join(LOOKS)}",
+            place="style",
+        )
+    return style or LOOKS[0]
+
+
+def _floor(block: VillageBlock, place: str, houses: Sequence[House]) -> shapely.Polygon:
+    """The ground of a block, wide enough for the least house."""
+    try:
+        floor = shapes.ground(block.outline, [])
+    except InputError as error:
+        raise error.located(place=place) from None
+    least = min(houses, key=lambda house: house.extent[1])
+    radius = shapes.inscribed_radius(floor)
+    if 2.02 * radius < least.extent[1] or floor.area < min(house.area for house in houses):
+        raise InputError(
+            f"is {2 * radius:.1f} m wide and {floor.area:.0f} m² large: no house fits "
+            f"(the narrowest, '{least.name}', is {least.extent[1]:.1f} m)",
+            "enlarge the outline, or add smaller houses",
+            place=place,
+        )
+    return floor
+
+
+def _check_apart(floors: Sequence[shapely.Polygon]) -> None:
+    i, j = shapely.STRtree(floors).query(floors, predicate="intersects")
+    for a, b in zip(i.tolist(), j.tolist(), strict=True):
+        shared = shapely.intersection(floors[a], floors[b]).area if a < b else 0.0
+        if shared > OVERLAP:
+            raise InputError(
+                f"overlaps blocks[{a}] by {shared:.1f} m²", "draw them apart", place=f"blocks[{b}]"
+            )
+
+
+def _lanes(brief: Brief) -> tuple[Way, ...]:
+    """The lanes of the brief with the ground they cover."""
+    found = []
+    for number, name in enumerate(assign_ids(brief.part.lanes, "lane", "lanes")):
+        lane = brief.part.lanes[number]
+        try:
+            line, area = shapes.way(lane.line, lane.width)
+        except InputError as error:
+            raise error.located(place=f"lanes[{number}]") from None
+        found.append(_way(name, lane.name, lane.kind, lane.width, line, area))
+    return tuple(found)
+
+
+def _way(
+    name: str, told: str, kind: str, width: float, line: Points, area: shapely.Geometry
+) -> Way:
+    parts = [Area(*rings(part), part.area) for part in shapes.polygons(area)]
+    return Way(name, told, kind, width, line, (line,), tuple(parts))
+
+
+def _streets(block: VillageBlock, lanes: Sequence[Way], place: str) -> Points:
+    """The street sides (s, 2, 2) of a block: those it names, else those along lanes."""
+    corners_ = np.array(block.outline, float)
+    sides = np.stack([corners_, np.roll(corners_, -1, axis=0)], 1)
+    if block.streets is not None:
+        wrong = [k for k in block.streets if not 0 <= k < len(sides)]
+        if wrong:
+            raise InputError(
+                f"has no side {wrong[0]}",
+                f"its {len(sides)} sides are numbered from 0",
+                place=f"{place} streets",
+            )
+        chosen = sides[sorted(set(block.streets))]
+    else:
+        chosen = sides[_along(sides, lanes)]
+    chosen = chosen[np.hypot(*(chosen[:, 1] - chosen[:, 0]).T) > 1e-3]
+    if not len(chosen):
+        raise InputError(
+            "no side of its outline is a street",
+            'name its sides in "streets", or draw a lane along one in "lanes"',
+            place=place,
+        )
+    return chosen
+
+
+def _along(sides: Points, lanes: Sequence[Way]) -> list[int]:
+    """The numbers of sides that run along a lane: both quarters of it lie near."""
+    if not lanes:
+        return []
+    near = [
+        shapely.buffer(shapely.LineString(way.line), way.width / 2 + BESIDE, cap_style="flat")
+        for way in lanes
+    ]
+    quarters = sides[:, :1] + (sides[:, 1:] - sides[:, :1]) * np.array([0.25, 0.75])[None, :, None]
+    inside = [shapely.contains_xy(area, quarters[..., 0], quarters[..., 1]).all(1) for area in near]
+    return np.flatnonzero(np.any(inside, axis=0)).tolist()
+
+
+def _implied_lanes(streets: Sequence[Points], blocks: shapely.Geometry) -> tuple[Way, ...]:
+    """A lane before the street sides, where the brief draws none."""
+    sides = shapely.linestrings(np.concatenate(streets))
+    merged = shapely.line_merge(shapely.union_all(sides))
+    found: list[Way] = []
+    for line in shapes.lines(merged):
+        strip = shapely.buffer(shapely.LineString(line), LANE, cap_style="square")
+        area = shapely.difference(strip, blocks, grid_size=shapes.GRID)
+        middle = _outside(line, blocks)
+        if len(middle) > 1 and not area.is_empty:
+            found.append(_way(f"lane-{len(found) + 1}", "", "road", LANE, middle, area))
+    return tuple(found)
+
+
+def _outside(line: Points, blocks: shapely.Geometry) -> Points:
+    """The line half a lane's width to the side where no block is."""
+    both = [shapely.offset_curve(shapely.LineString(line), s * LANE / 2) for s in (-1, 1)]
+    shares = [shapely.intersection(one, blocks).length for one in both]
+    parts = shapes.lines(both[int(np.argmin(shares))])
+    return max(parts, key=len) if parts else line
+
+
+def _block(
+    block: VillageBlock,
+    name: str,
+    floor: shapely.Polygon,
+    streets: Points,
+    lanes: Sequence[Way],
+    place: str,
+) -> BlockPlan:
+    outline, _ = rings(floor)
+    length = float(np.hypot(*(streets[:, 1] - streets[:, 0]).T).sum())
+    fixed = tuple(_standing(row, floor, f"{place} fixed[{k}]") for k, row in enumerate(block.fixed))
+    told = block.name or name
+    return BlockPlan(
+        name,
+        told,
+        outline,
+        floor.area,
+        streets,
+        length / floor.exterior.length,
+        fixed,
+        _ground(name, told, floor, streets, lanes),
+    )
+
+
+def _ground(
+    name: str, told: str, floor: shapely.Polygon, streets: Points, lanes: Sequence[Way]
+) -> SitePlan:
+    """The block, its verge and the lanes beside it as one piece of open ground."""
+    near = shapely.buffer(floor, BESIDE + LANE)
+    sides = shapely.union_all(shapely.linestrings(streets))
+    beside = [
+        way for way in lanes if sides.dwithin(shapely.LineString(way.line), way.width + BESIDE)
+    ]
+    parts = [shapely.Polygon(a.outline, a.holes) for way in beside for a in way.areas]
+    lane = shapely.intersection(shapely.union_all(parts), near, grid_size=shapes.GRID)
+    verge = shapely.buffer(sides, VERGE, cap_style="flat")
+    gap = _between(streets, lane)
+    whole = shapely.union_all([floor, verge, lane, gap], grid_size=shapes.GRID)
+    main = max(shapes.polygons(whole), key=lambda part: part.area)
+    outline, holes = rings(main)
+    ways = tuple(
+        way._replace(
+            inside=shapes.lines(shapely.intersection(shapely.LineString(way.line), near)),
+            areas=tuple(
+                Area(*rings(p), p.area)
+                for a in way.areas
+                for p in shapes.polygons(
+                    shapely.intersection(shapely.Polygon(a.outline, a.holes), near)
+                )
+            ),
+        )
+        for way in beside
+    )
+    return SitePlan(name, told, outline, holes, floor.area, floor.area, (), ways, (), ())
+
+
+def _between(streets: Points, lane: shapely.Geometry) -> shapely.Geometry:
+    """What lies between street sides and the lane before them."""
+    if lane.is_empty:
+        return shapely.Polygon()
+    parts = []
+    for side in shapely.linestrings(streets):
+        ends = shapely.points(shapely.get_coordinates(side))
+        away = min(float(shapely.distance(ends, lane).max()), BESIDE)
+        parts.append(shapely.buffer(side, away + VERGE, cap_style="flat"))
+    return shapely.union_all(parts)
+
+
+def _standing(row: LockedHouse, floor: shapely.Polygon, place: str) -> StandingHouse:
+    width, depth, height = row.size
+    box = (*row.at, row.heading, width, depth)
+    local = read_footprint(row.footprint, width, depth) if row.footprint else ()
+    outline = (
+        place_outline(np.array(local), *row.at, row.heading)
+        if local
+        else corners(np.array([box]))[0]
+    )
+    if not shapely.Polygon(outline).intersects(floor):
+        raise InputError("stands outside its block", "move it in or let it go", place=place)
+    return StandingHouse(row.id, row.house, row.model, outline, box, height, local)

@@ -1,0 +1,22 @@
+"""Presets of villages: named sets of what steers their filling."""
+
+from __future__ import annotations
+
+from scenewright.domains.village.settings import GrowSettings, VillageSettings
+from scenewright.engine.rows import Preset
+
+VillagePreset = Preset[VillageSettings]
+"""Its steps are layouts grown of each block; the best is taken."""
+
+PRESETS: dict[str, VillagePreset] = {
+    "default": Preset("three layouts of each block", "grow", 3, {}, VillageSettings()),
+    "quick": Preset("one layout of each block", "grow", 1, {}, VillageSettings()),
+    "fine": Preset("twelve layouts of each block", "grow", 12, {}, VillageSettings()),
+    "strict": Preset(
+        "houses stand where most do: little is left to chance",
+        "grow",
+        3,
+        {},
+        VillageSettings(grow=GrowSettings(temperature=0.4)),
+    ),
+}

@@ -1,0 +1,96 @@
+"""The problem of filling one block, and its answer."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.core.space import Points
+from scenewright.domains.village.house import House, rectangle_about
+from scenewright.domains.village.settings import VillageSettings
+from scenewright.engine.solve import Found
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Indices = NDArray[np.int64]
+Shapes = NDArray[np.object_]
+
+
+class Standing(NamedTuple):
+    """Houses that stand, row by row: ``shapes`` (n,) polygons, ``frames`` (n, 5) the least
+    rectangle about each (x, y, angle of the longer side, longer side, shorter side), and classes
+    of area ``sizes`` (n,)."""
+
+    shapes: Shapes
+    frames: Floats
+    sizes: Indices
+
+
+class VillageProblem(NamedTuple):
+    """One block: its ground, street sides (s, 2, 2), the share of the outline that is street,
+    where people may walk, houses that stay, the library, how many houses are asked for
+    (``asked``, or the share ``coverage`` of the ground, or neither), shares of classes of area
+    (3,), and settings."""
+
+    name: str
+    floor: shapely.Polygon
+    streets: Points
+    street_share: float
+    walkable: shapely.Polygon
+    fixed: Standing
+    houses: tuple[House, ...]
+    asked: int | None
+    coverage: float | None
+    sizes: tuple[float, float, float]
+    settings: VillageSettings
+    kept_free: shapely.Polygon
+
+
+class VillageLayout(NamedTuple):
+    """A filled block: the number of each house in the library (n,), its pose (n, 3) in its own
+    frame (x, y, angle), the side of its footprint with the door (n,), how many were ``asked``
+    for, and what each measure of the layout says."""
+
+    houses: Indices
+    poses: Floats
+    doors: Indices
+    asked: int
+    score: dict[str, float]
+
+
+VillageFound = Found[VillageLayout]
+
+
+def place(outline: Points, poses: Floats) -> Floats:
+    """A ring (n, 2) of a house's own frame at poses (k, 3) in the plan: (k, n, 2).
+
+    >>> place(np.array([[1.0, 0.0]]), np.array([[5.0, 5.0, np.pi / 2]])).round(9).tolist()
+    [[[5.0, 6.0]]]
+    """
+    cos, sin = np.cos(poses[:, 2]), np.sin(poses[:, 2])
+    x, y = outline[:, 0], outline[:, 1]
+    east = poses[:, :1] + cos[:, None] * x - sin[:, None] * y
+    north = poses[:, 1:2] + sin[:, None] * x + cos[:, None] * y
+    return np.stack([east, north], -1)
+
+
+def stand(outlines: list[Points], sizes: list[int]) -> Standing:
+    """Some houses by their footprints in the plan and classes of area."""
+    shapes = np.empty(len(outlines), object)
+    shapes[:] = [shapely.Polygon(ring) for ring in outlines]
+    frames = np.zeros((len(outlines), 5))
+    for k, ring in enumerate(outlines):
+        angle, middle, sides = rectangle_about(ring)
+        frames[k] = (*middle, angle, *sides)
+    return Standing(shapes, frames, np.array(sizes, np.int64))
+
+
+def add(standing: Standing, shape: Any, frame: Floats, size: int) -> Standing:
+    """The same and one more house."""
+    shapes = np.empty(len(standing.shapes) + 1, object)
+    shapes[:-1], shapes[-1] = standing.shapes, shape
+    frames = np.concatenate([standing.frames, frame[None]])
+    return Standing(shapes, frames, np.append(standing.sizes, size))

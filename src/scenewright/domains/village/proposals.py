@@ -1,0 +1,166 @@
+"""Where a house might stand: beside houses, along streets, anywhere; and which of that is legal.
+
+Legal is exact: the footprint lies inside the block, overlaps no other (walls may be shared) and
+keeps what is to stay free.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from scenewright.core.space import Points
+from scenewright.domains.village.house import House
+from scenewright.domains.village.problem import (
+    Flags,
+    Floats,
+    Shapes,
+    Standing,
+    VillageProblem,
+    place,
+)
+from scenewright.domains.village.settings import Relations
+
+TOUCH = 0.005
+"""Metres by which footprints may overlap unseen."""
+SKEW = 0.02
+"""Spread in radians of a house that stands parallel to another."""
+INSIDE = 1e-3
+
+
+def propose(
+    problem: VillageProblem, standing: Standing, house: House, rng: np.random.Generator
+) -> Floats:
+    """Poses (k, 3) of a house: x, y, and the angle of its own frame."""
+    settings = problem.settings.grow
+    counts = rng.multinomial(settings.proposed, _shares(settings.shares, len(standing.shapes)))
+    gap = problem.settings.manner.gap
+    return np.concatenate(
+        [
+            beside(standing, house, gap, int(counts[0]), rng),
+            along_streets(problem, house, int(counts[1]), rng),
+            anywhere(problem, standing, int(counts[2]), rng),
+        ]
+    )
+
+
+def _shares(shares: tuple[float, float, float], houses: int) -> Floats:
+    found = np.array(shares) * ((1.0, 1.0, 1.0) if houses else (0.0, 1.0, 1.0))
+    return found / found.sum()
+
+
+def beside(
+    standing: Standing, house: House, gap: Relations, count: int, rng: np.random.Generator
+) -> Floats:
+    """Poses beside houses that stand: parallel to a side of one, a gap away, flush with one of its
+    corners or anywhere along it."""
+    if not count:
+        return np.zeros((0, 3))
+    frames = standing.frames[rng.integers(len(standing.frames), size=count)]
+    away = draw_values(gap, gap.small if house.size == 0 else gap.large, count, rng)
+    side = rng.integers(4, size=count)
+    quarter = rng.integers(4, size=count)
+    half = np.array(house.extent) / 2
+    own = np.where((quarter % 2 == 0)[:, None], half, half[::-1])
+    theirs = frames[:, 3:] / 2
+    across = (side % 2)[:, None] == np.array([1, 0])
+    out = np.where(across, theirs + away[:, None] + own, 0.0)
+    slack = np.where(across, 0.0, theirs - own)
+    reach = np.where(across, 0.0, theirs + own)
+    flush = rng.random(count) < 0.5
+    shift = np.where(
+        flush[:, None],
+        slack * rng.choice([-1.0, 0.0, 1.0], size=(count, 1)),
+        reach * rng.uniform(-1, 1, size=(count, 1)),
+    )
+    local = out * np.where(side < 2, 1.0, -1.0)[:, None] + shift
+    cos, sin = np.cos(frames[:, 2]), np.sin(frames[:, 2])
+    x = frames[:, 0] + cos * local[:, 0] - sin * local[:, 1]
+    y = frames[:, 1] + sin * local[:, 0] + cos * local[:, 1]
+    skew = rng.normal(0.0, SKEW, count) * (away > 0) * (rng.random(count) < 0.6)
+    return np.stack([x, y, frames[:, 2] + quarter * np.pi / 2 + skew], 1)
+
+
+def along_streets(
+    problem: VillageProblem, house: House, count: int, rng: np.random.Generator
+) -> Floats:
+    """Poses parallel to a street side, as far behind it as houses stand."""
+    sides = problem.streets
+    along = sides[:, 1] - sides[:, 0]
+    length = np.hypot(along[:, 0], along[:, 1])
+    pick = rng.choice(len(sides), size=count, p=length / length.sum())
+    share = rng.random(count)
+    way = along[pick] / length[pick, None]
+    back = problem.settings.manner.street
+    away = draw_values(back, back.small if house.size == 0 else back.large, count, rng)
+    quarter = rng.integers(4, size=count)
+    deep = np.where(quarter % 2 == 0, house.extent[1], house.extent[0]) / 2
+    inward = np.stack([-way[:, 1], way[:, 0]], 1) * _inward(problem)
+    at = sides[pick, 0] + along[pick] * share[:, None] + inward * (away + deep)[:, None]
+    turn = np.arctan2(way[:, 1], way[:, 0]) + quarter * np.pi / 2
+    skew = rng.normal(0.0, SKEW, count) + rng.normal(0.0, 0.2, count) * (rng.random(count) < 0.4)
+    return np.column_stack([at, turn + skew])
+
+
+def _inward(problem: VillageProblem) -> float:
+    """1 if the ground lies to the left of the street sides, as they run, else -1."""
+    ring = shapely.get_coordinates(problem.floor.exterior)
+    step = problem.streets[:, 1] - problem.streets[:, 0]
+    middle = problem.streets.mean(1)
+    left = middle + 0.1 * np.stack([-step[:, 1], step[:, 0]], 1) / np.hypot(*step.T)[:, None]
+    inside = shapely.contains_xy(shapely.Polygon(ring), left[:, 0], left[:, 1])
+    return 1.0 if inside.mean() >= 0.5 else -1.0
+
+
+def anywhere(
+    problem: VillageProblem, standing: Standing, count: int, rng: np.random.Generator
+) -> Floats:
+    """Poses anywhere in the block, at the angle of the nearest house or street side, or any."""
+    west, south, east, north = problem.floor.bounds
+    at = rng.uniform((west, south), (east, north), (count, 2))
+    sides = problem.streets
+    along = sides[:, 1] - sides[:, 0]
+    near = shapely.distance(shapely.points(at)[:, None], shapely.linestrings(sides)[None]).argmin(1)
+    turn = np.arctan2(along[near, 1], along[near, 0])
+    if len(standing.frames):
+        gaps = np.hypot(*(at[:, None] - standing.frames[None, :, :2]).transpose(2, 0, 1))
+        theirs = standing.frames[gaps.argmin(1), 2]
+        turn = np.where(rng.random(count) < 0.6, theirs, turn)
+    turn = np.where(rng.random(count) < 0.2, rng.uniform(0, np.pi / 2, count), turn)
+    quarter = rng.integers(4, size=count) * np.pi / 2
+    return np.column_stack([at, turn + quarter + rng.normal(0.0, SKEW, count)])
+
+
+def draw_values(
+    table: Relations, shares: tuple[float, ...], count: int, rng: np.random.Generator
+) -> Floats:
+    """Values of a relation as often as its table says; the last, open bin is left out."""
+    edges, odds = np.array(table.edges[:-1]), np.array(shares[:-1])
+    k = rng.choice(len(odds), size=count, p=odds / odds.sum())
+    drawn = edges[k] + rng.random(count) * (edges[k + 1] - edges[k])
+    return np.where(edges[k + 1] <= 0.05, 0.0, drawn)
+
+
+def is_legal(
+    ground: shapely.Polygon, taken: shapely.Geometry, shapes: Shapes, rings: Points
+) -> Flags:
+    """Which footprints (k,) lie inside the ground and overlap nothing taken; ``rings`` (k, n, 2)
+    are their corners. Both geometries should be prepared."""
+    inside = shapely.contains_xy(ground, rings[..., 0], rings[..., 1]).all(1)
+    found = inside.copy()
+    found[inside] = shapely.covers(ground, shapes[inside])
+    found[found] = ~shapely.intersects(taken, shapes[found])
+    return found
+
+
+def shrink(shapes: Shapes) -> shapely.Geometry:
+    """What stands, less what may be overlapped unseen; prepared."""
+    taken = shapely.union_all(shapely.buffer(shapes, -TOUCH, join_style="mitre"))
+    shapely.prepare(taken)
+    return taken
+
+
+def shapes_at(house: House, poses: Floats) -> tuple[Shapes, Points]:
+    """The footprints (k,) of a house at poses (k, 3), and their corners (k, n, 2)."""
+    rings = place(house.outline, poses)
+    return np.asarray(shapely.polygons(rings)), rings

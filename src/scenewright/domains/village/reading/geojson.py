@@ -1,0 +1,161 @@
+"""Villages drawn for OpenStreetMap or by a planner, as GeoJSON.
+
+Polygons with the tag ``block`` are blocks; lines with ``highway`` lanes as wide as their tag
+``width``, else as their class. Sides of a block are streets where a line with ``street_side`` names
+it, else along lanes. Houses (``building``) in a block stay where they stand unless the tag is
+``building=proposed``.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import shapely
+
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.space import Points
+from scenewright.domains.village.house import rectangle_about
+from scenewright.ground.map_features import Collection, Feature
+from scenewright.ground.projection import Projection, coordinates_of, metres, projection
+
+WIDTHS = {"primary": 8.0, "secondary": 7.0, "tertiary": 6.5, "residential": 5.5, "service": 4.0}
+PATHS = ("footway", "path", "steps", "track", "pedestrian", "cycleway")
+LANE, PATH, STOREY, HEIGHT = 5.0, 2.0, 2.7, 7.5
+MOST_BLOCKS = 1000
+NEAR = 0.5
+"""Metres within which a side of a block is one named as street."""
+
+
+def recognises(found: Collection) -> bool:
+    """Whether a map can be of a village: a polygon tagged as a block."""
+    return any(_is_block(feature) for feature in found.features)
+
+
+def names_itself(found: Collection) -> bool:
+    """Whether a map says that it is of a village, whatever else it holds."""
+    return recognises(found)
+
+
+def _is_block(feature: Feature) -> bool:
+    return bool(feature.polygons) and feature.tags.get("block", "no") != "no"
+
+
+def brief_of(found: Collection, name: str) -> Brief:
+    """The brief of a village map; InputError if no block is among its features."""
+    blocks = [feature for feature in found.features if _is_block(feature)]
+    if not blocks:
+        raise InputError(
+            f"holds no block among its {len(found.features)} features",
+            'draw a polygon with the property "block": "yes"',
+        )
+    if len(blocks) > MOST_BLOCKS:
+        raise InputError(f"holds {len(blocks):,} blocks", f"at most {MOST_BLOCKS} are read")
+    map_ = projection(np.vstack([p[0] for f in blocks for p in f.polygons]), found.crs)
+    lanes = [lane for f in found.features for lane in _lanes(f, map_)]
+    document: dict[str, Any] = {
+        "domain": "village",
+        "name": name,
+        "blocks": [_block(f, found, map_, bool(lanes)) for f in blocks],
+        "lanes": lanes,
+    }
+    if map_.turns:
+        document["origin"] = coordinates_of(map_, np.zeros((1, 2)))[0].tolist()
+    return Brief.model_validate(document)
+
+
+def _block(feature: Feature, found: Collection, map_: Projection, lanes: bool) -> dict[str, Any]:
+    ring = _ring(metres(map_, feature.polygons[0][0]))
+    made: dict[str, Any] = {
+        "name": feature.tags.get("name", feature.id),
+        "outline": ring.round(3).tolist(),
+    }
+    named = [
+        metres(map_, line)
+        for other in found.features
+        if other.tags.get("street_side") in (feature.id, feature.tags.get("name", ""))
+        for line in other.lines
+    ]
+    sides = _along(ring, named)
+    if named and sides:
+        made["streets"] = sides
+    elif not lanes:
+        made["streets"] = list(range(len(ring)))
+    floor = shapely.Polygon(ring)
+    houses = [(f, metres(map_, p[0])) for f in found.features for p in f.polygons if _stays(f)]
+    made["fixed"] = [
+        _house(house, _ring(corners))
+        for house, corners in houses
+        if floor.contains(shapely.Polygon(corners).representative_point())
+    ]
+    return made
+
+
+def _stays(feature: Feature) -> bool:
+    return feature.tags.get("building", "no") not in ("no", "proposed")
+
+
+def _ring(ring: Points) -> Points:
+    """A ring without its closing corner."""
+    return ring[:-1] if len(ring) > 1 and np.allclose(ring[0], ring[-1]) else ring
+
+
+def _along(ring: Points, named: list[Points]) -> list[int]:
+    """The sides of a ring whose ends both lie on a line named as street."""
+    if not named:
+        return []
+    lines = shapely.union_all([shapely.LineString(line) for line in named])
+    on = shapely.distance(shapely.points(ring), lines) <= NEAR
+    middle = (ring + np.roll(ring, -1, axis=0)) / 2
+    between = shapely.distance(shapely.points(middle), lines) <= NEAR
+    return np.flatnonzero(on & np.roll(on, -1) & between).tolist()
+
+
+def _lanes(feature: Feature, map_: Projection) -> list[dict[str, Any]]:
+    kind = feature.tags.get("highway", "")
+    if not kind:
+        return []
+    path = kind in PATHS
+    width = _number(feature.tags.get("width"), PATH if path else WIDTHS.get(kind, LANE))
+    return [
+        {
+            "name": feature.tags.get("name", ""),
+            "line": metres(map_, line).round(3).tolist(),
+            "width": min(max(width, 0.5), 60.0),
+            "kind": "path" if path else "road",
+        }
+        for line in feature.lines
+    ]
+
+
+def _house(feature: Feature, ring: Points) -> dict[str, Any]:
+    """A house that stands, its front as the tag ``direction`` says, else along its longer side."""
+    angle, _, _ = rectangle_about(ring)
+    told = feature.tags.get("direction")
+    heading = np.pi / 2 - np.deg2rad(_number(told, 0.0)) if told else angle + np.pi / 2
+    cos, sin = np.cos(np.pi / 2 - heading), np.sin(np.pi / 2 - heading)
+    local = ring @ np.array([[cos, sin], [-sin, cos]])
+    low, high = local.min(0), local.max(0)
+    middle = (low + high) / 2 @ np.array([[cos, -sin], [sin, cos]])
+    levels = _number(feature.tags.get("building:levels"), 0.0)
+    height = _number(feature.tags.get("height"), levels * STOREY + 2 if levels else HEIGHT)
+    width, depth = (high - low).tolist()
+    return {
+        "id": feature.id,
+        "house": feature.tags.get("name", ""),
+        "model": feature.tags.get("model", ""),
+        "at": [round(float(v), 3) for v in middle],
+        "heading": float((heading + np.pi) % (2 * np.pi) - np.pi),
+        "size": [width, depth, height],
+        "footprint": (local - (low + high) / 2).round(6).tolist(),
+    }
+
+
+def _number(text: Any, otherwise: float) -> float:
+    """A number at the head of a tag, else another."""
+    try:
+        value = float(str(text).split()[0])
+    except (ValueError, IndexError):
+        return otherwise
+    return value if np.isfinite(value) and value >= 0 else otherwise

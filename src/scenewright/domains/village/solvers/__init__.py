@@ -1,0 +1,23 @@
+"""The table of solvers of villages. A new one is one file and one row."""
+
+from __future__ import annotations
+
+from scenewright.engine.rows import SolverRow
+
+ROWS = (
+    SolverRow(
+        "grow",
+        "house by house, largest first, where houses of the region would stand (default)",
+        "ours",
+        f"{__name__}.growing:grow_block",
+        "houses",
+    ),
+    SolverRow(
+        "proposals",
+        "the same without weights: any legal pose proposed (comparison)",
+        "ours",
+        f"{__name__}.growing:fill_unweighed",
+        "houses",
+    ),
+)
+VILLAGE_SOLVERS: dict[str, SolverRow] = {row.name: row for row in ROWS}

@@ -1,0 +1,103 @@
+"""Several layouts of a block grown one after the other, and the best of them."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+import shapely
+
+from scenewright.domains.village.grow import Weighing, grow
+from scenewright.domains.village.house import House
+from scenewright.domains.village.measures import void
+from scenewright.domains.village.problem import (
+    Floats,
+    Shapes,
+    Standing,
+    VillageFound,
+    VillageLayout,
+    VillageProblem,
+    add,
+    place,
+)
+from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
+
+LAYOUTS = 3
+"""Layouts grown where no budget is given."""
+
+
+def grow_block(
+    problem: VillageProblem,
+    budget: Budget,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> VillageFound:
+    """Layouts weighed by the tables of the manner; of those the one that lacks fewest houses and
+    leaves the least void. One step is one layout."""
+    return _best(problem, None, budget, seed, progress, cancel)
+
+
+def fill_unweighed(
+    problem: VillageProblem,
+    budget: Budget,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> VillageFound:
+    """The same with all legal proposals alike."""
+    return _best(problem, _alike, budget, seed, progress, cancel)
+
+
+def _alike(
+    problem: VillageProblem, standing: Standing, house: House, shapes: Shapes, poses: Floats
+) -> Floats:
+    del problem, standing, house, shapes
+    return np.zeros(len(poses))
+
+
+def _best(
+    problem: VillageProblem,
+    weighing: Weighing | None,
+    budget: Budget,
+    seed: int,
+    progress: Progress | None,
+    cancel: Cancel | None,
+) -> VillageFound:
+    if budget.steps is None and budget.seconds is None:
+        budget = budget._replace(steps=LAYOUTS)
+    watch = BudgetWatch(budget, progress, cancel)
+    rng = np.random.default_rng(seed)
+    found: list[VillageLayout] = []
+    while True:
+        made = grow(problem, rng, weighing, cancel if found else None)
+        found.append(made._replace(score=rate(problem, made)))
+        found.sort(key=lambda layout: layout.score["energy"])
+        best = found[0]
+        if watch.over(len(found), best.score["energy"], partial(_first, found)):
+            return Found(tuple(found), len(found))
+
+
+def _first(found: list[VillageLayout]) -> VillageLayout:
+    return found[0]
+
+
+def rate(problem: VillageProblem, layout: VillageLayout) -> dict[str, float]:
+    """The energy of a layout, 0 at best: houses missing, and void in widths of a plot."""
+    standing = standing_of(problem, layout)
+    missing = float(layout.asked - len(layout.houses))
+    plot = np.sqrt(problem.floor.area / max(len(standing.shapes), 1))
+    open_ = void(problem.floor, standing)
+    share = float(open_ / plot) if np.isfinite(open_) else 0.0
+    return {"energy": missing + share, "missing": missing, "void": share}
+
+
+def standing_of(problem: VillageProblem, layout: VillageLayout) -> Standing:
+    """All that stands on a block, houses that stay first."""
+    standing = problem.fixed
+    for number, pose in zip(layout.houses.tolist(), layout.poses, strict=True):
+        house = problem.houses[number]
+        ring = place(house.outline, pose[None])[0]
+        frame = np.array([*pose, *house.extent])
+        standing = add(standing, shapely.Polygon(ring), frame, house.size)
+    return standing

@@ -1,0 +1,162 @@
+"""Villages: blocks filled with real houses, each standing as houses of the region stand.
+
+After Zhu, Jiang and Li (2022), who ask four networks house by house: another? which? where? which
+way? Ours asks how many first, then takes the largest first, and needs no pixels.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import time
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright._version import __version__
+from scenewright.core.brief import Brief
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece
+from scenewright.core.solution import LeftOut, Patch, Solution, TermValue
+from scenewright.domains.village.blocks import BlockPlan, VillagePlan
+from scenewright.domains.village.brief import VillageBlock
+from scenewright.domains.village.build_problem import build_problem, find_square
+from scenewright.domains.village.furnish import pieces_of, square_patch, standing_pieces
+from scenewright.domains.village.plan import plan_village
+from scenewright.domains.village.planting import plant
+from scenewright.domains.village.presets import PRESETS
+from scenewright.domains.village.problem import VillageLayout, VillageProblem
+from scenewright.domains.village.reasons import reasons
+from scenewright.domains.village.solvers import VILLAGE_SOLVERS
+from scenewright.domains.village.solvers.growing import standing_of
+from scenewright.engine.rows import preset_named
+from scenewright.engine.solve import Budget, Report
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+
+
+class FilledBlock(NamedTuple):
+    """One block as filled."""
+
+    block: str
+    pieces: tuple[Piece, ...]
+    patches: tuple[Patch, ...]
+    terms: tuple[TermValue, ...]
+    left_out: tuple[LeftOut, ...]
+    evaluations: int
+
+
+def solve(
+    brief: Brief,
+    *,
+    plan: Plan | None = None,
+    preset: str = "default",
+    solver: str | None = None,
+    seconds: float | None = None,
+    steps: int | None = None,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Solution:
+    """Fill every block of a brief.
+
+    ``steps`` are layouts of each block, ``seconds`` are for each; the same seed and steps give the
+    same answer. ``plan`` is that of the brief (made unless given).
+    """
+    started = time.perf_counter()
+    chosen, village = preset_named(PRESETS, preset), (plan or plan_village(brief)).detail
+    named = solver or chosen.solver
+    given = chosen.steps if steps is None and seconds is None else steps
+    found = []
+    for k, (block, one) in enumerate(zip(brief.part.blocks, village.blocks, strict=True)):
+        problem = build_problem(block, one, village, chosen.settings)
+        heard = None if progress is None else _share(progress, k, len(village.blocks), one.name)
+        budget = Budget(seconds, given, threads=threads)
+        answer = VILLAGE_SOLVERS[named].run(problem, budget, seed + 7919 * k, heard, cancel)
+        layout = answer.layouts[0]
+        found.append(
+            furnish_block(block, one, village, problem, layout, answer.evaluations, seed + 7919 * k)
+        )
+    return assemble_solution(brief, found, preset, named, seed, time.perf_counter() - started)
+
+
+def problems(
+    brief: Brief, preset: str = "default", *, plan: Plan | None = None
+) -> tuple[VillageProblem, ...]:
+    """The problem of each block as solvers take it."""
+    village = (plan or plan_village(brief)).detail
+    settings = preset_named(PRESETS, preset).settings
+    return tuple(
+        build_problem(block, one, village, settings)
+        for block, one in zip(brief.part.blocks, village.blocks, strict=True)
+    )
+
+
+def furnish_block(
+    block: VillageBlock,
+    plan: BlockPlan,
+    village: VillagePlan,
+    problem: VillageProblem,
+    layout: VillageLayout,
+    evaluations: int,
+    seed: int,
+) -> FilledBlock:
+    """A layout as pieces, with trees by ``seed``, its figures and what it lacks."""
+    houses = (*standing_pieces(plan), *pieces_of(plan, village.houses, layout))
+    square = find_square(block, plan)
+    patches = () if square is None else (square_patch(plan, square),)
+    trees = plant(plan, houses, patches, np.random.default_rng([seed, 1]))
+    missing = layout.asked - len(layout.houses)
+    return FilledBlock(
+        plan.id,
+        (*houses, *trees),
+        patches,
+        reasons(problem, standing_of(problem, layout), missing),
+        tuple(_left_out(block, plan, layout, square is None)),
+        evaluations,
+    )
+
+
+def assemble_solution(
+    brief: Brief, found: list[FilledBlock], preset: str, solver: str, seed: int, seconds: float
+) -> Solution:
+    """The solution of all blocks of a brief."""
+    return Solution(
+        brief=brief,
+        pieces=tuple(piece for one in found for piece in one.pieces),
+        patches=tuple(patch for one in found for patch in one.patches),
+        terms=tuple(term for one in found for term in one.terms),
+        left_out=tuple(out for one in found for out in one.left_out),
+        energies={one.block: math.fsum(term.cost for term in one.terms) for one in found},
+        preset=preset,
+        solver=solver,
+        seed=seed,
+        version=__version__,
+        brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
+        seconds=seconds,
+        evaluations=sum(one.evaluations for one in found),
+    )
+
+
+def _left_out(
+    block: VillageBlock, plan: BlockPlan, layout: VillageLayout, no_square: bool
+) -> list[LeftOut]:
+    """Houses and squares without a place."""
+    found = []
+    missing = layout.asked - len(layout.houses)
+    if missing > 0:
+        told = f"{missing} of {layout.asked} houses"
+        reason = f"no place left on {plan.area:.0f} m² that a way from the street leads to"
+        found.append(LeftOut(plan.id, told, reason, block.count is not None))
+    if block.square is not None and no_square:
+        side = math.sqrt(block.square)
+        reason = f"no street side has {side:.1f} x {side:.1f} m free behind it"
+        found.append(LeftOut(plan.id, f"free square of {block.square:g} m²", reason, True))
+    return found
+
+
+def _share(progress: Progress, number: int, count: int, name: str) -> Callable[[Report], None]:
+    return lambda report: progress((number + report.share) / count, name)
