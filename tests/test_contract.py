@@ -22,7 +22,7 @@ SAMPLES = {
     "home": "home-studio",
     "hall": "hall-shop",
     "site": "site-courtyards",
-    "village": "village-dense",
+    "village": "village-hamlet",
 }
 PLUGINS = Path(__file__).parent / "plugins"
 STEPS = {"home": 500, "hall": 1500, "site": 2, "village": 1}
@@ -146,7 +146,7 @@ def test_nothing_is_moved_out_of_its_space(solved: sw.Solution) -> None:
 def layouts_of(solution: sw.Solution) -> dict[str, list[sw.NamedBox]]:
     """The layout of a solution: patches of a home, objects of a hall, buildings of a site."""
     found: dict[str, list[sw.NamedBox]] = {}
-    for patch in solution.patches:
+    for patch in solution.patches if solution.brief.domain == "home" else ():
         found.setdefault(patch.space, []).append(sw.NamedBox(patch.function, patch.box))
     if solution.brief.domain != "home":
         for piece in (p for group in groups(solution) for p in group):

@@ -216,6 +216,6 @@ def front_side(outline: Points, front: float) -> int:
 
 def _without(growth: Growth, fixed: int, number: int) -> Growth:
     keep = np.arange(len(growth.standing.shapes)) != fixed + number
-    standing = Standing(*(values[keep] for values in growth.standing))
+    standing = growth.standing.take(keep)
     houses = (*growth.houses[:number], *growth.houses[number + 1 :])
     return Growth(standing, houses, (*growth.poses[:number], *growth.poses[number + 1 :]))

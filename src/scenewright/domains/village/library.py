@@ -119,7 +119,9 @@ def _of_model(name: str, asset: Asset, share: float, levels: int) -> House:
     box = ((-width / 2, -depth / 2), (width / 2, -depth / 2), (width / 2, depth / 2))
     outline = list(asset.footprint(asset.usual) or (*box, (-width / 2, depth / 2)))
     local, turn = to_own_frame(np.array(outline, float))
-    return _classify(name, local, levels, height, asset.id, share)._replace(front=np.pi / 2 - turn)
+    return classify_house(name, local, levels, height, asset.id, share)._replace(
+        front=np.pi / 2 - turn
+    )
 
 
 def _house(
@@ -135,12 +137,13 @@ def _house(
     wide = float(np.ptp(local, axis=0).min())
     rise = FLAT if asset.endswith("flat") else PITCH[look] * min(wide, 12.0) / 2
     tall = height or round(levels * STOREY + SILL * (levels > 1) + rise, 2)
-    return _classify(name, local, levels, tall, asset, share)
+    return classify_house(name, local, levels, tall, asset, share)
 
 
-def _classify(
+def classify_house(
     name: str, outline: Points, levels: int, height: float, asset: str, share: float
 ) -> House:
+    """A house of a footprint (n, 2) in its own frame, with its classes."""
     polygon = shapely.Polygon(outline)
     wide, deep = np.ptp(outline, axis=0).tolist()
     area = float(polygon.area)

@@ -28,6 +28,10 @@ class Standing(NamedTuple):
     frames: Floats
     sizes: Indices
 
+    def take(self, rows: Any) -> Standing:
+        """Some of the houses, by their numbers or as flags."""
+        return Standing(self.shapes[rows], self.frames[rows], self.sizes[rows])
+
 
 class VillageProblem(NamedTuple):
     """One block: its ground, street sides (s, 2, 2), the share of the outline that is street,

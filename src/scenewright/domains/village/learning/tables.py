@@ -1,0 +1,100 @@
+"""The tables of a manner from real blocks.
+
+Each block is taken as it would be filled, the largest house first, so that gaps and angles are
+those to houses placed before, as the solver will ask for them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.core.space import Points
+from scenewright.domains.village.house import class_of_area
+from scenewright.domains.village.problem import Floats, Standing, stand
+from scenewright.domains.village.relations import relate
+from scenewright.domains.village.settings import OURS, Manner, Relations
+from scenewright.domains.village.weights import bin_of
+
+PRIOR = 2.0
+"""Houses that each bin of a table is taken to hold besides those seen, spread as in ours."""
+FEWEST = 8
+"""Blocks from which the law of counts is fitted; with fewer ours is kept."""
+
+
+class RealBlock(NamedTuple):
+    """A real block: its ground, street sides (s, 2, 2), and the footprints (n, 2) of its houses."""
+
+    name: str
+    place: str
+    floor: shapely.Polygon
+    streets: Points
+    houses: tuple[Points, ...]
+
+    @property
+    def street_share(self) -> float:
+        """The share of its outline that is street."""
+        step = self.streets[:, 1] - self.streets[:, 0]
+        return min(float(np.hypot(*step.T).sum() / self.floor.exterior.length), 1.0)
+
+    @property
+    def standing(self) -> Standing:
+        """Its houses as they stand."""
+        areas = [float(shapely.Polygon(ring).area) for ring in self.houses]
+        return stand(list(self.houses), [class_of_area(area) for area in areas])
+
+
+def learn_manner(blocks: Sequence[RealBlock]) -> Manner:
+    """The manner of some blocks: tables of relations, the law of counts, shares of classes."""
+    rows = np.concatenate([relate_in_order(block) for block in blocks])
+    small = rows[:, 4] == 0
+    tables = []
+    for column, table in enumerate((OURS.gap, OURS.turn, OURS.street, OURS.street_turn)):
+        known = np.isfinite(rows[:, column])
+        tables.append(
+            Relations(
+                table.edges,
+                _shares(table, table.small, rows[known & small, column]),
+                _shares(table, table.large, rows[known & ~small, column]),
+            )
+        )
+    sizes = np.bincount(rows[:, 4].astype(int), minlength=3) + 0.5
+    a, b, c = (float(v) for v in sizes / sizes.sum())
+    gap, turn, street, street_turn = tables
+    return Manner(gap, turn, street, street_turn, _count_law(blocks), (a, b, c))
+
+
+def relate_in_order(block: RealBlock) -> Floats:
+    """Of each house (n, 5): gap, turn, distance to the street and turn from it, the first two to
+    larger houses only (NaN for the largest), and its class of area."""
+    standing = block.standing
+    order = np.argsort(-shapely.area(standing.shapes), kind="stable")
+    rows = np.full((len(order), 5), np.nan)
+    for k, n in enumerate(order.tolist()):
+        before = standing.take(order[:k])
+        mine = standing.shapes[n : n + 1]
+        found = relate(mine, standing.frames[n : n + 1, 2], before, block.streets)
+        rows[k] = (found.gap[0], found.turn[0], found.street[0], found.street_turn[0], 0)
+        rows[k, :2] = rows[k, :2] if k else np.nan
+        rows[k, 4] = standing.sizes[n]
+    return rows
+
+
+def _shares(table: Relations, ours: tuple[float, ...], values: Floats) -> tuple[float, ...]:
+    held = np.bincount(bin_of(table, values), minlength=len(ours)) if len(values) else 0
+    counts = held + PRIOR * np.array(ours)
+    return tuple(float(v) for v in counts / counts.sum())
+
+
+def _count_law(blocks: Sequence[RealBlock]) -> tuple[float, float, float, float]:
+    """log n = a + b log area + c share, by least squares, and the spread about it."""
+    if len(blocks) < FEWEST:
+        return OURS.count_law
+    rows = np.array([(1.0, np.log(b.floor.area), b.street_share) for b in blocks])
+    counts = np.log([len(b.houses) for b in blocks])
+    law = np.linalg.lstsq(rows, counts, rcond=None)[0]
+    spread = float((counts - rows @ law).std())
+    return float(law[0]), float(law[1]), float(law[2]), spread
