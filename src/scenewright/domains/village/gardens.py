@@ -13,8 +13,8 @@ from scenewright.core.layout import corners
 from scenewright.core.scene import GroundSurface, Piece
 from scenewright.core.solution import Patch
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
+from scenewright.domains.village.walks import lay_block_walks
 from scenewright.ground.outlines import GRID
-from scenewright.ground.walks import walks
 
 HEIGHTS = {"asphalt": 0.03, "path": 0.035, "yard": 0.02, "square": 0.04, "walk": 0.045}
 """How far the top of each lies above the ground, in metres."""
@@ -67,7 +67,7 @@ def _of_block(
     houses = shapely.union_all(polygons_of(here)) if here else shapely.Polygon()
     trod = [
         walk.buffer(WALK, cap_style="flat", join_style="mitre")
-        for walk in walks(block.ground, here)
+        for walk in lay_block_walks(block, here)
     ]
     strips = shapely.intersection(shapely.union_all(trod), floor, grid_size=GRID)
     strips = shapely.difference(strips, squares, grid_size=GRID)

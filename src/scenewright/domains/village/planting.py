@@ -18,7 +18,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Patch
 from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan
-from scenewright.ground.walks import walks
+from scenewright.domains.village.walks import lay_block_walks
 
 GROVE = 6.0
 """Side of the squares that hold at most one tree, in metres."""
@@ -64,7 +64,7 @@ def _spots(plan: BlockPlan, houses: Sequence[Piece], rng: np.random.Generator) -
     grid = grid[dense + rng.normal(0.0, 0.4, len(grid)) > 0.0]
     floor = shapely.buffer(shapely.Polygon(plan.outline), -FROM_BORDER)
     grid = grid[shapely.contains_xy(floor, grid[:, 0], grid[:, 1])]
-    lines = walks(plan.ground, houses)
+    lines = lay_block_walks(plan, houses)
     for shapes, distance in ((polygons_of(houses), FROM_HOUSES), (np.array(lines), FROM_WALKS)):
         if len(shapes) and len(grid):
             near = shapely.STRtree(shapes).query(
