@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from benchmarks.papers_halls_measures import BEST
 from benchmarks.papers_halls_scenes import SCENES
 
 Row = dict[str, Any]
@@ -94,6 +95,9 @@ def measures_table(case: str, told: list[Row]) -> Iterator[str]:
     verdicts = [row for row in told if row["metric"].endswith("no worse than")]
     yield ""
     yield "No worse than: " + "; ".join(map(_verdict, verdicts)) + "."
+    for row in (row for row in told if row["metric"] == BEST):
+        least = f"{row['baseline']:.1f} of {row['baseline_name']}"
+        yield f"Above floor: {row['ours']:.1f}, and {least}."
 
 
 def _verdict(row: Row) -> str:

@@ -35,6 +35,7 @@ FIGURES = (
     ("seconds", "s"),
 )
 PRINTED = {name: {"preset": name} for name in ("paper", "paper-repaired", "paper-strict")}
+BEST = "excess beside the paper's best valid run"
 OURS, HAND = "default", "by hand"
 WARM = "sample:hall-irregular"
 """What a method lays out once in each process before it is timed: kernels are loaded then."""
@@ -149,6 +150,21 @@ def compare_methods(case: str, rows: list[Row]) -> Iterator[Row]:
         told = make_record(case, f"{name}: no worse than", "1", float(sum(beaten)), len(beaten))
         rival = "methods with a valid run" + (f", not {', '.join(worse)}" if worse else "")
         yield told | {"baseline_name": rival, "runs": ours.runs}
+    yield from best_of_paper(case, found)
+
+
+def best_of_paper(case: str, found: dict[str, list[Row]]) -> Iterator[Row]:
+    """Our mean energy above its floor beside the least of the paper's valid runs: as printed, else
+    with the referee's rules as refusals."""
+    ours = figure(found[OURS], "excess")
+    for method in ("paper", "paper-strict"):
+        runs = counted(found.get(method, []))
+        if runs:
+            least = min(float(row["excess"]) for row in runs)
+            told = make_record(case, BEST, "1", ours.mean, least)
+            name = f"{method}, best of {len(runs)} valid runs"
+            yield told | {"baseline_name": name, "runs": ours.runs}
+            return
 
 
 def _against(case: str, method: str, ours: list[Row], theirs: list[Row]) -> Iterator[Row]:
