@@ -236,7 +236,7 @@ def test_layouts_that_meet_a_wish_score_better(x: float, deaf: int) -> None:
     standing = tuple(fixed_pieces(asked, space, shipped()))
     task = task_of(brief, asked, space, standing, shipped(), SHIPPED, PRESETS["default"], "", 0)
     told = score_answer(task, (), (), build_task_problem(task, (), task.ground), 0.0)
-    assert (told.unheard, told.score) == (deaf, deaf * FaultCosts().unmet)
+    assert (told.unmet, told.score) == (deaf, deaf * FaultCosts().unmet)
 
 
 def test_a_fixed_piece_draws_too() -> None:

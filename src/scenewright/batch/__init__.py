@@ -102,9 +102,9 @@ def _batch(
         try:
             _work(waiting, options, limits, ledger, found, len(orders), progress, cancel, run.read)
         finally:
-            told = tuple(found[order.name] for order in orders if order.name in found)
-            write_summary(out, told, options)
-    return told
+            rows_in_order = tuple(found[order.name] for order in orders if order.name in found)
+            write_summary(out, rows_in_order, options)
+    return rows_in_order
 
 
 def _work(
@@ -164,8 +164,8 @@ def _check_limits(limits: Limits, options: BatchOptions) -> Limits:
 
 def _known(what: str, name: str, names: Collection[str]) -> None:
     if name not in names:
-        told = ", ".join(_once(names))
-        raise InputError(f"unknown {what} '{name}'", f"use one of: {told}")
+        text = ", ".join(_once(names))
+        raise InputError(f"unknown {what} '{name}'", f"use one of: {text}")
 
 
 def _once(names: Iterable[str]) -> list[str]:

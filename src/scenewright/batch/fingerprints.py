@@ -53,8 +53,8 @@ def _named_in(source: Path) -> Iterator[str]:
         return
     document: Any = json.loads(content)
     if isinstance(document, dict):
-        told = resolve_paths(document, source.parent)
-        brief = told["brief"] if isinstance(told.get("brief"), dict) else told
+        resolved = resolve_paths(document, source.parent)
+        brief = resolved["brief"] if isinstance(resolved.get("brief"), dict) else resolved
         entries = [e for key in NAMED if isinstance(brief.get(key), list) for e in brief[key]]
         paths = [entry.get("path") if isinstance(entry, dict) else entry for entry in entries]
         yield from (path for path in paths if isinstance(path, str) and path)

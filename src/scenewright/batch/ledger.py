@@ -45,8 +45,8 @@ class Ledger:
         return self
 
     def _refusal(self, error: OSError) -> InputError:
-        told = f"cannot be written into: {error.strerror or error}"
-        return InputError(told, "choose another folder", file=str(self.path.parent))
+        text = f"cannot be written into: {error.strerror or error}"
+        return InputError(text, "choose another folder", file=str(self.path.parent))
 
     def __exit__(
         self,
@@ -97,10 +97,10 @@ class Ledger:
         text = self._file.read()
         for line in text.splitlines():
             with suppress(ValueError, KeyError, TypeError):
-                told: dict[str, Any] = json.loads(line)
-                values = {field: told[field] for field in ResultRow._fields}
-                row = ResultRow(**values)._replace(outputs=tuple(told["outputs"]))
-                self._rows[str(told["name"])] = (str(told["key"]), row)
+                entry: dict[str, Any] = json.loads(line)
+                values = {field: entry[field] for field in ResultRow._fields}
+                row = ResultRow(**values)._replace(outputs=tuple(entry["outputs"]))
+                self._rows[str(entry["name"])] = (str(entry["key"]), row)
         self._file.seek(0, os.SEEK_END)
         if text and not text.endswith("\n"):
             self._file.write("\n")

@@ -72,9 +72,9 @@ def write_summary(folder: Path, rows: Sequence[ResultRow], options: BatchOptions
     lines.writerow(ResultRow._fields)
     cells = ([*row[:-1], " ".join(row.outputs)] for row in rows)
     lines.writerows(map(neutralize_cell, row) for row in cells)
-    told = json.dumps(document(rows, options), indent=1, ensure_ascii=False) + "\n"
+    message = json.dumps(document(rows, options), indent=1, ensure_ascii=False) + "\n"
     with whole_together([folder / CSV, folder / JSON]) as partials:
-        for partial, content in zip(partials, (text.getvalue(), told), strict=True):
+        for partial, content in zip(partials, (text.getvalue(), message), strict=True):
             _write(partial, content, folder)
 
 

@@ -33,9 +33,9 @@ def main() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     first = json.loads(sys.stdin.readline())
-    told: dict[str, Any] = first["options"]
-    told |= {key: tuple(told[key]) for key in ("formats", "catalogs", "groups")}
-    options = BatchOptions(**told)
+    given: dict[str, Any] = first["options"]
+    given |= {key: tuple(given[key]) for key in ("formats", "catalogs", "groups")}
+    options = BatchOptions(**given)
     _bound(first["memory"])
     _answer(answers, READY)
     with recorded_run((device, number) for device, number in first["protected"]):
@@ -75,20 +75,20 @@ def _row(order: dict[str, Any], options: BatchOptions, memory: float, parts: Pat
         row = _done(source, [Path(path) for path in order["outputs"]], options, parts)
         return row._replace(seconds=round(time.perf_counter() - begun, 3))
     except InputError as error:
-        told = str(error.located(file=source))
+        text = str(error.located(file=source))
     except Exception as error:
-        told = f"internal error, please report: {type(error).__name__}: {error}"
+        text = f"internal error, please report: {type(error).__name__}: {error}"
         if _is_out_of_memory(error):
-            told = f"takes more than {memory:g} GiB of memory; allow more with --memory"
-        told = f"{source}: {told}"
-    return make_failed_row(source, time.perf_counter() - begun, told)
+            text = f"takes more than {memory:g} GiB of memory; allow more with --memory"
+        text = f"{source}: {text}"
+    return make_failed_row(source, time.perf_counter() - begun, text)
 
 
 def _is_out_of_memory(error: Exception) -> bool:
     """Whether an error comes of having too little memory: threads need some too, and the
     interpreter may fail without saying why."""
     number = getattr(error, "errno", None)
-    unsaid = any(told in str(error) for told in ("new thread", "without exception set"))
+    unsaid = any(phrase in str(error) for phrase in ("new thread", "without exception set"))
     return isinstance(error, MemoryError) or number == ENOMEM or unsaid
 
 
@@ -106,7 +106,7 @@ def _done(source: str, outputs: list[Path], options: BatchOptions, parts: Path) 
     broken = sum(not found.given for found in report.findings)
     status = NOT_VALID if not report.valid else LEFT_OUT if missing else COMPLETE
     first = next((f.message for f in report.findings if not f.given), "")
-    told = first or "; ".join(f"{out.space}: {out.what}: {out.reason}" for out in missing)
-    told = told or "; ".join(note.message for note in report.notes if note.function == "plan")
+    reason = first or "; ".join(f"{out.space}: {out.what}: {out.reason}" for out in missing)
+    reason = reason or "; ".join(note.message for note in report.notes if note.function == "plan")
     names = tuple(str(path) for path in outputs)
-    return ResultRow(source, status, 0.0, len(solution.pieces), len(missing), broken, told, names)
+    return ResultRow(source, status, 0.0, len(solution.pieces), len(missing), broken, reason, names)

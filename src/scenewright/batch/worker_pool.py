@@ -114,8 +114,8 @@ class Worker:
                     return self._process
                 self.end()
                 said.seek(0)
-                told = said.read().decode("utf-8", "replace").strip().splitlines()
-        raise RuntimeError(f"the workers cannot start: {told[-1] if told else 'no reason given'}")
+                lines = said.read().decode("utf-8", "replace").strip().splitlines()
+        raise RuntimeError(f"the workers cannot start: {lines[-1] if lines else 'no reason given'}")
 
 
 def _keep_interrupts_off() -> None:
@@ -219,10 +219,10 @@ class WorkerPool:
         if row is not None:
             return row
         if not why:
-            told = f"took longer than {self.limits.time:g} s; allow more with --limit"
+            text = f"took longer than {self.limits.time:g} s; allow more with --limit"
         else:
-            told = f"killed its worker {LIVES} times ({why}); allow more with --memory"
-        return make_failed_row(order.source, seconds, f"{order.source}: {told}")
+            text = f"killed its worker {LIVES} times ({why}); allow more with --memory"
+        return make_failed_row(order.source, seconds, f"{order.source}: {text}")
 
 
 def arrange_with(

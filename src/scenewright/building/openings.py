@@ -77,7 +77,7 @@ def _of_room(
     brief: Brief, number: int, spaces: tuple[Space, ...], faces: Walls
 ) -> list[tuple[str, Opening]]:
     room, space, by_id = brief.rooms[number], spaces[number], {s.id: s for s in spaces}
-    told = f"rooms[{number}] '{room.name or space.id}'"
+    where = f"rooms[{number}] '{room.name or space.id}'"
     listed: list[tuple[str, Door | Window]] = [
         *((f"doors[{i}]", door) for i, door in enumerate(room.doors)),
         *((f"windows[{i}]", window) for i, window in enumerate(room.windows)),
@@ -85,7 +85,7 @@ def _of_room(
     found = []
     runs = runs_of(space)
     for which, opening in listed:
-        place = f"{told} {which}"
+        place = f"{where} {which}"
         try:
             made = _opening(brief, number, list(by_id), faces, space, runs, opening)
             found.append((place, heads.under_other(made, by_id[made.spaces[-1]], opening)))
@@ -256,12 +256,14 @@ def _merge_openings(found: list[tuple[str, Opening]]) -> list[Opening]:
     """Openings without those listed from both sides; two that only overlap are an error."""
     kept: list[tuple[str, Opening]] = []
     for place, opening in found:
-        others = [(told, other) for told, other in kept if _overlap(opening, other)]
+        others = [(where, other) for where, other in kept if _overlap(opening, other)]
         if not others:
             kept.append((place, opening))
-        for told, other in others:
+        for where, other in others:
             if not _same(opening, other):
-                raise InputError(f"overlaps {told}", "move one of them along the wall", place=place)
+                raise InputError(
+                    f"overlaps {where}", "move one of them along the wall", place=place
+                )
     return [opening for _, opening in kept]
 
 

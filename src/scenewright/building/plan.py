@@ -118,8 +118,8 @@ def plan_rooms(brief: Brief) -> Plan:
 
 def place(brief: Brief, number: int, rest: str = "") -> str:
     """How a room is named in messages: ``rooms[2] 'Kitchen'``."""
-    told = brief.rooms[number].name or brief.rooms[number].id
-    return " ".join(part for part in (f"rooms[{number}]", f"'{told}'" * bool(told), rest) if part)
+    name = brief.rooms[number].name or brief.rooms[number].id
+    return " ".join(part for part in (f"rooms[{number}]", f"'{name}'" * bool(name), rest) if part)
 
 
 def _slug(name: str) -> str:
@@ -144,13 +144,13 @@ def _floor(room: Room, number: int, brief: Brief) -> shapely.Polygon:
 def _space(
     room: Room, number: int, space_id: str, floor: shapely.Polygon, storeys: dict[str, Level]
 ) -> Space:
-    told = f"rooms[{number}] '{room.name or space_id}'"
+    where = f"rooms[{number}] '{room.name or space_id}'"
     level = storeys.get(room.level) if room.level else next(iter(storeys.values()))
     if level is None:
         raise InputError(
             f"the level '{room.level}' does not exist",
             f"use one of: {', '.join(storeys)}",
-            place=told,
+            place=where,
         )
     outline, holes = outlines.rings(floor)
     return Space(
@@ -161,8 +161,8 @@ def _space(
         outline=outline,
         holes=holes,
         height=room.height or level.height,
-        main_wall=_main_wall(room, outline, told),
-        slopes=_slopes(room, outline, room.height or level.height, told),
+        main_wall=_main_wall(room, outline, where),
+        slopes=_slopes(room, outline, room.height or level.height, where),
     )
 
 
@@ -173,16 +173,16 @@ def _functions(room: Room) -> tuple[str, ...]:
     return sort_functions(listed)
 
 
-def _main_wall(room: Room, outline: Points, told: str) -> int | None:
+def _main_wall(room: Room, outline: Points, place: str) -> int | None:
     if room.main_wall is None:
         return None
     try:
         return outlines.edge_meant(room.outline, room.main_wall, outline, "main_wall")
     except InputError as error:
-        raise error.located(place=told) from None
+        raise error.located(place=place) from None
 
 
-def _slopes(room: Room, outline: Points, height: float, told: str) -> tuple[Slope, ...]:
+def _slopes(room: Room, outline: Points, height: float, place: str) -> tuple[Slope, ...]:
     """The slopes of a room by the edges of its cleaned outline."""
     found = []
     for number, wish in enumerate(room.slopes):
@@ -194,7 +194,7 @@ def _slopes(room: Room, outline: Points, height: float, told: str) -> tuple[Slop
                 )
             edge = outlines.edge_meant(room.outline, wish.edge, outline, "edge")
         except InputError as error:
-            raise error.located(place=f"{told} slopes[{number}]") from None
+            raise error.located(place=f"{place} slopes[{number}]") from None
         found.append(Slope(edge, wish.knee, wish.pitch))
     return tuple(found)
 
@@ -220,9 +220,9 @@ def _check_ids(brief: Brief) -> None:
     """What stands in rooms has an id of its own, where it has one: files name pieces by them."""
     seen: set[str] = set()
     for number, room in enumerate(brief.rooms):
-        told = [(f"fixed[{index}]", item.id) for index, item in enumerate(room.fixed)]
-        told += [(f"radiators[{k}]", radiator.id) for k, radiator in enumerate(room.radiators)]
-        for which, name in told:
+        lines = [(f"fixed[{index}]", item.id) for index, item in enumerate(room.fixed)]
+        lines += [(f"radiators[{k}]", radiator.id) for k, radiator in enumerate(room.radiators)]
+        for which, name in lines:
             if name in seen:
                 raise InputError(
                     f"the id '{name[:80]}' is used twice",

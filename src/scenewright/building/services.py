@@ -22,8 +22,8 @@ LEVEL = 1e-6
 """What is higher by no more is as high, in metres."""
 
 
-def add_services(brief: Brief, room: Room, space: Space, told: str) -> Space:
-    """The space with the outlets and radiators its room lists; ``told`` names it in messages."""
+def add_services(brief: Brief, room: Room, space: Space, place: str) -> Space:
+    """The space with the outlets and radiators its room lists; ``place`` names it in messages."""
     if not room.outlets and not room.radiators:
         return space
     runs, reach = runs_of(space), max(brief.wall_thickness, REACH)
@@ -41,7 +41,7 @@ def add_services(brief: Brief, room: Room, space: Space, told: str) -> Space:
             else:
                 radiators.append(_radiator(runs, wish, wish.id or next(names), space, reach))
         except InputError as error:
-            raise error.located(place=f"{told} {which}") from None
+            raise error.located(place=f"{place} {which}") from None
     return replace(space, outlets=tuple(outlets), radiators=tuple(radiators))
 
 

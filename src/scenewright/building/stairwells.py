@@ -152,10 +152,10 @@ def _parts(
         here = {room: part for room, part in cut.items() if min(part[3:]) > SLIVER}
         first = entry if entry in here else next(iter(here), -1)
         for room, part in here.items():
-            told = name if k == main else f"{name}/{k + 1}"
+            label = name if k == main else f"{name}/{k + 1}"
             category = "staircase" if k == main and room == first else "obstacle"
-            told += "" if room == first else f"/room-{room + 1}"
-            yield room, StairPart(told, category, tuple(part), tall[room])
+            label += "" if room == first else f"/room-{room + 1}"
+            yield room, StairPart(label, category, tuple(part), tall[room])
 
 
 def _outline(box: Box) -> Floats:

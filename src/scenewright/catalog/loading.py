@@ -153,7 +153,7 @@ def _load_catalog(entries: tuple[CatalogBrief, ...], stamps: tuple[Stamp, ...]) 
                 continue
             asset = asset_of(_fresh(one.model, assets), one.category, one.style, one.colour)
             assets[asset.id] = asset if entry.fill else replace(asset, category=ONLY_NAMED)
-            for name in {told.casefold() for told in _names(one.model, asset, catalogue.path)}:
+            for name in {alias.casefold() for alias in _names(one.model, asset, catalogue.path)}:
                 names[name] = (*names.get(name, ()), asset.id)
     broken = {name.casefold(): reason for c in catalogues for name, reason in _unusable(c)}
     return Catalog(usual.kinds, assets, names, broken)
@@ -188,8 +188,8 @@ def _report(entry: CatalogBrief, path: Path) -> LibraryReport:
         keep(copy, found, made_of)
     if not found.models:
         first, more = found.skipped[:1], len(found.skipped) - 1
-        told = f"{first[0].name}: {first[0].reason}" if first else "there are no model files"
-        fault = f"holds no usable model ({told})" + f" and {more} more" * (more > 0)
+        text = f"{first[0].name}: {first[0].reason}" if first else "there are no model files"
+        fault = f"holds no usable model ({text})" + f" and {more} more" * (more > 0)
         raise InputError(fault, f"give one of: {', '.join(suffixes())}", file=str(path))
     return found
 
@@ -209,8 +209,8 @@ def _names(model: Model, asset: Asset, top: Path) -> Iterator[str]:
     below = file.relative_to(top) if file != top else PurePath(file.name)
     yield from (asset.id, asset.id.removeprefix(OWN), model.name)
     for path in {below, PurePath(top.name) / below if file != top else below}:
-        for told in (path.as_posix(), path.with_suffix("").as_posix()):
-            yield f"{told}/{inner}" if inner else told
+        for name in (path.as_posix(), path.with_suffix("").as_posix()):
+            yield f"{name}/{inner}" if inner else name
     if inner:
         yield inner
 
@@ -237,9 +237,9 @@ def _stamp(path: Path) -> Stamp:
     found = []
     for file in files:
         try:
-            told = file.stat(follow_symlinks=False)
+            status = file.stat(follow_symlinks=False)
         except OSError:
             continue
         note_read(file)
-        found.append((str(file), told.st_mtime_ns, told.st_size))
+        found.append((str(file), status.st_mtime_ns, status.st_size))
     return tuple(sorted(found))

@@ -47,14 +47,14 @@ def _beyond(bodies: Bodies, rooms: Rooms, i: int) -> Finding:
     edge = shapely.points(shapely.get_coordinates(shapely.segmentize(rest, 0.02)))
     depth = float(shapely.distance(edge, room).max(initial=0.0))
     area = float(rest.area)
-    told = f"{piece.id} is {depth:.2f} m ({area:.2f} m²) outside {piece.space}"
-    return _finding("out_of_bounds", bodies, rooms, i, told, depth, area)
+    text = f"{piece.id} is {depth:.2f} m ({area:.2f} m²) outside {piece.space}"
+    return _finding("out_of_bounds", bodies, rooms, i, text, depth, area)
 
 
 def _through(bodies: Bodies, rooms: Rooms, i: int, ceiling: float) -> Finding:
     piece, over = bodies.pieces[i], float(bodies.high[i]) - ceiling
-    told = f"{piece.id} goes {over:.2f} m through the ceiling of {piece.space} ({ceiling:.2f} m)"
-    return _finding("out_of_bounds", bodies, rooms, i, told, over)
+    text = f"{piece.id} goes {over:.2f} m through the ceiling of {piece.space} ({ceiling:.2f} m)"
+    return _finding("out_of_bounds", bodies, rooms, i, text, over)
 
 
 def find_unsupported(bodies: Bodies, rooms: Rooms) -> list[Finding]:
@@ -117,34 +117,34 @@ def _wall_gap(bodies: Bodies, shapes: Shapes) -> Floats:
 
 def _sunk(bodies: Bodies, rooms: Rooms, i: int) -> Finding:
     deep = -float(bodies.low[i])
-    told = f"{bodies.pieces[i].id} is sunk {deep:.2f} m into the floor"
-    return _finding("sunk", bodies, rooms, i, told, deep)
+    text = f"{bodies.pieces[i].id} is sunk {deep:.2f} m into the floor"
+    return _finding("sunk", bodies, rooms, i, text, deep)
 
 
 def _floating(bodies: Bodies, rooms: Rooms, i: int) -> Finding:
     gap, support = float(bodies.low[i]), bodies.kinds[i].support
     wanted = {"wall": "its back is at no wall", "ceiling": "it does not reach the ceiling"}
-    told = f"{bodies.pieces[i].id} floats {gap:.2f} m above the floor: "
-    told += wanted.get(support, "nothing is beneath it")
-    return _finding("floating", bodies, rooms, i, told, gap)
+    text = f"{bodies.pieces[i].id} floats {gap:.2f} m above the floor: "
+    text += wanted.get(support, "nothing is beneath it")
+    return _finding("floating", bodies, rooms, i, text, gap)
 
 
 def _stands_wrong(bodies: Bodies, rooms: Rooms, i: int, under: int | None) -> list[Finding]:
     piece = bodies.pieces[i]
     if under is None or under == i:
-        told = f"{piece.id} is said to stand on {piece.on}, which is not there"
-        return [_finding("floating", bodies, rooms, i, told, float(bodies.low[i]))]
+        text = f"{piece.id} is said to stand on {piece.on}, which is not there"
+        return [_finding("floating", bodies, rooms, i, text, float(bodies.low[i]))]
     gap = float(bodies.low[i] - bodies.high[under])
     middle = shapely.points(bodies.corners[i].mean(0))
     beside = float(shapely.distance(middle, bodies.footprints[under]))
     inside = bodies.pieces[under].category in bodies.kinds[i].under
     inside = inside and bodies.low[i] >= bodies.low[under] - SUPPORT_GAP
     if gap > SUPPORT_GAP or beside > TOLERANCE or bodies.level[i] != bodies.level[under]:
-        told = f"{piece.id} floats {max(gap, 0.0):.2f} m above and {beside:.2f} m beside {piece.on}"
-        return [_finding("floating", bodies, rooms, i, told, max(gap, beside), other=under)]
+        text = f"{piece.id} floats {max(gap, 0.0):.2f} m above and {beside:.2f} m beside {piece.on}"
+        return [_finding("floating", bodies, rooms, i, text, max(gap, beside), other=under)]
     if gap < -SUPPORT_GAP and not inside:
-        told = f"{piece.id} is sunk {-gap:.2f} m into {piece.on}"
-        return [_finding("sunk", bodies, rooms, i, told, -gap, other=under)]
+        text = f"{piece.id} is sunk {-gap:.2f} m into {piece.on}"
+        return [_finding("sunk", bodies, rooms, i, text, -gap, other=under)]
     return []
 
 
@@ -153,7 +153,7 @@ def _finding(
     bodies: Bodies,
     rooms: Rooms,
     i: int,
-    told: str,
+    message: str,
     amount: float,
     area: float = 0.0,
     other: int | None = None,
@@ -167,7 +167,7 @@ def _finding(
         piece.space,
         piece.id,
         beside.id if beside else "",
-        told,
+        message,
         round(amount, 4),
         round(area, 4),
         given,

@@ -64,7 +64,7 @@ def find_through_slopes(bodies: Bodies, rooms: Rooms) -> list[Finding]:
 def _through(bodies: Bodies, rooms: Rooms, i: int, ceiling: float) -> Finding:
     piece, over = bodies.pieces[i], float(bodies.high[i]) - ceiling
     inside = lower_than(rooms.spaces[bodies.room[i]], bodies.footprints[i], float(bodies.high[i]))
-    told = (
+    text = (
         f"{piece.id} rises {over:.2f} m through the slope of {piece.space}, "
         f"which is {ceiling:.2f} m high there"
     )
@@ -74,7 +74,7 @@ def _through(bodies: Bodies, rooms: Rooms, i: int, ceiling: float) -> Finding:
         piece.space,
         piece.id,
         "",
-        told,
+        text,
         round(over, 4),
         round(float(inside.area), 4),
         piece.fixed,

@@ -188,18 +188,18 @@ def _finding(bodies: Bodies, rooms: Rooms, zone: OpeningZone, i: int, shape: Sha
     _, _, left = _frame(opening)
     across = (shapely.get_coordinates(shape) - [opening.x, opening.y]) @ left
     gap = max(float(np.abs(across).min()) - opening.thickness / 2, 0.0)
-    told = f"{piece.id} stands {gap:.2f} m before {opening.kind} {opening.id} of {space.id}"
+    text = f"{piece.id} stands {gap:.2f} m before {opening.kind} {opening.id} of {space.id}"
     if kind == "blocked_window":
         over = float(bodies.high[i]) - opening.sill
-        told += f" and rises {over:.2f} m above its sill"
-    told += f" ({area:.2f} m² of what should be free)"
+        text += f" and rises {over:.2f} m above its sill"
+    text += f" ({area:.2f} m² of what should be free)"
     return Finding(
         kind,
         space.level,
         space.id,
         piece.id,
         opening.id,
-        told,
+        text,
         round(gap, 4),
         round(area, 4),
         piece.fixed,

@@ -63,16 +63,16 @@ def connections_told(
                 "within": each.reached,
             }
         )
-        told = f"{piece.id} stands {each.metres:.2f} m from the nearest {outlet} outlet, "
-        told += f"its {each.need.by} reaches {each.need.reach:g} m"
+        text = f"{piece.id} stands {each.metres:.2f} m from the nearest {outlet} outlet, "
+        text += f"its {each.need.by} reaches {each.need.reach:g} m"
         if not each.reached and each.required:
             level = rooms.levels[bodies.level[each.piece]]
             over = round(each.metres - each.need.reach, 4)
             findings.append(
                 Finding(
-                    "unserved", level, piece.space, piece.id, outlet, told, over, given=piece.fixed
+                    "unserved", level, piece.space, piece.id, outlet, text, over, given=piece.fixed
                 )
             )
         elif not each.reached:
-            notes.append(Note(piece.space, piece.function, outlet, told))
+            notes.append(Note(piece.space, piece.function, outlet, text))
     return findings, notes, figures

@@ -54,15 +54,15 @@ def _finding(bodies: Bodies, rooms: Rooms, room: int, radiator: Radiator, i: int
     gap = max(gap - radiator.depth / 2, 0.0)
     area = float(shapely.intersection(bodies.footprints[i], _strip(radiator)).area)
     does = "hangs" if bodies.soft[i] else "stands"
-    told = f"{piece.id} {does} {gap:.2f} m before {radiator.id} of {space.id}"
-    told += f" ({STRIP - gap:.2f} m too near)" if gap else ""
+    text = f"{piece.id} {does} {gap:.2f} m before {radiator.id} of {space.id}"
+    text += f" ({STRIP - gap:.2f} m too near)" if gap else ""
     return Finding(
         "blocked_radiator",
         space.level,
         space.id,
         piece.id,
         radiator.id,
-        told,
+        text,
         round(STRIP - gap, 4),
         round(area, 4),
         piece.fixed,

@@ -135,11 +135,11 @@ def _missed_pieces(
         shape = {rows[k]: clipped[k] for k in np.flatnonzero(far)}
         lost = [g for g in groups if all(int(row) in shape for row in g.rows)]
         missed += [Target(room, -1, _all_of(g, shape), g.id) for g in lost]
-        told = {int(row) for group in lost for row in group.rows}
+        counted = {int(row) for group in lost for row in group.rows}
         missed += [
             Target(room, row, area)
             for row, area in shape.items()
-            if row not in told and bodies.kinds[row].access
+            if row not in counted and bodies.kinds[row].access
         ]
     return missed
 
@@ -267,9 +267,9 @@ def _finding(
     names = [bodies.pieces[row].id for row in rows]
     short = shapely.distance(walk.reached, target.shape)
     kind, what = _what(space.id, piece.id if piece else "", target.group)
-    told = f"no route {2 * walk.radius:.2f} m wide leads to {what}"
+    text = f"no route {2 * walk.radius:.2f} m wide leads to {what}"
     verb = "are" if word == "and" and len(names) > 1 else "is"
-    told += f": {f' {word} '.join(names)} {verb} in the way" if names else _why(walk, target)
+    text += f": {f' {word} '.join(names)} {verb} in the way" if names else _why(walk, target)
     given = all(bodies.pieces[row].fixed for row in rows) and (piece is None or piece.fixed)
     return Finding(
         kind,
@@ -277,7 +277,7 @@ def _finding(
         space.id,
         piece.id if piece else target.group,
         ",".join(names),
-        told,
+        text,
         round(float(np.nan_to_num(short)), 4),
         given=given and bool(rows or piece),
     )

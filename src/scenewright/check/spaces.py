@@ -58,8 +58,8 @@ def find_doorless(bodies: Bodies, rooms: Rooms) -> list[Note]:
         if joined or space.id in stairs or not lived_in(space.functions, shape):
             continue
         functions = ", ".join(space.functions)
-        told = f"{space.id} ({functions}, {shape.area:.1f} m²) has no door: nobody can enter it"
-        notes.append(Note(space.id, space.functions[0], "a door", told))
+        text = f"{space.id} ({functions}, {shape.area:.1f} m²) has no door: nobody can enter it"
+        notes.append(Note(space.id, space.functions[0], "a door", text))
     return notes
 
 

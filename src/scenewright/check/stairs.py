@@ -47,7 +47,7 @@ def _on_stairs(bodies: Bodies, rooms: Rooms) -> list[Finding]:
                 continue
             for row, shape in _standing(bodies, rooms, number, zone, part.height):
                 piece = bodies.pieces[row]
-                told = f"{piece.id} stands where {part.id} is ({shape.area:.2f} m²)"
+                text = f"{piece.id} stands where {part.id} is ({shape.area:.2f} m²)"
                 found.append(
                     Finding(
                         "blocked_stairs",
@@ -55,7 +55,7 @@ def _on_stairs(bodies: Bodies, rooms: Rooms) -> list[Finding]:
                         space.id,
                         piece.id,
                         part.id,
-                        told,
+                        text,
                         0.0,
                         round(float(shape.area), 4),
                         piece.fixed,
@@ -102,7 +102,7 @@ def _finding(
 ) -> Finding:
     piece, space = bodies.pieces[row], rooms.spaces[room]
     gap = float(shape.distance(shapely.Point(end.x, end.y)))
-    told = (
+    text = (
         f"{piece.id} stands {gap:.2f} m before the {end.kind} of {end.stairs} "
         f"({shape.area:.2f} m² of what should be free)"
     )
@@ -112,7 +112,7 @@ def _finding(
         space.id,
         piece.id,
         end.stairs,
-        told,
+        text,
         round(gap, 4),
         round(float(shape.area), 4),
         piece.fixed,

@@ -94,12 +94,12 @@ def list_changes(changes: Sequence[Change]) -> dict[str, list[str]]:
 
 def lines(changes: Sequence[Change]) -> list[str]:
     """The changes in words, those of one kind and reason on one line."""
-    told: dict[tuple[str, str], list[str]] = {}
+    values: dict[tuple[str, str], list[str]] = {}
     for change in changes:
         renamed = change.was not in ("", change.piece)
         name = f"{change.was} -> {change.piece}" if renamed else change.piece
-        told.setdefault((change.change, change.reason), []).append(name)
-    return [f"{how}: {', '.join(names)} ({why})" for (how, why), names in told.items()]
+        values.setdefault((change.change, change.reason), []).append(name)
+    return [f"{how}: {', '.join(names)} ({why})" for (how, why), names in values.items()]
 
 
 def _pose(argument: str) -> tuple[str, tuple[float, ...]]:

@@ -22,15 +22,15 @@ def row(plan: RankedSolution) -> dict[str, Any]:
     """One line of the table of plans."""
     halls = list(plan.report.figures.get("halls", {}).values())
     solution = plan.solution
-    told: dict[str, Any] = {
+    values: dict[str, Any] = {
         "plan": plan.rank,
         "energy": float(sum(solution.energies.values())),
         "verdict": str(plan.report),
         "not placed": len(solution.left_out),
     }
     if len(halls) == 1 and solution.detail is not None:
-        told |= {key: halls[0][key] for key in ("aesthetic", "uniformity", "circulation")}
-    return told
+        values |= {key: halls[0][key] for key in ("aesthetic", "uniformity", "circulation")}
+    return values
 
 
 def differences(plans: list[RankedSolution]) -> list[float]:
@@ -49,8 +49,8 @@ def differences(plans: list[RankedSolution]) -> list[float]:
 def rows(plans: list[RankedSolution]) -> list[dict[str, Any]]:
     """The table of plans."""
     found = [row(plan) for plan in plans]
-    for told, apart in zip(found, differences(plans), strict=False):
-        told["differs"] = f"{apart:.0%}"
+    for shown, apart in zip(found, differences(plans), strict=False):
+        shown["differs"] = f"{apart:.0%}"
     return found
 
 

@@ -97,8 +97,8 @@ def run(
         )
     code = 130 if interrupted else _code(rows)
     if as_json:
-        told = {"exit_code": code, "folder": str(folder), **_document(rows)}
-        tables.print_json(told)
+        values = {"exit_code": code, "folder": str(folder), **_document(rows)}
+        tables.print_json(values)
     elif not quiet:
         _tell(tables.output_console(), rows, folder, watch)
     else:
@@ -131,9 +131,9 @@ def _tell(console: Console, rows: Sequence[ResultRow], folder: Path, watch: Batc
     """The totals, the files that failed or break a rule, and where the full table is."""
     from scenewright.batch.table import CSV, FAILED, NOT_VALID, totals
 
-    told = [row for row in rows if row.status in (FAILED, NOT_VALID)]
-    told.sort(key=lambda row: row.status != FAILED)
-    lines = [{"file": row.file, "status": row.status, "message": _without(row)} for row in told]
+    entries = [row for row in rows if row.status in (FAILED, NOT_VALID)]
+    entries.sort(key=lambda row: row.status != FAILED)
+    lines = [{"file": row.file, "status": row.status, "message": _without(row)} for row in entries]
     if lines:
         tables.table(console, lines[:MOST], title="files that need attention", whole=("file",))
     counted = [{"files": status, "": count} for status, count in totals(rows).items() if count]
@@ -142,7 +142,7 @@ def _tell(console: Console, rows: Sequence[ResultRow], folder: Path, watch: Batc
     words = [f"{len(rows)} files in {folder}"]
     words += [f"{watch.made} in {watch.seconds():.0f} s, {rate:.1f} a second"] * bool(watch.made)
     words += [f"{watch.before} already done"] * bool(watch.before)
-    words += [f"{len(told) - MOST} more need attention"] * (len(told) > MOST)
+    words += [f"{len(entries) - MOST} more need attention"] * (len(entries) > MOST)
     words.append(f"full list: {folder / CSV}")
     tables.print_line(console, "; ".join(words), "dim")
 

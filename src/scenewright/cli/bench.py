@@ -61,10 +61,10 @@ def write(paths: Sequence[Path], name: str, records: Sequence[Record]) -> None:
     """Write the records of a benchmark as JSON and as Markdown, all or none."""
     with whole_together(paths) as partials:
         for path, partial in zip(paths, partials, strict=True):
-            told = [json.dumps(list(records), indent=1)]
+            lines = [json.dumps(list(records), indent=1)]
             if path.suffix == ".md":
-                told = list(markdown(name, records))
-            partial.write_text("\n".join(told) + "\n", encoding="utf-8")
+                lines = list(markdown(name, records))
+            partial.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def markdown(name: str, records: Sequence[Record]) -> Iterable[str]:

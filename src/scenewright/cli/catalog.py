@@ -158,8 +158,8 @@ def learn(
     console = tables.output_console()
     tables.table(console, list(found.rows), title="learned groups")
     several, files = "s" * (found.rooms != 1), "s" * (len(homes) != 1)
-    told = f"{found.rooms} furnished room{several} of {len(homes)} home{files}; wrote {output}"
-    tables.print_line(console, told, "dim")
+    text = f"{found.rooms} furnished room{several} of {len(homes)} home{files}; wrote {output}"
+    tables.print_line(console, text, "dim")
     return 0
 
 
@@ -223,5 +223,5 @@ def _counts(found: ReadCatalog) -> dict[str, Any]:
 
 def _summary(counts: dict[str, Any]) -> str:
     models, kinds = counts["usable"], len(counts["categories"])
-    told = f"{models} model{'s' * (models != 1)} of {kinds} categor{'y' if kinds == 1 else 'ies'}"
-    return f"{told}, {counts['other']} used only where named, {counts['skipped']} skipped"
+    text = f"{models} model{'s' * (models != 1)} of {kinds} categor{'y' if kinds == 1 else 'ies'}"
+    return f"{text}, {counts['other']} used only where named, {counts['skipped']} skipped"

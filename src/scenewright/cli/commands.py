@@ -295,8 +295,8 @@ def view(
     elif not quiet:
         console = tables.output_console()
         tables.table(console, cli_view.select_columns(viewed), title="models", whole=("name",))
-        for told in [*cli_view.list_skipped(viewed), f"wrote {output}"]:
-            tables.print_line(console, told, "dim")
+        for line in [*cli_view.list_skipped(viewed), f"wrote {output}"]:
+            tables.print_line(console, line, "dim")
     return 1 if viewed.skipped else 0
 
 

@@ -139,8 +139,8 @@ def _samples() -> list[Row]:
             "zones": sum(len(room.zones) for room in brief.rooms),
             "demands": sum(len(room.demands) for room in brief.rooms),
         }
-        told = ("zones", "demands") if counts["demands"] else ("rooms", "levels")
-        holds = ", ".join(f"{counts[key]} {key if counts[key] > 1 else key[:-1]}" for key in told)
+        lines = ("zones", "demands") if counts["demands"] else ("rooms", "levels")
+        holds = ", ".join(f"{counts[key]} {key if counts[key] > 1 else key[:-1]}" for key in lines)
         row = {"domain": brief.domain, "name": name, "about": brief.name, "holds": holds}
         rows.append(row | counts)
     return rows

@@ -45,8 +45,8 @@ def show_progress(console: Console, quiet: bool = False) -> Iterator[Callable[[f
         task = bar.add_task("starting", total=1.0)
 
         def progress(fraction: float, message: str = "") -> None:
-            told = printable(message)[:40]
-            bar.update(task, completed=min(max(fraction, 0.0), 1.0), description=told)
+            text = printable(message)[:40]
+            bar.update(task, completed=min(max(fraction, 0.0), 1.0), description=text)
 
         def describe(message: str) -> None:
             bar.update(task, description=message)

@@ -90,8 +90,8 @@ def print_report(console: Console, report: Report) -> None:
     """The verdict, then every finding on a line."""
     print_line(console, str(report), "green" if report.valid else "red")
     for found in report.findings[:MOST_FINDINGS]:
-        told = f"  {found.kind.replace('_', ' ')}: {found.message}"
-        print_line(console, told + (" (given)" if found.given else ""))
+        text = f"  {found.kind.replace('_', ' ')}: {found.message}"
+        print_line(console, text + (" (given)" if found.given else ""))
     if len(report.findings) > MOST_FINDINGS:
         print_line(console, f"  and {len(report.findings) - MOST_FINDINGS} more")
     for note in report.notes:
@@ -100,18 +100,18 @@ def print_report(console: Console, report: Report) -> None:
     shares = report.figures.get("navigable_share", {})
     if isinstance(shares, Mapping) and shares:
         levels = [f" on level {level}" if len(shares) > 1 else "" for level in shares]
-        told = ", ".join(
+        text = ", ".join(
             f"{share:.0%}{level}" for level, share in zip(levels, shares.values(), strict=True)
         )
-        print_line(console, f"walkable floor: {told}", "dim")
+        print_line(console, f"walkable floor: {text}", "dim")
     _halls(console, report.figures.get("halls", {}))
 
 
 def _wishes(console: Console, report: Report) -> None:
     """Which wishes are met, and why the others are not."""
-    for told in report.figures.get("wishes", []):
-        mark = "met" if told["fulfilled"] else f"not met: {told['why']}"
-        print_line(console, f"wish: {told['space']}: {told['wish']}: {mark}")
+    for wish in report.figures.get("wishes", []):
+        mark = "met" if wish["fulfilled"] else f"not met: {wish['why']}"
+        print_line(console, f"wish: {wish['space']}: {wish['wish']}: {mark}")
 
 
 def _outlets(console: Console, report: Report) -> None:
@@ -119,8 +119,8 @@ def _outlets(console: Console, report: Report) -> None:
     found = report.figures.get("outlets", [])
     if found:
         near = sum(lead["within"] for lead in found)
-        told = f"outlets: {near} of {len(found)} leads, hoses and pipes reach"
-        print_line(console, told)
+        text = f"outlets: {near} of {len(found)} leads, hoses and pipes reach"
+        print_line(console, text)
     for lead in (lead for lead in found if not lead["within"]):
         much = f"{lead['metres']:.2f} m away, {lead['reach']:g} m at most"
         print_line(console, f"  {lead['piece']}: {lead['outlet']} outlet {much}")
@@ -142,8 +142,8 @@ def _halls(console: Console, halls: Mapping[str, Mapping[str, Any]]) -> None:
     ]
     if places:
         print_line(console, f"  {MEASURED}", "dim")
-    for _, told in sorted(places)[:MOST_BOTTLENECKS]:
-        print_line(console, told, "dim")
+    for _, line in sorted(places)[:MOST_BOTTLENECKS]:
+        print_line(console, line, "dim")
 
 
 def _format_measures(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
@@ -214,8 +214,8 @@ def _print_excess(console: Console, solution: Solution, rooms: Mapping[str, str]
     """The energy of each space beside the least it could be."""
     for space, floor in _floors(solution).items():
         energy = solution.energies[space]
-        told = f"{energy:.1f}, {energy - floor:.1f} above its floor of {floor:.1f}"
-        print_line(console, f"energy of {rooms.get(space, space)}: {told}")
+        text = f"{energy:.1f}, {energy - floor:.1f} above its floor of {floor:.1f}"
+        print_line(console, f"energy of {rooms.get(space, space)}: {text}")
 
 
 def _meanings(names: set[str], domain: str) -> dict[str, str]:

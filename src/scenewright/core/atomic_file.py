@@ -92,9 +92,9 @@ def _check_target(path: Path) -> None:
     except FileNotFoundError:
         return
     except (OSError, ValueError) as error:
-        told = getattr(error, "strerror", None) or error
+        reason = getattr(error, "strerror", None) or error
         raise InputError(
-            f"cannot be written: {told}", "choose another place", file=str(path)
+            f"cannot be written: {reason}", "choose another place", file=str(path)
         ) from None
     if os.path.isdir(path):
         raise InputError("is a folder", "give the name of a file", file=str(path))

@@ -203,8 +203,8 @@ def _describe_expected(
     if kind in KINDS:
         asked = "ask" in loc[-2:-1] and isinstance(given, str)
         return f'write {{"group": {_quote_value(given)}}}' if asked else f"give {KINDS[kind]}"
-    told = str(error["msg"]).removeprefix("Value error, ")
-    expected = told.replace("Input should be", "it should be")
+    text = str(error["msg"]).removeprefix("Value error, ")
+    expected = text.replace("Input should be", "it should be")
     for words, plainly in PLAINLY.items():
         expected = expected.replace(words, plainly)
     in_metres = kind.startswith("less_than") and not LENGTHS.isdisjoint(loc[-3:])

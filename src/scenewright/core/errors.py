@@ -23,8 +23,8 @@ class InputError(ValueError):
     def __init__(self, fault: str, remedy: str = "", *, file: str = "", place: str = "") -> None:
         self.fault, self.remedy, self.file, self.place = fault, remedy, file, place
         parts = (file, _short(place), _short(fault))
-        told = ": ".join(part for part in parts if part)
-        super().__init__(printable(f"{told}; {remedy}" if remedy else told))
+        text = ": ".join(part for part in parts if part)
+        super().__init__(printable(f"{text}; {remedy}" if remedy else text))
 
     def located(self, *, file: str = "", place: str = "") -> InputError:
         """The same error with file or place filled in where they were unknown."""

@@ -42,8 +42,8 @@ def find_piece(pieces: Sequence[Piece], name: str, leads: Callable[[Piece], bool
         if len(found) == 1 or (len(groups) == 1 and found and leads(found[0])):
             return found[0]
         if found:
-            told = ", ".join(p.id for p in found[:MOST]) + " …" * (len(found) > MOST)
-            raise InputError(f"'{name}' may be any of {len(found)} pieces", f"say which: {told}")
+            text = ", ".join(p.id for p in found[:MOST]) + " …" * (len(found) > MOST)
+            raise InputError(f"'{name}' may be any of {len(found)} pieces", f"say which: {text}")
     room, _, rest = name.partition("/")
     here = [p for p in pieces if rest and p.space == room]
     if here:
@@ -54,8 +54,8 @@ def find_piece(pieces: Sequence[Piece], name: str, leads: Callable[[Piece], bool
 def _nearest(name: str, pieces: Sequence[Piece]) -> str:
     known = {word: p.id for p in pieces for word in (p.category, p.id.rpartition("/")[2], p.id)}
     near = get_close_matches(name, known, MOST, 0.5)
-    told = list(dict.fromkeys(known[word] for word in near)) or [p.id for p in pieces[:MOST]]
-    return f"use one of: {', '.join(told)}" if told else "the file holds no pieces"
+    names = list(dict.fromkeys(known[word] for word in near)) or [p.id for p in pieces[:MOST]]
+    return f"use one of: {', '.join(names)}" if names else "the file holds no pieces"
 
 
 def carry_pieces(pieces: Iterable[Piece], start: Frame, end: Frame) -> tuple[Piece, ...]:
@@ -142,8 +142,8 @@ def find_spaces(spaces: Sequence[Space], names: Iterable[str]) -> frozenset[str]
     for name in names:
         if name not in known:
             near = get_close_matches(name, known, MOST, 0.5) or [s.id for s in spaces][:20]
-            told = dict.fromkeys(known.get(n, n) for n in near)
-            raise InputError(f"unknown space '{name}'", f"use one of: {', '.join(told)}")
+            offered = dict.fromkeys(known.get(n, n) for n in near)
+            raise InputError(f"unknown space '{name}'", f"use one of: {', '.join(offered)}")
     return frozenset(known[name] for name in names)
 
 

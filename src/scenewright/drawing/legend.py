@@ -146,8 +146,8 @@ def _row(row: LegendRow, left: float, y: float) -> Mark:
             stroke_width=FINE,
         )
         return group([_words(row.words, left, y, 1.05 * TEXT, weight="bold"), rule])
-    told = text_width(row.right, 0.9 * TEXT) + 2.0 if row.right else 0.0
-    words, size = fit_text(clean(row.words, 80), TEXT, room - SIGN - told - 2.0, 0.75)
+    wide = text_width(row.right, 0.9 * TEXT) + 2.0 if row.right else 0.0
+    words, size = fit_text(clean(row.words, 80), TEXT, room - SIGN - wide - 2.0, 0.75)
     marks = [_sign(row, left, y), _words(words, left + SIGN, y, size)]
     if row.right:
         marks.append(_words(row.right, left + room - 2.0, y, 0.9 * TEXT, anchor="end", fill=GREY))

@@ -61,8 +61,8 @@ def _outlet(view: PaperView, outlet: Outlet) -> Mark:
     if outlet.kind in WORDS:
         words = foot + (STEM + RADIUS + LETTERS) * ahead
         marks.append(text(WORDS[outlet.kind], words, LETTERS, fill=ROUTE))
-    told = f"{outlet.kind} outlet" + (", required" if outlet.required else "")
-    return group([title(told), *marks])
+    message = f"{outlet.kind} outlet" + (", required" if outlet.required else "")
+    return group([title(message), *marks])
 
 
 def _lines(kind: str) -> list[list[tuple[float, float]]]:

@@ -244,8 +244,8 @@ def level_name(level: Level) -> list[str]:
     ([], ['Ground floor'])
     """
     name = clean(level.name, 30)
-    told = name if name != level.id or re.search(r"[^\W\d_]{2}", name) else ""
-    return [told] if told else []
+    message = name if name != level.id or re.search(r"[^\W\d_]{2}", name) else ""
+    return [message] if message else []
 
 
 def _total_area(scene: Scene) -> str:

@@ -77,14 +77,14 @@ def sheet_mark(sheet: PaperSheet, name: str, summary: str) -> Mark:
     unit, divisions = _divisions(sheet.scale, 0.45 * room)
     room -= divisions * unit * 1000 / sheet.scale + 10
     words, size = fit_text(clean(name, 80), 4.4, room, wide=1.12)
-    told, small = fit_text(summary, 2.3, room)
+    line_below, small = fit_text(summary, 2.3, room)
     marks = [
         shape([corners], stroke_width=OUTLINE),
         line([(EDGE, top), (right, top)], stroke_width=LINE),
         line([(right - 44, top), (right - 44, bottom)], stroke_width=LINE),
         line([(right - 58, top), (right - 58, bottom)], stroke_width=LINE),
         _words(words, (EDGE + 5, middle - 2.2), size, weight="bold"),
-        _words(told, (EDGE + 5, middle + 3.6), small, fill=GREY),
+        _words(line_below, (EDGE + 5, middle + 3.6), small, fill=GREY),
         scale_bar(right - 64, middle + 1.5, sheet.scale, 0.45 * (right - 69 - EDGE)),
         north_arrow(right - 51, middle + 1.2),
         _words(f"1:{sheet.scale}", (right - 40, middle - 2.2), 4.4, weight="bold"),

@@ -37,13 +37,13 @@ class SolverRow(NamedTuple):
     ) -> Found[Any]:
         """Solve. ``progress`` is called with shares that never fall, and with 1 and the answer in
         the end; when ``cancel`` answers true, the best layout so far is the answer."""
-        function, told = load_function(self.function), RisingShare(progress)
-        given = (problem, budget, seed, told.hear if progress else None, cancel)
+        function, rising = load_function(self.function), RisingShare(progress)
+        given = (problem, budget, seed, rising.hear if progress else None, cancel)
         found: Found[Any] = (
             load_function(self.adapter)(function, *given) if self.adapter else function(*given)
         )
         if not (cancel is not None and cancel()):
-            told.end(found.layouts[0])
+            rising.end(found.layouts[0])
         return found
 
 

@@ -158,9 +158,9 @@ def run_population(
             least.append(float(energies[first]))
         if watch.over(done, least[-1], lambda: layout_of(records[-1])) or count == rounds:
             seen = np.concatenate([np.array(records).reshape(-1, len(low)), genes])
-            heard = np.concatenate([least[1:], energies])
-            order = np.argsort(heard, kind="stable")
-            return seen[order], heard[order], done
+            rated = np.concatenate([least[1:], energies])
+            order = np.argsort(rated, kind="stable")
+            return seen[order], rated[order], done
 
 
 def distinct(

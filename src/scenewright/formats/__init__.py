@@ -266,8 +266,8 @@ def _row(path: str | os.PathLike[str], part: str, domain: str = "") -> Format:
     if not found:
         usable = ", ".join(row.suffix for row in formats() if getattr(row, part))
         verb = "read" if part == "reader" else "written"
-        told = f"'{suffix}' files cannot be {verb}" if suffix else "the name has no suffix"
-        raise InputError(told, f"use one of: {usable}", file=str(path))
+        text = f"'{suffix}' files cannot be {verb}" if suffix else "the name has no suffix"
+        raise InputError(text, f"use one of: {usable}", file=str(path))
     return found[0]
 
 

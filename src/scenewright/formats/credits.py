@@ -28,8 +28,8 @@ def text(name: str, rows: tuple[Credit, ...]) -> str:
     """
     parts = [f"Credits of {name}\n"]
     for row in rows:
-        told = row.author if row.author != UNKNOWN else "Author not stated"
-        lines = [f"{told}, licence {row.licence}"]
+        message = row.author if row.author != UNKNOWN else "Author not stated"
+        lines = [f"{message}, licence {row.licence}"]
         for identity, title, count in row.assets:
             lines.append(f"  {title} ({identity})" + (f", {count} times" if count > 1 else ""))
         parts.append("\n".join(lines) + "\n")

@@ -107,10 +107,10 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
 def _about(scene: Scene, catalog: Catalog) -> Json:
     """The version, and who made the models on what terms."""
     found: Json = {"version": "2.0", "generator": f"Scenewright {__version__}"}
-    told = authorship.credits_of(scene.pieces, catalog)
-    if told:
-        found["copyright"] = authorship.line(told)
-        found["extras"] = {"credits": authorship.document(told)}
+    authors = authorship.credits_of(scene.pieces, catalog)
+    if authors:
+        found["copyright"] = authorship.line(authors)
+        found["extras"] = {"credits": authorship.document(authors)}
     return found
 
 
@@ -215,8 +215,8 @@ def surface(part: Part, normals: Floats64) -> GlbSurface:
     whole = (rows != rows[:, [1, 2, 0]]).all(1)
     rows = rows[whole if whole.any() else slice(1)]
     turned = [
-        np.ascontiguousarray(told[first][:, [0, 2, 1]] * [1, 1, -1], np.float32)
-        for told in (points, normals)
+        np.ascontiguousarray(array[first][:, [0, 2, 1]] * [1, 1, -1], np.float32)
+        for array in (points, normals)
     ]
     return GlbSurface(turned[0], turned[1], rows.reshape(-1))
 

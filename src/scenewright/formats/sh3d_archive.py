@@ -32,8 +32,8 @@ def home_xml(path: Path) -> bytes:
     except (zipfile.BadZipFile, zlib.error, EOFError, ValueError, NotImplementedError) as error:
         if isinstance(error, InputError):
             raise
-        told = str(error) or type(error).__name__
-        raise InputError(f"is not a whole zip archive ({told})", "save the home again") from None
+        reason = str(error) or type(error).__name__
+        raise InputError(f"is not a whole zip archive ({reason})", "save the home again") from None
     except RuntimeError:
         raise InputError(f"{ENTRY} is encrypted", "save the home without a password") from None
 

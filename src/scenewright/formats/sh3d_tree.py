@@ -131,8 +131,8 @@ def tree(content: bytes) -> Element:
         _feed(reading.parser, content)
     except expat.ExpatError as error:
         where = f"Home.xml line {error.lineno}, column {error.offset + 1}"
-        told = expat.ErrorString(error.code)
-        raise InputError(f"broken XML: {told}", "save the home again", place=where) from None
+        reason = expat.ErrorString(error.code)
+        raise InputError(f"broken XML: {reason}", "save the home again", place=where) from None
     except (LookupError, UnicodeError, ValueError) as error:
         if isinstance(error, InputError):
             raise error.located(place="Home.xml") from None

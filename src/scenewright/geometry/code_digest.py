@@ -62,8 +62,8 @@ def code_parts(function: Callable[..., Any]) -> CodeParts:
     digest, named = blake2b(digest_size=SIZE), []
     options = sorted(getattr(function, "targetoptions", {}).items())
     digest.update(repr((plain.__qualname__, plain.__defaults__, options)).encode())
-    for told in _describe_code(plain.__code__, plain.__doc__):
-        digest.update(told.encode())
+    for text in _describe_code(plain.__code__, plain.__doc__):
+        digest.update(text.encode())
     for name, value in _named_values(plain):
         digest.update(f"{name}=".encode())
         for part in _flatten(value):

@@ -86,8 +86,8 @@ def collection(document: Any) -> Collection:
     if kind == "FeatureCollection":
         rows = document.get("features")
     if not isinstance(rows, list):
-        told = f"its type is {json.dumps(kind)[:40]}" if kind else "holds no GeoJSON features"
-        raise InputError(told, 'give {"type": "FeatureCollection", "features": [...]}')
+        text = f"its type is {json.dumps(kind)[:40]}" if kind else "holds no GeoJSON features"
+        raise InputError(text, 'give {"type": "FeatureCollection", "features": [...]}')
     if len(rows) > MOST_FEATURES:
         raise InputError(f"holds {len(rows)} features", f"at most {MOST_FEATURES} are read")
     good: list[Feature] = []

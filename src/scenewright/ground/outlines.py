@@ -59,8 +59,8 @@ def ground(outline: Corners, holes: Sequence[Corners]) -> shapely.Polygon:
             )
         rest = polygons(shapely.difference(floor, cut, grid_size=GRID))
         if len(rest) != 1:
-            told = f"cuts the site in {len(rest)} pieces" if rest else "leaves nothing of the site"
-            raise InputError(f"holes[{number}] {told}", "make each piece a site of its own")
+            text = f"cuts the site in {len(rest)} pieces" if rest else "leaves nothing of the site"
+            raise InputError(f"holes[{number}] {text}", "make each piece a site of its own")
         floor = rest[0]
     return floor
 

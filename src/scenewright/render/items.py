@@ -286,7 +286,7 @@ def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> Ren
 
 
 def _facts(piece: Piece, asset: Asset | None) -> dict[str, str | float]:
-    told: dict[str, str | float] = {
+    values: dict[str, str | float] = {
         "function": piece.function,
         "category": piece.category,
         "asset": asset.id if asset else piece.asset,
@@ -296,7 +296,7 @@ def _facts(piece: Piece, asset: Asset | None) -> dict[str, str | float]:
         "author": asset.author if asset else "",
         "on": piece.on or "",
     }
-    return {name: fact for name, fact in told.items() if fact != ""}
+    return {name: fact for name, fact in values.items() if fact != ""}
 
 
 @lru_cache(maxsize=4096)

@@ -72,8 +72,8 @@ def sheet(portraits: Sequence[Portrait], measure: str, of: int) -> Pixels:
         page.paste(Image.fromarray(portrait.salient), (left + side, top))
         name = _cut(portrait.name, 2 * side - GAP, 15)
         pen.text((left + 4, top + side + 3), name, INK, _font(15))
-        told = f"visual quality {portrait.quality:.3f}"
-        pen.text((left + 4, top + side + 22), told, FAINT, _font(13))
+        text = f"visual quality {portrait.quality:.3f}"
+        pen.text((left + 4, top + side + 22), text, FAINT, _font(13))
     return np.asarray(page, np.uint8)
 
 
@@ -91,9 +91,9 @@ def write(pixels: Pixels, path: Path) -> None:
 
 def _head(pen: ImageDraw.ImageDraw, width: int, title: str, count: int, of: int) -> None:
     """The title, how many are drawn, and what the colours mean."""
-    told = f"{count} of {of} models" if of > count else f"{count} model{'s' * (count != 1)}"
+    text = f"{count} of {of} models" if of > count else f"{count} model{'s' * (count != 1)}"
     pen.text((EDGE, 18), title, INK, _font(21))
-    pen.text((EDGE, 46), told, FAINT, _font(13))
+    pen.text((EDGE, 46), text, FAINT, _font(13))
     long, left = 150, width - EDGE - 150
     for x in range(long):
         share = x / (long - 1) * (len(RAMP) - 1)

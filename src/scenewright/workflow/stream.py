@@ -47,7 +47,7 @@ def stream_progress(
     ...     end.value
     False
     """
-    told: SimpleQueue[Progress | _End] = SimpleQueue()
+    queue: SimpleQueue[Progress | _End] = SimpleQueue()
     left = Flag()
 
     def cancelled() -> bool:
@@ -55,15 +55,15 @@ def stream_progress(
 
     def run() -> None:
         try:
-            result = work(lambda share, what: told.put(Progress(share, what)), cancelled)
+            result = work(lambda share, what: queue.put(Progress(share, what)), cancelled)
         except BaseException as error:  # raised again where it is listened to
-            told.put(_End(error=error))
+            queue.put(_End(error=error))
         else:
-            told.put(_End((result,)))
+            queue.put(_End((result,)))
 
     Thread(target=copy_context().run, args=(run,), daemon=True).start()
     try:
-        while not isinstance(event := told.get(), _End):
+        while not isinstance(event := queue.get(), _End):
             yield event
     finally:
         left.set()

@@ -118,14 +118,14 @@ def _mannequin(size: Size) -> Parts:
     ]
     head = ball(0.085, 0.105, 0.065 * h, (0, 0.02, 0.935 * h), 8, 6)
     cloth = pick(size, (TERRACOTTA, SAGE_FABRIC, LINEN))
-    worn = lathe([(r * w, z * h) for r, z in dress], sides=10, squash=squash)
+    dressed = lathe([(r * w, z * h) for r, z in dress], sides=10, squash=squash)
     skin = lathe([(r * w, z * h) for r, z in body], sides=10, squash=0.92 * squash)
     base = disc(1.0, (0, 0.02), sides=16)
     return parts(
         size,
         {
             GREIGE: [skin, *arms, *legs, head],
-            cloth: [worn],
+            cloth: [dressed],
             STEEL: [Mesh(base.vertices * (w, d, 1), base.faces)],
         },
     )

@@ -67,8 +67,8 @@ def library(path: str | os.PathLike[str], options: ImportOptions = USUAL) -> tup
     found = report(path, options)
     if not found.models:
         first, more = found.skipped[:1], len(found.skipped) - 1
-        told = f"{first[0].name}: {first[0].reason}" if first else "there are no model files"
-        fault = f"holds no usable model ({told})" + f" and {more} more" * (more > 0)
+        text = f"{first[0].name}: {first[0].reason}" if first else "there are no model files"
+        fault = f"holds no usable model ({text})" + f" and {more} more" * (more > 0)
         raise InputError(fault, f"give one of: {', '.join(suffixes())}", file=str(path))
     return found.models
 
@@ -127,9 +127,9 @@ def _files(top: Path) -> Iterator[tuple[Path, SkippedModel | None]]:
         for name in sorted(names):
             file = Path(folder, name)
             if file.suffix.lower() in suffixes() and name not in SIDECARS:
-                told = clean(str(file.relative_to(top)), "unnamed")
+                shown = clean(str(file.relative_to(top)), "unnamed")
                 fault = _unusable(file, name)
-                yield file, SkippedModel(told, fault) if fault else None
+                yield file, SkippedModel(shown, fault) if fault else None
 
 
 def _unusable(file: Path, name: str) -> str:
@@ -181,8 +181,8 @@ def _row(file: Path) -> ModelFormat:
     suffix = file.suffix.lower()
     found = [row for row in ROWS if row.suffix == suffix]
     if not found:
-        told = f"'{clean(suffix)}' models are not read" if suffix else "the name has no suffix"
-        raise InputError(told, f"use one of: {', '.join(suffixes())}")
+        text = f"'{clean(suffix)}' models are not read" if suffix else "the name has no suffix"
+        raise InputError(text, f"use one of: {', '.join(suffixes())}")
     return found[0]
 
 

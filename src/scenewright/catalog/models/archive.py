@@ -53,8 +53,8 @@ def open_archive(stream: IO[bytes]) -> Iterator[Archive]:
     try:
         file = zipfile.ZipFile(stream)
     except FAULTS as error:
-        told = clean(str(error), "cut off")
-        raise InputError(f"is not a whole zip archive ({told})", "save it again") from None
+        reason = clean(str(error), "cut off")
+        raise InputError(f"is not a whole zip archive ({reason})", "save it again") from None
     with file:
         listed = file.infolist()
         if len(listed) > MOST_ENTRIES:
@@ -87,8 +87,8 @@ def _unpack_entry(archive: Archive, found: zipfile.ZipInfo, limit: int) -> bytes
     except InputError:
         raise
     except FAULTS as error:
-        told = clean(str(error), "cut off")
-        raise InputError(f"cannot be unpacked ({told})", "save the library again") from None
+        reason = clean(str(error), "cut off")
+        raise InputError(f"cannot be unpacked ({reason})", "save the library again") from None
     except RuntimeError:
         raise InputError("is encrypted", "save it without a password") from None
 

@@ -70,16 +70,16 @@ def _pair_surfaces(
     """Each surface with the number of what it is, level by level; inner shells are left out."""
     if not isinstance(boundaries, list):
         raise InputError("boundaries are no list", "save the file again")
-    told = values if isinstance(values, list) else []
+    lines = values if isinstance(values, list) else []
     if kind in ("MultiSurface", "CompositeSurface"):
         for k, surface in enumerate(boundaries):
-            yield surface, told[k] if k < len(told) else None
+            yield surface, lines[k] if k < len(lines) else None
     elif kind == "Solid":
         if boundaries:
-            yield from _pair_surfaces(boundaries[0], told[0] if told else None, "MultiSurface")
+            yield from _pair_surfaces(boundaries[0], lines[0] if lines else None, "MultiSurface")
     else:
         for k, solid in enumerate(boundaries):
-            yield from _pair_surfaces(solid, told[k] if k < len(told) else None, "Solid")
+            yield from _pair_surfaces(solid, lines[k] if k < len(lines) else None, "Solid")
 
 
 def _check_rings(rings: object, corners: int) -> tuple[tuple[int, ...], ...]:

@@ -62,8 +62,8 @@ def read(content: bytes, stem: str, *_: object) -> Iterator[RawModel | SkippedMo
             parts = rotate_parts(parts, turn_of(parts))
             yield RawModel(f"{stem}/{name}", name, parts, "+z", "-y", city.author, city.licence)
         except InputError as error:
-            told = InputError(error.fault, error.remedy, place=error.place)
-            yield SkippedModel(f"{stem}/{name}", str(told))
+            fault = InputError(error.fault, error.remedy, place=error.place)
+            yield SkippedModel(f"{stem}/{name}", str(fault))
 
 
 def roots_of(city: City) -> list[str]:
@@ -119,9 +119,9 @@ def _corners(document: Json) -> tuple[Floats, tuple[float, float, float]]:
 
 def _translate(transform: object) -> Floats:
     """What a transform adds to corners; nothing if it does not tell three finite numbers."""
-    told = transform.get("translate") if isinstance(transform, dict) else None
+    shift = transform.get("translate") if isinstance(transform, dict) else None
     try:
-        found = np.array(told, np.float64)
+        found = np.array(shift, np.float64)
     except (ValueError, TypeError, OverflowError):
         return np.zeros(3)
     right = found.shape == (3,) and bool(np.all(np.abs(found) <= FARTHEST))

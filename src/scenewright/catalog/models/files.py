@@ -99,8 +99,8 @@ def json_of(content: bytes, what: str) -> dict[str, Any]:
     except RecursionError:
         raise InputError("is nested too deeply", "save it again") from None
     except ValueError as error:
-        told = " ".join(str(error).split())[:100]
-        raise InputError(f"is not {what}: {told}", "save it again") from None
+        reason = " ".join(str(error).split())[:100]
+        raise InputError(f"is not {what}: {reason}", "save it again") from None
     if not isinstance(found, dict):
         raise InputError(f"is not {what}: it holds no object", "save it again")
     check_characters(found, text)

@@ -74,25 +74,25 @@ def understood(model: Model, unit: float = 1.0) -> Understood:
     >>> found.category, found.scale
     ('dining_chair', 0.01)
     """
-    kinds, told, sure = said(model)
+    kinds, why, sure = said(model)
     if not kinds:
-        return Understood(OTHER, sure, told, scale=unit)
+        return Understood(OTHER, sure, why, scale=unit)
     hung = tuple(kind for kind in kinds if _hangs_right(kind, model))
     if not hung:
-        return Understood(OTHER, 0.3, f"{told}, but {model.elevation:.1f} m above the floor")
+        return Understood(OTHER, 0.3, f"{why}, but {model.elevation:.1f} m above the floor")
     scale = _scale(model.size, hung, unit)
     size = Size(*(side * scale for side in model.size))
     kind, misfit = nearest(hung, size)
     if misfit > LIKELY or (kind in TABLES and misfits(kind, size)[2] > UPRIGHT):
         shown = " x ".join(f"{side:.2f}" for side in size)
-        return Understood(OTHER, 0.3, f"{told}, but of {shown} m", scale=unit)
+        return Understood(OTHER, 0.3, f"{why}, but of {shown} m", scale=unit)
     way = _front(model, kind)
     if scale != unit:
-        told += f", taken {scale / unit:g} times as large"
+        why += f", taken {scale / unit:g} times as large"
     if way.turn:
-        told += ", turned by its shape"
+        why += ", turned by its shape"
     sure = round(sure * (1.0 if misfit <= 1.0 else 0.85), 2)
-    return Understood(kind, sure, told, way.turn, scale)
+    return Understood(kind, sure, why, way.turn, scale)
 
 
 def said(model: Model) -> tuple[tuple[str, ...], str, float]:
@@ -103,11 +103,11 @@ def said(model: Model) -> tuple[tuple[str, ...], str, float]:
     for name, sure in _names(model):
         found = match(name)
         if found is not None:
-            told = f"'{' '.join(found.words)}'" + f" in the {room}" * bool(room)
+            text = f"'{' '.join(found.words)}'" + f" in the {room}" * bool(room)
             if not found.kinds:
-                return (), told, sure
+                return (), text, sure
             sure = min(1.0, sure + 0.1 * (len(found.words) > 1) + 0.1 * found.whole)
-            return _refine_kinds(found.kinds, room), told, round(sure, 2)
+            return _refine_kinds(found.kinds, room), text, round(sure, 2)
     return (), "its name says nothing", 0.0
 
 

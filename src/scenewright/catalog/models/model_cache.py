@@ -27,7 +27,7 @@ MOST_BYTES = 2**31
 
 def keep(file: Path, found: LibraryReport, made_of: str) -> None:
     """Write what a catalogue holds; where nothing can be written nothing is kept."""
-    told = {
+    values = {
         "version": VERSION,
         "made_of": made_of,
         "models": [_describe_model(model) for model in found.models],
@@ -35,7 +35,7 @@ def keep(file: Path, found: LibraryReport, made_of: str) -> None:
     }
     parts = [part for model in found.models for part in model.parts]
     arrays = {
-        "told": np.frombuffer(json.dumps(told, default=float).encode(), np.uint8),
+        "told": np.frombuffer(json.dumps(values, default=float).encode(), np.uint8),
         "vertices": _join_arrays([p.vertices for p in parts], np.float64),
         "faces": _join_arrays([p.faces for p in parts], np.int32),
     }
@@ -49,12 +49,12 @@ def load_cached(file: Path, made_of: str) -> LibraryReport | None:
         if not file.is_file() or file.stat().st_size > MOST_BYTES:
             return None
         with file.open("rb") as stream, np.load(stream, allow_pickle=False) as arrays:
-            told = json.loads(arrays["told"].tobytes())
-            if (told["version"], told["made_of"]) != (VERSION, made_of):
+            record = json.loads(arrays["told"].tobytes())
+            if (record["version"], record["made_of"]) != (VERSION, made_of):
                 return None
             points, corners = arrays["vertices"], arrays["faces"].astype(np.int64)
-        models = tuple(_models(told["models"], points, corners))
-        return LibraryReport(models, tuple(SkippedModel(*one) for one in told["skipped"]))
+        models = tuple(_models(record["models"], points, corners))
+        return LibraryReport(models, tuple(SkippedModel(*one) for one in record["skipped"]))
     except (OSError, ValueError, KeyError, TypeError, IndexError, EOFError, zipfile.BadZipFile):
         return None
 
@@ -65,8 +65,8 @@ def _join_arrays(arrays: Sequence[NDArray[Any]], kind: type) -> NDArray[Any]:
 
 def _describe_model(model: Model) -> dict[str, Any]:
     """A model without its triangles, and how many vertices and faces each part has."""
-    told = model._asdict() | {"size": list(model.size), "tags": list(model.tags)}
-    told["parts"] = [
+    values = model._asdict() | {"size": list(model.size), "tags": list(model.tags)}
+    values["parts"] = [
         {
             "material": [
                 p.material.name,
@@ -80,7 +80,7 @@ def _describe_model(model: Model) -> dict[str, Any]:
         }
         for p in model.parts
     ]
-    return told
+    return values
 
 
 def _models(
@@ -89,9 +89,9 @@ def _models(
     first, start = 0, 0
     for row in rows:
         parts = []
-        for told in row["parts"]:
-            name, colour, *rest = told["material"]
-            vertices, faces = told["counts"]
+        for part in row["parts"]:
+            name, colour, *rest = part["material"]
+            vertices, faces = part["counts"]
             own = corners[start : start + faces]
             if len(own) != faces or (faces and not 0 <= own.min() <= own.max() < vertices):
                 raise ValueError("not whole")

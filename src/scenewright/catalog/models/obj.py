@@ -100,10 +100,10 @@ def _lines_of(content: bytes) -> _Lines:
                 lines.libraries.append(_rest(line))
                 check_count(len(lines.libraries), MOST_LIBRARIES, "material libraries")
         except (ValueError, IndexError) as error:
-            told = error if isinstance(error, InputError) else None
+            fault = error if isinstance(error, InputError) else None
             raise InputError(
-                told.fault if told else f"'{_quote_line(line)}' cannot be read",
-                told.remedy if told else "export the model again",
+                fault.fault if fault else f"'{_quote_line(line)}' cannot be read",
+                fault.remedy if fault else "export the model again",
                 place=f"line {number}",
             ) from None
     return lines

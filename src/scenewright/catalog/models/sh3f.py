@@ -96,8 +96,8 @@ def _piece(
             fields.get("doorOrWindow", "").strip().lower() == "true",
         )
     except InputError as error:
-        told = InputError(error.fault, error.remedy, place=error.place)
-        return SkippedModel(f"{stem}/{own}", str(told))
+        fault = InputError(error.fault, error.remedy, place=error.place)
+        return SkippedModel(f"{stem}/{own}", str(fault))
 
 
 def _tags(fields: Fields) -> tuple[str, ...]:

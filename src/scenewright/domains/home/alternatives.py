@@ -179,7 +179,7 @@ def _measure_move(one: Patch, other: Patch) -> float:
 
 def sides(solution: Solution, plan: Plan | None = None) -> str:
     """Where what makes its rooms stands, in words: ``Bedroom: bed at the east wall; …``."""
-    told = []
+    lines = []
     for room in (plan or plan_rooms(solution.brief)).spaces:
         stand = [
             f"{MAKES[p.function]} at the {WINDS[round((p.box[2] + pi) / (pi / 4)) % 8]} wall"
@@ -187,8 +187,8 @@ def sides(solution: Solution, plan: Plan | None = None) -> str:
             if p.space == room.id and p.function in MAKES
         ]
         if stand:
-            told.append(f"{room.name}: {', '.join(stand)}")
-    return "; ".join(told)
+            lines.append(f"{room.name}: {', '.join(stand)}")
+    return "; ".join(lines)
 
 
 def _rank(solution: Solution) -> tuple[int, float]:

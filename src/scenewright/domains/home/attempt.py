@@ -110,7 +110,7 @@ class Missing(NamedTuple):
 
 
 class RoomAnswer(NamedTuple):
-    """One answer for a room; the lower ``score`` the better. ``unheard`` counts the wishes for
+    """One answer for a room; the lower ``score`` the better. ``unmet`` counts the wishes for
     places and the outlets it does not meet; ``gone`` are pieces that gave way when all was done."""
 
     score: float
@@ -120,7 +120,7 @@ class RoomAnswer(NamedTuple):
     problem: Problem | None
     energy: float
     evaluations: int
-    unheard: int = 0
+    unmet: int = 0
     gone: tuple[Gone, ...] = ()
 
 
@@ -165,8 +165,8 @@ def attempt(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget, seed: int)
     more than the best's score are not looked at."""
     preset = task.preset
     problem = build_task_problem(task, wishes, task.ground)
-    heard = hear_groups(task, tuple(w.group for w in wishes))
-    found = SOLVERS[task.solver].run(problem, budget, seed, heard, task.cancel)
+    listener = hear_groups(task, tuple(w.group for w in wishes))
+    found = SOLVERS[task.solver].run(problem, budget, seed, listener, task.cancel)
     first, *others = found.layouts[: preset.settings.tries.layouts if preset.settings.exact else 1]
     best = furnish_layout(task, wishes, problem, first.boxes, first.energy)
     for layout in others:
@@ -256,7 +256,7 @@ def _place_groups(
         while name in taken:
             number += 1
             name = f"{wanted}_{number}"
-        worn = furnish_patch(
+        furnished = furnish_patch(
             wish.group,
             box,
             task.ground,
@@ -267,14 +267,14 @@ def _place_groups(
             task.library,
             task.space.outlets,
         )
-        if isinstance(worn, Refused):
-            missing.append(Missing(wish, worn.reason))
+        if isinstance(furnished, Refused):
+            missing.append(Missing(wish, furnished.reason))
             if sum(penalty(m.wish, task.costs) for m in missing) >= most:
                 break
             continue
         group = f"{task.space.id}/{name}"
-        pieces = pieces_of(worn, task.space.id, group, wish.group, task.catalog)
-        placed.append(FurnishedGroup(wish, name, worn, pieces))
+        pieces = pieces_of(furnished, task.space.id, group, wish.group, task.catalog)
+        placed.append(FurnishedGroup(wish, name, furnished, pieces))
         taken.add(name)
         standing = join_standing(standing, standing_of(pieces, flat))
     return tuple(placed), tuple(missing)
@@ -295,18 +295,18 @@ def score_answer(
         placed, gone, blocked = _open_ways(task, placed)
         missing = (*missing, *gone)
     standing = (*task.fixed, *(p for item in placed for p in item.pieces))
-    deaf, costs = count_unmet_wishes(task.asked, task.space, standing, task.catalog), task.costs
+    unmet, costs = count_unmet_wishes(task.asked, task.space, standing, task.catalog), task.costs
     score = (
         sum(penalty(m.wish, task.costs) for m in missing)
         + sum(costs.barred if b.startswith(DOOR) else costs.unreached for b in blocked)
         + costs.piece * _count_lost(placed)
-        + costs.unmet * deaf
+        + costs.unmet * unmet
     )
     if score >= most:
         return RoomAnswer(math.inf, placed, missing, blocked, problem, energy, 0)
     energy = _energy(task, placed, problem, energy)
     total = score + costs.energy * energy
-    return RoomAnswer(total, placed, missing, blocked, problem, energy, 0, deaf)
+    return RoomAnswer(total, placed, missing, blocked, problem, energy, 0, unmet)
 
 
 def _energy(

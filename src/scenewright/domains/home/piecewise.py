@@ -53,8 +53,8 @@ def piecewise(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomA
     problem = posed_pieces(
         task.ground, parts, task.catalog, preset.weights, preset.settings.printed, task.route_width
     )
-    heard = add_watch(task.progress, task.watch, task.space.id, partial(_group_rows, parts))
-    found = SOLVERS[task.solver].run(problem, budget, task.seed, heard, task.cancel)
+    listener = add_watch(task.progress, task.watch, task.space.id, partial(_group_rows, parts))
+    found = SOLVERS[task.solver].run(problem, budget, task.seed, listener, task.cancel)
     placed, missing = lay_out_parts(task, parts, found.layouts[0].boxes)
     answer = score_answer(task, placed, missing, build_task_problem(task, wishes, task.ground), 0.0)
     return answer._replace(evaluations=found.evaluations)
@@ -81,14 +81,14 @@ def lay_out_parts(
     for part, wanted in zip(parts, names, strict=True):
         case, box = as_laid(part, boxes[first : first + len(part.placed)])
         first += len(part.placed)
-        worn = _furnish_part(task, part, case, box, standing)
-        if isinstance(worn, Refused):
-            missing.append(Missing(part.wish, worn.reason))
+        furnished = _furnish_part(task, part, case, box, standing)
+        if isinstance(furnished, Refused):
+            missing.append(Missing(part.wish, furnished.reason))
             continue
         name = wanted if wanted not in taken else f"{wanted}_{len(taken) + 1}"
         group = f"{task.space.id}/{name}"
-        pieces = pieces_of(worn, task.space.id, group, part.wish.group, task.catalog)
-        placed.append(FurnishedGroup(part.wish, name, worn, pieces))
+        pieces = pieces_of(furnished, task.space.id, group, part.wish.group, task.catalog)
+        placed.append(FurnishedGroup(part.wish, name, furnished, pieces))
         taken.add(name)
         standing = join_standing(standing, standing_of(pieces, flat))
     return tuple(placed), tuple(missing)

@@ -99,13 +99,13 @@ def _apart(losses: set[Loss]) -> list[Loss]:
 def _without(answer: RoomAnswer, loss: Loss, barred: Sequence[Barred]) -> RoomAnswer:
     """An answer less one piece and what goes with it, or less a whole group."""
     item = answer.placed[loss.group]
-    told = _reason(item, loss, barred)
+    reason = _reason(item, loss, barred)
     if loss.piece:
         placed = tuple(_less(p, loss.piece) if p is item else p for p in answer.placed)
         category = next(p.category for p in item.pieces if p.id == loss.piece)
-        return answer._replace(placed=placed, gone=(*answer.gone, Gone(category, told)))
+        return answer._replace(placed=placed, gone=(*answer.gone, Gone(category, reason)))
     placed = tuple(p for p in answer.placed if p is not item)
-    return answer._replace(placed=placed, missing=(*answer.missing, Missing(item.wish, told)))
+    return answer._replace(placed=placed, missing=(*answer.missing, Missing(item.wish, reason)))
 
 
 def _less(item: FurnishedGroup, piece: str) -> FurnishedGroup:

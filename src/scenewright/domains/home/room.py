@@ -44,7 +44,7 @@ def furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAns
             tried = attempt(task, again, share_of(budget, rule.again, rule), task.seed + round_)
             best = _better(best, _report_dropped(tried, wishes, best, task.costs))
     for round_ in range(rule.unmet if budget.seconds is None else 0):
-        if best.unheard and not task.cancelled():
+        if best.unmet and not task.cancelled():
             seed = task.seed + len(FEWER) + 1 + round_
             tried = attempt(task, wishes, share_of(budget, rule.again, rule), seed)
             best = _better(best, _report_dropped(tried, wishes, best, task.costs))
@@ -102,8 +102,8 @@ def fill_rest(task: RoomTask, answer: RoomAnswer, budget: Budget) -> RoomAnswer:
     taken = np.array([p.dressed.box for p in answer.placed]).reshape(-1, 5)
     ground = task.ground._replace(obstacles=np.concatenate([task.ground.obstacles, taken]))
     problem = build_task_problem(task, wishes, ground)
-    heard = hear_groups(task, tuple(w.group for w in wishes), answer.placed)
-    found = SOLVERS[task.solver].run(problem, budget, task.seed, heard, task.cancel)
+    listener = hear_groups(task, tuple(w.group for w in wishes), answer.placed)
+    found = SOLVERS[task.solver].run(problem, budget, task.seed, listener, task.cancel)
     best = answer
     others = tuple(m for m in answer.missing if m.wish not in wanted)
     lacking = sum(penalty(m.wish, task.costs) for m in others)

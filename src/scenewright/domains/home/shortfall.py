@@ -29,13 +29,17 @@ from scenewright.domains.home.wished.wishes import list_barred_groups
 
 
 def complete_account(
-    told: Sequence[LeftOut], room: Room, task: RoomTask, answer: RoomAnswer, pieces: Sequence[Piece]
+    listed: Sequence[LeftOut],
+    room: Room,
+    task: RoomTask,
+    answer: RoomAnswer,
+    pieces: Sequence[Piece],
 ) -> list[LeftOut]:
-    """What a room lacks: as ``told`` by the search, with what is essential marked as such, and with
-    what nobody told of; ``pieces`` are all that stand."""
+    """What a room lacks: as ``listed`` by the search, with what is essential marked as such, and
+    what is not listed; ``pieces`` are all that stand."""
     if not task.preset.settings.exact:
-        return [*told, *_smaller(told, room, task, answer)]
-    found = [*told, *_smaller(told, room, task, answer)]
+        return [*listed, *_smaller(listed, room, task, answer)]
+    found = [*listed, *_smaller(listed, room, task, answer)]
     for need in list_lacking(task.space, pieces, task.catalog) if room.ask is None else ():
         serving = groups_serving(kinds_serving(need.name))
         if task.elsewhere.intersection(serving):
@@ -122,12 +126,12 @@ def _unmentioned(
 
 
 def _smaller(
-    told: Iterable[LeftOut], room: Room, task: RoomTask, answer: RoomAnswer
+    listed: Iterable[LeftOut], room: Room, task: RoomTask, answer: RoomAnswer
 ) -> list[LeftOut]:
     """What was asked for and has only something else of its use in its place."""
     standing = Counter(p.wish.group for p in answer.placed)
     standing.update({p.group: p.function for p in task.fixed}.values())
-    standing.update(out.what for out in told)
+    standing.update(out.what for out in listed)
     found = []
     for ask in room.ask or ():
         short = ask.count - standing[ask.group]

@@ -205,8 +205,8 @@ def _run(
     with ThreadPoolExecutor(threads) as pool:
         futures = {}
         for i in order:
-            heard = None if progress is None else progress.part(i, _name(tasks[i]))
-            task = tasks[i]._replace(progress=heard)
+            listener = None if progress is None else progress.part(i, _name(tasks[i]))
+            task = tasks[i]._replace(progress=listener)
             futures[i] = pool.submit(_furnish, task, wishes[i], budgets[i])
         for i in order:
             answers[i] = futures[i].result()
@@ -259,18 +259,18 @@ def assemble_solution(
         for task, answer in zip(tasks, answers, strict=True)
     ]
     pairs = list(zip(tasks, answers, strict=True))
-    told = {task.space.id: terms(task, answer) for task, answer in pairs}
+    entries = {task.space.id: terms(task, answer) for task, answer in pairs}
     return Solution(
         brief=brief,
         pieces=tuple(piece for here in stands for piece in here),
         patches=tuple(p for task, answer in pairs for p in patches(task, answer)),
-        terms=tuple(value for values in told.values() for value in values),
+        terms=tuple(value for values in entries.values() for value in values),
         left_out=tuple(
             out
             for room, (task, answer), here in zip(brief.rooms, pairs, stands, strict=True)
             for out in _left_out(room, task, answer, here)
         ),
-        energies={space: sum(value.cost for value in values) for space, values in told.items()},
+        energies={space: sum(value.cost for value in values) for space, values in entries.items()},
         preset=preset,
         solver=tasks[0].solver,
         seed=seed,
@@ -285,6 +285,6 @@ def _left_out(
     room: Room, task: RoomTask, answer: RoomAnswer, pieces: Sequence[Piece]
 ) -> list[LeftOut]:
     """What is missing in a room, and what was asked for and has a substitute."""
-    told = complete_account(left_out(task, answer), room, task, answer, pieces)
+    listed = complete_account(left_out(task, answer), room, task, answer, pieces)
     standing = [p.function for p in task.fixed] + [p.wish.group for p in answer.placed]
-    return [*told, *list_substitutes(room, task.space.id, standing, (out.what for out in told))]
+    return [*listed, *list_substitutes(room, task.space.id, standing, (out.what for out in listed))]

@@ -144,11 +144,13 @@ def _candidates(
         height = task.space.height
         free = free_places(case, task.ground, standing, task.catalog, height)
         for box in free[: task.preset.settings.walls.places]:
-            worn = dress_case(wish.group, case, box, task.ground, standing, task.catalog, height)
-            if isinstance(worn, FurnishedPatch):
+            furnished = dress_case(
+                wish.group, case, box, task.ground, standing, task.catalog, height
+            )
+            if isinstance(furnished, FurnishedPatch):
                 group = f"{task.space.id}/{name}"
-                pieces = pieces_of(worn, task.space.id, group, wish.group, task.catalog)
-                yield FurnishedGroup(wish, name, worn, pieces)
+                pieces = pieces_of(furnished, task.space.id, group, wish.group, task.catalog)
+                yield FurnishedGroup(wish, name, furnished, pieces)
 
 
 def _free_name(task: RoomTask, placed: tuple[FurnishedGroup, ...], group: str) -> str:

@@ -110,8 +110,8 @@ def for_wheelchairs(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) ->
         more = task.costs.no_turn if answers else 0.0
         answers.append(plain._replace(score=plain.score + more))
     best = min(answers, key=_score)
-    told = tuple(m._replace(reason=_reword_reason(m.reason)) for m in best.missing)
-    return best._replace(missing=told, evaluations=sum(a.evaluations for a in answers))
+    missing = tuple(m._replace(reason=_reword_reason(m.reason)) for m in best.missing)
+    return best._replace(missing=missing, evaluations=sum(a.evaluations for a in answers))
 
 
 def _prefer_accessible(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
@@ -187,10 +187,10 @@ def _clear_approaches(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         if not giving:
             return answer._replace(score=answer.score + task.costs.no_transfer * len(shut))
         gone = max(giving, key=lambda g: g.wish.rank)
-        told = "it would stand where one gets from a wheelchair to bed or toilet"
+        text = "it would stand where one gets from a wheelchair to bed or toilet"
         answer = answer._replace(
             placed=tuple(g for g in answer.placed if g is not gone),
-            missing=(*answer.missing, Missing(gone.wish, told)),
+            missing=(*answer.missing, Missing(gone.wish, text)),
             score=answer.score + penalty(gone.wish, task.costs),
         )
 

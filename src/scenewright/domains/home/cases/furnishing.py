@@ -210,9 +210,9 @@ def _unlike(member: Member, asset: Asset, taste: Taste) -> float:
 
 def misses(asset: Asset, taste: Taste) -> int:
     """How many of the wishes for style and colour a model does not meet."""
-    told = f"{asset.style} {asset.name} {asset.id}".casefold()
+    words = f"{asset.style} {asset.name} {asset.id}".casefold()
     style = taste.style.casefold().split()
-    lacks = bool(style) and not any(word in told for word in style)
+    lacks = bool(style) and not any(word in words for word in style)
     return lacks + (bool(taste.colour) and asset.colour.casefold() != taste.colour.casefold())
 
 
@@ -241,8 +241,8 @@ def _rename_case(case: Group, found: Group, catalog: Catalog) -> str:
     anchor = found.members[anchor_of(case)]
     name = catalog.assets[anchor.asset].name if anchor.asset else ""
     others = [m.category for i, m in enumerate(found.members) if i != anchor_of(case)]
-    told = f"{name} of {anchor.size.width:.2f} m" + f", {len(others)} more" * bool(others)
-    return told if name else case.name
+    text = f"{name} of {anchor.size.width:.2f} m" + f", {len(others)} more" * bool(others)
+    return text if name else case.name
 
 
 def _once(real: list[Real]) -> Iterator[Group]:

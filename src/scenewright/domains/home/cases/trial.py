@@ -40,6 +40,6 @@ def usable(case: Group, catalog: Catalog, route: float = 0.6) -> bool:
     at_wall = GROUPS[case.function].back >= BACKED
     y = case.depth / 2 + (0.01 if at_wall else AROUND)
     box = np.array([wide / 2, y, pi / 2, case.width, case.depth])
-    worn = FurnishedPatch(case, box, (True,) * len(case.members), 0)
-    pieces = pieces_of(worn, "trial", "trial/case", case.function, catalog)
+    furnished = FurnishedPatch(case, box, (True,) * len(case.members), 0)
+    pieces = pieces_of(furnished, "trial", "trial/case", case.function, catalog)
     return not find_unreached(ground_of(space, (), wide * deep), pieces, catalog, route)

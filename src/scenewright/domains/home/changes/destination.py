@@ -56,17 +56,17 @@ def _check_inside(piece: Piece, to: Frame, room: Space) -> None:
     """A piece put by hand lies on the floor of its room: in no wall, and on no stairs."""
     box = shapely.Polygon(corners(np.array([[*to, piece.size.width, piece.size.depth]]))[0])
     out = _reach_out(piece, to, room)
-    told = f"'{piece.id}' of {piece.size.width:.2f} x {piece.size.depth:.2f} m"
+    text = f"'{piece.id}' of {piece.size.width:.2f} x {piece.size.depth:.2f} m"
     if out > STICKS_OUT:
         raise InputError(
-            f"{told} at ({to[0]:g}, {to[1]:g}) would stick {out:.2f} m out of its room",
+            f"{text} at ({to[0]:g}, {to[1]:g}) would stick {out:.2f} m out of its room",
             f"turn it or give a point further inside; {_extent(room)}",
         )
     if len(room.stair_parts):
         taken = corners(np.array([part.box for part in room.stair_parts]))
         if shapely.union_all(shapely.polygons(taken)).intersection(box).area > STICKS_OUT**2:
             raise InputError(
-                f"{told} at ({to[0]:g}, {to[1]:g}) would stand in the stairs",
+                f"{text} at ({to[0]:g}, {to[1]:g}) would stand in the stairs",
                 "give a point beside them",
             )
 

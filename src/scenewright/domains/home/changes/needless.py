@@ -111,8 +111,8 @@ def _why_not(
     standing = (*task.fixed, *(p for g in beside for p in g.pieces))
     wrong = newly_misplaced(task, pair.was.pieces, as_standing(standing, task.catalog))
     if wrong:
-        told = next(iter(wrong.values())).removeprefix("no place found: ")
-        return f"where it stood {told}"
+        text = next(iter(wrong.values())).removeprefix("no place found: ")
+        return f"where it stood {text}"
     back = cost(task, [*beside, pair.was], _without(missing, pair))
     if back <= now + SAME:
         return ""
@@ -169,8 +169,8 @@ def _keep_name(now: FurnishedGroup, was: FurnishedGroup) -> FurnishedGroup:
     if old == new or now.wish.group != was.wish.group:
         return now
 
-    def name(told: str) -> str:
-        return new + told[len(old) :] if told.startswith(f"{old}/") else told
+    def name(wanted: str) -> str:
+        return new + wanted[len(old) :] if wanted.startswith(f"{old}/") else wanted
 
     pieces = tuple(
         replace(p, id=name(p.id), group=new, on=None if p.on is None else name(p.on))

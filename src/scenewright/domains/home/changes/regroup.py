@@ -46,8 +46,8 @@ def regroup_pieces(
     for group, members in groups.items():
         wish = _wish(members[0].function, left)
         box = boxes.get(group)
-        worn = _to_furnished_patch(members, _round(members) if box is None else box)
-        found.append(FurnishedGroup(wish, group.rpartition("/")[2], worn, tuple(members)))
+        furnished = _to_furnished_patch(members, _round(members) if box is None else box)
+        found.append(FurnishedGroup(wish, group.rpartition("/")[2], furnished, tuple(members)))
     return tuple(found)
 
 

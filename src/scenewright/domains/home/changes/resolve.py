@@ -198,12 +198,12 @@ def _repair_fixed(
     ]
     others = as_standing([p for p in firm if p.id not in change.moved], task.catalog)
     why = find_misplaced(task, company, others)
-    told = tuple(
+    changes = tuple(
         LeftOut(task.space.id, p.category, why[p.id], False)
         for p in company
         if p.id in why and p.on is None
     )
-    return [p for p in firm if p.id not in why], told, why
+    return [p for p in firm if p.id not in why], changes, why
 
 
 def _settle_swapped(

@@ -74,7 +74,7 @@ def _turning(
         at = parts[int(np.argmax(areas))].representative_point()
         found.figures["turning"][space.id] = [round(at.x, 3), round(at.y, 3)]
         return
-    told = f"no wheelchair can turn in {space.id}: a free circle of {TURNING:g} m"
+    text = f"no wheelchair can turn in {space.id}: a free circle of {TURNING:g} m"
     if shapely.intersects(shapely.intersection(bare, walk.bare_reached), shape):
         found.findings.append(
             Finding(
@@ -83,7 +83,7 @@ def _turning(
                 space.id,
                 "",
                 "",
-                f"{told} would fit without the furniture",
+                f"{text} would fit without the furniture",
                 TURNING,
             )
         )
@@ -92,7 +92,7 @@ def _turning(
     if shapely.intersects(bare, shape):
         why = f"is there, but no route of {2 * walk.radius:g} m leads to it even without furniture"
     function = space.functions[0] if space.functions else ""
-    found.notes.append(Note(space.id, function, "turning", f"{told} {why}"))
+    found.notes.append(Note(space.id, function, "turning", f"{text} {why}"))
 
 
 def _transfers(found: Barriers, bodies: Bodies, rooms: Rooms, room: int) -> None:
@@ -109,11 +109,11 @@ def _transfers(found: Barriers, bodies: Bodies, rooms: Rooms, room: int) -> None
         if any(shapely.covers(free, strip) for strip in strips(bodies, int(row))):
             continue
         what = bodies.kinds[row].name
-        told = f"{piece.id}: no {BESIDE:g} m of free floor beside the {what} to get to it"
+        text = f"{piece.id}: no {BESIDE:g} m of free floor beside the {what} to get to it"
         narrow = wide < min(piece.size.width, piece.size.depth) + BESIDE
         if narrow:
             function = space.functions[0] if space.functions else ""
-            found.notes.append(Note(space.id, function, "transfer", told + ": too narrow a room"))
+            found.notes.append(Note(space.id, function, "transfer", text + ": too narrow a room"))
         else:
             found.findings.append(
                 Finding(
@@ -122,7 +122,7 @@ def _transfers(found: Barriers, bodies: Bodies, rooms: Rooms, room: int) -> None
                     space.id,
                     piece.id,
                     "",
-                    told,
+                    text,
                     BESIDE,
                     given=piece.fixed,
                 )
@@ -147,13 +147,13 @@ def strips(bodies: Bodies, row: int) -> list[Shape]:
 
 
 def _doors(found: Barriers, rooms: Rooms) -> None:
-    """A note for every door too tight for a wheelchair, told once."""
-    told = set()
+    """A note for every door too tight for a wheelchair, reported once."""
+    reported = set()
     for space in rooms.spaces:
         for opening in space.openings:
             tight = opening.kind != "window" and opening.width < DOOR - 1e-6
-            if tight and opening.id not in told:
-                told.add(opening.id)
+            if tight and opening.id not in reported:
+                reported.add(opening.id)
                 found.notes.append(
                     Note(
                         space.id,

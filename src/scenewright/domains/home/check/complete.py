@@ -75,9 +75,9 @@ def _lacking(
     """Notes of what the function of a room needs and none of ``parts`` holds."""
     held = [bodies.kinds[k].essential for k in np.flatnonzero(np.isin(bodies.room, parts))]
     space = rooms.spaces[room]
-    told = f"{space.id} ({function}, {rooms.shapes[room].area:.1f} m²)"
+    text = f"{space.id} ({function}, {rooms.shapes[room].area:.1f} m²)"
     return [
-        Note(space.id, function, need.name, f"{told} has no {need.name}")
+        Note(space.id, function, need.name, f"{text} has no {need.name}")
         for need in ESSENTIALS[function]
         if sum(need.name in serves for serves in held) < need.least
     ]
@@ -115,8 +115,8 @@ def find_idle_hoods(bodies: Bodies, rooms: Rooms) -> list[Note]:
             hobs = bodies.footprints[cooks & (bodies.room == bodies.room[row])]
             if not shapely.intersects(hobs, bodies.footprints[row]).any():
                 space = rooms.spaces[bodies.room[row]].id
-                told = f"{piece.id} of {space} hangs over no hob"
-                notes.append(Note(space, "kitchen", "hob below the hood", told))
+                text = f"{piece.id} of {space} hangs over no hob"
+                notes.append(Note(space, "kitchen", "hob below the hood", text))
     return notes
 
 

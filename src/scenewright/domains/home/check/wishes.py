@@ -29,11 +29,11 @@ _IN_WORDS = {
 
 def wishes_told(bodies: Bodies, rooms: Rooms, asked: list[Room]) -> list[dict[str, Any]]:
     """Every wish of every room in words, whether it is met, and why not."""
-    told = []
+    lines = []
     for room, wishes in enumerate(r.wishes for r in asked):
         for wish in wishes:
             why = _why_not(bodies, rooms, room, wish)
-            told.append(
+            lines.append(
                 {
                     "space": rooms.spaces[room].id,
                     "wish": in_words(wish),
@@ -41,7 +41,7 @@ def wishes_told(bodies: Bodies, rooms: Rooms, asked: list[Room]) -> list[dict[st
                     "why": why,
                 }
             )
-    return told
+    return lines
 
 
 def in_words(wish: WishBrief) -> str:

@@ -124,9 +124,9 @@ def needed_of(case: Group) -> tuple[int, ...]:
     return tuple(i for i, member in enumerate(case.members) if member.category in must)
 
 
-def _worth(worn: FurnishedPatch) -> tuple[int, float]:
+def _worth(furnished: FurnishedPatch) -> tuple[int, float]:
     """What is wrong with a dressed patch; less is better."""
-    return worn.lost, worn.far
+    return furnished.lost, furnished.far
 
 
 def _drawn_in(case: Group, box: Floats, ground: Ground) -> Floats:

@@ -84,14 +84,14 @@ def posed_pieces(
 ) -> Problem:
     """The problem of placing every piece by itself; items in the order of wishes and members."""
     names = number_names([p.wish.group for p in parts])
-    told = number_names(
+    numbered = number_names(
         [
             f"{name}/{p.case.members[i].category}"
             for name, p in zip(names, parts, strict=True)
             for i in p.placed
         ]
     )
-    return Problem(ground, _items(parts, catalog), tuple(told), weights, printed, route_width)
+    return Problem(ground, _items(parts, catalog), tuple(numbered), weights, printed, route_width)
 
 
 def _items(parts: tuple[Parts, ...], catalog: Catalog) -> Items:

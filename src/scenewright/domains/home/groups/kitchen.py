@@ -131,8 +131,8 @@ def _run(
         x += wide
     if mirrored:
         members = [m._replace(x=-m.x) for m in members]
-    told = " with fridge" if fridge else ""
-    return Group(function, f"{width:.1f} m kitchen run{told}", width, depth, tuple(members))
+    text = " with fridge" if fridge else ""
+    return Group(function, f"{width:.1f} m kitchen run{text}", width, depth, tuple(members))
 
 
 def _above(category: str, x: float, wide: float, back: float) -> list[Member]:

@@ -103,8 +103,8 @@ def _sofa_and_table(sofa: float, lamps: int) -> Group:
             Member("table_lamp", at, -depth / 2 + 0.3, 0.5, 0, Size(0.28, 0.28, 0.48), on=side),
         ]
     members.append(_picture_above(depth, x, sofa))
-    told = ("", " and a lamp table", " between lamp tables")[lamps]
-    return Group("seating", f"{sofa:.1f} m sofa, table{told}", width, depth, tuple(members))
+    tables = ("", " and a lamp table", " between lamp tables")[lamps]
+    return Group("seating", f"{sofa:.1f} m sofa, table{tables}", width, depth, tuple(members))
 
 
 def _armchair(x: float, depth: float, heading: float) -> Member:

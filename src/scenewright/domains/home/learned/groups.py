@@ -127,11 +127,11 @@ def document(learned: Learned) -> dict[str, Any]:
 
 def write(learned: Learned, path: Path) -> None:
     """Write the file; it appears whole or not at all."""
-    told = document(learned)
-    head = {key: value for key, value in told.items() if not isinstance(value, list)}
+    content = document(learned)
+    head = {key: value for key, value in content.items() if not isinstance(value, list)}
     lists = [
         f' "{key}": [\n' + ",\n".join("  " + _line(row) for row in rows) + "\n ]"
-        for key, rows in told.items()
+        for key, rows in content.items()
         if isinstance(rows, list)
     ]
     start = ",\n".join(f' "{key}": {json.dumps(value)}' for key, value in head.items())
@@ -147,8 +147,8 @@ def read(path: Path) -> Known:
     """What a brief uses of a file; InputError where it cannot be used."""
     note_read(path)
     try:
-        told = path.stat()
-        return _read(path, told.st_mtime_ns, told.st_size)
+        status = path.stat()
+        return _read(path, status.st_mtime_ns, status.st_size)
     except OSError as error:
         raise InputError(
             f"cannot be read: {error.strerror}", "check the path", file=str(path)

@@ -42,12 +42,12 @@ class Habits(NamedTuple):
 NONE = Habits({}, {}, {})
 
 
-def habits_of(told: Iterable[Targets]) -> Habits:
+def habits_of(seen: Iterable[Targets]) -> Habits:
     """The habits that several files tell together."""
     distances: dict[tuple[str, str], list[Distance]] = defaultdict(list)
     clearances: dict[tuple[str, str], list[Clearance]] = defaultdict(list)
     shares: dict[str, list[Share]] = defaultdict(list)
-    for targets in told:
+    for targets in seen:
         for distance in targets.distances:
             distances[distance.first, distance.second].append(distance)
         for clearance in targets.clearances:
@@ -114,8 +114,8 @@ def share(habits: Habits, function: str, area: float, usual: float) -> float:
     """The share of the floor furnished in rooms of a function of about an area."""
     rooms = list(_alike(habits, function, area))
     seen = sum(weight for weight, _ in rooms)
-    told = sum(weight * row.share for weight, row in rooms)
-    return shrunk(told / seen, usual, seen) if seen > 0.0 else usual
+    summed = sum(weight * row.share for weight, row in rooms)
+    return shrunk(summed / seen, usual, seen) if seen > 0.0 else usual
 
 
 def common(habits: Habits, function: str, area: float, usual: Iterable[str]) -> dict[str, float]:

@@ -149,11 +149,11 @@ def apply_wishes(
 
 
 def list_substitutes(
-    room: Room, space: str, placed: Iterable[str], told: Iterable[str]
+    room: Room, space: str, placed: Iterable[str], listed: Iterable[str]
 ) -> list[LeftOut]:
     """What is required and has only something else of its use in its place; ``placed`` are the
-    functions of groups, ``told`` those that are told as left out."""
-    known = {*placed, *told}
+    functions of groups, ``listed`` those that are listed as left out."""
+    known = {*placed, *listed}
     return [
         LeftOut(space, groups[0], "only something smaller of its use fits", True)
         for wish in room.wishes
