@@ -8,12 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shapely
+from benchmarks.village_data import real_blocks
 
 import scenewright as sw
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import polygons_of
-from scenewright.domains import plan_of
+from scenewright.domains import plan_of, scene_of
 from scenewright.formats import solution_json
 
 SAMPLES = ("village-hamlet", "village-street", "village-dense")
@@ -184,3 +185,15 @@ def test_a_map_without_streets_takes_every_side(tmp_path: Path) -> None:
     path = tmp_path / "m.geojson"
     path.write_text(json.dumps({"type": "FeatureCollection", "features": [block]}))
     assert sw.read(path).part.blocks[0].streets == [0, 1, 2, 3]
+
+
+@pytest.mark.realdata
+def test_real_blocks_are_filled_without_a_fault() -> None:
+    for number, block in enumerate(real_blocks()[::30]):
+        outline = shapely.get_coordinates(block.floor.exterior)[:-1].round(3).tolist()
+        lanes = [{"line": side.round(3).tolist(), "width": 4} for side in block.streets]
+        document = {"domain": "village", "blocks": [{"outline": outline}], "lanes": lanes}
+        solution = sw.solve(Brief.model_validate(document), seed=number, steps=1)
+        report = sw.check(solution)
+        assert report.valid, (block.name, [found.message for found in report.findings])
+        assert scene_of(solution).surfaces

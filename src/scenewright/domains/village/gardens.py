@@ -35,11 +35,11 @@ def _lanes(plan: VillagePlan) -> Iterator[GroundSurface]:
     """Lanes and paths, and the verges between them and the blocks."""
     blocks = shapely.union_all([shapely.Polygon(block.outline) for block in plan.blocks])
     roads = _union(plan, "road")
-    paths = shapely.difference(_union(plan, "path"), roads, grid_size=GRID)
+    paths = _cut(_union(plan, "path"), roads)
     grounds = [shapely.Polygon(b.ground.outline, b.ground.holes) for b in plan.blocks]
     verge = shapely.union_all(grounds, grid_size=GRID)
     for shape in (blocks, roads, paths):
-        verge = shapely.difference(verge, shape, grid_size=GRID)
+        verge = _cut(verge, shape)
     first = plan.blocks[0].id
     for kind, shape in (("asphalt", roads), ("path", paths), ("yard", verge)):
         yield from _surface("verge" if kind == "yard" else f"lanes, {kind}", first, kind, shape)
@@ -69,13 +69,10 @@ def _of_block(
         walk.buffer(WALK, cap_style="flat", join_style="mitre")
         for walk in lay_block_walks(block, here)
     ]
-    strips = shapely.intersection(shapely.union_all(trod), floor, grid_size=GRID)
-    strips = shapely.difference(strips, squares, grid_size=GRID)
-    yards = shapely.intersection(
-        shapely.buffer(houses, YARD, join_style="mitre", mitre_limit=2.0), floor, grid_size=GRID
-    )
-    for shape in (squares, strips):
-        yards = shapely.difference(yards, shape, grid_size=GRID)
+    strips = _cut(_only_areas(shapely.intersection(shapely.union_all(trod), floor)), squares)
+    around = shapely.buffer(houses, YARD, join_style="mitre", mitre_limit=2.0)
+    yards = _only_areas(shapely.intersection(around, floor, grid_size=GRID))
+    yards = _cut(_cut(yards, squares), strips)
     for kind, shape in (("square", squares), ("walk", strips), ("yard", yards)):
         yield from _surface(f"{kind} of {block.id}", block.id, kind, shape)
 
@@ -89,3 +86,13 @@ def _surface(name: str, space: str, kind: str, shape: shapely.Geometry) -> Itera
 def _polygons(shapes: Iterable[shapely.Geometry]) -> list[shapely.Polygon]:
     parts = [p for shape in shapes for p in shapely.get_parts(shapely.get_parts(shape))]
     return [p for p in parts if p.geom_type == "Polygon" and p.area > SPECK]
+
+
+def _cut(shape: shapely.Geometry, hole: shapely.Geometry) -> shapely.Geometry:
+    """The areas of a shape outside another."""
+    return _only_areas(shapely.difference(shape, hole, grid_size=GRID))
+
+
+def _only_areas(shape: shapely.Geometry) -> shapely.Geometry:
+    """A shape without lines and points that overlays leave behind."""
+    return shapely.union_all(np.array(_polygons([shape]), object))

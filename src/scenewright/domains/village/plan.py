@@ -35,6 +35,8 @@ BESIDE = 6.0
 """How far beyond the edge of a lane, in metres, a side of a block may lie and be on it."""
 VERGE = 1.2
 """Metres before a street side that belong to the street."""
+CRACKS = (0.0, 0.02, 0.1, 0.4)
+"""Widths of cracks closed one after the other, in metres."""
 OVERLAP = 1.0
 """Square metres that two blocks may share."""
 
@@ -230,8 +232,7 @@ def _ground(
     verge = shapely.buffer(sides, VERGE, cap_style="flat")
     gap = _between(streets, lane)
     whole = shapely.union_all([floor, verge, lane, gap], grid_size=shapes.GRID)
-    main = max(shapes.polygons(whole), key=lambda part: part.area)
-    outline, holes = rings(main)
+    outline, holes = _sound_rings(max(shapes.polygons(whole), key=lambda part: part.area))
     ways = tuple(
         way._replace(
             inside=shapes.lines(shapely.intersection(shapely.LineString(way.line), near)),
@@ -246,6 +247,17 @@ def _ground(
         for way in beside
     )
     return SitePlan(name, told, outline, holes, floor.area, floor.area, (), ways, (), ())
+
+
+def _sound_rings(shape: shapely.Polygon) -> tuple[Points, tuple[Points, ...]]:
+    """The rings of a shape with cracks closed that are too narrow for its rings to be valid."""
+    for crack in CRACKS:
+        closed = shapely.buffer(shapely.buffer(shape, crack), -crack) if crack else shape
+        for part in shapes.polygons(closed)[:1]:
+            outline, holes = rings(part)
+            if shapely.Polygon(outline, holes).is_valid:
+                return outline, holes
+    return rings(shapely.Polygon(shape.exterior).convex_hull)
 
 
 def _between(streets: Points, lane: shapely.Geometry) -> shapely.Geometry:
