@@ -216,7 +216,7 @@ def test_particles_meet_where_it_costs_least() -> None:
 
 
 def test_the_value_by_hand() -> None:
-    problem = example_site(2, 150.0)  # 12 x 10 x 9 and 18 x 12 x 24
+    problem = example_site(2, 150.0)._replace(form="printed")  # 12 x 10 x 9 and 18 x 12 x 24
     boxes = np.array(
         [[90.0, 80.0, -math.pi / 2, 12.0, 10.0], [112.0, 80.0, -math.pi / 2, 18.0, 12.0]]
     )
@@ -233,6 +233,8 @@ def test_the_value_by_hand() -> None:
     assert one["shown"] == pytest.approx(facades[0] * 0.35 / facades.sum())
     parts = [both[name] for name in ("use", "shown", "texture", "height")]
     assert both["value"] == pytest.approx(np.dot(parts, [0.2, 0.5, 0.1, 0.2]))
+    ours = score(problem._replace(form="repaired"), boxes, np.array([True, True]))
+    assert ours["shown"] == pytest.approx(min(ours["seen"] / 0.3, 1.0))
     boxes[1, 0] = 90.0  # in front of the first, to the south
     boxes[1, 1] = 60.0
     assert score(problem, boxes, np.array([True, True]))["sun"] < both["sun"]

@@ -27,14 +27,14 @@ from scenewright.core.atomic_file import write_atomically
 from scenewright.core.catalog import Asset, Part
 from scenewright.geometry.mesh import Mesh, merge
 from scenewright.geometry.relief import measure_all_round, relief
-from scenewright.geometry.saliency import relative_quality, saliency, visual_quality
+from scenewright.geometry.saliency import relative_quality, saliency, sum_over_vertices
 from scenewright.geometry.walker_meshes import SaliencyModel, side_densities
 
 Floats = NDArray[np.float64]
 Measure = Literal["relief", "printed"]
 Heard = Callable[[float, str], None]
 
-VERSION = b"1"
+VERSION = b"2"
 """Facts kept by another version of what is measured are not used."""
 
 
@@ -70,7 +70,7 @@ def facts_of(parts: Sequence[Part]) -> Facts:
     seen, (tone, symmetry) = measure_all_round(mesh, found), facade(parts)
     sides = side_densities(SaliencyModel(mesh, found.faces)) * seen.variety
     return Facts(
-        seen.quality, visual_quality(saliency(mesh)), tone, symmetry, tuple(sides.tolist())
+        seen.quality, sum_over_vertices(saliency(mesh)), tone, symmetry, tuple(sides.tolist())
     )
 
 

@@ -182,9 +182,16 @@ def values_at(found: Saliency, places: ArrayLike) -> Floats:
 def visual_quality(found: Saliency) -> float:
     """S(O): saliency over the whole surface, as a share of the size's square.
 
-    Zhang and Yang (2023) add up the vertices; the area makes it independent of their number.
+    Zhang and Yang (2023) add up the vertices (:func:`sum_over_vertices`); the area makes it
+    independent of their number.
     """
     return float(found.areas @ found.values) / found.size**2
+
+
+def sum_over_vertices(found: Saliency) -> float:
+    """S(O) as printed: the saliency of all vertices of the given mesh, added up. It grows with how
+    finely a model is cut into triangles, whatever it looks like."""
+    return float(found.vertices.sum())
 
 
 def relative_quality(qualities: Sequence[float]) -> Floats:

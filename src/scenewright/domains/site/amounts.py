@@ -85,16 +85,35 @@ def amounts(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[tu
     """Models and their counts, all together what coverage and floor-area ratio ask for: those of
     the brief's catalogues less landmarks, each as often; else dwellings, each on as much ground."""
     models = _models(site, plan, place, catalog)
-    ratio = site.floor_area_ratio
-    cover = (site.coverage or USUAL_COVERAGE) * plan.buildable
-    floor = float("inf") if ratio is None else ratio * plan.buildable
-    counts = [0] * len(models)
     areas = [asset.usual.width * asset.usual.depth for asset in models]
     floors = [
         area * max(round(a.usual.height / STOREY), 1) for a, area in zip(models, areas, strict=True)
     ]
     weights = [1.0 if a.id.startswith(OWN) else area for a, area in zip(models, areas, strict=True)]
-    open_ = list(range(len(models)))
+    counts = count_models(areas, floors, weights, *find_target(site, plan))
+    rows = [(asset, count) for asset, count in zip(models, counts, strict=True) if count]
+    return rows or [(min(models, key=lambda a: a.usual.width * a.usual.depth), 1)]
+
+
+def find_target(site: Site, plan: SitePlan) -> tuple[float, float]:
+    """The ground to be covered and the floor area (infinite: any) in square metres."""
+    ratio = site.floor_area_ratio
+    floor = float("inf") if ratio is None else ratio * plan.buildable
+    usual = USUAL_COVERAGE if ratio is None or not site.library else 0.9
+    return (site.coverage or usual) * plan.buildable, floor
+
+
+def count_models(
+    areas: list[float], floors: list[float], weights: list[float], cover: float, floor: float
+) -> list[int]:
+    """How many of each model bring so much covered ground and floor, in square metres: always one
+    more of that of which there are fewest, times its weight.
+
+    >>> count_models([100.0, 50.0], [100.0, 150.0], [1.0, 2.0], 500.0, 1e9)
+    [4, 2]
+    """
+    counts = [0] * len(areas)
+    open_ = list(range(len(areas)))
     while open_ and sum(counts) < MOST:
         k = min(open_, key=lambda i: (counts[i] + 0.5) * weights[i])
         # half a building too much is as near as half too little
@@ -103,8 +122,7 @@ def amounts(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[tu
             continue
         counts[k] += 1
         cover, floor = cover - areas[k], floor - floors[k]
-    rows = [(asset, count) for asset, count in zip(models, counts, strict=True) if count]
-    return rows or [(min(models, key=lambda a: a.usual.width * a.usual.depth), 1)]
+    return counts
 
 
 def _models(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[Asset]:

@@ -90,6 +90,19 @@ class BlockForm(StrictModel):
     form: FormName
 
 
+class LibraryModel(StrictModel):
+    """A model that buildings may be of where a site states a target instead of numbers: ``model``,
+    ``name``, ``size`` and ``floors`` as of a row of ``buildings``; ``share`` is its part of all
+    buildings against that of the others."""
+
+    id: str = ""
+    name: str = ""
+    model: Annotated[str, Field(min_length=1, max_length=500)]
+    size: tuple[Side, Side, Side] | None = None
+    floors: Annotated[Whole, Field(ge=1, le=300)] | None = None
+    share: Annotated[Number, Field(gt=0, le=1000)] = 1.0
+
+
 class LockedBuilding(StrictModel):
     """A building asked for that stays where it stands: one locked in a saved solution. ``name`` is
     that of the row of ``buildings`` it counts for, ``size`` width, depth and height in metres,
@@ -120,7 +133,9 @@ class Site(StrictModel):
     ``staggered``, ``spliced`` of two directions or ``rotated`` in place; ``peripheral`` all round
     a court or ``half-closed``, open to the front; ``point`` towers apart; ``mixed``.
     ``fixed`` are buildings that stay where they stand and count for what is asked.
-    Without ``buildings`` those of the brief's ``catalogs``, or shipped dwellings, fill the site
+    With a ``library`` in place of ``buildings``, its models fill the site up to ``coverage`` and
+    ``floor_area_ratio``, mixed by their shares; genetic algorithms choose the models themselves.
+    Without either those of the brief's ``catalogs``, or shipped dwellings, fill the site
     up to ``floor_area_ratio`` and ``coverage``. ``origin`` is the longitude and latitude of
     (0, 0), if known; ``shift`` is to be added to coordinates for those of the reference
     ``system`` of the map or city model that the site came from.
@@ -133,6 +148,7 @@ class Site(StrictModel):
     roads: Annotated[list[Road], Field(max_length=5000)] = []
     landmarks: Annotated[list[Landmark], Field(max_length=2000)] = []
     buildings: Annotated[list[Building], Field(max_length=1000)] = []
+    library: Annotated[list[LibraryModel], Field(max_length=200)] = []
     form: FormName | None = None
     blocks: Annotated[list[BlockForm], Field(max_length=1000)] = []
     fixed: Annotated[list[LockedBuilding], Field(max_length=20_000)] = []
@@ -162,3 +178,8 @@ class SitePart(StrictModel):
     sites: Annotated[list[Site], Field(min_length=1, max_length=100)] = Field(
         default=[], validate_default=True
     )
+
+
+def rows_of(site: Site) -> list[Building | LibraryModel]:
+    """The rows that name the models of a site: its library, else its buildings."""
+    return [*site.library] or [*site.buildings]

@@ -11,7 +11,7 @@ from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import Footprint, extents
 from scenewright.core.scene import Size
-from scenewright.domains.site.amounts import STOREY, amounts
+from scenewright.domains.site.amounts import STOREY, amounts, count_models, find_target
 from scenewright.domains.site.brief import Building, Site
 from scenewright.domains.site.models import footprint_of
 from scenewright.ground.plan import SitePlan, Standing
@@ -36,11 +36,15 @@ class BuildingDemand(NamedTuple):
 
 
 def collect_buildings(
-    site: Site, plan: SitePlan, place: str, catalog: Catalog
+    site: Site, plan: SitePlan, place: str, catalog: Catalog, choose: bool = False
 ) -> list[BuildingDemand]:
     """The buildings a site asks for, or those that bring its floor-area ratio and coverage, less
-    those that stand already."""
-    asked = (_list_demands if site.buildings else _filling)(site, plan, place, catalog)
+    those that stand already. Of a library as many of each model as might stand, to ``choose``
+    from, or numbers by their shares."""
+    if site.library:
+        asked = _list_library(site, plan, place, catalog, choose)
+    else:
+        asked = (_list_demands if site.buildings else _filling)(site, plan, place, catalog)
     return without_standing(asked, plan.fixed)
 
 
@@ -93,6 +97,33 @@ def _list_demands(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> l
     if len(found) > MOST:
         raise InputError(f"asks for {len(found)} buildings", f"ask for {MOST} at most", place=place)
     return found
+
+
+def _list_library(
+    site: Site, plan: SitePlan, place: str, catalog: Catalog, choose: bool
+) -> list[BuildingDemand]:
+    """Candidates of every model of a library, or numbers that bring the target."""
+    kinds = []
+    for number, (row, model) in enumerate(zip(site.library, plan.models, strict=True)):
+        asset, told = catalog.assets[model], f"{place} library[{number}] '{row.name or row.model}'"
+        one = Building(model=row.model, name=row.name, size=row.size, floors=row.floors)
+        size = _size(one, asset, told)
+        floors = row.floors or max(round(size.height / STOREY), 1)
+        covered = footprint_of(None, asset, size)
+        name = row.name or asset.name
+        kinds.append(BuildingDemand(number, name, asset, size, floors, False, frozenset(), covered))
+    areas = [row.size.width * row.size.depth for row in kinds]
+    storeys = [area * row.floors for area, row in zip(areas, kinds, strict=True)]
+    cover, floor = find_target(site, plan)
+    if choose:
+        counts = [
+            min(math.ceil(cover / area), math.ceil(min(floor, 1e12) / whole), MOST // len(kinds))
+            for area, whole in zip(areas, storeys, strict=True)
+        ]
+    else:
+        weights = [1.0 / row.share for row in site.library]
+        counts = count_models(areas, storeys, weights, cover, floor)
+    return [one for one, count in zip(kinds, counts, strict=True) for _ in range(count)]
 
 
 def _filling(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[BuildingDemand]:

@@ -15,7 +15,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.footprint import Footprint, place_outline, read_footprint
 from scenewright.core.scene import Size
 from scenewright.core.space import Points
-from scenewright.domains.site.brief import Building, Landmark, LockedBuilding
+from scenewright.domains.site.brief import Building, Landmark, LibraryModel, LockedBuilding
 from scenewright.ground import outlines as shapes
 from scenewright.ground.fit import corners_of
 from scenewright.ground.plan import Standing
@@ -25,14 +25,16 @@ LANDMARK_HEIGHT = 9.0
 """Height in metres of a landmark that does not say."""
 
 
-def building_models(rows: Sequence[Building], place: str, catalog: Catalog) -> tuple[str, ...]:
+def building_models(
+    rows: Sequence[Building | LibraryModel], place: str, catalog: Catalog
+) -> tuple[str, ...]:
     """The ids of the assets that draw the buildings asked for."""
     return tuple(
         _model(row, f"{place} buildings[{number}]", catalog) for number, row in enumerate(rows)
     )
 
 
-def _model(row: Building, place: str, catalog: Catalog) -> str:
+def _model(row: Building | LibraryModel, place: str, catalog: Catalog) -> str:
     """The asset of a building: any of the user's own, of the shipped ones a building."""
     try:
         found = find_asset(catalog, row.model)

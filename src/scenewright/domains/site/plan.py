@@ -18,7 +18,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.space import Level, Points, Space
-from scenewright.domains.site.brief import Site
+from scenewright.domains.site.brief import Site, rows_of
 from scenewright.domains.site.models import building_models, fixed_of, landmarks_of
 from scenewright.ground import outlines as shapes
 from scenewright.ground.fit import main_direction
@@ -77,7 +77,13 @@ def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
     except InputError as error:
         raise error.located(place=place) from None
     assign_ids(site.buildings, "building", "buildings", place)
-    models = building_models(site.buildings, place, catalog)
+    if site.library and site.buildings:
+        raise InputError(
+            "has both buildings and a library",
+            "state what is to stand, or a library with coverage or floor_area_ratio",
+            place=place,
+        )
+    models = building_models(rows_of(site), place, catalog)
     roads = _roads(site, floor, place)
     marks = assign_ids(site.landmarks, "landmark", "landmarks", place)
     landmarks = landmarks_of(site.landmarks, marks, floor, place, catalog)

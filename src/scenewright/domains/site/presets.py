@@ -19,14 +19,14 @@ PRESETS: dict[str, SitePreset] = {
     "plain": Preset("the default without aims: what fits, and no more", "fill", 8, AIMLESS, OURS),
     "paper": Preset(
         "Zhang, Yang 2023 as printed, without the person: 10 layouts, at most 200 "
-        "generations, ended by (12)",
+        "generations, local search after (12)",
         "vp",
         2000,
         {},
         SiteSettings("printed", "printed"),
     ),
     "paper-repaired": Preset(
-        "the same with position costs, local search after (12) and our measure of visual quality",
+        "the same with position costs, operators that lose no building and what walkers see",
         "vp",
         2000,
         {},

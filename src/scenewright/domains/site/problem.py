@@ -85,7 +85,9 @@ class SiteProblem(NamedTuple):
     heading, ``fire_access`` the width of the way to each building, all in metres and radians.
     ``form`` is that of the paper's measures: ``printed``, or ``repaired`` where they need it;
     ``settings`` steer the solvers. ``door_distance`` is kept before doors from the border, but
-    where a way runs. ``block_forms`` are the planar forms asked for block by block ("": any)."""
+    where a way runs. ``block_forms`` are the planar forms asked for block by block ("": any).
+    ``target`` is the ground to be covered and the floor area, in square metres, where buildings
+    are candidates to choose from (0: all are to stand)."""
 
     ground: SiteGround
     buildings: Buildings
@@ -101,6 +103,7 @@ class SiteProblem(NamedTuple):
     settings: SiteSettings = SiteSettings()
     door_distance: float = 0.0
     block_forms: tuple[str, ...] = ()
+    target: tuple[float, float] = (0.0, 0.0)
 
 
 def sides_of(sides: Floats, quality: Floats) -> Floats:

@@ -8,7 +8,7 @@ from scenewright.core.footprint import outline_of
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Points
-from scenewright.domains.site.brief import Site
+from scenewright.domains.site.brief import Site, rows_of
 from scenewright.ground.plan import SitePlan
 
 STOREY = 3.0
@@ -87,7 +87,7 @@ def standing(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[StandingB
 
 def storeys(site: Site, plan: SitePlan, piece: Piece) -> int:
     """Storeys of a building: as the wish of its model says, else one for every 3 m."""
-    rows = zip(site.buildings, plan.models, strict=True)
+    rows = zip(rows_of(site), plan.models, strict=True)
     wishes = [wish for wish, model in rows if wish.floors and piece.asset == model]
     if not wishes:
         return max(1, round(piece.size.height / STOREY))

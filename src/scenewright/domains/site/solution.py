@@ -37,7 +37,7 @@ def solution_of(
     catalog, built = catalog_of(brief.catalogs), []
     for k, (site, ground) in enumerate(zip(brief.part.sites, made.detail, strict=True)):
         rows, problem = build_site_problem(
-            site, ground, f"sites[{k}]", catalog, PRESETS["default"], None
+            site, ground, f"sites[{k}]", catalog, PRESETS["default"], None, bool(site.library)
         )
         boxes, present = match_boxes(rows, layouts.get(ground.id, ()), ground.id)
         found = Found((SiteLayout(boxes, present, {}),), 0)

@@ -26,6 +26,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
 from scenewright.domains.site.access import find_reached_buildings
+from scenewright.domains.site.amounts import find_target
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.build_problem import Looks, build_problem
 from scenewright.domains.site.doors import serve_doors
@@ -51,6 +52,8 @@ Cancel = Callable[[], bool]
 
 __all__ = ["PRESETS", "problems", "solve"]
 
+CHOOSING = ("vp", "sga")
+"""Solvers that choose models of a library while solving."""
 BEGUN = Report(0.0, math.inf, tuple)
 """What is told while nothing is found yet."""
 
@@ -143,7 +146,8 @@ def _build(
     cancel: Cancel | None,
     watch: Watch | None,
 ) -> Built:
-    rows, problem = build_site_problem(site, plan, place, catalog, preset, progress)
+    choose = bool(site.library) and solver in CHOOSING
+    rows, problem = build_site_problem(site, plan, place, catalog, preset, progress, choose)
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
     heard = add_watch(progress, watch, plan.id, partial(_building_rows, rows))
@@ -161,6 +165,8 @@ def _build(
     found = found._replace(layouts=(served.layout,))
     works = GroundWorks(plan.id, served.network.pathways)
     built = furnish_site(site, plan, rows, problem, found, catalog, seed, works)
+    if choose:
+        return built._replace(left_out=_find_shortfall(plan, problem, served.layout))
     return built._replace(
         left_out=_left_out(plan, rows, served.layout.present, dark | lost | served.lost)
     )
@@ -218,12 +224,19 @@ def build_site_problem(
     catalog: Catalog,
     preset: SitePreset,
     progress: Callable[[Report], None] | None,
+    choose: bool = False,
 ) -> tuple[list[BuildingDemand], SiteProblem]:
-    """What a site is to hold, one row a building, and the problem of placing it."""
-    rows = collect_buildings(site, plan, place, catalog)
+    """What a site is to hold, one row a building, and the problem of placing it; candidates to
+    ``choose`` from where it states a library."""
+    rows = collect_buildings(site, plan, place, catalog, choose)
     looks = _looks(plan, rows, catalog, preset, progress)
     problem, settings = build_problem(site, plan, rows, preset.weights, looks), preset.settings
-    return rows, problem._replace(form=settings.form, settings=settings)
+    problem = problem._replace(form=settings.form, settings=settings)
+    if choose:
+        cover, floor = find_target(site, plan)
+        mean = float(np.mean([row.floors for row in rows])) if rows else 1.0
+        problem = problem._replace(target=(cover, min(floor, cover * mean)))
+    return rows, problem
 
 
 def _looks(
@@ -256,6 +269,15 @@ def _reached_only(
     present[here[~got]] = False
     told = f"no way {site.fire_access:g} m wide leads to where there is room for it"
     return found._replace(present=present, score={}), {int(i): told for i in here[~got]}
+
+
+def _find_shortfall(plan: SitePlan, problem: SiteProblem, found: SiteLayout) -> tuple[LeftOut, ...]:
+    """What a site lacks of its target, if more than a tenth."""
+    covered = float(problem.buildings.sizes[found.present, :2].prod(1).sum())
+    if covered >= 0.9 * problem.target[0]:
+        return ()
+    told = f"{covered:.0f} m² of the {problem.target[0]:.0f} m² to be covered found a place"
+    return (LeftOut(plan.id, "ground covered by buildings", told, False),)
 
 
 def _left_out(

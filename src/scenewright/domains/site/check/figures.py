@@ -11,7 +11,7 @@ import shapely
 from scenewright.check.bodies import Flags, Floats
 from scenewright.core.report import Finding
 from scenewright.core.scene import Piece, Size
-from scenewright.domains.site.brief import Site
+from scenewright.domains.site.brief import Site, rows_of
 from scenewright.domains.site.check.access import find_reached_bodies, find_unreachable
 from scenewright.domains.site.check.bodies import (
     JudgedSite,
@@ -144,7 +144,7 @@ def _floors(ground: JudgedSite, bodies: SiteBodies) -> Floats:
 
 def _storeys(ground: JudgedSite, piece: Piece) -> int:
     """The storeys of the wish a building answers; 0 if none tells."""
-    rows = zip(ground.site.buildings, ground.plan.models, strict=True)
+    rows = zip(rows_of(ground.site), ground.plan.models, strict=True)
     wishes = [wish for wish, model in rows if wish.floors and piece.asset == model]
     off = [np.abs(np.subtract(wish.size or piece.size, piece.size)).sum() for wish in wishes]
     return (wishes[int(np.argmin(off))].floors or 0) if wishes else 0

@@ -27,13 +27,13 @@ from scenewright.domains.site.terms.measure import (
     stands,
 )
 from scenewright.domains.site.terms.table import QUALITY, SITE_TERMS, printed_ratio
-from scenewright.domains.site.terms.value import OMEGA, make_worth, value_parts
+from scenewright.domains.site.terms.value import FULL, OMEGA, make_worth, value_parts
 from scenewright.engine.solve import Found
 from scenewright.geometry.boxes import make_frame
 from scenewright.geometry.buckets import remove
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.sun import sun_hours, sun_path
-from scenewright.geometry.walker import seen
+from scenewright.geometry.walker import RAYS, seen
 
 LOOSE = 1e-4
 """What a building may lie outside or too near, in square metres: a right corner by a centimetre."""
@@ -106,13 +106,16 @@ def score(problem: SiteProblem, boxes: Floats, present: Flags) -> dict[str, floa
     placed = np.where(present[:, None], boxes, 0.0)
     lay(measure.p, measure.s, placed)
     value_parts(measure.s, make_worth(problem), parts)
+    looks = seen_of(problem, boxes[present], present)
+    if problem.form == "repaired":
+        parts[1] = min(looks / FULL, 1.0)
     found = {row.name: float(measure.s.sums[row.number]) for row in SITE_TERMS}
     found["energy"] = energy_of(measure.p, measure.s)
     found["ratio"] = float(printed_ratio(measure.s.sums, np.abs(measure.p.weights)))
     found.update(zip(("use", "shown", "texture", "height"), parts.tolist(), strict=True))
     found["value"] = float(parts @ np.array(OMEGA))
     found["sun"] = sun_of(problem, boxes[present], problem.buildings.sizes[present, 2])
-    found["seen"] = seen_of(problem, boxes[present], present)
+    found["seen"] = looks
     found["even"] = uneven_of(problem, boxes[present])
     return found
 
@@ -135,13 +138,16 @@ def seen_of(problem: SiteProblem, boxes: Floats, present: Flags) -> float:
     return float(views_of(problem, boxes, present).mean()) if len(problem.ground.eyes) else 0.0
 
 
-def views_of(problem: SiteProblem, boxes: Floats, present: Flags) -> Floats:
-    """Visual quality (k,) that walkers see at each eye of the problem, of buildings (m, 5) that
-    stand and of landmarks."""
+def views_of(
+    problem: SiteProblem, boxes: Floats, present: Flags, most: int = 0, rays: int = RAYS
+) -> Floats:
+    """Visual quality (k,) that walkers see at each eye of the problem, or about ``most`` of them
+    (0: all), of buildings (m, 5) that stand and of landmarks."""
     ground, made = problem.ground, problem.buildings
+    eyes = ground.eyes[:: max(len(ground.eyes) // most, 1) if most else 1]
     every = np.concatenate([boxes, np.asarray(ground.landmarks).reshape(-1, 5)])
     if not len(every):
-        return np.zeros(len(ground.eyes))
+        return np.zeros(len(eyes))
     heights = np.concatenate([made.sizes[present, 2], ground.landmark_heights])
     sides = np.concatenate(
         [
@@ -149,7 +155,7 @@ def views_of(problem: SiteProblem, boxes: Floats, present: Flags) -> Floats:
             sides_of(ground.landmark_sides, ground.landmark_quality),
         ]
     )
-    return seen(ground.eyes, every, heights, sides, best=1.0).points
+    return seen(eyes, every, heights, sides, best=1.0, rays=rays).points
 
 
 def answer(problem: SiteProblem, boxes: Floats, evaluations: int, generations: int) -> SiteFound:

@@ -7,6 +7,8 @@ is a rating with its sign turned. Chromosomes travel as rows (cells · 3,) of wh
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import partial
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -23,14 +25,15 @@ from scenewright.domains.site.encodings.cell_moves import (
     tournament,
 )
 from scenewright.domains.site.encodings.cells import Ints, SiteLattice, decode_genes
+from scenewright.domains.site.encodings.refill import Amount, make_amount, mutate_surely, refill
 from scenewright.domains.site.problem import Floats, SiteProblem
-from scenewright.domains.site.solvers.answer import Measure, answer, make_measure, stand
+from scenewright.domains.site.solvers.answer import Measure, answer, make_measure, stand, views_of
 from scenewright.domains.site.solvers.lattice import make_cells
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.solvers.seed_layouts import seed_layouts
 from scenewright.domains.site.terms.measure import lay
 from scenewright.domains.site.terms.table import LEFT, QUALITY
-from scenewright.domains.site.terms.value import OMEGA, Worth, make_worth, value_parts
+from scenewright.domains.site.terms.value import FULL, OMEGA, Worth, make_worth, value_parts
 from scenewright.engine.asked import Asked, join
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
 
@@ -43,6 +46,8 @@ POSITION = 0.1
 """What a building's mean position cost of (5) takes off the value of (22)."""
 TEMPLATES = 5
 """Layouts of the first generation that are made of local templates."""
+EYES, RAYS = 40, 32
+"""Eyes and rays by which M is measured while breeding."""
 STALLED = 40
 """Generations of local search without gain after which a run without a budget ends."""
 
@@ -66,7 +71,8 @@ class MatrixGenetic(NamedTuple):
 
     ``points`` of the crossover; ``keep`` how many of the best stay; ``led`` how much the visual
     quality rules the first layouts; ``local`` whether, once the individuals are alike, the best
-    one is searched around by single-point mutations; ``ends`` whether the search ends there.
+    one is searched around by single-point mutations; ``amount`` what is to stand where operators
+    are repaired (left out: as printed).
 
     Ratings may come from anybody who looks at the layouts: told with their sign turned, the best
     rated breed. Here somebody likes buildings in the west.
@@ -99,7 +105,7 @@ class MatrixGenetic(NamedTuple):
     keep: int = 1
     led: float = 0.5
     local: bool = True
-    ends: bool = False
+    amount: Amount | None = None
     parents: Floats | None = None
 
     def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Bred:  # noqa: ARG002
@@ -124,7 +130,24 @@ class MatrixGenetic(NamedTuple):
             random_genes(self.cells, rng, self.quality, self.led) for _ in range(self.population)
         ]
         rows = np.array(drawn, float).reshape(self.population, -1)
-        return rows if self.parents is None else np.vstack([self.parents, rows])[: len(rows)]
+        if self.parents is not None:
+            rows = np.vstack([self.parents, rows])[: len(rows)]
+        return np.array([self._mend(row, rng) for row in rows])
+
+    def _mend(self, row: Floats, rng: np.random.Generator) -> Floats:
+        """A chromosome as a row, with what it lacks where operators are repaired."""
+        if self.amount is None:
+            return row
+        genes = row.reshape(-1, 3).astype(np.int64)
+        refill(self.cells, genes, self.amount, rng)
+        return genes.reshape(-1).astype(float)
+
+    def _mutate(self, child: Ints, rng: np.random.Generator) -> None:
+        """Single-point mutation in place, as printed or repaired."""
+        if self.amount is None:
+            mutate(self.cells, child, rng)
+        else:
+            mutate_surely(self.cells, child, self.amount, rng)
 
     def _next(self, state: Bred, rng: np.random.Generator) -> Floats:
         """The kept best and children."""
@@ -142,7 +165,7 @@ class MatrixGenetic(NamedTuple):
         children = [best.copy() for _ in range(self.population)]
         for child in children:
             for _ in range(int(rng.integers(1, 4))):
-                mutate(self.cells, child, rng)
+                self._mutate(child, rng)
         return children
 
     def _bred(self, parents: Ints, energies: Floats, rng: np.random.Generator) -> list[Ints]:
@@ -158,10 +181,13 @@ class MatrixGenetic(NamedTuple):
                     repair_genes(self.cells, crossed[0], rng),
                     repair_genes(self.cells, crossed[1], rng),
                 )
+                if self.amount is not None:
+                    for one in pair:
+                        refill(self.cells, one, self.amount, rng)
             children += pair
         for child in children:
             if rng.random() < self.mutation:
-                mutate(self.cells, child, rng)
+                self._mutate(child, rng)
         return children
 
     def tell(self, state: Bred, genes: Floats, energies: Floats) -> Bred:
@@ -181,13 +207,15 @@ class MatrixGenetic(NamedTuple):
 
 class MatrixJudge(NamedTuple):
     """What judges chromosomes without a person: -F_eva of (22), and ``position`` times the mean
-    position costs of (5), which are none as printed."""
+    position costs of (5), which are none as printed. ``seen`` is M of boxes (n, 5) (left out: as
+    printed)."""
 
     cells: SiteLattice
     measure: Measure
     worth: Worth
     omega: tuple[float, ...] = OMEGA
     position: float = POSITION
+    seen: Callable[[Floats], float] | None = None
 
     def energies(self, genes: Floats) -> Floats:
         """Energies (P,) of chromosomes (P, cells · 3), about -1 … 0; lower is better."""
@@ -198,6 +226,8 @@ class MatrixJudge(NamedTuple):
         for k, boxes in enumerate(self.boxes(genes)):
             lay(p, s, boxes)
             value_parts(s, self.worth, parts)
+            if self.seen is not None:
+                parts[1] = self.seen(boxes)
             position = float(weights @ s.sums) / max(len(boxes), 1)
             found[k] = self.position * position - float(parts @ np.array(self.omega))
         return found
@@ -216,7 +246,16 @@ def make_judge(
     problem: SiteProblem, cells: SiteLattice, liked: Floats | None = None
 ) -> MatrixJudge:
     """A judge of a problem's chromosomes; ``liked`` (n,) a person's preference of buildings."""
-    return MatrixJudge(cells, make_measure(problem), make_worth(problem, liked))
+    judge = MatrixJudge(cells, make_measure(problem), make_worth(problem, liked))
+    if problem.form == "printed" or not len(problem.ground.eyes):
+        return judge
+    return judge._replace(seen=partial(measure_seen, problem))
+
+
+def measure_seen(problem: SiteProblem, boxes: Floats) -> float:
+    """M of (22) in the repaired form: what walkers see of boxes (n, 5), of no width: left out."""
+    present = boxes[:, 3] > 0.0
+    return min(float(views_of(problem, boxes[present], present, EYES, RAYS).mean()) / FULL, 1.0)
 
 
 def evolve(
@@ -228,8 +267,7 @@ def evolve(
     progress: Progress | None,
     cancel: Cancel | None,
 ) -> SiteFound:
-    """Breed until the budget is spent; without one 200 generations, or until nothing is gained;
-    or until (12) says that all are alike, if the search ends there."""
+    """Breed until the budget is spent; without one 200 generations, or until nothing is gained."""
     watch, rng = BudgetWatch(budget, progress, cancel), np.random.default_rng(seed)
     if budget.steps:
         solver = solver._replace(population=min(solver.population, budget.steps))
@@ -251,7 +289,6 @@ def evolve(
         if energies[first] < least:
             best, least = genes[first].copy(), float(energies[first])
         spent = not bounded and (state.age >= GENERATIONS or state.stalled > STALLED)
-        spent = spent or (solver.ends and (state.settled >= 0 or state.age >= GENERATIONS))
         full = budget.steps is not None and done + solver.population > budget.steps
         if watch.over(done, least, layout) or spent or full:
             break
@@ -266,11 +303,17 @@ def viewpoint_site(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> SiteFound:
-    """The paper's algorithm with its measure in place of the person; a step is a layout. In the
-    form printed, (22) alone judges, and (12) ends the search."""
+    """The paper's algorithm with its measure in place of the person; a step is a layout. Once all
+    are alike by (12), it searches around the best. In the form printed, (22) alone judges, and
+    crossover and mutation lose what they lose."""
     cells, printed = make_cells(problem), problem.form == "printed"
-    solver = MatrixGenetic(cells, problem.buildings.quality, local=not printed, ends=printed)
-    solver = solver._replace(parents=seed_layouts(problem, cells, TEMPLATES, seed))
+    amount = make_amount(problem.target, cells, problem.buildings.floors)
+    solver = MatrixGenetic(
+        cells,
+        problem.buildings.quality,
+        amount=amount if not printed or amount.covered > 0.0 else None,
+        parents=seed_layouts(problem, cells, TEMPLATES, seed),
+    )
     judge = make_judge(problem, cells)._replace(position=0.0 if printed else POSITION)
     return evolve(problem, solver, judge, budget, seed, progress, cancel)
 
@@ -293,5 +336,8 @@ def simple_site(
         keep=0,
         led=0.0,
         local=False,
+        amount=make_amount(problem.target, cells, problem.buildings.floors)
+        if problem.target[0] > 0.0
+        else None,
     )
     return evolve(problem, solver, make_judge(problem, cells), budget, seed, progress, cancel)
