@@ -79,7 +79,7 @@ def test_another_value_finds_another_layout(
         ("home", "chains", "seconds", "anneal", 0.02, 0.4),
         ("hall", "chains", "seconds", "anneal", 0.02, 0.4),
         ("hall", "guided", "steps", "gd-mh", 50, 100),
-        ("site", "fill", "tried", "fill", 2, 4),
+        ("site", "fill", "tried", "fill", 2, 12),
         ("site", "chain", "moves", "sa", 100, 200),
     ],
 )
