@@ -170,6 +170,7 @@ def _ground(
         ),
         hosts=_rows([list(host.row) for host in hosts], 6),
         host_spans=_rows([list(host.most) for host in hosts], 2),
+        host_shifts=_rows([list(host.shift) for host in hosts], 2),
         zone_walls=np.maximum(lacking(units, wishes, np.zeros(len(zones)), True), 0.0),
         bounds=np.concatenate([low, high]),
     )

@@ -73,6 +73,7 @@ def prepare(problem: HallProblem) -> PreparedHall:
         weights=read_hall_weights(problem.weights),
         axes=_axes(ground.edges),
         host_spans=_host_spans(problem, hosts),
+        host_shifts=_or_zeros(ground.host_shifts, 2 * len(hosts)).reshape(-1, 2),
         wall_needs=_or_zeros(ground.zone_walls, len(ground.zone_areas)),
         **_unit_arrays(units, problem.settings.printed),
         **_visitor_arrays(problem.visitors, len(units.sizes), len(units.spans)),
@@ -235,6 +236,7 @@ def make_state(p: PreparedHall) -> State:
         np.zeros((n, 8)),
         np.zeros((n, 8)),
         np.zeros((len(p.hosts), 2)),
+        np.zeros(len(p.hosts)),
         np.zeros((len(p.hosts), 8)),
         p.stretches.copy(),
         np.zeros((g, 3)),
@@ -262,7 +264,7 @@ def route_grid(problem: HallProblem, p: PreparedHall) -> RouteGrid:
 def kept_of(s: State) -> Kept:
     """A copy of what makes a state's layout."""
     rows = np.stack([s.code, s.used], 1).astype(np.float64)
-    return Kept(s.pose.copy(), s.layers.copy(), rows, s.partitions.copy())
+    return Kept(s.pose.copy(), s.layers.copy(), rows, s.partitions.copy(), s.offsets.copy())
 
 
 def parts_of(problem: HallProblem, p: PreparedHall, s: State, missed: float) -> tuple[Part, ...]:

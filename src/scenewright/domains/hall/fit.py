@@ -20,7 +20,15 @@ from scenewright.domains.hall.build_problem import (
 )
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.holdings import HallDemand
-from scenewright.domains.hall.partitions import Host, hosts, lacking, visiting_order
+from scenewright.domains.hall.partitions import (
+    Host,
+    hosts,
+    lacking,
+    short_of,
+    standing_hosts,
+    stands_free,
+    visiting_order,
+)
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.shortfall import drop_unplaceable
 from scenewright.domains.hall.solvers.chains import anneal_hall, first_layout
@@ -51,17 +59,19 @@ def fit(
     """Assign, pose and place; see the module. When ``cancel`` answers true, what found no room so
     far is left out.
 
-    Where only a little does not fit, other first layouts are tried; else more is left out until
-    the route reaches what stays.
+    Walls that stand free in a zone are built where everything fits with them. Where only a little
+    does not fit, other first layouts are tried; else more is left out until the route reaches
+    what stays.
     """
     asked, rule = sum(len(wish.sizes) for wish in wishes), hall.settings.fit
     for chance in range(rule.chances):
         other, share = seed + 7 * chance, rule.shares[0]
-        fitted = _fit(hall, wishes, weights, catalog, other, whole, share, cancel)
+        free = chance == 0 and not whole
+        fitted = _fit(hall, wishes, weights, catalog, other, whole, share, cancel, free)
         missing = asked - sum(unit.last - unit.first for unit in fitted.units)
         if missing == 0 or (cancel is not None and cancel()):
             return fitted
-        if missing > max(2, rule.little * asked):
+        if missing > max(2, rule.little * asked) and not any(map(stands_free, fitted.hosts)):
             break
     for share in rule.shares:
         fitted = _fit(hall, wishes, weights, catalog, seed, whole, share, cancel)
@@ -82,6 +92,7 @@ def _fit(
     whole: bool,
     share: float,
     cancel: Cancel | None,
+    free: bool = False,
 ) -> Fitted:
     walls = wall_lengths(hall)
     units = assign(wishes, hall.names, zone_areas(hall), walls, whole)
@@ -89,6 +100,8 @@ def _fit(
     lack = lacking(units, wishes, walls, whole)
     order = visiting_order(hall.plan.links, hall.names, _first_zone(hall))
     built = hosts(hall.borders, hall.plan.links, hall.names, order, lack, whole)
+    if free:
+        built += standing_hosts(hall.plan.zones, short_of(built, lack), hall.route)
     spans = np.array([host.span for host in built]).reshape(-1, 2)
     rule = hall.settings.fit
     for attempt in range(rule.most_rounds):
@@ -121,7 +134,7 @@ def without(start: Kept, problem: HallProblem, stay: list[int]) -> Kept:
     starts = np.concatenate([[0], ends[:-1]])
     rows = [start.layers[starts[k] : ends[k]] for k in stay]
     layers = np.concatenate([np.empty((0, 5)), *rows])
-    return Kept(start.pose[stay], layers, start.rows[stay], start.walls)
+    return Kept(start.pose[stay], layers, start.rows[stay], start.walls, start.offsets)
 
 
 def _first_zone(hall: HallContext) -> int:

@@ -68,12 +68,13 @@ def partitions(
     """The generated walls as pieces."""
     height = min(max(hall.space.height - CEILING, 2.0), TALLEST, hall.space.height)
     found: list[Piece] = []
-    for host, (low, high) in zip(problem.ground.hosts, kept.walls, strict=True):
+    rows = zip(problem.ground.hosts, kept.walls, kept.offsets, strict=True)
+    for host, (low, high), off in rows:
         if high - low < 0.3:
             continue
         start, end = np.array(host[:2]), np.array(host[2:4])
         way = (end - start) / np.hypot(*(end - start))
-        x, y = start + way * (low + high) / 2
+        x, y = start + way * (low + high) / 2 + off * np.array([-way[1], way[0]])
         size = Size(float(high - low), problem.ground.thickness, height)
         asset = catalog.choose("partition", size)
         found.append(

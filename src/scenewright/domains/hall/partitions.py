@@ -3,7 +3,8 @@
 The demand is 100 (M + 1) + Σ l centimetres for M objects of length l (Cao, Cheng, Zhang 2024,
 after George 2015, The Curator's Handbook); ours takes no metre between objects that ask for no
 clearance at their sides. Walls go on borders of zones that do not follow each other in the
-visiting order first; where the border is a passage, gaps stay at both ends of the wall.
+visiting order first; where the border is a passage, gaps stay at both ends of the wall. Ours may
+also stand off a border, and free in a zone whose borders give too little.
 """
 
 from __future__ import annotations
@@ -12,27 +13,32 @@ from collections import deque
 from typing import NamedTuple
 
 import numpy as np
+import shapely
 
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.borders import Border
-from scenewright.domains.hall.hall_layout import ZoneLink
+from scenewright.domains.hall.hall_layout import Zone, ZoneLink
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats
 
 BETWEEN = 1.0
 SHORTEST = 1.2
+ASIDE, ROAM = 3.0, 6.0
+"""How far a wall may stand off its border, and one within a zone off the middle, in metres."""
 SPARE = 0.3
 """What a gap is wider than its passage, and a wall longer than its objects need, in metres."""
 
 
 class Host(NamedTuple):
     """A border that carries a wall, or may: row of x0, y0, x1, y1, zone left, zone right, the
-    wall's start and end along it (equal: none yet) and those of the longest it may carry, in
-    metres."""
+    wall's start and end along it (equal: none yet), those of the longest it may carry, and how far
+    to the right (negative) and left it may stand off the border, in metres. One within a zone
+    has that zone on both its sides."""
 
     row: tuple[float, float, float, float, float, float]
     span: tuple[float, float]
     most: tuple[float, float]
+    shift: tuple[float, float] = (0.0, 0.0)
 
 
 def wall_needed(wish: HallDemand, count: int, printed: bool) -> float:
@@ -94,9 +100,50 @@ def hosts(
         if span is None or most is None:
             continue
         row = (*border.start, *border.end, float(border.first), float(border.second))
-        found.append(Host(row, span, most))
+        found.append(Host(row, span, most, (0.0, 0.0) if spare else (-ASIDE, ASIDE)))
         left[[border.first, border.second]] -= span[1] - span[0]
     return tuple(found)
+
+
+def standing_hosts(zones: tuple[Zone, ...], lack: Floats, gap: float) -> tuple[Host, ...]:
+    """Walls that stand free in zones which borders do not give enough: parallel to the longest
+    edge, through the middle, with room to walk round at both ends and along both sides; things
+    hang on both. ``lack`` (z,) metres of wall that zones are short of, ``gap`` that room."""
+    found = []
+    for number, zone in enumerate(zones):
+        if lack[number] <= 0.0:
+            continue
+        shape = shapely.Polygon(zone.outline, zone.holes)
+        steps = np.diff(np.vstack([zone.outline, zone.outline[:1]]), axis=0)
+        way = steps[int(np.argmax(np.hypot(*steps.T)))]
+        way = way / np.hypot(*way)
+        middle, far = np.array(shape.centroid.coords[0]), np.hypot(*np.ptp(zone.outline, axis=0))
+        line = shapely.LineString([middle - far * way, middle + far * way])
+        inner = line.intersection(shape.buffer(-gap - SPARE))
+        pieces = [p for p in shapely.get_parts(inner).tolist() if p.length >= SHORTEST]
+        if not pieces:
+            continue
+        best = max(pieces, key=lambda piece: piece.length)
+        (x0, y0), (x1, y1) = best.coords[0], best.coords[-1]
+        half = 0.5 * min(max(0.5 * lack[number] + SPARE, SHORTEST), best.length)
+        span = (0.5 * best.length - half, 0.5 * best.length + half)
+        row = (x0, y0, x1, y1, float(number), float(number))
+        found.append(Host(row, span, (0.0, float(best.length)), (-ROAM, ROAM)))
+    return tuple(found)
+
+
+def stands_free(host: Host) -> bool:
+    """Whether a wall stands within a zone, not on a border."""
+    return host.row[4] == host.row[5]
+
+
+def short_of(hosts: tuple[Host, ...], lack: Floats) -> Floats:
+    """Metres of wall (z,) that zones still lack with the walls of some hosts at their longest."""
+    left = np.array(lack, np.float64)
+    for host in hosts:
+        first, second = int(host.row[4]), int(host.row[5])
+        np.subtract.at(left, [first, second], host.most[1] - host.most[0])
+    return left
 
 
 def _length(border: Border) -> float:

@@ -34,8 +34,9 @@ class HallGround(NamedTuple):
     and the number of the link; ``links`` (l, 3): zones i, j and the least clear width.
     ``hosts`` (p, 6): borders on which a partition may be built: x0, y0, x1, y1 and the zones to
     the left and to the right. ``bounds`` (4,). ``host_spans`` (p, 2): start and end of the longest
-    partition each may carry (left out: all of the border), ``zone_walls`` (z,) metres of wall
-    that the objects of a zone need (left out: none).
+    partition each may carry (left out: all of the border), ``host_shifts`` (p, 2) how far to its
+    right and left it may stand off (left out: nowhere), ``zone_walls`` (z,) metres of wall that the
+    objects of a zone need (left out: none).
     """
 
     edges: Floats
@@ -53,6 +54,7 @@ class HallGround(NamedTuple):
     hosts: Floats
     bounds: Floats
     host_spans: Floats = _NONE
+    host_shifts: Floats = _NONE
     zone_walls: Floats = _NONE
     thickness: float = 0.15
 

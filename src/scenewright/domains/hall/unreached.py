@@ -31,6 +31,7 @@ def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reac
     """Solve again without what the route misses, until it misses nothing or nothing is left to
     give up. What cannot be solved without is kept, for the referee to find."""
     given_up: frozenset[int] = frozenset()
+    whole = _complete(search, fitted.units)
     for attempt in range(search.preset.settings.search.given_up):
         if found.layouts[0].missed == 0.0:
             break
@@ -45,7 +46,15 @@ def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reac
         fitted, found = search_layout(_tried_once(search), smaller, None, None)
         found = found._replace(evaluations=found.evaluations + seen)
         given_up |= dropped
-    return Reached(fitted, found, given_up)
+    return Reached(fitted, found, given_up & whole)
+
+
+def _complete(search: HallSearch, units: list[Unit]) -> frozenset[int]:
+    """The demands of which everything has room: what they then lack was given up for its way."""
+    counts = np.zeros(len(search.wishes), np.int64)
+    for unit in units:
+        counts[unit.demand] += unit.last - unit.first
+    return frozenset(k for k, wish in enumerate(search.wishes) if counts[k] == len(wish.sizes))
 
 
 def _tried_once(search: HallSearch) -> HallSearch:

@@ -25,7 +25,7 @@ from scenewright.domains.hall.terms.state import Kept, PreparedHall, Scratch, St
 from scenewright.domains.hall.terms.table import ACCESS, FILL, PROPORTION, REACH, SPACE, space_cost
 from scenewright.domains.hall.terms.trial import begin, judge, settle, undo
 from scenewright.domains.hall.terms.whole import measure_all
-from scenewright.engine.draws import Stream, below, uniform
+from scenewright.engine.draws import Stream, bell, below, uniform
 from scenewright.geometry.boxes import Floats, read_frame, read_sides
 from scenewright.geometry.circulation import is_reached, route
 from scenewright.geometry.compiled import compiled, inlined
@@ -34,10 +34,15 @@ from scenewright.geometry.paths import CLEAR, RouteGrid, sweep_box
 
 WALLS = 0.03
 """Share of the moves that extend or shorten a partition, where there are any."""
+FEW = 80
+"""Objects of a hall from which on that share falls: such a move has everything measured again."""
 KINDS = 9
 """Kinds of moves drawn blindly: the paper's four, five of ours."""
 OUT = 0.98
 """Share of those that make it as long as it may be: walls are built to be hung on."""
+ASIDE, SELDOM = 0.5, 0.02
+"""Share that moves it off its border: where a passage is too narrow or something out of reach, and
+elsewhere."""
 BLOCK = 16
 """Accepted moves between two looks at the route."""
 
@@ -172,15 +177,46 @@ def propose(
     return unit
 
 
+@inlined
+def in_the_way(p: PreparedHall, s: State, host: int) -> bool:
+    """Whether a passage of a zone beside a host is too narrow, or an object there not reached."""
+    for side in (4, 5):
+        zone = int(p.hosts[host, side])
+        for link in range(p.links.shape[0]):
+            beside = int(p.links[link, 0]) == zone or int(p.links[link, 1]) == zone
+            if beside and s.costs[ACCESS, link] > 0.0:
+                return True
+        for u in range(p.zones.shape[0]):
+            if p.zones[u] == zone and s.costs[REACH, u] > 0.0:
+                return True
+    return False
+
+
+@inlined
+def stand_off(p: PreparedHall, s: State, host: int, stream: Stream) -> int:
+    """Move a partition aside, parallel to its host, or back onto it; the host, -1 if it stays."""
+    least, most = p.host_shifts[host, 0], p.host_shifts[host, 1]
+    if least == most:
+        return -1
+    off = s.offsets[host] + bell(stream)
+    if s.offsets[host] != 0.0 and uniform(stream) < 0.3:
+        off = 0.0
+    s.offsets[host] = min(max(off, least), most)
+    build(p, s, host)
+    return host
+
+
 @compiled
 def move_wall(p: PreparedHall, s: State, work: Scratch, size: float, stream: Stream) -> int:
     """Extend or shorten one end of a partition, most often as far as its border lets it; the
     host, or -1 if it has none or stays what it is."""
     host = below(stream, p.hosts.shape[0])
     low, high = s.partitions[host, 0], s.partitions[host, 1]
-    work.pose[0], work.pose[1] = low, high
+    work.pose[0], work.pose[1], work.pose[2] = low, high, s.offsets[host]
     if high <= low:
         return -1
+    if uniform(stream) < (ASIDE if in_the_way(p, s, host) else SELDOM):
+        return stand_off(p, s, host, stream)
     step = (uniform(stream) - 0.5) * 4.0 * size
     least, most = p.host_spans[host, 0], p.host_spans[host, 1]
     if uniform(stream) < OUT:
@@ -199,6 +235,7 @@ def move_wall(p: PreparedHall, s: State, work: Scratch, size: float, stream: Str
 def undo_wall(p: PreparedHall, s: State, work: Scratch, host: int) -> None:
     """Take the move of a partition back."""
     s.partitions[host, 0], s.partitions[host, 1] = work.pose[0], work.pose[1]
+    s.offsets[host] = work.pose[2]
     build(p, s, host)
     measure_all(p, s, work)
 
@@ -217,7 +254,8 @@ def step_once(
     """One iteration; the energy without the route after it, infinity if the move was refused."""
     limit = bare - math.log(1.0 - uniform(stream)) / rate
     host = -1
-    if p.hosts.shape[0] > 0 and uniform(stream) < WALLS:
+    share = WALLS * min(FEW / p.unit_of.shape[0], 1.0)
+    if p.hosts.shape[0] > 0 and uniform(stream) < share:
         host = move_wall(p, s, work, size, stream)
     if host >= 0:
         after = measure_all(p, s, work)
@@ -319,6 +357,7 @@ def keep(s: State, kept: Kept) -> None:
             kept.layers[k, c] = s.layers[k, c]
     for h in range(s.partitions.shape[0]):
         kept.walls[h, 0], kept.walls[h, 1] = s.partitions[h, 0], s.partitions[h, 1]
+        kept.offsets[h] = s.offsets[h]
 
 
 @compiled
@@ -333,5 +372,6 @@ def bring_back(p: PreparedHall, s: State, work: Scratch, kept: Kept) -> float:
             s.layers[k, c] = kept.layers[k, c]
     for h in range(s.partitions.shape[0]):
         s.partitions[h, 0], s.partitions[h, 1] = kept.walls[h, 0], kept.walls[h, 1]
+        s.offsets[h] = kept.offsets[h]
         build(p, s, h)
     return measure_all(p, s, work)

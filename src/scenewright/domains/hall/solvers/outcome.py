@@ -55,6 +55,7 @@ def measure_layout(
     s, work, grid = make_state(p), make_scratch(p), route_grid(problem, p)
     s.code[:], s.used[:] = kept.rows[:, 0], kept.rows[:, 1]
     s.pose[:], s.layers[:], s.partitions[:] = kept.pose, kept.layers, kept.walls
+    s.offsets[:] = kept.offsets
     for host in range(len(kept.walls)):
         build(p, s, host)
     if layout.loose:

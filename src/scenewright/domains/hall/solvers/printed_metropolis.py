@@ -139,7 +139,7 @@ def short_of_wall(p: PreparedHall, s: State, stream: Stream) -> int:
 def cut_wall(p: PreparedHall, s: State, work: Scratch, host: int, step: float, end: bool) -> None:
     """Shorten a wall at one end; one that would be too short goes."""
     low, high = s.partitions[host, 0], s.partitions[host, 1]
-    work.pose[0], work.pose[1] = low, high
+    work.pose[0], work.pose[1], work.pose[2] = low, high, 0.0
     if high - low - step < SHORTEST:
         s.partitions[host, 0], s.partitions[host, 1] = 0.0, 0.0
     elif end:
@@ -154,7 +154,7 @@ def raise_wall(p: PreparedHall, s: State, work: Scratch, host: int, step: float,
     """Lengthen a wall within its passage gaps, or build one where there is none."""
     low, high = s.partitions[host, 0], s.partitions[host, 1]
     least, most = p.host_spans[host, 0], p.host_spans[host, 1]
-    work.pose[0], work.pose[1] = low, high
+    work.pose[0], work.pose[1], work.pose[2] = low, high, 0.0
     if high <= low:
         low, high = least, most
     elif end:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from scenewright.domains.hall.patterns import NUMBER, SINGLE, WALL
+from scenewright.domains.hall.patterns import FAN, NUMBER, SINGLE, WALL
 from scenewright.domains.hall.terms.measure import gap_between
 from scenewright.domains.hall.terms.state import LINE, Floats, PreparedHall, State
 from scenewright.domains.hall.terms.table import aisle_cost
@@ -48,7 +48,7 @@ def all_lines(p: PreparedHall, s: State) -> float:
 @inlined
 def aisles_of(p: PreparedHall, s: State, unit: int) -> float:
     """Metres that gaps lack: neighbours of each layer, and layers in turn, as often as the layer
-    has objects."""
+    has objects. The seats of a curved row stand side by side though their corners alone meet."""
     if s.code[unit] == SINGLE:
         return 0.0
     first, last, row = p.spans[unit, 0], p.spans[unit, 1], p.layer_spans[unit, 0]
@@ -59,7 +59,8 @@ def aisles_of(p: PreparedHall, s: State, unit: int) -> float:
         return total
     for k in range(s.used[unit]):
         number = int(s.layers[row + k, NUMBER])
-        for j in range(i, i + number - 1):
+        beside = 0 if s.code[unit] == FAN else number - 1
+        for j in range(i, i + beside):
             total += aisle_cost(gap_between(read_frame(s.frames, j), read_frame(s.frames, j + 1)))
         i += number
         if k + 1 < s.used[unit]:

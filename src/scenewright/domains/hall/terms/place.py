@@ -161,6 +161,7 @@ def build(p: PreparedHall, s: State, host: int) -> None:
     x0, y0, x1, y1 = p.hosts[host, 0], p.hosts[host, 1], p.hosts[host, 2], p.hosts[host, 3]
     length = math.sqrt((x1 - x0) ** 2 + (y1 - y0) ** 2)
     dx, dy = (x1 - x0) / length, (y1 - y0) / length
+    x0, y0 = x0 - dy * s.offsets[host], y0 + dx * s.offsets[host]
     middle, off = 0.5 * (low + high), 0.5 * p.thickness
     frame = make_frame(
         x0 + dx * middle, y0 + dy * middle, math.atan2(dx, -dy), max(high - low, 0.0), p.thickness

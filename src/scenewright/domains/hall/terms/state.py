@@ -13,6 +13,8 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bytes = NDArray[np.uint8]
 
+_NONE: Floats = np.zeros(0)
+
 STEP = 0.05
 """Length of a border's cells in metres."""
 LINE = 0.01
@@ -34,7 +36,8 @@ class PreparedHall(NamedTuple):
     width and depth of the largest object, ``gaps`` (g, 2) along and across that keep
     clearances apart, ``near`` (g,) least radius of a fan, ``targets`` (g,) units looked at;
     ``layer_spans`` (g, 2). ``axes`` (2, 3) directions along and across the hall, and where its
-    lines begin. ``host_spans`` (p, 2) the longest partition a host may carry, ``wall_needs``
+    lines begin. ``host_spans`` (p, 2) the longest partition a host may carry, ``host_shifts``
+    (p, 2) how far off it may stand, ``wall_needs``
     (z,) metres of wall the objects of a zone need. ``entrances``, ``exits``, ``ways_out`` (k, 2)
     points before doors, ``hiding`` (h, 8) frames of what hides and does not move, ``tall`` (n,) 1
     for objects that hide, ``roles`` (g,) bits of :mod:`.visitors`, ``main`` the unit that is the
@@ -76,6 +79,7 @@ class PreparedHall(NamedTuple):
     layer_spans: Ints
     axes: Floats
     host_spans: Floats
+    host_shifts: Floats
     wall_needs: Floats
     thickness: float
     weights: Floats
@@ -96,7 +100,8 @@ class State(NamedTuple):
     rows: where along the walls of the zone they start, alignment, -, gap); ``layers`` (L, 5),
     ``used`` (g,).
     ``frames``, ``clears`` (n, 8) footprints and clearances, ``partitions`` (p, 2) start and end
-    of the wall on each host (none if equal), ``walls`` (p, 8) its frame, ``stretches`` as in
+    of the wall on each host (none if equal), ``offsets`` (p,) metres it stands off to the left,
+    ``walls`` (p, 8) its frame, ``stretches`` as in
     Prepared with those of partitions filled in. ``covered`` (g, 3) α_S, α_M, α_W; ``extent``
     (g, 3) used area and middle; ``costs`` (terms, max(g, z, l)) by term; ``lines`` (2, c)
     objects in each cell along the axes, ``shade`` (g + 1,) the lines of sight to the main exhibit
@@ -110,6 +115,7 @@ class State(NamedTuple):
     frames: Floats
     clears: Floats
     partitions: Floats
+    offsets: Floats
     walls: Floats
     stretches: Floats
     covered: Floats
@@ -122,12 +128,13 @@ class State(NamedTuple):
 
 class Kept(NamedTuple):
     """What makes a layout: patterns of the units, nothing derived. ``pose`` (g, 4), ``layers``
-    (L, 5), ``rows`` (g, 2) code and number of layers, ``walls`` (p, 2)."""
+    (L, 5), ``rows`` (g, 2) code and number of layers, ``walls`` (p, 2), ``offsets`` (p,)."""
 
     pose: Floats
     layers: Floats
     rows: Floats
     walls: Floats
+    offsets: Floats = _NONE
 
 
 class Scratch(NamedTuple):

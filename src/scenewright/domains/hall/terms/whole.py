@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from scenewright.domains.hall.terms.measure import (
+    SLACK,
     access_of,
     crowd,
     meets,
@@ -46,7 +47,7 @@ from scenewright.domains.hall.terms.visitors import (
     order_of,
     queues_of,
 )
-from scenewright.geometry.boxes import read_frame
+from scenewright.geometry.boxes import common_area, read_frame
 from scenewright.geometry.buckets import insert, remove
 from scenewright.geometry.compiled import compiled, inlined
 
@@ -187,13 +188,41 @@ def measure_frames(p: PreparedHall, s: State, work: Scratch, strict: bool) -> fl
     return sum_up(p, s, work)
 
 
+@inlined
+def may_stand(p: PreparedHall, s: State, host: int) -> bool:
+    """Whether a partition keeps doors free and, where it stands off its host or is no border's,
+    lies in its zone clear of obstacles and of other partitions."""
+    frame, zone = read_frame(s.walls, host), int(p.hosts[host, 4])
+    if meets(frame, p.keep_free):
+        return False
+    if s.offsets[host] == 0.0 and zone != int(p.hosts[host, 5]):
+        return True
+    if s.offsets[host] < 0.0:
+        zone = int(p.hosts[host, 5])
+    if not within(frame, p, zone) or meets(frame, p.obstacles):
+        return False
+    for other in range(s.walls.shape[0]):
+        there = other != host and s.walls[other, 4] > 0.0
+        if there and common_area(frame, read_frame(s.walls, other)) > SLACK:
+            return False
+    return True
+
+
+@compiled
+def place_walls(p: PreparedHall, s: State) -> bool:
+    """Whether every partition may stand where it does."""
+    for host in range(s.walls.shape[0]):
+        if s.walls[host, 4] > 0.0 and not may_stand(p, s, host):
+            return False
+    return True
+
+
 @compiled
 def measure_all(p: PreparedHall, s: State, work: Scratch) -> float:
     """Every part of the energy afresh; the energy without the route, infinite if a hard rule is
     broken or a wall row finds no room. Objects are filed anew."""
-    for host in range(s.walls.shape[0]):
-        if s.walls[host, 4] > 0.0 and meets(read_frame(s.walls, host), p.keep_free):
-            return REFUSED
+    if not place_walls(p, s):
+        return REFUSED
     for unit in range(p.spans.shape[0]):
         if not unfold(p, s, work, unit):
             return REFUSED
