@@ -33,7 +33,7 @@ from scenewright.workflow.evolve import Evolution, evolve, resume_evolution
 
 SAMPLES = {"home": "home-child", "hall": "hall-irregular", "site": "site-courtyards"}
 HOME = "sample:home-child"
-FEW = BreedingPlan(first=13, each=5)
+FEW = BreedingPlan(first=13, each=5, rounds=1, brood=8)
 
 
 def numbers(screen: Screen) -> tuple[int, ...]:

@@ -100,16 +100,18 @@ def learn_taste(
     values: Mapping[int, Floats],
     reasons: Reasons,
     start: Floats | None = None,
+    kernels: Sequence[Kernel] = KERNELS,
 ) -> PersonTaste:
     """The taste that ``events`` tell of, with the features of each candidate by its number.
 
-    ``reasons`` are those of the domain; ``start`` (D,) slopes of another taste, standardised.
+    ``reasons`` are those of the domain; ``start`` (D,) slopes of another taste, standardised. Of
+    the ``kernels`` that is taken for which the events are most likely.
     """
     origin = np.zeros(len(scale.names)) if start is None else start
     seen = _observe(scale, counting(events), values, reasons, origin)
     if not (seen.choices or seen.ratings):
         return PersonTaste(scale, None, origin)
-    best = max((fit_posterior(seen, kernel) for kernel in KERNELS), key=lambda p: p.evidence)
+    best = max((fit_posterior(seen, kernel) for kernel in kernels), key=lambda p: p.evidence)
     return PersonTaste(scale, best, origin)
 
 

@@ -40,13 +40,13 @@ class TrustRecord(NamedTuple):
         """One line.
 
         >>> str(TrustRecord(8, 6, 2.0))
-        'top 3 held your pick on 6 of 8 screens (75 %; guessing: 2.0)'
+        'top 3 held your pick on 6 of 8 screens (75 %; guessing: 25 %)'
         """
         if not self.screens:
             return "nothing predicted yet"
         return (
             f"top {TOP} held your pick on {self.hits} of {self.screens} screens "
-            f"({100 * self.share:.0f} %; guessing: {self.chance:.1f})"
+            f"({100 * self.share:.0f} %; guessing: {100 * self.chance / self.screens:.0f} %)"
         )
 
 

@@ -65,13 +65,17 @@ class ShownCandidate(NamedTuple):
         return write_svg(domains.draw_plan(self.solution, self.plan))
 
 
-def predicted_shares(mean: Floats) -> Floats:
-    """With what chance each of n layouts of predicted worth (n,) would be picked of them all.
+def predicted_shares(mean: Floats, deviation: Floats) -> Floats:
+    """With what chance each of n layouts of predicted worth (n,) would be picked of them all; the
+    less sure the worth, the more alike the chances (f / √(1 + πσ²/8), MacKay 1992).
 
-    >>> predicted_shares(np.log([1.0, 3.0])).round(2).tolist()
+    >>> predicted_shares(np.log([1.0, 3.0]), np.zeros(2)).round(2).tolist()
     [0.25, 0.75]
+    >>> predicted_shares(np.log([1.0, 3.0]), np.full(2, 3.0)).round(2).tolist()
+    [0.37, 0.63]
     """
-    raised = np.exp(mean - mean.max())
+    sure = 1.0 / np.sqrt(1.0 + np.pi * float(np.mean(deviation**2)) / 8.0)
+    raised = np.exp(sure * (mean - mean.max()))
     shares: Floats = raised / raised.sum()
     return shares
 

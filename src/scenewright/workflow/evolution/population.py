@@ -89,11 +89,13 @@ def breed_genomes(
     number: int,
     rng: np.random.Generator,
     how: BreedingPlan,
+    open_: int = 0,
 ) -> list[Genome]:
     """Genomes of batch ``number`` that are not ``known``: some by chance, else of one or two
-    ``parents``, the best of which come first; fewer where there are no more."""
+    ``parents``, the best of which come first; fewer where there are no more. The first ``open_``
+    alleles of each gene may be used (0: as many as suit the batch)."""
     count = how.each if number else how.first
-    open_ = _count_open(genes, how.alleles + how.more * number, 2 * (count + len(known)))
+    open_ = open_ or count_open(genes, len(known), number, how)
     made: dict[Genome, None] = {}
     for _ in range(20 * count):
         if len(made) == count:
@@ -107,8 +109,10 @@ def breed_genomes(
     return list(made)
 
 
-def _count_open(genes: Sequence[Gene], least: int, wanted: int) -> int:
-    """How many alleles of each gene may be used: ``least``, or as many as make so many genomes."""
+def count_open(genes: Sequence[Gene], known: int, number: int, how: BreedingPlan) -> int:
+    """How many alleles of each gene may be used in batch ``number``: a few more with each, and at
+    least as many as make the genomes that are ``known`` and those wanted."""
+    least, wanted = how.alleles + how.more * number, how.first + known
     most = max((gene.alleles for gene in genes), default=1)
     for open_ in range(least, most):
         if math.prod(min(gene.alleles, open_) for gene in genes) >= wanted:
@@ -161,9 +165,10 @@ def breed_further(
         return [genome for genome in begun if genome not in known][: how.each]
     pool: dict[Genome, Floats] = {}
     parents = list(begun)
+    open_ = count_open(breeder.genes, len(known), number, how)
     for _ in range(how.rounds):
         wide = how._replace(each=how.brood)
-        children = breed_genomes(breeder.genes, parents, set(pool), max(number, 1), rng, wide)
+        children = breed_genomes(breeder.genes, parents, set(pool), 1, rng, wide, open_)
         told = [breeder.measure(child) for child in [*parents, *children]]
         least = min(lacking for _, lacking in told)
         for genome, (values, lacking) in zip([*parents, *children], told, strict=True):

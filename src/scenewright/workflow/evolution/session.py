@@ -258,7 +258,7 @@ class Evolution:
         values = np.array([self._archive.bred[number].values for number in numbers])
         known = taste.posterior is not None or bool(taste.start.any())
         mean, deviation = judge_each(taste, values)
-        shares = predicted_shares(mean)
+        shares = predicted_shares(mean, deviation)
         return [
             ShownCandidate(
                 number,

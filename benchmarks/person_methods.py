@@ -1,0 +1,135 @@
+"""Ways to find what a simulated person likes; each tells after every screen how far it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from benchmarks.person_raters import SimulatedPerson
+from benchmarks.person_world import World, breeding_of
+from scenewright.core.breeding import Genome
+from scenewright.engine.preference import taste as tastes
+from scenewright.engine.preference.events import Event, Pick, Reason, Worst
+from scenewright.engine.preference.kernel import Kernel
+from scenewright.engine.preference.screens import ScreenMix, choose_screen
+from scenewright.engine.preference.trust import TrustRecord, count_hit
+from scenewright.workflow.evolution.population import (
+    BredLayout,
+    breed_further,
+    breed_genomes,
+    draw_genomes,
+    rank_parents,
+)
+
+PICKS, WORSTS = 3, 2
+"""Marks a screen: the best ones in order and the worst; and one reason."""
+LINEAR = Kernel(4.0, 1e-6, 1e-6)
+
+
+class SearchStep(NamedTuple):
+    """After a screen: actions and looks so far, the layout the person has chosen, the best shown so
+    far by the truth, and how far predictions could be trusted."""
+
+    actions: int
+    looks: int
+    champion: Genome
+    best: float
+    trust: TrustRecord = TrustRecord()
+
+
+Search = Callable[[World, SimulatedPerson, int, int], Iterator[SearchStep]]
+
+
+def ours(world: World, person: SimulatedPerson, seed: int, screens: int) -> Iterator[SearchStep]:
+    """As the product does it: the three best, the two worst and a reason of every screen."""
+    return _learn(world, person, seed, screens, ScreenMix(), True)
+
+
+def bradley_terry(
+    world: World, person: SimulatedPerson, seed: int, screens: int
+) -> Iterator[SearchStep]:
+    """A linear model of pairs (Bradley, Terry 1952, over features): the same marks but no reasons,
+    the best by its mean and some by chance."""
+    return _learn(world, person, seed, screens, ScreenMix(greedy=10), False)
+
+
+def _learn(
+    world: World, person: SimulatedPerson, seed: int, screens: int, mix: ScreenMix, ours_: bool
+) -> Iterator[SearchStep]:
+    how, known = breeding_of(world), dict[Genome, BredLayout]()
+    numbers: list[Genome] = []
+    events: list[Event] = []
+    shown: set[Genome] = set()
+    champion: Genome | None = None
+    actions, best, trust = 0, -np.inf, TrustRecord()
+    taste = tastes.PersonTaste(world.scale, None, np.zeros(len(world.scale.names)))
+    kernels = tastes.KERNELS if ours_ else (LINEAR,)
+    for screen in range(screens):
+        before = taste
+        _breed(world, before, known, numbers, screen, np.random.default_rng([seed, 2, screen]), how)
+        rows = [g for g in numbers if known[g].lacking == 0]
+        values = np.array([known[g].values for g in rows])
+        seen = np.array([g in shown for g in rows])
+        place = None if champion is None else rows.index(champion)
+        rng = np.random.default_rng([seed, 1, screen])
+        chosen = [rows[k] for k in choose_screen(taste, values, seen, place, rng, mix)]
+        shown |= set(chosen)
+        best = max(best, *(person.truth(g) for g in chosen))
+        told = _mark(person, chosen, numbers, ours_)
+        champion = numbers[told[0].best]  # type: ignore[union-attr]
+        if taste.posterior is not None:
+            mean, _ = tastes.judge_each(taste, np.array([known[g].values for g in chosen]))
+            trust = count_hit(trust, mean.tolist(), chosen.index(champion))
+        events += told
+        actions += len(told)
+        by_number = {k: known[g].values for k, g in enumerate(numbers)}
+        taste = tastes.learn_taste(world.scale, events, by_number, world.reasons, kernels=kernels)
+        yield SearchStep(actions, len(shown), champion, best, trust)
+
+
+def _breed(world, taste, known, numbers, screen, rng, how) -> None:  # type: ignore[no-untyped-def]
+    """The next candidates, as the product breeds them."""
+    parents = rank_parents(taste, list(known.values()), how.parents)
+    genomes = breed_genomes(world.genes, parents, set(known), screen, rng, how)
+    if screen:
+        begun = [*parents, *genomes]
+        genomes = breed_further(world.breeder, taste, begun, set(known), screen, rng, how)
+    for wanted in genomes:
+        genome, row = world.look(world.take(wanted, known))
+        if genome not in known:
+            known[genome] = BredLayout(genome, row.values, row.lacking, row.lacking == 0)
+            numbers.append(genome)
+
+
+def _mark(
+    person: SimulatedPerson, chosen: list[Genome], numbers: list[Genome], reasons: bool
+) -> list[Event]:
+    """What a person says of a screen: the best in order, the worst, and a reason."""
+    left, told = list(chosen), list[Event]()
+    for kind, count, sign in ((Pick, PICKS, 1.0), (Worst, WORSTS, -1.0)):
+        for _ in range(min(count, len(left) - 1)):
+            one = person.best(left, sign)
+            told.append(kind(numbers.index(one), tuple(numbers.index(g) for g in left)))
+            left.remove(one)
+    words = person.reason(numbers[told[0].best]) if reasons else None  # type: ignore[union-attr]
+    return told + ([Reason(told[0].best, words)] if words else [])  # type: ignore[union-attr]
+
+
+def random_search(
+    world: World, person: SimulatedPerson, seed: int, screens: int
+) -> Iterator[SearchStep]:
+    """Layouts by chance, twelve at a time with the champion; one pick a screen."""
+    rng, shown = np.random.default_rng([seed, 3]), set[Genome]()
+    champion: Genome | None = None
+    best = -np.inf
+    for screen in range(screens):
+        drawn: list[Genome] = []
+        for wanted in draw_genomes(world.genes, 99, 12, rng):
+            drawn.append(world.take(wanted, shown.union(drawn)))
+        chosen = drawn if champion is None else [champion, *drawn[:11]]
+        shown |= set(chosen)
+        best = max(best, *(person.truth(g) for g in chosen))
+        champion = person.best(chosen)
+        yield SearchStep(screen + 1, len(shown), champion, best)

@@ -1,0 +1,170 @@
+"""Where simulated persons look for layouts: briefs whose layouts are made and measured quickly.
+
+A home is put together from rooms solved beforehand, so any genome can be had in a fraction of a
+millisecond. A site takes a fifth of a second, so its layouts come from a pool made once: a genome
+stands for the nearest of the pool.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container
+from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright import domains
+from scenewright.core.breeding import Breeder, Gene, Genome
+from scenewright.core.solution import Solution
+from scenewright.engine.preference.features import boxes_of, stands_on_floor
+from scenewright.engine.preference.taste import FeatureScale, Reasons, measure_scale
+from scenewright.formats import read
+from scenewright.workflow.evolution.population import BreedingPlan, draw_genomes
+
+Floats = NDArray[np.float64]
+UNSEEN = 3
+"""Measures that the engine does not see."""
+ALLELES = 24
+"""Answers a room of the home is taken from."""
+FIRST = 200
+"""Genomes by chance that scales are measured on."""
+
+
+class SeenLayout(NamedTuple):
+    """A layout: features (D,) that the engine sees, ``unseen`` ones (3,), and what it lacks."""
+
+    values: Floats
+    unseen: Floats
+    lacking: int
+
+
+class World(NamedTuple):
+    """A brief to evolve: its ``genes``, ``look`` at what a genome stands for (that genome, and its
+    layout), the scale of the features, the reasons of its domain, and ``many`` genomes that can
+    be looked at (empty: any)."""
+
+    name: str
+    genes: tuple[Gene, ...]
+    look: Callable[[Genome], tuple[Genome, SeenLayout]]
+    scale: FeatureScale
+    reasons: Reasons
+    breeder: Breeder
+    many: tuple[Genome, ...] = ()
+
+    def take(self, genome: Genome, known: Container[Genome]) -> Genome:
+        """What a genome stands for, if possible none of those ``known``."""
+        if not self.many:
+            return genome
+        free = [other for other in self.many if other not in known] or list(self.many)
+        return free[int((np.array(free) != np.array(genome)).sum(1).argmin())]
+
+
+def measure_unseen(solution: Solution) -> Floats:
+    """Three things that somebody may like and no feature tells: whether what stands, what is tall
+    and what is large is in favourite spots, by waves over the plan."""
+    pieces = [p for p in solution.pieces if stands_on_floor(p)]
+    boxes, tall = boxes_of(pieces), np.array([p.size.height for p in pieces])
+    unit = float(np.ptp(boxes[:, :2], axis=0).max()) / 3.0
+    x, y = boxes[:, 0] / unit, boxes[:, 1] / unit
+    area = boxes[:, 3] * boxes[:, 4]
+    return np.array(
+        [
+            np.sin(2.1 * x + 1.3 * y).mean(),
+            (tall * np.sin(1.7 * y - 0.8 * x + 1.0)).sum() / tall.sum(),
+            (area * np.cos(2.6 * x - 1.9 * y + 2.0)).sum() / area.sum(),
+        ]
+    )
+
+
+def home_world(sample: str = "home-flat") -> World:
+    """A flat of ten rooms."""
+    brief = read(f"sample:{sample}")
+    plan = domains.plan_of(brief)
+    breeder = domains.breeder_of(brief, plan)
+    genes = tuple(Gene(gene.name, ALLELES) for gene in breeder.genes)
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(breeder.develop, [tuple([k] * len(genes)) for k in range(ALLELES)]))
+    measure = breeder.measure
+    assert measure is not None
+    names: list[str] = []
+    known: dict[Genome, SeenLayout] = {}
+
+    def look(genome: Genome) -> tuple[Genome, SeenLayout]:
+        if genome not in known:
+            told, lacking = measure(genome)
+            names[:] = list(told)
+            unseen = measure_unseen(breeder.develop(genome))
+            known[genome] = SeenLayout(np.array(list(told.values())), unseen, lacking)
+        return genome, known[genome]
+
+    rng = np.random.default_rng(0)
+    rows = [look(genome)[1] for genome in draw_genomes(genes, ALLELES, FIRST, rng)]
+    scale = measure_scale(names, np.array([row.values for row in rows]))
+    return World(
+        sample, genes, look, scale, domains.reasons_of("home"), breeder._replace(genes=genes)
+    )
+
+
+def site_world(sample: str = "site-30", size: int = 400) -> World:
+    """A site of thirty buildings: a pool of ``size`` layouts."""
+    brief = read(f"sample:{sample}")
+    plan = domains.plan_of(brief)
+    breeder = domains.breeder_of(brief, plan)
+    rng = np.random.default_rng(0)
+    drawn = list(dict.fromkeys(draw_genomes(breeder.genes, 99, size, rng)))
+    names: list[str] = []
+
+    def develop(genome: Genome) -> SeenLayout:
+        solution = breeder.develop(genome)
+        told = domains.features_of(solution, plan)
+        names[:] = list(told)
+        lacking = sum(out.required for out in solution.left_out)
+        return SeenLayout(np.array(list(told.values())), measure_unseen(solution), lacking)
+
+    develop(drawn[0])
+    with ThreadPoolExecutor(2) as pool:
+        layouts = list(pool.map(develop, drawn))
+    sane = [(g, row) for g, row in zip(drawn, layouts, strict=True) if not row.lacking]
+    genomes, rows = [g for g, _ in sane], [row for _, row in sane]
+    table = np.array(genomes)
+
+    def look(genome: Genome) -> tuple[Genome, SeenLayout]:
+        nearest = int((table != np.array(genome)).sum(1).argmin())
+        return genomes[nearest], rows[nearest]
+
+    scale = measure_scale(names, np.array([row.values for row in rows]))
+    reasons, many = domains.reasons_of("site"), tuple(genomes)
+    return World(sample, breeder.genes, look, scale, reasons, breeder._replace(measure=None), many)
+
+
+def wide_site_world(sample: str = "site-30") -> World:
+    """The same site without a pool: every layout is solved when it is first asked for."""
+    brief = read(f"sample:{sample}")
+    plan = domains.plan_of(brief)
+    breeder = domains.breeder_of(brief, plan)
+    names: list[str] = []
+    known: dict[Genome, SeenLayout] = {}
+
+    def look(genome: Genome) -> tuple[Genome, SeenLayout]:
+        if genome not in known:
+            solution = breeder.develop(genome)
+            told = domains.features_of(solution, plan)
+            names[:] = list(told)
+            lacking = sum(out.required for out in solution.left_out)
+            known[genome] = SeenLayout(
+                np.array(list(told.values())), measure_unseen(solution), lacking
+            )
+        return genome, known[genome]
+
+    drawn = draw_genomes(breeder.genes, 99, FIRST, np.random.default_rng(1))
+    rows = [look(genome)[1] for genome in drawn]
+    scale = measure_scale(names, np.array([row.values for row in rows]))
+    reasons = domains.reasons_of("site")
+    return World(f"{sample}, bred", breeder.genes, look, scale, reasons, breeder)
+
+
+def breeding_of(world: World) -> BreedingPlan:
+    """How ours breeds in a world: all alleles from the first screen on, for they are known."""
+    del world
+    return BreedingPlan(alleles=ALLELES)

@@ -1,0 +1,141 @@
+"""Local models of what a person would rate, over parts of the search space: Zhang, Yang 2023, (13)
+and (15) to (21), with the symmetric Latin hypercube they sample by (Ye, Li, Sudjianto 2000).
+
+Individuals are rows (n, d); ratings (n,).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.engine.preference.alleles.preference import Form
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+def count_members(parts: Ints, count: int) -> Ints:
+    """η of (13): how many individuals lie in each of ``count`` sub-spaces, by the part (n,) of
+    each. A model is made of a part with more than S_min.
+
+    >>> count_members(np.array([0, 2, 0]), 3).tolist()
+    [2, 0, 1]
+    """
+    return np.bincount(parts, minlength=count)
+
+
+def centre_variable(values: Floats) -> Floats:
+    """D(x') of (17): a variable (n,) less its mean."""
+    return values - values.mean()
+
+
+def centre_ratings(ratings: Floats, form: Form = "repaired") -> Floats:
+    """D(f) of (18): ratings (n,) less their mean. As printed the mean is divided by n once more.
+
+    >>> centre_ratings(np.array([2.0, 4.0]), "printed").tolist()
+    [0.5, 2.5]
+    """
+    again = len(ratings) if form == "printed" else 1
+    return ratings - ratings.mean() / again
+
+
+def measure_deviation(centred: Floats) -> float:
+    """γ of (15) and (16): the root of the squares of centred values over n - 1."""
+    return float(np.sqrt((centred**2).sum() / max(len(centred) - 1, 1)))
+
+
+def correlate_variable(values: Floats, ratings: Floats, form: Form = "repaired") -> float:
+    """κ of (19): the correlation of a variable with the ratings; 0 where one does not vary.
+
+    As printed it divides by n where (15) and (16) divide by n - 1, so a perfect correlation is
+    (n - 1) / n, and takes (18) as it is. Repaired: Pearson's.
+
+    >>> round(correlate_variable(np.array([1.0, 2.0, 3.0]), np.array([2.0, 4.0, 6.0])), 12)
+    1.0
+    """
+    one, other = centre_variable(values), centre_ratings(ratings, form)
+    both = measure_deviation(one) * measure_deviation(other)
+    count = len(values) if form == "printed" else len(values) - 1
+    return float(one @ other) / both / count if both > 0.0 and count > 0 else 0.0
+
+
+def choose_split(points: Floats, ratings: Floats, form: Form = "repaired") -> int:
+    """The variable the space is divided along: that which goes with the ratings the most. As
+    printed the greatest κ, so one that lowers them by as much is never chosen; repaired: |κ|.
+
+    >>> choose_split(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 0.5]]), np.array([3.0, 2.0, 1.0]))
+    0
+    """
+    told = np.array([correlate_variable(column, ratings, form) for column in points.T])
+    return int(np.argmax(told if form == "printed" else np.abs(told)))
+
+
+def divide_space(points: Floats, along: int, parts: int) -> Ints:
+    """The part (n,) of every point: ``parts`` equal spans of one variable.
+
+    >>> divide_space(np.array([[0.0], [0.4], [1.0]]), 0, 2).tolist()
+    [0, 0, 1]
+    """
+    values = points[:, along]
+    low, span = values.min(), max(float(np.ptp(values)), 1e-12)
+    return np.minimum((parts * (values - low) / span).astype(np.int64), parts - 1)
+
+
+def measure_distances(point: Floats, members: Floats) -> tuple[float, float]:
+    """H_min and H̄ of (20): the least and the mean distance of a point (d,) to the members (m, d) of
+    a sub-space.
+
+    >>> measure_distances(np.zeros(2), np.array([[3.0, 4.0], [0.0, 1.0]]))
+    (1.0, 3.0)
+    """
+    far = np.sqrt(((members - point) ** 2).sum(1))
+    return float(far.min()), float(far.mean())
+
+
+def combine_models(
+    estimates: Sequence[float],
+    least: Sequence[float],
+    mean: Sequence[float],
+    form: Form = "repaired",
+) -> float:
+    """f̂* of (21) from what the models of the sub-spaces say and the distances of (20).
+
+    As printed Σ H̄ · Σ f̂ / H_min: no average, it grows with the number of models and with how far
+    their members are spread. Repaired: Σ f̂ / H_min over Σ 1 / H_min (Shepard 1968); a model with
+    a member where the point is decides alone.
+
+    >>> combine_models([2.0, 4.0], [1.0, 1.0], [3.0, 3.0], "printed")
+    36.0
+    >>> combine_models([2.0, 4.0], [1.0, 3.0], [3.0, 3.0])
+    2.5
+    """
+    values, near = np.asarray(estimates, np.float64), np.asarray(least, np.float64)
+    if form == "printed":
+        with np.errstate(divide="ignore"):
+            return float(np.sum(mean) * (values / near).sum())
+    if (near <= 0.0).any():
+        return float(values[near <= 0.0].mean())
+    return float((values / near).sum() / (1.0 / near).sum())
+
+
+def draw_symmetric_hypercube(count: int, dims: int, rng: np.random.Generator) -> Floats:
+    """A symmetric Latin hypercube of ``count`` points (count, dims) in [0, 1]: each variable takes
+    each of ``count`` levels once, and with every point its mirror image is there.
+
+    >>> points = draw_symmetric_hypercube(6, 2, np.random.default_rng(0))
+    >>> (points + points[::-1]).tolist() == np.ones((6, 2)).tolist()
+    True
+    """
+    half = count // 2
+    levels = np.zeros((count, dims), np.int64)
+    for k in range(dims):
+        low = rng.permutation(half)
+        mirrored = np.where(rng.random(half) < 0.5, low, count - 1 - low)
+        levels[:half, k] = mirrored
+        levels[count - half :, k] = count - 1 - mirrored[::-1]
+        if count % 2:
+            levels[half, k] = half
+    return (levels + 0.5) / count
