@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from benchmarks import person
 from benchmarks.person_raters import SimulatedPerson, like
+from benchmarks.person_wait import measure_waits
 from benchmarks.person_world import World, home_world
 
 from scenewright.workflow.evolution.population import draw_genomes
@@ -73,3 +74,8 @@ def test_records_say_that_persons_are_simulated(world: World) -> None:
     records = list(person.summarise("home", runs, runs["ours"]))
     assert all(list(record) == KEYS for record in records)
     assert all("simulated" in record["case"] for record in records)
+
+
+def test_waits_are_measured_from_asking() -> None:
+    ((screen, pictures, _bred),) = measure_waits("home-child", 1)
+    assert 0.0 < screen < pictures
