@@ -23,8 +23,9 @@ from scenewright.workflow.evolution.population import (
     rank_parents,
 )
 
-PICKS, WORSTS = 3, 2
-"""Marks a screen: the best ones in order and the worst; and one reason."""
+PICKS, WORSTS, REASONS = 3, 2, 1
+"""Marks a screen: the best ones in order, the worst ones, and reasons why the best, the worst and
+the second best are no better."""
 LINEAR = Kernel(4.0, 1e-6, 1e-6)
 
 
@@ -43,7 +44,7 @@ Search = Callable[[World, SimulatedPerson, int, int], Iterator[SearchStep]]
 
 
 def ours(world: World, person: SimulatedPerson, seed: int, screens: int) -> Iterator[SearchStep]:
-    """As the product does it: the three best, the two worst and a reason of every screen."""
+    """As the product does it: six marks a screen."""
     return _learn(world, person, seed, screens, ScreenMix(), True)
 
 
@@ -106,15 +107,18 @@ def _breed(world, taste, known, numbers, screen, rng, how) -> None:  # type: ign
 def _mark(
     person: SimulatedPerson, chosen: list[Genome], numbers: list[Genome], reasons: bool
 ) -> list[Event]:
-    """What a person says of a screen: the best in order, the worst, and a reason."""
+    """What a person says of a screen: the best in order, the worst, and reasons."""
     left, told = list(chosen), list[Event]()
     for kind, count, sign in ((Pick, PICKS, 1.0), (Worst, WORSTS, -1.0)):
         for _ in range(min(count, len(left) - 1)):
             one = person.best(left, sign)
             told.append(kind(numbers.index(one), tuple(numbers.index(g) for g in left)))
             left.remove(one)
-    words = person.reason(numbers[told[0].best]) if reasons else None  # type: ignore[union-attr]
-    return told + ([Reason(told[0].best, words)] if words else [])  # type: ignore[union-attr]
+    spoken_of = [told[0].best, told[-1].worst, told[1].best]  # type: ignore[union-attr]
+    for number in spoken_of[: REASONS if reasons else 0]:
+        words = person.reason(numbers[number])
+        told += [Reason(number, words)] if words else []
+    return told
 
 
 def random_search(
