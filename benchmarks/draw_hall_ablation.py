@@ -19,7 +19,7 @@ from benchmarks.hall_ablation import CASE, FIGURES, VARIANTS, Ablated, ablated, 
 from scenewright.core.layout import corners
 from scenewright.domains.hall.problem import Floats, HallProblem
 
-SEEDS, SOLVER = 20, "anneal"
+SEEDS, SOLVER = 8, "anneal"
 FINE = 3
 """Drawn so many times larger, then reduced."""
 PANEL, TOP, GAP = 352, 66, 16
