@@ -106,8 +106,14 @@ def test_attempts_at_halls_follow_the_preset(
     search = usual.settings.search._replace(**{name: value})
     tuned = usual._replace(settings=usual.settings._replace(search=search))
     monkeypatch.setitem(table, "tuned", tuned)  # type: ignore[arg-type]
-    told = [sw.solve(brief, preset=each, steps=200, seed=6) for each in ("default", "tuned")]
-    assert told[0].pieces != told[1].pieces or told[0].evaluations != told[1].evaluations
+
+    def differs(seed: int) -> bool:
+        one, two = (
+            sw.solve(brief, preset=each, steps=200, seed=seed) for each in ("default", "tuned")
+        )
+        return one.pieces != two.pieces or one.evaluations != two.evaluations
+
+    assert any(map(differs, range(3, 15))), "all that is tried again is tried alike"
 
 
 @pytest.mark.parametrize(
