@@ -107,11 +107,11 @@ def test_walls_are_as_long_as_the_paper_says() -> None:
         east = found.hall.names.index("east")
         walls = sum(np.hypot(w.x1 - w.x0, w.y1 - w.y0) for w in found.hall.walls[east])
         lack = (count + 1) * 1.0 + count * 1.2 - walls
-        built = sum(high - low for _, (low, high), _ in found.fitted.hosts)
+        built = sum(host.span[1] - host.span[0] for host in found.fitted.hosts)
         assert lack > 1.2
         longest = 10.0 - 2 * (brief.passage_width + 0.3)  # a way round both ends
         assert built >= min(lack, longest) - 1e-9
-        for _, (low, high), (least, most) in found.fitted.hosts:
+        for _, (low, high), (least, most), _ in found.fitted.hosts:
             assert least <= low < high <= most
             assert min(least, 10.0 - most) >= brief.passage_width
         assert found.fitted.units == [Unit(0, east, 0, count)]
