@@ -87,7 +87,8 @@ class SiteProblem(NamedTuple):
     ``settings`` steer the solvers. ``door_distance`` is kept before doors from the border, but
     where a way runs. ``block_forms`` are the planar forms asked for block by block ("": any).
     ``target`` is the ground to be covered and the floor area, in square metres, where buildings
-    are candidates to choose from (0: all are to stand)."""
+    are candidates to choose from (0: all are to stand). ``drawn_to`` is the direction of the side
+    whose blocks take more than their share."""
 
     ground: SiteGround
     buildings: Buildings
@@ -104,6 +105,7 @@ class SiteProblem(NamedTuple):
     door_distance: float = 0.0
     block_forms: tuple[str, ...] = ()
     target: tuple[float, float] = (0.0, 0.0)
+    drawn_to: tuple[float, float] = (0.0, 0.0)
 
 
 def sides_of(sides: Floats, quality: Floats) -> Floats:

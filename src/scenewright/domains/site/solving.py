@@ -40,6 +40,7 @@ from scenewright.domains.site.reasons import reasons
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.sunlight import solve_in_sun
+from scenewright.domains.site.variants import Variant, vary
 from scenewright.domains.site.works import lay_works
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
@@ -54,6 +55,7 @@ __all__ = ["PRESETS", "problems", "solve"]
 
 CHOOSING = ("vp", "sga")
 """Solvers that choose models of a library while solving."""
+AS_ASKED = Variant()
 BEGUN = Report(0.0, math.inf, tuple)
 """What is told while nothing is found yet."""
 
@@ -82,6 +84,7 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
     watch: Watch | None = None,
+    variant: Variant = AS_ASKED,
 ) -> Solution:
     """Place the buildings of every site of a brief.
 
@@ -101,7 +104,18 @@ def solve(
         rng_seed = seed + 7919 * number
         found.append(
             _build(
-                site, ground, place, catalog, chosen, named, budget, rng_seed, heard, cancel, watch
+                site,
+                ground,
+                place,
+                catalog,
+                chosen,
+                named,
+                budget,
+                rng_seed,
+                heard,
+                cancel,
+                watch,
+                variant,
             )
         )
     return assemble_solution(brief, found, preset, named, seed, time.perf_counter() - started)
@@ -145,9 +159,11 @@ def _build(
     progress: Callable[[Report], None] | None,
     cancel: Cancel | None,
     watch: Watch | None,
+    variant: Variant,
 ) -> Built:
     choose = bool(site.library) and solver in CHOOSING
     rows, problem = build_site_problem(site, plan, place, catalog, preset, progress, choose)
+    problem = vary(problem, variant)
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
     heard = add_watch(progress, watch, plan.id, partial(_building_rows, rows))

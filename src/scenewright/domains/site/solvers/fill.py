@@ -31,6 +31,8 @@ from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
+DRAWN = 0.8
+"""How many times e the farthest block's share is where buildings are drawn to its side."""
 FILLED, MOST = 0.5, 0.8
 """Shares of a run that are done after the first filling and after all; the rest is spent on
 improving the best."""
@@ -154,7 +156,13 @@ def _low_first(problem: SiteProblem) -> list[int]:
 
 
 def _areas(problem: SiteProblem) -> Floats:
-    return np.asarray(problem.ground.block_areas, np.float64)
+    """The ground of each block, more of it on the side that buildings are drawn to."""
+    areas = np.asarray(problem.ground.block_areas, np.float64)
+    if not any(problem.drawn_to) or len(areas) < 2:
+        return areas
+    middles = np.array([_edges(problem, b)[:, :2].mean(0) for b in range(len(areas))])
+    off = (middles - middles.mean(0)) @ np.array(problem.drawn_to)
+    return areas * np.exp(DRAWN * off / max(float(np.abs(off).max()), 1e-9))
 
 
 def _share(problem: SiteProblem, left: list[int], blocks: list[int]) -> list[int]:
