@@ -79,11 +79,12 @@ def loosen_layout(
 
     ``edges`` (e, 4) of the block in metres, ``heading`` in radians.
     """
-    tight = lay_out_block(problem, edges, queue, heading, form, 1.0)
+    margins = list_front_margins(problem, edges, heading)
+    tight = lay_out_block(problem, edges, queue, heading, form, 1.0, margins)
     low, high, best = 1.0, loosest, tight
     for _ in range(HALVINGS if loosest > 1.0 else 0):
         loose = 0.5 * (low + high)
-        found = lay_out_block(problem, edges, queue, heading, form, loose)
+        found = lay_out_block(problem, edges, queue, heading, form, loose, margins)
         if len(found.numbers) >= len(tight.numbers) and found.around >= tight.around:
             low, best = loose, found
         else:
@@ -92,12 +93,20 @@ def loosen_layout(
 
 
 def lay_out_block(
-    problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str, loose: float
+    problem: SiteProblem,
+    edges: Floats,
+    queue: list[int],
+    heading: float,
+    form: str,
+    loose: float,
+    margins: Floats | None = None,
 ) -> BlockLayout:
     """One layout of a block.
 
-    ``edges`` (e, 4) of the block in metres, ``heading`` in radians.
+    ``edges`` (e, 4) of the block in metres, ``heading`` in radians; ``margins`` (m, 4) are those of
+    :func:`list_front_margins` (found unless given).
     """
+    margins = list_front_margins(problem, edges, heading) if margins is None else margins
     sizes, way = problem.buildings.sizes, problem.fire_access
     spacing = problem.spacing
     if form == "point" and loose > 1.0 and queue:
@@ -117,7 +126,10 @@ def lay_out_block(
     if form == "spliced":
         parts = _splice(problem, edges, left, heading)
     for ground, waiting, ahead in parts:
-        placed, found = _set_rows(problem, ground, waiting, ahead, rule, form)
+        kept = margins if ahead == heading else list_front_margins(problem, edges, ahead)
+        placed, found = _set_rows(
+            problem, np.concatenate([ground, kept]), waiting, ahead, rule, form
+        )
         numbers, boxes = numbers + placed, np.concatenate([boxes, found])
     return _in_sun(problem, BlockLayout(tuple(numbers), boxes, form, around))
 
@@ -144,8 +156,7 @@ def _set_rows(
 ) -> tuple[list[int], Floats]:
     """Rows in a block: the numbers of the buildings placed, and their boxes (k, 5)."""
     sizes, turn = problem.buildings.sizes, TURNED if form == "rotated" else 0.0
-    margins = list_front_margins(problem, edges, heading)
-    block = rotate_block(np.concatenate([edges, margins]), heading)
+    block = rotate_block(edges, heading)
     placed = rows(block, _widen(sizes, turn), waiting, rule)
     found, numbers = np.zeros((len(placed), 5)), [i for i, _, _ in placed]
     if placed:
