@@ -133,6 +133,31 @@ def _ceiling_lamp(size: Size) -> Parts:
     return parts(size, {GLOW: [glass], BRASS: [Mesh(rim.vertices * (w, d, 1), rim.faces)]})
 
 
+def _wall_lamp(size: Size) -> Parts:
+    """A shade on an arm before a round plate at the wall, which is behind it."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    wide = min(w, 0.8 * d)
+    middle, low = d - wide, 0.2 * h
+    cloth = shade((w, wide), 0.72, low, h, 20)
+    plate = lathe([(1, 0), (1, 0.014), (0.4, 0.024)], sides=16)
+    upright = plate.vertices[:, [0, 2, 1]] * (0.6 * w, 1, 0.6 * w) + np.array([0, -d, 0.3 * h])
+    arm = [(0, -d + 0.02, 0.3 * h), (0, middle, 0.08 * h), (0, middle, 0.5 * h)]
+    return parts(
+        size,
+        {
+            SHADE: [Mesh(cloth.vertices + np.array([0, middle, 0]), cloth.faces)],
+            BRASS: [Mesh(upright, plate.faces[:, ::-1]), tube(arm, 0.007)],
+            GLOW: [ball(0.03, 0.03, 0.035, (0, middle, 0.5 * h), 8, 4)],
+        },
+    )
+
+
+def _wall_lamp_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    wide = min(w, 0.8 * d)
+    return path((-0.6 * w, -d), (0.6 * w, -d)), oval(0, d - wide, w, wide), path((0, -d), (0, d))
+
+
 def _lamp_symbol(size: Size) -> Lines:
     """A circle with the cross that marks a light."""
     w, d = size.width / 2, size.depth / 2
@@ -154,6 +179,7 @@ ASSETS = (
     Drawing("floor_lamp", _floor_lamp, _lamp_symbol),
     Drawing("table_lamp", _table_lamp, _lamp_symbol),
     Drawing("desk_lamp", _desk_lamp, _desk_lamp_symbol),
+    Drawing("wall_lamp", _wall_lamp, _wall_lamp_symbol),
     Drawing("pendant_lamp", _pendant_lamp, _lamp_symbol),
     Drawing("ceiling_lamp", _ceiling_lamp, _lamp_symbol),
 )

@@ -1,4 +1,4 @@
-"""Rugs and curtains."""
+"""Rugs, curtains and blinds."""
 
 from __future__ import annotations
 
@@ -114,6 +114,16 @@ def _curtain(size: Size) -> Parts:
     return parts(size, {SHEER: lengths, BLACK: bar})
 
 
+def _blind(size: Size) -> Parts:
+    """A roller blind as far as it is let down: a cassette, the cloth and a batten at its foot."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    roll, thin = min(0.07, 0.2 * h), min(0.004, 0.2 * d)
+    cloth = block((-w + 0.012, w - 0.012), (-thin, thin), (0.02, h - 0.5 * roll))
+    batten = block((-w + 0.008, w - 0.008), (-2.5 * thin, 2.5 * thin), (0, 0.026))
+    cassette = slab((-w, w), (-d, d), (h - roll, h), 0.008)
+    return parts(size, {SHEER: [cloth], FABRIC_LIGHT: [cassette, batten]})
+
+
 def _folds(x: Interval, d: float, high: float) -> Mesh:
     waves = max(2, round((x[1] - x[0]) / 0.09))
     share = np.linspace(0, 1, 4 * waves + 1)
@@ -137,4 +147,13 @@ def _curtain_symbol(size: Size) -> Lines:
     return (wave,)
 
 
-ASSETS = (Drawing("rug", _rug, _rug_symbol), Drawing("curtain", _curtain, _curtain_symbol))
+def _blind_symbol(size: Size) -> Lines:
+    w = size.width / 2
+    return (np.array([(-w, 0.0), (w, 0.0)]),)
+
+
+ASSETS = (
+    Drawing("rug", _rug, _rug_symbol),
+    Drawing("curtain", _curtain, _curtain_symbol),
+    Drawing("blind", _blind, _blind_symbol),
+)

@@ -38,6 +38,22 @@ KINDS = (
         drawn_by=(".textiles",),
     ),
     Kind(
+        "blind",
+        support="wall",
+        sizes=size_range("30 140 400", "3 6 15", "30 130 320"),
+        words=(
+            words(
+                en="roller blind, roman blind, window blind, window shade",
+                fr="store enrouleur, store bateau",
+                de="rollo, raffrollo",
+                es="estor",
+                zh="卷帘, 卷簾",
+                ja="ロールスクリーン",
+            ),
+        ),
+        drawn_by=(".textiles",),
+    ),
+    Kind(
         "picture",
         support="wall",
         back="flat",

@@ -55,6 +55,22 @@ KINDS = (
         drawn_by=(".lighting",),
     ),
     Kind(
+        "wall_lamp",
+        support="wall",
+        sizes=size_range("8 16 40", "6 14 30", "12 26 60"),
+        words=(
+            words(
+                en="wall lamp, wall light, sconce",
+                fr="applique",
+                de="wandlampe, wandleuchte",
+                es="aplique",
+                zh="壁灯, 壁燈",
+                ja="ブラケットライト",
+            ),
+        ),
+        drawn_by=(".lighting",),
+    ),
+    Kind(
         "pendant_lamp",
         support="ceiling",
         sizes=size_range("15 42 90", "15 42 90", "25 90 180"),

@@ -17,6 +17,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomTask, floor_of, out_of_reach
 from scenewright.domains.home.cases.library import Library
+from scenewright.domains.home.furnishing.enlarge import enlarge_pieces
 from scenewright.domains.home.furnishing.extras import extras
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
@@ -93,8 +94,9 @@ def add_lamps_and_curtains(task: RoomTask, placed: tuple[Piece, ...]) -> list[Pi
     if not task.preset.settings.exact:
         return list(placed)
     there = {p.id for p in placed}
-    more = extras(task.space, task.ground, (*placed, *task.beside), task.catalog)
-    return [*placed, *(p for p in more if p.id not in there and p.category not in task.forbidden)]
+    grown = enlarge_pieces(placed, task.beside, task.ground, task.catalog)
+    more = extras(task.space, task.ground, (*grown, *task.beside), task.catalog)
+    return [*grown, *(p for p in more if p.id not in there and p.category not in task.forbidden)]
 
 
 def _use_width(shape: shapely.Polygon, width: float) -> float:

@@ -1,4 +1,4 @@
-"""What completes a furnished room: lamps under the ceiling, curtains at the windows."""
+"""What completes a furnished room: lamps, what hangs at the windows and on bare walls."""
 
 from __future__ import annotations
 
@@ -6,34 +6,31 @@ import numpy as np
 import shapely
 
 from scenewright.building.ceiling import below, lowest
-from scenewright.building.door_approach import DoorApproach, gates
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.home.cases.furnishing import nearest_own
-from scenewright.domains.home.furnishing.obstacles import join_standing, standing_of
+from scenewright.domains.home.furnishing.wall_art import fill_walls
+from scenewright.domains.home.furnishing.window_dressing import dress_windows
 from scenewright.domains.home.problem import Ground
-from scenewright.geometry.fit import faults
 
 DARK = frozenset(("balcony", "other", "storage"))
-CURTAINED = frozenset(
-    ("living", "dining", "study", "bedroom", "double_bedroom", "single_bedroom", "child_bedroom")
-)
 TABLES = ("dining_table", "round_table")
 LAMP = Size(0.46, 0.46, 0.14)
 HEAD_ROOM = 2.0  # what a lamp leaves below it, metres
 TABLE_ROOM = 1.4  # what a lamp over a table leaves below it, metres
 LEAST_LIT = 0.5  # the least floor that a ceiling lamp is hung over, square metres
 PENDANT = Size(0.44, 0.44, 0.9)
-CURTAIN_DEPTH = 0.09
-COOKING = 0.8  # no curtain nearer than this to kitchen units, metres
 
 
 def extras(
     space: Space, ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog
 ) -> tuple[Piece, ...]:
-    """Lamps and curtains for a room in which ``pieces`` stand already."""
-    return (*_lamps(space, ground, pieces, catalog), *_curtains(space, ground, pieces, catalog))
+    """Lamps, curtains, blinds and pictures for a room in which ``pieces`` stand already."""
+    lamps = _lamps(space, ground, pieces, catalog)
+    windows = dress_windows(space, ground, pieces, catalog)
+    walls = fill_walls(space, ground, (*pieces, *lamps, *windows), catalog)
+    return (*lamps, *windows, *walls)
 
 
 def _lamps(
@@ -101,76 +98,3 @@ def _hung(
     ceiling = float(lowest(box, ground.slopes, space.height)[0])
     pose = Pose(float(x), float(y), ceiling - size.height, float(heading))
     return Piece(name, category, asset.id if asset else "", space.id, pose, size, space.id, "light")
-
-
-def _curtains(
-    space: Space, ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog
-) -> list[Piece]:
-    if not CURTAINED & set(space.functions):
-        return []
-    standing = standing_of(pieces, frozenset(c for c, k in catalog.kinds.items() if k.flat))
-    found: list[Piece] = []
-    for gate in gates(space):
-        opening = gate.opening
-        outer = opening.kind == "window" and len(opening.spaces) == 1 and opening.roof is None
-        if not outer or opening.width < 0.6 or _cooked_at(gate, pieces):
-            continue
-        for piece in _sizes(space, ground, gate, catalog, len(found)):
-            box = np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]])
-            span = np.array([[piece.pose.z, piece.pose.z + piece.size.height]])
-            codes, _ = faults(
-                box,
-                span,
-                np.zeros(1, bool),
-                ground.edges,
-                ground.keep_free,
-                ground.windows[:0],
-                standing.boxes,
-                standing.spans,
-                0.002,
-            )
-            if codes[0] == 0:
-                found.append(piece)
-                standing = join_standing(standing, standing_of((piece,), frozenset()))
-                break
-    return found
-
-
-def _cooked_at(gate: DoorApproach, pieces: tuple[Piece, ...]) -> bool:
-    """True if kitchen units stand near a window: no place for a curtain."""
-    near = gate.opening.width / 2 + COOKING
-    units = (p for p in pieces if p.function in ("kitchen", "kitchenette", "counter"))
-    return any(np.hypot(*(gate.face - np.array(p.pose[:2]))) < near for p in units)
-
-
-def _sizes(
-    space: Space, ground: Ground, gate: DoorApproach, catalog: Catalog, index: int
-) -> list[Piece]:
-    """A curtain to the floor, else one that ends below the sill; wide, else as the window."""
-    opening = gate.opening
-    heading = float(np.arctan2(gate.inward[1], gate.inward[0]))
-    x, y = gate.face + gate.inward * (CURTAIN_DEPTH / 2 + 0.004)
-    name = f"{space.id}/curtain" + (f"_{index + 1}" if index else "")
-    pieces = []
-    for low in (0.02, max(opening.sill - 0.12, 0.02)):
-        for wider in (0.5, 0.24, 0.0):
-            box = np.array([[x, y, heading, opening.width + wider, CURTAIN_DEPTH]])
-            top = min(opening.head + 0.15, lowest(box, ground.slopes, space.height)[0] - 0.02)
-            if top < min(opening.head, space.height - 0.02) - 1e-9:
-                continue
-            size = Size(opening.width + wider, CURTAIN_DEPTH, top - low)
-            asset = catalog.choose("curtain", size)
-            pose = Pose(float(x), float(y), low, heading)
-            pieces.append(
-                Piece(
-                    name,
-                    "curtain",
-                    asset.id if asset else "",
-                    space.id,
-                    pose,
-                    size,
-                    space.id,
-                    "light",
-                )
-            )
-    return pieces

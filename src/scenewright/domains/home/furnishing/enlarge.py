@@ -1,0 +1,114 @@
+"""What grows to its surroundings once all stands: the rug before a sofa, the screen one watches.
+
+Groups keep both small, so that they find their place. A rug that ends with its sofa looks like a
+mat, and a screen is watched from 1.5 to 2.5 times its width (THX asks for 36 to 40 degrees, 1.4 to
+1.5 widths; SMPTE 30 degrees, 1.9 widths); from more than three its picture is small.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from math import cos, hypot, sin
+
+import numpy as np
+
+from scenewright.catalog.kinds import SIZES
+from scenewright.core.catalog import OWN, Catalog
+from scenewright.core.scene import Piece, Size
+from scenewright.domains.home.furnishing.obstacles import standing_of
+from scenewright.domains.home.problem import Ground
+from scenewright.geometry.fit import faults
+
+SOFAS = ("sofa", "loveseat", "corner_sofa")
+BEYOND = (0.6, 0.5, 0.4, 0.3, 0.2)  # a rug reaches beyond its sofa, both ends together, metres
+FRAME = (0.3, 0.2, 0.15)  # and beyond the coffee table at its far side, metres
+WIDTHS = 2.6  # distance from seat to screen in widths of the screen that is aimed at
+OVERHANG = 0.2  # a screen may be wider than its stand, metres
+STEP = 0.1  # screens are tried in steps, metres
+
+
+def enlarge_pieces(
+    placed: Sequence[Piece], others: Sequence[Piece], ground: Ground, catalog: Catalog
+) -> list[Piece]:
+    """The pieces placed in a room, rugs and screens as large as they should be and can be.
+
+    ``others`` stand in the room as well. A fixed piece stays as it is, and so does a model of a
+    user's own.
+    """
+    found = list(placed)
+    for i, piece in enumerate(found):
+        forms = FORMS.get(piece.category)
+        if forms is None or piece.fixed or piece.asset.startswith(OWN):
+            continue
+        rest = [*(p for p in found if p is not piece), *others]
+        for form in forms(piece, found):
+            if _fits(form, rest, ground, catalog):
+                asset = catalog.choose(form.category, form.size)
+                found[i] = replace(form, asset=asset.id if asset else "")
+                break
+    return found
+
+
+def _rugs(rug: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
+    """Larger forms of the rug of a seating group, the largest first."""
+    group = [p for p in pieces if p.group == rug.group]
+    sofa = next((p for p in group if p.category in SOFAS), None)
+    table = next((p for p in group if p.category == "coffee_table"), None)
+    if sofa is None or table is None:
+        return
+    c, s = cos(sofa.pose.heading), sin(sofa.pose.heading)
+    ahead = c * (rug.pose.x - sofa.pose.x) + s * (rug.pose.y - sofa.pose.y)
+    reach = c * (table.pose.x - sofa.pose.x) + s * (table.pose.y - sofa.pose.y)
+    back, front = ahead - rug.size.depth / 2, ahead + rug.size.depth / 2
+    edge = reach + table.size.depth / 2
+    for beyond in BEYOND:
+        for frame in (*FRAME, None):
+            far = front if frame is None else max(front, edge + frame)
+            size = Size(max(rug.size.width, sofa.size.width + beyond), far - back, rug.size.height)
+            middle = (far + back) / 2
+            x, y = sofa.pose.x + c * middle, sofa.pose.y + s * middle
+            pose = rug.pose._replace(x=x, y=y, heading=sofa.pose.heading)
+            yield replace(rug, pose=pose, size=size)
+
+
+def _screens(screen: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
+    """Larger screens on the same stand, the largest first, none larger than its distance asks."""
+    stand = next((p for p in pieces if p.id == screen.on), None)
+    seats = [p for p in pieces if p.category in SOFAS]
+    if stand is None or not seats:
+        return
+    away = min(hypot(p.pose.x - screen.pose.x, p.pose.y - screen.pose.y) for p in seats)
+    most = min(away / WIDTHS, stand.size.width + OVERHANG, SIZES["tv"][2].width)
+    ratio = screen.size.height / screen.size.width
+    for wide in np.arange(most, screen.size.width, -STEP).round(2).tolist():
+        yield replace(screen, size=Size(wide, screen.size.depth, ratio * wide))
+
+
+FORMS: dict[str, Callable[[Piece, Sequence[Piece]], Iterator[Piece]]] = {
+    "rug": _rugs,
+    "tv": _screens,
+}
+"""The larger forms of a piece, by category."""
+
+
+def _fits(form: Piece, rest: Sequence[Piece], ground: Ground, catalog: Catalog) -> bool:
+    """Whether it meets nothing outside its group: a rug lies under that."""
+    flat = frozenset(name for name, kind in catalog.kinds.items() if kind.flat)
+    own = form.group if form.category in flat else ""
+    standing = standing_of(tuple(p for p in rest if not own or p.group != own), flat)
+    box = np.array([[*form.pose[:2], form.pose.heading, *form.size[:2]]])
+    span = np.array([[form.pose.z, form.pose.z + form.size.height]])
+    zones, panes = ground.keep_free, ground.windows
+    codes, _ = faults(
+        box,
+        span,
+        np.zeros(1, bool),
+        ground.edges,
+        zones,
+        panes,
+        standing.boxes,
+        standing.spans,
+        0.002,
+    )
+    return bool(codes[0] == 0)

@@ -1,0 +1,195 @@
+"""What hangs on walls that would be bare: a picture, and a lamp where one under the ceiling is not
+enough.
+
+A wall's free stretches are what neither openings nor anything as high as one's shoulder takes of
+it. A picture hangs in the middle of what stands low before a stretch (a sofa, a desk, a bed), else
+in the middle of the longest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.building.ceiling import lowest
+from scenewright.building.door_approach import gates
+from scenewright.core.catalog import Catalog
+from scenewright.core.footprint import outline_of
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.space import Space
+from scenewright.domains.home.furnishing.obstacles import standing_of
+from scenewright.domains.home.problem import Ground
+from scenewright.geometry.fit import faults
+
+Floats = NDArray[np.float64]
+
+LIVED_IN = frozenset(
+    ("living", "dining", "study", "bedroom", "double_bedroom", "single_bedroom", "child_bedroom")
+)
+HUNG = frozenset(("picture", "mirror", "wall_shelf", "wall_clock", "wall_exhibit", "wall_cabinet"))
+LAMPS = frozenset(
+    ("ceiling_lamp", "pendant_lamp", "wall_lamp", "floor_lamp", "table_lamp", "desk_lamp")
+)
+SEATS = ("sofa", "loveseat", "corner_sofa", "armchair", "double_bed", "single_bed")
+ADORNED = 8.0  # rooms of so many square metres have something on a wall
+LIT = 12.0  # rooms of so many have a second lamp
+SHOULDER = 1.1  # what rises above this takes a wall from what hangs on it, metres
+NEAR = 0.4  # what is nearer than this to a wall stands before it, metres
+EYES = 1.55  # height of a picture's middle, metres
+MARGIN = 0.1  # what hangs stays this far from openings and tall things, metres
+WIDEST, SHARE = 1.2, 0.5  # a picture's greatest width, and what it takes of its stretch
+LEAST = 0.45  # a narrower picture is not hung, metres
+LAMP = Size(0.16, 0.14, 0.26)
+
+
+class FreeStretch(NamedTuple):
+    """A free stretch of a wall: its ends (2,) each in the plan, the unit vector into the room, its
+    length in metres, and the middles of what stands low before it, in metres from its start."""
+
+    start: Floats
+    end: Floats
+    inward: Floats
+    length: float
+    low: tuple[float, ...]
+
+
+def fill_walls(
+    space: Space, ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog
+) -> list[Piece]:
+    """A picture for a room with nothing on its walls, a wall lamp for a large one with a single
+    lamp; nothing where all walls are taken."""
+    area = float(shapely.Polygon(space.outline, list(space.holes)).area)
+    if not LIVED_IN & set(space.functions) or area < ADORNED:
+        return []
+    here = [p for p in pieces if p.space == space.id]
+    found: list[Piece] = []
+    if not any(p.category in HUNG for p in here):
+        found += _first_free(_pictures(space, ground, pieces), ground, pieces, catalog)
+    if area >= LIT and sum(p.category in LAMPS for p in here) == 1:
+        found += _first_free(_lamps(space, ground, (*pieces, *found)), ground, pieces, catalog)
+    return found
+
+
+def _pictures(space: Space, ground: Ground, pieces: Sequence[Piece]) -> Iterator[Piece]:
+    """Pictures to try, the best places first."""
+    stretches = find_stretches(space, ground, pieces)
+    for stretch in sorted(stretches, key=lambda s: -s.length - bool(s.low)):
+        middle = stretch.length / 2
+        for share in (1.0, 0.7, 0.5):
+            wide = round(share * min(WIDEST, SHARE * stretch.length), 2)
+            if wide < LEAST:
+                break
+            size = Size(wide, 0.04, round(0.62 * wide, 2))
+            nearest = sorted(stretch.low, key=lambda t: abs(t - middle))[:1]
+            for t in (*nearest, middle):
+                if wide / 2 <= t <= stretch.length - wide / 2:
+                    yield _hung("picture", space, ground, stretch, t, size)
+
+
+def _lamps(space: Space, ground: Ground, pieces: Sequence[Piece]) -> Iterator[Piece]:
+    """Wall lamps to try, those nearest to where one sits or lies first."""
+    seats = [p.pose[:2] for p in pieces if p.space == space.id and p.category in SEATS]
+    seats = seats or [tuple(space.outline.mean(0))]
+    places = [
+        (stretch, t)
+        for stretch in find_stretches(space, ground, pieces)
+        for t in np.arange(0.2, stretch.length - 0.2, 0.2)
+    ]
+
+    def away(place: tuple[FreeStretch, float]) -> float:
+        at = _point(*place)
+        return min(float(np.hypot(*(at - seat))) for seat in seats)
+
+    for stretch, t in sorted(places, key=away):
+        yield _hung("wall_lamp", space, ground, stretch, float(t), LAMP)
+
+
+def _point(stretch: FreeStretch, t: float) -> Floats:
+    return stretch.start + (stretch.end - stretch.start) * t / stretch.length
+
+
+def _hung(
+    category: str, space: Space, ground: Ground, stretch: FreeStretch, t: float, size: Size
+) -> Piece:
+    """Something with its middle at eye level, or under a ceiling that is lower."""
+    x, y = _point(stretch, t) + stretch.inward * (size.depth / 2 + 0.002)
+    heading = float(np.arctan2(stretch.inward[1], stretch.inward[0]))
+    box = np.array([[x, y, heading, size.width, size.depth]])
+    top = min(EYES + size.height / 2, lowest(box, ground.slopes, space.height)[0] - MARGIN)
+    pose = Pose(float(x), float(y), float(top) - size.height, heading)
+    return Piece(
+        f"{space.id}/wall_{category}", category, "", space.id, pose, size, space.id, "light"
+    )
+
+
+def find_stretches(
+    space: Space, ground: Ground, pieces: Sequence[Piece]
+) -> tuple[FreeStretch, ...]:
+    """The free stretches of the walls of a room in which ``pieces`` stand."""
+    openings = [
+        (g.face, g.opening.width / 2 + MARGIN, np.array([g.opening.ux, g.opening.uy]))
+        for g in gates(space)
+    ]
+    outlines = [(p, outline_of(p)) for p in pieces]
+    found: list[FreeStretch] = []
+    for wall in ground.walls:
+        start, end = wall[:2], wall[2:]
+        length = float(np.hypot(*(end - start)))
+        along = (end - start) / max(length, 1e-9)
+        inward = np.array([-along[1], along[0]])
+        taken = [
+            ((face - start) @ along - half, (face - start) @ along + half)
+            for face, half, _ in openings
+            if abs((face - start) @ inward) < 0.05
+        ]
+        low: list[float] = []
+        for piece, outline in outlines:
+            ahead, beside = (outline - start) @ inward, (outline - start) @ along
+            if ahead.min() > NEAR or ahead.max() < 0 or piece.pose.z > EYES + 0.5:
+                continue
+            if piece.pose.z + piece.size.height > SHOULDER:
+                taken.append((beside.min() - MARGIN, beside.max() + MARGIN))
+            elif piece.size.height > 0.1:
+                low.append(float(beside.mean()))
+        found += _between(start, along, inward, length, taken, low)
+    return tuple(found)
+
+
+def _between(
+    start: Floats,
+    along: Floats,
+    inward: Floats,
+    length: float,
+    taken: list[tuple[float, float]],
+    low: list[float],
+) -> Iterator[FreeStretch]:
+    """What ``taken`` leaves of a wall, from MARGIN to its length less that."""
+    at = MARGIN
+    for first, last in (*sorted(taken), (length - MARGIN, length)):
+        if first - at >= LEAST:
+            inside = tuple(t - at for t in low if at < t < first)
+            yield FreeStretch(start + along * at, start + along * first, inward, first - at, inside)
+        at = max(at, last)
+
+
+def _first_free(
+    forms: Iterator[Piece], ground: Ground, pieces: Sequence[Piece], catalog: Catalog
+) -> list[Piece]:
+    """The first that meets nothing and is under the ceiling, with the asset that draws it."""
+    flat = frozenset(name for name, kind in catalog.kinds.items() if kind.flat)
+    standing = standing_of(tuple(pieces), flat)
+    for piece in forms:
+        box = np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]])
+        span = np.array([[piece.pose.z, piece.pose.z + piece.size.height]])
+        zones, panes = ground.keep_free, ground.windows
+        others = (standing.boxes, standing.spans)
+        codes, _ = faults(box, span, np.zeros(1, bool), ground.edges, zones, panes, *others, 0.002)
+        if codes[0] == 0:
+            asset = catalog.choose(piece.category, piece.size)
+            return [replace(piece, asset=asset.id if asset else "")]
+    return []
