@@ -148,8 +148,7 @@ def _curtain_symbol(size: Size) -> Lines:
 
 
 def _blind_symbol(size: Size) -> Lines:
-    w = size.width / 2
-    return (np.array([(-w, 0.0), (w, 0.0)]),)
+    return rectangle(size), np.array([(-size.width / 2, 0.0), (size.width / 2, 0.0)])
 
 
 ASSETS = (

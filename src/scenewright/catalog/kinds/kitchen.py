@@ -110,7 +110,7 @@ KINDS = (
         "hood",
         support="wall",
         back="flat",
-        sizes=size_range("45 60 125", "28 48 56", "12 65 110"),
+        sizes=size_range("28 60 125", "28 48 56", "12 65 110"),
         words=(
             words(
                 en="hood, range hood, cooker hood, extractor hood",

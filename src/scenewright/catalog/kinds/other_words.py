@@ -66,14 +66,10 @@ NO_KIND: tuple[Words, ...] = (
     ),
     words(
         en=(
-            "wall light, wall lamp, wall spotlight, wall uplight, camping lamp, outdoor lamp, "
+            "wall spotlight, wall uplight, camping lamp, outdoor lamp, "
             "porch light, stone lantern, traffic light, fluorescent light, fluorescent strip, "
             "track lights, candle, flashlight"
-        ),
-        fr="applique",
-        de="wandlampe, wandleuchte",
-        es="aplique",
-        zh="壁灯",
+        )
     ),
     words(
         en=(

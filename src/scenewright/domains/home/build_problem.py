@@ -11,12 +11,11 @@ from scenewright.domains.home.cases.library import SHIPPED, Library, cases, find
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned import habits
 from scenewright.domains.home.problem import Ground, Items, Problem, empty_items
-from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.programme import MODEST, Wish
 from scenewright.domains.home.terms.table import TERMS
 
 NAN = float("nan")
 USUAL = 16.0  # area of all furniture from which areas do not count less, square metres
-BECOMING = 0.6  # the least footprint of a group, as a share of the one wished for
 
 
 class Relation(NamedTuple):
@@ -135,14 +134,16 @@ def sizes_of(
     wish: Wish, area: float, library: Library = SHIPPED
 ) -> tuple[tuple[float, float], ...]:
     """Least, greatest and wished (width, depth): the least is that of the smallest real case
-    that becomes the room (of any case if the wish may be small)."""
+    that becomes the room (of any case if the wish may be small). Where the library is one's own,
+    what is essential may be as modest as the rest."""
     known, fits = cases(wish.group, library), select_allowed(wish, library)
     found, real = known.sizes[fits], known.real[fits]
     goal = find_preferred_case(wish.group, area, library)
     if not wish.small:
         found = found[real] if real.any() else found
         footprints = found.prod(-1)
-        found = found[footprints >= BECOMING * min(goal.width * goal.depth, footprints.max())]
+        becoming = wish.becoming if library is SHIPPED else min(wish.becoming, MODEST)
+        found = found[footprints >= becoming * min(goal.width * goal.depth, footprints.max())]
     low = found[int(np.argmin(found.prod(-1)))]
     high = np.maximum(found.max(0), low)
     ideal = np.clip([goal.width, goal.depth], low, high)

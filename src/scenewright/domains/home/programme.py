@@ -25,6 +25,10 @@ class Attraction(NamedTuple):
     facing: float = 0.0
 
 
+AMPLE, MODEST = 0.8, 0.6
+"""Shares of the footprint preferred in a room that what is essential there, and the rest, has."""
+
+
 class PlacementPreference(NamedTuple):
     """Where a group is wished: how much by a window, in a corner, and what else draws it."""
 
@@ -35,15 +39,17 @@ class PlacementPreference(NamedTuple):
 
 class Wish(NamedTuple):
     """One group wished for: its function and rank; ``required`` if the user asked for it, then
-    ``most`` may bound its width and depth; ``small`` if any of its cases will do, not only those
-    that become the room; ``core`` if it is what makes the function (the bed of a bedroom);
-    ``sway`` where the household would like it."""
+    ``most`` may bound its width and depth; ``becoming`` the share of the footprint preferred in
+    the room that it has at least, unless it is ``small``: then any of its cases will do; ``core``
+    if it is what makes the function (the bed of a bedroom); ``sway`` where the household would
+    like it."""
 
     group: str
     rank: int
     required: bool = False
     most: tuple[float, float] | None = None
     small: bool = False
+    becoming: float = MODEST
     core: bool = False
     sway: PlacementPreference = PlacementPreference()
 
@@ -66,6 +72,7 @@ _PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
         ProgrammeRow("seating", 0),
         ProgrammeRow("media", 0),
         ProgrammeRow("dining", 1, 22, unless=("dining", "home:dining")),
+        ProgrammeRow("dining_wall", 1, 11, 22, unless=("dining", "home:dining")),
         ProgrammeRow("shelf", 1, 16),
         ProgrammeRow("sideboard", 2, 24),
         ProgrammeRow("reading", 2, 26),
@@ -79,7 +86,7 @@ _PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
     "kitchen": (
         ProgrammeRow("kitchen", 0),
         ProgrammeRow("counter", 1, 9, unless=("living",)),
-        ProgrammeRow("dining_wall", 1, 8, unless=("dining", "living", "home:dining")),
+        ProgrammeRow("dining_wall", 1, 7, unless=("dining", "living", "home:dining")),
         ProgrammeRow("island", 2, 34),
     ),
     "double_bedroom": (
@@ -255,6 +262,7 @@ def programme(
         Wish(
             row.group,
             row.rank,
+            becoming=AMPLE if row.rank == 0 else MODEST,
             core=row.rank == 0 and number < CORE.get(function, 1),
             sway=PRIVATE if row.group in BEDS and shared else PlacementPreference(),
         )

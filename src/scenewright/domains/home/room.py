@@ -69,13 +69,36 @@ def _keep_standing(
     a way."""
     kept: list[Wish] = []
     for wish in wishes:
-        stood = [p for p in answer.placed if p.wish == wish]
-        reached = bool(stood) and stood[0].name not in answer.unreached and not _is_barred(answer)
-        if reached:
-            kept.append(wish)
+        stood = [p for p in answer.placed if _is_same(p.wish, wish)]
+        if _is_reached(answer, wish):
+            kept.append(stood[0].wish)
         elif wish.rank == 0 or (wish.group in FALLBACK and not stood):
             kept += instead_of(wish)
     return tuple(kept)
+
+
+def _is_reached(answer: RoomAnswer, wish: Wish) -> bool:
+    """Whether a wish stands, in any size, and neither it nor a door is cut off."""
+    stood = [p for p in answer.placed if _is_same(p.wish, wish)]
+    return bool(stood) and stood[0].name not in answer.unreached and not _is_barred(answer)
+
+
+def _is_same(placed: Wish, wish: Wish) -> bool:
+    """Whether what was placed was wished for, if in another size."""
+    return placed._replace(small=wish.small, becoming=wish.becoming) == wish
+
+
+def _shrink(answer: RoomAnswer, wishes: tuple[Wish, ...], rule: TrySettings) -> tuple[Wish, ...]:
+    """The essential that did not stand in a modest size (in any, if another group would take its
+    place), the rest as it was."""
+
+    def shrunk(wish: Wish) -> Wish:
+        if wish.rank > 0 or _is_reached(answer, wish):
+            return wish
+        small = wish.small or wish.group in FALLBACK
+        return wish._replace(small=small, becoming=min(wish.becoming, rule.modest))
+
+    return tuple(shrunk(wish) for wish in wishes)
 
 
 def _afresh(answer: RoomAnswer, _: tuple[Wish, ...], rule: TrySettings) -> tuple[Wish, ...]:
@@ -149,7 +172,7 @@ def share_of(budget: Budget, share: float, rule: TrySettings) -> Budget:
     )
 
 
-FEWER = (_keep_standing, _afresh, _afresh, _afresh, _afresh, _core)
+FEWER = (_shrink, _keep_standing, _afresh, _afresh, _afresh, _core)
 
 
 def _all_shares(rule: TrySettings) -> float:

@@ -61,7 +61,8 @@ class TrySettings(NamedTuple):
     it up; layouts furnished of a try (``layouts``) and when filling up (``fills``); further tries
     while a wish for a place is not met (``unmet``); the placed groups that make another try worth
     its time (``roomy``); the items from which on each takes more steps, being in one another's way
-    (``crowded``)."""
+    (``crowded``); the share of its preferred footprint that an essential group has at least when
+    tried again (``modest``)."""
 
     first: float = 0.5
     again: float = 0.3
@@ -71,6 +72,7 @@ class TrySettings(NamedTuple):
     unmet: int = 2
     roomy: int = 4
     crowded: int = 9
+    modest: float = 0.45
 
 
 class RetrySettings(NamedTuple):

@@ -94,7 +94,7 @@ def add_lamps_and_curtains(task: RoomTask, placed: tuple[Piece, ...]) -> list[Pi
     if not task.preset.settings.exact:
         return list(placed)
     there = {p.id for p in placed}
-    grown = enlarge_pieces(placed, task.beside, task.ground, task.catalog)
+    grown = enlarge_pieces(placed, task.beside, task.ground, task.space.height, task.catalog)
     more = extras(task.space, task.ground, (*grown, *task.beside), task.catalog)
     return [*grown, *(p for p in more if p.id not in there and p.category not in task.forbidden)]
 

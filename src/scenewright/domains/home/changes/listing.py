@@ -12,7 +12,7 @@ from scenewright.domains.home.changes.edits import LIGHT, EditedHome
 
 AROUND = "the room was arranged around what was moved by hand"
 ASKED = "the room was furnished again as requested"
-HANGS = "lamps and curtains follow the furniture"
+HANGS = "lamps, curtains and pictures follow the furniture"
 MOVED, NEW, GONE = "moved", "new", "gone"
 
 

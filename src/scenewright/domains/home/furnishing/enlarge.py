@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 from math import cos, hypot, sin
 
 import numpy as np
@@ -16,6 +17,7 @@ import numpy as np
 from scenewright.catalog.kinds import SIZES
 from scenewright.core.catalog import OWN, Catalog
 from scenewright.core.scene import Piece, Size
+from scenewright.domains.home.furnishing.furnish import too_tall
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.fit import faults
@@ -29,12 +31,16 @@ STEP = 0.1  # screens are tried in steps, metres
 
 
 def enlarge_pieces(
-    placed: Sequence[Piece], others: Sequence[Piece], ground: Ground, catalog: Catalog
+    placed: Sequence[Piece],
+    others: Sequence[Piece],
+    ground: Ground,
+    height: float,
+    catalog: Catalog,
 ) -> list[Piece]:
     """The pieces placed in a room, rugs and screens as large as they should be and can be.
 
-    ``others`` stand in the room as well. A fixed piece stays as it is, and so does a model of a
-    user's own.
+    ``others`` stand in the room as well, whose flat ceiling is at ``height`` metres. A fixed piece
+    stays as it is, and so does a model of a user's own.
     """
     found = list(placed)
     for i, piece in enumerate(found):
@@ -43,7 +49,7 @@ def enlarge_pieces(
             continue
         rest = [*(p for p in found if p is not piece), *others]
         for form in forms(piece, found):
-            if _fits(form, rest, ground, catalog):
+            if _fits(form, rest, ground, height, catalog):
                 asset = catalog.choose(form.category, form.size)
                 found[i] = replace(form, asset=asset.id if asset else "")
                 break
@@ -62,14 +68,14 @@ def _rugs(rug: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
     reach = c * (table.pose.x - sofa.pose.x) + s * (table.pose.y - sofa.pose.y)
     back, front = ahead - rug.size.depth / 2, ahead + rug.size.depth / 2
     edge = reach + table.size.depth / 2
-    for beyond in BEYOND:
-        for frame in (*FRAME, None):
-            far = front if frame is None else max(front, edge + frame)
-            size = Size(max(rug.size.width, sofa.size.width + beyond), far - back, rug.size.height)
-            middle = (far + back) / 2
-            x, y = sofa.pose.x + c * middle, sofa.pose.y + s * middle
-            pose = rug.pose._replace(x=x, y=y, heading=sofa.pose.heading)
-            yield replace(rug, pose=pose, size=size)
+    for beyond, frame, side in product(BEYOND, (*FRAME, None), (0, 1, -1)):
+        far = front if frame is None else max(front, edge + frame)
+        size = Size(max(rug.size.width, sofa.size.width + beyond), far - back, rug.size.height)
+        middle, beside = (far + back) / 2, side * beyond / 2
+        x = sofa.pose.x + c * middle + s * beside
+        y = sofa.pose.y + s * middle - c * beside
+        pose = rug.pose._replace(x=x, y=y, heading=sofa.pose.heading)
+        yield replace(rug, pose=pose, size=size)
 
 
 def _screens(screen: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
@@ -92,8 +98,11 @@ FORMS: dict[str, Callable[[Piece, Sequence[Piece]], Iterator[Piece]]] = {
 """The larger forms of a piece, by category."""
 
 
-def _fits(form: Piece, rest: Sequence[Piece], ground: Ground, catalog: Catalog) -> bool:
-    """Whether it meets nothing outside its group: a rug lies under that."""
+def _fits(
+    form: Piece, rest: Sequence[Piece], ground: Ground, height: float, catalog: Catalog
+) -> bool:
+    """Whether it is under the ceiling and meets nothing outside its group: a rug lies under
+    that."""
     flat = frozenset(name for name, kind in catalog.kinds.items() if kind.flat)
     own = form.group if form.category in flat else ""
     standing = standing_of(tuple(p for p in rest if not own or p.group != own), flat)
@@ -111,4 +120,4 @@ def _fits(form: Piece, rest: Sequence[Piece], ground: Ground, catalog: Catalog) 
         standing.spans,
         0.002,
     )
-    return bool(codes[0] == 0)
+    return bool(too_tall(box, span, ground, height, codes)[0] == 0)

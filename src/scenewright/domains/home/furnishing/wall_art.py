@@ -22,9 +22,9 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.footprint import outline_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
-from scenewright.domains.home.furnishing.obstacles import standing_of
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
 from scenewright.domains.home.problem import Ground
-from scenewright.geometry.fit import faults
+from scenewright.geometry.fit import faults, is_backed
 
 Floats = NDArray[np.float64]
 
@@ -36,9 +36,13 @@ LAMPS = frozenset(
     ("ceiling_lamp", "pendant_lamp", "wall_lamp", "floor_lamp", "table_lamp", "desk_lamp")
 )
 SEATS = ("sofa", "loveseat", "corner_sofa", "armchair", "double_bed", "single_bed")
+BACKED = 0.03  # what is this near to a wall hangs on it, metres
 ADORNED = 8.0  # rooms of so many square metres have something on a wall
 LIT = 12.0  # rooms of so many have a second lamp
 SHOULDER = 1.1  # what rises above this takes a wall from what hangs on it, metres
+AGAINST = 0.15  # what is nearer than this leaves no way between it and the wall, metres
+PASSED = 0.9  # where nothing stands at the wall, so much floor is left free before it, metres
+BESIDE = 0.6  # and to either side of it
 NEAR = 0.4  # what is nearer than this to a wall stands before it, metres
 EYES = 1.55  # height of a picture's middle, metres
 MARGIN = 0.1  # what hangs stays this far from openings and tall things, metres
@@ -49,13 +53,14 @@ LAMP = Size(0.16, 0.14, 0.26)
 
 class FreeStretch(NamedTuple):
     """A free stretch of a wall: its ends (2,) each in the plan, the unit vector into the room, its
-    length in metres, and the middles of what stands low before it, in metres from its start."""
+    length in metres, and from where to where something low stands at it, in metres from its
+    start."""
 
     start: Floats
     end: Floats
     inward: Floats
     length: float
-    low: tuple[float, ...]
+    low: tuple[tuple[float, float], ...]
 
 
 def fill_walls(
@@ -85,7 +90,8 @@ def _pictures(space: Space, ground: Ground, pieces: Sequence[Piece]) -> Iterator
             if wide < LEAST:
                 break
             size = Size(wide, 0.04, round(0.62 * wide, 2))
-            nearest = sorted(stretch.low, key=lambda t: abs(t - middle))[:1]
+            over = [(a + b) / 2 for a, b in stretch.low if b - a >= wide]
+            nearest = sorted(over, key=lambda t: abs(t - middle))[:1]
             for t in (*nearest, middle):
                 if wide / 2 <= t <= stretch.length - wide / 2:
                     yield _hung("picture", space, ground, stretch, t, size)
@@ -123,7 +129,7 @@ def _hung(
     top = min(EYES + size.height / 2, lowest(box, ground.slopes, space.height)[0] - MARGIN)
     pose = Pose(float(x), float(y), float(top) - size.height, heading)
     return Piece(
-        f"{space.id}/wall_{category}", category, "", space.id, pose, size, space.id, "light"
+        f"{space.id}/{category}_on_wall", category, "", space.id, pose, size, space.id, "light"
     )
 
 
@@ -147,15 +153,15 @@ def find_stretches(
             for face, half, _ in openings
             if abs((face - start) @ inward) < 0.05
         ]
-        low: list[float] = []
+        low: list[tuple[float, float]] = []
         for piece, outline in outlines:
             ahead, beside = (outline - start) @ inward, (outline - start) @ along
             if ahead.min() > NEAR or ahead.max() < 0 or piece.pose.z > EYES + 0.5:
                 continue
             if piece.pose.z + piece.size.height > SHOULDER:
                 taken.append((beside.min() - MARGIN, beside.max() + MARGIN))
-            elif piece.size.height > 0.1:
-                low.append(float(beside.mean()))
+            elif piece.size.height > 0.1 and ahead.min() < AGAINST:
+                low.append((float(beside.min()), float(beside.max())))
         found += _between(start, along, inward, length, taken, low)
     return tuple(found)
 
@@ -166,13 +172,13 @@ def _between(
     inward: Floats,
     length: float,
     taken: list[tuple[float, float]],
-    low: list[float],
+    low: list[tuple[float, float]],
 ) -> Iterator[FreeStretch]:
     """What ``taken`` leaves of a wall, from MARGIN to its length less that."""
     at = MARGIN
     for first, last in (*sorted(taken), (length - MARGIN, length)):
         if first - at >= LEAST:
-            inside = tuple(t - at for t in low if at < t < first)
+            inside = tuple((a - at, b - at) for a, b in low if at < (a + b) / 2 < first)
             yield FreeStretch(start + along * at, start + along * first, inward, first - at, inside)
         at = max(at, last)
 
@@ -184,12 +190,38 @@ def _first_free(
     flat = frozenset(name for name, kind in catalog.kinds.items() if kind.flat)
     standing = standing_of(tuple(pieces), flat)
     for piece in forms:
-        box = np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]])
-        span = np.array([[piece.pose.z, piece.pose.z + piece.size.height]])
-        zones, panes = ground.keep_free, ground.windows
-        others = (standing.boxes, standing.spans)
-        codes, _ = faults(box, span, np.zeros(1, bool), ground.edges, zones, panes, *others, 0.002)
-        if codes[0] == 0:
+        if _is_free(piece, ground, standing) and _is_passed(piece, ground, standing, pieces):
             asset = catalog.choose(piece.category, piece.size)
             return [replace(piece, asset=asset.id if asset else "")]
     return []
+
+
+def _is_free(piece: Piece, ground: Ground, standing: StandingObstacles) -> bool:
+    """Whether a piece hangs on a wall and meets nothing."""
+    box = np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]])
+    span = np.array([[piece.pose.z, piece.pose.z + piece.size.height]])
+    zones, panes = ground.keep_free, ground.windows
+    others = (standing.boxes, standing.spans)
+    codes, _ = faults(box, span, np.zeros(1, bool), ground.edges, zones, panes, *others, 0.002)
+    return bool(codes[0] == 0) and bool(is_backed(box[0], ground.walls, BACKED))
+
+
+def _is_passed(
+    piece: Piece, ground: Ground, standing: StandingObstacles, pieces: Sequence[Piece]
+) -> bool:
+    """Whether it takes no way: something stands at the wall below its whole width, or the floor
+    before it is free."""
+    c, s = np.cos(piece.pose.heading), np.sin(piece.pose.heading)
+    middle = np.array(piece.pose[:2])
+    for low in pieces:
+        outline = outline_of(low) - middle
+        beside, ahead = outline @ (s, -c), outline @ (c, s)
+        wide = beside.min() <= -piece.size.width / 2 and beside.max() >= piece.size.width / 2
+        if wide and -0.1 < ahead.min() < AGAINST and low.size.height > 0.1 and low.pose.z < 0.1:
+            return True
+    x, y = middle + (PASSED - piece.size.depth) / 2 * np.array([c, s])
+    box = np.array([[x, y, piece.pose.heading, piece.size.width + 2 * BESIDE, PASSED]])
+    none, span = np.zeros((0, 6)), np.array([[0.05, 2.0]])
+    others = (standing.boxes, standing.spans)
+    codes, _ = faults(box, span, np.zeros(1, bool), ground.edges, none[:, :5], none, *others, 0.005)
+    return bool(codes[0] == 0)

@@ -72,7 +72,7 @@ _GROUPS: dict[str, GroupKind] = {
         main=1,
         access=THREE,
         inset=(0, 0, 0, 0),
-        roomy=(10, 34),
+        roomy=(7, 20),
         label="seating group",
     ),
     "reading": GroupKind(
@@ -107,7 +107,7 @@ _GROUPS: dict[str, GroupKind] = {
         main=-1,
         access=THREE,
         inset=(0, 0.45, 0, 0.45),
-        roomy=(8, 19),
+        roomy=(4, 13),
         label="double bed",
     ),
     "single": GroupKind(
@@ -132,7 +132,7 @@ _GROUPS: dict[str, GroupKind] = {
         label="bunk bed",
     ),
     "wardrobe": GroupKind(
-        sleeping.wardrobe, 2.2, ("wardrobe",), nestle=1, clear=(0.75, 0, 0, 0), roomy=(5, 20)
+        sleeping.wardrobe, 2.2, ("wardrobe",), nestle=1, clear=(0.75, 0, 0, 0), roomy=(4, 14)
     ),
     "chest": GroupKind(
         sleeping.chest,
@@ -183,12 +183,12 @@ _GROUPS: dict[str, GroupKind] = {
         ("sink_cabinet",),
         clear=(0.9, 0, 0, 0),
         nestle=1,
-        roomy=(5, 16),
+        roomy=(1, 11),
         lean="fridge",
         label="kitchen run",
     ),
     "kitchenette": GroupKind(
-        kitchen.kitchenette, 0.92, ("sink_cabinet",), clear=(0.8, 0, 0, 0), nestle=1, roomy=(3, 12)
+        kitchen.kitchenette, 0.92, ("sink_cabinet",), clear=(0.8, 0, 0, 0), nestle=1, roomy=(2, 9)
     ),
     "counter": GroupKind(
         kitchen.counter,
@@ -308,7 +308,7 @@ _GROUPS: dict[str, GroupKind] = {
         ("storage_shelf",),
         clear=(0.5, 0, 0, 0),
         nestle=1,
-        roomy=(0.4, 5),
+        roomy=(0.2, 3.5),
         label="storage shelf",
     ),
     "terrace": GroupKind(

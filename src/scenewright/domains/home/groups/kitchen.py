@@ -13,6 +13,8 @@ UNIT_DEPTH, WORKTOP = 0.6, 0.9
 FRIDGE = Size(0.6, 0.64, 1.9)
 WALL_CABINET_BASE = 1.45
 BEYOND = 0.3  # worktop between a hob and the end of its run, metres
+BETWEEN = 0.6  # worktop between sink and hob, metres
+SMALL_SINK, SMALL_HOB = 0.45, 0.3  # the narrowest, metres
 Unit = tuple[str, float]
 
 
@@ -75,18 +77,18 @@ def island() -> Iterator[Group]:
 def _sequence(length: float) -> list[Unit]:
     """Units of a run of the given length from the fridge on: worktop, sink, worktop, hob, worktop.
 
-    Beyond the hob lie at least 0.3 m of worktop, as kitchen planners ask, wherever that leaves
-    0.3 m or a dishwasher between it and the sink.
+    Kitchen planners ask for 0.6 m of worktop between sink and hob and 0.3 m beyond the hob. A run
+    shorter than 2.4 m keeps them by a sink of 0.45 m and a hob of two rings; one under 1.65 m keeps
+    0.3 m on both sides of the hob, one under 1.35 m what there is between the two.
     """
-    sink = 0.8 if length >= 2.4 else 0.6 if length >= 1.199 else length / 2
-    hob = 0.6 if length >= 1.199 else length / 2
+    if length < 2.4:
+        return _short_sequence(length)
+    sink, hob = 0.8, 0.6
     rest = length - sink - hob
-    if rest < 0.3:
-        return [("sink_cabinet", sink + max(rest, 0) / 2), ("hob_cabinet", hob + max(rest, 0) / 2)]
     washer: list[Unit] = [("dishwasher", 0.6)] if rest >= 0.9 else []
     rest -= 0.6 * len(washer)
     before = _fill(rest * 0.3) if rest >= 1.2 else []
-    after = _fill(_beyond(rest, bool(washer)))
+    after = _fill(_beyond(rest))
     used = sum(w for _, w in before + after)
     return [
         *before,
@@ -98,10 +100,22 @@ def _sequence(length: float) -> list[Unit]:
     ]
 
 
-def _beyond(rest: float, washer: bool) -> float:
-    """How much of the worktop lies beyond the hob; all of it if too little for two units."""
-    if rest < BEYOND - 1e-9 if washer else rest < 2 * BEYOND - 1e-9:
-        return 0.0
+def _short_sequence(length: float) -> list[Unit]:
+    """Sink and hob as wide as the worktop beside the hob allows."""
+    least = SMALL_SINK + SMALL_HOB
+    if length < least + BEYOND - 1e-9:
+        return [("sink_cabinet", length / 2), ("hob_cabinet", length / 2)]
+    beyond = BEYOND if length >= least + 2 * BEYOND - 1e-9 else 0.0
+    between = min(BETWEEN, length - least - beyond)
+    spare = length - least - beyond - between
+    sink = SMALL_SINK + min(spare, 0.6 - SMALL_SINK)
+    hob = SMALL_HOB + min(spare - (sink - SMALL_SINK), 0.6 - SMALL_HOB)
+    run = [("sink_cabinet", sink), *_fill(length - sink - hob - beyond), ("hob_cabinet", hob)]
+    return [*run, *_fill(beyond)]
+
+
+def _beyond(rest: float) -> float:
+    """How much of the worktop beside a dishwasher lies beyond the hob."""
     return rest if rest < 2 * BEYOND - 1e-9 else max(BEYOND, 0.2 * rest if rest >= 1.8 else 0.0)
 
 

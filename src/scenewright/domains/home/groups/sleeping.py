@@ -16,8 +16,9 @@ def sleeping() -> Iterator[Group]:
     for bed in (1.4, 1.6, 1.8):
         for wing in (0.45, 0.5, 0.6, 0.7):
             yield _bed("sleeping", "double_bed", bed, wing, wing)
-        yield _bed("sleeping", "double_bed", bed, 0.0, 0.62)
-        yield _bed("sleeping", "double_bed", bed, 0.0, 0.62, mirrored=True)
+        if bed < 1.8:
+            yield _bed("sleeping", "double_bed", bed, 0.0, 0.62)
+            yield _bed("sleeping", "double_bed", bed, 0.0, 0.62, mirrored=True)
 
 
 def single() -> Iterator[Group]:

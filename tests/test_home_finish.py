@@ -1,0 +1,81 @@
+"""What completes a furnished room: rugs and screens grow, bare walls and windows are dressed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+from math import hypot
+
+import pytest
+import shapely
+
+from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Brief, Room
+from scenewright.core.footprint import outline_of
+from scenewright.domains import check
+from scenewright.domains.home.furnishing.enlarge import enlarge_pieces
+from scenewright.domains.home.groups.kitchen import kitchen
+from scenewright.domains.home.problem import Ground
+from scenewright.domains.home.solving import solve
+
+CABINETS = {"sink_cabinet", "hob_cabinet", "drawer_cabinet", "base_cabinet", "dishwasher", "fridge"}
+LIVING = {
+    "id": "living",
+    "function": "living",
+    "outline": [[0, 0], [5, 0], [5, 4.4], [0, 4.4]],
+    "doors": [{"at": [0.0, 0.9], "width": 0.85}],
+    "windows": [{"at": [2.5, 4.4], "width": 1.6}],
+}
+
+
+@pytest.fixture(scope="module")
+def living():
+    return solve(Brief(rooms=[Room.model_validate(LIVING)]), seed=3)
+
+
+def one(solution, category):
+    return next(p for p in solution.pieces if p.category == category)
+
+
+def test_a_rug_reaches_beyond_its_sofa_and_a_screen_fits_its_distance(living):
+    assert check(living).valid
+    sofa, rug, screen = (one(living, c) for c in ("sofa", "rug", "tv"))
+    assert max(rug.size.width, rug.size.depth) > sofa.size.width
+    away = hypot(sofa.pose.x - screen.pose.x, sofa.pose.y - screen.pose.y)
+    assert away <= 3.2 * screen.size.width
+
+
+def test_a_rug_grows_no_further_than_walls_and_furniture_let_it(living):
+    from scenewright.building.plan import spaces
+    from scenewright.domains.home.ground import ground_of
+
+    (space,) = spaces(living.brief)
+    ground: Ground = ground_of(space, (), 22.0, ())
+    rug, sofa = one(living, "rug"), one(living, "sofa")
+    small = replace(rug, size=rug.size._replace(width=sofa.size.width))
+    pieces = [small if p is rug else p for p in living.pieces if p.function != "light"]
+    grown = enlarge_pieces(pieces, (), ground, space.height, shipped())
+    found = shapely.Polygon(outline_of(next(p for p in grown if p.id == rug.id)))
+    assert shapely.Polygon(space.outline).buffer(1e-6).contains(found)
+    for piece in grown:
+        if piece.group != rug.group and piece.pose.z < 0.01:
+            assert found.intersection(shapely.Polygon(outline_of(piece))).area < 0.01
+    fixed = [replace(p, fixed=True) for p in pieces]
+    assert enlarge_pieces(fixed, (), ground, space.height, shipped()) == fixed
+
+
+def test_what_a_room_has_it_is_not_given_again(living):
+    hung = [p for p in living.pieces if p.category in ("picture", "wall_lamp", "curtain", "blind")]
+    assert len(hung) == len({p.id for p in hung})
+    assert sum(p.category in ("curtain", "blind") for p in hung) == 1
+
+
+@pytest.mark.parametrize("case", [c for c in kitchen() if c.width >= 2.3], ids=lambda c: c.name)
+def test_a_kitchen_run_has_worktop_on_both_sides_of_its_hob(case):
+    row = sorted((m for m in case.members if m.category in CABINETS), key=lambda m: m.x)
+    at = next(i for i, m in enumerate(row) if m.category == "hob_cabinet")
+    assert {row[at - 1].category, row[min(at + 1, len(row) - 1)].category}.isdisjoint(
+        {"sink_cabinet", "fridge", "hob_cabinet"}
+    )
+    for a, b in pairwise(row):
+        assert b.x - a.x == pytest.approx((a.size.width + b.size.width) / 2)
