@@ -18,7 +18,7 @@ import shapely
 from benchmarks import composition_kitchen
 from scenewright.building.door_approach import DoorApproach, gates
 from scenewright.catalog.assets import shipped
-from scenewright.core.footprint import outline_of
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 

@@ -12,7 +12,7 @@ import scenewright as sw
 from scenewright.catalog.assets import shipped
 from scenewright.catalog.models.words import match
 from scenewright.core.brief import Brief
-from scenewright.core.footprint import outline_of
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece
 
 CORNERS = ("corner_desk", "corner_desk_right", "corner_counter", "corner_house")

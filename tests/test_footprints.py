@@ -15,13 +15,8 @@ from hypothesis import strategies as st
 
 import scenewright as sw
 from scenewright.core.errors import InputError
-from scenewright.core.footprint import (
-    boxes_of,
-    outline_of,
-    place_outline,
-    polygons_of,
-    read_footprint,
-)
+from scenewright.core.footprint import place_outline, read_footprint
+from scenewright.core.piece_outlines import boxes_of, outline_of, polygons_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.formats import brief_json, solution_json
 from scenewright.geometry.boxes import make_frame

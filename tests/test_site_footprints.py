@@ -15,7 +15,7 @@ import shapely
 import scenewright as sw
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.core.footprint import outline_of, polygons_of
+from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.domains import adjust
 from scenewright.domains.site.check import figures as referee
 from scenewright.domains.site.drawing.marks import buildings_mark

@@ -13,7 +13,7 @@ from benchmarks.village_data import real_blocks
 import scenewright as sw
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.core.footprint import polygons_of
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.domains import plan_of, scene_of
 from scenewright.formats import solution_json
 

@@ -9,7 +9,8 @@ import shapely
 from scenewright.building.plan import room_ids
 from scenewright.core.brief import Brief, FixedItem, Room
 from scenewright.core.catalog import Catalog, footprint_of
-from scenewright.core.footprint import polygons_of, read_footprint
+from scenewright.core.footprint import read_footprint
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import STAIRS, Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.core.space import Radiator, Space

@@ -11,17 +11,14 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from scenewright.catalog.models.files import check_json
 from scenewright.core.brief import Brief, brief_schema
 from scenewright.core.brief.domain_keys import check_parts
-from scenewright.core.document_faults import check_characters, to_input_error
+from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
 from scenewright.core.registry import domain_names, domain_of
 from scenewright.formats.catalog_paths import resolve_paths
+from scenewright.formats.json_document import check_size, parse_document
 
-GREATEST_FILE = 64 * 2**20
-MOST_PARSED = 256 * 2**20
-"""Bytes a brief or solution may take once parsed; its models take about as many again."""
 SOLUTION = "scenewright/solution"
 
 
@@ -29,10 +26,7 @@ def read(path: Path, keep: bool = False) -> Brief:
     """The brief in a JSON file, or that of a city model (CityJSON). Its fixed items always stay,
     whatever ``keep`` says."""
     del keep
-    if path.stat().st_size > GREATEST_FILE:
-        raise InputError(
-            f"is larger than {GREATEST_FILE // 2**20} MiB", "split it into several briefs"
-        )
+    check_size(path, "split it into several briefs")
     document = _document(path.read_bytes())
     for kind in map(domain_of, domain_names()):
         if document.get("type") in kind.documents:
@@ -82,25 +76,7 @@ def schema() -> dict[str, Any]:
 
 
 def _document(text: str | bytes) -> dict[str, Any]:
-    check_json(text.encode("utf-8", "replace") if isinstance(text, str) else text, MOST_PARSED)
-    try:
-        plain = text.decode("utf-8-sig") if isinstance(text, bytes) else text
-        document = json.loads(plain, parse_constant=_no_constant)
-    except UnicodeDecodeError:
-        raise InputError("is not UTF-8 text", "save it as UTF-8") from None
-    except RecursionError:
-        raise InputError("is nested too deeply", "give a brief") from None
-    except json.JSONDecodeError as error:
-        fault = "is empty" if not plain.strip() else f"broken JSON: {error.msg}"
-        where = f"line {error.lineno}, column {error.colno}"
-        raise InputError(fault, "correct the text there", place=where) from None
-    except ValueError as error:
-        raise InputError(f"broken JSON: {error}", "write plain finite numbers") from None
-    check_characters(document, plain)
+    document = parse_document(text, "a brief")
     if not isinstance(document, dict):
         raise InputError("holds no JSON object", 'give a brief: {"rooms": [...]}')
     return document
-
-
-def _no_constant(name: str) -> float:
-    raise ValueError(f"{name} is not a number")

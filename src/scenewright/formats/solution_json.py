@@ -16,18 +16,16 @@ from typing import Any
 
 from scenewright.catalog import credits as authorship
 from scenewright.catalog.loading import catalog_of
-from scenewright.catalog.models.files import check_json
 from scenewright.core.atomic_file import note_read, write_atomically
 from scenewright.core.brief import Brief
-from scenewright.core.document_faults import check_characters
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import read_footprint
 from scenewright.core.plan import Plan
 from scenewright.core.registry import domain_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut, Patch, Solution, TermValue
-from scenewright.formats.brief_json import GREATEST_FILE, MOST_PARSED
 from scenewright.formats.catalog_paths import resolve_paths
+from scenewright.formats.json_document import check_size, parse_document
 from scenewright.formats.solution_record import FORMAT, PieceRecord, SolutionRecord, check_document
 
 
@@ -50,8 +48,7 @@ def read_planned(
         raise InputError("is not a Scenewright solution", "give a solution .json", file=str(path))
     note_read(path)
     try:
-        if Path(path).stat().st_size > GREATEST_FILE:
-            raise InputError(f"is larger than {GREATEST_FILE // 2**20} MiB", "split its brief")
+        check_size(Path(path), "split its brief")
         return _parse(Path(path).read_bytes(), Path(path).parent, known)
     except FileNotFoundError:
         raise InputError("there is no such file", "check the path", file=str(path)) from None
@@ -75,17 +72,7 @@ def loads(text: str | bytes, folder: Path | None = None) -> Solution:
 def _parse(
     text: str | bytes, folder: Path | None = None, known: tuple[Brief, Plan] | None = None
 ) -> tuple[Solution, Plan]:
-    check_json(text.encode("utf-8", "replace") if isinstance(text, str) else text, MOST_PARSED)
-    try:
-        plain = text.decode("utf-8") if isinstance(text, bytes) else text
-        document = json.loads(plain, parse_constant=_no_constant)
-    except UnicodeDecodeError:
-        raise InputError("is not UTF-8 text", "save it as UTF-8") from None
-    except RecursionError:
-        raise InputError("is nested too deeply", "give a solution file") from None
-    except ValueError as error:
-        raise InputError(f"is not valid JSON ({error})", "give a solution file") from None
-    check_characters(document, plain)
+    document = parse_document(text, "a solution file")
     plain_object = isinstance(document, dict)
     whole = resolve_paths(document, folder or Path()) if plain_object else document
     record, plan = check_document(whole, known)
@@ -182,10 +169,6 @@ def _piece(record: PieceRecord) -> Piece:
     footprint = read_footprint(record.footprint, *record.size[:2]) if record.footprint else ()
     made = {"pose": Pose(*record.pose), "size": Size(*record.size), "footprint": footprint}
     return Piece(**dict(record) | made)
-
-
-def _no_constant(name: str) -> float:
-    raise ValueError(f"{name} is not a number")
 
 
 def _lines(value: object) -> str:

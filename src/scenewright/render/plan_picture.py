@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from scenewright.core.catalog import Catalog, asset_of
-from scenewright.core.footprint import outline_of
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import GroundSurface, Piece, Scene
 from scenewright.core.space import Level, Opening
 from scenewright.render.picture import Pixels

@@ -16,8 +16,8 @@ from scenewright.building.door_approach import (
     throat,
 )
 from scenewright.core.catalog import Catalog
-from scenewright.core.footprint import boxes_of, polygons_of
 from scenewright.core.kind import Kind
+from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.hall.assign import Unit

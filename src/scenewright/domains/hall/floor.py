@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from scenewright.building import outlines
 from scenewright.core.catalog import Catalog
-from scenewright.core.footprint import boxes_of
+from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Points, Space
 from scenewright.geometry.distance_raster import DistanceRaster, clearance, walls_between

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from scenewright.building.door_approach import gates
-from scenewright.core.footprint import boxes_of
+from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Space
 from scenewright.domains.hall.assign import Unit

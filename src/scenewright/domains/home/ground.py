@@ -16,7 +16,7 @@ from scenewright.building.door_approach import (
     throat,
 )
 from scenewright.building.standing import RADIATED, is_radiator
-from scenewright.core.footprint import boxes_of
+from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.door_paths import door_paths

@@ -16,8 +16,8 @@ import shapely
 from scenewright.building.ceiling import HEADROOM, SHOULDERS, below, planes
 from scenewright.building.door_approach import DoorApproach, gates
 from scenewright.core.catalog import Catalog
-from scenewright.core.footprint import outline_of
 from scenewright.core.layout import corners
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Space
 

@@ -12,7 +12,7 @@ import shapely
 from scenewright.building.ceiling import living_area, planes
 from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import Catalog
-from scenewright.core.footprint import polygons_of
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomTask, floor_of, out_of_reach

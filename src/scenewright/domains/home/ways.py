@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from scenewright.building.ceiling import BENDING, HEADROOM, low_floor, lowest
 from scenewright.core.catalog import Catalog
-from scenewright.core.footprint import boxes_of
+from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.boxes import frames_of, read_frame

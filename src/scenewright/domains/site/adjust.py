@@ -9,8 +9,8 @@ import shapely
 
 from scenewright.core.edits import Adjusted, Edits
 from scenewright.core.errors import InputError
-from scenewright.core.footprint import polygons_of
 from scenewright.core.piece_edits import Edited, apply_edits, find_piece, list_adjusted, with_locks
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution

@@ -17,7 +17,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.brief import Brief
-from scenewright.core.footprint import polygons_of
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import Site

@@ -10,8 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.core.footprint import outline_of, place_outline
+from scenewright.core.footprint import place_outline
 from scenewright.core.layout import corners
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from scenewright.core.footprint import outline_of
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import Site

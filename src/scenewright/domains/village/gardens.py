@@ -8,8 +8,8 @@ import numpy as np
 import shapely
 
 from scenewright.building.outlines import rings
-from scenewright.core.footprint import polygons_of
 from scenewright.core.layout import corners
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import GroundSurface, Piece
 from scenewright.core.solution import Patch
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan

@@ -13,7 +13,7 @@ import shapely
 
 from scenewright.catalog.assets import shipped
 from scenewright.core.catalog import Asset
-from scenewright.core.footprint import polygons_of
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Patch
 from scenewright.core.space import Points

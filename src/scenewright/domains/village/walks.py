@@ -10,7 +10,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.core.footprint import outline_of, polygons_of
+from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.building.standing import RADIATED, is_radiator
-from scenewright.core.footprint import boxes_of
+from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 
 Floats = NDArray[np.float64]

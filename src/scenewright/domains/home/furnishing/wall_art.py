@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from scenewright.building.ceiling import lowest
 from scenewright.building.door_approach import gates
 from scenewright.core.catalog import Catalog
-from scenewright.core.footprint import outline_of
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of

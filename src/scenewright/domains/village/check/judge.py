@@ -15,8 +15,8 @@ import shapely
 from scenewright.check.bodies import TOLERANCE, Flags, Floats, Indices, Shape, Shapes
 from scenewright.check.rooms import count_findings
 from scenewright.core.catalog import Catalog
-from scenewright.core.footprint import outline_of, polygons_of
 from scenewright.core.layout import corners
+from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.report import Finding, Report
 from scenewright.core.scene import Piece

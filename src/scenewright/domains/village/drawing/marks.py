@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 import shapely
 
-from scenewright.core.footprint import outline_of
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.report import Finding
 from scenewright.core.scene import GroundSurface, Piece
 from scenewright.core.space import Points

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from scenewright.core.footprint import outline_of
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.scene import Piece
