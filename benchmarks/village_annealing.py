@@ -12,7 +12,7 @@ import shapely
 
 from scenewright.domains.village.house import House
 from scenewright.domains.village.learning.tables import RealBlock
-from scenewright.domains.village.problem import Standing, place, stand
+from scenewright.domains.village.problem import StandingHouses, place, stand
 
 STEPS = 40_000
 HOT, COLD, FAULT = 20.0, 0.05, 10.0
@@ -20,7 +20,9 @@ MOVE, TURN = 12.0, 0.6
 """Greatest move in metres and turn in radians, while hot."""
 
 
-def anneal_block(block: RealBlock, houses: list[House], seed: int, steps: int = STEPS) -> Standing:
+def anneal_block(
+    block: RealBlock, houses: list[House], seed: int, steps: int = STEPS
+) -> StandingHouses:
     """Some houses on the ground of a block after so many moves."""
     rng = np.random.default_rng(seed)
     west, south, east, north = block.floor.bounds

@@ -17,7 +17,7 @@ import shapely
 
 from scenewright.domains.village.house import class_of_shape
 from scenewright.domains.village.measures import coverage, relations_of, void
-from scenewright.domains.village.problem import Standing
+from scenewright.domains.village.problem import StandingHouses
 from scenewright.domains.village.settings import OURS
 from scenewright.domains.village.weights import bin_of
 
@@ -36,7 +36,7 @@ class BlockFigures(NamedTuple):
     faulty: float
 
 
-def figures(floor: shapely.Polygon, streets: Floats, standing: Standing) -> BlockFigures:
+def figures(floor: shapely.Polygon, streets: Floats, standing: StandingHouses) -> BlockFigures:
     """The figures of a block with its houses."""
     found = relations_of(standing, streets)
     area = np.asarray(shapely.area(standing.shapes))

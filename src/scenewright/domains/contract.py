@@ -100,7 +100,7 @@ class Staging(Protocol):
     def __call__(self, solution: Solution, plan: Plan) -> Scene: ...
 
 
-class Drawing(Protocol):
+class PlanDrawer(Protocol):
     """``draw``: the plan to print. ``judge`` gives the referee's report, for plans that show
     some of it."""
 

@@ -9,7 +9,7 @@ from scenewright.drawing.marks import Definition, Mark, group, is_blank
 from scenewright.drawing.sheet import PaperSheet
 
 
-class Layer(NamedTuple):
+class PlanLayer(NamedTuple):
     """What can be shown or hidden by itself: a name people read, and a mark."""
 
     name: str
@@ -23,20 +23,21 @@ class PlanDrawing(NamedTuple):
     name: str
     sheet: PaperSheet
     definitions: tuple[Definition, ...]
-    layers: tuple[Layer, ...]
+    layers: tuple[PlanLayer, ...]
 
 
-def merge_layers(parts: Iterable[Sequence[Layer]]) -> tuple[Layer, ...]:
+def merge_layers(parts: Iterable[Sequence[PlanLayer]]) -> tuple[PlanLayer, ...]:
     """The layers of drawings that lie beside each other on a sheet, each name once: storeys and
     sites share their layers. A layer keeps its place in the order; the empty are left out.
 
     >>> from scenewright.drawing.marks import NOTHING, line
-    >>> one, two = [Layer(n, line([(0, 0), (1, 0)])) for n in ("Floors", "Walls")]
-    >>> [layer.name for layer in merge_layers([[one, two], [one, Layer("Doors", NOTHING), two]])]
+    >>> one, two = [PlanLayer(n, line([(0, 0), (1, 0)])) for n in ("Floors", "Walls")]
+    >>> doors = PlanLayer("Doors", NOTHING)
+    >>> [layer.name for layer in merge_layers([[one, two], [one, doors, two]])]
     ['Floors', 'Walls']
     """
     merged: dict[str, list[Mark]] = {}
     for layer in (layer for part in parts for layer in part):
         merged.setdefault(layer.name, []).append(layer.mark)
-    found = [Layer(name, group(marks)) for name, marks in merged.items()]
+    found = [PlanLayer(name, group(marks)) for name, marks in merged.items()]
     return tuple(layer for layer in found if not is_blank(layer.mark))

@@ -20,7 +20,7 @@ from scenewright.drawing import dimensions as dimensions
 from scenewright.drawing import sheet as sheets
 from scenewright.drawing.doors import doors_mark
 from scenewright.drawing.labels import area_words, labels_mark, polygon_of
-from scenewright.drawing.layers import Layer, PlanDrawing, merge_layers
+from scenewright.drawing.layers import PlanLayer, PlanDrawing, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import INK, Definition, Mark, PaperView, clean, text
 from scenewright.drawing.outlets import outlets_mark
@@ -58,7 +58,7 @@ class Storey(NamedTuple):
     chains: dict[dimensions.Side, list[dimensions.DimensionChain]]
 
 
-def _nothing(view: PaperView, storey: Storey) -> Sequence[Layer]:
+def _nothing(view: PaperView, storey: Storey) -> Sequence[PlanLayer]:
     del view, storey
     return ()
 
@@ -92,9 +92,9 @@ class Overlay(NamedTuple):
     below the title; ``inward`` whether the triangles at doors point to the middle of the storey.
     """
 
-    floor: Callable[[PaperView, Storey], Sequence[Layer]] = _nothing
-    over: Callable[[PaperView, Storey], Sequence[Layer]] = _nothing
-    ways: Callable[[PaperView, Storey], Sequence[Layer]] = _nothing
+    floor: Callable[[PaperView, Storey], Sequence[PlanLayer]] = _nothing
+    over: Callable[[PaperView, Storey], Sequence[PlanLayer]] = _nothing
+    ways: Callable[[PaperView, Storey], Sequence[PlanLayer]] = _nothing
     keep_off: Callable[[PaperView, Storey], list[Geometry]] = _keep_nothing
     labels: Callable[[Storey], list[tuple[Space, str]]] = _plain_labels
     legend: Callable[[Scene, Sequence[Storey]], Sequence[LegendRow]] = _no_rows
@@ -127,7 +127,7 @@ def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> Plan
     symbols = define_repeated_symbols(1000 / sheet.scale, scene.pieces, catalog)
     paper = Paper(catalog, sheet, symbols, overlay)
     summary = overlay.summary(scene)
-    parts = [[Layer("Sheet", sheets.sheet_mark(sheet, scene.name, summary))]]
+    parts = [[PlanLayer("Sheet", sheets.sheet_mark(sheet, scene.name, summary))]]
     spare = (room_wide - wide * 1000 / sheet.scale - extra_wide) / (len(storeys) + 1)
     below = max((m["south"] for m in margins), default=0.0)
     bottom = sheets.EDGE + room_high - CAPTION - below
@@ -137,7 +137,7 @@ def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> Plan
         left += spare + margin["west"]
         parts.append(_storey_layers(storey, paper, left, bottom, below))
         left += (storey.bounds[2] - storey.bounds[0]) * 1000 / sheet.scale + margin["east"]
-    parts.append([Layer("Legend", legend_mark(arranged))])
+    parts.append([PlanLayer("Legend", legend_mark(arranged))])
     tiles = tile_pattern(PaperView(1000 / sheet.scale, 0.0, 0.0))
     defined: tuple[Definition, ...] = (tiles, *symbols.definitions)
     return PlanDrawing(scene.name, sheet, defined, merge_layers(parts))
@@ -172,7 +172,7 @@ def _storey(scene: Scene, level: Level) -> Storey | None:
 
 def _storey_layers(
     storey: Storey, paper: Paper, left: float, bottom: float, below: float
-) -> list[Layer]:
+) -> list[PlanLayer]:
     """A storey on paper, from the floor up."""
     view = sheets.view_at(paper.sheet, storey.bounds[0], storey.bounds[1], left, bottom)
     part, overlay = storey.scene, paper.overlay
@@ -182,20 +182,20 @@ def _storey_layers(
     busy = [*_list_footprints(part.pieces, paper.catalog), *roof_windows(part.openings)]
     walls = (*part.walls, *partition_walls(part.pieces))
     return [
-        Layer("Floors", floors(view, part.spaces)),
+        PlanLayer("Floors", floors(view, part.spaces)),
         *overlay.floor(view, storey),
-        Layer("Stairs", stairs_mark(view, part.stairs, storey.level.id, part.spaces)),
-        Layer("Furniture", pieces_mark(view, part.pieces, paper.catalog, paper.symbols)),
+        PlanLayer("Stairs", stairs_mark(view, part.stairs, storey.level.id, part.spaces)),
+        PlanLayer("Furniture", pieces_mark(view, part.pieces, paper.catalog, paper.symbols)),
         *overlay.over(view, storey),
-        Layer("Sloped ceilings", slopes_mark(view, part.spaces, union_all(busy))),
-        Layer("Walls", walls_mark(view, walls)),
-        Layer("Windows and doors", openings_mark(view, part.openings)),
-        Layer("Outlets", outlets_mark(view, part.spaces)),
-        Layer("Ways in", doors_mark(view, part.openings, middle if overlay.inward else None)),
+        PlanLayer("Sloped ceilings", slopes_mark(view, part.spaces, union_all(busy))),
+        PlanLayer("Walls", walls_mark(view, walls)),
+        PlanLayer("Windows and doors", openings_mark(view, part.openings)),
+        PlanLayer("Outlets", outlets_mark(view, part.spaces)),
+        PlanLayer("Ways in", doors_mark(view, part.openings, middle if overlay.inward else None)),
         *overlay.ways(view, storey),
-        Layer("Names", _labels(view, storey, paper)),
-        Layer("Dimensions", dimensions.chains_mark(view, storey.bounds, storey.chains)),
-        Layer("Levels", _caption(storey, foot)),
+        PlanLayer("Names", _labels(view, storey, paper)),
+        PlanLayer("Dimensions", dimensions.chains_mark(view, storey.bounds, storey.chains)),
+        PlanLayer("Levels", _caption(storey, foot)),
     ]
 
 

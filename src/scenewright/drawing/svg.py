@@ -12,7 +12,7 @@ from xml.sax.saxutils import escape, quoteattr
 import numpy as np
 
 from scenewright.core.space import Points
-from scenewright.drawing.layers import Layer, PlanDrawing
+from scenewright.drawing.layers import PlanLayer, PlanDrawing
 from scenewright.drawing.marks import (
     ArcMark,
     CopyMark,
@@ -116,7 +116,7 @@ def _group(mark: GroupMark) -> str:
     return tag("g", f"\n{content}\n", **mark.style) if mark.style or noted else content
 
 
-def _layer(layer: Layer) -> str:
+def _layer(layer: PlanLayer) -> str:
     """A layer as drawing programs read it: a group by its id, in Inkscape by its label."""
     names = {"inkscape:groupmode": "layer", "inkscape:label": layer.name}
     name = re.sub(r"[^a-z0-9]+", "-", layer.name.lower()).strip("-")

@@ -100,11 +100,11 @@ def build_house(size: Size, footprint: Footprint, style: str, roof: str) -> Part
     if style == "hui" and len(wings) == 1 and min(size.width, size.depth) >= COURT:
         return _court_house(size, look)
     if not wings or (roof == "hipped" and len(wings) == 1 and style != "hui"):
-        return _hipped(size, outline, wings, look, area)
-    return _gabled(size, outline, wings, look, area, style == "hui")
+        return _build_hips(size, outline, wings, look, area)
+    return _build_gables(size, outline, wings, look, area, style == "hui")
 
 
-def _gabled(
+def _build_gables(
     size: Size,
     outline: Footprint,
     wings: tuple[Wing, ...],
@@ -150,7 +150,7 @@ def _chimney(wing: Wing, ridge_top: float, chimney: float) -> Mesh:
     )
 
 
-def _hipped(
+def _build_hips(
     size: Size, outline: Footprint, wings: tuple[Wing, ...], look: HouseLook, area: float
 ) -> Parts:
     """A hip over a rectangle, a saddle over anything else."""

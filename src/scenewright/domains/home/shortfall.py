@@ -48,7 +48,7 @@ def complete_account(
         if known and not any(found[k].required for k in known):
             found[known[0]] = found[known[0]]._replace(required=True)
         elif not known and not list_barred_groups(room, task.library).issuperset(serving):
-            found.append(_unmentioned(need, serving, task, answer))
+            found.append(_leave_out(need, serving, task, answer))
     return found
 
 
@@ -111,7 +111,7 @@ def groups_serving(categories: frozenset[str]) -> tuple[str, ...]:
     )
 
 
-def _unmentioned(
+def _leave_out(
     need: Essential, serving: tuple[str, ...], task: RoomTask, answer: RoomAnswer
 ) -> LeftOut:
     """A need that nothing told of: with its reason if a piece that serves it gave way."""

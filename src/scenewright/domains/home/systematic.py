@@ -54,7 +54,7 @@ def essential_layouts(
     ``wishes`` are missing."""
     for way in _ways(task, wishes, before, rank):
         looked = [0]
-        for number, placed in enumerate(_extended(task, way, way.stays, way.rest, looked), 1):
+        for number, placed in enumerate(_extend(task, way, way.stays, way.rest, looked), 1):
             yield _answer(task, placed, wishes)
             if number == task.preset.settings.walls.answers:
                 break
@@ -113,7 +113,7 @@ def least_forms(task: RoomTask, wish: Wish) -> tuple[Group, ...]:
     return tuple(LEAST[wish.group]())
 
 
-def _extended(
+def _extend(
     task: RoomTask,
     way: Attempt,
     placed: tuple[FurnishedGroup, ...],
@@ -130,7 +130,7 @@ def _extended(
         looked[0] += 1
         more = (*placed, item)
         if not way.walked or not find_blocked(task, more):
-            yield from _extended(task, way, more, rest[1:], looked)
+            yield from _extend(task, way, more, rest[1:], looked)
 
 
 def _candidates(

@@ -83,15 +83,15 @@ def reach(
     flood(first, grid.free)
     joined = (grid.doors & first).any(axis=(1, 2))
     come_in = np.isin(np.arange(len(doors)), entered)
-    reached = _flooded(grid, first, joined, come_in)
+    reached = _flood(grid, first, joined, come_in)
     if not reached.any():
-        reached = _flooded(grid, first, joined, np.ones(len(doors), bool))
+        reached = _flood(grid, first, joined, np.ones(len(doors), bool))
     found = np.zeros(len(zones), bool)
     mark_touched(reached, grid, frames_of(zones), found)
     return found, joined
 
 
-def _flooded(
+def _flood(
     grid: RouteGrid, first: Bits, joined: NDArray[np.bool_], come_in: NDArray[np.bool_]
 ) -> Bits:
     """The cells reached from some of the doors; ``first`` are those from the first, which some are

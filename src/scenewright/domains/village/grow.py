@@ -18,7 +18,7 @@ from scenewright.domains.village.house import House
 from scenewright.domains.village.problem import (
     Floats,
     Shapes,
-    Standing,
+    StandingHouses,
     VillageLayout,
     VillageProblem,
     add,
@@ -33,7 +33,7 @@ MOST = 500
 JITTER = 0.12
 """How far chance may change the order of houses by area."""
 
-Weighing = Callable[[VillageProblem, Standing, House, Shapes, Floats], Floats]
+Weighing = Callable[[VillageProblem, StandingHouses, House, Shapes, Floats], Floats]
 """Log weights (k,) of legal poses (k, 3) of a house with their footprints (k,)."""
 
 
@@ -41,7 +41,7 @@ class Growth(NamedTuple):
     """A block while it is filled: what stands, and the numbers in the library and poses of the
     houses placed."""
 
-    standing: Standing
+    standing: StandingHouses
     houses: tuple[int, ...]
     poses: tuple[Floats, ...]
 
@@ -57,10 +57,10 @@ def grow(
     chosen = choose_houses(problem, rng)
     growth = Growth(problem.fixed, (), ())
     grown = _add_all(problem, growth, chosen, rng, weighing or weigh_by_tables, cancel)
-    grown, doors, lost = _reached(problem, grown)
+    grown, doors, lost = _keep_reached(problem, grown)
     if lost:
         grown = _add_all(problem, grown, lost, rng, weighing or weigh_by_tables, cancel)
-        grown, doors, _ = _reached(problem, grown)
+        grown, doors, _ = _keep_reached(problem, grown)
     return VillageLayout(
         np.array(grown.houses, np.int64),
         np.array(grown.poses).reshape(-1, 3),
@@ -71,7 +71,7 @@ def grow(
 
 
 def weigh_by_tables(
-    problem: VillageProblem, standing: Standing, house: House, shapes: Shapes, poses: Floats
+    problem: VillageProblem, standing: StandingHouses, house: House, shapes: Shapes, poses: Floats
 ) -> Floats:
     """Log weights of poses by the tables of the manner."""
     turn = poses[:, 2]
@@ -146,7 +146,7 @@ def _smaller(problem: VillageProblem, number: int) -> list[int]:
 
 def draw_pose(
     problem: VillageProblem,
-    standing: Standing,
+    standing: StandingHouses,
     house: House,
     rng: np.random.Generator,
     weighing: Weighing,
@@ -174,7 +174,7 @@ def _with(growth: Growth, house: House, number: int, pose: Floats) -> Growth:
     return Growth(standing, (*growth.houses, number), (*growth.poses, pose))
 
 
-def _reached(problem: VillageProblem, growth: Growth) -> tuple[Growth, np.ndarray, list[int]]:
+def _keep_reached(problem: VillageProblem, growth: Growth) -> tuple[Growth, np.ndarray, list[int]]:
     """What was grown less houses that no way leads to, smallest first; their doors; and which
     were taken away."""
     fixed = len(problem.fixed.shapes)
@@ -191,7 +191,7 @@ def _reached(problem: VillageProblem, growth: Growth) -> tuple[Growth, np.ndarra
         growth = _without(growth, fixed, worst)
 
 
-def _rings(standing: Standing) -> list[Points]:
+def _rings(standing: StandingHouses) -> list[Points]:
     return [shapely.get_coordinates(shape.exterior)[:-1] for shape in standing.shapes]
 
 

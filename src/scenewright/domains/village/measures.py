@@ -6,7 +6,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
-from scenewright.domains.village.problem import Floats, Standing
+from scenewright.domains.village.problem import Floats, StandingHouses
 from scenewright.domains.village.relations import PoseRelations, relate
 
 STEP = 4.0
@@ -14,7 +14,7 @@ STEP = 4.0
 PARALLEL = float(np.deg2rad(5.0))
 
 
-def relations_of(standing: Standing, streets: Points) -> PoseRelations:
+def relations_of(standing: StandingHouses, streets: Points) -> PoseRelations:
     """The relations of each house (n,) to all others and to the street."""
     count = len(standing.shapes)
     found = relate(standing.shapes, standing.frames[:, 2], standing, streets)
@@ -29,7 +29,7 @@ def relations_of(standing: Standing, streets: Points) -> PoseRelations:
     return found._replace(gap=away.min(1), nearest=nearest, turn=turn)
 
 
-def void(floor: shapely.Polygon, standing: Standing) -> float:
+def void(floor: shapely.Polygon, standing: StandingHouses) -> float:
     """The distance in metres to the nearest house that 95 % of the ground is within."""
     if not len(standing.shapes):
         return float("inf")
@@ -48,6 +48,6 @@ def grid(floor: shapely.Polygon, step: float = STEP) -> Floats:
     return inside if len(inside) else shapely.get_coordinates(floor.representative_point())
 
 
-def coverage(floor: shapely.Polygon, standing: Standing) -> float:
+def coverage(floor: shapely.Polygon, standing: StandingHouses) -> float:
     """The share of the ground that houses cover."""
     return float(shapely.area(shapely.union_all(standing.shapes)) / floor.area)

@@ -19,7 +19,7 @@ Indices = NDArray[np.int64]
 Shapes = NDArray[np.object_]
 
 
-class Standing(NamedTuple):
+class StandingHouses(NamedTuple):
     """Houses that stand, row by row: ``shapes`` (n,) polygons, ``frames`` (n, 5) the least
     rectangle about each (x, y, angle of the longer side, longer side, shorter side), and classes
     of area ``sizes`` (n,)."""
@@ -28,9 +28,9 @@ class Standing(NamedTuple):
     frames: Floats
     sizes: Indices
 
-    def take(self, rows: Any) -> Standing:
+    def take(self, rows: Any) -> StandingHouses:
         """Some of the houses, by their numbers or as flags."""
-        return Standing(self.shapes[rows], self.frames[rows], self.sizes[rows])
+        return StandingHouses(self.shapes[rows], self.frames[rows], self.sizes[rows])
 
 
 class VillageProblem(NamedTuple):
@@ -44,7 +44,7 @@ class VillageProblem(NamedTuple):
     streets: Points
     street_share: float
     walkable: shapely.Polygon
-    fixed: Standing
+    fixed: StandingHouses
     houses: tuple[House, ...]
     asked: int | None
     coverage: float | None
@@ -81,7 +81,7 @@ def place(outline: Points, poses: Floats) -> Floats:
     return np.stack([east, north], -1)
 
 
-def stand(outlines: list[Points], sizes: list[int]) -> Standing:
+def stand(outlines: list[Points], sizes: list[int]) -> StandingHouses:
     """Some houses by their footprints in the plan and classes of area."""
     shapes = np.empty(len(outlines), object)
     shapes[:] = [shapely.Polygon(ring) for ring in outlines]
@@ -89,12 +89,12 @@ def stand(outlines: list[Points], sizes: list[int]) -> Standing:
     for k, ring in enumerate(outlines):
         angle, middle, sides = rectangle_about(ring)
         frames[k] = (*middle, angle, *sides)
-    return Standing(shapes, frames, np.array(sizes, np.int64))
+    return StandingHouses(shapes, frames, np.array(sizes, np.int64))
 
 
-def add(standing: Standing, shape: Any, frame: Floats, size: int) -> Standing:
+def add(standing: StandingHouses, shape: Any, frame: Floats, size: int) -> StandingHouses:
     """The same and one more house."""
     shapes = np.empty(len(standing.shapes) + 1, object)
     shapes[:-1], shapes[-1] = standing.shapes, shape
     frames = np.concatenate([standing.frames, frame[None]])
-    return Standing(shapes, frames, np.append(standing.sizes, size))
+    return StandingHouses(shapes, frames, np.append(standing.sizes, size))

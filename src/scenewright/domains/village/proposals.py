@@ -15,7 +15,7 @@ from scenewright.domains.village.problem import (
     Flags,
     Floats,
     Shapes,
-    Standing,
+    StandingHouses,
     VillageProblem,
     place,
 )
@@ -29,7 +29,7 @@ INSIDE = 1e-3
 
 
 def propose(
-    problem: VillageProblem, standing: Standing, house: House, rng: np.random.Generator
+    problem: VillageProblem, standing: StandingHouses, house: House, rng: np.random.Generator
 ) -> Floats:
     """Poses (k, 3) of a house: x, y, and the angle of its own frame."""
     settings = problem.settings.grow
@@ -50,7 +50,7 @@ def _shares(shares: tuple[float, float, float], houses: int) -> Floats:
 
 
 def beside(
-    standing: Standing, house: House, gap: Relations, count: int, rng: np.random.Generator
+    standing: StandingHouses, house: House, gap: Relations, count: int, rng: np.random.Generator
 ) -> Floats:
     """Poses beside houses that stand: parallel to a side of one, a gap away, flush with one of its
     corners or anywhere along it."""
@@ -113,7 +113,7 @@ def _inward(problem: VillageProblem) -> float:
 
 
 def anywhere(
-    problem: VillageProblem, standing: Standing, count: int, rng: np.random.Generator
+    problem: VillageProblem, standing: StandingHouses, count: int, rng: np.random.Generator
 ) -> Floats:
     """Poses anywhere in the block, at the angle of the nearest house or street side, or any."""
     west, south, east, north = problem.floor.bounds

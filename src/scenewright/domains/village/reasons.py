@@ -6,7 +6,7 @@ import numpy as np
 
 from scenewright.core.solution import TermValue
 from scenewright.domains.village.measures import PARALLEL, coverage, relations_of, void
-from scenewright.domains.village.problem import Standing, VillageProblem
+from scenewright.domains.village.problem import StandingHouses, VillageProblem
 
 MEANINGS: dict[str, str] = {
     "missing": "houses asked for without a place",
@@ -20,7 +20,9 @@ MEANINGS: dict[str, str] = {
 WEIGHED = ("missing", "void")
 
 
-def reasons(problem: VillageProblem, standing: Standing, missing: int) -> tuple[TermValue, ...]:
+def reasons(
+    problem: VillageProblem, standing: StandingHouses, missing: int
+) -> tuple[TermValue, ...]:
     """What is said of a block: the terms, whose costs add up to its energy, then figures."""
     count = len(standing.shapes)
     known = {"missing": float(missing), "void": 0.0, "coverage": 0.0}

@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
-from scenewright.domains.village.problem import Floats, Indices, Shapes, Standing
+from scenewright.domains.village.problem import Floats, Indices, Shapes, StandingHouses
 
 FAR = 1e6
 """The gap, in metres, of a house that stands alone."""
@@ -28,12 +28,14 @@ class PoseRelations(NamedTuple):
     street_turn: Floats
 
 
-def relate(shapes: Shapes, angles: Floats, standing: Standing, streets: Points) -> PoseRelations:
+def relate(
+    shapes: Shapes, angles: Floats, standing: StandingHouses, streets: Points
+) -> PoseRelations:
     """The relations of footprints (k,) at angles (k,) to houses that stand and to street sides
     (s, 2, 2).
 
     >>> house = np.array([shapely.box(0, 6, 8, 12)], object)
-    >>> others = Standing(np.array([shapely.box(10, 6, 14, 10)], object),
+    >>> others = StandingHouses(np.array([shapely.box(10, 6, 14, 10)], object),
     ...                   np.array([[12.0, 8, 0.1, 4, 4]]), np.array([0]))
     >>> found = relate(house, np.zeros(1), others, np.array([[[0.0, 0.0], [20.0, 0.0]]]))
     >>> [round(float(v[0]), 3) for v in found]

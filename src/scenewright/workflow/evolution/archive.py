@@ -14,7 +14,7 @@ from scenewright.workflow.evolution.log import EvolutionLog, NewCandidates
 from scenewright.workflow.evolution.population import BredLayout, bred_of, is_sane
 
 
-class Archive:
+class CandidateArchive:
     """Candidates by number, each of an epoch: what held (the locks) when it was bred.
 
     Features of all are measured by the scale of the first ``scaled``, for good.

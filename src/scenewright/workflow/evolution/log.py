@@ -54,7 +54,7 @@ class EvolutionLog:
 
     def __init__(self, path: str | os.PathLike[str] = "") -> None:
         self.path = str(path)
-        with self._reported():
+        with self._report_faults():
             if self.path:
                 Path(self.path).parent.mkdir(parents=True, exist_ok=True)
             self._base = sqlite3.connect(self.path or ":memory:", timeout=10.0)
@@ -69,13 +69,13 @@ class EvolutionLog:
 
     def about(self) -> dict[str, str]:
         """What the evolution is of: brief, seed, source."""
-        with self._reported():
+        with self._report_faults():
             return dict(self._base.execute("SELECT name, value FROM about").fetchall())
 
     def begin(self, about: dict[str, str]) -> None:
         """Say what the evolution is of; only once."""
         rows = [*about.items(), ("form", str(FORM))]
-        with self._reported(), self._base:
+        with self._report_faults(), self._base:
             self._base.executemany("INSERT INTO about VALUES (?, ?)", rows)
 
     def append(
@@ -85,7 +85,7 @@ class EvolutionLog:
         returns. InputError if another run has added one of this number."""
         made = [(number, epoch, json.dumps(record)) for number, epoch, record in found.rows]
         whole = [(n, zlib.compress(text.encode(), 6)) for n, text in found.documents]
-        with self._reported(), self._base:
+        with self._report_faults(), self._base:
             text = json.dumps(body, sort_keys=True)
             self._base.execute("INSERT INTO entry VALUES (?, ?, ?)", (number, kind, text))
             self._base.executemany("INSERT INTO bred VALUES (?, ?, ?)", made)
@@ -93,19 +93,19 @@ class EvolutionLog:
 
     def entries(self) -> list[Entry]:
         """All entries in order."""
-        with self._reported():
+        with self._report_faults():
             rows = self._base.execute("SELECT number, kind, body FROM entry ORDER BY number")
             return [Entry(number, kind, json.loads(body)) for number, kind, body in rows]
 
     def bred(self) -> list[tuple[int, str, dict[str, Any]]]:
         """All candidates in order."""
-        with self._reported():
+        with self._report_faults():
             rows = self._base.execute("SELECT number, epoch, body FROM bred ORDER BY number")
             return [(number, epoch, json.loads(body)) for number, epoch, body in rows]
 
     def solution(self, number: int) -> str | None:
         """The document of a candidate's solution, if it was added."""
-        with self._reported():
+        with self._report_faults():
             found = self._base.execute(
                 "SELECT document FROM solution WHERE number = ?", (number,)
             ).fetchone()
@@ -116,7 +116,7 @@ class EvolutionLog:
         self._base.close()
 
     @contextmanager
-    def _reported(self) -> Iterator[None]:
+    def _report_faults(self) -> Iterator[None]:
         """What SQLite or the system refuses, as one InputError that names the file."""
         try:
             yield

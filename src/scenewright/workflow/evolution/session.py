@@ -36,7 +36,7 @@ from scenewright.engine.preference.taste import (
     start_from,
 )
 from scenewright.engine.preference.trust import TrustRecord
-from scenewright.workflow.evolution.archive import Archive
+from scenewright.workflow.evolution.archive import CandidateArchive
 from scenewright.workflow.evolution.candidate import Screen, ShownCandidate, predicted_shares
 from scenewright.workflow.evolution.history import read_history
 from scenewright.workflow.evolution.locking import lock_brief, name_epoch
@@ -74,7 +74,7 @@ class Evolution:
         self._mix, self._breeding = mix or ScreenMix(), breeding or BreedingPlan()
         self._others = tuple(start)
         self._names: tuple[str, ...] = ()
-        self._archive = Archive(log, self._breeding.first)
+        self._archive = CandidateArchive(log, self._breeding.first)
         self._history = read_history(log.entries())
         self._nursery = Nursery(
             brief, self.plan, seed, lambda epoch: lock_brief(epoch, self.solution_of)

@@ -26,7 +26,7 @@ from scenewright.domains.hall.drawing.zones import (
     zones_mark,
 )
 from scenewright.domains.hall.hall_layout import HallLayout, Tour, Zone
-from scenewright.drawing.layers import Layer
+from scenewright.drawing.layers import PlanLayer
 from scenewright.drawing.marks import PaperView, group, to_paper
 from scenewright.drawing.pieces import footprint
 from scenewright.drawing.signs import bubble
@@ -116,18 +116,18 @@ def part_of(halls: Halls, spaces: Collection[str]) -> Halls:
 
 def floor_layers(
     view: PaperView, halls: Halls, walls: Geometry, pieces: Sequence[Piece]
-) -> list[Layer]:
+) -> list[PlanLayer]:
     """Under the furniture: zones and their borders."""
     zones = halls.graph.zones
     standing = [Polygon(footprint(piece)) for piece in pieces if piece.category == "partition"]
     solid = shapely.union_all([walls, *standing])
     return [
-        Layer("Zones", zones_mark(view, zones, halls.colours)),
-        Layer("Borders of zones", borders_mark(view, zones, solid)),
+        PlanLayer("Zones", zones_mark(view, zones, halls.colours)),
+        PlanLayer("Borders of zones", borders_mark(view, zones, solid)),
     ]
 
 
-def ways_layers(view: PaperView, halls: Halls, solid: Geometry) -> list[Layer]:
+def ways_layers(view: PaperView, halls: Halls, solid: Geometry) -> list[PlanLayer]:
     """Over the furniture: passages, routes, and the numbers of groups no route stops at;
     ``solid`` is what people cannot walk through."""
     graph = halls.graph
@@ -142,9 +142,9 @@ def ways_layers(view: PaperView, halls: Halls, solid: Geometry) -> list[Layer]:
         bubble(halls.numbers[g.id], to_paper(view, g.pose[:2]), filled=False) for g in others
     ]
     return [
-        Layer("Passages", links),
-        Layer("Route", group(routes)),
-        Layer("Numbers", group(bubbles)),
+        PlanLayer("Passages", links),
+        PlanLayer("Route", group(routes)),
+        PlanLayer("Numbers", group(bubbles)),
     ]
 
 

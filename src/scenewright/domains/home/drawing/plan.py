@@ -10,7 +10,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.domains.home.drawing.turning import Turns, turning_mark, turning_of
-from scenewright.drawing.layers import Layer, PlanDrawing
+from scenewright.drawing.layers import PlanLayer, PlanDrawing
 from scenewright.drawing.marks import PaperView
 from scenewright.drawing.rooms import Overlay, Storey, plan
 
@@ -25,8 +25,8 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDra
 def overlay_of(turns: Turns) -> Overlay:
     """What homes add to a plan: circles where wheelchairs turn."""
 
-    def circles(view: PaperView, storey: Storey) -> list[Layer]:
+    def circles(view: PaperView, storey: Storey) -> list[PlanLayer]:
         here = [turns[space.id] for space in storey.scene.spaces if space.id in turns]
-        return [Layer("Turning circles", turning_mark(view, here))]
+        return [PlanLayer("Turning circles", turning_mark(view, here))]
 
     return Overlay(over=circles)

@@ -53,8 +53,8 @@ def find_served(grounds: JudgedSite, bodies: SiteBodies, works: GroundWorks) -> 
     wide = grounds.site.fire_access - TOLERANCE
     lanes = [row for row in works.pathways if row.kind == "lane"]
     strong = [row for row in lanes if row.width >= wide]
-    every = _joined(_streets(grounds, False), _pave([*lanes, *walks]))
-    driven = _joined(_streets(grounds, True), _pave(strong))
+    every = _join_paved(_streets(grounds, False), _pave([*lanes, *walks]))
+    driven = _join_paved(_streets(grounds, True), _pave(strong))
     doors = shapely.points(find_door_points(bodies)[0])
     return _within(every, doors, STEP), _within(
         driven, bodies.footprints, grounds.site.fire_reach + TOLERANCE
@@ -103,7 +103,7 @@ def _pave(rows: Sequence[Pathway]) -> Shapes:
     return shapely.buffer(lines, np.array([row.width / 2 for row in rows]), cap_style="square")
 
 
-def _joined(streets: Shapes, paved: Shapes) -> Shapes:
+def _join_paved(streets: Shapes, paved: Shapes) -> Shapes:
     """Streets and the paved areas that lead to them."""
     tree, reached = shapely.STRtree(paved), np.zeros(len(paved), bool)
     fresh = np.unique(tree.query(streets, predicate="dwithin", distance=JOIN)[1])

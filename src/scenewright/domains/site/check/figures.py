@@ -82,10 +82,12 @@ def _judge(
     verdict.findings.extend(find_unserved_doors(ground, bodies, works) if works else ())
     figures = _figures(ground, bodies, got)
     verdict.findings.extend(find_sunless(ground, bodies) if ground.site.sun_required else ())
-    verdict.figures[ground.plan.id] = figures | (_served(ground, bodies, works) if works else {})
+    verdict.figures[ground.plan.id] = figures | (
+        _measure_service(ground, bodies, works) if works else {}
+    )
 
 
-def _served(ground: JudgedSite, bodies: SiteBodies, works: GroundWorks) -> dict[str, Any]:
+def _measure_service(ground: JudgedSite, bodies: SiteBodies, works: GroundWorks) -> dict[str, Any]:
     """The share of doors with a walk and of buildings near a lane, and metres of lanes and walks
     laid out."""
     own = ~bodies.landmark

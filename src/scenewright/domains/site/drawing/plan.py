@@ -25,7 +25,7 @@ from scenewright.domains.site.drawing.views import Views, views_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.domains.site.works import works_of
 from scenewright.drawing import sheet as sheets
-from scenewright.drawing.layers import Layer, PlanDrawing, merge_layers
+from scenewright.drawing.layers import PlanLayer, PlanDrawing, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import NOTHING, PaperView, clean, text
 from scenewright.ground.plan import SitePlan
@@ -73,7 +73,7 @@ def plan(
     scale = 1000 / sheet.scale
     spare = (room_wide - wide * scale) / (len(drawings) + 1)
     title_strip = sheets.sheet_mark(sheet, solution.brief.name, _summary(drawings, views))
-    left, parts = sheets.EDGE, [[Layer("Sheet", title_strip)]]
+    left, parts = sheets.EDGE, [[PlanLayer("Sheet", title_strip)]]
     for drawing in drawings:
         west, south, east, north = drawing.bounds
         left += spare
@@ -83,9 +83,9 @@ def plan(
         if len(drawings) > 1:
             middle = left + (east - west) * scale / 2
             caption = text(drawing.plan.name, (middle, bottom + MARGIN), 2.6)
-            parts.append([Layer("Names of sites", caption)])
+            parts.append([PlanLayer("Names of sites", caption)])
         left += (east - west) * scale
-    parts.append([Layer("Legend", legend_mark(arranged))])
+    parts.append([PlanLayer("Legend", legend_mark(arranged))])
     return PlanDrawing(solution.brief.name, sheet, (marks.hatch(),), merge_layers(parts))
 
 
@@ -149,21 +149,21 @@ def _site_layers(
     drawing: SiteSheet,
     letters: Mapping[str, str],
     seen: tuple[Points, Points] | None,
-) -> list[Layer]:
+) -> list[PlanLayer]:
     """A site on paper, from the ground up."""
     plan, rows = drawing.plan, drawing.rows
     return [
-        Layer("Ground", marks.ground_mark(view, plan)),
-        Layer("Lanes and walks", marks.pathways_mark(view, drawing.works)),
-        Layer("Roads and paths", marks.ways_mark(view, plan.roads)),
-        Layer("Views", marks.views_mark(view, *seen) if seen else NOTHING),
-        Layer("Names of ways", marks.way_names_mark(view, plan.roads)),
-        Layer("Setback", marks.setback_mark(view, plan, drawing.site.setback)),
-        Layer("Trees", marks.trees_mark(view, drawing.trees)),
-        Layer("Buildings", marks.buildings_mark(view, rows)),
-        Layer("Names", marks.labels_mark(view, rows, letters)),
-        Layer("Ways in", marks.entrances_mark(view, plan)),
-        Layer("Violations", marks.faults_mark(view, rows, drawing.findings)),
+        PlanLayer("Ground", marks.ground_mark(view, plan)),
+        PlanLayer("Lanes and walks", marks.pathways_mark(view, drawing.works)),
+        PlanLayer("Roads and paths", marks.ways_mark(view, plan.roads)),
+        PlanLayer("Views", marks.views_mark(view, *seen) if seen else NOTHING),
+        PlanLayer("Names of ways", marks.way_names_mark(view, plan.roads)),
+        PlanLayer("Setback", marks.setback_mark(view, plan, drawing.site.setback)),
+        PlanLayer("Trees", marks.trees_mark(view, drawing.trees)),
+        PlanLayer("Buildings", marks.buildings_mark(view, rows)),
+        PlanLayer("Names", marks.labels_mark(view, rows, letters)),
+        PlanLayer("Ways in", marks.entrances_mark(view, plan)),
+        PlanLayer("Violations", marks.faults_mark(view, rows, drawing.findings)),
     ]
 
 

@@ -156,7 +156,7 @@ class MatrixGenetic(NamedTuple):
         if self.local and state.settled >= 0:
             children = self._around(parents[order[0]], rng)
         else:
-            children = self._bred(parents, state.energies, rng)
+            children = self._breed(parents, state.energies, rng)
         rows = [*parents[order[: self.keep]], *children][: self.population]
         return np.array(rows, float).reshape(self.population, -1)
 
@@ -168,7 +168,7 @@ class MatrixGenetic(NamedTuple):
                 self._mutate(child, rng)
         return children
 
-    def _bred(self, parents: Ints, energies: Floats, rng: np.random.Generator) -> list[Ints]:
+    def _breed(self, parents: Ints, energies: Floats, rng: np.random.Generator) -> list[Ints]:
         """Global search: parents drawn, crossed, repaired, mutated."""
         draw = tournament if self.selection == "tournament" else roulette
         chosen = draw(energies, 2 * ((self.population + 1) // 2), rng)

@@ -65,7 +65,7 @@ def interlock(
     for attempt in range(TRIED):
         if watch.reached(begun, best._replace):
             break
-        start = found if attempt == 0 else _cleared(found)
+        start = found if attempt == 0 else _clear(found)
         order = np.argsort(-areas * rng.uniform(0.9, 1.1, len(areas)), kind="stable")
         fresh = _set_all(problem, start, order.tolist(), attempt % 4, watch)
         if areas[fresh.present].sum() > areas[best.present].sum() + 1e-6:
@@ -75,7 +75,7 @@ def interlock(
     return best, attempt + 1
 
 
-def _cleared(found: SiteLayout) -> SiteLayout:
+def _clear(found: SiteLayout) -> SiteLayout:
     """The answer with nothing placed."""
     count = len(found.present)
     return found._replace(

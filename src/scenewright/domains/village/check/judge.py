@@ -72,7 +72,7 @@ def judge_blocks(
             sound.append(piece)
     figures = {}
     for block in blocks:
-        judged = _judged(block, [p for p in sound if p.space == block.id], patches)
+        judged = _make_judged(block, [p for p in sound if p.space == block.id], patches)
         reached = find_reached(judged)
         findings += [
             *find_overlaps(judged),
@@ -94,7 +94,7 @@ def _fault(piece: Piece, known: set[str]) -> str:
     return "" if piece.space in known else f"stands in {piece.space!r}, which is not a block"
 
 
-def _judged(block: BlockPlan, houses: list[Piece], patches: Sequence[Patch]) -> JudgedBlock:
+def _make_judged(block: BlockPlan, houses: list[Piece], patches: Sequence[Patch]) -> JudgedBlock:
     squares = [p.box for p in patches if p.space == block.id and np.isfinite(p.box).all()]
     square = shapely.union_all(shapely.polygons(corners(np.array(squares).reshape(-1, 5))))
     doors, out = np.zeros((len(houses), 2)), np.zeros((len(houses), 2))

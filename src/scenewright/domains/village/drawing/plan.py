@@ -21,7 +21,7 @@ from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.drawing import marks as marks
 from scenewright.domains.village.gardens import lay_ground
 from scenewright.drawing import sheet as sheets
-from scenewright.drawing.layers import Layer, PlanDrawing, merge_layers
+from scenewright.drawing.layers import PlanLayer, PlanDrawing, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import PaperView, clean
 
@@ -46,9 +46,9 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDra
     view = sheets.view_at(sheet, west, south, left, bottom)
     strip = sheets.sheet_mark(sheet, solution.brief.name, _summary(village, houses, report))
     layers = [
-        [Layer("Sheet", strip)],
+        [PlanLayer("Sheet", strip)],
         _layers(view, solution, village, houses, numbers, report),
-        [Layer("Legend", legend_mark(arranged))],
+        [PlanLayer("Legend", legend_mark(arranged))],
     ]
     return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers))
 
@@ -83,23 +83,23 @@ def _layers(
     houses: Sequence[Piece],
     numbers: dict[str, int],
     report: Report,
-) -> list[Layer]:
+) -> list[PlanLayer]:
     """The village on paper, from the ground up."""
     surfaces = lay_ground(village, solution.pieces, solution.patches)
     lanes = [row for row in surfaces if row.kind in ("asphalt", "path")]
     paved = [row for row in surfaces if row.kind in ("yard", "walk", "square")]
     trees = [p for p in solution.pieces if p.category == "tree"]
     blocks = village.blocks
-    found = [*(Layer("Ground", marks.ground_mark(view, block)) for block in blocks)]
+    found = [*(PlanLayer("Ground", marks.ground_mark(view, block)) for block in blocks)]
     found += [
-        Layer("Yards and walks", marks.paving_mark(view, paved)),
-        Layer("Lanes", marks.paving_mark(view, lanes)),
-        *(Layer("Street sides", marks.streets_mark(view, block)) for block in blocks),
-        Layer("Names of lanes", marks.names_mark(view, village.lanes)),
-        Layer("Trees", marks.trees_mark(view, trees)),
-        Layer("Houses", marks.houses_mark(view, houses)),
-        Layer("Numbers", marks.labels_mark(view, numbers, houses)),
-        Layer("Violations", marks.faults_mark(view, houses, report.findings)),
+        PlanLayer("Yards and walks", marks.paving_mark(view, paved)),
+        PlanLayer("Lanes", marks.paving_mark(view, lanes)),
+        *(PlanLayer("Street sides", marks.streets_mark(view, block)) for block in blocks),
+        PlanLayer("Names of lanes", marks.names_mark(view, village.lanes)),
+        PlanLayer("Trees", marks.trees_mark(view, trees)),
+        PlanLayer("Houses", marks.houses_mark(view, houses)),
+        PlanLayer("Numbers", marks.labels_mark(view, numbers, houses)),
+        PlanLayer("Violations", marks.faults_mark(view, houses, report.findings)),
     ]
     return found
 

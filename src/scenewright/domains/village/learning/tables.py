@@ -14,7 +14,7 @@ import shapely
 
 from scenewright.core.space import Points
 from scenewright.domains.village.house import class_of_area
-from scenewright.domains.village.problem import Floats, Standing, stand
+from scenewright.domains.village.problem import Floats, StandingHouses, stand
 from scenewright.domains.village.relations import relate
 from scenewright.domains.village.settings import OURS, Manner, Relations
 from scenewright.domains.village.weights import bin_of
@@ -41,7 +41,7 @@ class RealBlock(NamedTuple):
         return min(float(np.hypot(*step.T).sum() / self.floor.exterior.length), 1.0)
 
     @property
-    def standing(self) -> Standing:
+    def standing(self) -> StandingHouses:
         """Its houses as they stand."""
         areas = [float(shapely.Polygon(ring).area) for ring in self.houses]
         return stand(list(self.houses), [class_of_area(area) for area in areas])

@@ -13,7 +13,7 @@ from scenewright.domains.village.measures import void
 from scenewright.domains.village.problem import (
     Floats,
     Shapes,
-    Standing,
+    StandingHouses,
     VillageFound,
     VillageLayout,
     VillageProblem,
@@ -50,7 +50,7 @@ def fill_unweighed(
 
 
 def _alike(
-    problem: VillageProblem, standing: Standing, house: House, shapes: Shapes, poses: Floats
+    problem: VillageProblem, standing: StandingHouses, house: House, shapes: Shapes, poses: Floats
 ) -> Floats:
     del problem, standing, house, shapes
     return np.zeros(len(poses))
@@ -92,7 +92,7 @@ def rate(problem: VillageProblem, layout: VillageLayout) -> dict[str, float]:
     return {"energy": missing + share, "missing": missing, "void": share}
 
 
-def standing_of(problem: VillageProblem, layout: VillageLayout) -> Standing:
+def standing_of(problem: VillageProblem, layout: VillageLayout) -> StandingHouses:
     """All that stands on a block, houses that stay first."""
     standing = problem.fixed
     for number, pose in zip(layout.houses.tolist(), layout.poses, strict=True):
