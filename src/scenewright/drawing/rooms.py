@@ -20,7 +20,7 @@ from scenewright.drawing import dimensions as dimensions
 from scenewright.drawing import sheet as sheets
 from scenewright.drawing.doors import doors_mark
 from scenewright.drawing.labels import area_words, labels_mark, polygon_of
-from scenewright.drawing.layers import PlanLayer, PlanDrawing, merge_layers
+from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import INK, Definition, Mark, PaperView, clean, text
 from scenewright.drawing.outlets import outlets_mark

@@ -12,7 +12,7 @@ from xml.sax.saxutils import escape, quoteattr
 import numpy as np
 
 from scenewright.core.space import Points
-from scenewright.drawing.layers import PlanLayer, PlanDrawing
+from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.marks import (
     ArcMark,
     CopyMark,

@@ -10,7 +10,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.domains.home.drawing.turning import Turns, turning_mark, turning_of
-from scenewright.drawing.layers import PlanLayer, PlanDrawing
+from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.marks import PaperView
 from scenewright.drawing.rooms import Overlay, Storey, plan
 

@@ -25,7 +25,7 @@ from scenewright.domains.site.drawing.views import Views, views_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.domains.site.works import works_of
 from scenewright.drawing import sheet as sheets
-from scenewright.drawing.layers import PlanLayer, PlanDrawing, merge_layers
+from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import NOTHING, PaperView, clean, text
 from scenewright.ground.plan import SitePlan

@@ -21,7 +21,7 @@ from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.drawing import marks as marks
 from scenewright.domains.village.gardens import lay_ground
 from scenewright.drawing import sheet as sheets
-from scenewright.drawing.layers import PlanLayer, PlanDrawing, merge_layers
+from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import PaperView, clean
 
