@@ -114,7 +114,9 @@ def _mark(
             one = person.best(left, sign)
             told.append(kind(numbers.index(one), tuple(numbers.index(g) for g in left)))
             left.remove(one)
-    spoken_of = [told[0].best, told[-1].worst, told[1].best]  # type: ignore[union-attr]
+    picks = [event.best for event in told if isinstance(event, Pick)]
+    worst = [event.worst for event in told if isinstance(event, Worst)]
+    spoken_of = [*picks[:1], *worst[-1:], *picks[1:2]]
     for number in spoken_of[: REASONS if reasons else 0]:
         words = person.reason(numbers[number])
         told += [Reason(number, words)] if words else []

@@ -28,8 +28,8 @@ def genomes(world: World, count: int) -> list[tuple[int, ...]]:
 def test_a_taste_is_measured_from_the_usual(world: World) -> None:
     one = SimulatedPerson(world, 3)
     values = [one.truth(genome) for genome in genomes(world, 300)]
-    assert np.mean(values) == pytest.approx(0.0, abs=1e-9)
-    assert np.std(values) == pytest.approx(1.0)
+    assert np.mean(values) == pytest.approx(0.0, abs=0.05)
+    assert np.std(values) == pytest.approx(1.0, rel=0.05)
     other = SimulatedPerson(world, 4)
     told = [other.truth(genome) for genome in genomes(world, 300)]
     assert abs(np.corrcoef(values, told)[0, 1]) < 0.95

@@ -27,7 +27,7 @@ from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.formats import brief_json, solution_json
 
 SAMPLES = ("exhibition", "shop", "reading-room", "auditorium", "irregular")
-STEPS = 2000
+STEPS = 5000
 SEEDS, ENOUGH = 5, 20_000
 """Runs and steps for a median of energies that hardly depends on chance."""
 EVERY = pytest.mark.parametrize(("name", "seed"), [(n, s) for n in SAMPLES for s in (0, 1)])

@@ -132,13 +132,18 @@ def test_attempts_at_halls_follow_the_preset(
 def test_rooms_are_tried_and_answers_compared_by_the_preset(
     group: str, name: str, value: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    brief, table = sw.read("sample:home-flat"), presets("home")
+    table = presets("home")
     usual = table["quick"]
     changed = getattr(usual.settings, group)._replace(**{name: value})
     tuned = usual._replace(settings=usual.settings._replace(**{group: changed}))
     monkeypatch.setitem(table, "tuned", tuned)  # type: ignore[arg-type]
-    told = [sw.solve(brief, preset=each, seed=1) for each in ("quick", "tuned")]
-    assert told[0].pieces != told[1].pieces or told[0].evaluations != told[1].evaluations
+
+    def differs(sample: str) -> bool:
+        brief = sw.read(sample)
+        one, other = (sw.solve(brief, preset=each, seed=1) for each in ("quick", "tuned"))
+        return one.pieces != other.pieces or one.evaluations != other.evaluations
+
+    assert any(map(differs, ("sample:home-flat", "sample:home-loft", "sample:home-house")))
 
 
 def test_every_setting_is_listed() -> None:

@@ -135,8 +135,8 @@ def test_annealing_as_printed_lowers_the_ratio_and_pays_nothing_for_what_it_leav
     assert not ends[1].present.all()
 
 
-def test_the_printed_algorithm_judges_by_the_value_alone_and_ends_when_all_are_alike() -> None:
-    problem = example_site(8, 120.0)
+def test_the_printed_algorithm_judges_by_value_alone_and_searches_on_when_all_are_alike() -> None:
+    problem = example_site(8, 120.0)._replace(form="printed")
     cells = make_cells(problem)
     genes, _ = MatrixGenetic(cells, problem.buildings.quality).ask(
         MatrixGenetic(cells, problem.buildings.quality).init(
@@ -148,11 +148,9 @@ def test_the_printed_algorithm_judges_by_the_value_alone_and_ends_when_all_are_a
     boxes = judge.boxes(genes)
     values = [score(problem, one, one[:, 3] > 0)["value"] for one in boxes]
     assert judge.energies(genes) == pytest.approx(-np.array(values))
-    found = viewpoint_site(problem._replace(form="printed"), Budget(None, 2000, threads=None), 0)
-    assert found.evaluations <= 10 * found.layouts[0].generations < 2000
-    longer = viewpoint_site(problem, Budget(None, 2000, threads=None), 0)
-    assert 1990 < longer.evaluations <= 2000
-    assert 10 * longer.layouts[0].generations < 2000
+    for one in (problem, problem._replace(form="repaired")):
+        found = viewpoint_site(one, Budget(None, 2000, threads=None), 0)
+        assert 10 * found.layouts[0].generations < 1990 < found.evaluations <= 2000
 
 
 def test_paper_presets_are_the_papers() -> None:
@@ -161,4 +159,4 @@ def test_paper_presets_are_the_papers() -> None:
         assert PRESETS[name].steps == 10 * 200
     solved = sw.solve(sw.read("sample:site-courtyards"), preset="paper")
     told = {term.term: term.value for term in solved.terms}
-    assert solved.evaluations <= 10 * told["generations"] <= 2000
+    assert 10 * told["generations"] < 1900 < solved.evaluations <= 2000

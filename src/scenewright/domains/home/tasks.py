@@ -133,6 +133,8 @@ def wishes_of(
         )
     replaced = {g for w in room.wishes if not w.forbid for g in INSTEAD_OF.get(w.what, ())}
     out = task.elsewhere | replaced
+    given = {kind for wish in task.instead for kind in STANDS_FOR.get(wish.group, ())}
+    usual = tuple(w for w in usual if not given.intersection(STANDS_FOR.get(w.group, ())))
     usual = tuple(w for w in (*task.instead, *usual) if w.group not in out)
     return apply_wishes(_less(usual, standing), room, task.library, there)
 

@@ -44,6 +44,7 @@ AGAINST = 0.15  # what is nearer than this leaves no way between it and the wall
 PASSED = 0.9  # where nothing stands at the wall, so much floor is left free before it, metres
 BESIDE = 0.6  # and to either side of it
 NEAR = 0.4  # what is nearer than this to a wall stands before it, metres
+LOWEST = 0.8  # nothing hangs lower, as it would under a slope, metres
 EYES = 1.55  # height of a picture's middle, metres
 MARGIN = 0.1  # what hangs stays this far from openings and tall things, metres
 WIDEST, SHARE = 1.2, 0.5  # a picture's greatest width, and what it takes of its stretch
@@ -76,7 +77,8 @@ def fill_walls(
     if not any(p.category in HUNG for p in here):
         found += _first_free(_pictures(space, ground, pieces), ground, pieces, catalog)
     if area >= LIT and sum(p.category in LAMPS for p in here) == 1:
-        found += _first_free(_lamps(space, ground, (*pieces, *found)), ground, pieces, catalog)
+        standing = (*pieces, *found)
+        found += _first_free(_lamps(space, ground, standing), ground, standing, catalog)
     return found
 
 
@@ -190,7 +192,11 @@ def _first_free(
     flat = frozenset(name for name, kind in catalog.kinds.items() if kind.flat)
     standing = standing_of(tuple(pieces), flat)
     for piece in forms:
-        if _is_free(piece, ground, standing) and _is_passed(piece, ground, standing, pieces):
+        if (
+            piece.pose.z > LOWEST
+            and _is_free(piece, ground, standing)
+            and _is_passed(piece, ground, standing, pieces)
+        ):
             asset = catalog.choose(piece.category, piece.size)
             return [replace(piece, asset=asset.id if asset else "")]
     return []
