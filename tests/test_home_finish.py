@@ -11,7 +11,7 @@ import shapely
 
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief, Room
-from scenewright.core.footprint import outline_of
+from scenewright.core.piece_outlines import outline_of
 from scenewright.domains import check
 from scenewright.domains.home.furnishing.enlarge import enlarge_pieces
 from scenewright.domains.home.groups.kitchen import kitchen

@@ -27,6 +27,8 @@ class Attraction(NamedTuple):
 
 AMPLE, MODEST = 0.8, 0.6
 """Shares of the footprint preferred in a room that what is essential there, and the rest, has."""
+AROUND = ("dining",)
+"""Groups one walks round, which take more floor than they stand on: no larger than need be."""
 
 
 class PlacementPreference(NamedTuple):
@@ -262,7 +264,7 @@ def programme(
         Wish(
             row.group,
             row.rank,
-            becoming=AMPLE if row.rank == 0 else MODEST,
+            becoming=AMPLE if row.rank == 0 and row.group not in AROUND else MODEST,
             core=row.rank == 0 and number < CORE.get(function, 1),
             sway=PRIVATE if row.group in BEDS and shared else PlacementPreference(),
         )
