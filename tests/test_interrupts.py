@@ -97,8 +97,8 @@ def test_what_swallows_the_exception_does_not_keep_the_process() -> None:
 
 def test_workers_of_a_batch_do_not_hear_it(tmp_path: Path) -> None:
     """The terminal sends Ctrl-C to all processes at once: the parent alone tells it."""
-    for number in range(60):
-        brief = {"rooms": [{"outline": [[0, 0], [4, 0], [4, 3 + number / 20], [0, 3]]}]}
+    for number in range(600):
+        brief = {"rooms": [{"outline": [[0, 0], [4, 0], [4, 3 + number / 200], [0, 3]]}]}
         (tmp_path / f"{number}.json").write_text(json.dumps(brief))
     command = [
         sys.executable,
