@@ -9,7 +9,7 @@ import pytest
 from benchmarks import person
 from benchmarks.person_raters import SimulatedPerson, like
 from benchmarks.person_wait import measure_waits
-from benchmarks.person_world import World, home_world
+from benchmarks.person_world import FIRST, World, home_world
 
 from scenewright.workflow.evolution.population import draw_genomes
 
@@ -27,11 +27,11 @@ def genomes(world: World, count: int) -> list[tuple[int, ...]]:
 
 def test_a_taste_is_measured_from_the_usual(world: World) -> None:
     one = SimulatedPerson(world, 3)
-    values = [one.truth(genome) for genome in genomes(world, 300)]
-    assert np.mean(values) == pytest.approx(0.0, abs=0.05)
-    assert np.std(values) == pytest.approx(1.0, rel=0.05)
+    values = [one.truth(genome) for genome in genomes(world, FIRST)]
+    assert np.mean(values) == pytest.approx(0.0, abs=1e-9)
+    assert np.std(values) == pytest.approx(1.0)
     other = SimulatedPerson(world, 4)
-    told = [other.truth(genome) for genome in genomes(world, 300)]
+    told = [other.truth(genome) for genome in genomes(world, FIRST)]
     assert abs(np.corrcoef(values, told)[0, 1]) < 0.95
     row = world.look(genomes(world, 1)[0])[1]
     hidden = like(one.taster._replace(unseen=np.zeros(3)), world, row)

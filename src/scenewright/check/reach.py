@@ -20,6 +20,7 @@ from scenewright.check.routes import JoinedFloor, Walk, squeeze_in, walk_without
 from scenewright.check.spaces import inscribed_width
 from scenewright.core.kind import Side
 from scenewright.core.report import Finding
+from scenewright.core.space import Space
 
 REACH = 0.2
 """How far an arm reaches beyond the person's own radius, in metres."""
@@ -165,17 +166,19 @@ def _all_of(group: Members, shapes: dict[int, Shape]) -> Shape:
 
 
 def _used_from(bodies: Bodies, rooms: Rooms, i: int, depth: float) -> Shape:
-    """The boxes before the using sides of a piece; deeper if one has to bend down there."""
-    near, space = _before(bodies, i, depth), rooms.spaces[bodies.room[i]]
+    """The boxes before the using sides of a piece, ``depth`` metres deep; each deeper if one has
+    to bend down there."""
+    corners, sides = bodies.corners[i], bodies.kinds[i].access or _ROUND
+    space = rooms.spaces[bodies.room[i]]
+    return shapely.multipolygons([_before(corners, side, depth, space) for side in sides])
+
+
+def _before(corners: Floats, side: str, depth: float, space: Space) -> Shape:
+    """The box before one side of a piece of a space."""
+    near = _beyond(corners, side, depth)
     if not space.slopes or lower_than(space, near, HEADROOM).is_empty:
         return near
-    return _before(bodies, i, depth + BENDING)
-
-
-def _before(bodies: Bodies, i: int, depth: float) -> Shape:
-    """The boxes before the using sides of a piece, ``depth`` metres deep."""
-    corners, sides = bodies.corners[i], bodies.kinds[i].access or _ROUND
-    return shapely.multipolygons([_beyond(corners, side, depth) for side in sides])
+    return _beyond(corners, side, depth + BENDING)
 
 
 def _beyond(corners: Floats, side: str, depth: float) -> Shape:
