@@ -223,5 +223,6 @@ def test_a_block_lacks_less_the_better_its_models_look() -> None:
             sides=sides_of(problem.buildings.sides, problem.buildings.quality) * 0.5
         )
     )
-    assert lacking(problem, about, placed) < lacking(plain, about, placed)
-    assert lacking(problem, about, BlockLayout((), np.zeros((0, 5)), "")) == about.weights.sum()
+    assert lacking(problem, about, placed, np.inf) < lacking(plain, about, placed, np.inf)
+    nothing = BlockLayout((), np.zeros((0, 5)), "")
+    assert lacking(problem, about, nothing, np.inf) == about.weights.sum()

@@ -17,7 +17,8 @@ from scenewright.core.solution import Solution
 from scenewright.domains import check, scene_of
 from scenewright.domains.site.plan import plans_of, site_plan
 from scenewright.formats import solution_json
-from scenewright.ground.path_tree import cut_tree, find_times
+from scenewright.geometry.wavefront import find_quickest
+from scenewright.ground.path_tree import cut_tree
 from scenewright.ground.pathways import lay_pathways
 from scenewright.ground.works import Pathway
 from sites import building, site
@@ -162,7 +163,7 @@ def test_trees_of_ways_are_the_quickest_and_share_no_piece():
     rng = np.random.default_rng(3)
     slow = np.where(rng.random((24, 30)) < 0.2, np.inf, 1.0)
     slow[0, 0] = 1.0
-    times, before = find_times(slow, 1.0, np.array([0], np.int32))
+    times, before = find_quickest(slow, 1.0, np.array([0], np.int32))
     goals = np.flatnonzero(np.isfinite(times))[5::37]
     pieces = cut_tree(before, goals.tolist())
     steps = [pair for piece in pieces for pair in pairwise(piece)]

@@ -7,6 +7,7 @@ then moved onto that ground exactly.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -14,8 +15,9 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
+from scenewright.geometry.wavefront import find_quickest
 from scenewright.ground.path_raster import PathRaster, is_drivable
-from scenewright.ground.path_tree import find_times, straighten, trace
+from scenewright.ground.path_tree import straighten, trace
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import Pathway
 
@@ -62,7 +64,7 @@ def lay_lanes(
         if near.all():
             break
         slow, starts = measure_ground(plan, raster, radius - slack, radius + 1.0, raster.driven)
-        tree = Tree(slow, *find_times(slow, raster.cell, starts))
+        tree = Tree(slow, *find_quickest(slow, raster.cell, starts))
         goals, far = _find_ends(raster, solids[:count], ahead, tree.times, offs)
         centres, used = find_centres(plan, built, radius), set[int]()
         for k in np.argsort(np.where(np.isfinite(far), -far, np.inf), kind="stable"):
@@ -144,15 +146,22 @@ def _find_ends(
     """The cell beside each building that is reached first, and when (infinite: none): before its
     front, which looks ``ahead`` (n, 2), where that can be reached, else on any side."""
     goals, far = np.zeros(len(rings), np.int32), np.full(len(rings), np.inf)
-    for k, ring in enumerate(rings):
-        along = np.concatenate([ring, 0.5 * (ring + np.roll(ring, -1, axis=0))])
-        out = along - ring.mean(0)
-        out /= np.maximum(np.hypot(*out.T), 1e-9)[:, None]
-        cells = raster.cells_of((along + offs[:, None, None] * out).reshape(-1, 2))
-        before = np.tile(out @ ahead[k] > 0.2, len(offs))
-        late = np.where(before | ~np.isfinite(times[cells[before]]).any(), 0.0, np.inf)
-        best = int(np.argmin(times[cells] + late))
-        goals[k], far[k] = cells[best], times[cells[best]]
+    if not len(rings):
+        return goals, far
+    along = [np.concatenate([ring, 0.5 * (ring + np.roll(ring, -1, axis=0))]) for ring in rings]
+    out = np.concatenate([row - row[: len(row) // 2].mean(0) for row in along])
+    out /= np.maximum(np.hypot(*out.T), 1e-9)[:, None]
+    owner = np.repeat(np.arange(len(rings)), [len(row) for row in along])
+    points = np.concatenate(along) + offs[:, None, None] * out
+    cells = raster.cells_of(points.reshape(-1, 2)).reshape(len(offs), -1)
+    when, before = times[cells], (out * ahead[owner]).sum(1) > 0.2
+    ends = np.searchsorted(owner, np.arange(len(rings) + 1))
+    for k, (first, last) in enumerate(pairwise(ends.tolist())):
+        own, front = when[:, first:last], before[first:last]
+        if np.isfinite(own[:, front]).any():
+            own = np.where(front, own, np.inf)
+        best = int(np.argmin(own))
+        goals[k], far[k] = cells[:, first:last].flat[best], own.flat[best]
     return goals, far
 
 

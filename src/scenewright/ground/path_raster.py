@@ -87,8 +87,9 @@ def make_raster(plan: SitePlan, footprints: list[Points], cap: float, width: flo
     border = clearance(rings, around, NO_BOXES, NO_BOXES, *given)
     shape = solid.values.shape
     wide = [way for way in plan.roads if is_drivable(way, width)]
-    roads = [_mark_ways(ways, angle, low, cell, shape) for ways in (wide, plan.roads)]
-    return PathRaster(angle, low, cell, solid.values, border.values, roads[0], roads[1])
+    narrow = [way for way in plan.roads if not is_drivable(way, width)]
+    driven, others = (_mark_ways(ways, angle, low, cell, shape) for ways in (wide, narrow))
+    return PathRaster(angle, low, cell, solid.values, border.values, driven, driven | others)
 
 
 def _mark_ways(

@@ -13,7 +13,8 @@ from collections.abc import Container, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.geometry.travel import make_search, spread, string_pull
+from scenewright.geometry.travel import string_pull
+from scenewright.geometry.wavefront import find_quickest
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
@@ -22,28 +23,16 @@ PAVED = 0.45
 """What a metre costs that other ways use, of what it costs otherwise."""
 
 
-def find_times(slow: Floats, cell: float, starts: Ints) -> tuple[Floats, Ints]:
-    """Travel times (cells,) from the nearest start, and the cell each was come from (-1: none).
-
-    ``slow`` (rows, columns) seconds a metre, infinite where no way may lead.
-    """
-    search = make_search(slow.size)
-    if len(starts):
-        spread(search, slow, cell, starts, -1)
-    return search.times, search.before
-
-
-def grow_paths(slow: Floats, cell: float, starts: Ints, goals: Ints) -> list[Ints]:
-    """Pieces (k,) of cells of the ways from starts to all ``goals`` that can be reached; a piece
-    ends where others begin. ``slow`` as for :func:`find_times`."""
-    times, before = find_times(slow, cell, starts)
-    goals = goals[np.isfinite(times[goals])]
+def grow_paths(slow: Floats, cell: float, starts: Ints, goals: Ints, before: Ints) -> list[Ints]:
+    """Pieces (k,) of cells of the ways from starts to all ``goals``, which can be reached; a piece
+    ends where others begin. ``slow`` (rows, columns) seconds a metre, infinite where no way may
+    lead; ``before`` (cells,) the cell each is come from on its quickest way."""
     if not len(goals):
         return []
     cheap = slow.copy().reshape(-1)
     used = {number for piece in cut_tree(before, goals.tolist()) for number in piece}
     cheap[sorted(used)] *= PAVED
-    _, before = find_times(cheap.reshape(slow.shape), cell, starts)
+    _, before = find_quickest(cheap.reshape(slow.shape), cell, starts)
     return [np.array(piece, np.int32) for piece in cut_tree(before, goals.tolist())]
 
 

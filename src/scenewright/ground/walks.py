@@ -10,9 +10,10 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
+from scenewright.geometry.wavefront import find_quickest
 from scenewright.ground.lanes import corners_of_line, lead_out, measure_ground
 from scenewright.ground.path_raster import PathRaster
-from scenewright.ground.path_tree import find_times, grow_paths, straighten
+from scenewright.ground.path_tree import grow_paths, straighten
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import Pathway
 
@@ -67,11 +68,11 @@ def lay_walks(
         streets.reshape(-1)[raster.cells_of(shapely.get_coordinates(line))] = True
     clear = 0.5 * WALK + KERB + 0.2 * raster.cell
     slow, starts = measure_ground(plan, raster, clear, COMFORT, streets)
-    times, _ = find_times(slow, raster.cell, starts)
+    times, before = find_quickest(slow, raster.cell, starts)
     outward = {} if plan.entrances else _find_ways_out(plan, doors)
     goals, served = _find_bends(raster, doors, times)
     served = served & ~np.isin(np.arange(len(served)), list(outward))
-    pieces = grow_paths(slow, raster.cell, starts, goals[served])
+    pieces = grow_paths(slow, raster.cell, starts, goals[served], before)
     lines = _draw_lines(raster, slow, pieces, built)
     if not plan.entrances:
         lines = [lead_out(plan, line, 2.0 * (clear + raster.cell)) for line in lines]

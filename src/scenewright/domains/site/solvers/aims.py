@@ -11,7 +11,7 @@ from scenewright.domains.site.solvers.block import BlockLayout
 from scenewright.domains.site.solvers.front import inside
 from scenewright.domains.site.terms.table import MUCH, read_site_aims
 from scenewright.geometry.box_grid import box_grid
-from scenewright.geometry.sun import open_hours, sun_hours, sun_path
+from scenewright.geometry.sun import SILL, light, open_hours, sun_path
 from scenewright.geometry.walker import sights_of_boxes
 
 FAR, NEAR = 150.0, 60.0
@@ -25,8 +25,9 @@ SEEN, SUN, EVEN = range(3)
 
 class Around(NamedTuple):
     """A block about to be filled: its middle (2,) and size in metres, eyes (e, 2) near it, what
-    stands near, boxes (m, 5) with heights (m,) and sides (m, 5), the path of the sun (s, 4), and
-    the weights (3,) of the aims, 0 where there is nothing to look at."""
+    stands near, boxes (m, 5) with heights (m,) and sides (m, 5), the path of the sun (s, 4), the
+    hours it shines on a front to it that has nothing before it, and the weights (3,) of the aims, 0
+    where there is nothing to look at."""
 
     middle: Floats
     size: float
@@ -35,6 +36,7 @@ class Around(NamedTuple):
     heights: Floats
     sides: Floats
     path: Floats
+    open_hours: float
     weights: Floats
 
 
@@ -57,27 +59,41 @@ def around(problem: SiteProblem, edges: Floats, boxes: Floats, present: Flags) -
     middle, area = _middle(edges)
     path = sun_path(problem.latitude, problem.day, minutes=MINUTES)
     weights = read_site_aims(problem.weights) * (len(eyes) > 0, len(path) > 0, 1.0)
-    return Around(middle, area**0.5, eyes, every[near], heights[near], sides[near], path, weights)
+    noon = np.arctan2(path[:, 1].sum(), path[:, 0].sum())
+    best = max(float(open_hours([noon], path)[0, 0]), 1e-9)
+    stand = every[near], heights[near], sides[near]
+    return Around(middle, area**0.5, eyes, *stand, path, best, weights)
 
 
-def lacking(problem: SiteProblem, about: Around, found: BlockLayout) -> float:
-    """What a layout of a block lacks in the aims, by their weights; 0 is all one can wish for."""
+def lacking(problem: SiteProblem, about: Around, found: BlockLayout, most: float) -> float:
+    """What a layout of a block lacks in the aims, by their weights; 0 is all one can wish for. What
+    is certainly ``most`` or more is not looked at to the end."""
     if not len(found.numbers):
         return float(about.weights.sum())
-    numbers, weights, made = list(found.numbers), about.weights, problem.buildings
-    heights = made.sizes[numbers, 2]
-    cost = 0.0
-    if weights[SEEN]:
-        every = np.concatenate([found.boxes, about.boxes])
-        sides = np.concatenate([sides_of(made.sides, made.quality)[numbers], about.sides])
-        grid = box_grid(every, np.concatenate([heights, about.heights]))
-        view = sights_of_boxes(grid, sides, about.eyes, 1.0, RAYS).values.mean()
-        cost += weights[SEEN] * (1.0 - float(view) / MUCH)
-    if weights[SUN]:
-        cost += weights[SUN] * (1.0 - _sunny(about, found.boxes, heights))
+    weights, cost = about.weights, 0.0
     if weights[EVEN]:
         cost += weights[EVEN] * uneven(found.boxes, about.middle, about.size)
+    if cost >= most or not weights[SEEN] + weights[SUN]:
+        return cost
+    rows = _spread_out(len(found.numbers))
+    numbers, made = [found.numbers[k] for k in rows], problem.buildings
+    every = np.concatenate([found.boxes[rows], about.boxes])
+    grid = box_grid(every, np.concatenate([made.sizes[numbers, 2], about.heights]))
+    if weights[SUN]:
+        hours = np.zeros((min(len(rows), LIT), 4))
+        light(grid, about.path, 1, SILL, hours)
+        cost += weights[SUN] * (1.0 - float(hours[:, 0].mean()) / about.open_hours)
+    if weights[SEEN] and cost < most:
+        sides = np.concatenate([sides_of(made.sides, made.quality)[numbers], about.sides])
+        view = sights_of_boxes(grid, sides, about.eyes, 1.0, RAYS).values.mean()
+        cost += weights[SEEN] * (1.0 - float(view) / MUCH)
     return cost
+
+
+def _spread_out(count: int) -> list[int]:
+    """The numbers below ``count``, :data:`LIT` of them that are spread over all first."""
+    some = np.unique(np.linspace(0, count - 1, min(count, LIT)).astype(int))
+    return [*some.tolist(), *np.setdiff1d(np.arange(count), some).tolist()]
 
 
 def uneven(boxes: Floats, middle: Floats, size: float) -> float:
@@ -105,18 +121,6 @@ def uneven_of(problem: SiteProblem, boxes: Floats) -> float:
             sums += share * uneven(own, middle, area**0.5)
             taken += share
     return sums / taken if taken else 0.0
-
-
-def _sunny(about: Around, boxes: Floats, heights: Floats) -> float:
-    """Sun on the fronts of some of a block's buildings as a share of what a front to the sun
-    gets that has nothing before it."""
-    some = np.unique(np.linspace(0, len(boxes) - 1, min(len(boxes), LIT)).astype(int))
-    rest = np.setdiff1d(np.arange(len(boxes)), some)
-    others = np.concatenate([boxes[rest], about.boxes])
-    tops = np.concatenate([heights[rest], about.heights])
-    hours = sun_hours(boxes[some], heights[some], about.path, (others, tops))[:, 0]
-    best = open_hours([np.arctan2(about.path[:, 1].sum(), about.path[:, 0].sum())], about.path)
-    return float(hours.mean() / max(float(best[0, 0]), 1e-9))
 
 
 def _middle(edges: Floats) -> tuple[Floats, float]:

@@ -10,11 +10,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.core.layout import corners
 from scenewright.domains.site.problem import Floats, SiteProblem
+from scenewright.domains.site.solvers.distances import list_reserved_edges, mark_shaded, noon
 from scenewright.domains.site.solvers.front import list_front_margins, turned_in
 from scenewright.domains.site.solvers.perimeter_block import rim
-from scenewright.domains.site.solvers.strips import StripRule, back, rotate_block, rows
+from scenewright.domains.site.solvers.rows import StripRule, rows
+from scenewright.domains.site.solvers.strips import back, rotate_block
 
 FORMS = (
     "parallel",
@@ -205,48 +206,18 @@ def _in_sun(problem: SiteProblem, found: BlockLayout) -> BlockLayout:
     """A layout without the buildings that stand too near behind another one of it."""
     if problem.sun_spacing <= 0.0 or len(found.numbers) < 2:
         return found
-    heading = noon(problem)
-    c, s = math.cos(heading), math.sin(heading)
-    rings = corners(found.boxes)
-    x = rings[..., 0] * s - rings[..., 1] * c
-    y = rings[..., 0] * c + rings[..., 1] * s
-    reach = problem.sun_spacing * problem.buildings.sizes[list(found.numbers), 2]
-    beside = (x.min(1)[:, None] < x.max(1)[None, :]) & (x.max(1)[:, None] > x.min(1)[None, :])
-    gap = y.min(1)[:, None] - y.max(1)[None, :]
-    behind = y.mean(1)[:, None] > y.mean(1)[None, :]
-    dark = (beside & behind & (gap < reach[:, None] - 1e-6)).any(0)
+    heights, dark = (
+        problem.buildings.sizes[list(found.numbers), 2],
+        np.empty(len(found.boxes), bool),
+    )
+    work = np.empty((len(dark), 5))
+    mark_shaded(found.boxes, heights, noon(problem), problem.sun_spacing, work, dark)
+    if not dark.any():
+        return found
     kept = np.flatnonzero(~dark)
     return BlockLayout(
         tuple(found.numbers[k] for k in kept), found.boxes[kept], found.form, found.around
     )
-
-
-def list_reserved_edges(
-    problem: SiteProblem, boxes: Floats, heights: Floats, ahead: float
-) -> Floats:
-    """Edges (clockwise) of the ground that buildings keep from others: the spacing all around;
-    behind, away from the sun, as many of their heights as asked for, and ahead as many of the
-    heights of those to come.
-
-    ``boxes`` (n, 5), ``heights`` (n,) in metres; edges (4 n, 4).
-    """
-    heading = noon(problem)
-    c, s = math.cos(heading), math.sin(heading)
-    rings = corners(boxes)
-    x = rings[..., 0] * s - rings[..., 1] * c
-    y = rings[..., 0] * c + rings[..., 1] * s
-    gap, sun = problem.spacing, problem.sun_spacing
-    x0, x1 = x.min(1) - gap, x.max(1) + gap
-    y0, y1 = y.min(1) - np.maximum(gap, sun * heights), y.max(1) + max(gap, sun * ahead)
-    px, py = np.stack([x0, x0, x1, x1], 1), np.stack([y0, y1, y1, y0], 1)
-    ring = np.stack(back(px, py, heading), -1)
-    edges: Floats = np.concatenate([ring, np.roll(ring, -1, axis=1)], axis=2).reshape(-1, 4)
-    return edges
-
-
-def noon(problem: SiteProblem) -> float:
-    """The heading towards the sun at noon: south in the northern half of the world."""
-    return -math.pi / 2 if problem.latitude >= 0.0 else math.pi / 2
 
 
 def wrap_angle(angle: float) -> float:

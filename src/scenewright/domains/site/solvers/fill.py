@@ -23,9 +23,9 @@ from scenewright.domains.site.solvers.block import (
     headings,
     lay_out_block,
     list_forms,
-    list_reserved_edges,
     loosen_layout,
 )
+from scenewright.domains.site.solvers.distances import list_reserved_edges
 from scenewright.domains.site.solvers.improve import improve_layout
 from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
@@ -237,7 +237,7 @@ def _best(
             queue = handsome
         found = loosen_layout(problem, edges, queue, heading, form, effort[1])
         cost = _cost(problem, found, share) + problem.settings.fill.variety * float(rng.random())
-        cost += lacking(problem, about, found) if cost < least else 0.0
+        cost += lacking(problem, about, found, least - cost) if cost < least else 0.0
         if cost < least:
             best, least = found, cost
     return best

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
+from scenewright.geometry.compiled import compiled, inlined
 
 AHEAD, PACE = 10.0, 0.5
 """How far ahead of a front the border is looked for, and every how many metres a way."""
@@ -21,15 +22,43 @@ def blind(problem: SiteProblem, boxes: Floats, far: float = AHEAD) -> Flags:
     """Which of boxes (k, 5) have the site's border within ``far`` metres ahead and no way before
     it. None on sites without ways, which are entered from anywhere on their border."""
     found = np.zeros(len(boxes), np.bool_)
-    if not len(problem.ground.roads) or not len(boxes):
-        return found
-    front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], 1)
-    door = boxes[:, :2] + 0.5 * boxes[:, 4:] * front
-    out = np.flatnonzero(~inside(problem.ground.edges, door + far * front))
-    steps = np.arange(0.0, far + PACE, PACE)
-    points = door[out, None] + steps[:, None] * front[out, None]
-    found[out] = ~_on_ways(problem.ground.roads, points).any(1)
+    if len(problem.ground.roads) and len(boxes):
+        mark_blind(problem.ground.edges, problem.ground.roads, boxes, far, found)
     return found
+
+
+@compiled
+def mark_blind(edges: Floats, roads: Floats, boxes: Floats, far: float, found: Flags) -> None:
+    """Mark the boxes (k, 5) whose front has no ground of directed ``edges`` (e, 4) ``far`` metres
+    ahead, and none of the ``roads`` (r, 5) up to there."""
+    steps = math.ceil(far / PACE - 1e-9) + 1
+    for k in range(boxes.shape[0]):
+        c, s = math.cos(boxes[k, 2]), math.sin(boxes[k, 2])
+        x, y = boxes[k, 0] + 0.5 * boxes[k, 4] * c, boxes[k, 1] + 0.5 * boxes[k, 4] * s
+        found[k] = not lies_inside(edges, x + far * c, y + far * s)
+        for r in range(roads.shape[0]):
+            if not found[k]:
+                break
+            rc, rs = math.cos(roads[r, 2]), math.sin(roads[r, 2])
+            reach = 0.5 * math.hypot(roads[r, 3], roads[r, 4]) + far + PACE
+            if max(abs(roads[r, 0] - x), abs(roads[r, 1] - y)) > reach:
+                continue
+            for step in range(steps):
+                dx, dy = x + PACE * step * c - roads[r, 0], y + PACE * step * s - roads[r, 1]
+                along, aside = abs(dx * rc + dy * rs), abs(dx * rs - dy * rc)
+                if along <= 0.5 * roads[r, 4] and aside <= 0.5 * roads[r, 3]:
+                    found[k] = False
+
+
+@inlined
+def lies_inside(edges: Floats, x: float, y: float) -> bool:
+    """Whether a point lies in the ground of directed edges (e, 4), by crossings."""
+    odd = False
+    for k in range(edges.shape[0]):
+        ax, ay, bx, by = edges[k, 0], edges[k, 1], edges[k, 2], edges[k, 3]
+        if (ay <= y) != (by <= y) and ax + (y - ay) / (by - ay) * (bx - ax) < x:
+            odd = not odd
+    return odd
 
 
 def turned_in(problem: SiteProblem, boxes: Floats) -> Floats:
@@ -79,19 +108,3 @@ def inside(edges: Floats, points: Floats) -> Flags:
     left = ax + (y - ay) / rise * (bx - ax) < x
     inside: Flags = (across & left).sum(1) % 2 == 1
     return inside
-
-
-def _on_ways(roads: Floats, points: Floats) -> Flags:
-    """Which of points (k, s, 2) lie on straight pieces of ways (r, 5)."""
-    found = np.zeros(points.shape[:2], np.bool_)
-    if not points.size:
-        return found
-    reach = 0.5 * np.hypot(roads[:, 3], roads[:, 4])[:, None]
-    flat = points.reshape(-1, 2)
-    near = ((roads[:, :2] + reach > flat.min(0)) & (roads[:, :2] - reach < flat.max(0))).all(1)
-    for x, y, heading, width, length in roads[near].tolist():
-        c, s = math.cos(heading), math.sin(heading)
-        dx, dy = points[..., 0] - x, points[..., 1] - y
-        along, aside = np.abs(dx * c + dy * s), np.abs(dx * s - dy * c)
-        found |= (along <= 0.5 * length) & (aside <= 0.5 * width)
-    return found
