@@ -41,7 +41,7 @@ SOLVING = {"terms", "encodings", "energy", "solvers", "solving", "problem", "bui
 """Parts of a domain that its referee never imports."""
 LOADING = ("scenewright.catalog.loading", "scenewright.catalog.models")
 """What reads models from files: the referee is given its kinds."""
-DOMAINS = {"home", "hall", "site", "village"}
+DOMAINS = {"home", "hall", "site", "village", "extend"}
 HEAVY = ("numpy", "numba", "shapely", "trimesh", "embreex", "scipy", "pydantic")
 
 

@@ -23,10 +23,11 @@ SAMPLES = {
     "hall": "hall-shop",
     "site": "site-courtyards",
     "village": "village-hamlet",
+    "extend": "extend-village",
 }
 PLUGINS = Path(__file__).parent / "plugins"
-STEPS = {"home": 500, "hall": 1500, "site": 2, "village": 1}
-OUTDOORS = ("site", "village")
+STEPS = {"home": 500, "hall": 1500, "site": 2, "village": 1, "extend": 1}
+OUTDOORS = ("site", "village", "extend")
 
 
 def arrange(domain: str, brief: sw.Brief, seed: int = 0) -> sw.Solution:
@@ -225,7 +226,7 @@ def test_buildings_in_the_way_of_a_moved_one_make_room() -> None:
     assert {c.reason for c in changes} >= {"moved by hand"}
 
 
-@pytest.mark.parametrize("domain", ["hall", "site", "village"])
+@pytest.mark.parametrize("domain", ["hall", "site", "village", "extend"])
 def test_swaps_are_for_homes(domain: str) -> None:
     solution = arrange(domain, sw.read(f"sample:{SAMPLES[domain]}"))
     one, other = (group[0].id for group in groups(solution)[:2])

@@ -39,6 +39,7 @@ FLOORS: dict[str, Material] = {
     "storage": PLAIN_FLOOR,
     "site": GRASS,
     "village": GRASS,
+    "extend": GRASS,
 }
 """Floor finish by a room's first function; all others are oak."""
 

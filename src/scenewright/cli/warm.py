@@ -26,6 +26,7 @@ SAMPLES = {
     "hall": ("hall-reading-room", "hall-exhibition"),
     "site": ("site-30", "site-landmarks"),
     "village": ("village-hamlet",),
+    "extend": ("extend-terrace",),
 }
 """What is solved to compile a kind of scene."""
 STEPS = 200

@@ -15,7 +15,7 @@ from scenewright.core.errors import InputError
 
 DEFAULT = "home"
 """The domain of a brief that states none."""
-SHIPPED = ("home", "hall", "site", "village")
+SHIPPED = ("home", "hall", "site", "village", "extend")
 """One name a package of :mod:`scenewright.domains`."""
 GROUP = "scenewright.domains"
 """The entry points by which other packages add theirs: ``meadow = "picnic.meadow:DOMAIN"``."""

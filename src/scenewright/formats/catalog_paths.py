@@ -10,7 +10,7 @@ from scenewright.core.brief import Brief
 
 Json = dict[str, Any]
 
-NAMED = ("catalogs", "groups")
+NAMED = ("catalogs", "groups", "sources")
 """Fields of a brief that hold paths."""
 
 

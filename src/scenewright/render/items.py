@@ -264,7 +264,7 @@ def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> Ren
     if piece.footprint != footprint_of(asset, size):
         key = (key, piece.footprint)
         parts = _mesh_outline(piece, size, asset, parts)
-    if piece.category == "building" and not piece.fixed:
+    if piece.category == "building" and piece.function != "landmark":
         tint = tint_of(piece.id, parts)
         key, parts = (key, tint), apply_tint(parts, tint)
     kind = catalog.kinds.get(piece.category)

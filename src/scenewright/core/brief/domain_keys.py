@@ -38,12 +38,17 @@ def check_parts(document: Mapping[str, Any]) -> None:
 out, or set "domain": "site"
     """
     own = document.get("domain", DEFAULT)
+    shared = set(domain_of(own).part_model().model_fields) if _has_part(own) else set()
     for name in domain_names():
         if name == own or own not in domain_names() or not domain_of(name).part:
             continue
         for key in domain_of(name).part_model().model_fields:
-            if document.get(key):
+            if document.get(key) and key not in shared:
                 raise _foreign(own, (name,), key)
+
+
+def _has_part(name: object) -> bool:
+    return name in domain_names() and bool(domain_of(str(name)).part)
 
 
 def _knowing(field: str, key: str) -> tuple[str, ...]:

@@ -1,0 +1,50 @@
+"""Extensions: a neighbourhood grown into an area beside it, in the spirit of its own."""
+
+from __future__ import annotations
+
+from scenewright.core.brief.fields import BUILDING
+from scenewright.core.registry import Format
+from scenewright.domains.contract import Domain
+
+DOMAIN = Domain(
+    name="extend",
+    about="a neighbourhood continued beside itself",
+    package=__name__,
+    part=".brief:ExtendPart",
+    rooms=False,
+    lacks=("rooms", "levels", "walls", "stairs", "accessible"),
+    defaults={"name": "extension"},
+    noun="area",
+    largest_piece=BUILDING,
+    verbs={
+        "plan": ".plan:plan_extend",
+        "solve": ".solving:solve",
+        "problems": ".solving:problems",
+        "solution": ".solution:solution_of",
+        "check": ".check.judge:check",
+        "scene": ".furnish:scene_of_extension",
+        "draw": ".drawing.plan:draw",
+        "adjust": ".adjust:adjust",
+        "locked": ".locks:lock_extension",
+    },
+    tables={
+        "presets": ".presets:PRESETS",
+        "solvers": ".solvers:EXTEND_SOLVERS",
+        "meanings": ".reasons:MEANINGS",
+    },
+    formats=(
+        Format(
+            ".geojson",
+            "areas, streets and buildings of an extension (written)",
+            writer=f"{__name__}.writing.geojson",
+            domain="extend",
+        ),
+        Format(
+            ".street.png",
+            "picture across the seam, at eye height",
+            writer=f"{__name__}.writing.street_picture",
+            domain="extend",
+        ),
+    ),
+    maps=".reading.geojson",
+)

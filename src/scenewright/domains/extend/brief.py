@@ -1,0 +1,108 @@
+"""The part of the brief that only extensions have: source scenes, and the areas to fill.
+
+A source is a small neighbourhood; an area is ground that is to be built on as the sources are
+(after Zhang and Fei 2017, who grow a scene from one or more of the user's own).
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from scenewright.core.brief.catalog import PathText
+from scenewright.core.brief.fields import (
+    BUILDING,
+    Coordinate,
+    FootprintOutline,
+    Heading,
+    Number,
+    Outline,
+    Point,
+    StrictModel,
+    Switch,
+    Whole,
+    is_left_out,
+)
+
+Span = Annotated[Number, Field(gt=0, le=BUILDING)]
+
+
+class SourceBuilding(StrictModel):
+    """A building of a source: its ``outline`` in metres, ``height``, ``heading`` of its front in
+    radians (left out: the side facing the nearest street), the ``model`` that draws it."""
+
+    id: Annotated[str, Field(max_length=200)] = ""
+    name: Annotated[str, Field(max_length=80)] = ""
+    outline: Outline
+    height: Span = 7.5
+    heading: Heading | None = None
+    model: Annotated[str, Field(max_length=500)] = ""
+
+
+class StreetLine(StrictModel):
+    """A street or path by its middle line and width in metres."""
+
+    id: str = ""
+    name: str = ""
+    line: Annotated[list[Point], Field(min_length=2, max_length=5000)]
+    width: Annotated[Number, Field(ge=0.5, le=60)] = 6.0
+    kind: Literal["road", "path"] = "road"
+
+
+class SourceScene(StrictModel):
+    """One neighbourhood to continue: a file at ``path`` (GeoJSON, CityJSON or a saved solution),
+    or drawn ``buildings`` and ``roads``. ``outline`` is its ground (left out: what lies about
+    its buildings). Of several, each is followed in its ``share``. ``stands`` says whether it
+    stands where it is drawn and is continued from there (left out: if it lies beside an area)."""
+
+    name: Annotated[str, Field(max_length=80)] = ""
+    path: PathText | None = None
+    buildings: Annotated[list[SourceBuilding], Field(max_length=5000)] = []
+    roads: Annotated[list[StreetLine], Field(max_length=2000)] = []
+    outline: Outline | None = None
+    share: Annotated[Number, Field(gt=0, le=1e6)] = 1.0
+    stands: Switch | None = None
+
+
+class LockedGrowth(StrictModel):
+    """A building of an area that stays: one locked in a saved solution, or a landmark."""
+
+    id: Annotated[str, Field(min_length=1, max_length=500)]
+    kind: Annotated[str, Field(max_length=80)] = ""
+    model: Annotated[str, Field(max_length=500)] = ""
+    at: Point
+    heading: Heading = 0.0
+    size: tuple[Span, Span, Span]
+    footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
+
+
+class GrowthArea(StrictModel):
+    """Ground to fill. ``count`` buildings, or as many as cover the share ``coverage`` (both left
+    out: the share that the sources cover). ``roads`` are drawn there; ``continue_streets`` runs
+    those on that end at its border. ``use`` says which models stand there: the ``source``'s own,
+    or of a like size from the brief's ``catalogue``. ``fixed`` stays and counts."""
+
+    id: str = ""
+    name: str = ""
+    outline: Outline
+    holes: Annotated[list[Outline], Field(max_length=200)] = []
+    roads: Annotated[list[StreetLine], Field(max_length=2000)] = []
+    continue_streets: Switch = True
+    count: Annotated[Whole, Field(ge=0, le=5000)] | None = None
+    coverage: Annotated[Number, Field(gt=0, le=0.8)] | None = None
+    use: Literal["source", "catalogue"] = "source"
+    fixed: Annotated[list[LockedGrowth], Field(max_length=5000)] = []
+
+
+class ExtendPart(StrictModel):
+    """The keys only briefs of extensions have. ``origin`` is the longitude and latitude of
+    (0, 0), if known."""
+
+    sources: Annotated[list[SourceScene], Field(min_length=1, max_length=20)] = Field(
+        default=[], validate_default=True
+    )
+    areas: Annotated[list[GrowthArea], Field(min_length=1, max_length=100)] = Field(
+        default=[], validate_default=True
+    )
+    origin: tuple[Coordinate, Coordinate] | None = None

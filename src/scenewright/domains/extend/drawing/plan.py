@@ -1,0 +1,137 @@
+"""The plan of an extension to print, to scale, north up: what stood before in grey, what is new in
+colour.
+
+Ground, streets old and new, buildings with their fronts and the letters of their kinds; what the
+referee finds in red. Beside it the legend and the figures.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from scenewright.core.piece_outlines import outline_of
+from scenewright.core.plan import Plan
+from scenewright.core.report import Report
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.domains.extend.areas import OLD, ExtendPlan
+from scenewright.domains.extend.drawing import marks
+from scenewright.drawing import sheet as sheets
+from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
+from scenewright.drawing.legend import LegendRow, arrange, legend_mark
+from scenewright.drawing.marks import PaperView, clean
+
+MARGIN, LARGE, LISTED = 6.0, 1000, 26
+"""Millimetres around the drawing; the scale from which papers above A3 are used; most kinds
+listed."""
+
+
+def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
+    """The plan of a solution's areas and sources; ``judge`` gives the referee's report."""
+    plan: ExtendPlan = made.detail
+    report = judge()
+    houses = [p for p in solution.pieces if _is_sound(p)]
+    west, south, east, north = _bounds(plan, houses)
+    arranged = arrange(
+        (east - west, north - south), (2 * MARGIN, 2 * MARGIN), _legend(plan, houses, report), LARGE
+    )
+    sheet, (wide, high) = arranged.sheet, arranged.room
+    scale = 1000 / sheet.scale
+    left = sheets.EDGE + (wide - (east - west) * scale) / 2
+    bottom = sheets.EDGE + (high + (north - south) * scale) / 2
+    view = sheets.view_at(sheet, west, south, left, bottom)
+    strip = sheets.sheet_mark(sheet, solution.brief.name, _summary(plan, houses, report))
+    layers = [
+        [PlanLayer("Sheet", strip)],
+        _layers(view, plan, houses, report),
+        [PlanLayer("Legend", legend_mark(arranged))],
+    ]
+    return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers))
+
+
+def _is_sound(piece: Piece) -> bool:
+    whole = np.isfinite([*piece.pose, *piece.size]).all()
+    return piece.category == "building" and bool(whole) and max(map(abs, piece.pose[:2])) < 1e5
+
+
+def _bounds(plan: ExtendPlan, houses: Sequence[Piece]) -> tuple[float, float, float, float]:
+    rings = [np.array(area.outline.exterior.coords) for area in plan.areas]
+    rings += [outline_of(piece) for piece in houses]
+    corners = np.vstack(rings)
+    (west, south), (east, north) = (corners.min(0) - 6).tolist(), (corners.max(0) + 6).tolist()
+    return west, south, east, north
+
+
+def _layers(
+    view: PaperView, plan: ExtendPlan, houses: Sequence[Piece], report: Report
+) -> list[PlanLayer]:
+    """The scene on paper, from the ground up."""
+    old = [piece for piece in houses if piece.space == OLD]
+    new = [piece for piece in houses if piece.space != OLD]
+    return [
+        *(PlanLayer("Ground", marks.ground_mark(view, area)) for area in plan.areas),
+        PlanLayer("Streets", marks.streets_mark(view, plan.ground.roads)),
+        PlanLayer("Old buildings", marks.buildings_mark(view, old)),
+        PlanLayer("New buildings", marks.buildings_mark(view, new)),
+        PlanLayer("Kinds", marks.letters_mark(view, houses)),
+        *(PlanLayer("Border", marks.border_mark(view, area)) for area in plan.areas),
+        PlanLayer("Violations", marks.faults_mark(view, houses, report.findings)),
+    ]
+
+
+def _legend(plan: ExtendPlan, houses: Sequence[Piece], report: Report) -> tuple[LegendRow, ...]:
+    """Signs that occur, the kinds by letter with how many are old and new, figures."""
+    rows = [LegendRow("heading", "Legend")]
+    used = {marks.fill_of(piece) for piece in houses}
+    rows += [LegendRow("swatch", w, value=colour) for w, colour in marks.FILLS if colour in used]
+    rows.append(LegendRow("entrance", "Front"))
+    if report.findings:
+        rows.append(LegendRow("swatch", "Violation", value=marks.FAULT))
+    rows += _kinds(houses)
+    for area in plan.areas[:4]:
+        heading = clean(area.name, 40) if len(plan.areas) > 1 else "Figures"
+        rows += _figures(heading, report.figures["areas"][area.id])
+    return tuple(rows)
+
+
+def _kinds(houses: Sequence[Piece]) -> list[LegendRow]:
+    old = Counter(p.function for p in houses if p.space == OLD)
+    new = Counter(p.function for p in houses if p.space != OLD)
+    names = sorted({*old, *new}, key=lambda name: (-old[name] - new[name], len(name), name))
+    told = [LegendRow("heading", "Kinds, old + new")]
+    for name in names[:LISTED]:
+        told.append(LegendRow("letter", _size(houses, name), f"{old[name]} + {new[name]}", name))
+    if len(names) > LISTED:
+        told.append(LegendRow("", f"{len(names) - LISTED} more kinds"))
+    return told
+
+
+def _size(houses: Sequence[Piece], name: str) -> str:
+    size = next(piece.size for piece in houses if piece.function == name)
+    return f"{size.width:.1f} x {size.depth:.1f} m, {size.height:.1f} m high"
+
+
+def _figures(heading: str, found: dict[str, Any]) -> list[LegendRow]:
+    gap = found["median_gap"]
+    told = [
+        ("Ground", f"{found['area']:,.0f} m²"),
+        ("Buildings", f"{found['buildings']}"),
+        ("Coverage", f"{found['coverage']:.0%}"),
+        ("Coverage of the source", f"{found['source_coverage']:.0%}"),
+        ("Distance to the nearest, median", "–" if gap is None else f"{gap:.1f} m"),
+        ("Streets continued", f"{found['streets_continued']}"),
+    ]
+    return [LegendRow("heading", heading), *(LegendRow("", w, right) for w, right in told)]
+
+
+def _summary(plan: ExtendPlan, houses: Sequence[Piece], report: Report) -> str:
+    area = sum(one.outline.area for one in plan.areas)
+    old = sum(piece.space == OLD for piece in houses)
+    faults = sum(not found.given for found in report.findings)
+    told = [f"{area / 1e4:.2f} ha", f"{len(houses) - old} new buildings", f"{old} old"]
+    told += [f"{faults} violation{'s' * (faults != 1)}"] if faults else []
+    return " · ".join(["Extension plan", *told])

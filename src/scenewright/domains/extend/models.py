@@ -1,0 +1,103 @@
+"""What draws a building: the model it names, else one of ours by its size."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from scenewright.catalog.loading import BUILDING, catalog_of, find_asset
+from scenewright.core.brief import Brief
+from scenewright.core.brief.catalog import CatalogBrief, entry_of
+from scenewright.core.catalog import OWN, Asset, Catalog
+from scenewright.core.errors import InputError
+from scenewright.core.footprint import Footprint, read_footprint
+from scenewright.core.scene import Size
+from scenewright.core.space import Points
+from scenewright.domains.extend.areas import ExtendPlan
+from scenewright.domains.extend.pattern import BuildingKind, SourcePattern
+from scenewright.domains.extend.problem import Floats
+
+LOW, SMALL = 12.5, 400.0
+"""Height in metres and floor area in square metres up to which a building is drawn as a house."""
+HOUSES = {"": "house_rural", "rural": "house_rural", "riviera": "house_riviera", "hui": "house_hui"}
+"""The houses of each style a brief may name."""
+BLOCK = "modern_residential"
+BOXY = 0.985
+"""The share of its box from which a footprint counts as the box."""
+
+
+def with_source_models(brief: Brief, plan: ExtendPlan) -> Brief:
+    """The brief with the models of its city models among its catalogues."""
+    named = {entry_of(entry).path for entry in brief.catalogs}
+    paths = dict.fromkeys(scene.catalog for scene in plan.sources if scene.catalog)
+    more = [CatalogBrief(path=path, fill=False) for path in paths if path not in named]
+    return brief.model_copy(update={"catalogs": [*brief.catalogs, *more]}) if more else brief
+
+
+def model_of(kind: BuildingKind, style: str, catalog: Catalog) -> str:
+    """The id of the asset that draws a kind of building."""
+    if kind.model:
+        return find_asset(catalog, kind.model).id
+    return drawn_as(kind.size, float(shapely.Polygon(kind.local).area), style)
+
+
+def drawn_as(size: tuple[float, float, float], area: float, style: str) -> str:
+    """The id of the shipped asset for a building of some size in metres and m² of floor.
+
+    >>> drawn_as((9.0, 7.0, 8.0), 63.0, ""), drawn_as((40.0, 12.0, 18.0), 480.0, "")
+    ('house_rural_gabled', 'modern_residential')
+    """
+    if size[2] > LOW or area > SMALL:
+        return BLOCK
+    return f"{HOUSES.get(style, HOUSES[''])}_{'gabled' if size[2] > 3.2 else 'flat'}"
+
+
+def check_models(brief: Brief, plan: ExtendPlan) -> Catalog:
+    """The catalogue of a brief with the models of its sources; InputError for a style or a model
+    there is not."""
+    if brief.style not in HOUSES:
+        known = ", ".join(sorted(filter(None, HOUSES)))
+        raise InputError(f"'{brief.style[:40]}' is no style", f"use one of: {known}", place="style")
+    catalog = catalog_of(with_source_models(brief, plan).catalogs)
+    for kind in plan.pattern.kinds:
+        try:
+            model_of(kind, brief.style, catalog)
+        except InputError as error:
+            raise error.located(place=f"sources[{kind.source}]") from None
+    return catalog
+
+
+def footprint_within(local: Points, size: Size, asset: Asset | None) -> Footprint:
+    """What a building covers in the frame of its box, ``local`` (n, 2); that of its own model
+    where it is drawn by one, so that the model is drawn as it is."""
+    if asset is not None and asset.id.startswith(OWN):
+        return asset.footprint(size)
+    if shapely.Polygon(local).area > BOXY * size.width * size.depth:
+        return ()
+    corners = [(float(x), float(y)) for x, y in local]
+    return read_footprint(read_footprint(corners, *size[:2]) or corners, *size[:2])
+
+
+def use_catalogue(pattern: SourcePattern, catalog: Catalog) -> SourcePattern:
+    """The pattern with models of the brief's catalogues in place of the sources' own buildings:
+    each kind becomes the building nearest to its size, as large as that is."""
+    own = [asset for asset in catalog.of(BUILDING) if asset.id.startswith(OWN)]
+    if not own:
+        raise InputError("the brief's catalogues hold no building", 'name one in "catalogs"')
+    kinds = []
+    for kind in pattern.kinds:
+        chosen = min(own, key=lambda asset: _misfit(asset.usual, kind.size))
+        width, depth, height = chosen.usual
+        corner = np.array([width, depth]) / 2
+        box = corner * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+        local = np.array(chosen.footprint(chosen.usual) or box, float)
+        size = (width, depth, height)
+        kinds.append(kind._replace(local=local, size=size, model=chosen.id))
+    boxes = pattern.boxes.copy()
+    boxes[:, 3:] = np.array([kinds[k].size[:2] for k in pattern.kind])
+    return pattern._replace(kinds=tuple(kinds), boxes=boxes)
+
+
+def _misfit(size: Size, wish: tuple[float, float, float]) -> float:
+    found: Floats = np.abs(np.log(np.array(size)) - np.log(np.array(wish)))
+    return float(found.sum())

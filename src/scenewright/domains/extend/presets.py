@@ -1,0 +1,23 @@
+"""Presets of extensions: named sets of what steers their filling."""
+
+from __future__ import annotations
+
+from scenewright.domains.extend.rating import WEIGHTS
+from scenewright.domains.extend.settings import GrowthSettings
+from scenewright.engine.rows import Preset
+
+ExtendPreset = Preset[GrowthSettings]
+"""Its steps are layouts grown of each area; the best is taken."""
+
+PRESETS: dict[str, ExtendPreset] = {
+    "default": Preset("four layouts of each area", "grow", 4, WEIGHTS, GrowthSettings()),
+    "quick": Preset("one layout of each area", "grow", 1, WEIGHTS, GrowthSettings()),
+    "fine": Preset("sixteen layouts of each area", "grow", 16, WEIGHTS, GrowthSettings()),
+    "strict": Preset(
+        "buildings stand only where neighbours of the source would: ground may stay free",
+        "grow",
+        4,
+        WEIGHTS,
+        GrowthSettings(spread=1.2, missing=0.5, noise=0.05, relaxed=False),
+    ),
+}

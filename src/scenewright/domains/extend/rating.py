@@ -1,0 +1,73 @@
+"""What a filled area is worth: coverage, and how far it is from its sources beyond chance."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from scenewright.domains.extend.problem import ExtendProblem, GrownLayout, boxes_at, shapes_at
+from scenewright.ground.built import BuiltFrames
+from scenewright.ground.likeness.excess import Excess, find_excess
+from scenewright.ground.likeness.features import measure_buildings
+
+MEANINGS: dict[str, str] = {
+    "missing": "buildings asked for without a place",
+    "coverage": "share by which the ground covered misses what the sources cover",
+    "what": "how far sizes and shapes are from the sources' beyond chance (excess)",
+    "how": "how far gaps, rows and directions are from the sources' beyond chance (excess)",
+}
+WEIGHTS = {"missing": 1.0, "coverage": 2.0, "what": 0.5, "how": 1.0}
+FEW = 3
+"""Fewer buildings have no distribution."""
+
+
+def rate_layout(problem: ExtendProblem, layout: GrownLayout) -> GrownLayout:
+    """The layout with its score: each of :data:`MEANINGS`, and their weighted sum ``energy``."""
+    values = measure_layout(problem, layout)
+    energy = sum(WEIGHTS[name] * max(values[name], 0.0) for name in WEIGHTS)
+    return layout._replace(score={"energy": energy, **values})
+
+
+def measure_layout(problem: ExtendProblem, layout: GrownLayout) -> dict[str, float]:
+    """The value of each of :data:`MEANINGS`."""
+    missing = float(max(layout.asked - len(layout.poses), 0))
+    shapes = shapes_at(problem.pattern, layout.poses, layout.origin)
+    inside = problem.standing.shapes[problem.standing.inside]
+    built = float(np.asarray(shapely.area(shapes)).sum() + np.asarray(shapely.area(inside)).sum())
+    wanted = problem.coverage * problem.outline.area
+    short = abs(built - wanted) / max(wanted, 1.0) if problem.number is None else 0.0
+    excess = likeness_of(problem, layout)
+    return {
+        "missing": missing,
+        "coverage": short,
+        "what": excess.what if excess else 0.0,
+        "how": excess.how if excess else 0.0,
+    }
+
+
+def likeness_of(problem: ExtendProblem, layout: GrownLayout) -> Excess | None:
+    """How far the added buildings, measured among all that stand, are from the sources."""
+    pattern = problem.pattern
+    if len(layout.poses) < FEW or len(pattern.boxes) < FEW:
+        return None
+    standing = problem.standing
+    count = len(layout.poses)
+    boxes = np.concatenate([boxes_at(pattern, layout.poses, layout.origin), standing.boxes])
+    shapes = np.concatenate([shapes_at(pattern, layout.poses, layout.origin), standing.shapes])
+    heights = np.array([pattern.kinds[k].size[2] for k in pattern.kind])
+    grown = BuiltFrames(boxes, shapes, np.resize(heights[layout.origin], len(boxes)))
+    measured = {k: v[:count] for k, v in measure_buildings(grown, problem.roads).items()}
+    source = _sources(problem, heights)
+    return find_excess(source, measured)
+
+
+def _sources(problem: ExtendProblem, heights: np.ndarray) -> dict[str, np.ndarray]:
+    """The features of all sources, each measured by itself."""
+    pattern = problem.pattern
+    rows = []
+    for number, roads in enumerate(problem.source_roads):
+        mine = pattern.source == number
+        frames = BuiltFrames(pattern.boxes[mine], pattern.shapes[mine], heights[mine])
+        rows.append(measure_buildings(frames, roads))
+    names = set.intersection(*(set(row) for row in rows))
+    return {name: np.concatenate([row[name] for row in rows]) for name in sorted(names)}

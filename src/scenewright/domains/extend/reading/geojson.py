@@ -1,0 +1,97 @@
+"""Extensions drawn as GeoJSON: a map of what stands, and polygons tagged ``extend`` to be filled.
+
+Buildings and streets are the source; a polygon with ``extend=yes`` is an area. Its tags ``count``
+and ``coverage`` are those of the brief.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.ground.built import BuiltRoad
+from scenewright.ground.map_features import Collection, Feature
+from scenewright.ground.projection import Projection, metres, projection
+from scenewright.ground.reading.maps import buildings_of, number_of, roads_of
+
+
+def recognises(found: Collection) -> bool:
+    """Whether a map can be of an extension: a polygon tagged ``extend``."""
+    return any(_is_area(feature) for feature in found.features)
+
+
+def names_itself(found: Collection) -> bool:
+    """Whether a map says that it is of an extension, whatever else it holds."""
+    return recognises(found)
+
+
+def _is_area(feature: Feature) -> bool:
+    return bool(feature.polygons) and feature.tags.get("extend", "no") != "no"
+
+
+def brief_of(found: Collection, name: str) -> Brief:
+    """The brief of a map; InputError if it has no area to fill, or no building to go by."""
+    areas = [feature for feature in found.features if _is_area(feature)]
+    corners = [ring for f in found.features for p in f.polygons for ring in p]
+    if not areas:
+        raise InputError(
+            "holds no area to fill", 'draw a polygon with the property "extend": "yes"'
+        )
+    map_ = projection(np.vstack(corners), found.crs)
+    told: list[str] = []
+    buildings = list(buildings_of(found.features, map_, told))
+    if not buildings:
+        raise InputError("holds no building to go by", 'tag footprints with "building": "yes"')
+    source = {
+        "name": name[:80],
+        "stands": True,
+        "buildings": [
+            {
+                "id": one.id,
+                "name": one.name[:80],
+                "outline": one.outline.round(3).tolist(),
+                "height": one.height,
+                "heading": one.heading,
+                "model": one.model if not one.model.startswith("model:") else "",
+            }
+            for one in buildings
+        ],
+        "roads": [_road(road) for f in found.features for road in roads_of(f, map_)],
+    }
+    document: dict[str, Any] = {
+        "domain": "extend",
+        "name": name,
+        "sources": [source],
+        "areas": [_area(feature, map_) for feature in areas],
+        "notes": [line[:400] for line in told[:100]],
+    }
+    if map_.turns:
+        document["origin"] = [float(map_.origin[0]), float(map_.origin[1])]
+    return Brief.model_validate(document)
+
+
+def _area(feature: Feature, map_: Projection) -> dict[str, Any]:
+    rings = [metres(map_, ring)[:-1].round(3).tolist() for ring in feature.polygons[0]]
+    made: dict[str, Any] = {
+        "name": feature.tags.get("name", feature.id),
+        "outline": rings[0],
+        "holes": rings[1:],
+    }
+    count, coverage = (number_of(feature.tags.get(key), -1.0) for key in ("count", "coverage"))
+    if count >= 0:
+        made["count"] = round(count)
+    if coverage > 0:
+        made["coverage"] = coverage
+    return made
+
+
+def _road(road: BuiltRoad) -> dict[str, Any]:
+    return {
+        "name": road.name[:80],
+        "line": road.line.round(3).tolist(),
+        "width": road.width,
+        "kind": road.kind,
+    }

@@ -1,0 +1,33 @@
+"""Why an area is as it is: the terms of the layout, and figures for information."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from scenewright.core.solution import TermValue
+from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
+from scenewright.domains.extend.rating import MEANINGS as RATED
+from scenewright.domains.extend.rating import WEIGHTS, measure_layout
+
+FIGURES: dict[str, str] = {
+    "neighbours": "share of the new buildings that stand where a neighbour of the source would",
+    "patches": "share of the new buildings laid as part of a whole patch of the source",
+    "filled": "share of the new buildings that fill free ground in line with the nearest",
+}
+MEANINGS: dict[str, str] = {**RATED, **FIGURES}
+WAYS = {"neighbours": ("neighbour", "row"), "patches": ("patch",), "filled": ("filled",)}
+
+
+def reasons(problem: ExtendProblem, layout: GrownLayout) -> tuple[TermValue, ...]:
+    """What is said of an area: the terms, whose costs add up to its energy, then figures."""
+    values = measure_layout(problem, layout)
+    rows = [
+        TermValue(problem.name, "", n, values[n], WEIGHTS[n], WEIGHTS[n] * max(values[n], 0.0))
+        for n in RATED
+    ]
+    counts = Counter(layout.how)
+    total = max(len(layout.how), 1)
+    for name, ways in WAYS.items():
+        share = sum(counts[way] for way in ways) / total
+        rows.append(TermValue(problem.name, "", name, share, 0.0, 0.0))
+    return tuple(rows)

@@ -1,0 +1,70 @@
+"""From buildings placed by hand or by another program to the solution of an extension."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+
+import numpy as np
+
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.layout import Layouts, NamedBox, check_layouts
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.domains.extend.models import check_models
+from scenewright.domains.extend.pattern import SourcePattern
+from scenewright.domains.extend.plan import plan_extend
+from scenewright.domains.extend.presets import PRESETS
+from scenewright.domains.extend.problem import GrownLayout
+from scenewright.domains.extend.solving import assemble_solution, furnish_area, pose_problem
+
+FITS = 0.01
+"""Metres by which a box may differ from the building it is of."""
+
+
+def solution_of(
+    brief: Brief, layouts: Layouts, *, plan: Plan | None = None, seed: int = 0
+) -> Solution:
+    """The solution whose buildings stand on the boxes given, by the names of their kinds (letters
+    of the source). What an area asks for beyond these is left out."""
+    started = time.perf_counter()
+    made = plan or plan_extend(brief)
+    check_layouts(layouts, [area.id for area in made.detail.areas])
+    catalog, found = check_models(brief, made.detail), []
+    for area in made.detail.areas:
+        problem = pose_problem(made.detail, area, PRESETS["default"].settings, catalog)
+        layout = _layout(problem.pattern, layouts.get(area.id, ()), area.id)
+        wanted = (problem.number or 0) - len(area.fixed)
+        layout = layout._replace(asked=max(wanted, len(layout.poses), 1))
+        found.append(furnish_area(brief, area, problem, layout, catalog, 0))
+    spent = time.perf_counter() - started
+    return assemble_solution(brief, made.detail, found, catalog, "default", "given", seed, spent)
+
+
+def _layout(pattern: SourcePattern, given: Sequence[NamedBox], area: str) -> GrownLayout:
+    """Poses and origins of boxes; InputError for a box that no building fits."""
+    names = {kind.name: k for k, kind in enumerate(pattern.kinds)}
+    poses, origin = [], []
+    for k, one in enumerate(given):
+        place = f"{area}[{k}] '{one.name}'"
+        if one.name not in names:
+            known = ", ".join(list(names)[:20])
+            raise InputError("is no kind of the source", f"use one of: {known}", place=place)
+        kind = pattern.kinds[names[one.name]]
+        if max(abs(kind.size[0] - one.box[3]), abs(kind.size[1] - one.box[4])) > FITS:
+            raise InputError(
+                f"is {one.box[3]:g} x {one.box[4]:g} m, the building {kind.size[0]:g} x "
+                f"{kind.size[1]:g} m",
+                "give the box the building's size",
+                place=place,
+            )
+        poses.append(one.box[:3])
+        origin.append(int(np.flatnonzero(pattern.kind == names[one.name])[0]))
+    return GrownLayout(
+        np.array(poses, float).reshape(-1, 3),
+        np.array(origin, np.int64),
+        ("given",) * len(poses),
+        len(poses),
+        {},
+    )

@@ -1,0 +1,30 @@
+"""The table of solvers of extensions. A new one is one file and one row."""
+
+from __future__ import annotations
+
+from scenewright.engine.rows import SolverRow
+
+ROWS = (
+    SolverRow(
+        "grow",
+        "rows, neighbours and whole patches of the sources continued; coverage repaired (default)",
+        "ours",
+        f"{__name__}.growing:grow_area",
+        "buildings",
+    ),
+    SolverRow(
+        "tiling",
+        "copies of the whole source side by side, what does not fit left away (comparison)",
+        "ours",
+        f"{__name__}.baselines:tile_area",
+        "copies of the source",
+    ),
+    SolverRow(
+        "random",
+        "buildings of the sources anywhere they fit, turned as theirs are (comparison)",
+        "ours",
+        f"{__name__}.baselines:scatter_area",
+        "buildings",
+    ),
+)
+EXTEND_SOLVERS: dict[str, SolverRow] = {row.name: row for row in ROWS}

@@ -1,0 +1,208 @@
+"""What stands while an area is filled: what may be added, and adding it."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.domains.extend.pattern import SourcePattern, pair_kind
+from scenewright.domains.extend.problem import (
+    ExtendProblem,
+    Floats,
+    GrownLayout,
+    Indices,
+    boxes_at,
+    shapes_at,
+)
+
+Flags = NDArray[np.bool_]
+EDGE = 1e-3
+MIX = 1.2
+"""How many times as often as in the sources' mix a size may be built."""
+TOUCH = 0.005
+"""Metres that buildings which touch in the sources may overlap by rounding."""
+
+
+class Canvas:
+    """Buildings as they are added: those that stood first, then copies of buildings of the
+    sources. ``boxes`` (n, 5), ``shapes`` (n,) and ``origin`` (n,) are views of what is there."""
+
+    def __init__(self, problem: ExtendProblem) -> None:
+        self.problem = problem
+        standing = problem.standing
+        self.first = len(standing.boxes)
+        self.count = self.first
+        room = max(2 * self.first, 64)
+        self._boxes = np.zeros((room, 5))
+        self._shapes = np.empty(room, object)
+        self._origin = np.zeros(room, np.int64)
+        self.how: list[str] = []
+        self.alive = np.ones(room, np.bool_)
+        self._boxes[: self.first] = standing.boxes
+        self._shapes[: self.first] = standing.shapes
+        self._origin[: self.first] = standing.origin
+        inside = standing.inside
+        self.covered = float(np.asarray(shapely.area(standing.shapes[inside])).sum())
+        self.held = int(inside.sum())
+        self.reach = max(problem.pattern.gaps) + 1.0
+        self.floor = problem.floor.buffer(EDGE, join_style="mitre")
+        shapely.prepare(self.floor)
+        self.wanted = problem.coverage * problem.outline.area
+        self.sizes = size_classes(problem.pattern)
+        self.most = _most_of_each(problem, self.sizes, self.wanted)
+        self.made = np.zeros(len(self.most), np.int64)
+
+    @property
+    def boxes(self) -> Floats:
+        """Boxes (n, 5) of all that was ever there."""
+        return self._boxes[: self.count]
+
+    @property
+    def shapes(self) -> NDArray[np.object_]:
+        """Footprints (n,) of all that was ever there."""
+        return self._shapes[: self.count]
+
+    @property
+    def origin(self) -> Indices:
+        """The building of the sources that each is like (n,); -1: none."""
+        return self._origin[: self.count]
+
+    @property
+    def there(self) -> Flags:
+        """Which of them stand (n,)."""
+        return self.alive[: self.count]
+
+    def full(self) -> bool:
+        """Whether as much is built as is wanted."""
+        if self.problem.number is not None:
+            return self.held >= self.problem.number
+        return self.covered >= self.wanted * (1 - self.problem.settings.slack)
+
+    def room_for(self, origin: int, replaced: float = 0.0) -> bool:
+        """Whether a copy of a building of the sources is still wanted: the area is not full, and
+        holds no more of its size than the sources' mix has. ``replaced`` are square metres that
+        go in its place."""
+        if self.problem.number is not None and self.held >= self.problem.number:
+            return False
+        size = self.sizes[origin]
+        if self.made[size] >= self.most[size]:
+            return False
+        area = float(self.problem.pattern.shapes[origin].area) - replaced
+        free = self.wanted * (1 + 4 * self.problem.settings.slack)
+        return self.problem.number is not None or self.covered + area <= free
+
+    def legal(self, poses: Floats, origin: Indices, skip: int = -1) -> Flags:
+        """Which copies (n,) at poses (n, 3) stand on the floor and as far from all others as in
+        the sources; ``skip`` is one that does not count."""
+        shapes = shapes_at(self.problem.pattern, poses, origin)
+        return self.legal_shapes(shapes, boxes_at(self.problem.pattern, poses, origin), skip)
+
+    def legal_shapes(self, shapes: NDArray[np.object_], boxes: Floats, skip: int = -1) -> Flags:
+        """The same of footprints (n,) with their boxes (n, 5)."""
+        good = np.asarray(shapely.covers(self.floor, shapes))
+        rows = np.flatnonzero(good)
+        if not len(rows) or not self.count:
+            return good
+        there = self.there.copy()
+        if skip >= 0:
+            there[skip] = False
+        half = np.hypot(boxes[:, 3], boxes[:, 4]) / 2
+        theirs = np.hypot(self.boxes[:, 3], self.boxes[:, 4]) / 2
+        step = boxes[rows, None, :2] - self.boxes[None, :, :2]
+        away = np.hypot(step[..., 0], step[..., 1])
+        close = (away < half[rows, None] + theirs[None] + self.reach) & there[None]
+        i, j = np.nonzero(close)
+        if not len(i):
+            return good
+        gaps = np.asarray(shapely.distance(shapes[rows[i]], self.shapes[j]))
+        least = np.array(self.problem.pattern.gaps)
+        how = self._pairs(boxes[rows], i, j)
+        bad = gaps < least[how] - 1e-6
+        touching = gaps <= 0
+        touching &= ~bad
+        if touching.any():
+            t = np.flatnonzero(touching)
+            shared = shapely.intersection(shapes[rows[i[t]]], self.shapes[j[t]])
+            bad[t] |= np.asarray(shapely.area(shared)) > TOUCH * np.asarray(shapely.length(shared))
+        good[rows[np.unique(i[bad])]] = False
+        return good
+
+    def _pairs(self, boxes: Floats, i: Indices, j: Indices) -> Indices:
+        """How pairs stand to each other; the laxer of both views."""
+        found = np.zeros(len(i), np.int64)
+        for k in np.unique(i):
+            mine = i == k
+            found[mine] = pair_kind(boxes[k], self.boxes[j[mine]])
+        return found
+
+    def add(self, pose: Floats, origin: int, how: str) -> int:
+        """Add a copy of a building of the sources; its number."""
+        if self.count == len(self._boxes):
+            more = self.count
+            self._boxes = np.concatenate([self._boxes, np.zeros((more, 5))])
+            self._shapes = np.concatenate([self._shapes, np.empty(more, object)])
+            self._origin = np.concatenate([self._origin, np.zeros(more, np.int64)])
+            self.alive = np.concatenate([self.alive, np.ones(more, np.bool_)])
+        number, self.count = self.count, self.count + 1
+        self.how.append(how)
+        self.alive[number] = True
+        self.held += 1
+        self.made[self.sizes[origin]] += 1
+        self._put(number, pose, origin)
+        self.covered += float(self._shapes[number].area)
+        return number
+
+    def _put(self, number: int, pose: Floats, origin: int) -> None:
+        pattern, many = self.problem.pattern, np.array([origin])
+        self._boxes[number] = boxes_at(pattern, pose[None], many)[0]
+        self._shapes[number] = shapes_at(pattern, pose[None], many)[0]
+        self._origin[number] = origin
+
+    def move(self, number: int, pose: Floats, origin: int) -> None:
+        """Put an added building elsewhere, or another in its place."""
+        self.covered -= float(self._shapes[number].area)
+        self.made[self.sizes[self._origin[number]]] -= 1
+        self.made[self.sizes[origin]] += 1
+        self._put(number, pose, origin)
+        self.covered += float(self._shapes[number].area)
+
+    def remove(self, number: int) -> None:
+        """Take an added building away."""
+        self.alive[number] = False
+        self.held -= 1
+        self.made[self.sizes[self._origin[number]]] -= 1
+        self.covered -= float(self._shapes[number].area)
+
+    def added(self) -> Indices:
+        """The numbers of the added buildings that stand."""
+        return self.first + np.flatnonzero(self.alive[self.first : self.count])
+
+    def layout(self) -> GrownLayout:
+        """What was added, as a layout without scores."""
+        rows = self.added()
+        asked = self.problem.number
+        return GrownLayout(
+            self.boxes[rows, :3].copy(),
+            self.origin[rows].copy(),
+            tuple(self.how[k - self.first] for k in rows.tolist()),
+            0 if asked is None else max(asked - int(self.problem.standing.inside.sum()), 0),
+            {},
+        )
+
+
+def size_classes(pattern: SourcePattern) -> Indices:
+    """The class of size (n,) of each building of the sources: 0 small, 1 usual, 2 large, by the
+    thirds of their areas."""
+    area = np.asarray(shapely.area(pattern.shapes))
+    return np.searchsorted(np.quantile(area, (1 / 3, 2 / 3)), area, side="left")
+
+
+def _most_of_each(problem: ExtendProblem, sizes: Indices, wanted: float) -> Indices:
+    """How many buildings (3,) of each class of size an area may get: the sources' mix, and a
+    little more."""
+    weight = problem.pattern.weight / problem.pattern.weight.sum()
+    area = float(weight @ np.asarray(shapely.area(problem.pattern.shapes)))
+    total = problem.number if problem.number is not None else wanted / max(area, 1.0)
+    shares = np.bincount(sizes, weight, 3)
+    return np.ceil(MIX * total * shares + 1.0).astype(np.int64)

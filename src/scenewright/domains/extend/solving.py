@@ -1,0 +1,160 @@
+"""Extensions: a small neighbourhood grown into an area, so that nobody can tell where it ends.
+
+After Zhang and Fei (2017), who breed layouts with a person; ours continues rows and neighbours of
+the sources themselves and measures whether it is still the same place.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import time
+from collections.abc import Callable
+from typing import NamedTuple
+
+from scenewright._version import __version__
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Catalog
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece
+from scenewright.core.solution import LeftOut, Solution, TermValue
+from scenewright.domains.extend.areas import AreaPlan, ExtendPlan
+from scenewright.domains.extend.build_problem import build_problem
+from scenewright.domains.extend.furnish import new_pieces, old_pieces, standing_pieces
+from scenewright.domains.extend.models import check_models, use_catalogue, with_source_models
+from scenewright.domains.extend.plan import plan_extend
+from scenewright.domains.extend.presets import PRESETS
+from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
+from scenewright.domains.extend.reasons import reasons
+from scenewright.domains.extend.settings import GrowthSettings
+from scenewright.domains.extend.solvers import EXTEND_SOLVERS
+from scenewright.engine.rows import preset_named
+from scenewright.engine.solve import Budget, Report
+
+Progress = Callable[[float, str], None]
+Cancel = Callable[[], bool]
+
+
+class FilledArea(NamedTuple):
+    """One area as filled."""
+
+    area: str
+    pieces: tuple[Piece, ...]
+    terms: tuple[TermValue, ...]
+    left_out: tuple[LeftOut, ...]
+    evaluations: int
+
+
+def solve(
+    brief: Brief,
+    *,
+    plan: Plan | None = None,
+    preset: str = "default",
+    solver: str | None = None,
+    seconds: float | None = None,
+    steps: int | None = None,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> Solution:
+    """Fill every area of a brief.
+
+    ``steps`` are layouts of each area, ``seconds`` are for each; the same seed and steps give the
+    same answer. ``plan`` is that of the brief (made unless given).
+    """
+    started = time.perf_counter()
+    chosen, made = preset_named(PRESETS, preset), (plan or plan_extend(brief)).detail
+    named = solver or chosen.solver
+    given = chosen.steps if steps is None and seconds is None else steps
+    catalog, found = check_models(brief, made), []
+    for k, area in enumerate(made.areas):
+        problem = pose_problem(made, area, chosen.settings, catalog)
+        heard = None if progress is None else _share(progress, k, len(made.areas), area.name)
+        budget = Budget(seconds, given, threads=threads)
+        answer = EXTEND_SOLVERS[named].run(problem, budget, seed + 7919 * k, heard, cancel)
+        layout, tried = answer.layouts[0], answer.evaluations
+        found.append(furnish_area(brief, area, problem, layout, catalog, tried))
+    spent = time.perf_counter() - started
+    return assemble_solution(brief, made, found, catalog, preset, named, seed, spent)
+
+
+def problems(
+    brief: Brief, preset: str = "default", *, plan: Plan | None = None
+) -> tuple[ExtendProblem, ...]:
+    """The problem of each area as solvers take it."""
+    made = (plan or plan_extend(brief)).detail
+    catalog = check_models(brief, made)
+    settings = preset_named(PRESETS, preset).settings
+    return tuple(pose_problem(made, area, settings, catalog) for area in made.areas)
+
+
+def pose_problem(
+    plan: ExtendPlan, area: AreaPlan, settings: GrowthSettings, catalog: Catalog
+) -> ExtendProblem:
+    """The problem of an area, with the models it asks for."""
+    problem = build_problem(plan, area, settings)
+    if area.row.use == "catalogue":
+        problem = problem._replace(pattern=use_catalogue(problem.pattern, catalog))
+    return problem
+
+
+def furnish_area(
+    brief: Brief,
+    area: AreaPlan,
+    problem: ExtendProblem,
+    layout: GrownLayout,
+    catalog: Catalog,
+    evaluations: int,
+) -> FilledArea:
+    """A layout as pieces, with its figures and what it lacks."""
+    pieces = (
+        *standing_pieces(area),
+        *new_pieces(area, problem.pattern, layout, brief.style, catalog),
+    )
+    missing = layout.asked - len(layout.poses)
+    left_out = []
+    if missing > 0:
+        told = f"{missing} of {layout.asked} buildings"
+        reason = f"no place left on {area.outline.area:.0f} m² at the distances of the source"
+        left_out.append(LeftOut(area.id, told, reason, True))
+    rows = reasons(problem, layout)
+    return FilledArea(area.id, pieces, rows, tuple(left_out), evaluations)
+
+
+def assemble_solution(
+    brief: Brief,
+    plan: ExtendPlan,
+    found: list[FilledArea],
+    catalog: Catalog,
+    preset: str,
+    solver: str,
+    seed: int,
+    seconds: float,
+) -> Solution:
+    """The solution of all areas of a brief, with what stood before."""
+    first = plan.areas[0].id
+    skipped = tuple(
+        LeftOut(first, line.partition(": ")[2], "of the source, not followed", False)
+        for line in plan.left_out
+    )
+    new = tuple(piece for one in found for piece in one.pieces)
+    return Solution(
+        brief=with_source_models(brief, plan),
+        pieces=(*new, *old_pieces(plan, brief.style, catalog)),
+        patches=(),
+        terms=tuple(term for one in found for term in one.terms),
+        left_out=(*(out for one in found for out in one.left_out), *skipped),
+        energies={one.area: math.fsum(term.cost for term in one.terms) for one in found},
+        preset=preset,
+        solver=solver,
+        seed=seed,
+        version=__version__,
+        brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
+        seconds=seconds,
+        evaluations=sum(one.evaluations for one in found),
+    )
+
+
+def _share(progress: Progress, number: int, count: int, name: str) -> Callable[[Report], None]:
+    return lambda report: progress((number + report.share) / count, name)

@@ -1,0 +1,1 @@
+"""Is it the same place? What two built scenes share and where they differ, measured."""

@@ -1,0 +1,161 @@
+"""What is measured of every building: what it is, and how it stands to those around it.
+
+*What*: floor area, height, length, depth, how much of its box it fills. *How*: distance to the
+nearest building, gaps to the sides and ahead or behind, by how much the next building ahead or
+behind is shifted aside, where the four nearest stand in its own frame, the angle to the nearest,
+its direction, the share of ground built on around it, distance and angle to the nearest street.
+Gaps are in metres up to :data:`FAR`; what has no neighbour that way has :data:`FAR`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.ground.built import BuiltFrames, BuiltRoad, to_frames
+
+Floats = NDArray[np.float64]
+FAR = 60.0
+"""Metres beyond which buildings are no neighbours."""
+NEAREST = 4
+AROUND = 45.0
+"""Metres within which the share of built ground counts."""
+FACING = 0.2
+"""The share of the shorter side by which boxes must overlap to stand beside or before."""
+
+
+class FeatureRow(NamedTuple):
+    """One feature: its name, whether it is of ``what`` or ``how``, the least ``scale`` its
+    distances are divided by, its unit, and what it is in words."""
+
+    name: str
+    side: str
+    scale: float
+    unit: str
+    words: str
+
+
+ROWS = (
+    FeatureRow("area", "what", 0.15, "log m²", "floor areas"),
+    FeatureRow("height", "what", 1.5, "m", "heights"),
+    FeatureRow("length", "what", 1.5, "m", "lengths"),
+    FeatureRow("depth", "what", 1.0, "m", "depths"),
+    FeatureRow("fill", "what", 0.05, "share", "footprints filling their boxes"),
+    FeatureRow("nearest", "how", 1.5, "m", "distances to the nearest building"),
+    FeatureRow("side_gap", "how", 2.0, "m", "side gaps"),
+    FeatureRow("front_gap", "how", 3.0, "m", "front gaps"),
+    FeatureRow("offset", "how", 2.0, "m", "lateral offsets"),
+    FeatureRow("beside", "how", 3.0, "m", "places of neighbours to the side"),
+    FeatureRow("ahead", "how", 3.0, "m", "places of neighbours ahead and behind"),
+    FeatureRow("turn", "how", 0.08, "rad", "angles to the nearest building"),
+    FeatureRow("north", "how", 0.1, "", "directions"),
+    FeatureRow("east", "how", 0.1, "", "directions across"),
+    FeatureRow("density", "how", 0.04, "share", "ground built on around"),
+    FeatureRow("street", "how", 2.0, "m", "distances to the street"),
+    FeatureRow("street_turn", "how", 0.08, "rad", "angles to the street"),
+)
+"""All features; those of streets only where both scenes have streets."""
+
+
+def measure_buildings(frames: BuiltFrames, roads: Sequence[BuiltRoad] = ()) -> dict[str, Floats]:
+    """The features of every building: a vector (n,) for each name of :data:`ROWS`."""
+    found = {**_what(frames), **_how(frames)}
+    driven = [shapely.LineString(road.line) for road in roads if road.kind == "road"]
+    if driven:
+        found |= _streets(frames, driven)
+    return found
+
+
+def _what(frames: BuiltFrames) -> dict[str, Floats]:
+    area = np.asarray(shapely.area(frames.shapes))
+    sides = np.sort(frames.boxes[:, 3:], axis=1)
+    return {
+        "area": np.log(np.maximum(area, 1.0)),
+        "height": frames.heights,
+        "length": sides[:, 1],
+        "depth": sides[:, 0],
+        "fill": area / np.maximum(sides.prod(1), 1e-6),
+    }
+
+
+def _how(frames: BuiltFrames) -> dict[str, Floats]:
+    count = len(frames.boxes)
+    near, away = _neighbours(frames)
+    found = {
+        name: np.full(count, FAR)
+        for name in ("nearest", "side_gap", "front_gap", "offset", "beside", "ahead")
+    }
+    found["turn"] = np.zeros(count)
+    for k in range(count):
+        others, gaps = near[k], away[k]
+        if len(others):
+            _relate(frames.boxes, k, others, gaps, found)
+    quadruple = 4.0 * frames.boxes[:, 2]
+    found["north"], found["east"] = np.cos(quadruple), np.sin(quadruple)
+    found["density"] = _density(frames)
+    return found
+
+
+def _neighbours(frames: BuiltFrames) -> tuple[list[NDArray[np.int64]], list[Floats]]:
+    """For each building those nearer than :data:`FAR`, nearest first, and the distances."""
+    tree = shapely.STRtree(frames.shapes)
+    i, j = tree.query(frames.shapes, predicate="dwithin", distance=FAR)
+    i, j = i[i != j], j[i != j]
+    away = np.asarray(shapely.distance(frames.shapes[i], frames.shapes[j]))
+    order = np.lexsort((j, away, i))
+    i, j, away = i[order], j[order], away[order]
+    cuts = np.searchsorted(i, np.arange(len(frames.shapes) + 1))
+    spans = list(zip(cuts[:-1].tolist(), cuts[1:].tolist(), strict=True))
+    return [j[a:b] for a, b in spans], [away[a:b] for a, b in spans]
+
+
+def _relate(
+    boxes: Floats, k: int, others: NDArray[np.int64], gaps: Floats, found: dict[str, Floats]
+) -> None:
+    """Fill in what building ``k`` is to its neighbours."""
+    local = to_frames(boxes[others, :2], boxes[k][None])
+    turn = boxes[others, 2] - boxes[k, 2]
+    cos, sin = np.abs(np.cos(turn)), np.abs(np.sin(turn))
+    half_x = (boxes[others, 3] * cos + boxes[others, 4] * sin) / 2
+    half_y = (boxes[others, 3] * sin + boxes[others, 4] * cos) / 2
+    over_x = boxes[k, 3] / 2 + half_x - np.abs(local[:, 0])
+    over_y = boxes[k, 4] / 2 + half_y - np.abs(local[:, 1])
+    before = over_x > FACING * np.minimum(boxes[k, 3], 2 * half_x)
+    beside = ~before & (over_y > FACING * np.minimum(boxes[k, 4], 2 * half_y))
+    found["nearest"][k] = gaps[0]
+    if beside.any():
+        found["side_gap"][k] = gaps[beside][0]
+    if before.any():
+        found["front_gap"][k] = gaps[before][0]
+        found["offset"][k] = abs(float(local[before][0, 0]))
+    few = np.abs(local[:NEAREST])
+    found["beside"][k], found["ahead"][k] = few.mean(0)
+    angle = float(turn[0])
+    found["turn"][k] = abs((angle + np.pi / 4) % (np.pi / 2) - np.pi / 4)
+
+
+def _density(frames: BuiltFrames) -> Floats:
+    """The share of a disc about each building that is built on."""
+    discs = shapely.buffer(shapely.points(frames.boxes[:, :2]), AROUND, quad_segs=4)
+    i, j = shapely.STRtree(frames.shapes).query(discs, predicate="intersects")
+    shared = shapely.area(shapely.intersection(discs[i], frames.shapes[j]))
+    return np.asarray(np.bincount(i, shared, len(discs)) / shapely.area(discs))
+
+
+def _streets(frames: BuiltFrames, lines: list[shapely.LineString]) -> dict[str, Floats]:
+    tree = shapely.STRtree(lines)
+    nearest = tree.nearest(frames.shapes)
+    away = np.asarray(shapely.distance(frames.shapes, np.array(lines, object)[nearest]))
+    turn = np.zeros(len(away))
+    for k, n in enumerate(nearest.tolist()):
+        line = lines[n]
+        at = line.project(shapely.Point(frames.boxes[k, :2]))
+        ends = [line.interpolate(max(at - 1.0, 0.0)), line.interpolate(at + 1.0)]
+        step = np.diff(shapely.get_coordinates(ends), axis=0)[0]
+        angle = float(np.arctan2(step[1], step[0])) - frames.boxes[k, 2]
+        turn[k] = abs((angle + np.pi / 4) % (np.pi / 2) - np.pi / 4)
+    return {"street": np.minimum(away, FAR), "street_turn": turn}

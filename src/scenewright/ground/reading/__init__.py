@@ -1,0 +1,56 @@
+"""What is built somewhere, read from maps, city models and saved solutions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from scenewright.catalog.models.files import MEBIBYTE, json_of, whole
+from scenewright.core.atomic_file import note_read
+from scenewright.core.errors import InputError
+from scenewright.ground.built import BuiltScene
+
+MOST_BYTES = 128 * MEBIBYTE
+
+
+def read_built(path: Path, origin: tuple[float, float] | None = None) -> BuiltScene:
+    """What is built in a file: GeoJSON, CityJSON or a saved solution of buildings.
+
+    Maps in degrees become metres about ``origin`` (longitude, latitude), else about their own
+    middle. InputError, naming the file, for what holds no building.
+    """
+    try:
+        return _read(path, origin)
+    except OSError as error:
+        fault = f"cannot be read: {error.strerror or error}"
+        raise InputError(fault, "check the path", file=str(path)) from None
+    except InputError as error:
+        raise error.located(file=str(path)) from None
+
+
+def _read(path: Path, origin: tuple[float, float] | None) -> BuiltScene:
+    from scenewright.ground.reading.city import city_scene
+    from scenewright.ground.reading.maps import map_scene
+    from scenewright.ground.reading.saved import saved_scene
+
+    if not path.is_file():
+        raise InputError("there is no such file", "check the path")
+    if path.suffix.lower() not in (".json", ".geojson", ".cityjson"):
+        raise InputError(
+            f"'{path.suffix}' holds no buildings that can be read",
+            "give .geojson, .city.json or a saved solution",
+        )
+    note_read(path)
+    document = json_of(whole(path, MOST_BYTES), "JSON")
+    if not isinstance(document, dict):
+        raise InputError("holds no JSON object", "give a map, a city model or a solution")
+    if document.get("type") == "CityJSON":
+        found = city_scene(document, path)
+    elif document.get("type") in ("FeatureCollection", "Feature"):
+        found = map_scene(document, path.stem, origin)
+    elif isinstance(document.get("pieces"), list):
+        found = saved_scene(document)
+    else:
+        raise InputError("is no map, city model or solution", "give .geojson or .city.json")
+    if not found.buildings:
+        raise InputError("holds no building", "give a scene with buildings")
+    return found

@@ -1,0 +1,70 @@
+"""The buildings of a city model (CityJSON), with the models that draw them."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import shapely
+
+from scenewright.catalog.models.cityjson import City, city_of, parts_at, roots_of, turn_of
+from scenewright.catalog.models.model import clean
+from scenewright.core.catalog import OWN, Part
+from scenewright.core.errors import InputError
+from scenewright.ground.built import BuiltBuilding, BuiltScene
+from scenewright.ground.reading.cleaning import clean_outline, drop_overlaps
+
+DEGREES = ("/4326", "/4979", "CRS84", "/4258")
+
+
+def city_scene(document: dict[str, Any], path: Path) -> BuiltScene:
+    """The scene of a city model, in metres about its middle."""
+    city = city_of(document)
+    if any(sign in city.system for sign in DEGREES):
+        raise InputError("its coordinates are degrees", "export it in a system of metres")
+    stem, seen, told = clean(path.stem, "model"), Counter[str](), list[str]()
+    found = []
+    for key in roots_of(city):
+        short = clean(key, "unnamed")
+        try:
+            parts = parts_at(city, key)
+        except InputError as error:
+            told.append(f"{short}: {error.fault}")
+            continue
+        seen[short] += 1
+        name = f"{stem}/{short}" + (f"-{seen[short]}" if seen[short] > 1 else "")
+        built = _building(city, key, short, f"{OWN}{name}", parts)
+        if built is None:
+            told.append(f"{short}: has no usable footprint")
+        else:
+            found.append(built)
+    kept, overlapping = drop_overlaps(found)
+    return BuiltScene(
+        path.stem.removesuffix(".city"),
+        kept,
+        left_out=(*told, *overlapping),
+        catalog=str(path.absolute()),
+    )
+
+
+def _building(
+    city: City, key: str, short: str, model: str, parts: tuple[Part, ...]
+) -> BuiltBuilding | None:
+    points = np.concatenate([part.vertices[np.unique(part.faces)] for part in parts])
+    corners = np.concatenate([part.vertices[part.faces][..., :2] for part in parts])
+    a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    wide = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) > 1e-6
+    shape = shapely.union_all(shapely.polygons(corners[wide]), grid_size=1e-3)
+    pieces = [p for p in shapely.get_parts(shape) if p.geom_type == "Polygon"]
+    if not pieces:
+        return None
+    whole = max(pieces, key=lambda part: part.area)
+    outline = clean_outline(shapely.get_coordinates(whole.exterior))
+    if outline is None:
+        return None
+    told = city.objects[key].get("attributes")
+    name = clean(told.get("name")) if isinstance(told, dict) else ""
+    height = max(float(np.ptp(points[:, 2])), 1.0)
+    return BuiltBuilding(short, name, outline, height, turn_of(parts) - np.pi / 2, model)

@@ -1,0 +1,214 @@
+"""Extensions from end to end: samples grow without a fault, by seed; bad input is refused."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+
+import scenewright as sw
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.piece_outlines import polygons_of
+from scenewright.domains import plan_of
+from scenewright.domains.extend.areas import OLD
+from scenewright.formats import solution_json
+
+SAMPLES = ("extend-terrace", "extend-court", "extend-village")
+
+
+def box(x: float, y: float, w: float = 10.0, d: float = 8.0) -> list[list[float]]:
+    return [[x, y], [x + w, y], [x + w, y + d], [x, y + d]]
+
+
+def rows(count: int = 4) -> list[dict[str, object]]:
+    """Two rows of like houses, 14 m apart, 20 m between the rows."""
+    return [
+        {"outline": box(24.0 * k, 28.0 * j), "height": 7.0} for k in range(count) for j in range(2)
+    ]
+
+
+def extension(source: dict[str, object] | None = None, **area: object) -> Brief:
+    given = {"buildings": rows()} if source is None else source
+    row = {"id": "a", "outline": [[86, -4], [200, -4], [200, 46], [86, 46]]} | area
+    return Brief.model_validate({"domain": "extend", "sources": [given], "areas": [row]})
+
+
+def new(solution: sw.Solution) -> list[sw.Piece]:
+    return [p for p in solution.pieces if p.category == "building" and p.space != OLD]
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_samples_grow_and_break_no_rule(name: str, seed: int) -> None:
+    solution = sw.solve(sw.read(f"sample:{name}"), seed=seed, steps=1)
+    report = sw.check(solution)
+    assert report.valid, [found.message for found in report.findings]
+    for area, found in zip(
+        solution.brief.part.areas, report.figures["areas"].values(), strict=True
+    ):
+        assert found["buildings"] >= 10
+        assert area.count is not None or found["coverage"] == pytest.approx(
+            found["source_coverage"], rel=0.35
+        )
+
+
+def test_rows_go_on_at_their_pitch() -> None:
+    """Fronts stay in line and houses 24 m apart, as they are in the source."""
+    solution = sw.solve(extension(), seed=3, steps=2)
+    poses = np.array([[p.pose.x, p.pose.y] for p in new(solution)])
+    assert len(poses) >= 8
+    in_line = np.isin(poses[:, 1].round(3), (4.0, 32.0))
+    assert in_line.mean() >= 0.8
+    on_pitch = np.abs((poses[in_line, 0] - 5.0 + 12.0) % 24.0 - 12.0) < 0.01
+    assert on_pitch.mean() >= 0.8
+
+
+def test_a_source_turned_and_moved_grows_the_same_turned_and_moved() -> None:
+    def turn(points: list[list[float]]) -> list[list[float]]:
+        return [[500.0 - y, 200.0 + x] for x, y in points]
+
+    source = {"buildings": [row | {"heading": -1.5707963267948966} for row in rows()]}
+    turned = {
+        "buildings": [
+            row | {"outline": turn(row["outline"]), "heading": 0.0} for row in source["buildings"]
+        ]
+    }
+    outline = [[86, -4], [200, -4], [200, 46], [86, 46]]
+    one = sw.solve(extension(source, coverage=0.1), seed=1, preset="strict", steps=1)
+    other = sw.solve(
+        extension(turned, outline=turn(outline), coverage=0.1), seed=1, preset="strict", steps=1
+    )
+    here = sorted((round(p.pose.x, 2), round(p.pose.y, 2)) for p in new(one))
+    there = sorted((round(p.pose.y - 200, 2), round(500 - p.pose.x, 2)) for p in new(other))
+    assert len(here) == len(there)
+    shared = len(set(here) & set(there))
+    assert shared >= 0.7 * len(here)
+
+
+def test_nothing_new_overlaps_or_leaves_the_area() -> None:
+    solution = sw.solve(extension(), seed=0)
+    shapes = polygons_of(new(solution))
+    floor = shapely.box(86, -4, 200, 46).buffer(1e-2)
+    assert shapely.covers(floor, shapes).all()
+    assert shapely.union_all(shapes).area == pytest.approx(shapely.area(shapes).sum())
+
+
+def test_counts_are_met_or_left_out_with_the_reason() -> None:
+    assert len(new(sw.solve(extension(count=5), seed=0))) == 5
+    crowded = sw.solve(extension(count=90), seed=0, steps=1)
+    (out,) = crowded.left_out
+    assert out.required
+    assert len(new(crowded)) + int(out.what.split()[0]) == 90
+
+
+def test_streets_that_end_at_the_border_go_on() -> None:
+    source = {"buildings": rows(), "roads": [{"line": [[-5, 18], [84, 18]], "width": 6}]}
+    brief = extension(source)
+    (area,) = plan_of(brief).detail.areas
+    (street,) = area.continued
+    assert street.line.tolist() == [[84.0, 18.0], [200.0, 18.0]]
+    shapes = polygons_of(new(sw.solve(brief, steps=1)))
+    assert not shapely.intersects(shapes, shapely.box(86, 15.01, 200, 20.99)).any()
+    (none,) = plan_of(extension(source, continue_streets=False)).detail.areas
+    assert none.continued == ()
+
+
+def test_several_sources_are_followed_in_their_shares() -> None:
+    small = [{"outline": box(20 * k, 400, 6, 6), "height": 4} for k in range(6)]
+    large = [{"outline": box(40 * k, 600, 20, 12), "height": 15} for k in range(6)]
+
+    def heights(share: float) -> float:
+        brief = Brief.model_validate(
+            {
+                "domain": "extend",
+                "sources": [{"buildings": small, "share": share}, {"buildings": large}],
+                "areas": [{"id": "a", "outline": box(0, 0, 160, 160), "count": 16}],
+            }
+        )
+        return float(np.mean([p.size.height for p in new(sw.solve(brief, seed=1, steps=1))]))
+
+    assert heights(8.0) < heights(0.125)
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".geojson", ".glb", ".png", ".json"])
+def test_extensions_are_written(suffix: str, tmp_path: Path) -> None:
+    brief = extension(count=4).model_copy()
+    part = brief.part.model_copy(update={"origin": (11.5, 49.5)})
+    solution = sw.solve(brief.model_copy(update={"part": part}), steps=1)
+    sw.write(solution, tmp_path / f"e{suffix}")
+    assert (tmp_path / f"e{suffix}").stat().st_size > 500
+
+
+def test_a_map_reads_as_the_brief_it_was_written_from(tmp_path: Path) -> None:
+    brief = extension(count=4)
+    part = brief.part.model_copy(update={"origin": (11.5, 49.5)})
+    solution = sw.solve(brief.model_copy(update={"part": part}), steps=1)
+    sw.write(solution, tmp_path / "e.geojson")
+    again = sw.read(tmp_path / "e.geojson")
+    assert again.domain == "extend"
+    assert len(again.part.sources[0].buildings) == len(solution.pieces)
+    area = shapely.Polygon(again.part.areas[0].outline).area
+    assert area == pytest.approx(114 * 50, rel=1e-4)
+
+
+def test_a_saved_solution_is_a_source(tmp_path: Path) -> None:
+    sw.write(sw.solve(extension(count=4), steps=1), tmp_path / "first.json")
+    brief = {
+        "domain": "extend",
+        "sources": [{"path": "first.json"}],
+        "areas": [{"outline": [[202, -4], [300, -4], [300, 46], [202, 46]], "count": 4}],
+    }
+    (tmp_path / "second.json").write_text(json.dumps(brief))
+    solution = sw.solve(sw.read(tmp_path / "second.json"), steps=1)
+    assert len(new(solution)) == 4
+    assert len(solution.pieces) == 16
+    assert solution_json.loads(solution_json.dumps(solution)).pieces == solution.pieces
+
+
+def test_what_is_wrong_with_a_source_is_left_out_by_name() -> None:
+    bad = [
+        {"id": "line", "outline": [[0, 90], [9, 90], [18, 90]]},
+        {"id": "inside", "outline": box(1, 1, 4, 4)},
+    ]
+    solution = sw.solve(extension({"buildings": [*rows(), *bad]}, count=3), steps=1)
+    told = {out.what: out for out in solution.left_out}
+    assert not any(out.required for out in told.values())
+    assert {"line: has no usable footprint", "inside: overlaps another building"} == set(told)
+
+
+@pytest.mark.parametrize(
+    ("source", "area", "message"),
+    [
+        ({"buildings": rows()[:1]}, {}, "no arrangement can be learned"),
+        ({}, {}, "has no buildings"),
+        ({"path": "nowhere.geojson"}, {}, "there is no such file"),
+        ({"path": "a.txt", "buildings": rows()}, {}, "names a file and draws buildings"),
+        (None, {"outline": box(0, 0, 10, 8)}, "nothing of it is free"),
+        (None, {"outline": [[0, 0], [9, 9], [9, 0], [0, 9]]}, "crosses or touches itself"),
+        ({"buildings": [row | {"model": "castle"} for row in rows()]}, {}, "unknown model"),
+        (None, {"use": "catalogue"}, "hold no building"),
+    ],
+)
+def test_bad_input_is_refused_in_one_line(
+    source: dict[str, object] | None, area: dict[str, object], message: str
+) -> None:
+    with pytest.raises(InputError, match=message) as caught:
+        sw.solve(extension(source, **area), steps=1)
+    assert "\n" not in str(caught.value)
+
+
+def test_maps_in_unknown_systems_are_refused(tmp_path: Path) -> None:
+    ring = [[4.5e5, 5.4e6], [4.6e5, 5.4e6], [4.6e5, 5.5e6], [4.5e5, 5.4e6]]
+    feature = {
+        "type": "Feature",
+        "properties": {"building": "yes"},
+        "geometry": {"type": "Polygon", "coordinates": [ring]},
+    }
+    path = tmp_path / "map.geojson"
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": [feature]}))
+    with pytest.raises(InputError, match="no longitude and latitude"):
+        sw.solve(extension({"path": str(path)}))
