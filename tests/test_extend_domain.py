@@ -134,6 +134,20 @@ def test_several_sources_are_followed_in_their_shares() -> None:
     assert heights(8.0) < heights(0.125)
 
 
+def test_rows_of_the_brief_are_laid_as_written() -> None:
+    kinds = [{"outline": box(30.0 * k, 0.0, 10.0 + 6 * (k % 2)), "height": 7.0} for k in range(4)]
+    row = {"pattern": "(A B)^2 - A", "line": [[100, 20], [190, 20]], "gap": 2.0}
+    solution = sw.solve(extension({"buildings": kinds}, rows=[row], count=5), steps=1)
+    found = sorted(new(solution), key=lambda p: p.pose.x)
+    assert [p.function for p in found] == ["A", "B", "A", "B", "A"]
+    edges = [(p.pose.x - p.size.width / 2, p.pose.x + p.size.width / 2) for p in found]
+    gaps = [b[0] - a[1] for a, b in zip(edges[:-1], edges[1:], strict=True)]
+    assert gaps == pytest.approx([2.0, 2.0, 2.0, 5.0])
+    assert {round(p.pose.y - p.size.depth / 2, 6) for p in found} == {20.0}
+    with pytest.raises(InputError, match="no kind 'Z'"):
+        sw.solve(extension({"buildings": kinds}, rows=[row | {"pattern": "A Z"}]), steps=1)
+
+
 @pytest.mark.parametrize("suffix", [".svg", ".geojson", ".glb", ".png", ".json"])
 def test_extensions_are_written(suffix: str, tmp_path: Path) -> None:
     brief = extension(count=4).model_copy()

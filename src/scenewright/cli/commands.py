@@ -20,7 +20,9 @@ from scenewright._version import __version__
 from scenewright.cli import adjust as cli_adjust
 from scenewright.cli import batch as cli_batch
 from scenewright.cli import catalog as cli_catalog
+from scenewright.cli import compare as cli_compare
 from scenewright.cli import evolve as cli_evolve
+from scenewright.cli import fold as cli_fold
 from scenewright.cli import show, tables, terminal
 from scenewright.cli.arguments import check_words
 from scenewright.cli.reading import CatalogOption, GroupsOption, HiddenOption, ScaleOption
@@ -40,6 +42,8 @@ app = typer.Typer(
 app.add_typer(cli_catalog.app, name="catalog")
 app.command()(cli_adjust.adjust)
 app.command()(cli_evolve.evolve)
+app.command()(cli_compare.compare)
+app.command()(cli_fold.fold)
 
 USAGE_FAULT = cast(type[Exception], typer.BadParameter.__mro__[2])
 """What the parser raises for arguments it cannot use (its own ``ClickException``)."""

@@ -43,8 +43,9 @@ class BuiltRoad(NamedTuple):
 
 class BuiltScene(NamedTuple):
     """What is built: buildings, streets, the ``outline`` (n, 2) of its ground (``None``: not
-    known), what was left out with the reason, the longitude and latitude of (0, 0) if known, and
-    the ``catalog``, a path to the models that its buildings name."""
+    known), what was left out with the reason, the longitude and latitude of (0, 0) if known, the
+    ``catalog``, a path to the models that its buildings name, and ``context``: buildings around
+    that are neighbours, but not of the scene."""
 
     name: str
     buildings: tuple[BuiltBuilding, ...]
@@ -53,6 +54,7 @@ class BuiltScene(NamedTuple):
     left_out: tuple[str, ...] = ()
     origin: tuple[float, float] | None = None
     catalog: str = ""
+    context: tuple[BuiltBuilding, ...] = ()
 
 
 class BuiltFrames(NamedTuple):

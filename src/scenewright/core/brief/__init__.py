@@ -329,7 +329,7 @@ def brief_schema() -> dict[str, Any]:
     """The JSON Schema of a brief, with the keys of every domain's part.
 
     >>> sorted(brief_schema()["properties"])[:3]
-    ['accessible', 'blocks', 'catalogs']
+    ['accessible', 'areas', 'blocks']
     """
     schema = Brief.model_json_schema(mode="validation")
     schema["properties"].pop("part")

@@ -11,6 +11,7 @@ DOMAIN = Domain(
     about="a neighbourhood continued beside itself",
     package=__name__,
     part=".brief:ExtendPart",
+    detail=".record:ExtensionRecord",
     rooms=False,
     lacks=("rooms", "levels", "walls", "stairs", "accessible"),
     defaults={"name": "extension"},
@@ -26,6 +27,8 @@ DOMAIN = Domain(
         "draw": ".drawing.plan:draw",
         "adjust": ".adjust:adjust",
         "locked": ".locks:lock_extension",
+        "detail_document": ".record:detail_document",
+        "detail_of": ".record:detail_of",
     },
     tables={
         "presets": ".presets:PRESETS",

@@ -65,6 +65,16 @@ class SourceScene(StrictModel):
     stands: Switch | None = None
 
 
+class DrawnRow(StrictModel):
+    """A row to build first: a string of kinds of the sources, folded or not (``(A B)^5 - C``; ``-``
+    is a passage), laid along a ``line`` on which its fronts stand, to its left. ``gap`` is that
+    between buildings in metres (left out: the least of the sources)."""
+
+    pattern: Annotated[str, Field(min_length=1, max_length=4000)]
+    line: Annotated[list[Point], Field(min_length=2, max_length=500)]
+    gap: Annotated[Number, Field(ge=0, le=100)] | None = None
+
+
 class LockedGrowth(StrictModel):
     """A building of an area that stays: one locked in a saved solution, or a landmark."""
 
@@ -81,7 +91,8 @@ class GrowthArea(StrictModel):
     """Ground to fill. ``count`` buildings, or as many as cover the share ``coverage`` (both left
     out: the share that the sources cover). ``roads`` are drawn there; ``continue_streets`` runs
     those on that end at its border. ``use`` says which models stand there: the ``source``'s own,
-    or of a like size from the brief's ``catalogue``. ``fixed`` stays and counts."""
+    or of a like size from the brief's ``catalogue``. ``rows`` are built first. ``fixed`` stays and
+    counts."""
 
     id: str = ""
     name: str = ""
@@ -92,6 +103,7 @@ class GrowthArea(StrictModel):
     count: Annotated[Whole, Field(ge=0, le=5000)] | None = None
     coverage: Annotated[Number, Field(gt=0, le=0.8)] | None = None
     use: Literal["source", "catalogue"] = "source"
+    rows: Annotated[list[DrawnRow], Field(max_length=200)] = []
     fixed: Annotated[list[LockedGrowth], Field(max_length=5000)] = []
 
 

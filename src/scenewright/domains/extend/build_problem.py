@@ -9,6 +9,7 @@ from scenewright.domains.extend.areas import AreaPlan, ExtendPlan, StandingLock
 from scenewright.domains.extend.pattern import SourcePattern
 from scenewright.domains.extend.problem import ExtendProblem, StandingGround
 from scenewright.domains.extend.settings import GrowthSettings
+from scenewright.domains.extend.solvers.laid_rows import read_row
 
 
 def build_problem(plan: ExtendPlan, area: AreaPlan, settings: GrowthSettings) -> ExtendProblem:
@@ -31,6 +32,10 @@ def build_problem(plan: ExtendPlan, area: AreaPlan, settings: GrowthSettings) ->
         coverage,
         tuple(scene.roads for scene in plan.sources),
         settings,
+        tuple(
+            read_row(row, plan.pattern, f"{area.id} rows[{k}]")
+            for k, row in enumerate(area.row.rows)
+        ),
     )
 
 

@@ -10,7 +10,15 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
-from scenewright.ground.built import BuiltFrames, BuiltScene, frames_of, ground_of, to_frames
+from scenewright.ground.built import (
+    BuiltBuilding,
+    BuiltFrames,
+    BuiltScene,
+    frames_of,
+    ground_of,
+    to_frames,
+)
+from scenewright.ground.kinds import group_kinds, letter_of
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -19,8 +27,6 @@ NEIGHBOURS = 8
 """Neighbours by whose places a building is known."""
 FARTHEST = 90.0
 """Metres beyond which nobody is a neighbour."""
-SAME_SIDE, SAME_SHAPE, SAME_HEIGHT = 0.4, 0.95, 0.6
-"""Metres by which sides, the share of shapes and metres of height that one kind may differ in."""
 ALIKE = 5
 """Buildings of the sources that stand in for one."""
 TIGHT = 0.05
@@ -103,64 +109,31 @@ def learn_pattern(scenes: Sequence[BuiltScene], shares: Sequence[float]) -> Sour
     )
 
 
-def letter_of(number: int) -> str:
-    """A, B … Z, AA, AB …
-
-    >>> letter_of(0), letter_of(27)
-    ('A', 'AB')
-    """
-    text = ""
-    number += 1
-    while number:
-        number, rest = divmod(number - 1, 26)
-        text = chr(65 + rest) + text
-    return text
-
-
 def _kinds(
     scenes: Sequence[BuiltScene], frames: Sequence[BuiltFrames]
 ) -> tuple[tuple[BuildingKind, ...], Indices]:
     """Buildings of one source, size and shape are one kind; kinds in the order they occur."""
     found: list[BuildingKind] = []
-    polygons: list[shapely.Polygon] = []
     of: list[int] = []
     for number, (scene, one) in enumerate(zip(scenes, frames, strict=True)):
-        for built, box, height in zip(scene.buildings, one.boxes, one.heights, strict=True):
-            local = np.round(to_frames(built.outline, box[None]), 4)
-            size = (float(box[3]), float(box[4]), float(height))
-            polygon = shapely.Polygon(local)
-            match = next(
-                (
-                    k
-                    for k, kind in enumerate(found)
-                    if _same(kind, polygons[k], size, polygon, built.model, number)
-                ),
-                None,
-            )
-            if match is None:
-                match = len(found)
-                letter = letter_of(match)
-                found.append(BuildingKind(letter, letter, local, size, built.model, number, 0))
-                polygons.append(polygon)
-            found[match] = found[match]._replace(copies=found[match].copies + 1)
-            of.append(match)
-    return tuple(found), np.array(of, np.int64)
+        kinds, before = group_kinds(scene.buildings, one), len(found)
+        for k, kind in enumerate(kinds):
+            if before + kind == len(found):
+                found.append(_kind(scene.buildings[k], one, k, len(found), number))
+            of.append(before + kind)
+    counts = np.bincount(of, minlength=len(found)).tolist()
+    named = tuple(kind._replace(copies=n) for kind, n in zip(found, counts, strict=True))
+    return named, np.array(of, np.int64)
 
 
-def _same(
-    kind: BuildingKind,
-    theirs: shapely.Polygon,
-    size: tuple[float, float, float],
-    polygon: shapely.Polygon,
-    model: str,
-    source: int,
-) -> bool:
-    if kind.source != source or kind.model != model or abs(kind.size[2] - size[2]) > SAME_HEIGHT:
-        return False
-    if max(abs(kind.size[k] - size[k]) for k in (0, 1)) > SAME_SIDE:
-        return False
-    both = shapely.intersection(theirs, polygon).area
-    return bool(both > SAME_SHAPE * max(theirs.area, polygon.area))
+def _kind(
+    built: BuiltBuilding, frames: BuiltFrames, row: int, number: int, source: int
+) -> BuildingKind:
+    box = frames.boxes[row]
+    local = np.round(to_frames(built.outline, box[None]), 4)
+    letter = letter_of(number)
+    size = (float(box[3]), float(box[4]), float(frames.heights[row]))
+    return BuildingKind(letter, letter, local, size, built.model, source, 0)
 
 
 def _neighbours(boxes: Floats, source: Indices) -> tuple[Indices, Floats]:
@@ -190,21 +163,22 @@ def _alike(boxes: Floats, kind: Indices, relative: Floats, near: Indices) -> Ind
 
 
 def pair_kind(box: Floats, others: Floats) -> Indices:
-    """How boxes (n, 5) stand to a box (5,): 0 beside, 1 before or behind, 2 at a corner.
+    """How boxes (n, 5) stand to a box (5,), or each to its own (n, 5): 0 beside, 1 before or
+    behind, 2 at a corner.
 
     >>> one = np.array([0.0, 0.0, np.pi / 2, 10.0, 6.0])
     >>> pair_kind(one, np.array([[12.0, 0, np.pi / 2, 10, 6], [1, 20, np.pi / 2, 10, 6]])).tolist()
     [0, 1]
     """
-    local = np.abs(to_frames(others[:, :2], box[None]))
-    turn = others[:, 2] - box[2]
+    local = np.abs(to_frames(others[:, :2], box))
+    turn = others[:, 2] - box[..., 2]
     cos, sin = np.abs(np.cos(turn)), np.abs(np.sin(turn))
     half_x = (others[:, 3] * cos + others[:, 4] * sin) / 2
     half_y = (others[:, 3] * sin + others[:, 4] * cos) / 2
-    over_x = box[3] / 2 + half_x - local[:, 0]
-    over_y = box[4] / 2 + half_y - local[:, 1]
-    before = over_x > 0.2 * np.minimum(box[3], 2 * half_x)
-    beside = over_y > 0.2 * np.minimum(box[4], 2 * half_y)
+    over_x = box[..., 3] / 2 + half_x - local[:, 0]
+    over_y = box[..., 4] / 2 + half_y - local[:, 1]
+    before = over_x > 0.2 * np.minimum(box[..., 3], 2 * half_x)
+    beside = over_y > 0.2 * np.minimum(box[..., 4], 2 * half_y)
     return np.where(before, 1, np.where(beside, 0, 2))
 
 
@@ -214,7 +188,7 @@ def _gap_rules(boxes: Floats, shapes: NDArray[np.object_], source: Indices) -> G
     apart = (i != j) & (source[i] == source[j])
     i, j = i[apart], j[apart]
     gaps = np.asarray(shapely.distance(shapes[i], shapes[j]))
-    how = np.array([pair_kind(boxes[a], boxes[b][None])[0] for a, b in zip(i, j, strict=True)])
+    how = pair_kind(boxes[i], boxes[j])
     least = [
         float(np.quantile(gaps[how == k], TIGHT)) * 0.98 if (how == k).any() else np.nan
         for k in range(3)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
@@ -31,7 +31,8 @@ class StandingGround(NamedTuple):
 class ExtendProblem(NamedTuple):
     """One area: the ``floor`` that may be built on, its whole outline, what is learned of the
     sources, what stands, streets in and about it, how many buildings (``number``) or what share
-    of the outline (``coverage``) are wanted, and settings."""
+    of the outline (``coverage``) are wanted, settings, and
+    rows to lay first."""
 
     name: str
     floor: shapely.Polygon
@@ -43,6 +44,7 @@ class ExtendProblem(NamedTuple):
     coverage: float
     source_roads: tuple[tuple[BuiltRoad, ...], ...]
     settings: GrowthSettings
+    rows: tuple[Any, ...] = ()
 
 
 class GrownLayout(NamedTuple):
@@ -69,7 +71,9 @@ def shapes_at(pattern: SourcePattern, poses: Floats, origin: Indices) -> NDArray
     """The footprints (n,) of copies of buildings of the sources at poses (n, 3)."""
     boxes = boxes_at(pattern, poses, origin)
     found = np.empty(len(poses), object)
-    for k, (box, number) in enumerate(zip(boxes, origin.tolist(), strict=True)):
-        local = pattern.kinds[pattern.kind[number]].local
-        found[k] = shapely.Polygon(from_frames(local, box[None]))
+    kinds = pattern.kind[origin]
+    for kind in np.unique(kinds).tolist():
+        rows = np.flatnonzero(kinds == kind)
+        local = pattern.kinds[kind].local
+        found[rows] = shapely.polygons(from_frames(local[None], boxes[rows, None]))
     return found

@@ -153,6 +153,7 @@ def assemble_solution(
         brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
         seconds=seconds,
         evaluations=sum(one.evaluations for one in found),
+        detail=tuple(road for area in plan.areas for road in area.continued),
     )
 
 

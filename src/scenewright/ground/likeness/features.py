@@ -16,7 +16,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.ground.built import BuiltFrames, BuiltRoad, to_frames
+from scenewright.ground.built import BuiltFrames, BuiltRoad, BuiltScene, frames_of, to_frames
 
 Floats = NDArray[np.float64]
 FAR = 60.0
@@ -68,6 +68,14 @@ def measure_buildings(frames: BuiltFrames, roads: Sequence[BuiltRoad] = ()) -> d
     if driven:
         found |= _streets(frames, driven)
     return found
+
+
+def measure_scene(scene: BuiltScene) -> dict[str, Floats]:
+    """The features of the buildings of a scene, measured among its context."""
+    frames = frames_of([*scene.buildings, *scene.context], scene.roads)
+    count = len(scene.buildings)
+    measured = measure_buildings(frames, scene.roads)
+    return {name: values[:count] for name, values in measured.items()}
 
 
 def _what(frames: BuiltFrames) -> dict[str, Floats]:

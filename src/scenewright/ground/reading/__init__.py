@@ -54,3 +54,18 @@ def _read(path: Path, origin: tuple[float, float] | None) -> BuiltScene:
     if not found.buildings:
         raise InputError("holds no building", "give a scene with buildings")
     return found
+
+
+def read_grown(path: Path) -> tuple[BuiltScene, BuiltScene]:
+    """What stood before and what was grown, of a saved extension. InputError for any other
+    file."""
+    from scenewright.ground.reading.saved import grown_scenes
+
+    try:
+        if not path.is_file():
+            raise InputError("there is no such file", "check the path")
+        document = json_of(whole(path, MOST_BYTES), "JSON")
+        note_read(path)
+        return grown_scenes(document)
+    except InputError as error:
+        raise error.located(file=str(path)) from None

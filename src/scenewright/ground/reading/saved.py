@@ -13,6 +13,8 @@ from scenewright.core.layout import corners
 from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
 from scenewright.ground.reading.cleaning import clean_outline, drop_overlaps
 
+OLD = "source"
+"""The space of what stood before an extension."""
 GROUNDS = ("sites", "blocks", "areas")
 """Keys of briefs under which grounds are listed."""
 
@@ -22,7 +24,7 @@ def saved_scene(document: dict[str, Any]) -> BuiltScene:
     out by name."""
     brief = document.get("brief")
     brief = brief if isinstance(brief, dict) else {}
-    found, told = [], list[str]()
+    found, told = list[BuiltBuilding](), list[str]()
     for piece in document["pieces"]:
         if isinstance(piece, dict) and piece.get("category") == "building":
             name = str(piece.get("id", ""))[:120]
@@ -37,10 +39,28 @@ def saved_scene(document: dict[str, Any]) -> BuiltScene:
     return BuiltScene(
         str(brief.get("name", "scene"))[:120],
         kept,
-        tuple(_roads(brief)),
+        (*_roads(brief), *_roads({"lanes": document.get("continued")})),
         outline if outline is not None and len(outline) > 2 else None,
         (*told, *overlapping),
         (float(origin[0]), float(origin[1])) if isinstance(origin, list) else None,
+    )
+
+
+def grown_scenes(document: Any) -> tuple[BuiltScene, BuiltScene]:
+    """What stood before and what was grown, of the document of a saved extension."""
+    pieces = document.get("pieces") if isinstance(document, dict) else None
+    rows = (
+        [piece for piece in pieces if isinstance(piece, dict)] if isinstance(pieces, list) else []
+    )
+    if not rows or not any(piece.get("space") == OLD for piece in rows):
+        raise InputError(
+            "is no saved extension with what stood before", "give two scenes to compare"
+        )
+    parts = [[p for p in rows if (p.get("space") == OLD) is before] for before in (True, False)]
+    old, new = (saved_scene(document | {"pieces": part}) for part in parts)
+    return (
+        old._replace(name="source", outline=None),
+        new._replace(name="grown", context=old.buildings),
     )
 
 

@@ -24,10 +24,13 @@ from scenewright.drawing import sheet as sheets
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import PaperView, clean
+from scenewright.geometry.folding import fold, show
+from scenewright.ground.built import BuiltFrames
+from scenewright.ground.rows import find_rows, string_of
 
-MARGIN, LARGE, LISTED = 6.0, 1000, 26
+MARGIN, LARGE, LISTED, ROWS = 6.0, 1000, 20, 4
 """Millimetres around the drawing; the scale from which papers above A3 are used; most kinds
-listed."""
+and rows listed."""
 
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
@@ -92,6 +95,7 @@ def _legend(plan: ExtendPlan, houses: Sequence[Piece], report: Report) -> tuple[
     if report.findings:
         rows.append(LegendRow("swatch", "Violation", value=marks.FAULT))
     rows += _kinds(houses)
+    rows += _strings(plan)
     for area in plan.areas[:4]:
         heading = clean(area.name, 40) if len(plan.areas) > 1 else "Figures"
         rows += _figures(heading, report.figures["areas"][area.id])
@@ -108,6 +112,18 @@ def _kinds(houses: Sequence[Piece]) -> list[LegendRow]:
     if len(names) > LISTED:
         told.append(LegendRow("", f"{len(names) - LISTED} more kinds"))
     return told
+
+
+def _strings(plan: ExtendPlan) -> list[LegendRow]:
+    """The longest rows of the sources as folded strings."""
+    letters = [kind.letter for kind in plan.pattern.kinds]
+    named = [letters[k] for k in plan.pattern.kind.tolist()]
+    frames = BuiltFrames(plan.pattern.boxes, plan.pattern.shapes, plan.pattern.boxes[:, 3])
+    found = [show(fold(string_of(row, named))) for row in find_rows(frames)[:ROWS]]
+    if not found:
+        return []
+    heading = LegendRow("heading", "Rows of the source")
+    return [heading, *(LegendRow("", clean(text, 46)) for text in found)]
 
 
 def _size(houses: Sequence[Piece], name: str) -> str:

@@ -117,7 +117,7 @@ class Canvas:
             return good
         gaps = np.asarray(shapely.distance(shapes[rows[i]], self.shapes[j]))
         least = np.array(self.problem.pattern.gaps)
-        how = self._pairs(boxes[rows], i, j)
+        how = pair_kind(boxes[rows[i]], self.boxes[j])
         bad = gaps < least[how] - 1e-6
         touching = gaps <= 0
         touching &= ~bad
@@ -127,14 +127,6 @@ class Canvas:
             bad[t] |= np.asarray(shapely.area(shared)) > TOUCH * np.asarray(shapely.length(shared))
         good[rows[np.unique(i[bad])]] = False
         return good
-
-    def _pairs(self, boxes: Floats, i: Indices, j: Indices) -> Indices:
-        """How pairs stand to each other; the laxer of both views."""
-        found = np.zeros(len(i), np.int64)
-        for k in np.unique(i):
-            mine = i == k
-            found[mine] = pair_kind(boxes[k], self.boxes[j[mine]])
-        return found
 
     def add(self, pose: Floats, origin: int, how: str) -> int:
         """Add a copy of a building of the sources; its number."""

@@ -9,6 +9,7 @@ import numpy as np
 from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, GrownLayout
 from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.canvas import Canvas
+from scenewright.domains.extend.solvers.laid_rows import lay_rows
 from scenewright.domains.extend.solvers.neighbours import grow_neighbours
 from scenewright.domains.extend.solvers.patches import lay_patch
 from scenewright.domains.extend.solvers.repair import fill_free, take_away
@@ -49,9 +50,10 @@ def _first(found: list[GrownLayout]) -> GrownLayout:
 def grow_once(
     problem: ExtendProblem, rng: np.random.Generator, cancel: Cancel | None = None
 ) -> GrownLayout:
-    """One layout: neighbours, then patches and their neighbours until enough is built, then
-    coverage repaired."""
+    """One layout: rows of the brief, neighbours, then patches and their neighbours until enough is
+    built, then coverage repaired."""
     canvas = Canvas(problem)
+    lay_rows(canvas)
     grow_neighbours(canvas, rng, cancel)
     for _ in range(ROUNDS):
         if canvas.full() or not lay_patch(canvas, rng, problem.settings.patches):

@@ -18,6 +18,10 @@ from scenewright.domains.extend.problem import Floats, Indices
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.ground.built import from_frames, to_frames
 
+Proposal = tuple[float, int, int, tuple[float, float, float]]
+"""What it is worth (negative), a ticket, the building of the sources, and the pose."""
+SAME = 0.2
+"""Metres within which two proposals of one building are one."""
 LEAST_WORTH = -0.2
 """What a proposal must be worth to be built."""
 
@@ -27,10 +31,11 @@ def grow_neighbours(
 ) -> int:
     """Add what neighbours propose until enough is built or nothing more fits; how many were
     added."""
-    heap: list[tuple[float, int, int, tuple[float, float, float]]] = []
+    heap: list[Proposal] = []
+    seen: set[tuple[int, int, int]] = set()
     ticket = 0
     for number in np.flatnonzero(canvas.there & (canvas.origin >= 0)).tolist():
-        ticket = _propose(canvas, number, rng, heap, ticket)
+        ticket = _propose(canvas, number, rng, heap, ticket, seen)
     made = 0
     while heap and not canvas.full() and not (cancel is not None and cancel()):
         worth, _, origin, at = heapq.heappop(heap)
@@ -48,7 +53,7 @@ def grow_neighbours(
             continue
         number = canvas.add(pose, origin, "neighbour")
         made += 1
-        ticket = _propose(canvas, number, rng, heap, ticket)
+        ticket = _propose(canvas, number, rng, heap, ticket, seen)
     return made
 
 
@@ -56,11 +61,18 @@ def _propose(
     canvas: Canvas,
     number: int,
     rng: np.random.Generator,
-    heap: list[tuple[float, int, int, tuple[float, float, float]]],
+    heap: list[Proposal],
     ticket: int,
+    seen: set[tuple[int, int, int]],
 ) -> int:
-    """Push what the neighbours of buildings like ``number`` propose; the next ticket."""
+    """Push what the neighbours of buildings like ``number`` propose and nobody before them (in
+    ``seen``); the next ticket."""
     poses, origins = proposals_of(canvas, number)
+    places = np.round(poses[:, :2] / SAME).astype(int)
+    keys = list(zip(origins.tolist(), *places.T.tolist(), strict=True))
+    fresh = [k for k, key in enumerate(keys) if key not in seen]
+    seen.update(keys)
+    poses, origins = poses[fresh], origins[fresh]
     if not len(poses):
         return ticket
     good = np.flatnonzero(canvas.legal(poses, origins))
