@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -141,7 +142,7 @@ def test_rows_of_the_brief_are_laid_as_written() -> None:
     found = sorted(new(solution), key=lambda p: p.pose.x)
     assert [p.function for p in found] == ["A", "B", "A", "B", "A"]
     edges = [(p.pose.x - p.size.width / 2, p.pose.x + p.size.width / 2) for p in found]
-    gaps = [b[0] - a[1] for a, b in zip(edges[:-1], edges[1:], strict=True)]
+    gaps = [b[0] - a[1] for a, b in pairwise(edges)]
     assert gaps == pytest.approx([2.0, 2.0, 2.0, 5.0])
     assert {round(p.pose.y - p.size.depth / 2, 6) for p in found} == {20.0}
     with pytest.raises(InputError, match="no kind 'Z'"):

@@ -6,7 +6,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.domains.extend.pattern import SourcePattern, pair_kind
+from scenewright.domains.extend.pattern import GapRules, SourcePattern, pair_kind
 from scenewright.domains.extend.problem import (
     ExtendProblem,
     Floats,
@@ -92,13 +92,22 @@ class Canvas:
         free = self.wanted * (1 + 4 * self.problem.settings.slack)
         return self.problem.number is not None or self.covered + area <= free
 
-    def legal(self, poses: Floats, origin: Indices, skip: int = -1) -> Flags:
+    def legal(
+        self, poses: Floats, origin: Indices, skip: int = -1, gaps: GapRules | None = None
+    ) -> Flags:
         """Which copies (n,) at poses (n, 3) stand on the floor and as far from all others as in
-        the sources; ``skip`` is one that does not count."""
+        the sources, or as ``gaps`` say; ``skip`` is one that does not count."""
         shapes = shapes_at(self.problem.pattern, poses, origin)
-        return self.legal_shapes(shapes, boxes_at(self.problem.pattern, poses, origin), skip)
+        boxes = boxes_at(self.problem.pattern, poses, origin)
+        return self.legal_shapes(shapes, boxes, skip, gaps)
 
-    def legal_shapes(self, shapes: NDArray[np.object_], boxes: Floats, skip: int = -1) -> Flags:
+    def legal_shapes(
+        self,
+        shapes: NDArray[np.object_],
+        boxes: Floats,
+        skip: int = -1,
+        gaps: GapRules | None = None,
+    ) -> Flags:
         """The same of footprints (n,) with their boxes (n, 5)."""
         good = np.asarray(shapely.covers(self.floor, shapes))
         rows = np.flatnonzero(good)
@@ -115,11 +124,11 @@ class Canvas:
         i, j = np.nonzero(close)
         if not len(i):
             return good
-        gaps = np.asarray(shapely.distance(shapes[rows[i]], self.shapes[j]))
-        least = np.array(self.problem.pattern.gaps)
+        away = np.asarray(shapely.distance(shapes[rows[i]], self.shapes[j]))
+        least = np.array(gaps or self.problem.pattern.gaps)
         how = pair_kind(boxes[rows[i]], self.boxes[j])
-        bad = gaps < least[how] - 1e-6
-        touching = gaps <= 0
+        bad = away < least[how] - 1e-6
+        touching = away <= 0
         touching &= ~bad
         if touching.any():
             t = np.flatnonzero(touching)

@@ -9,12 +9,14 @@ import shapely
 
 from scenewright.core.errors import InputError
 from scenewright.domains.extend.brief import DrawnRow
-from scenewright.domains.extend.pattern import SourcePattern
+from scenewright.domains.extend.pattern import GapRules, SourcePattern
 from scenewright.domains.extend.problem import Floats
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.geometry.folding import parse, unfold
 from scenewright.ground.rows import PASSAGE
 
+TOUCHING = GapRules(0.0, 0.0, 0.0)
+"""What is drawn may stand as near as it is drawn."""
 WIDE = 3.0
 """Metres of a passage."""
 
@@ -61,7 +63,7 @@ def lay_rows(canvas: Canvas) -> int:
             if at + wide > line.length + 1e-6:
                 break
             pose = pose_on(line, at + wide / 2, float(canvas.problem.pattern.boxes[origin, 4]))
-            if canvas.legal(pose[None], np.array([origin]))[0]:
+            if canvas.legal(pose[None], np.array([origin]), gaps=TOUCHING)[0]:
                 canvas.add(pose, origin, "row")
                 made += 1
             at += wide + row.gap
