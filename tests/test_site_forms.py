@@ -15,8 +15,9 @@ from scenewright.domains.site.encodings.cells import decode
 from scenewright.domains.site.encodings.forms import FORMS as TEMPLATE_FORMS
 from scenewright.domains.site.solvers.block import FORMS
 from scenewright.domains.site.solvers.lattice import make_cells
-from scenewright.domains.site.solvers.seed_layouts import largest_rectangle, seed_layouts
+from scenewright.domains.site.solvers.seed_layouts import seed_layouts
 from scenewright.domains.site.solving import problems
+from scenewright.geometry.rectangles import largest_rectangle
 
 SOUTH = -np.pi / 2
 

@@ -25,6 +25,8 @@ SURFACES: dict[str, Material] = {
     "yard": Material("yard", (0.66, 0.62, 0.54), roughness=1.0),
     "bed": Material("vegetable bed", (0.40, 0.40, 0.26), roughness=1.0),
     "square": Material("cobbles", (0.67, 0.64, 0.59), roughness=0.95),
+    "parking": Material("parking", (0.47, 0.47, 0.47), roughness=0.95),
+    "court": Material("court lawn", (0.57, 0.64, 0.43), roughness=1.0),
     "marking": Material("road marking", (0.93, 0.93, 0.91), roughness=0.9),
 }
 """What lies on open ground, by kind."""

@@ -33,6 +33,12 @@ KINDS = (
     "door_at_border",
     "far_from_lane",
     "lack_of_sun",
+    "blocked_area",
+    "lack_of_parking",
+    "lack_of_square",
+    "blocked_forecourt",
+    "blocked_view",
+    "open_court",
     "changed_landmark",
     "too_high",
 )

@@ -85,8 +85,8 @@ class Wall:
 
 class GroundSurface(NamedTuple):
     """What lies on the ground of a space: ``kind`` (``asphalt``, ``pavement``, ``path``, ``lane``,
-    ``walk``, ``marking``) and the polygons it covers, each an outline with holes, between two
-    heights."""
+    ``walk``, ``square``, ``parking``, ``marking`` …) and the polygons it covers, each an outline
+    with holes, between two heights."""
 
     id: str
     space: str

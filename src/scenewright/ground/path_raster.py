@@ -69,9 +69,16 @@ def is_drivable(way: Way, width: float) -> bool:
     return way.kind == "road" or way.width >= width - 1e-6
 
 
-def make_raster(plan: SitePlan, footprints: list[Points], cap: float, width: float) -> PathRaster:
+def make_raster(
+    plan: SitePlan,
+    footprints: list[Points],
+    cap: float,
+    width: float,
+    squares: Sequence[Points] = (),
+) -> PathRaster:
     """The raster of a site on which ``footprints``, corners (k, 2) each, stand; distances are
-    known up to ``cap`` metres. Paths as wide as lanes of some ``width`` are driven on."""
+    known up to ``cap`` metres. Paths as wide as lanes of some ``width`` are driven on; people walk
+    on ``squares`` (k, 2) as on streets."""
     angle = main_direction(footprints or [plan.outline])
     ground = [turn(ring, -angle) for ring in (plan.outline, *plan.holes)]
     rings = np.concatenate([edges(ring) for ring in ground])
@@ -86,27 +93,30 @@ def make_raster(plan: SitePlan, footprints: list[Points], cap: float, width: flo
     solid = clearance(rings, built, NO_BOXES, NO_BOXES, *given)
     border = clearance(rings, around, NO_BOXES, NO_BOXES, *given)
     shape = solid.values.shape
-    wide = [way for way in plan.roads if is_drivable(way, width)]
-    narrow = [way for way in plan.roads if not is_drivable(way, width)]
-    driven, others = (_mark_ways(ways, angle, low, cell, shape) for ways in (wide, narrow))
+    wide = [area for way in plan.roads if is_drivable(way, width) for area in way.areas]
+    narrow = [area for way in plan.roads if not is_drivable(way, width) for area in way.areas]
+    driven = _mark_areas([(area.outline, *area.holes) for area in wide], angle, low, cell, shape)
+    paved = [*((area.outline, *area.holes) for area in narrow), *((ring,) for ring in squares)]
+    others = _mark_areas(paved, angle, low, cell, shape)
     return PathRaster(angle, low, cell, solid.values, border.values, driven, driven | others)
 
 
-def _mark_ways(
-    ways: Sequence[Way], angle: float, corner: Floats, cell: float, shape: tuple[int, ...]
+def _mark_areas(
+    areas: Sequence[tuple[Points, ...]],
+    angle: float,
+    corner: Floats,
+    cell: float,
+    shape: tuple[int, ...],
 ) -> Flags:
-    """Which cells lie on some ways."""
+    """Which cells lie on some areas, outlines with their holes."""
     found = np.zeros(shape, bool)
-    for way in ways:
-        for area in way.areas:
-            polygon = shapely.Polygon(
-                turn(area.outline, -angle), [turn(hole, -angle) for hole in area.holes]
-            )
-            (x0, y0), (x1, y1) = np.reshape(polygon.bounds, (2, 2)) - corner
-            c0, r0 = max(int(x0 / cell), 0), max(int(y0 / cell), 0)
-            c1, r1 = min(int(x1 / cell) + 1, shape[1]), min(int(y1 / cell) + 1, shape[0])
-            x, y = np.meshgrid(np.arange(c0, c1), np.arange(r0, r1))
-            at = corner + cell * (np.stack([x, y], -1) + 0.5)
-            shapely.prepare(polygon)
-            found[r0:r1, c0:c1] |= shapely.contains_xy(polygon, at[..., 0], at[..., 1])
+    for outline, *holes in areas:
+        polygon = shapely.Polygon(turn(outline, -angle), [turn(hole, -angle) for hole in holes])
+        (x0, y0), (x1, y1) = np.reshape(polygon.bounds, (2, 2)) - corner
+        c0, r0 = max(int(x0 / cell), 0), max(int(y0 / cell), 0)
+        c1, r1 = min(int(x1 / cell) + 1, shape[1]), min(int(y1 / cell) + 1, shape[0])
+        x, y = np.meshgrid(np.arange(c0, c1), np.arange(r0, r1))
+        at = corner + cell * (np.stack([x, y], -1) + 0.5)
+        shapely.prepare(polygon)
+        found[r0:r1, c0:c1] |= shapely.contains_xy(polygon, at[..., 0], at[..., 1])
     return found

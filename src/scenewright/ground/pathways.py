@@ -18,11 +18,14 @@ from scenewright.core.space import Points
 from scenewright.ground.lanes import lay_lanes
 from scenewright.ground.path_raster import make_raster
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.walks import COMFORT, find_doors, lay_walks
+from scenewright.ground.walks import COMFORT, Doors, find_doors, lay_walks
 from scenewright.ground.works import Pathway
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+
+JOIN = 0.05
+"""Metres between an area and a street that adjoin."""
 
 
 class Network(NamedTuple):
@@ -41,10 +44,33 @@ def lay_pathways(
     doors. ``footprints`` are corners (k, 2), ``headings`` (n,) those of the fronts; landmarks
     stand in the way."""
     marks = [np.asarray(row.footprint, float) for row in plan.landmarks]
-    solids = [*(np.asarray(ring, float) for ring in footprints), *marks]
+    lots = [np.array(area.outline) for area in plan.areas if area.kind == "parking"]
+    solids = [*(np.asarray(ring, float) for ring in footprints), *marks, *lots]
     built = np.array([shapely.Polygon(ring) for ring in solids], object)
-    raster = make_raster(plan, solids, max(0.5 * width + 1.0, COMFORT) + 1.0, width)
+    squares, apart = find_joined_areas(plan)
+    cap = max(0.5 * width + 1.0, COMFORT) + 1.0
+    raster = make_raster(plan, solids, cap, width, squares)
     doors = find_doors(footprints, headings)
     lanes, near = lay_lanes(plan, raster, solids, built, doors.ways, width, reach)
-    walks, served = lay_walks(plan, raster, built, doors, lanes)
-    return Network((*lanes, *walks), near, served)
+    every = Doors(np.vstack([doors.places, apart.places]), np.vstack([doors.ways, apart.ways]))
+    walks, served = lay_walks(plan, raster, built, every, lanes)
+    return Network((*lanes, *walks), near, served[: len(footprints)])
+
+
+def find_joined_areas(plan: SitePlan) -> tuple[list[Points], Doors]:
+    """The squares and forecourts that adjoin a street, and where others are entered: the middle of
+    the second edge of each, which lies opposite what it is before. None on sites without ways,
+    which are entered from anywhere on their border."""
+    streets = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
+    around = shapely.union_all(streets)
+    joined, places, ways = [], np.zeros((0, 2)), np.zeros((0, 2))
+    for area in plan.areas:
+        ring = np.array(area.outline)
+        if plan.roads and area.kind in ("square", "forecourt"):
+            if shapely.dwithin(around, shapely.Polygon(ring), JOIN):
+                joined.append(ring)
+            else:
+                out = ring[1] + ring[2] - ring[0] - ring[3]
+                places = np.vstack([places, 0.5 * (ring[1] + ring[2])])
+                ways = np.vstack([ways, out / max(float(np.hypot(*out)), 1e-9)])
+    return joined, Doors(places, ways)

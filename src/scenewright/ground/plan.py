@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from scenewright.core.footprint import Footprint
 from scenewright.core.space import Points
+from scenewright.ground.works import Pathway, PavedArea
 
 
 class Area(NamedTuple):
@@ -54,7 +55,8 @@ class SitePlan(NamedTuple):
     and ``spacing`` from landmarks; ``blocks`` are its connected pieces, the largest first.
     ``models`` are the assets that draw the buildings asked for, a row each;
     ``fixed`` are buildings of those that stay where they stand, ``free`` what is left of the
-    blocks at a distance of ``spacing`` from them."""
+    blocks at a distance of ``spacing`` from them. ``areas`` and ``drives`` are the ground set apart
+    for squares, forecourts and parking, and the drives of the latter."""
 
     id: str
     name: str
@@ -69,6 +71,8 @@ class SitePlan(NamedTuple):
     models: tuple[str, ...] = ()
     fixed: tuple[Standing, ...] = ()
     free: tuple[Block, ...] = ()
+    areas: tuple[PavedArea, ...] = ()
+    drives: tuple[Pathway, ...] = ()
 
 
 class Standing(NamedTuple):

@@ -13,6 +13,7 @@ import shapely
 from scenewright.building.outlines import rings
 from scenewright.core.scene import GroundSurface
 from scenewright.core.space import Points
+from scenewright.ground.bays import list_bay_lines
 from scenewright.ground.outlines import GRID, MITRE
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.works import GroundWorks, Pathway
@@ -21,7 +22,10 @@ HEIGHTS = {
     "asphalt": 0.03,
     "marking": 0.035,
     "lane": 0.036,
+    "court": 0.02,
+    "parking": 0.032,
     "walk": 0.04,
+    "square": 0.045,
     "path": 0.05,
     "pavement": 0.12,
 }
@@ -49,14 +53,22 @@ def _of_plan(plan: SitePlan, works: GroundWorks) -> Iterator[GroundSurface]:
     shapely.prepare(lanes)
     ways = shapely.union(roads, paths)
     drives = shapely.difference(paved(works.pathways, "lane"), ways)
-    strips = shapely.difference(paved(works.pathways, "walk"), shapely.union(ways, drives))
+    squares = shapely.difference(_paved_areas(works, "square", "forecourt"), ways)
+    lots = shapely.difference(_paved_areas(works, "parking"), ways)
+    hard = shapely.union_all([ways, drives, squares, lots])
+    strips = shapely.difference(paved(works.pathways, "walk"), hard)
+    courts = shapely.difference(_paved_areas(works, "court"), shapely.union(hard, strips))
+    drives = shapely.difference(drives, shapely.union(squares, lots))
     found = {
         "asphalt": lanes,
         "pavement": shapely.difference(roads, lanes, grid_size=GRID),
         "path": shapely.difference(paths, roads, grid_size=GRID),
         "lane": shapely.intersection(drives, floor, grid_size=GRID),
         "walk": shapely.intersection(strips, floor, grid_size=GRID),
-        "marking": _markings(driven, lanes),
+        "marking": shapely.union(_markings(driven, lanes), _bay_markings(works)),
+        "square": shapely.intersection(squares, floor, grid_size=GRID),
+        "parking": shapely.intersection(lots, floor, grid_size=GRID),
+        "court": shapely.intersection(courts, floor, grid_size=GRID),
     }
     for kind, shape in found.items():
         areas = tuple(rings(part) for part in _polygons(shape))
@@ -74,6 +86,19 @@ def paved(pathways: Sequence[Pathway], kind: str) -> shapely.Geometry:
     lines = np.array([shapely.LineString(row.line) for row in rows], object)
     half = np.array([row.width / 2 for row in rows])
     return shapely.union_all(shapely.buffer(lines, half, cap_style="flat", quad_segs=4))
+
+
+def _paved_areas(works: GroundWorks, *kinds: str) -> shapely.Geometry:
+    """The ground of areas of some kinds."""
+    shapes = [shapely.Polygon(row.outline) for row in works.areas if row.kind in kinds]
+    return shapely.union_all(np.array(shapes, object))
+
+
+def _bay_markings(works: GroundWorks) -> shapely.Geometry:
+    """The lines between the bays of all car parks."""
+    lines = np.concatenate([np.zeros((0, 2, 2)), *(list_bay_lines(row) for row in works.areas)])
+    stripes = shapely.buffer(shapely.linestrings(lines), STRIPE / 2, cap_style="flat")
+    return shapely.union_all(stripes)
 
 
 def kerb(width: float) -> float:

@@ -1,17 +1,17 @@
-"""What is laid out between buildings once they stand: lanes, walks to doors, squares, parking."""
+"""What is laid out on a site besides buildings: lanes, drives, walks, squares, parking, courts."""
 
 from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
 Corner = tuple[float, float]
-PathKind = Literal["lane", "walk"]
+PathKind = Literal["lane", "drive", "walk"]
 AreaKind = Literal["square", "forecourt", "parking", "court"]
 
 
 class Pathway(NamedTuple):
-    """A paved way between buildings: a ``lane`` that fire engines and cars can drive, or a
-    ``walk``; its middle line in metres and its width."""
+    """A paved way between buildings: a ``lane`` that fire engines and cars can drive, the ``drive``
+    between the bays of a car park, or a ``walk``; its middle line in metres and its width."""
 
     kind: PathKind
     width: float
@@ -19,8 +19,9 @@ class Pathway(NamedTuple):
 
 
 class PavedArea(NamedTuple):
-    """Ground set apart: a ``square``, the ``forecourt`` of a landmark (``about`` its id), a
-    rectangle of ``parking`` with so many ``bays``, or a ``court`` that buildings enclose."""
+    """Ground set apart: a ``square`` (``about`` its name), the ``forecourt`` of a landmark
+    (``about`` its id), a rectangle of ``parking`` with so many ``bays``, its first edge on the
+    street, or a ``court`` that buildings enclose."""
 
     kind: AreaKind
     outline: tuple[Corner, ...]

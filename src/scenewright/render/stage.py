@@ -38,6 +38,8 @@ PATTERNS = {
     "gravel path": finish.GRIT,
     "garden walk": finish.SLABS,
     "lane": finish.GRIT,
+    "parking": finish.GRIT,
+    "court lawn": finish.GRASS,
     "crown": finish.LEAVES,
     "light crown": finish.LEAVES,
     "needles": finish.LEAVES,

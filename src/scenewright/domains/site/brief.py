@@ -8,6 +8,7 @@ models of the brief's catalogues.
 from __future__ import annotations
 
 from math import pi
+from operator import not_
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -30,7 +31,9 @@ from scenewright.core.brief.fields import (
 
 Place = Annotated[Number, Field(ge=-1e9, le=1e9)]
 Metres = Annotated[Number, Field(gt=0, le=BUILDING)]
+Depth = Annotated[Number, Field(ge=2, le=300)]
 Side = Annotated[Number, Field(ge=0.5, le=BUILDING)]
+CourtGap = Annotated[Number, Field(ge=3, le=60)]
 FormName = Literal[
     "parallel", "staggered", "spliced", "rotated", "peripheral", "half-closed", "point", "mixed"
 ]
@@ -50,7 +53,9 @@ class Road(StrictModel):
 class Landmark(StrictModel):
     """A building that stands where it stands: a shipped style or a model of the brief's
     ``catalogs``, as large as it is unless ``size`` (width, depth, height) is given, or just a
-    footprint with a height."""
+    footprint with a height. ``forecourt`` metres before its front are paved and kept free, as wide
+    as it is; its front stays in sight from ``view`` metres of the street before it, to either
+    side."""
 
     id: str = ""
     name: str = ""
@@ -60,6 +65,24 @@ class Landmark(StrictModel):
     size: tuple[Metres, Metres, Metres] | None = None
     outline: Outline | None = None
     height: Length | None = None
+    forecourt: Annotated[Depth | None, Field(exclude_if=is_left_out)] = None
+    view: Annotated[Depth | None, Field(exclude_if=is_left_out)] = None
+
+
+class Square(StrictModel):
+    """A paved square of ``area`` square metres beside a street or path, as near to ``at`` (left
+    out: to the middle of the site) as it can be."""
+
+    name: str = ""
+    area: Annotated[Number, Field(ge=25, le=1e5)]
+    at: Point | None = None
+
+
+class Parking(StrictModel):
+    """Parking in lots beside roads: ``bays`` in all, or so many ``per_building``."""
+
+    bays: Annotated[Whole | None, Field(ge=1, le=20_000)] = None
+    per_building: Annotated[Number | None, Field(gt=0, le=100)] = None
 
 
 class Building(StrictModel):
@@ -132,6 +155,8 @@ class Site(StrictModel):
     ``form`` is the planar form of all blocks, ``blocks`` that of some: rows ``parallel``,
     ``staggered``, ``spliced`` of two directions or ``rotated`` in place; ``peripheral`` all round
     a court or ``half-closed``, open to the front; ``point`` towers apart; ``mixed``.
+    Where ``court_gap`` is given, courts of ``peripheral`` blocks close: no opening between
+    neighbours round a court is wider. ``squares`` and ``parking`` are laid out beside the streets.
     ``fixed`` are buildings that stay where they stand and count for what is asked.
     With a ``library`` in place of ``buildings``, its models fill the site up to ``coverage`` and
     ``floor_area_ratio``, mixed by their shares; genetic algorithms choose the models themselves.
@@ -151,6 +176,9 @@ class Site(StrictModel):
     library: Annotated[list[LibraryModel], Field(max_length=200)] = []
     form: FormName | None = None
     blocks: Annotated[list[BlockForm], Field(max_length=1000)] = []
+    court_gap: Annotated[CourtGap | None, Field(exclude_if=is_left_out)] = None
+    squares: Annotated[list[Square], Field(max_length=50, exclude_if=not_)] = []
+    parking: Annotated[Parking | None, Field(exclude_if=is_left_out)] = None
     fixed: Annotated[list[LockedBuilding], Field(max_length=20_000)] = []
     floor_area_ratio: Annotated[Number, Field(gt=0, le=30)] | None = None
     coverage: Annotated[Number, Field(gt=0, le=0.9)] | None = None

@@ -69,6 +69,7 @@ def build_problem(
         day=site.day,
         door_distance=site.door_distance,
         block_forms=_block_forms(site, _wide_blocks(plan, least)),
+        court_gap=site.court_gap or 0.0,
     )
 
 

@@ -27,11 +27,13 @@ ROUNDS = 3
 
 
 class ServedLayout(NamedTuple):
-    """A layout whose doors are served: its ways, and by the number of a building left out, why."""
+    """A layout whose doors are served: its ways, by the number of a building left out, why, and
+    the footprints (k, 2) of all that stands."""
 
     layout: SiteLayout
     network: Network
     lost: dict[int, str]
+    footprints: list[Floats]
 
 
 class Served(NamedTuple):
@@ -69,7 +71,8 @@ def serve_doors(
         present[here[faulty]] = False
         found = found._replace(present=present, score={})
         served = _serve(site, plan, problem, found, stay)
-    return ServedLayout(found, served.network, lost)
+    outlines = [*_footprints(problem, found), *(outline_of(piece) for piece in stay)]
+    return ServedLayout(found, served.network, lost, outlines)
 
 
 def _serve(

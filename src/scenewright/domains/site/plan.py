@@ -20,6 +20,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.space import Level, Points, Space
 from scenewright.domains.site.brief import Site, rows_of
 from scenewright.domains.site.models import building_models, fixed_of, landmarks_of
+from scenewright.domains.site.paving import Reserved, reserve_areas
 from scenewright.ground import outlines as shapes
 from scenewright.ground.fit import main_direction
 from scenewright.ground.names import assign_ids
@@ -102,6 +103,9 @@ def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
             place=place,
         )
     _check_block_forms(site, blocks, place)
+    whole = [shapely.Polygon(block.outline, block.holes) for block in blocks]
+    kept = reserve_areas(site, floor, roads, (*landmarks, *fixed), whole, place)
+    free = _beside(blocks, fixed, kept, site)
     outline, holes = rings(floor)
     return SitePlan(
         name,
@@ -116,7 +120,9 @@ def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
         tuple(_entrances(floor, roads)),
         models,
         fixed,
-        _beside(blocks, fixed, site.spacing),
+        free,
+        kept.areas,
+        kept.drives,
     )
 
 
@@ -145,12 +151,17 @@ def _block(part: shapely.Polygon) -> Block:
 
 
 def _beside(
-    blocks: tuple[Block, ...], fixed: Sequence[Standing], spacing: float
+    blocks: tuple[Block, ...], fixed: Sequence[Standing], kept: Reserved, site: Site
 ) -> tuple[Block, ...]:
-    """What is left of blocks at a distance from buildings that stay."""
-    if not fixed:
+    """What is left of blocks at a distance from buildings that stay and from ground set apart."""
+    if not fixed and not kept.kept:
         return blocks
-    taken = [shapes.kept_free([shapely.Polygon(row.footprint) for row in fixed], spacing)]
+    areas = [shapely.Polygon(area.outline) for area in kept.areas]
+    taken = [
+        shapes.kept_free([shapely.Polygon(row.footprint) for row in fixed], site.spacing),
+        shapes.kept_free(areas, site.road_setback),
+        shapes.kept_free(kept.kept, 0.0),
+    ]
     whole = [shapely.Polygon(block.outline, block.holes) for block in blocks]
     return tuple(_block(part) for part in shapes.less(whole, taken))
 

@@ -77,7 +77,12 @@ def _ground(plan: SitePlan, works: GroundWorks, buildings: Sequence[Piece]) -> G
         shapely.Polygon(plan.outline, plan.holes).buffer(-FROM_BORDER),
         shapely.STRtree(shapely.polygons(corners(np.array(boxes).reshape(-1, 5)))),
         shapely.STRtree(areas),
-        shapely.STRtree([shapely.LineString(p.line).buffer(0.5 * p.width) for p in works.pathways]),
+        shapely.STRtree(
+            [
+                *(shapely.LineString(p.line).buffer(0.5 * p.width) for p in works.pathways),
+                *(shapely.Polygon(a.outline) for a in works.areas if a.kind != "court"),
+            ]
+        ),
     )
 
 

@@ -88,7 +88,8 @@ class SiteProblem(NamedTuple):
     where a way runs. ``block_forms`` are the planar forms asked for block by block ("": any).
     ``target`` is the ground to be covered and the floor area, in square metres, where buildings
     are candidates to choose from (0: all are to stand). ``drawn_to`` is the direction of the side
-    whose blocks take more than their share."""
+    whose blocks take more than their share. ``court_gap`` is the widest opening of the court of a
+    block whose form is ``peripheral`` (0: any)."""
 
     ground: SiteGround
     buildings: Buildings
@@ -106,6 +107,7 @@ class SiteProblem(NamedTuple):
     block_forms: tuple[str, ...] = ()
     target: tuple[float, float] = (0.0, 0.0)
     drawn_to: tuple[float, float] = (0.0, 0.0)
+    court_gap: float = 0.0
 
 
 def sides_of(sides: Floats, quality: Floats) -> Floats:

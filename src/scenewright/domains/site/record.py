@@ -14,9 +14,9 @@ Ring = Annotated[list[Point], Field(min_length=3, max_length=5000)]
 
 
 class PathwayRecord(StrictModel):
-    """A lane or walk: middle line and width in metres."""
+    """A lane, drive or walk: middle line and width in metres."""
 
-    kind: Literal["lane", "walk"]
+    kind: Literal["lane", "drive", "walk"]
     width: Annotated[Number, Field(gt=0, le=100)]
     line: Line
 

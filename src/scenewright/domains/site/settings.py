@@ -11,12 +11,14 @@ from scenewright.catalog.appearance import Measure
 class FillSettings(NamedTuple):
     """Filling block by block: layouts of each without a budget; how many times the least the gaps
     may be, filling by filling; how much chance has a say among forms about as good; what half a
-    turn off the preferred heading costs, in shares of a block's buildings."""
+    turn off the preferred heading costs, in shares of a block's buildings, and what a court that is
+    to close and does not."""
 
     tried: int = 8
     loosest: tuple[float, ...] = (3.0, 1.5, 1.0, 1.0, 1.0)
     variety: float = 0.05
     askew: float = 0.5
+    unclosed: float = 20.0
 
 
 class ExchangeSettings(NamedTuple):

@@ -32,6 +32,7 @@ from scenewright.domains.site.build_problem import Looks, build_problem
 from scenewright.domains.site.doors import serve_doors
 from scenewright.domains.site.furnish import buildings, fixed_buildings, landmark_assets, landmarks
 from scenewright.domains.site.holdings import BuildingDemand, collect_buildings
+from scenewright.domains.site.paving import list_missing_areas
 from scenewright.domains.site.plan import site_plans
 from scenewright.domains.site.planting import green
 from scenewright.domains.site.presets import PRESETS, SitePreset
@@ -41,7 +42,7 @@ from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.sunlight import solve_in_sun
 from scenewright.domains.site.variants import Variant, vary
-from scenewright.domains.site.works import lay_works
+from scenewright.domains.site.works import gather_works, lay_works
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
 from scenewright.engine.watched import add_watch
@@ -179,13 +180,13 @@ def _build(
     layout, lost = _reached_only(site, plan, problem, found.layouts[0])
     served = serve_doors(site, plan, problem, layout, fixed_buildings(plan))
     found = found._replace(layouts=(served.layout,))
-    works = GroundWorks(plan.id, served.network.pathways)
+    works = gather_works(site, plan, served.network.pathways, served.footprints)
     built = furnish_site(site, plan, rows, problem, found, catalog, seed, works)
     if choose:
-        return built._replace(left_out=_find_shortfall(plan, problem, served.layout))
-    return built._replace(
-        left_out=_left_out(plan, rows, served.layout.present, dark | lost | served.lost)
-    )
+        left_out = _find_shortfall(plan, problem, served.layout)
+    else:
+        left_out = _left_out(plan, rows, served.layout.present, dark | lost | served.lost)
+    return built._replace(left_out=(*left_out, *_find_missing(site, plan)))
 
 
 def _building_rows(rows: list[BuildingDemand], layout: SiteLayout) -> tuple[NamedBox, ...]:
@@ -294,6 +295,14 @@ def _find_shortfall(plan: SitePlan, problem: SiteProblem, found: SiteLayout) -> 
         return ()
     told = f"{covered:.0f} m² of the {problem.target[0]:.0f} m² to be covered found a place"
     return (LeftOut(plan.id, "ground covered by buildings", told, False),)
+
+
+def _find_missing(site: Site, plan: SitePlan) -> tuple[LeftOut, ...]:
+    """Squares and parking for which there is no room beside a street."""
+    reason = "no room left beside a street" if plan.roads else "no room left along the border"
+    return tuple(
+        LeftOut(plan.id, what, reason, True) for what in list_missing_areas(site, plan.areas)
+    )
 
 
 def _left_out(

@@ -9,10 +9,12 @@ import numpy as np
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
+from scenewright.core.space import Points
 from scenewright.domains.site.brief import Site
+from scenewright.domains.site.courts import find_courts
 from scenewright.ground.pathways import Network, lay_pathways
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.works import GroundWorks
+from scenewright.ground.works import GroundWorks, Pathway
 
 
 def works_of(solution: Solution, plans: Sequence[SitePlan]) -> tuple[GroundWorks, ...]:
@@ -34,7 +36,17 @@ def lay_works(site: Site, plan: SitePlan, pieces: Sequence[Piece]) -> GroundWork
         if piece.space == plan.id and piece.category == "building" and piece.id not in marks
     ]
     sound = [p for p in here if np.isfinite([*p.pose, *p.size]).all() and min(p.size) > 0]
-    return GroundWorks(plan.id, network_of(site, plan, sound).pathways)
+    paths = network_of(site, plan, sound).pathways
+    return gather_works(site, plan, paths, [outline_of(piece) for piece in sound])
+
+
+def gather_works(
+    site: Site, plan: SitePlan, pathways: Sequence[Pathway], footprints: Sequence[Points]
+) -> GroundWorks:
+    """All that is laid out on a site: ways, what was set apart for squares and parking, and the
+    courts that buildings, ``footprints`` (k, 2), enclose."""
+    courts = find_courts(site, plan, footprints)
+    return GroundWorks(plan.id, (*plan.drives, *pathways), (*plan.areas, *courts))
 
 
 def network_of(site: Site, plan: SitePlan, buildings: Sequence[Piece]) -> Network:

@@ -47,13 +47,15 @@ def find_unserved_doors(
 
 
 def find_served(grounds: JudgedSite, bodies: SiteBodies, works: GroundWorks) -> tuple[Flags, Flags]:
-    """Which bodies have a door on paved ground joined to a street, and which are near enough to
-    a lane of full width joined to a road."""
+    """Which bodies have a door on paved ground, squares included, joined to a street, and which are
+    near enough to a lane of full width joined to a road."""
     walks = [row for row in works.pathways if row.kind == "walk"]
     wide = grounds.site.fire_access - TOLERANCE
     lanes = [row for row in works.pathways if row.kind == "lane"]
     strong = [row for row in lanes if row.width >= wide]
-    every = _join_paved(_streets(grounds, False), _pave([*lanes, *walks]))
+    open_ = [shapely.Polygon(a.outline) for a in works.areas if a.kind in ("square", "forecourt")]
+    paved = np.concatenate([_pave([*lanes, *walks]), np.array(open_, object)])
+    every = _join_paved(_streets(grounds, False), paved)
     driven = _join_paved(_streets(grounds, True), _pave(strong))
     doors = shapely.points(find_door_points(bodies)[0])
     return _within(every, doors, STEP), _within(

@@ -13,6 +13,7 @@ from scenewright.core.report import Finding
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.site.brief import Site, rows_of
 from scenewright.domains.site.check.access import find_reached_bodies, find_unreachable
+from scenewright.domains.site.check.areas import find_missing_areas, measure_areas
 from scenewright.domains.site.check.bodies import (
     JudgedSite,
     SiteBodies,
@@ -79,7 +80,9 @@ def _judge(
     for find in (find_overlaps, find_outside, find_near_edges, find_too_close):
         verdict.findings.extend(find(ground, bodies))
     verdict.findings.extend(find_unreachable(ground, bodies, got))
-    verdict.findings.extend(find_unserved_doors(ground, bodies, works) if works else ())
+    if works:
+        verdict.findings.extend(find_unserved_doors(ground, bodies, works))
+        verdict.findings.extend(find_missing_areas(ground, bodies, works))
     figures = _figures(ground, bodies, got)
     verdict.findings.extend(find_sunless(ground, bodies) if ground.site.sun_required else ())
     verdict.figures[ground.plan.id] = figures | (
@@ -92,7 +95,7 @@ def _measure_service(ground: JudgedSite, bodies: SiteBodies, works: GroundWorks)
     laid out."""
     own = ~bodies.landmark
     served, near = find_served(ground, bodies, works)
-    length = {"lane": 0.0, "walk": 0.0}
+    length = {"lane": 0.0, "drive": 0.0, "walk": 0.0}
     for row in works.pathways:
         length[row.kind] += float(np.hypot(*np.diff(np.array(row.line), axis=0).T).sum())
     return {
@@ -100,6 +103,8 @@ def _measure_service(ground: JudgedSite, bodies: SiteBodies, works: GroundWorks)
         "near_lane_share": _share(near[own]),
         "lanes": round(length["lane"], 1),
         "walks": round(length["walk"], 1),
+        "drives": round(length["drive"], 1),
+        **measure_areas(works, bodies, ground),
     }
 
 

@@ -31,11 +31,12 @@ from scenewright.drawing.marks import (
     title,
     to_paper,
 )
+from scenewright.ground.bays import list_bay_lines
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.works import GroundWorks
 
 GROUND, ASPHALT, PAVING, LEAF, FAULT = "#f1f4ea", "#d9d9d6", "#ece3d0", "#bcd6a8", "#d1121f"
-LANE = "#e2ded6"
+LANE, SQUARE, LOT, COURT = "#e2ded6", "#e3d6bd", "#d3d3d0", "#dcead0"
 HATCH = "url(#hatch)"
 FAINT, FULL = np.array([236.0, 226.0, 240.0]), np.array([106.0, 27.0, 130.0])
 """Colours of what walkers see: nothing, and most."""
@@ -195,6 +196,29 @@ def pathways_mark(view: PaperView, works: GroundWorks) -> Mark:
         ]
         marks.append(group(lines, fill="none", stroke=colour, stroke_linejoin="round"))
     return group(marks)
+
+
+def areas_mark(view: PaperView, works: GroundWorks) -> Mark:
+    """Squares, forecourts, car parks with their bays, and courts; squares with their names."""
+    fills = {"square": SQUARE, "forecourt": SQUARE, "parking": LOT, "court": COURT}
+    shapes, words = [], []
+    for area in sorted(works.areas, key=lambda row: row.kind != "court"):
+        ring = np.array(area.outline)
+        told = f"{area.kind} {area.about}".strip()
+        told += f" · {area.bays} bays" if area.bays else f" · {shapely.Polygon(ring).area:.0f} m²"
+        shapes.append(group([title(told), shape([to_paper(view, ring)], fill=fills[area.kind])]))
+        shapes += [line(to_paper(view, ends)) for ends in list_bay_lines(area)]
+        if area.kind in ("square", "parking"):
+            name = f"P {area.bays}" if area.kind == "parking" else area.about or "Square"
+            words.append(_area_name(view, ring, name))
+    return group([group(shapes, stroke=GREY, stroke_width=FINE), *words])
+
+
+def _area_name(view: PaperView, ring: Points, name: str) -> Mark:
+    """The name of an area in its middle, where it fits."""
+    wide = min(float(np.hypot(*(ring[1] - ring[0]))), float(np.hypot(*(ring[2] - ring[1]))))
+    size = min(LABEL, 0.9 * wide * view.scale / max(text_width(name, 1.0), 1e-9))
+    return plate(name, to_paper(view, ring.mean(0)), size) if size >= SMALLEST else NOTHING
 
 
 def _label(view: PaperView, footprint: Points, words: list[str]) -> Mark:

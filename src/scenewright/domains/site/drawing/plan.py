@@ -154,6 +154,7 @@ def _site_layers(
     plan, rows = drawing.plan, drawing.rows
     return [
         PlanLayer("Ground", marks.ground_mark(view, plan)),
+        PlanLayer("Squares, parking and courts", marks.areas_mark(view, drawing.works)),
         PlanLayer("Lanes and walks", marks.pathways_mark(view, drawing.works)),
         PlanLayer("Roads and paths", marks.ways_mark(view, plan.roads)),
         PlanLayer("Views", marks.views_mark(view, *seen) if seen else NOTHING),
@@ -180,12 +181,16 @@ def legend(
         least = most + 1
     ways = {way.kind for d in drawings for way in d.plan.roads}
     laid = {path.kind for d in drawings for path in d.works.pathways}
+    apart = {area.kind for d in drawings for area in d.works.areas}
     signs = (
         (any(r.landmark for d in drawings for r in d.rows), "swatch", "Landmark", marks.HATCH),
         ("road" in ways, "swatch", "Road", marks.ASPHALT),
         ("lane" in laid, "swatch", "Lane", marks.LANE),
         ("path" in ways, "swatch", "Path", marks.PAVING),
         ("walk" in laid, "swatch", "Walk to a door", marks.PAVING),
+        (bool(apart & {"square", "forecourt"}), "swatch", "Square, forecourt", marks.SQUARE),
+        ("parking" in apart, "swatch", "Parking", marks.LOT),
+        ("court" in apart, "swatch", "Closed court", marks.COURT),
         (any(d.trees for d in drawings), "swatch", "Tree", marks.LEAF),
         (any(d.site.setback for d in drawings), "border", "Setback", ""),
         (bool(letters), "entrance", "Front of a building", ""),

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.domains.site.problem import Floats, SiteProblem
+from scenewright.domains.site.solvers.closed_court import close_court
 from scenewright.domains.site.solvers.distances import list_reserved_edges, mark_shaded, noon
 from scenewright.domains.site.solvers.front import list_front_margins, turned_in
 from scenewright.domains.site.solvers.perimeter_block import rim
@@ -39,13 +40,14 @@ HALVINGS = 5
 
 
 class BlockLayout(NamedTuple):
-    """Buildings of a block: their numbers and boxes (k, 5), the form, and how many stand round a
-    court."""
+    """Buildings of a block: their numbers and boxes (k, 5), the form, how many stand round a
+    court, and whether that is open though it is to be closed."""
 
     numbers: tuple[int, ...]
     boxes: Floats
     form: str
     around: int = 0
+    open: bool = False
 
 
 def list_forms(problem: SiteProblem, share: list[int], block: int = -1) -> list[str]:
@@ -82,6 +84,8 @@ def loosen_layout(
     """
     margins = list_front_margins(problem, edges, heading)
     tight = lay_out_block(problem, edges, queue, heading, form, 1.0, margins)
+    if form == "peripheral" and problem.court_gap > 0.0:
+        return tight
     low, high, best = 1.0, loosest, tight
     for _ in range(HALVINGS if loosest > 1.0 else 0):
         loose = 0.5 * (low + high)
@@ -115,7 +119,12 @@ def lay_out_block(
     rule = StripRule(spacing, way, problem.sun_spacing, loose, form == "staggered", True)
     numbers: list[int] = []
     boxes = np.zeros((0, 5))
-    if form in COURTS:
+    closed, wanted = None, form == "peripheral" and problem.court_gap > 0.0
+    if wanted:
+        closed = close_court(problem, edges, queue, rule.beside())
+    if closed is not None:
+        numbers, boxes = closed.numbers, turned_in(problem, closed.boxes)
+    elif form in COURTS:
         open_to = heading if form == "half-closed" else None
         gap = max(rule.beside(), way)
         numbers, boxes = rim(edges, sizes, queue, gap, COURTS[form], open_to)
@@ -123,6 +132,9 @@ def lay_out_block(
     around = len(numbers)
     left = [i for i in queue if i not in set(numbers)]
     edges = _reserve(problem, edges, numbers, boxes, left)
+    if closed is not None:
+        ring = closed.ring[::-1]
+        edges = np.concatenate([edges, np.hstack([ring, np.roll(ring, -1, axis=0)])])
     parts = [(edges, left, heading)]
     if form == "spliced":
         parts = _splice(problem, edges, left, heading)
@@ -132,7 +144,8 @@ def lay_out_block(
             problem, np.concatenate([ground, kept]), waiting, ahead, rule, form
         )
         numbers, boxes = numbers + placed, np.concatenate([boxes, found])
-    return _in_sun(problem, BlockLayout(tuple(numbers), boxes, form, around))
+    open_ = wanted and closed is None
+    return _in_sun(problem, BlockLayout(tuple(numbers), boxes, form, around, open_))
 
 
 def _reserve(
@@ -215,9 +228,8 @@ def _in_sun(problem: SiteProblem, found: BlockLayout) -> BlockLayout:
     if not dark.any():
         return found
     kept = np.flatnonzero(~dark)
-    return BlockLayout(
-        tuple(found.numbers[k] for k in kept), found.boxes[kept], found.form, found.around
-    )
+    numbers = tuple(found.numbers[k] for k in kept)
+    return found._replace(numbers=numbers, boxes=found.boxes[kept])
 
 
 def wrap_angle(angle: float) -> float:

@@ -111,6 +111,8 @@ def _fill_blocks(
     for b in order if left else []:
         if filling.watch.cancelled():
             break
+        if problem.court_gap > 0.0 and problem.block_forms[b] == "peripheral":
+            continue  # what is left would fill the court
         ground = _ground(problem, b, boxes, present, left)
         form = list_forms(problem, left, b)[0]
         found = lay_out_block(problem, ground, left, problem.facing, form, 1.0)
@@ -258,4 +260,5 @@ def _cost(problem: SiteProblem, found: BlockLayout, share: list[int]) -> float:
     missing = 1.0 - area[list(found.numbers)].sum() / max(float(area[share].sum()), 1e-9)
     turns = np.abs((found.boxes[:, 2] - problem.facing + math.pi) % (2 * math.pi) - math.pi)
     turned = float(turns.mean() if len(turns) else 0.0) / math.pi
-    return float(missing) * 10.0 + problem.settings.fill.askew * turned
+    rule = problem.settings.fill
+    return float(missing) * 10.0 + rule.askew * turned + (rule.unclosed if found.open else 0.0)

@@ -13,9 +13,10 @@ import numpy as np
 
 from scenewright.domains.site.encodings.cells import SiteLattice, encode
 from scenewright.domains.site.encodings.forms import FORMS, FRONT, rotate_boxes
-from scenewright.domains.site.problem import Buildings, Flags, Floats, Ints, SiteProblem
+from scenewright.domains.site.problem import Buildings, Floats, Ints, SiteProblem
 from scenewright.domains.site.solvers.front import inside
 from scenewright.domains.site.solvers.templates import make_template
+from scenewright.geometry.rectangles import largest_rectangle
 
 STEPS = 1500
 """Moves of annealing a template."""
@@ -109,24 +110,3 @@ def _find_rectangle(
     if round((base - math.atan2(s, c)) / (0.5 * math.pi)) % 2 == 0:
         sides = sides[1], sides[0]
     return np.array([x + u * c - v * s, y + u * s + v * c]), sides
-
-
-def largest_rectangle(free: Flags) -> tuple[int, int, int, int]:
-    """First and last (exclusive) row and column of the largest rectangle of marked cells.
-
-    >>> largest_rectangle(np.array([[1, 1, 0], [1, 1, 1], [0, 1, 1]], bool))
-    (0, 2, 0, 2)
-    """
-    best, found = 0, (0, 0, 0, 0)
-    heights = np.zeros(free.shape[1], int)
-    for row in range(len(free)):
-        heights = np.where(free[row], heights + 1, 0)
-        stack: list[tuple[int, int]] = []
-        for column, high in enumerate([*heights.tolist(), 0]):
-            start = column
-            while stack and stack[-1][1] >= high:
-                start, tall = stack.pop()
-                if tall * (column - start) > best:
-                    best, found = tall * (column - start), (row + 1 - tall, row + 1, start, column)
-            stack.append((start, high))
-    return found

@@ -1,4 +1,5 @@
-"""A solved site as CityJSON 2.0: buildings as solids of level of detail 1.2, ground and roads.
+"""A solved site as CityJSON 2.0: buildings as solids of level of detail 1.2, ground, roads, and
+what is laid out (lanes, drives, walks; squares and parking; courts).
 
 Prisms over the footprints, every surface told as ground, wall or roof; vertices are whole
 millimetres, each listed once. Coordinates are those of the city model that the site came from,
@@ -10,13 +11,14 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
-from scenewright.building.outlines import ring, signed_area
+from scenewright.building.outlines import ring, rings, signed_area
 from scenewright.catalog import credits as authorship
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.atomic_file import write_atomically
@@ -28,6 +30,8 @@ from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.reference_system import address_of
+from scenewright.ground.surfaces import paved
+from scenewright.ground.works import GroundWorks
 
 SCALE = 0.001
 GROUND, ROOF, WALL = 0, 1, 2
@@ -57,6 +61,9 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
             if areas:
                 told = {"name": way.name or way.id, "class": way.kind, "width": way.width}
                 objects[_free(way.id, objects)] = _flat("Road", areas, told, vertices)
+    for works in solution.detail or ():
+        for name, made_of in _laid_out(works, vertices):
+            objects[_free(name, objects)] = made_of
     for row in standing(solution, plans):
         objects[_free(row.id, objects)] = _building(row, vertices)
     whole = np.array(list(vertices), np.int64).reshape(-1, 3)
@@ -73,6 +80,29 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         "CityObjects": objects,
         "vertices": whole.tolist(),
     }
+
+
+def _laid_out(works: GroundWorks, vertices: Vertices) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Names and objects of what a solution lays out on the ground of a site."""
+    for k, path in enumerate(works.pathways, 1):
+        told: dict[str, Any] = {"name": path.kind, "class": path.kind, "width": path.width}
+        parts = shapely.get_parts(paved([path], path.kind))
+        yield (
+            f"{works.site}/{path.kind}_{k}",
+            _flat("Road", [rings_of(part) for part in parts], told, vertices),
+        )
+    for k, area in enumerate(works.areas, 1):
+        told = {"name": area.about or area.kind, "class": area.kind}
+        told |= {"bays": area.bays} if area.bays else {}
+        kind = "LandUse" if area.kind == "court" else "TransportSquare"
+        ring = [(np.array(area.outline),)]
+        yield f"{works.site}/{area.kind}_{k}", _flat(kind, ring, told, vertices)
+
+
+def rings_of(part: shapely.Polygon) -> tuple[Points, ...]:
+    """Outline and holes of a polygon."""
+    outline, holes = rings(part)
+    return (outline, *holes)
 
 
 def _frame(brief: Brief) -> tuple[float, float, str]:

@@ -1,4 +1,4 @@
-"""A solved site as GeoJSON (RFC 7946): outline, roads, footprints with heights and names.
+"""A solved site as GeoJSON (RFC 7946): outline, roads, what is laid out, footprints with heights.
 
 In longitude and latitude (WGS 84) if every site has an ``origin``; else in the metres of the
 reference system that all sites came from, which the file names (``crs``, of GeoJSON before the
@@ -28,6 +28,7 @@ from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.projection import Projection, coordinates_of, projection
 from scenewright.ground.reference_system import urn_of
+from scenewright.ground.works import Pathway, PavedArea
 
 FIELDS = (
     "setback",
@@ -41,6 +42,18 @@ FIELDS = (
     "sun_hours",
     "day",
 )
+PATH_TAGS = {
+    "lane": {"highway": "service"},
+    "drive": {"highway": "service", "service": "parking_aisle"},
+    "walk": {"highway": "footway"},
+}
+AREA_TAGS = {
+    "square": {"place": "square", "highway": "pedestrian", "area": "yes"},
+    "forecourt": {"highway": "pedestrian", "area": "yes"},
+    "parking": {"amenity": "parking", "parking": "surface"},
+    "court": {"leisure": "garden"},
+}
+"""Tags of OpenStreetMap for what is laid out."""
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
@@ -59,6 +72,9 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         map_ = _projection(site, in_degrees)
         features.append(_site(site, plan, map_))
         features += [_way(way, map_) for way in plan.roads]
+        for works in (one for one in solution.detail or () if one.site == plan.id):
+            features += [_path(path, plan.id, k, map_) for k, path in enumerate(works.pathways, 1)]
+            features += [_area(area, plan.id, k, map_) for k, area in enumerate(works.areas, 1)]
         features += [_building(row, map_) for row in rows if row.site == plan.id]
     found: dict[str, Any] = {
         "type": "FeatureCollection",
@@ -104,6 +120,21 @@ def _way(way: Way, map_: Projection) -> dict[str, Any]:
     kind = "residential" if way.kind == "road" else "footway"
     told = {"highway": kind, "name": way.name, "width": way.width}
     return _feature(way.id, "LineString", _points(way.line, map_), told)
+
+
+def _path(path: Pathway, site: str, number: int, map_: Projection) -> dict[str, Any]:
+    """A lane, drive or walk that the solution lays out."""
+    told = PATH_TAGS[path.kind] | {"laid_out": path.kind, "width": path.width}
+    points = _points(np.array(path.line), map_)
+    return _feature(f"{site}/{path.kind}_{number}", "LineString", points, told)
+
+
+def _area(area: PavedArea, site: str, number: int, map_: Projection) -> dict[str, Any]:
+    """A square, forecourt, car park or court."""
+    told: dict[str, Any] = AREA_TAGS[area.kind] | {"laid_out": area.kind, "name": area.about}
+    told |= {"capacity": area.bays} if area.bays else {}
+    ring = [_ring(np.array(area.outline), map_)]
+    return _feature(f"{site}/{area.kind}_{number}", "Polygon", ring, told)
 
 
 def _building(row: StandingBuilding, map_: Projection) -> dict[str, Any]:

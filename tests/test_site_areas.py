@@ -1,0 +1,177 @@
+"""Squares, parking, forecourts and closed courts: laid out as asked for, and missed by name."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import shapely
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import scenewright as sw
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.scene import Pose
+from scenewright.core.solution import Solution
+from scenewright.domains import check, plan_of, scene_of
+from scenewright.domains.site.plan import site_plan
+from scenewright.domains.site.writing import cityjson, geojson
+from scenewright.formats import solution_json
+from scenewright.ground.lots import keep_open_lots, list_frontages, list_lots
+from sites import site
+
+
+@pytest.fixture(scope="module")
+def solved() -> Solution:
+    return sw.solve(sw.read("sample:site-square"))
+
+
+def kinds_of(solution: Solution) -> set[str]:
+    return {found.kind for found in check(solution).findings}
+
+
+def move(solution: Solution, number: int, x: float, y: float) -> Solution:
+    """The solution with one of its buildings elsewhere."""
+    pieces = list(solution.pieces)
+    rows = [k for k, p in enumerate(pieces) if p.category == "building" and not p.fixed]
+    chosen = pieces[rows[number]]
+    pieces[rows[number]] = replace(chosen, pose=Pose(x, y, 0.0, chosen.pose.heading))
+    return replace(solution, pieces=tuple(pieces))
+
+
+def test_the_sample_has_all_it_asks_for(solved: Solution) -> None:
+    report = check(solved)
+    assert report.valid, [str(found) for found in report.findings]
+    figures = report.figures["sites"]["square"]
+    assert figures["bays"] == 44
+    assert figures["squares"] == pytest.approx(900, abs=1)
+    assert figures["courts_closed"] == 1.0
+    assert not solved.left_out
+    scene = scene_of(solved)
+    assert {"square", "parking", "court", "marking"} <= {row.kind for row in scene.surfaces}
+    again = solution_json.loads(solution_json.dumps(solved))
+    assert again.detail == solved.detail
+
+
+def test_what_is_missing_or_built_over_is_named(solved: Solution) -> None:
+    (works,) = solved.detail
+
+    def without(kind: str) -> Solution:
+        areas = tuple(area for area in works.areas if area.kind != kind)
+        return replace(solved, detail=(works._replace(areas=areas),))
+
+    assert kinds_of(without("parking")) == {"lack_of_parking"}
+    assert kinds_of(without("square")) >= {"lack_of_square"}
+    assert kinds_of(without("forecourt")) == {"blocked_forecourt"}
+    drives = tuple(path for path in works.pathways if path.kind != "drive")
+    cut = replace(solved, detail=(works._replace(pathways=drives),))
+    assert kinds_of(cut) == {"lack_of_parking"}
+    few = [
+        area._replace(bays=area.bays * 3) if area.kind == "parking" else area
+        for area in works.areas
+    ]
+    grown = [area._replace(bays=1) if area.kind == "parking" else area for area in works.areas]
+    assert not check(replace(solved, detail=(works._replace(areas=tuple(few)),))).of(
+        "lack_of_parking"
+    )
+    assert check(replace(solved, detail=(works._replace(areas=tuple(grown)),))).of(
+        "lack_of_parking"
+    )
+    middle = np.mean(next(area.outline for area in works.areas if area.kind == "square"), axis=0)
+    assert {"blocked_area", "lack_of_square"} <= kinds_of(move(solved, 0, *middle))
+    assert {"blocked_forecourt", "blocked_view"} <= kinds_of(move(solved, 0, 190.0, 94.0))
+
+
+def test_a_court_with_a_building_taken_out_is_open(solved: Solution) -> None:
+    (works,) = solved.detail
+    court = shapely.Polygon(next(a.outline for a in works.areas if a.kind == "court"))
+    around = [
+        p
+        for p in solved.pieces
+        if p.category == "building" and shapely.Point(p.pose[:2]).distance(court) < 10
+    ]
+    assert len(around) >= 4
+    long = max(around, key=lambda p: p.size.width)
+    less = tuple(p for p in solved.pieces if p.id != long.id)
+    assert "open_court" in kinds_of(replace(solved, pieces=less))
+
+
+@pytest.mark.parametrize("form", ["peripheral", None])
+def test_courts_close_only_where_a_perimeter_block_is_asked_for(form: str | None) -> None:
+    ground = site(
+        roads=[{"line": [(0, -1), (0, 81)], "width": 6}],
+        buildings=[{"model": "row_houses", "size": [24, 10, 9], "count": 10}],
+        form=form,
+        court_gap=9,
+        spacing=4,
+    )
+    found = sw.solve(Brief(domain="site", name="Court", sites=[ground]))
+    areas = [area.kind for area in found.detail[0].areas]
+    assert areas == (["court"] if form else [])
+    assert not check(found).of("open_court")
+
+
+def test_a_site_without_room_is_told_what_is_missing() -> None:
+    ground = site(
+        roads=[{"line": [(60, -1), (60, 81)], "width": 6}],
+        buildings=[{"model": "villa", "count": 4}],
+        parking={"bays": 2000},
+        squares=[{"area": 9000}],
+    )
+    brief = Brief(domain="site", name="Full", sites=[ground])
+    found = sw.solve(brief)
+    names = {out.what for out in found.left_out}
+    assert any("parking bays" in name for name in names)
+    assert any("square" in name for name in names)
+    assert {"lack_of_parking", "lack_of_square"} <= kinds_of(found)
+
+
+def test_parking_is_stated_once() -> None:
+    for parking in ({}, {"bays": 4, "per_building": 1}):
+        with pytest.raises(InputError, match="one of bays and per_building"):
+            plan_of(Brief(domain="site", name="P", sites=[site(parking=parking)]))
+
+
+def test_nothing_is_set_apart_where_nothing_is_asked_for() -> None:
+    plan = site_plan(site())
+    assert plan.areas == ()
+    assert plan.drives == ()
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(0, 10_000))
+def test_lots_lie_beside_streets_on_open_ground(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    line = np.cumsum(rng.uniform([10, -15], [40, 15], (4, 2)), axis=0)
+    ground = shapely.box(-20, -80, 180, 120)
+    street = shapely.LineString(line).buffer(4, cap_style="flat", join_style="mitre")
+    free = shapely.difference(ground, street)
+    lots = list_lots(list_frontages([(line, 8.0)], np.zeros((0, 2))), 9.0, 12.0, 4.0)
+    kept = keep_open_lots(lots, [free])
+    for lot in shapely.polygons(kept):
+        assert lot.exterior.is_ccw
+        assert lot.area == pytest.approx(108)
+        assert lot.distance(street) < 1.0
+        assert lot.difference(free).area < 0.7
+    exact = [shapely.covers(free.buffer(0.01), lot) for lot in shapely.polygons(lots)]
+    assert len(kept) == sum(exact)
+
+
+def test_maps_hold_what_is_laid_out(solved: Solution) -> None:
+    (works,) = solved.detail
+    placed = solved.brief.part.sites[0].model_copy(update={"origin": (11.5, 48.1)})
+    brief = solved.brief.model_copy(
+        update={"part": solved.brief.part.model_copy(update={"sites": [placed]})}
+    )
+    told = [f["properties"] for f in geojson.document(replace(solved, brief=brief))["features"]]
+    laid = [row["laid_out"] for row in told if "laid_out" in row]
+    assert Counter(laid) == Counter(row.kind for row in (*works.pathways, *works.areas))
+    assert sum(row.get("capacity", 0) for row in told) == 44
+    objects = cityjson.document(solved)["CityObjects"].values()
+    classes = Counter((row["type"], row["attributes"].get("class")) for row in objects)
+    assert classes["Road", "walk"] == sum(path.kind == "walk" for path in works.pathways)
+    assert classes["TransportSquare", "parking"] == 2
+    assert classes["LandUse", "court"] == 1
