@@ -132,13 +132,19 @@ def measure_layout(problem: ExtendProblem, layout: GrownLayout) -> dict[str, np.
 
 
 def count_faults(problem: ExtendProblem, shapes: np.ndarray) -> int:
-    """Pairs that overlap by more than 0.1 m², and buildings that leave the ground by as much."""
+    """Pairs that overlap by more than 1 cm, and buildings that leave the ground by as much."""
     every = np.concatenate([shapes, problem.standing.shapes])
     i, j = shapely.STRtree(every).query(shapes, predicate="intersects")
     pairs = i < j
-    shared = np.asarray(shapely.area(shapely.intersection(shapes[i[pairs]], every[j[pairs]])))
-    out = np.asarray(shapely.area(shapely.difference(shapes, problem.outline)))
-    return int((shared > 0.1).sum() + (out > 0.1).sum())
+    shared = shapely.intersection(shapes[i[pairs]], every[j[pairs]])
+    beyond = shapely.difference(shapes, problem.outline)
+    return _thick(shared) + _thick(beyond)
+
+
+def _thick(slivers: np.ndarray) -> int:
+    """How many shapes are more than 1 cm thick, by their area and perimeter."""
+    area, around = np.asarray(shapely.area(slivers)), np.asarray(shapely.length(slivers))
+    return int((area > 0.01 * around / 2 + 0.005).sum())
 
 
 def _records(words: str, found: dict[str, list[GrownFigures]], seeds: int) -> Iterator[Record]:

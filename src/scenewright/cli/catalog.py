@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.console import Console
 
-from scenewright.cli import tables, terminal
+from scenewright.cli import clusters, tables, terminal
 from scenewright.core.atomic_file import check_targets, write_atomically
 from scenewright.core.errors import InputError
 
@@ -22,6 +22,8 @@ app = typer.Typer(
     help="Your own furniture: inspect it, register it, learn groups from furnished homes.",
     no_args_is_help=True,
 )
+
+app.command()(clusters.cluster)
 
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document only.")]
 Named = Annotated[str, typer.Argument(metavar="CATALOGUE", help="A path or a registered name.")]

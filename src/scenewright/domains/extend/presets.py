@@ -11,8 +11,16 @@ ExtendPreset = Preset[GrowthSettings]
 
 PRESETS: dict[str, ExtendPreset] = {
     "default": Preset("four layouts of each area", "grow", 4, WEIGHTS, GrowthSettings()),
-    "quick": Preset("one layout of each area", "grow", 1, WEIGHTS, GrowthSettings()),
-    "fine": Preset("sixteen layouts of each area", "grow", 16, WEIGHTS, GrowthSettings()),
+    "quick": Preset(
+        "one layout of each area, not annealed", "grow", 1, WEIGHTS, GrowthSettings(polish=0)
+    ),
+    "fine": Preset(
+        "twelve layouts of each area, annealed for longer",
+        "grow",
+        12,
+        WEIGHTS,
+        GrowthSettings(polish=200),
+    ),
     "strict": Preset(
         "buildings stand only where neighbours of the source would: ground may stay free",
         "grow",

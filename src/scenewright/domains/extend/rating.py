@@ -5,10 +5,16 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from scenewright.domains.extend.problem import ExtendProblem, GrownLayout, boxes_at, shapes_at
+from scenewright.domains.extend.problem import (
+    ExtendProblem,
+    Floats,
+    GrownLayout,
+    boxes_at,
+    shapes_at,
+)
 from scenewright.ground.built import BuiltFrames
-from scenewright.ground.likeness.excess import Excess, find_excess
-from scenewright.ground.likeness.features import measure_buildings
+from scenewright.ground.likeness.excess import Excess, find_excess, wasserstein
+from scenewright.ground.likeness.features import ROWS, measure_buildings
 
 MEANINGS: dict[str, str] = {
     "missing": "buildings asked for without a place",
@@ -45,25 +51,41 @@ def measure_layout(problem: ExtendProblem, layout: GrownLayout) -> dict[str, flo
     }
 
 
-def likeness_of(problem: ExtendProblem, layout: GrownLayout) -> Excess | None:
-    """How far the added buildings, measured among all that stand, are from the sources."""
-    pattern = problem.pattern
-    if len(layout.poses) < FEW or len(pattern.boxes) < FEW:
-        return None
-    standing = problem.standing
-    count = len(layout.poses)
+def measure_grown(problem: ExtendProblem, layout: GrownLayout) -> dict[str, Floats]:
+    """The features of the added buildings among all that stands."""
+    pattern, standing, count = problem.pattern, problem.standing, len(layout.poses)
     boxes = np.concatenate([boxes_at(pattern, layout.poses, layout.origin), standing.boxes])
     shapes = np.concatenate([shapes_at(pattern, layout.poses, layout.origin), standing.shapes])
-    heights = np.array([pattern.kinds[k].size[2] for k in pattern.kind])
-    grown = BuiltFrames(boxes, shapes, np.resize(heights[layout.origin], len(boxes)))
-    measured = {k: v[:count] for k, v in measure_buildings(grown, problem.roads).items()}
-    source = _sources(problem, heights)
-    return find_excess(source, measured)
+    heights = np.array([kind.size[2] for kind in pattern.kinds])[pattern.kind]
+    grown = BuiltFrames(
+        boxes, shapes, np.concatenate([heights[layout.origin], heights[standing.origin]])
+    )
+    return {k: v[:count] for k, v in measure_buildings(grown, problem.roads).items()}
 
 
-def _sources(problem: ExtendProblem, heights: np.ndarray) -> dict[str, np.ndarray]:
+def misfit_of(source: dict[str, Floats], measured: dict[str, Floats]) -> float:
+    """The mean W₁ between the features of sources and of what was grown, in spreads of the
+    sources: what annealing lowers, without the null that hardly changes from move to move."""
+    found = [
+        float(wasserstein(source[row.name], measured[row.name]))
+        / max(float(source[row.name].std()), row.scale)
+        for row in ROWS
+        if row.name in source and row.name in measured
+    ]
+    return float(np.mean(found)) if found else 0.0
+
+
+def likeness_of(problem: ExtendProblem, layout: GrownLayout) -> Excess | None:
+    """How far the added buildings, measured among all that stand, are from the sources."""
+    if len(layout.poses) < FEW or len(problem.pattern.boxes) < FEW:
+        return None
+    return find_excess(measure_sources(problem), measure_grown(problem, layout))
+
+
+def measure_sources(problem: ExtendProblem) -> dict[str, Floats]:
     """The features of all sources, each measured by itself."""
     pattern = problem.pattern
+    heights = np.array([kind.size[2] for kind in pattern.kinds])[pattern.kind]
     rows = []
     for number, roads in enumerate(problem.source_roads):
         mine = pattern.source == number

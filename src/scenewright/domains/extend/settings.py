@@ -10,7 +10,7 @@ class GrowthSettings(NamedTuple):
     ``missing``: what a neighbour at no known place costs, in neighbours at theirs; ``noise``:
     chance added to what a proposal is worth; ``patches``: placements of a whole source tried
     before growing; ``slack``: the share by which coverage may miss; ``polish``: moves of rows and
-    buildings tried at the end, for each building; ``relaxed``: whether free ground is filled
+    buildings tried at the end; ``relaxed``: whether free ground is filled
     where no neighbour proposes anything."""
 
     spread: float = 2.5
@@ -18,5 +18,5 @@ class GrowthSettings(NamedTuple):
     noise: float = 0.12
     patches: int = 24
     slack: float = 0.02
-    polish: int = 2
+    polish: int = 40
     relaxed: bool = True

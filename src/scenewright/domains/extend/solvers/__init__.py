@@ -21,9 +21,16 @@ ROWS = (
     ),
     SolverRow(
         "random",
-        "buildings of the sources anywhere they fit, turned as theirs are (comparison)",
+        "buildings of the sources anywhere they do not overlap, turned as theirs (comparison)",
         "ours",
         f"{__name__}.baselines:scatter_area",
+        "buildings",
+    ),
+    SolverRow(
+        "scatter",
+        "the same at the sources' least distances (comparison)",
+        "ours",
+        f"{__name__}.baselines:space_area",
         "buildings",
     ),
 )

@@ -7,6 +7,7 @@ from functools import partial
 import numpy as np
 import shapely
 
+from scenewright.domains.extend.pattern import GapRules
 from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, GrownLayout
 from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.canvas import Canvas
@@ -25,8 +26,22 @@ def scatter_area(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> ExtendFound:
-    """Buildings of the sources at random places, turned as some building of the sources is."""
-    return _one(problem, _scatter(problem, seed, cancel), budget, progress, cancel)
+    """Buildings of the sources at random places where they overlap nothing, turned as some
+    building of the sources is."""
+    made = _scatter(problem, seed, cancel, GapRules(0.0, 0.0, 0.0))
+    return _one(problem, made, budget, progress, cancel)
+
+
+def space_area(
+    problem: ExtendProblem,
+    budget: Budget,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> ExtendFound:
+    """The same, as far apart as buildings of the sources are at least."""
+    made = _scatter(problem, seed, cancel, problem.pattern.gaps)
+    return _one(problem, made, budget, progress, cancel)
 
 
 def tile_area(
@@ -57,7 +72,9 @@ def _same(found: GrownLayout) -> GrownLayout:
     return found
 
 
-def _scatter(problem: ExtendProblem, seed: int, cancel: Cancel | None) -> GrownLayout:
+def _scatter(
+    problem: ExtendProblem, seed: int, cancel: Cancel | None, gaps: GapRules
+) -> GrownLayout:
     canvas, pattern = Canvas(problem), problem.pattern
     rng = np.random.default_rng(seed)
     west, south, east, north = problem.floor.bounds
@@ -67,7 +84,7 @@ def _scatter(problem: ExtendProblem, seed: int, cancel: Cancel | None) -> GrownL
         at = rng.uniform((west, south), (east, north), (BATCH, 2))
         heading = pattern.boxes[rng.choice(len(pattern.boxes), BATCH), 2]
         poses = np.concatenate([at, heading[:, None]], 1)
-        good = np.flatnonzero(canvas.legal(poses, origin))
+        good = np.flatnonzero(canvas.legal(poses, origin, gaps=gaps))
         failed = 0 if len(good) else failed + BATCH
         for k in good[:1].tolist():
             if canvas.room_for(int(origin[k])):

@@ -175,6 +175,13 @@ class Canvas:
         self.made[self.sizes[self._origin[number]]] -= 1
         self.covered -= float(self._shapes[number].area)
 
+    def restore(self, number: int) -> None:
+        """Put back a building that was taken away."""
+        self.alive[number] = True
+        self.held += 1
+        self.made[self.sizes[self._origin[number]]] += 1
+        self.covered += float(self._shapes[number].area)
+
     def added(self) -> Indices:
         """The numbers of the added buildings that stand."""
         return self.first + np.flatnonzero(self.alive[self.first : self.count])

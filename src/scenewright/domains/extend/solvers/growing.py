@@ -8,6 +8,7 @@ import numpy as np
 
 from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, GrownLayout
 from scenewright.domains.extend.rating import rate_layout
+from scenewright.domains.extend.solvers.anneal import anneal
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.laid_rows import lay_rows
 from scenewright.domains.extend.solvers.neighbours import grow_neighbours
@@ -40,7 +41,8 @@ def grow_area(
         found.append(rate_layout(problem, made))
         found.sort(key=lambda layout: layout.score["energy"])
         if watch.over(len(found), found[0].score["energy"], partial(_first, found)):
-            return Found(tuple(found), len(found))
+            polished = polish(problem, found[0], np.random.default_rng([seed, 1, 1]))
+            return Found((polished, *found), len(found))
 
 
 def _first(found: list[GrownLayout]) -> GrownLayout:
@@ -63,3 +65,14 @@ def grow_once(
         fill_free(canvas, rng)
     take_away(canvas)
     return canvas.layout()
+
+
+def polish(problem: ExtendProblem, layout: GrownLayout, rng: np.random.Generator) -> GrownLayout:
+    """The layout annealed, if that is better."""
+    if not problem.settings.polish:
+        return layout
+    canvas = Canvas(problem)
+    for pose, origin, how in zip(layout.poses, layout.origin.tolist(), layout.how, strict=True):
+        canvas.add(pose, origin, how)
+    made = rate_layout(problem, anneal(canvas, rng, problem.settings.polish))
+    return made if made.score["energy"] < layout.score["energy"] else layout
