@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from functools import cache
 from importlib import import_module
-from importlib.metadata import entry_points
-from typing import Any, NamedTuple
+from importlib.metadata import EntryPoint, entry_points
+from typing import Any, NamedTuple, TypeVar
 
 from scenewright.core.errors import InputError
+
+Row = TypeVar("Row")
 
 DEFAULT = "home"
 """The domain of a brief that states none."""
@@ -66,3 +68,29 @@ def domain_of(name: str) -> Any:
         known = ", ".join(domain_names())
         raise InputError(f"unknown domain '{name[:40]}'", f"use one of: {known}")
     return entry.load()
+
+
+def load_added(group: str, domain: str, kind: type[Row]) -> tuple[Row, ...]:
+    """Rows that other packages add to a table of a domain, by name: entry points of ``group``
+    called ``domain.name``, each a value of ``kind``.
+
+    Raises :class:`InputError` that names the package's entry if it cannot be loaded or is none.
+
+    >>> load_added("scenewright.terms", "home", tuple)
+    ()
+    """
+    found = [entry for entry in entry_points(group=group) if entry.name.startswith(f"{domain}.")]
+    return tuple(_load_row(entry, kind) for entry in sorted(found, key=lambda entry: entry.name))
+
+
+def _load_row(entry: EntryPoint, kind: type[Row]) -> Row:
+    """The row of an entry point."""
+    place = f"the entry point '{entry.name}' of {entry.group}, {entry.value},"
+    try:
+        row = entry.load()
+    except (ImportError, AttributeError) as error:
+        remedy = "mend or uninstall the package that adds it"
+        raise InputError(f"{place} cannot be loaded: {error}", remedy) from error
+    if not isinstance(row, kind):
+        raise InputError(f"{place} is no {kind.__name__}", "let it name one")
+    return row

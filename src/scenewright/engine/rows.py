@@ -53,7 +53,9 @@ class TermRow(NamedTuple):
     a group, zone or link, or the whole layout), its default ``weight``, what it says and whose idea
     it is. ``form`` tells of a term whether the paper's formula is ``printed`` or ``repaired``.
     ``per_area``: an area, divided by the summed area of all items. ``function`` is the compiled
-    function, as theme:name, where the domain states it."""
+    function, as theme:name, where the domain states it. A term with data of its own
+    (:mod:`scenewright.engine.whole_terms`) names both functions, ``function`` and ``data``, as
+    "package.module:name"."""
 
     name: str
     number: int
@@ -64,6 +66,7 @@ class TermRow(NamedTuple):
     form: Literal["both", "printed", "repaired"] = "repaired"
     per_area: bool = False
     function: str = ""
+    data: str = ""
 
 
 def load_function(reference: str) -> Any:

@@ -27,6 +27,7 @@ from scenewright.domains.hall.terms.state import (
 from scenewright.domains.hall.terms.table import HALL_TERMS, REACH, read_hall_weights
 from scenewright.domains.hall.terms.visitors import MAIN
 from scenewright.engine.energy import Part
+from scenewright.engine.whole_terms import gather
 from scenewright.geometry.boxes import frames_of
 from scenewright.geometry.buckets import make_buckets
 from scenewright.geometry.paths import RouteGrid, make_grid
@@ -76,6 +77,7 @@ def prepare(problem: HallProblem) -> PreparedHall:
         host_shifts=_or_zeros(ground.host_shifts, 2 * len(hosts)).reshape(-1, 2),
         wall_needs=_or_zeros(ground.zone_walls, len(ground.zone_areas)),
         **_unit_arrays(units, problem.settings.printed),
+        own=gather(HALL_TERMS, problem),
         **_visitor_arrays(problem.visitors, len(units.sizes), len(units.spans)),
     )
     _block(p)

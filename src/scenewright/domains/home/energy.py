@@ -25,6 +25,7 @@ from scenewright.domains.home.terms.table import (
 )
 from scenewright.engine.energy import Evaluation, Part
 from scenewright.engine.rows import TermRow
+from scenewright.engine.whole_terms import gather
 from scenewright.geometry.boxes import Floats, fill_frames, frames_of
 from scenewright.geometry.circulation import route
 from scenewright.geometry.compiled import compiled
@@ -71,17 +72,6 @@ def _index_relations(pairs: Ints, n: int) -> tuple[Ints, Ints]:
     return start, order // 2
 
 
-def _middle(ground: Ground) -> Floats:
-    """Centroid of the room, moments of the fixed pieces about it, their area, root of its area."""
-    edges, fixed = _fresh(ground.edges, 4), _fresh(ground.obstacles, 5)
-    cross = edges[:, 0] * edges[:, 3] - edges[:, 2] * edges[:, 1]
-    whole = max(float(cross.sum()), 1e-9)
-    x, y = cross @ (edges[:, :2] + edges[:, 2:]) / (3.0 * whole)
-    areas = fixed[:, 3] * fixed[:, 4]
-    moments = areas @ (fixed[:, :2] - np.array([x, y]))
-    return np.array([x, y, *moments, areas.sum(), math.sqrt(0.5 * whole)])
-
-
 def prepare(problem: Problem) -> PreparedHome:
     """Arrays and weights of a problem, ready for compiled code."""
     ground, items = problem.ground, problem.items
@@ -110,7 +100,7 @@ def prepare(problem: Problem) -> PreparedHome:
         spots=_fresh(items.spots, 4),
         weights=weights,
         bounds=bounds,
-        middle=_middle(ground),
+        own=gather(TERMS, problem),
         paths=_fresh(ground.paths, 4),
         area=float(ground.area),
         normal=float(inward(main[0])) if len(main) else float("nan"),
@@ -202,7 +192,7 @@ def _parts(
     only[row.number] = 1.0
     energies, _, costs = energies_of(p._replace(weights=only), grid, boxes[None])
     divisor = float(costs.boxes[:, 2].sum()) if row.per_area else 1.0
-    if row.kind == "whole":
+    if row.kind in ("whole", "layout"):
         found = [("", energies[0])]
     elif row.kind == "box":
         found = list(zip(names, costs.boxes[:, 0 if row.per_area else 1] / divisor, strict=True))

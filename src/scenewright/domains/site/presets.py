@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scenewright.domains.site.settings import SiteSettings
+from scenewright.domains.site.terms.table import SITE_TERMS
 from scenewright.engine.rows import Preset
 
 SitePreset = Preset[SiteSettings]
@@ -22,14 +23,14 @@ PRESETS: dict[str, SitePreset] = {
         "generations, local search after (12)",
         "vp",
         2000,
-        {},
+        {row.name: 0.0 for row in SITE_TERMS if row.data},
         SiteSettings("printed", "printed"),
     ),
     "paper-repaired": Preset(
         "the same with position costs, operators that lose no building and what walkers see",
         "vp",
         2000,
-        {},
+        {row.name: 0.0 for row in SITE_TERMS if row.data},
         OURS,
     ),
 }

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.engine.whole_terms import TermData
 from scenewright.geometry.buckets import Buckets
 
 Floats = NDArray[np.float64]
@@ -41,7 +42,8 @@ class PreparedHall(NamedTuple):
     (z,) metres of wall the objects of a zone need. ``entrances``, ``exits``, ``ways_out`` (k, 2)
     points before doors, ``hiding`` (h, 8) frames of what hides and does not move, ``tall`` (n,) 1
     for objects that hide, ``roles`` (g,) bits of :mod:`.visitors`, ``main`` the unit that is the
-    main exhibit (-1: none); ``wall_bound`` (g,) 1 for units that can stand at walls only.
+    main exhibit (-1: none); ``wall_bound`` (g,) 1 for units that can stand at walls only;
+    ``own`` the numbers of the terms with data of their own.
     """
 
     edges: Floats
@@ -91,6 +93,7 @@ class PreparedHall(NamedTuple):
     roles: Ints
     main: int
     wall_bound: Ints
+    own: TermData
 
 
 class State(NamedTuple):

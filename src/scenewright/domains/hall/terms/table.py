@@ -1,8 +1,9 @@
 """Terms of halls (Cao, Cheng, Zhang 2024, eqs. 1-5), as repaired, and their table.
 
 Each is a scalar function; the sums over units, zones, links and neighbours are written once, in
-:mod:`scenewright.domains.hall.terms.measure`. A new term is one function, one number, one row here
-and one line there.
+:mod:`scenewright.domains.hall.terms.measure`. A new term of the whole
+hall is one file with two functions (:mod:`scenewright.engine.whole_terms`) and one row here, or one
+entry point of another package; terms measured again only for what moved have lines there, too.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 
 from scenewright.engine.rows import TermRow
 from scenewright.engine.weights import vector_of
+from scenewright.engine.whole_terms import add_terms
 from scenewright.geometry.compiled import compiled
 
 TAU = 0.05
@@ -32,7 +34,7 @@ EVENNESS, SIGHT, ORDER, QUEUES, EGRESS = range(9, 14)
 
 
 _PAPER = "Cao, Cheng, Zhang 2024, eq. "
-HALL_TERMS: tuple[TermRow, ...] = (
+_ROWS = (
     TermRow(
         "space",
         SPACE,
@@ -93,6 +95,8 @@ HALL_TERMS: tuple[TermRow, ...] = (
     TermRow("queues", QUEUES, "group", 6, "floor before tills not free to queue on", "ours"),
     TermRow("egress", EGRESS, "group", 10, "objects more than 15 m from every way out", "ours"),
 )
+HALL_TERMS: tuple[TermRow, ...] = add_terms("hall", _ROWS)
+"""All terms of halls, those of other packages last."""
 MEANINGS: dict[str, str] = {row.name: row.doc for row in HALL_TERMS}
 """What each term says, in one line."""
 PRINTED = ("space", "fill", "access", "proportion")

@@ -45,10 +45,13 @@ from scenewright.domains.hall.terms.visitors import (
     queues_of,
 )
 from scenewright.domains.hall.terms.whole import (
+    NOWHERE,
+    OWN,
     REFUSED,
     facing_of,
     fill_and_balance,
     forget,
+    hall_cost,
     place_all,
 )
 from scenewright.geometry.boxes import read_frame, square_to_segment
@@ -115,7 +118,7 @@ def judge(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
     work.old[4] = proportion_of(p, s, unit) if p.weights[PROPORTION] != 0.0 else 0.0
     change += p.weights[PROPORTION] * (work.old[4] - s.costs[PROPORTION, unit])
     change += zone_change(p, s, work, unit, zone) + order_change(p, s, work, unit)
-    change += visit_change(p, s, work, unit)
+    change += visit_change(p, s, work, unit) + own_change(p, s, work)
     if p.weights[FACING] != 0.0:
         for other in range(p.targets.shape[0]):
             if p.targets[other] >= 0 and (other == unit or p.targets[other] == unit):
@@ -188,6 +191,15 @@ def visit_change(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
 
 
 @inlined
+def own_change(p: PreparedHall, s: State, work: Scratch) -> float:
+    """Change of the weighted terms with data of their own."""
+    change = hall_cost(s.frames, -1, NOWHERE, p.weights, p.own, work.old[:0])
+    for k in range(OWN, s.costs.shape[0]):
+        change -= p.weights[k] * s.costs[k, 0]
+    return change
+
+
+@inlined
 def settle_visits(p: PreparedHall, s: State, work: Scratch, unit: int) -> None:
     """Keep what :func:`visit_change` found."""
     s.costs[EVENNESS, 0], s.costs[SIGHT, 0] = work.old[11], work.old[12]
@@ -253,6 +265,7 @@ def settle(p: PreparedHall, s: State, work: Scratch, unit: int) -> None:
     if p.weights[ALIGNMENT] != 0.0:
         s.costs[ALIGNMENT, 0] += work.old[9]
     settle_visits(p, s, work, unit)
+    hall_cost(s.frames, -1, NOWHERE, p.weights, p.own, s.costs[:, 0])
     fill, balance = fill_and_balance(p, s, zone, -1, 0.0, 0.0, 0.0)
     s.costs[FILL, zone], s.costs[BALANCE, zone] = fill, balance
     if p.weights[ACCESS] != 0.0:

@@ -31,6 +31,7 @@ from scenewright.domains.hall.terms.table import (
     EVENNESS,
     FACING,
     FILL,
+    HALL_TERMS,
     ORDER,
     PROPORTION,
     QUEUES,
@@ -47,11 +48,17 @@ from scenewright.domains.hall.terms.visitors import (
     order_of,
     queues_of,
 )
+from scenewright.engine.whole_terms import join_terms, with_data
 from scenewright.geometry.boxes import common_area, read_frame
 from scenewright.geometry.buckets import insert, remove
 from scenewright.geometry.compiled import compiled, inlined
 
 REFUSED = math.inf
+NOWHERE = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+hall_cost = join_terms(HALL_TERMS)
+"""Weighted costs of the whole hall, of the terms with data of their own."""
+OWN = with_data(HALL_TERMS)[0].number if with_data(HALL_TERMS) else len(HALL_TERMS)
+"""The first of those."""
 
 
 @inlined
@@ -141,7 +148,8 @@ def sum_up(p: PreparedHall, s: State, work: Scratch) -> float:
         s.costs[ACCESS, link] = access_of(p, s, work, link)
         total += p.weights[ACCESS] * s.costs[ACCESS, link]
     s.costs[ALIGNMENT, 0] = all_lines(p, s)
-    return total + p.weights[ALIGNMENT] * s.costs[ALIGNMENT, 0] + sum_up_visits(p, s)
+    total += p.weights[ALIGNMENT] * s.costs[ALIGNMENT, 0] + sum_up_visits(p, s)
+    return total + hall_cost(s.frames, -1, NOWHERE, p.weights, p.own, s.costs[:, 0])
 
 
 @inlined

@@ -15,8 +15,8 @@ from scenewright.domains.home.terms.assemble import (
     Costs,
     PreparedHome,
     box_cost,
+    layout_cost,
     make_costs,
-    measure_composition,
     pair_cost,
     relation_cost,
     whole_cost,
@@ -113,7 +113,7 @@ def try_item(chain: Chain, p: PreparedHome, i: int, frame: Frame, limit: float) 
         chain.relations[r] = value
     sums[0], sums[1] = shared, own
     energy = whole_cost(shared, own, sums[2], sums[3], p)
-    return energy + measure_composition(chain.frames, i, frame, p)
+    return energy + layout_cost(chain.frames, i, frame, p.weights, p.own, p.weights[:0])
 
 
 @inlined

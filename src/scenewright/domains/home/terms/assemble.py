@@ -13,19 +13,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.home.terms import (
-    clearance,
-    composition,
-    orientation,
-    packing,
-    places,
-    relations,
-)
+from scenewright.domains.home.terms import clearance, orientation, packing, places, relations
 from scenewright.domains.home.terms.table import (
     AGAINST_WALL,
     AGAINST_WALL_PRINTED,
     ALIGNMENT,
-    BALANCE,
     BOUNDARY,
     CLEAR_ITEMS,
     CLEAR_ROOM,
@@ -39,8 +31,10 @@ from scenewright.domains.home.terms.table import (
     PAIRS_PRINTED,
     PLACES,
     SIZE,
+    TERMS,
     WISH,
 )
+from scenewright.engine.whole_terms import TermData, join_terms
 from scenewright.geometry.boxes import (
     Floats,
     Frame,
@@ -65,9 +59,9 @@ class PreparedHome(NamedTuple):
     ``targets`` (p, 4) with the weight last. ``related`` (2p,) lists the relations item i is in
     from ``related_start[i]`` to ``related_start[i + 1]``; ``places`` (s, 6) those it wants from
     ``place_start[i]`` on, of the ``spots`` (k, 4). ``normal`` is the main wall's inward
-    direction (NaN without one), ``span`` the diagonal of the bounds, ``middle`` (6,) as
-    :func:`scenewright.domains.home.terms.composition.balance` takes it. ``paths`` (m, 4) are the
-    directed edges of the ways from door to door. A back is at its wall within ``flush`` metres.
+    direction (NaN without one), ``span`` the diagonal of the bounds. ``paths`` (m, 4) are the
+    directed edges of the ways from door to door, ``own`` the numbers of the terms that bring data
+    of their own. A back is at its wall within ``flush`` metres.
     """
 
     edges: Floats
@@ -87,8 +81,8 @@ class PreparedHome(NamedTuple):
     spots: Floats
     weights: Floats
     bounds: Floats
-    middle: Floats
     paths: Floats
+    own: TermData
     area: float
     normal: float
     span: float
@@ -172,15 +166,8 @@ def whole_cost(shared: float, own: float, area: float, turn: float, p: PreparedH
     return energy
 
 
-@inlined
-def measure_composition(frames: Floats, i: int, frame: Frame, p: PreparedHome) -> float:
-    """Weighted costs of how all items hang together, item ``i`` (-1: none) taken to ``frame``.
-
-    ``frames`` (n, 8).
-    """
-    if p.weights[BALANCE] == 0.0:
-        return 0.0
-    return p.weights[BALANCE] * composition.balance(frames, i, frame, p.middle)
+layout_cost = join_terms(TERMS)
+"""Weighted costs of the whole layout, of the terms with data of their own."""
 
 
 class Costs(NamedTuple):
@@ -220,4 +207,5 @@ def measure(frames: Floats, p: PreparedHome, costs: Costs) -> float:
         own += value
     costs.sums[0], costs.sums[1], costs.sums[2], costs.sums[3] = shared, own, area, turn
     nowhere = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    return whole_cost(shared, own, area, turn, p) + measure_composition(frames, -1, nowhere, p)
+    energy = whole_cost(shared, own, area, turn, p)
+    return energy + layout_cost(frames, -1, nowhere, p.weights, p.own, p.weights[:0])

@@ -1,8 +1,10 @@
 """The table of terms: what can be weighed, in which form, with what default weight.
 
 The table drives the explanation of a layout, ``scenewright list terms`` and the contract tests.
-A new term is one compiled function in a theme file, one number and one row here,
-and one line in :mod:`scenewright.domains.home.terms.assemble`.
+A new term is one file with two functions, what a layout costs and what numbers of the problem
+that takes (:mod:`scenewright.engine.whole_terms`), and one row here, or one entry point of another
+package. Terms of single boxes and of pairs, which a moved item alone measures again, also have a
+line in :mod:`scenewright.domains.home.terms.assemble`.
 """
 
 from __future__ import annotations
@@ -14,6 +16,7 @@ from numpy.typing import NDArray
 
 from scenewright.engine.rows import TermRow
 from scenewright.engine.weights import vector_of
+from scenewright.engine.whole_terms import add_terms
 
 (
     BOUNDARY,
@@ -44,8 +47,9 @@ from scenewright.engine.weights import vector_of
 
 LIU = "Liu et al. 2017"
 OURS = "ours"
+COMPOSITION = "scenewright.domains.home.terms.composition"
 
-TERMS: tuple[TermRow, ...] = (
+_ROWS = (
     TermRow(
         "boundary",
         BOUNDARY,
@@ -257,12 +261,13 @@ TERMS: tuple[TermRow, ...] = (
     TermRow(
         "balance",
         BALANCE,
-        "whole",
+        "layout",
         60,
         "middle of all furniture off that of the room",
         "Merrell et al. 2011, as a share",
         form="repaired",
-        function="composition:balance",
+        function=f"{COMPOSITION}:balance",
+        data=f"{COMPOSITION}:find_middle",
     ),
     TermRow(
         "places",
@@ -286,6 +291,8 @@ TERMS: tuple[TermRow, ...] = (
         function="clearance:measure_entered_area",
     ),
 )
+TERMS: tuple[TermRow, ...] = add_terms("home", _ROWS)
+"""All terms of homes, those of other packages last."""
 
 
 def terms_of(printed: bool) -> tuple[TermRow, ...]:

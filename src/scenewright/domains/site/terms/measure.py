@@ -26,6 +26,7 @@ from scenewright.domains.site.terms.table import (
     repaired_sum,
     share_of,
 )
+from scenewright.engine.whole_terms import TermData, gather, join_terms
 from scenewright.geometry.boxes import (
     Frame,
     area_in_polygon,
@@ -47,8 +48,9 @@ class SitePrepared(NamedTuple):
     ``blocks`` (b, 7) bounds x0, y0, x1, y1, first and last edge and share of all ground up to
     this one; ``landmarks`` (l, 8) frames grown by half the way round; ``buildings`` (n, 3) width,
     depth, quality; ``measures`` (3,) half the spacing, half the way round, preferred heading;
-    ``weights`` (6,) signed so that their product with the terms is to be small. ``rings`` are the
-    footprints, bare, with half the spacing and with half the way round; none if all are boxes."""
+    ``weights`` (terms,) signed so that their product with the terms is to be small. ``rings`` are
+    the footprints, bare, with half the spacing and with half the way round; none if all are boxes.
+    ``own`` are the numbers of the terms with data of their own."""
 
     edges: Floats
     block_edges: Floats
@@ -58,11 +60,12 @@ class SitePrepared(NamedTuple):
     measures: Floats
     weights: Floats
     rings: Rings
+    own: TermData
 
 
 class SiteState(NamedTuple):
-    """A layout with its terms: ``frames`` (n, 8), ``sums`` (6,); ``old`` and ``new`` (6,) what a
-    building costs before and after the move last tried."""
+    """A layout with its terms: ``frames`` (n, 8), ``sums`` (terms,); ``old`` and ``new`` (terms,) what
+    a building costs before and after the move last tried."""
 
     frames: Floats
     sums: Floats
@@ -98,7 +101,12 @@ def prepare_site(problem: SiteProblem) -> SitePrepared:
             made.outlines() if made.footprints else [],
             (0.0, 0.5 * problem.spacing, 0.5 * problem.fire_access),
         ),
+        gather(SITE_TERMS, problem),
     )
+
+
+building_cost = join_terms(SITE_TERMS)
+"""Weighted costs of one building, of the terms with data of their own."""
 
 
 def make_site_state(problem: SiteProblem) -> SiteState:
@@ -194,7 +202,7 @@ def pair_cost(a: Frame, i: int, b: Frame, j: int, p: SitePrepared) -> tuple[floa
 
 @compiled
 def look(p: SitePrepared, s: SiteState, i: int, frame: Frame, out: Floats) -> None:
-    """Write what building ``i`` would cost at ``frame`` (6,), with all its pairs among those in
+    """Write what building ``i`` would cost at ``frame`` (terms,), with all its pairs among those in
     the buckets.
 
     Its way round is also blocked by landmarks, grown alike, and by what lies outside the site.
@@ -219,6 +227,7 @@ def look(p: SitePrepared, s: SiteState, i: int, frame: Frame, out: Floats) -> No
             blocked += ring_in_box(frame, i, 2, p.rings, read_frame(p.landmarks, k))
     out[ROAD] = share_of(blocked, whole)
     look_around(p, s, i, frame, out)
+    building_cost(s.frames, i, frame, p.weights, p.own, out)
 
 
 @inlined
@@ -270,7 +279,7 @@ def lay(p: SitePrepared, s: SiteState, boxes: Floats) -> None:
 
 @compiled
 def lay_all(p: SitePrepared, s: SiteState, population: Floats, terms: Floats) -> None:
-    """Write the terms (P, 6) of many layouts (P, n, 5)."""
+    """Write the terms (P, terms) of many layouts (P, n, 5)."""
     for row in range(population.shape[0]):
         lay(p, s, population[row])
         for k in range(terms.shape[1]):

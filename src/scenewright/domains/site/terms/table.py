@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.errors import InputError
 from scenewright.engine.rows import TermRow
+from scenewright.engine.whole_terms import add_terms
 from scenewright.geometry.boxes import wrap
 from scenewright.geometry.compiled import inlined
 
@@ -24,7 +25,7 @@ INSERT, OVERLAP, ROAD, FACING, QUALITY, LEFT = range(6)
 
 
 _PAPER = "Zhang, Yang 2023, eq. "
-SITE_TERMS: tuple[TermRow, ...] = (
+_ROWS = (
     TermRow(
         "insert",
         INSERT,
@@ -67,6 +68,8 @@ SITE_TERMS: tuple[TermRow, ...] = (
     ),
     TermRow("left", LEFT, "building", 10, "buildings left out", "ours"),
 )
+SITE_TERMS: tuple[TermRow, ...] = add_terms("site", _ROWS)
+"""All terms of sites, those of other packages last."""
 SITE_AIMS: tuple[TermRow, ...] = (
     TermRow(
         "seen",
