@@ -81,7 +81,10 @@ FAULTS: dict[str, tuple[Room, str]] = {
         "'c' is not a zone",
     ),
     "an unknown category": (asks(category="shwcase"), "use one of: showcase"),
-    "an unknown pattern": (asks(patterns=["spiral"]), "demands[0].patterns[0]"),
+    "an unknown pattern": (
+        asks(patterns=["spiral"]),
+        "'spiral' is not a pattern; use one of: single",
+    ),
     "an unknown place": (asks(place="roof"), "demands[0].place"),
     "an unknown key": (asks(colour="red"), "demands[0].colour: is not a known key"),
     "facing itself": (asks(id="x", facing="x"), "demands[0] 'x': is to face itself"),

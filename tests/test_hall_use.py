@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import pairwise
-from typing import get_args
 
 import numpy as np
 import pytest
@@ -15,8 +14,8 @@ from scenewright.catalog.assets import shipped
 from scenewright.catalog.assets.objects import Stuff
 from scenewright.catalog.assets.wares import goods, levels_of, volumes
 from scenewright.catalog.kinds import ELSE, KINDS, hall_use
-from scenewright.core.brief.zones import PatternName
 from scenewright.core.scene import Size
+from scenewright.domains.hall.patterns import PATTERNS
 
 SIDES = ("front", "left", "back", "right")
 USE = {name: kind.hall for name, kind in KINDS.items() if kind.hall}
@@ -27,7 +26,7 @@ def test_every_row_stands_on_the_floor_in_known_patterns(category: str) -> None:
     use = USE[category]
     assert KINDS[category].support == "floor"
     assert use.patterns
-    assert set(use.patterns) <= set(get_args(PatternName))
+    assert set(use.patterns) <= set(PATTERNS)
     assert len(set(use.patterns)) == len(use.patterns)
     assert all(0 <= depth <= 2 for depth in use.clearance)
     assert (use.place == "wall") == (use.patterns == ("wall",))

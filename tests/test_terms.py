@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-
 import numpy as np
 import pytest
 import shapely
@@ -14,6 +12,7 @@ from scenewright.core.layout import corners
 from scenewright.domains.home.energy import energies_of, evaluate, explain, prepare, route_grid
 from scenewright.domains.home.terms import orientation, relations
 from scenewright.domains.home.terms.table import TERMS, default_weights, read_weights
+from scenewright.engine.rows import load_function
 from scenewright.geometry.boxes import make_frame
 
 ROWS = pytest.mark.parametrize("row", TERMS, ids=lambda row: f"{row.name}-{row.form}")
@@ -27,10 +26,7 @@ def only(row):
 
 @ROWS
 def test_row_names_a_function_and_its_place(row):
-    theme, name = row.function.split(":")
-    where = "" if "." in theme else "domains.home.terms."
-    function = getattr(import_module(f"scenewright.{where}{theme}"), name)
-    assert function.__doc__
+    assert load_function(row.function).__doc__
     assert TERMS[row.number] is row
 
 

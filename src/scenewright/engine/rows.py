@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import Any, Generic, Literal, NamedTuple, TypeVar
 
 from scenewright.core.errors import InputError
+from scenewright.core.registry import load_added
 from scenewright.engine.solve import Budget, Cancel, Found, Progress, Report
 
 S = TypeVar("S")
@@ -47,15 +48,21 @@ class SolverRow(NamedTuple):
         return found
 
 
+def name_solvers(domain: str, rows: Sequence[SolverRow]) -> dict[str, SolverRow]:
+    """The table of solvers of a domain by name, those of other packages last: entry points of
+    ``scenewright.solvers``, ``"home.tabu" = "package.module:ROW"``."""
+    every = (*rows, *load_added("scenewright.solvers", domain, SolverRow))
+    return {row.name: row for row in every}
+
+
 class TermRow(NamedTuple):
     """One term: ``name`` is what weights are given by (two forms of one term share it), ``number``
     its place in the vector of weights, ``kind`` what its value is of (one box or building, a pair,
     a group, zone or link, or the whole layout), its default ``weight``, what it says and whose idea
     it is. ``form`` tells of a term whether the paper's formula is ``printed`` or ``repaired``.
     ``per_area``: an area, divided by the summed area of all items. ``function`` is the compiled
-    function, as theme:name, where the domain states it. A term with data of its own
-    (:mod:`scenewright.engine.whole_terms`) names both functions, ``function`` and ``data``, as
-    "package.module:name"."""
+    function, as "package.module:name", where the domain states it; a term with data of its own
+    (:mod:`scenewright.engine.whole_terms`) names that of its ``data``, too."""
 
     name: str
     number: int

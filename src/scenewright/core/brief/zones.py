@@ -20,9 +20,7 @@ from scenewright.core.brief.fields import (
     Whole,
 )
 
-PatternName = Literal[
-    "chain", "radiation", "circulation", "fan", "grid", "mixture", "wall", "single"
-]
+PatternName = Annotated[str, Field(min_length=1, max_length=40)]
 Sizes = tuple[Side, Side, Side]
 
 

@@ -13,6 +13,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand, Sizes
 from scenewright.core.errors import InputError
 from scenewright.core.space import Space
+from scenewright.domains.hall.patterns import PATTERNS
 
 MOST_OBJECTS = 20_000
 LEAST_FOOTPRINT = 0.0025
@@ -85,6 +86,7 @@ def check_demands(brief: Brief, number: int, space: Space) -> None:
         _check_category(demand, told)
         _check_number(demand, told)
         _check_sizes(demand, space, told)
+        _check_patterns(demand, told)
         _check_place(demand, told)
         _check_facing(demand, ids[index], ids, told)
         _check_clearance(demand, space, told)
@@ -162,6 +164,13 @@ def _check_sizes(demand: Demand, space: Space, told: str) -> None:
             "give a lower one, or the hall its height",
             place=told,
         )
+
+
+def _check_patterns(demand: Demand, told: str) -> None:
+    for name in demand.patterns:
+        if name not in PATTERNS:
+            remedy = f"use one of: {', '.join(PATTERNS)}"
+            raise InputError(f"'{name}' is not a pattern", remedy, place=told)
 
 
 def _check_place(demand: Demand, told: str) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -14,8 +13,8 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.chairs import out_of_table
 from scenewright.domains.hall.demands import ids_of, sizes_of
+from scenewright.domains.hall.patterns import PATTERNS
 
-MIXTURE_FROM = 6
 SEATWAY = 0.45
 """Free floor to get to a chair from behind, in metres (Neufert)."""
 SPECTATORS, SHOWS = ("auditorium_seat",), ("stage", "screen", "lectern")
@@ -138,5 +137,4 @@ def _patterns(demand: Demand, place: str, usual: tuple[str, ...], count: int) ->
     chosen: tuple[str, ...] = tuple(demand.patterns) or free
     if count == 1 or set(chosen) == {"single"}:
         return ("single",)
-    least = {"single": math.inf, "mixture": MIXTURE_FROM}
-    return tuple(name for name in chosen if count >= least.get(name, 0)) or ("chain",)
+    return tuple(name for name in chosen if count >= PATTERNS[name].least) or ("chain",)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
-from scenewright.core.brief.zones import Demand, PatternName
+from scenewright.core.brief.zones import Demand
 
 UTILISATION = 0.52
 """Share of the floor that footprints and clearances may take together, at most."""
@@ -38,7 +38,7 @@ class Fixture(NamedTuple):
     each: float = 0.0
     share: float = 0.0
     place: Literal["wall", "free"] = "free"
-    patterns: tuple[PatternName, ...] = ()
+    patterns: tuple[str, ...] = ()
     fills: bool = False
     required: bool = False
     name: str = ""

@@ -5,6 +5,8 @@ Layer i is a row of n_i objects with gaps rw_i between them, rh_i behind the row
 
 from __future__ import annotations
 
+import math
+
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, NUMBER, PART
 from scenewright.geometry.boxes import Floats
 from scenewright.geometry.compiled import inlined
@@ -12,12 +14,20 @@ from scenewright.geometry.compiled import inlined
 
 @inlined
 def place_chain(
-    layers: Floats, first: int, last: int, sizes: Floats, start: int, out: Floats, at: int
+    layers: Floats,
+    first: int,
+    last: int,
+    extra: float,  # noqa: ARG001
+    sizes: Floats,
+    start: int,
+    out: Floats,
+    at: int,
 ) -> int:
     """Write x (right), y (ahead) and turn of every object, middles of the rows at x = 0.
 
-    Layers ``first`` to ``last`` - 1; objects from ``start`` in ``sizes`` (n, 2), from ``at`` in
-    ``out`` (m, 3). Returns how many were placed.
+    Layers ``first`` to ``last`` - 1 of ``layers`` (L, 5); ``extra`` is the extra measure of the
+    unit. Objects from ``start`` in ``sizes`` (n, 2), from ``at`` in ``out`` (m, 3). Returns how
+    many were placed.
     """
     i, y = 0, 0.0
     for k in range(first, last):
@@ -51,3 +61,45 @@ def seed_chain(
         layers[first + k, ALONG], layers[first + k, ACROSS] = along, across
         layers[first + k, CODE], layers[first + k, PART] = CHAIN, part
     return first + rows
+
+
+@inlined
+def even_rows(rows: int, number: int) -> int:
+    """The nearest number of rows, at most two away, that all get equally many objects."""
+    for off in range(3):
+        for found in (rows - off, rows + off):
+            if 0 < found <= number and number % found == 0:
+                return found
+    return rows
+
+
+@inlined
+def count_rows(
+    number: int, shape: float, wide: float, deep: float, along: float, across: float
+) -> int:
+    """How many rows ``shape`` in [0, 1) asks for: from one to two and a half times as deep as
+    wide; metres."""
+    most = max(int(math.sqrt(2.5 * number * (wide + along) / (deep + across))), 2)
+    return even_rows(1 + int(shape * min(number, most)), number)
+
+
+@inlined
+def lay_chain(
+    code: int,  # noqa: ARG001
+    layers: Floats,
+    number: int,
+    shape: float,
+    wide: float,
+    deep: float,
+    along: float,
+    across: float,
+    near: float,  # noqa: ARG001
+) -> tuple[int, float]:
+    """Write the layers of a unit of ``number`` objects; how many, and its extra measure.
+
+    ``code`` is that of the pattern, ``layers`` (L, 5) are changed in place. ``shape`` in [0, 1)
+    chooses among forms: few or many rows, rings, sector angles. ``wide`` and ``deep`` are the
+    largest object, ``along`` and ``across`` the gaps, ``near`` the least radius of a fan; metres.
+    """
+    rows = count_rows(number, shape, wide, deep, along, across)
+    return seed_chain(layers, 0, number, rows, along, across, 0), 0.0

@@ -3,55 +3,82 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from typing import Any
 
-from scenewright.domains.hall.patterns import (
-    CHAIN,
-    CIRCULATION,
-    CODE,
-    FAN,
-    GRID,
-    MIXTURE,
-    PART,
-    RADIATION,
-    SINGLE,
-    WALL,
-)
-from scenewright.domains.hall.patterns.chain import place_chain, seed_chain
-from scenewright.domains.hall.patterns.fan import fan_angle, place_fan, seed_fan
-from scenewright.domains.hall.patterns.grid import place_grid, seed_grid
-from scenewright.domains.hall.patterns.mixture import seed_mixture, seed_single
-from scenewright.domains.hall.patterns.radiation import place_radiation, seed_radiation
-from scenewright.domains.hall.patterns.ring import place_circulation, seed_circulation
+import numpy as np
+
+from scenewright.domains.hall.patterns import CODE, MIXTURE, PART, PATTERNS
+from scenewright.domains.hall.patterns.chain import lay_chain, place_chain
+from scenewright.engine.rows import load_function
 from scenewright.geometry.boxes import Floats
 from scenewright.geometry.compiled import compiled, inlined
 
+_ROWS = tuple(PATTERNS.values())
+CENTRED = tuple(code for code, row in enumerate(_ROWS) if row.centre == "rings")
+GAPPED = tuple(code for code, row in enumerate(_ROWS) if row.moves == "gaps")
+GROWTH = np.array([row.extra for row in _ROWS])
+"""Codes of patterns whose objects stand round a middle, and of those that have gaps; how the extra
+measure of each grows a metre, its least and its greatest (patterns, 3)."""
 
-@inlined
-def place_part(
-    layers: Floats,
-    first: int,
-    last: int,
-    sector: float,
-    sizes: Floats,
-    start: int,
-    out: Floats,
-    at: int,
-) -> int:
-    """Place the layers of one part by their pattern; how many objects it has.
 
-    ``layers`` (L, 5), ``sizes`` (n, 2) width and depth from row ``start``, ``out`` (m, 3)
-    written from row ``at``; metres and radians.
-    """
-    code = int(layers[first, CODE])
-    if code == GRID:
-        return place_grid(layers, first, last, sizes, start, out, at)
-    if code == RADIATION:
-        return place_radiation(layers, first, last, out, at)
-    if code == CIRCULATION:
-        return place_circulation(layers, first, last, out, at)
-    if code == FAN:
-        return place_fan(layers, first, last, sector, out, at)
-    return place_chain(layers, first, last, sizes, start, out, at)
+def _place_or(code: int, place: Callable[..., int], before: Callable[..., int]) -> Any:
+    """The parts ``before`` can place, and those of one pattern more."""
+
+    @inlined
+    def place_part(
+        layers: Floats,
+        first: int,
+        last: int,
+        extra: float,
+        sizes: Floats,
+        start: int,
+        out: Floats,
+        at: int,
+    ) -> int:
+        """Place the layers of one part by their pattern; how many objects it has.
+
+        ``layers`` (L, 5), ``sizes`` (n, 2) width and depth from row ``start``, ``out`` (m, 3)
+        written from row ``at``; metres and radians.
+        """
+        if int(layers[first, CODE]) == code:
+            return place(layers, first, last, extra, sizes, start, out, at)
+        return before(layers, first, last, extra, sizes, start, out, at)
+
+    return place_part
+
+
+def _lay_or(own: int, lay: Callable[..., Any], before: Callable[..., Any]) -> Any:
+    """The units ``before`` can lay out, and those of one pattern more."""
+
+    @inlined
+    def lay_unit(
+        code: int,
+        layers: Floats,
+        number: int,
+        shape: float,
+        wide: float,
+        deep: float,
+        along: float,
+        across: float,
+        near: float,
+    ) -> tuple[int, float]:
+        """Write the layers of a unit by its pattern; see :func:`.chain.lay_chain`.
+
+        ``layers`` (L, 5).
+        """
+        if code == own:
+            return lay(code, layers, number, shape, wide, deep, along, across, near)
+        return before(code, layers, number, shape, wide, deep, along, across, near)
+
+    return lay_unit
+
+
+place_part, lay_unit = place_chain, lay_chain
+for _code, _row in enumerate(_ROWS):
+    if _row.place:
+        place_part = _place_or(_code, load_function(_row.place), place_part)
+    lay_unit = _lay_or(_code, load_function(_row.layout), lay_unit)
 
 
 @inlined
@@ -95,19 +122,9 @@ def expand(code: int, layers: Floats, extra: float, sizes: Floats, start: int, o
         if code == MIXTURE:
             left += extra + shift_to(out, i, i + placed, sizes, start + i, left, False)
         i, first = i + placed, last
-    if code not in (RADIATION, CIRCULATION):
+    if code not in CENTRED:
         shift_to(out, 0, i, sizes, start, 0.0, True)
     return i
-
-
-@inlined
-def even_rows(rows: int, number: int) -> int:
-    """The nearest number of rows, at most two away, that all get equally many objects."""
-    for off in range(3):
-        for found in (rows - off, rows + off):
-            if 0 < found <= number and number % found == 0:
-                return found
-    return rows
 
 
 @compiled
@@ -122,32 +139,11 @@ def seed(
     near: float,
     layers: Floats,
 ) -> tuple[int, float]:
-    """Write layers for ``number`` objects; how many layers, and the unit's extra measure.
+    """Write layers (L, 5) for ``number`` objects; how many layers, and the unit's extra measure.
 
-    ``shape`` in [0, 1) chooses among forms: few or many rows, rings, sector angles. ``wide`` and
-    ``deep`` are the largest object, ``along`` and ``across`` the gaps, ``near`` the least radius
-    of a fan.
+    See :func:`.chain.lay_chain` for the measures.
     """
-    most = max(int(math.sqrt(2.5 * number * (wide + along) / (deep + across))), 2)
-    rows = even_rows(1 + int(shape * min(number, most)), number)
-    if code in (SINGLE, WALL):
-        return seed_single(layers, 0, number), 0.0
-    if code == GRID:
-        return seed_grid(layers, 0, number, rows, along, across, 0), 0.0
-    if code == RADIATION:
-        rings = 1 + int(shape * 3.0)
-        return seed_radiation(layers, 0, number, rings, wide, deep, along, across, 0), 0.0
-    if code == CIRCULATION:
-        rings = 1 + int(shape * shape * 3.0)
-        return seed_circulation(layers, 0, number, rings, wide, deep, 0.005, across, 0), 0.0
-    if code == FAN:
-        sector = math.pi * (0.35 + 0.5 * shape)
-        used = seed_fan(layers, 0, number, sector, near, wide, deep, along, across, 0)
-        return used, min(fan_angle(layers, used, wide, deep, along) + 0.01, sector)
-    if code == MIXTURE:
-        rows = 1 + int(shape * 3.0)
-        return seed_mixture(layers, 0, number, rows, wide, deep, along, across), 2.0 * across
-    return seed_chain(layers, 0, number, rows, along, across, 0), 0.0
+    return lay_unit(code, layers, number, shape, wide, deep, along, across, near)
 
 
 @compiled
@@ -162,11 +158,9 @@ def stretch(code: int, layers: Floats, extra: float, along: float, across: float
     for k in range(layers.shape[0]):
         kind = int(layers[k, CODE])
         rank = rank + 1 if k > 0 and layers[k, PART] == layers[k - 1, PART] else 1
-        if kind in (CHAIN, GRID):
+        if kind in GAPPED:
             layers[k, 1] = max(layers[k, 1] + along, 0.0)
             layers[k, 2] = max(layers[k, 2] + across, 0.0)
         elif layers[k, 2] > 0.0:
             layers[k, 2] = max(layers[k, 2] + across * rank, 0.3)
-    if code == FAN:
-        return min(max(extra + 0.1 * along, 0.3), 0.95 * math.pi)
-    return max(extra + along, 0.0) if code == MIXTURE else extra
+    return min(max(extra + GROWTH[code, 0] * along, GROWTH[code, 1]), GROWTH[code, 2])

@@ -19,10 +19,20 @@ BLOCK = 16
 
 
 @inlined
-def place_fan(layers: Floats, first: int, last: int, sector: float, out: Floats, at: int) -> int:
+def place_fan(
+    layers: Floats,
+    first: int,
+    last: int,
+    extra: float,
+    sizes: Floats,  # noqa: ARG001
+    start: int,  # noqa: ARG001
+    out: Floats,
+    at: int,
+) -> int:
     """Write x, y and turn of every object, the apex at the origin, the rows behind it.
 
-    ``along`` of a layer is the number of its aisles: they cut every arc into blocks alike.
+    ``extra`` is the angle of the sector, ``along`` of a layer the number of its aisles: they cut
+    every arc into blocks alike.
     ``layers`` (L, 5), ``out`` (m, 3) written from row ``at``; metres and radians. Returns how
     many were placed.
     """
@@ -31,9 +41,9 @@ def place_fan(layers: Floats, first: int, last: int, sector: float, out: Floats,
         number, radius = int(layers[k, NUMBER]), layers[k, ACROSS]
         blocks = int(layers[k, ALONG]) + 1
         aisle = AISLE / radius
-        step = (sector - (blocks - 1) * aisle) / number
+        step = (extra - (blocks - 1) * aisle) / number
         for j in range(number):
-            turn = step * (j + 0.5) + aisle * (j * blocks // number) - 0.5 * sector
+            turn = step * (j + 0.5) + aisle * (j * blocks // number) - 0.5 * extra
             out[at + i, 0] = radius * math.sin(turn)
             out[at + i, 1] = -radius * math.cos(turn)
             out[at + i, 2] = turn
@@ -97,3 +107,24 @@ def fan_angle(layers: Floats, used: int, wide: float, deep: float, along: float)
         need = layers[k, NUMBER] * (wide + along) + layers[k, ALONG] * AISLE
         angle = max(angle, need / (layers[k, ACROSS] - 0.5 * deep))
     return angle
+
+
+@inlined
+def lay_fan(
+    code: int,  # noqa: ARG001
+    layers: Floats,
+    number: int,
+    shape: float,
+    wide: float,
+    deep: float,
+    along: float,
+    across: float,
+    near: float,
+) -> tuple[int, float]:
+    """A sector of 63 to 153 degrees, no wider than its arcs need; its angle.
+
+    See :func:`.chain.lay_chain` for ``layers`` (L, 5) and the measures, in metres.
+    """
+    sector = math.pi * (0.35 + 0.5 * shape)
+    used = seed_fan(layers, 0, number, sector, near, wide, deep, along, across, 0)
+    return used, min(fan_angle(layers, used, wide, deep, along) + 0.01, sector)

@@ -7,13 +7,21 @@ rows the deepest object and the gap, so unequal objects still line up by their m
 from __future__ import annotations
 
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CODE, GRID, NUMBER, PART
+from scenewright.domains.hall.patterns.chain import count_rows
 from scenewright.geometry.boxes import Floats
 from scenewright.geometry.compiled import inlined
 
 
 @inlined
 def place_grid(
-    layers: Floats, first: int, last: int, sizes: Floats, start: int, out: Floats, at: int
+    layers: Floats,
+    first: int,
+    last: int,
+    extra: float,  # noqa: ARG001
+    sizes: Floats,
+    start: int,
+    out: Floats,
+    at: int,
 ) -> int:
     """Write x, y and turn of every object; see :func:`.chain.place_chain`.
 
@@ -55,3 +63,23 @@ def seed_grid(
         left -= columns
         k += 1
     return k
+
+
+@inlined
+def lay_grid(
+    code: int,  # noqa: ARG001
+    layers: Floats,
+    number: int,
+    shape: float,
+    wide: float,
+    deep: float,
+    along: float,
+    across: float,
+    near: float,  # noqa: ARG001
+) -> tuple[int, float]:
+    """Rows of equal length.
+
+    See :func:`.chain.lay_chain` for ``layers`` (L, 5) and the measures, in metres.
+    """
+    rows = count_rows(number, shape, wide, deep, along, across)
+    return seed_grid(layers, 0, number, rows, along, across, 0), 0.0

@@ -48,3 +48,42 @@ def seed_single(layers: Floats, first: int, number: int) -> int:
     layers[first, NUMBER], layers[first, ALONG] = number, 0.0
     layers[first, CODE], layers[first, PART] = CHAIN, 0
     return first + 1
+
+
+@inlined
+def lay_mixture(
+    code: int,  # noqa: ARG001
+    layers: Floats,
+    number: int,
+    shape: float,
+    wide: float,
+    deep: float,
+    along: float,
+    across: float,
+    near: float,  # noqa: ARG001
+) -> tuple[int, float]:
+    """Two chains of one to three rows and a radiation; the gap between parts.
+
+    See :func:`.chain.lay_chain` for ``layers`` (L, 5) and the measures, in metres.
+    """
+    rows = 1 + int(shape * 3.0)
+    return seed_mixture(layers, 0, number, rows, wide, deep, along, across), 2.0 * across
+
+
+@inlined
+def lay_single(
+    code: int,  # noqa: ARG001
+    layers: Floats,
+    number: int,
+    shape: float,  # noqa: ARG001
+    wide: float,  # noqa: ARG001
+    deep: float,  # noqa: ARG001
+    along: float,  # noqa: ARG001
+    across: float,  # noqa: ARG001
+    near: float,  # noqa: ARG001
+) -> tuple[int, float]:
+    """One layer, of one object or of a row at a wall.
+
+    See :func:`.chain.lay_chain` for ``layers`` (L, 5) and the measures, in metres.
+    """
+    return seed_single(layers, 0, number), 0.0

@@ -14,7 +14,16 @@ from scenewright.geometry.compiled import inlined
 
 
 @inlined
-def place_radiation(layers: Floats, first: int, last: int, out: Floats, at: int) -> int:
+def place_radiation(
+    layers: Floats,
+    first: int,
+    last: int,
+    extra: float,  # noqa: ARG001
+    sizes: Floats,  # noqa: ARG001
+    start: int,  # noqa: ARG001
+    out: Floats,
+    at: int,
+) -> int:
     """Write x, y and turn of every object, the centre at the origin, the first one ahead.
 
     Every other ring starts half a step further, so that nobody stands behind another. ``layers``
@@ -68,3 +77,23 @@ def seed_radiation(
             layers[k, CODE], layers[k, PART] = RADIATION, part
             k, left, radius = k + 1, left - count, radius + 0.5 * deep
     return k
+
+
+@inlined
+def lay_radiation(
+    code: int,  # noqa: ARG001
+    layers: Floats,
+    number: int,
+    shape: float,
+    wide: float,
+    deep: float,
+    along: float,
+    across: float,
+    near: float,  # noqa: ARG001
+) -> tuple[int, float]:
+    """One to three rings.
+
+    See :func:`.chain.lay_chain` for ``layers`` (L, 5) and the measures, in metres.
+    """
+    rings = 1 + int(shape * 3.0)
+    return seed_radiation(layers, 0, number, rings, wide, deep, along, across, 0), 0.0

@@ -15,7 +15,16 @@ from scenewright.geometry.compiled import inlined
 
 
 @inlined
-def place_circulation(layers: Floats, first: int, last: int, out: Floats, at: int) -> int:
+def place_circulation(
+    layers: Floats,
+    first: int,
+    last: int,
+    extra: float,  # noqa: ARG001
+    sizes: Floats,  # noqa: ARG001
+    start: int,  # noqa: ARG001
+    out: Floats,
+    at: int,
+) -> int:
     """Write x, y and turn of every object, the centre at the origin, the opening ahead.
 
     ``layers`` (L, 5), ``out`` (m, 3) written from row ``at``; metres and radians. Returns how
@@ -80,3 +89,23 @@ def seed_circulation(
         layers[first + k, CODE], layers[first + k, PART] = CIRCULATION, part
         left -= count
     return first + rings
+
+
+@inlined
+def lay_circulation(
+    code: int,  # noqa: ARG001
+    layers: Floats,
+    number: int,
+    shape: float,
+    wide: float,
+    deep: float,
+    along: float,  # noqa: ARG001
+    across: float,
+    near: float,  # noqa: ARG001
+) -> tuple[int, float]:
+    """One to three rings, mostly one; their objects close up.
+
+    See :func:`.chain.lay_chain` for ``layers`` (L, 5) and the measures, in metres.
+    """
+    rings = 1 + int(shape * shape * 3.0)
+    return seed_circulation(layers, 0, number, rings, wide, deep, 0.005, across, 0), 0.0

@@ -6,7 +6,7 @@ A solver takes a problem with a first layout in which every unit has a place
 
 from __future__ import annotations
 
-from scenewright.engine.rows import SolverRow
+from scenewright.engine.rows import SolverRow, name_solvers
 
 _PATTERNS = ("patterns", f"{__name__}.outcome:by_patterns")
 _OBJECTS = ("objects", f"{__name__}.outcome:by_objects")
@@ -55,4 +55,4 @@ ROWS = (
         *_PATTERNS,
     ),
 )
-HALL_SOLVERS: dict[str, SolverRow] = {row.name: row for row in ROWS}
+HALL_SOLVERS: dict[str, SolverRow] = name_solvers("hall", ROWS)

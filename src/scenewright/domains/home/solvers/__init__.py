@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.engine.rows import SolverRow
+from scenewright.engine.rows import SolverRow, name_solvers
 
 _PATCHES = ("patches", f"{__name__}.no_items:solve_items")
 _PIECES = ("pieces", f"{__name__}.no_items:solve_items")
@@ -58,4 +58,4 @@ ROWS = (
         *_PATCHES,
     ),
 )
-SOLVERS: dict[str, SolverRow] = {row.name: row for row in ROWS}
+SOLVERS: dict[str, SolverRow] = name_solvers("home", ROWS)

@@ -47,7 +47,7 @@ from scenewright.engine.whole_terms import add_terms
 
 LIU = "Liu et al. 2017"
 OURS = "ours"
-COMPOSITION = "scenewright.domains.home.terms.composition"
+THEMES = "scenewright.domains.home.terms"
 
 _ROWS = (
     TermRow(
@@ -59,7 +59,7 @@ _ROWS = (
         f"{LIU}, C1",
         form="both",
         per_area=True,
-        function="packing:outside",
+        function=f"{THEMES}.packing:outside",
     ),
     TermRow(
         "overlap",
@@ -70,7 +70,7 @@ _ROWS = (
         f"{LIU}, C2",
         form="both",
         per_area=True,
-        function="packing:overlap",
+        function=f"{THEMES}.packing:overlap",
     ),
     TermRow(
         "keep_free",
@@ -81,7 +81,7 @@ _ROWS = (
         f"{LIU}, C3",
         form="both",
         per_area=True,
-        function="clearance:measure_entered_area",
+        function=f"{THEMES}.clearance:measure_entered_area",
     ),
     TermRow(
         "corridors",
@@ -92,7 +92,7 @@ _ROWS = (
         f"{LIU}, C3",
         form="both",
         per_area=True,
-        function="clearance:measure_entered_area",
+        function=f"{THEMES}.clearance:measure_entered_area",
     ),
     TermRow(
         "obstacles",
@@ -103,7 +103,7 @@ _ROWS = (
         OURS,
         form="repaired",
         per_area=True,
-        function="clearance:measure_entered_area",
+        function=f"{THEMES}.clearance:measure_entered_area",
     ),
     TermRow(
         "window",
@@ -114,7 +114,7 @@ _ROWS = (
         OURS,
         form="repaired",
         per_area=True,
-        function="clearance:measure_entered_area",
+        function=f"{THEMES}.clearance:measure_entered_area",
     ),
     TermRow(
         "clear_room",
@@ -125,7 +125,7 @@ _ROWS = (
         OURS,
         form="repaired",
         per_area=True,
-        function="clearance:zone_blocked",
+        function=f"{THEMES}.clearance:zone_blocked",
     ),
     TermRow(
         "clear_items",
@@ -136,7 +136,7 @@ _ROWS = (
         OURS,
         form="repaired",
         per_area=True,
-        function="clearance:zones_covered",
+        function=f"{THEMES}.clearance:zones_covered",
     ),
     TermRow(
         "main_wall",
@@ -146,7 +146,7 @@ _ROWS = (
         "angle off facing or backing the main wall",
         f"{LIU}, C4, wrapped, summed as absolutes",
         form="repaired",
-        function="orientation:main_wall",
+        function=f"{THEMES}.orientation:main_wall",
     ),
     TermRow(
         "main_wall",
@@ -156,7 +156,7 @@ _ROWS = (
         "absolute value of the signed sum of angles off the main wall",
         f"{LIU}, C4 as printed",
         form="printed",
-        function="orientation:main_wall_turn",
+        function=f"{THEMES}.orientation:main_wall_turn",
     ),
     TermRow(
         "against_wall",
@@ -166,7 +166,7 @@ _ROWS = (
         "back edge off its wall, by the worse corner",
         f"{LIU}, C5, both corners, 0.02 m",
         form="repaired",
-        function="orientation:against_wall",
+        function=f"{THEMES}.orientation:against_wall",
     ),
     TermRow(
         "against_wall",
@@ -176,7 +176,7 @@ _ROWS = (
         "back edge off its wall, by its midpoint",
         f"{LIU}, C5 as printed, 0.1 m",
         form="printed",
-        function="orientation:against_wall_printed",
+        function=f"{THEMES}.orientation:against_wall_printed",
     ),
     TermRow(
         "alignment",
@@ -186,7 +186,7 @@ _ROWS = (
         "free item askew to the nearest wall",
         OURS,
         form="repaired",
-        function="orientation:alignment",
+        function=f"{THEMES}.orientation:alignment",
     ),
     TermRow(
         "daylight",
@@ -196,7 +196,7 @@ _ROWS = (
         "distance to the nearest window",
         OURS,
         form="repaired",
-        function="relations:daylight",
+        function=f"{THEMES}.relations:daylight",
     ),
     TermRow(
         "nestle",
@@ -206,7 +206,7 @@ _ROWS = (
         "no side against a wall or fixed piece",
         OURS,
         form="repaired",
-        function="relations:nestle",
+        function=f"{THEMES}.relations:nestle",
     ),
     TermRow(
         "pairs",
@@ -216,7 +216,7 @@ _ROWS = (
         "distance, angle and bearing off what the relation wants",
         f"{LIU}, C6, with bearing",
         form="repaired",
-        function="relations:pair",
+        function=f"{THEMES}.relations:pair",
     ),
     TermRow(
         "pairs",
@@ -226,7 +226,7 @@ _ROWS = (
         "distance and angle off what the relation wants",
         f"{LIU}, C6 as printed",
         form="printed",
-        function="relations:pair_printed",
+        function=f"{THEMES}.relations:pair_printed",
     ),
     TermRow(
         "size",
@@ -236,7 +236,7 @@ _ROWS = (
         "share of the floor outside 0.40 to 0.55",
         f"{LIU}, C7",
         form="both",
-        function="packing:size",
+        function=f"{THEMES}.packing:size",
     ),
     TermRow(
         "wish",
@@ -246,7 +246,7 @@ _ROWS = (
         "relative deviation from the preferred size",
         OURS,
         form="repaired",
-        function="packing:wish",
+        function=f"{THEMES}.packing:wish",
     ),
     TermRow(
         "route",
@@ -256,7 +256,7 @@ _ROWS = (
         "items and doors that the walking route does not reach",
         OURS,
         form="repaired",
-        function="geometry.circulation:route",
+        function="scenewright.geometry.circulation:route",
     ),
     TermRow(
         "balance",
@@ -266,8 +266,8 @@ _ROWS = (
         "middle of all furniture off that of the room",
         "Merrell et al. 2011, as a share",
         form="repaired",
-        function=f"{COMPOSITION}:balance",
-        data=f"{COMPOSITION}:find_middle",
+        function=f"{THEMES}.composition:balance",
+        data=f"{THEMES}.composition:find_middle",
     ),
     TermRow(
         "places",
@@ -277,7 +277,7 @@ _ROWS = (
         "too far from, too near to or not facing what it should",
         OURS,
         form="repaired",
-        function="places:place",
+        function=f"{THEMES}.places:place",
     ),
     TermRow(
         "slope",
@@ -288,7 +288,7 @@ _ROWS = (
         OURS,
         form="repaired",
         per_area=True,
-        function="clearance:measure_entered_area",
+        function=f"{THEMES}.clearance:measure_entered_area",
     ),
 )
 TERMS: tuple[TermRow, ...] = add_terms("home", _ROWS)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.engine.rows import SolverRow
+from scenewright.engine.rows import SolverRow, name_solvers
 
 ROWS = (
     SolverRow(
@@ -56,4 +56,4 @@ ROWS = (
         "buildings",
     ),
 )
-SITE_SOLVERS: dict[str, SolverRow] = {row.name: row for row in ROWS}
+SITE_SOLVERS: dict[str, SolverRow] = name_solvers("site", ROWS)

@@ -64,8 +64,8 @@ class SitePrepared(NamedTuple):
 
 
 class SiteState(NamedTuple):
-    """A layout with its terms: ``frames`` (n, 8), ``sums`` (terms,); ``old`` and ``new`` (terms,) what
-    a building costs before and after the move last tried."""
+    """A layout with its terms: ``frames`` (n, 8), ``sums`` (terms,); ``old`` and ``new`` (terms,)
+    what a building costs before and after the move last tried."""
 
     frames: Floats
     sums: Floats

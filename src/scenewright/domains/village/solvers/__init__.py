@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.engine.rows import SolverRow
+from scenewright.engine.rows import SolverRow, name_solvers
 
 ROWS = (
     SolverRow(
@@ -20,4 +20,4 @@ ROWS = (
         "houses",
     ),
 )
-VILLAGE_SOLVERS: dict[str, SolverRow] = {row.name: row for row in ROWS}
+VILLAGE_SOLVERS: dict[str, SolverRow] = name_solvers("village", ROWS)

@@ -1,0 +1,109 @@
+"""What a term, a pattern, a solver and a format take: one file and one row of another package."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+PLUGINS = Path(__file__).parent / "plugins"
+USED = """
+import json, sys
+import numpy as np
+import scenewright as sw
+from scenewright.cli.lists import rows
+from scenewright.domains.home.presets import PRESETS
+briefs = json.load(sys.stdin)
+
+def mean_y(solution):
+    return float(np.mean([piece.pose.y for piece in solution.pieces]))
+
+def room(weight):
+    PRESETS["quick"].weights["northward"] = weight
+    return sw.solve(sw.Brief.model_validate(briefs["home"]), preset="quick", seed=3, steps=2000)
+
+free, drawn = room(0.0), room(3000.0)
+hall = sw.solve(sw.Brief.model_validate(briefs["hall"]), preset="quick", seed=1, steps=600)
+few = sw.solve(sw.Brief.model_validate(briefs["home"]), solver="handful", seed=1)
+sw.write(hall, "hall.tally")
+print(json.dumps({
+    "free": mean_y(free), "drawn": mean_y(drawn),
+    "valid": [sw.check(one).valid for one in (drawn, hall)],
+    "terms": [[row["domain"], row["name"]] for row in rows("terms")],
+    "solvers": [row["name"] for row in rows("solvers")],
+    "patterns": [row["name"] for row in rows("patterns")],
+    "places": [[piece.pose.x, piece.pose.y] for piece in hall.pieces],
+    "few": len(few.pieces),
+    "tally": open("hall.tally").read(),
+}))
+"""
+
+
+def brief(domain: str, **more: Any) -> dict[str, Any]:
+    outline = [[0, 0], [7, 0], [7, 6], [0, 6]]
+    wanted = {"name": "Room", "outline": outline, "doors": [{"at": [3.5, 0], "width": 0.9}]}
+    return {"domain": domain, "name": "Room", "rooms": [wanted | more]}
+
+
+@pytest.fixture(scope="module")
+def used(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    demand = {"category": "plinth", "count": 5, "patterns": ["zigzag"], "size": [0.5, 0.5, 1.0]}
+    briefs = {"home": brief("home", function="bedroom"), "hall": brief("hall", demands=[demand])}
+    paths = os.pathsep.join([str(PLUGINS), *filter(None, [os.environ.get("PYTHONPATH")])])
+    done = subprocess.run(
+        [sys.executable, "-c", USED],
+        input=json.dumps(briefs),
+        capture_output=True,
+        text=True,
+        cwd=tmp_path_factory.mktemp("loft"),
+        env=os.environ | {"PYTHONPATH": paths},
+    )
+    assert done.returncode == 0, done.stderr
+    return dict(json.loads(done.stdout))
+
+
+def test_a_term_with_data_of_its_own_draws_what_it_weighs(used: dict[str, Any]) -> None:
+    assert used["drawn"] > used["free"] + 0.5
+    assert used["valid"] == [True, True]
+    wanted = [[domain, "northward"] for domain in ("home", "hall", "site")]
+    assert [row for row in used["terms"] if row in wanted] == wanted
+
+
+def test_a_pattern_lays_out_what_asks_for_it(used: dict[str, Any]) -> None:
+    assert "zigzag" in used["patterns"]
+    assert used["tally"] == "plinth 5\n"
+    places = used["places"]
+    ahead = [places[k + 1][axis] - places[k][axis] for axis in (0, 1) for k in range(4)]
+    turns = [a * b < 0 for a, b in pairwise(ahead)]
+    assert all(turns[:3]) or all(turns[4:])
+
+
+def test_a_solver_is_found_by_its_name(used: dict[str, Any]) -> None:
+    assert "handful" in used["solvers"]
+    assert used["few"] > 0
+
+
+@pytest.mark.parametrize(
+    ("row", "fault"),
+    [("loft.nowhere:ROW", "cannot be loaded"), ("loft.tally:write", "is no TermRow")],
+)
+def test_a_broken_row_costs_one_line(row: str, fault: str, tmp_path: Path) -> None:
+    folder = tmp_path / "broken-1.0.dist-info"
+    folder.mkdir()
+    (folder / "METADATA").write_text("Metadata-Version: 2.1\nName: broken\nVersion: 1.0\n")
+    (folder / "entry_points.txt").write_text(f"[scenewright.terms]\nhome.broken = {row}\n")
+    paths = os.pathsep.join([str(tmp_path), str(PLUGINS), os.environ.get("PYTHONPATH", "")])
+    command = [sys.executable, "-m", "scenewright", "list", "terms"]
+    done = subprocess.run(
+        command, capture_output=True, text=True, env=os.environ | {"PYTHONPATH": paths}
+    )
+    assert done.returncode == 2
+    assert fault in done.stderr
+    assert len(done.stderr.strip().splitlines()) <= 3
+    assert "Traceback" not in done.stderr
