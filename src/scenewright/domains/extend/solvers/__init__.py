@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.engine.rows import SolverRow
+from scenewright.engine.rows import SolverRow, name_solvers
 
 ROWS = (
     SolverRow(
@@ -34,4 +34,4 @@ ROWS = (
         "buildings",
     ),
 )
-EXTEND_SOLVERS: dict[str, SolverRow] = {row.name: row for row in ROWS}
+EXTEND_SOLVERS: dict[str, SolverRow] = name_solvers("extend", ROWS)
