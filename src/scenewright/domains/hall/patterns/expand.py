@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from scenewright.domains.hall.patterns import CODE, MIXTURE, PART, PATTERNS
-from scenewright.domains.hall.patterns.chain import lay_chain, place_chain
 from scenewright.engine.rows import load_function
 from scenewright.geometry.boxes import Floats
 from scenewright.geometry.compiled import compiled, inlined
@@ -74,7 +73,9 @@ def _lay_or(own: int, lay: Callable[..., Any], before: Callable[..., Any]) -> An
     return lay_unit
 
 
-place_part, lay_unit = place_chain, lay_chain
+place_part, lay_unit = (
+    load_function(f"{__package__}.chain:{name}_chain") for name in ("place", "lay")
+)
 for _code, _row in enumerate(_ROWS):
     if _row.place:
         place_part = _place_or(_code, load_function(_row.place), place_part)
