@@ -61,13 +61,12 @@ def join_terms(rows: Sequence[TermRow]) -> Callable[..., float]:
 
     ``frames`` (n, 8), ``weights`` (terms,), ``out`` (terms,) or (0,) where nobody asks.
     """
-    total = _nothing
+    total = inlined(_nothing)
     for k, row in enumerate(with_data(rows)):
         total = _add_term(total, load_function(row.function), row.number, k)
     return total
 
 
-@inlined
 def _nothing(
     frames: Floats,  # noqa: ARG001
     i: int,  # noqa: ARG001
