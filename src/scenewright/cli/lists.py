@@ -55,7 +55,8 @@ def _terms() -> list[Row]:
 def _patterns() -> list[Row]:
     from scenewright.domains import domains
 
-    return [row._asdict() for kind in domains() for row in kind.table("patterns").values()]
+    rows = [row._asdict() for kind in domains() for row in kind.table("patterns").values()]
+    return [{name: row[name] for name in (*SHOWN["patterns"], "source")} for row in rows]
 
 
 def _presets() -> list[Row]:
