@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from scenewright.cli import tables, terminal
 from scenewright.cli.progress import interrupts, tell_if_cold
@@ -19,6 +18,8 @@ from scenewright.core.errors import InputError
 from scenewright.text import printable
 
 if TYPE_CHECKING:
+    from rich.progress import Progress
+
     from scenewright.batch import ResultRow
     from scenewright.workflow.request import ArrangeRequest
 
@@ -176,6 +177,14 @@ class BatchWatch:
 @contextmanager
 def _bar(console: Console) -> Iterator[BatchWatch]:
     """A bar with count, rate and time left, if anyone is looking."""
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeRemainingColumn,
+    )
+
     bar = Progress(
         TextColumn("{task.description}"),
         BarColumn(),

@@ -8,12 +8,14 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from threading import Timer
 from types import FrameType
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from rich.console import Console
-from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
 from scenewright.text import printable
+
+if TYPE_CHECKING:
+    from rich.progress import Progress
 
 PATIENCE = 1.0
 """Seconds before a bar appears."""
@@ -58,6 +60,8 @@ def show_progress(console: Console, quiet: bool = False) -> Iterator[Callable[[f
 @contextmanager
 def _bar(console: Console, quiet: bool) -> Iterator[Progress]:
     """A progress bar that appears after :data:`PATIENCE` seconds, if anyone is looking."""
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
+
     bar = Progress(
         TextColumn("{task.description}", markup=False),
         BarColumn(),

@@ -6,12 +6,15 @@ one without knowing any.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
 from importlib import import_module
-from importlib.metadata import EntryPoint, entry_points
-from typing import Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from scenewright.core.errors import InputError
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 Row = TypeVar("Row")
 
@@ -48,8 +51,8 @@ def domain_names() -> tuple[str, ...]:
     return (*SHIPPED, *sorted(_entry_points().keys() - set(SHIPPED)))
 
 
-def _entry_points() -> dict[str, Any]:
-    return {entry.name: entry for entry in entry_points(group=GROUP)}
+def _entry_points() -> dict[str, EntryPoint]:
+    return {entry.name: entry for entry in _entries(GROUP)}
 
 
 @cache
@@ -79,8 +82,15 @@ def load_added(group: str, domain: str, kind: type[Row]) -> tuple[Row, ...]:
     >>> load_added("scenewright.terms", "home", tuple)
     ()
     """
-    found = [entry for entry in entry_points(group=group) if entry.name.startswith(f"{domain}.")]
+    found = [entry for entry in _entries(group) if entry.name.startswith(f"{domain}.")]
     return tuple(_load_row(entry, kind) for entry in sorted(found, key=lambda entry: entry.name))
+
+
+def _entries(group: str) -> Iterable[EntryPoint]:
+    """The entry points of a group; what finds them takes a tenth of the time of ``--help``."""
+    from importlib.metadata import entry_points
+
+    return entry_points(group=group)
 
 
 def _load_row(entry: EntryPoint, kind: type[Row]) -> Row:
