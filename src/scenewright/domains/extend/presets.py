@@ -21,6 +21,20 @@ PRESETS: dict[str, ExtendPreset] = {
         WEIGHTS,
         GrowthSettings(polish=200),
     ),
+    "paper": Preset(
+        "Zhang and Fei (2017) as printed: ants, breeding and F on a grid of plots",
+        "colony",
+        1200,
+        WEIGHTS,
+        GrowthSettings(polish=0),
+    ),
+    "paper-repaired": Preset(
+        "the same where the print cannot work: elite deposit, evaporation, allele values",
+        "colony-repaired",
+        1200,
+        WEIGHTS,
+        GrowthSettings(polish=0),
+    ),
     "strict": Preset(
         "buildings stand only where neighbours of the source would: ground may stay free",
         "grow",

@@ -13,6 +13,20 @@ ROWS = (
         "buildings",
     ),
     SolverRow(
+        "colony",
+        "ants and a genetic algorithm over a grid of plots, as printed",
+        "Zhang and Fei 2017",
+        f"{__name__}.paper:grow_printed",
+        "matrix of plots",
+    ),
+    SolverRow(
+        "colony-repaired",
+        "the same with an elite deposit, steady evaporation and allele values of carriers",
+        "Zhang and Fei 2017, repaired",
+        f"{__name__}.paper:grow_repaired",
+        "matrix of plots",
+    ),
+    SolverRow(
         "tiling",
         "copies of the whole source side by side, what does not fit left away (comparison)",
         "ours",

@@ -42,7 +42,7 @@ Move = Callable[[Canvas, np.random.Generator], "Undo | None"]
 def anneal(canvas: Canvas, rng: np.random.Generator, steps: int) -> GrownLayout:
     """The best layout of ``steps`` moves."""
     best = canvas.layout()
-    if len(best.poses) < 3 or len(best.poses) > LARGEST:
+    if len(canvas.movable()) < 3 or len(best.poses) > LARGEST:
         return best
     source = measure_sources(canvas.problem)
     energy = least = _energy(canvas, source, best)
@@ -83,7 +83,7 @@ def take_back(canvas: Canvas, undo: Undo) -> None:
 
 def slide_row(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
     """All buildings of a row move along it by the same distance."""
-    rows = canvas.added()
+    rows = canvas.movable()
     frames = BuiltFrames(canvas.boxes[rows], canvas.shapes[rows], np.ones(len(rows)))
     found = find_rows(frames)
     if not found:
@@ -104,7 +104,7 @@ def slide_row(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
 
 def slide_one(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
     """A building moves along its front."""
-    rows = canvas.added()
+    rows = canvas.movable()
     number = int(rng.choice(rows))
     box, origin = canvas.boxes[number].copy(), int(canvas.origin[number])
     moved = box[:3].copy()
@@ -118,7 +118,7 @@ def slide_one(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
 def replace_one(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
     """Another building takes the place of one, its front on the same line."""
     pattern = canvas.problem.pattern
-    number = int(rng.choice(canvas.added()))
+    number = int(rng.choice(canvas.movable()))
     box, origin = canvas.boxes[number].copy(), int(canvas.origin[number])
     width = pattern.boxes[:, 3]
     near = np.flatnonzero(np.abs(np.log(width / width[origin])) < 0.35)
@@ -135,7 +135,7 @@ def replace_one(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
 
 def move_worst(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
     """One of those that agree least with their neighbours goes; what another proposes comes."""
-    rows = canvas.added()
+    rows = canvas.movable()
     few = rng.choice(rows, min(4, len(rows)), replace=False).tolist()
     worth = [worth_of(canvas, canvas.boxes[k, :3], int(canvas.origin[k]), k) for k in few]
     number = few[int(np.argmin(worth))]

@@ -186,6 +186,11 @@ class Canvas:
         """The numbers of the added buildings that stand."""
         return self.first + np.flatnonzero(self.alive[self.first : self.count])
 
+    def movable(self) -> Indices:
+        """The numbers of the added buildings that no row of the brief put where they are."""
+        rows = self.added()
+        return rows[[self.how[k - self.first] != "row" for k in rows.tolist()]]
+
     def layout(self) -> GrownLayout:
         """What was added, as a layout without scores."""
         rows = self.added()
