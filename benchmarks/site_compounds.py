@@ -24,6 +24,7 @@ from shapely import affinity
 from benchmarks.comparison import ratio
 from benchmarks.real_data import data_set, skipped
 from benchmarks.site_reco import STOREY, Designed, asked, compounds, sizes_of
+from benchmarks.site_rules import measure_rules
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.scene import Piece, Pose, Size
@@ -59,6 +60,10 @@ FIGURES = (
     ("outside", "1", "sum"),
     ("near", "1", "sum"),
     ("unreached", "1", "sum"),
+    ("doors", "share", "mean"),
+    ("lanes", "share", "mean"),
+    ("courts", "1", "sum"),
+    ("parking", "share", "mean"),
     ("valid", "share", "mean"),
     ("left_out", "1", "sum"),
     ("unplaceable", "1", "sum"),
@@ -100,8 +105,10 @@ def compare(site: Site, designed: Designed, seed: int = 0) -> Pair:
     solution = solve(brief, seed=seed)
     took = {"seconds": time.perf_counter() - begun[0], "cpu": time.process_time() - begun[1]}
     placed = [p for p in solution.pieces if p.category == "building"]
-    theirs = measured(wishes, pieces_of(wishes, designed), designed.footprints)
+    given = pieces_of(wishes, designed)
+    theirs = measured(wishes, given, designed.footprints) | measure_rules(wishes, given)
     ours = measured(wishes, placed, moved_footprints(designed, placed)) | took
+    ours |= measure_rules(wishes, placed)
     ours["left_out"] = len(designed.boxes) - len(placed)
     ours["unplaceable"] = unplaceable(wishes)
     none = {"left_out": 0, "unplaceable": 0}

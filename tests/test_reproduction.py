@@ -9,11 +9,17 @@ from typing import NamedTuple
 
 import pytest
 
-HALL, HOME = "hall", "home"
-DEFAULTS = {HALL: "test_hall_as_printed", HOME: "test_home_as_printed"}
+HALL, HOME, SITE = "hall", "home", "site"
+DEFAULTS = {
+    HALL: "test_hall_as_printed",
+    HOME: "test_home_as_printed",
+    SITE: "test_site_as_printed",
+}
+SHARED = ("engine/", "geometry/")
 NUMBERED = {
     HALL: [f"eq. {number}" for number in range(1, 10)],
     HOME: [f"C{number}" for number in range(1, 8)],
+    SITE: [f"({number})" for number in range(1, 26)],
 }
 
 
@@ -44,7 +50,7 @@ def lines(root: Path) -> list[Line]:
     return lines_of((root / "docs" / "reproduction.md").read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("domain", [HALL, HOME])
+@pytest.mark.parametrize("domain", [HALL, HOME, SITE])
 def test_every_numbered_equation_has_its_line(lines: list[Line], domain: str) -> None:
     printed = [line.printed for line in lines if line.domain == domain]
     assert len(printed) >= 19
@@ -54,7 +60,7 @@ def test_every_numbered_equation_has_its_line(lines: list[Line], domain: str) ->
 def test_every_function_named_is_there(lines: list[Line]) -> None:
     for line in lines:
         path, _, names = line.function.partition(".")
-        home = "" if path.startswith("engine/") else f"domains.{line.domain}."
+        home = "" if path.startswith(SHARED) else f"domains.{line.domain}."
         found = import_module(f"scenewright.{home}{path.replace('/', '.')}")
         for name in names.split("."):
             found = getattr(found, name)

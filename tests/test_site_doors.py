@@ -18,7 +18,7 @@ from scenewright.domains import check, scene_of
 from scenewright.domains.site.plan import plans_of, site_plan
 from scenewright.formats import solution_json
 from scenewright.geometry.wavefront import find_quickest
-from scenewright.ground.path_tree import cut_tree
+from scenewright.ground.path_tree import cut_tree, square_off
 from scenewright.ground.pathways import lay_pathways
 from scenewright.ground.works import Pathway
 from sites import building, site
@@ -177,3 +177,25 @@ def test_trees_of_ways_are_the_quickest_and_share_no_piece():
             total += np.hypot(here // 30 - last // 30, here % 30 - last % 30)
             here = last
         assert total == pytest.approx(times[goal])
+
+
+@settings(max_examples=80, deadline=None)
+@given(st.integers(0, 10_000))
+def test_stretches_aslant_become_two_legs_over_free_ground(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    slow = np.where(rng.random((20, 26)) < 0.15, np.inf, rng.uniform(1, 2, (20, 26)))
+    path = rng.integers(0, slow.size, 4).astype(np.int32)
+    slow.reshape(-1)[path] = 1.0
+    found = square_off(path, slow).tolist()
+    assert [cell for cell in found if cell in path] == path.tolist() or len(set(path)) < 4
+    corners = [k for k, cell in enumerate(found) if cell not in path]
+    for k in corners:
+        for a, b in ((found[k - 1], found[k]), (found[k], found[k + 1])):
+            (r0, c0), (r1, c1) = divmod(a, 26), divmod(b, 26)
+            assert r0 == r1 or c0 == c1
+            rows, columns = sorted((r0, r1)), sorted((c0, c1))
+            leg = slow[rows[0] : rows[1] + 1, columns[0] : columns[1] + 1]
+            assert np.isfinite(leg).all()
+    empty = square_off(path, np.ones_like(slow)).tolist()
+    steps = [np.subtract(divmod(a, 26), divmod(b, 26)) for a, b in pairwise(empty)]
+    assert all(np.abs(step).min() < 2 for step in steps)

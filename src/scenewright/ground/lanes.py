@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scenewright.core.space import Points
 from scenewright.geometry.wavefront import find_quickest
 from scenewright.ground.path_raster import PathRaster, is_drivable
-from scenewright.ground.path_tree import straighten, trace
+from scenewright.ground.path_tree import square_off, straighten, trace
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import Pathway
 
@@ -194,7 +194,8 @@ def _lay_lane(
     piece = trace(tree.before, goal, used)
     joins = piece[-1] in used
     used.update(piece)
-    line = raster.points_of(straighten(piece, tree.slow, raster.cell))
+    straight = straighten(piece, tree.slow, raster.cell)
+    line = raster.points_of(square_off(straight, tree.slow))
     if len(line) < 2:
         line = np.stack([line[0], line[0] + (raster.cell, 0.0)])
     dense = shapely.get_coordinates(shapely.segmentize(shapely.LineString(line), 0.5))

@@ -19,8 +19,9 @@ from scenewright.geometry.wavefront import find_quickest
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 
-PAVED = 0.45
-"""What a metre costs that other ways use, of what it costs otherwise."""
+PAVED, LEAST = 0.45, 2
+"""What a metre costs that other ways use, of what it costs otherwise; rows and columns that a
+stretch must cross to be aslant."""
 
 
 def grow_paths(slow: Floats, cell: float, starts: Ints, goals: Ints, before: Ints) -> list[Ints]:
@@ -77,3 +78,39 @@ def straighten(piece: Sequence[int] | Ints, slow: Floats, cell: float) -> Ints:
     kept = np.empty_like(path)
     count = string_pull(path, slow, times * (1.0 + 1e-9), cell, kept)
     return kept[:count]
+
+
+def square_off(path: Ints, slow: Floats) -> Ints:
+    """Cells (k,) of a straightened piece, with a corner for each stretch aslant to the raster where
+    the ground along both legs is free: ways run along rows and across them. Of the two corners
+    the one that goes on straight, else the quicker.
+
+    >>> square_off(np.array([0, 10], np.int32), np.ones((3, 5))).tolist()
+    [0, 10]
+    >>> square_off(np.array([0, 14], np.int32), np.ones((3, 5))).tolist()
+    [0, 4, 14]
+    """
+    columns, kept = slow.shape[1], [int(path[0])]
+    for here in path[1:].tolist():
+        last = kept[-1]
+        (r0, c0), (r1, c1) = divmod(last, columns), divmod(here, columns)
+        if min(abs(r1 - r0), abs(c1 - c0)) >= LEAST:
+            legs = {
+                r0 * columns + c1: _time_of_legs(slow, r0, c0, c1, r1),
+                r1 * columns + c0: _time_of_legs(slow.T, c0, r0, r1, c1),
+            }
+            before = kept[-2] if len(kept) > 1 else last
+            onward = [k for k in legs if k // columns == before // columns == r0]
+            onward += [k for k in legs if k % columns == before % columns == c0]
+            free = [k for k in legs if np.isfinite(legs[k])]
+            best = [k for k in onward if k in free and before != last] or free
+            kept += sorted(best, key=legs.__getitem__)[:1]
+        kept.append(here)
+    return np.array(kept, np.int32)
+
+
+def _time_of_legs(slow: Floats, row: int, start: int, corner: int, end: int) -> float:
+    """What the cells along a row, then from its ``corner`` along that column, cost."""
+    first = slow[row, min(start, corner) : max(start, corner) + 1]
+    second = slow[min(row, end) : max(row, end) + 1, corner]
+    return float(first.sum() + second.sum())

@@ -77,7 +77,8 @@ def _of_plan(plan: SitePlan, works: GroundWorks) -> Iterator[GroundSurface]:
 
 
 def paved(pathways: Sequence[Pathway], kind: str) -> shapely.Geometry:
-    """The ground that ways of a kind cover, with round bends.
+    """The ground that ways of a kind cover, with round bends. The ends of lanes are round too:
+    there is room for a disc of their width.
 
     >>> round(paved([Pathway("walk", 2.0, ((0, 0), (10, 0)))], "walk").area)
     20
@@ -85,7 +86,8 @@ def paved(pathways: Sequence[Pathway], kind: str) -> shapely.Geometry:
     rows = [row for row in pathways if row.kind == kind]
     lines = np.array([shapely.LineString(row.line) for row in rows], object)
     half = np.array([row.width / 2 for row in rows])
-    return shapely.union_all(shapely.buffer(lines, half, cap_style="flat", quad_segs=4))
+    ends = "round" if kind == "lane" else "flat"
+    return shapely.union_all(shapely.buffer(lines, half, cap_style=ends, quad_segs=4))
 
 
 def _paved_areas(works: GroundWorks, *kinds: str) -> shapely.Geometry:

@@ -13,7 +13,7 @@ from scenewright.core.space import Points
 from scenewright.geometry.wavefront import find_quickest
 from scenewright.ground.lanes import corners_of_line, lead_out, measure_ground
 from scenewright.ground.path_raster import PathRaster
-from scenewright.ground.path_tree import grow_paths, straighten
+from scenewright.ground.path_tree import grow_paths, square_off, straighten
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import Pathway
 
@@ -106,7 +106,9 @@ def _draw_lines(
     raster: PathRaster, slow: Floats, pieces: list[Ints], built: NDArray[np.object_]
 ) -> list[Floats]:
     """Pieces of ways pulled straight, but where that leads too near to what is ``built``."""
-    straight = [raster.points_of(straighten(piece, slow, raster.cell)) for piece in pieces]
+    straight = [
+        raster.points_of(square_off(straighten(piece, slow, raster.cell), slow)) for piece in pieces
+    ]
     rows = [shapely.LineString(np.repeat(line, 2, axis=0)) for line in straight]
     lines = np.array(rows, object)
     near = shapely.STRtree(built).query(lines, predicate="dwithin", distance=0.5 * WALK + KERB)[0]

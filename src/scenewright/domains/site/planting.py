@@ -18,7 +18,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.site.problem import Floats
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.surfaces import kerb
-from scenewright.ground.works import GroundWorks
+from scenewright.ground.works import GroundWorks, PavedArea
 
 TREES = 900
 """Most trees of a site."""
@@ -28,6 +28,8 @@ GROVE = 6.5
 """Side of the squares that hold at most one tree of a grove, in metres."""
 LAMPS, LAMP_IN = 28.0, 0.45
 """Distance of the lamps of a street, and how far inside its edge they stand, in metres."""
+RIM = 4.0
+"""How far inside the edge of a square its trees stand, in metres."""
 FROM_BUILDINGS, FROM_WAYS, FROM_WALKS, FROM_BORDER = 4.6, 1.4, 1.3, 2.5
 SCALES = (0.75, 0.88, 1.0, 1.15)
 """Sizes of trees, few so that files can share their meshes."""
@@ -56,7 +58,9 @@ def green(
     ground = _ground(plan, works, buildings)
     beside = np.concatenate([np.zeros((0, 2)), *(_avenue(way) for way in plan.roads)])
     beside = beside[:: max(1, len(beside) // (8 * TREES))]
-    rows = _apart(_clear(beside, ground), 0.55 * AVENUE)[: 2 * TREES // 3]
+    around = _clear(_rim_of_squares(works), ground._replace(walks=_walks(works)), False)
+    rows = np.vstack([around, _clear(beside, ground)])
+    rows = _apart(rows, 0.55 * AVENUE)[: 2 * TREES // 3]
     groves = _groves(plan, ground, rows, rng)[: TREES - len(rows)]
     species = np.concatenate([np.zeros(len(rows)), _waves(groves, 55.0, rng) < -0.35])
     sizes = rng.integers(len(SCALES), size=len(rows) + len(groves))
@@ -77,13 +81,27 @@ def _ground(plan: SitePlan, works: GroundWorks, buildings: Sequence[Piece]) -> G
         shapely.Polygon(plan.outline, plan.holes).buffer(-FROM_BORDER),
         shapely.STRtree(shapely.polygons(corners(np.array(boxes).reshape(-1, 5)))),
         shapely.STRtree(areas),
-        shapely.STRtree(
-            [
-                *(shapely.LineString(p.line).buffer(0.5 * p.width) for p in works.pathways),
-                *(shapely.Polygon(a.outline) for a in works.areas if a.kind != "court"),
-            ]
-        ),
+        _walks(works, *(a for a in works.areas if a.kind != "court")),
     )
+
+
+def _walks(works: GroundWorks, *areas: PavedArea) -> shapely.STRtree:
+    """The ways of a site and some areas, which trees keep clear of."""
+    ways = [shapely.LineString(p.line).buffer(0.5 * p.width) for p in works.pathways]
+    return shapely.STRtree([*ways, *(shapely.Polygon(area.outline) for area in areas)])
+
+
+def _rim_of_squares(works: GroundWorks) -> Floats:
+    """Places (n, 2) of trees round the rim of squares."""
+    found = [np.zeros((0, 2))]
+    for area in works.areas:
+        inner = shapely.Polygon(area.outline).buffer(-RIM, join_style="mitre")
+        if area.kind == "square" and inner.area > RIM * RIM:
+            count = max(round(inner.exterior.length / AVENUE), 4)
+            at = np.arange(count) / count
+            points = inner.exterior.interpolate(at, normalized=True)
+            found.append(shapely.get_coordinates(points))
+    return np.concatenate(found)
 
 
 def _clear(points: Floats, ground: GreenGround, border: bool = True) -> Floats:

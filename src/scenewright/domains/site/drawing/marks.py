@@ -194,7 +194,11 @@ def pathways_mark(view: PaperView, works: GroundWorks) -> Mark:
             line(to_paper(view, np.array(row.line)), stroke_width=max(row.width * view.scale, FINE))
             for row in rows
         ]
-        marks.append(group(lines, fill="none", stroke=colour, stroke_linejoin="round"))
+        cap = "round" if kind == "lane" else "butt"
+        drawn = group(
+            lines, fill="none", stroke=colour, stroke_linejoin="round", stroke_linecap=cap
+        )
+        marks.append(drawn)
     return group(marks)
 
 
