@@ -89,7 +89,7 @@ def area_below(
     edges: Floats, first: int, last: int, u0: float, v0: float, u1: float, v1: float
 ) -> float:
     """Signed share of one directed edge of another polygon in the area it has in common with the
-    ring of some edges."""
+    ring of edges (e, 4) ``first`` to ``last`` - 1."""
     total = 0.0
     left, right = (u0, u1) if u0 < u1 else (u1, u0)
     for e in range(first, last):

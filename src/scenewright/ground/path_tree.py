@@ -38,7 +38,8 @@ def grow_paths(slow: Floats, cell: float, starts: Ints, goals: Ints, before: Int
 
 
 def cut_tree(before: Ints, goals: Sequence[int]) -> list[list[int]]:
-    """The ways from goals back to their starts as pieces that share only their ends.
+    """The ways from goals back to their starts as pieces that share only their ends; ``before``
+    (cells,) is the cell each is reached from, -1 at a start.
 
     >>> cut_tree(np.array([-1, 0, 1, 1]), [2, 3])
     [[1, 0], [2, 1], [3, 1]]
@@ -56,7 +57,8 @@ def cut_tree(before: Ints, goals: Sequence[int]) -> list[list[int]]:
 
 
 def trace(before: Ints, goal: int, ends: Container[int]) -> list[int]:
-    """The cells from a goal back to its start, or to the first of some ``ends`` on the way.
+    """The cells from a goal back to its start, or to the first of some ``ends`` on the way;
+    ``before`` (cells,) as in :func:`cut_tree`.
 
     >>> trace(np.array([-1, 0, 1, 2]), 3, {1})
     [3, 2, 1]
@@ -70,7 +72,8 @@ def trace(before: Ints, goal: int, ends: Container[int]) -> list[int]:
 
 
 def straighten(piece: Sequence[int] | Ints, slow: Floats, cell: float) -> Ints:
-    """A piece without the cells between which a straight way is no slower."""
+    """A piece (k,) of cells without those between which a straight way is no slower; ``slow``
+    (rows, columns) is what a metre takes, ``cell`` metres."""
     path, columns = np.array(piece, np.int32), slow.shape[1]
     step = np.hypot(np.diff(path // columns), np.diff(path % columns)) * cell
     rate = slow.reshape(-1)[path]

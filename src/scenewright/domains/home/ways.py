@@ -121,7 +121,8 @@ def _stands(piece: Piece, catalog: Catalog) -> bool:
 
 
 def used_from(piece: Piece, side: int, depth: float, slopes: Floats) -> list[float]:
-    """The box before one side of a piece; deeper if one has to bend down there."""
+    """The box before one side of a piece; deeper if one has to bend down under ``slopes`` (k,
+    6)."""
     near = _access(piece, side, depth)
     low = len(slopes) and lowest(np.array([near]), slopes, np.inf)[0] < HEADROOM
     return _access(piece, side, depth + BENDING) if low else near

@@ -93,7 +93,7 @@ def stand(outlines: list[Points], sizes: list[int]) -> StandingHouses:
 
 
 def add(standing: StandingHouses, shape: Any, frame: Floats, size: int) -> StandingHouses:
-    """The same and one more house."""
+    """The same and one more house at ``frame`` (8,)."""
     shapes = np.empty(len(standing.shapes) + 1, object)
     shapes[:-1], shapes[-1] = standing.shapes, shape
     frames = np.concatenate([standing.frames, frame[None]])

@@ -58,7 +58,7 @@ def relate(
 
 
 def fold(angle: Floats) -> Floats:
-    """An angle modulo a right angle, without sign: in [0, π/4].
+    """Angles (n,) modulo a right angle, without sign: in [0, π/4].
 
     >>> fold(np.array([0.1, -0.1, np.pi / 2 + 0.2])).round(3).tolist()
     [0.1, 0.1, 0.2]

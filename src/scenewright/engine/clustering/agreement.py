@@ -66,8 +66,8 @@ def nearest_share(vectors: Floats, classes: Indices) -> float:
 
 
 def k_entropy(vectors: Floats, classes: Indices, k: int = 4) -> float:
-    """The mean k-entropy impurity of a descriptor, in bits: 0 if the k nearest of every model are
-    of one class.
+    """The mean k-entropy impurity of descriptors (n, d), in bits: 0 if the k nearest of every
+    model are of one class (n,).
 
     >>> k_entropy(np.array([[0.0], [0.1], [5.0], [5.1]]), np.array([0, 0, 1, 1]), 1)
     0.0

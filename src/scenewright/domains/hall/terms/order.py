@@ -20,8 +20,9 @@ from scenewright.geometry.compiled import inlined
 def count_lines(
     p: PreparedHall, s: State, frames: Floats, first: int, last: int, sign: int
 ) -> float:
-    """Enter (sign 1) or strike out (-1) the middles of objects ``first`` to ``last`` - 1 in the
-    lines along both axes of the hall; how many more lines there are than before."""
+    """Enter (sign 1) or strike out (-1) the middles of objects ``first`` to ``last`` - 1 of
+    ``frames`` (n, 8) in the lines along both axes of the hall; how many more lines there are than
+    before."""
     change = 0
     for i in range(first, last):
         for axis in range(2):

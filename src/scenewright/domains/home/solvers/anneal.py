@@ -194,8 +194,8 @@ def _run_stages(setup: Setup, chains: Chains, budget: Budget) -> tuple[list[Chai
 
 
 def have_agreed(energies: Floats, settings: ChainSettings) -> bool:
-    """Whether three chains came to the same lowest energy, each by itself: more work would find
-    nothing better, so in small rooms half of it is saved.
+    """Whether three of the chains (c,) came to the same lowest energy, each by itself: more work
+    would find nothing better, so in small rooms half of it is saved.
 
     >>> usual = ChainSettings()
     >>> have_agreed(np.array([250.3, 310.0, 250.0, 250.9]), usual)

@@ -121,7 +121,8 @@ def to_wall(frame: Frame, walls: Floats, stream: Stream) -> Frame:
 
 @inlined
 def resize(frame: Frame, limits: Floats, scale: float, stream: Stream) -> Frame:
-    """Another width or depth within the limits; the back and one side edge keep their place."""
+    """Another width or depth within the limits (4,); the back and one side edge keep their
+    place."""
     w, d, kind = 2.0 * frame[4], 2.0 * frame[5], uniform(stream)
     if kind < 0.5:
         w = min(max(w + scale * (limits[2] - limits[0]) * bell(stream), limits[0]), limits[2])
@@ -143,7 +144,8 @@ def beside(frame: Frame, other: Frame, stream: Stream) -> Frame:
 def relate(frame: Frame, other: Frame, first: bool, target: Floats, stream: Stream) -> Frame:
     """Where a relation wants this item, given the other: distance, angle, bearing.
 
-    ``first`` if this is the item the bearing is measured from. What is left open is drawn.
+    ``first`` if this is the item the bearing is measured from; what is left open in ``target`` (3,)
+    (NaN) is drawn.
     """
     distance = abs(target[0]) if not math.isnan(target[0]) else 1.0 + 2.0 * uniform(stream)
     angle = target[1] if not math.isnan(target[1]) else QUARTER * int(4.0 * uniform(stream))

@@ -24,7 +24,8 @@ def drawn_heading(lines: Floats, stream: Stream) -> float:
 
 @inlined
 def in_block(p: SitePrepared, i: int, lines: Floats, stream: Stream) -> Frame:
-    """Somewhere within the bounds of a block, blocks drawn by their area."""
+    """Somewhere within the bounds of a block, blocks drawn by their area, headed as
+    ``lines`` (2,) say."""
     b, rest = 0, uniform(stream)
     while b + 1 < p.blocks.shape[0] and p.blocks[b, 6] <= rest:
         b += 1
@@ -50,7 +51,8 @@ def beside(p: SitePrepared, frame: Frame, other: Frame, stream: Stream) -> Frame
 def propose(
     p: SitePrepared, s: SiteState, i: int, heat: float, lines: Floats, stream: Stream
 ) -> Frame:
-    """A move of building ``i``; ``heat`` from 1 to 0 sets how far small moves go."""
+    """A move of building ``i``; ``heat`` from 1 to 0 sets how far small moves go, ``lines`` (2,)
+    are as in :func:`drawn_heading`."""
     frame, n, kind = read_frame(s.frames, i), s.frames.shape[0], uniform(stream)
     if frame[4] <= 0.0:
         frame = in_block(p, i, lines, stream)

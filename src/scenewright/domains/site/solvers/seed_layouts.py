@@ -67,7 +67,7 @@ def _seed_layout(
 
 
 def subset(made: Buildings, rows: Ints) -> Buildings:
-    """The buildings of some rows."""
+    """The buildings of some rows (k,)."""
     return Buildings(
         made.sizes[rows],
         made.quality[rows],

@@ -232,7 +232,7 @@ def look(p: SitePrepared, s: SiteState, i: int, frame: Frame, out: Floats) -> No
 
 @inlined
 def look_around(p: SitePrepared, s: SiteState, i: int, frame: Frame, out: Floats) -> None:
-    """Add the pairs of building ``i`` at ``frame`` to its costs."""
+    """Add the pairs of building ``i`` at ``frame`` to its costs ``out`` (terms,)."""
     b, x, y = s.buckets, frame[0], frame[1]
     far = grow_frame(frame, max(p.measures[0], p.measures[1]))[6] + b.reach
     left, right = column_of(b, x - far), column_of(b, x + far)

@@ -209,7 +209,8 @@ def printed_ratio(terms: Floats, weights: Floats) -> Floats:
 
 
 def fitness_of_cost(ratio: Floats, greatest: float) -> Floats:
-    """f_cost of (6): E_max - E_eval, but not below 0; higher is better, whatever its name.
+    """f_cost of (6) of ratios (n,): E_max - E_eval, but not below 0; higher is better, whatever its
+    name.
 
     >>> fitness_of_cost(np.array([0.5, 3.0]), 2.0).tolist()
     [1.5, 0.0]

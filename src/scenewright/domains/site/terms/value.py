@@ -67,7 +67,8 @@ def make_worth(problem: SiteProblem, liked: Floats | None = None) -> Worth:
 
 @inlined
 def tone_difference(s: SiteState, facts: Floats, i: int) -> float:
-    """Mean difference of tone between building ``i`` and its neighbours, 0 without any."""
+    """Mean difference of tone, column 3 of ``facts`` (n, 8), between building ``i`` and its
+    neighbours; 0 without any."""
     b, a = s.buckets, read_frame(s.frames, i)
     far = a[6] + NEAR + b.reach
     left, right = column_of(b, a[0] - far), column_of(b, a[0] + far)

@@ -64,7 +64,7 @@ def find_category(network: Art1Network, pattern: Floats, settings: Art1Settings)
 def present(
     network: Art1Network, pattern: Floats, rating: float, settings: Art1Settings
 ) -> tuple[Art1Network, int]:
-    """The network after a rated pattern, and the category it is in.
+    """The network after a rated pattern (bits,), and the category it is in.
 
     Resonance: V¹² ← (1 - β) V¹² + β (V¹² ⊙ x), V²¹ ← 2 V¹² ⊙ x / (1 + V¹² · x), with the prototype
     before. A new category has V¹² = x and V²¹ = 1 / (1 + x x), where x is 1.
@@ -100,8 +100,8 @@ def learn_ratings(patterns: Floats, ratings: Floats, settings: Art1Settings) -> 
 def rate_pattern(
     network: Art1Network, pattern: Floats, middle: float, settings: Art1Settings
 ) -> float:
-    """What the network would rate a pattern: the mean of its category; ``middle`` if it fits
-    none."""
+    """What the network would rate a pattern (bits,): the mean of its category; ``middle`` if it
+    fits none."""
     found = find_category(network, pattern, settings)
     return middle if found is None else float(network.ratings[found] / network.members[found])
 
@@ -116,7 +116,7 @@ def encode_alleles(genomes: Ints, alleles: Sequence[int]) -> Floats:
 
 
 def measure_rmse(truth: Floats, told: Floats) -> float:
-    """σ of (24): the root mean square error on ratings that were not learned from.
+    """σ of (24): the root mean square error on ratings (n,) that were not learned from.
 
     >>> measure_rmse(np.array([1.0, 3.0]), np.array([2.0, 3.0]))
     0.7071067811865476
@@ -125,7 +125,7 @@ def measure_rmse(truth: Floats, told: Floats) -> float:
 
 
 def measure_error(truth: Floats, told: Floats) -> float:
-    """ξ of (25): the sum of absolute errors.
+    """ξ of (25): the sum of absolute errors of ratings (n,).
 
     >>> measure_error(np.array([1.0, 3.0]), np.array([2.0, 3.0]))
     1.0
@@ -149,8 +149,8 @@ told a rating."""
 
 
 def may_take_over(truth: Floats, told: Floats, stage: TakeoverStage) -> bool:
-    """Whether a network may rate in the person's place, by test ratings it has not learned from;
-    not without any.
+    """Whether a network may rate in the person's place, by test ratings (n,) it has not learned
+    from; not without any.
 
     >>> may_take_over(np.array([4.0, 2.0]), np.array([4.0, 3.0]), STAGES[0])
     True

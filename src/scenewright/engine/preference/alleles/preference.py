@@ -160,8 +160,8 @@ def estimate_from_best(bests: Ints, ratings: Floats, gene: int, allele: int) -> 
 
 
 def measure_difference(ratings: Floats, best: float, threshold: float) -> float:
-    """ρ of (12): Σ |F(x_i) - F(x)| / (n - 1) less a threshold; at 0 or below individuals are as
-    good as alike and the global search ends.
+    """ρ of (12): Σ |F(x_i) - F(x)| / (n - 1) of ratings (n,) less a threshold; at 0 or below
+    individuals are as good as alike and the global search ends.
 
     >>> measure_difference(np.array([3.0, 3.0, 4.0]), 3.0, 0.6)
     -0.09999999999999998

@@ -43,12 +43,13 @@ def centre_ratings(ratings: Floats, form: Form = "repaired") -> Floats:
 
 
 def measure_deviation(centred: Floats) -> float:
-    """γ of (15) and (16): the root of the squares of centred values over n - 1."""
+    """γ of (15) and (16): the root of the squares of centred values (n,) over n - 1."""
     return float(np.sqrt((centred**2).sum() / max(len(centred) - 1, 1)))
 
 
 def correlate_variable(values: Floats, ratings: Floats, form: Form = "repaired") -> float:
-    """κ of (19): the correlation of a variable with the ratings; 0 where one does not vary.
+    """κ of (19): the correlation of a variable (n,) with the ratings (n,); 0 where one does not
+    vary.
 
     As printed it divides by n where (15) and (16) divide by n - 1, so a perfect correlation is
     (n - 1) / n, and takes (18) as it is. Repaired: Pearson's.
@@ -63,8 +64,9 @@ def correlate_variable(values: Floats, ratings: Floats, form: Form = "repaired")
 
 
 def choose_split(points: Floats, ratings: Floats, form: Form = "repaired") -> int:
-    """The variable the space is divided along: that which goes with the ratings the most. As
-    printed the greatest κ, so one that lowers them by as much is never chosen; repaired: |κ|.
+    """The variable the space of points (n, d) is divided along: that which goes with the ratings
+    (n,) the most. As printed the greatest κ, so one that lowers them by as much is never chosen;
+    repaired: |κ|.
 
     >>> choose_split(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 0.5]]), np.array([3.0, 2.0, 1.0]))
     0
