@@ -24,6 +24,8 @@ LARGEST = 160
 """Buildings up to which a layout is annealed: each move measures all of them."""
 HOT = 0.02
 """Energy that is given up at the start as often as not."""
+ROWS = 0.1
+"""What a neighbour at its place counts against the misfit of features."""
 SLIDE = 3.0
 """Metres a row or a building slides at most, as a standard deviation."""
 
@@ -64,11 +66,17 @@ def anneal(canvas: Canvas, rng: np.random.Generator, steps: int) -> GrownLayout:
 
 
 def _energy(canvas: Canvas, source: dict[str, Floats], layout: GrownLayout) -> float:
-    """Misfit of features, and coverage missed."""
+    """Misfit of features and coverage missed, less how well neighbours agree."""
     problem = canvas.problem
+    rows = canvas.movable()
+    worth = [worth_of(canvas, canvas.boxes[k, :3], int(canvas.origin[k]), int(k)) for k in rows]
     short = abs(canvas.covered - canvas.wanted) / max(canvas.wanted, 1.0)
     short = short if problem.number is None else 0.0
-    return misfit_of(source, measure_grown(problem, layout)) + 2.0 * short
+    return (
+        misfit_of(source, measure_grown(problem, layout))
+        + 2.0 * short
+        - ROWS * float(np.mean(worth))
+    )
 
 
 def take_back(canvas: Canvas, undo: Undo) -> None:
