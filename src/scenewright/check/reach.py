@@ -173,6 +173,11 @@ def _used_from(bodies: Bodies, rooms: Rooms, i: int, depth: float) -> Shape:
     return shapely.multipolygons([_before(corners, side, depth, space) for side in sides])
 
 
+def before_sides(bodies: Bodies, row: int, depth: float) -> list[Shape]:
+    """The boxes before the sides that a piece is used from, ``depth`` metres deep."""
+    return [_beyond(bodies.corners[row], side, depth) for side in bodies.kinds[row].access]
+
+
 def _before(corners: Floats, side: str, depth: float, space: Space) -> Shape:
     """The box before one side of a piece of a space."""
     near = _beyond(corners, side, depth)

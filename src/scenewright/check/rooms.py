@@ -24,6 +24,7 @@ from scenewright.check.routes import (
 )
 from scenewright.check.spaces import room_figures
 from scenewright.check.stairs import find_blocked_stairs
+from scenewright.check.usability import measure_usability
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
 from scenewright.core.report import Finding, Note, count_by_kind
@@ -82,6 +83,7 @@ def judge_rooms(walked: Walked, groups: Sequence[Members] = ()) -> Verdict:
     figures = {
         "navigable_share": navigable_share(bodies, rooms, walked.grounds),
         "reachable_share": reachable_share(bodies, rooms, walked.grounds, walked.narrow),
+        "usability": measure_usability(bodies, rooms, walked.grounds, findings),
         "rooms": room_figures(bodies, rooms),
     }
     return Verdict(findings, unreached, figures | ({"outlets": connected} if connected else {}))

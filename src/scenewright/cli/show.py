@@ -104,7 +104,21 @@ def print_report(console: Console, report: Report) -> None:
             f"{share:.0%}{level}" for level, share in zip(levels, shares.values(), strict=True)
         )
         print_line(console, f"walkable floor: {text}", "dim")
+    _usability(console, report.figures.get("usability", {}))
     _halls(console, report.figures.get("halls", {}))
+
+
+def _usability(console: Console, figures: Mapping[str, Any]) -> None:
+    """The figures of the occupancy grid on a line, those there are."""
+    words = {
+        "wfr": "{:.0%} of the floor free",
+        "nav": "{:.0%} of that in one part",
+        "acc": "{:.0%} of sides to use clear",
+        "mcw": "narrowest way {:.2f} m",
+    }
+    told = [words[key].format(figures[key]) for key in words if figures.get(key) is not None]
+    if told:
+        print_line(console, f"usability: {', '.join(told)}", "dim")
 
 
 def _wishes(console: Console, report: Report) -> None:

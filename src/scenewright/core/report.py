@@ -83,9 +83,9 @@ class Report:
     """The verdict on a solution.
 
     ``figures`` holds ``pieces`` and ``counts`` (findings by kind), ``navigable_share`` and
-    ``reachable_share`` by level, ``rooms`` (pieces, floor area in square metres and density of
-    each space) and, for answers with a scene graph, ``halls`` (measures, passages, tour, ways out
-    of each space).
+    ``reachable_share`` by level, ``usability`` (of the occupancy grid), ``rooms`` (pieces, floor
+    area in square metres and density of each space) and, for answers with a scene graph, ``halls``
+    (measures, passages, tour, ways out of each space).
     """
 
     findings: tuple[Finding, ...]
