@@ -1,39 +1,40 @@
 """How soon a person is shown what she likes: ``scenewright bench person``.
 
 **Simulated** persons (:mod:`benchmarks.person_raters`) on a flat and on a site of thirty. 0 is the
-mean of layouts by chance, 1 the best that a long search finds which knows the truth (home: a
-genetic algorithm of 3,600 layouts; site: the best of a pool of 400, of which whoever looks at many
-sees the most; ``--full`` adds the site without a pool). An *action* is one event sent, a
-*look* one candidate shown for the first time. *Satisfaction* is that of the champion, what the
-person has chosen so far.
+mean of layouts by chance, 1 the best that a search finds which knows the truth (a genetic
+algorithm of 60 layouts and 60 generations) or that anybody was shown. An *action* is one event
+sent, a *look* one candidate shown for the first time. *Satisfaction* is that of the champion, what
+the person has chosen so far. Four persons a case, ``--full`` twenty, on two processes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
 from statistics import median
 from typing import Any, NamedTuple
 
 from benchmarks import person_genetic, person_methods
 from benchmarks.person_methods import SearchStep
 from benchmarks.person_raters import SimulatedPerson
-from benchmarks.person_world import World, home_world, site_world, wide_site_world
+from benchmarks.person_world import World, home_world, site_world
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
-SCREENS, RATINGS = 12, 284
-LONG, WIDE = 60, 8
-"""Generations of the search that knows the truth: for a home, and for a site solved anew."""
-BRED_SEEDS = 5
-POOL = 400
-"""Layouts of the site that persons choose from."""
+SCREENS, RATINGS = 11, 284
+LONG = 60
+"""Generations of the search that knows the truth."""
 ACTIONS, LOOKS = 60, 120
 MARKS = (12, 24, 30, 48, 60)
-SEEDS, QUICK_SEEDS, FIRST_SEED = 20, 2, 1000
+FULL_SEEDS, SEEDS, QUICK_SEEDS, FIRST_SEED = 20, 4, 2, 1000
 """Persons, beginning with a number that was not used for tuning."""
+NOISY = "ours, noise doubled"
+PROCESSES = 2
 METHODS: dict[str, tuple[Callable[..., Iterator[SearchStep]], int]] = {
     "ours": (person_methods.ours, SCREENS),
+    NOISY: (person_methods.ours, SCREENS),
     "rated GA": (person_genetic.rated_ga, RATINGS),
     "TIGA": (person_genetic.tiga, RATINGS),
     "paper-repaired": (person_genetic.paper, RATINGS),
@@ -43,72 +44,79 @@ METHODS: dict[str, tuple[Callable[..., Iterator[SearchStep]], int]] = {
 
 
 class PersonRun(NamedTuple):
-    """One person and one method: its steps, and the scale of satisfaction."""
+    """One person and one method: its steps, how much the champion is liked after each, and how
+    much the best of all is."""
 
-    method: str
     steps: tuple[SearchStep, ...]
-    person: SimulatedPerson
+    liked: tuple[float, ...]
     top: float
 
     def satisfaction(self, actions: int) -> float:
         """Satisfaction with the champion after so many actions."""
-        done = [s for s in self.steps if s.actions <= actions] or [self.steps[0]]
-        return self.person.truth(done[-1].champion) / self.top
+        done = [k for k, step in enumerate(self.steps) if step.actions <= actions] or [0]
+        return self.liked[done[-1]] / self.top
 
     def shown(self) -> float:
         """The best ever shown, as satisfaction."""
         return self.steps[-1].best / self.top
 
 
-def run(world: World, method: str, seed: int, noise: float = 1.0) -> PersonRun:
-    """One method for one person."""
-    person = SimulatedPerson(world, FIRST_SEED + seed, noise)
-    search, much = METHODS[method]
-    top = person_genetic.find_best(world, person, seed, WIDE if "bred" in world.name else LONG)
-    return PersonRun(method, tuple(search(world, person, seed, much)), person, top)
+def run_person(world: World, seed: int) -> dict[str, PersonRun]:
+    """All methods for one person."""
+    found: dict[str, PersonRun] = {}
+    top = person_genetic.find_best(world, SimulatedPerson(world, FIRST_SEED + seed), seed, LONG)
+    for method, (search, much) in METHODS.items():
+        person = SimulatedPerson(world, FIRST_SEED + seed, 2.0 if method == NOISY else 1.0)
+        steps = tuple(search(world, person, seed, much))
+        liked = tuple(person.truth(step.champion) for step in steps)
+        top = max(top, steps[-1].best)
+        found[method] = PersonRun(steps, liked, 0.0)
+    return {method: one._replace(top=top) for method, one in found.items()}
 
 
 def records(quick: bool, progress: Progress, *, full: bool = False) -> Iterator[Record]:
     """Records of all methods on a home and on a site."""
-    seeds = QUICK_SEEDS if quick else SEEDS
+    seeds = QUICK_SEEDS if quick else FULL_SEEDS if full else SEEDS
     worlds: dict[str, Callable[[], World]] = {
         "home": partial(home_world, "home-studio" if quick else "home-flat"),
-        "site": partial(site_world, *(("site-courtyards", 40) if quick else ("site-30", POOL))),
+        "site": partial(site_world, "site-courtyards" if quick else "site-30"),
     }
     for number, (case, make) in enumerate(worlds.items()):
         progress(number / 2, f"{case}: layouts")
-        world, runs = make(), dict[str, list[PersonRun]]()
-        for k, method in enumerate(METHODS):
-            progress((number + (k + 1) / 8) / 2, f"{case}: {method}")
-            runs[method] = [run(world, method, seed) for seed in range(seeds)]
-        progress((number + 7 / 8) / 2, f"{case}: twice the noise")
-        noisy = [run(world, "ours", seed, 2.0) for seed in range(seeds)]
-        yield from summarise(case, runs, noisy)
-    if full:
-        yield from _bred_site(progress)
+        world = make()
+        persons = []
+        for one in run_persons(world, range(seeds)):
+            persons.append(one)
+            progress((number + len(persons) / seeds) / 2, f"{case}: {len(persons)} persons")
+        yield from summarise(case, {name: [one[name] for one in persons] for name in METHODS})
 
 
-def _bred_site(progress: Progress) -> Iterator[Record]:
-    """The site without a pool, for a few persons: an hour on two cores. 1 is the best that a
-    search which knows the truth, or any method, found."""
-    progress(1.0, "site, bred: layouts")
-    world, runs = wide_site_world(), dict[str, list[PersonRun]]()
-    for method in METHODS:
-        progress(1.0, f"site, bred: {method}")
-        runs[method] = [run(world, method, seed) for seed in range(BRED_SEEDS)]
-    noisy = [run(world, "ours", seed, 2.0) for seed in range(BRED_SEEDS)]
-    every = [*runs.values(), noisy]
-    tops = [max(max(o[k].top, o[k].steps[-1].best) for o in every) for k in range(BRED_SEEDS)]
-    level = [[one._replace(top=top) for one, top in zip(o, tops, strict=True)] for o in every]
-    yield from summarise("site, bred", dict(zip(METHODS, level, strict=False)), level[-1])
+def run_persons(world: World, seeds: Iterable[int]) -> Iterator[dict[str, PersonRun]]:
+    """All methods for persons, in order, on :data:`PROCESSES` processes that share the world."""
+    forks = get_context("fork")
+    lines = [forks.Pipe(duplex=False) for _ in range(PROCESSES)]
+    every = list(seeds)
+    running = [
+        forks.Process(target=_send_persons, args=(line[1], world, every[k::PROCESSES]), daemon=True)
+        for k, line in enumerate(lines)
+    ]
+    for process in running:
+        process.start()
+    for number, _ in enumerate(every):
+        yield lines[number % PROCESSES][0].recv()
+    for process in running:
+        process.join()
 
 
-def summarise(
-    case: str, runs: dict[str, list[PersonRun]], noisy: list[PersonRun]
-) -> Iterator[Record]:
+def _send_persons(line: Connection, world: World, seeds: list[int]) -> None:
+    for seed in seeds:
+        line.send(run_person(world, seed))
+
+
+def summarise(case: str, runs: dict[str, list[PersonRun]]) -> Iterator[Record]:
     """Medians over persons, beside each other method."""
-    ours, count = runs["ours"], len(noisy)
-    for method in list(runs)[1:]:
+    ours, noisy, count = runs["ours"], runs[NOISY], len(runs["ours"])
+    for method in [name for name in runs if name not in ("ours", NOISY)]:
         for mark in MARKS:
             mine = median(one.satisfaction(mark) for one in ours)
             theirs = median(one.satisfaction(mark) for one in runs[method])
@@ -145,9 +153,9 @@ def _reached(
     first = []
     for mine, other in zip(ours, theirs, strict=True):
         enough = [
-            s
-            for s in _within(mine)
-            if mine.person.truth(s.champion) / mine.top >= other.shown() - 1e-9
+            step
+            for step, liked in zip(_within(mine), mine.liked, strict=False)
+            if liked / mine.top >= other.shown() - 1e-9
         ]
         first.append(enough[0] if enough else None)
     got = [s for s in first if s is not None]
@@ -160,6 +168,8 @@ def _reached(
         yield _record(
             case, "actions until then", median(s.actions for s in got), None, rival, len(got), "1"
         )
+        looks = median(s.looks for s in got)
+        yield _record(case, "looks until then", looks, None, rival, len(got), "1")
 
 
 def _record(

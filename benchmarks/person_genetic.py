@@ -131,7 +131,7 @@ def estimate(
 
 
 def _begin(world: World, rng: np.random.Generator) -> list[Genome]:
-    return [world.look(g)[0] for g in draw_genomes(world.genes, 99, POPULATION, rng)]
+    return draw_genomes(world.genes, 99, POPULATION, rng)
 
 
 def breed(
@@ -159,21 +159,18 @@ def breed(
         for k, gene in enumerate(world.genes):
             if rng.random() < MUTATED:
                 child[k] = int(rng.integers(0, gene.alleles))
-        changed = tuple(child) not in (one, other)
-        made.append(world.take(tuple(child), {one, other, *made}) if changed else one)
+        made.append(tuple(child))
     return made
 
 
 def find_best(world: World, person: SimulatedPerson, seed: int, generations: int) -> float:
-    """What a search that knows the truth finds: the best of the pool, or of so many
-    ``generations`` of a genetic algorithm of 60 individuals."""
-    if world.many:
-        return max(person.truth(g) for g in world.many)
+    """What a search that knows the truth finds: the best of so many ``generations`` of a genetic
+    algorithm of 60 individuals."""
     rng = np.random.default_rng([seed, 6])
-    genomes = [world.look(g)[0] for g in draw_genomes(world.genes, 99, 60, rng)]
+    genomes = draw_genomes(world.genes, 99, 60, rng)
     best = -np.inf
     for _ in range(generations):
-        sane = np.array([-9.0 * world.look(g)[1].lacking for g in genomes])
+        sane = np.array([-9.0 * world.look(g).lacking for g in genomes])
         fitness = np.array([person.truth(g) for g in genomes]) + sane
         best = max(best, float(fitness.max()))
         genomes = breed(world, genomes, fitness, rng, genomes[int(fitness.argmax())])

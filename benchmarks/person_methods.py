@@ -26,7 +26,7 @@ from scenewright.workflow.evolution.population import (
 PICKS, WORSTS, REASONS = 3, 2, 1
 """Marks a screen: the best ones in order, the worst ones, and reasons why the best, the worst and
 the second best are no better."""
-LINEAR = Kernel(4.0, 1e-6, 1e-6)
+LINEAR = tastes.TasteRule(Kernel(4.0, 0.0, 0.0), 0)
 
 
 class SearchStep(NamedTuple):
@@ -53,7 +53,7 @@ def bradley_terry(
 ) -> Iterator[SearchStep]:
     """A linear model of pairs (Bradley, Terry 1952, over features): the same marks but no reasons,
     the best by its mean and some by chance."""
-    return _learn(world, person, seed, screens, ScreenMix(greedy=10), False)
+    return _learn(world, person, seed, screens, ScreenMix(learning=0, least=1, greedy=1.0), False)
 
 
 def _learn(
@@ -66,10 +66,11 @@ def _learn(
     champion: Genome | None = None
     actions, best, trust = 0, -np.inf, TrustRecord()
     taste = tastes.PersonTaste(world.scale, None, np.zeros(len(world.scale.names)))
-    kernels = tastes.KERNELS if ours_ else (LINEAR,)
+    rule = tastes.TasteRule() if ours_ else LINEAR
     for screen in range(screens):
         before = taste
-        _breed(world, before, known, numbers, screen, np.random.default_rng([seed, 2, screen]), how)
+        breeding = np.random.default_rng([seed, 2, screen])
+        _breed(world, before, known, numbers, screen, breeding, how, mix.wide(before.heard))
         rows = [g for g in numbers if known[g].lacking == 0]
         values = np.array([known[g].values for g in rows])
         seen = np.array([g in shown for g in rows])
@@ -86,19 +87,19 @@ def _learn(
         events += told
         actions += len(told)
         by_number = {k: known[g].values for k, g in enumerate(numbers)}
-        taste = tastes.learn_taste(world.scale, events, by_number, world.reasons, kernels=kernels)
+        taste = tastes.learn_taste(world.scale, events, by_number, world.reasons, rule=rule)
         yield SearchStep(actions, len(shown), champion, best, trust)
 
 
-def _breed(world, taste, known, numbers, screen, rng, how) -> None:  # type: ignore[no-untyped-def]
+def _breed(world, taste, known, numbers, screen, rng, how, wide) -> None:  # type: ignore[no-untyped-def]
     """The next candidates, as the product breeds them."""
     parents = rank_parents(taste, list(known.values()), how.parents)
     genomes = breed_genomes(world.genes, parents, set(known), screen, rng, how)
     if screen:
         begun = [*parents, *genomes]
-        genomes = breed_further(world.breeder, taste, begun, set(known), screen, rng, how)
-    for wanted in genomes:
-        genome, row = world.look(world.take(wanted, known))
+        genomes = breed_further(world.breeder, taste, begun, set(known), screen, rng, how, wide)
+    for genome in genomes:
+        row = world.look(genome)
         if genome not in known:
             known[genome] = BredLayout(genome, row.values, row.lacking, row.lacking == 0)
             numbers.append(genome)
@@ -131,9 +132,7 @@ def random_search(
     champion: Genome | None = None
     best = -np.inf
     for screen in range(screens):
-        drawn: list[Genome] = []
-        for wanted in draw_genomes(world.genes, 99, 12, rng):
-            drawn.append(world.take(wanted, shown.union(drawn)))
+        drawn = draw_genomes(world.genes, 99, 12, rng)
         chosen = drawn if champion is None else [champion, *drawn[:11]]
         shown |= set(chosen)
         best = max(best, *(person.truth(g) for g in chosen))

@@ -47,9 +47,7 @@ class Taster(NamedTuple):
 def make_taster(world: World, seed: int) -> Taster:
     """A person: a few features liked or disliked, of those that vary."""
     rng = np.random.default_rng([77, seed])
-    rows = [
-        world.look(g)[1] for g in draw_genomes(world.genes, 99, FIRST, np.random.default_rng(1))
-    ]
+    rows = [world.look(g) for g in draw_genomes(world.genes, 99, FIRST, np.random.default_rng(1))]
     hidden = np.array([row.unseen for row in rows])
     dims = len(world.scale.names)
     varying = np.flatnonzero(np.isfinite(world.scale.spread))
@@ -85,7 +83,7 @@ class SimulatedPerson:
     def truth(self, genome: Genome) -> float:
         """How much a layout is liked, without noise."""
         if genome not in self._truth:
-            self._truth[genome] = like(self.taster, self.world, self.world.look(genome)[1])
+            self._truth[genome] = like(self.taster, self.world, self.world.look(genome))
         return self._truth[genome]
 
     def best(self, among: Sequence[Genome], sign: float = 1.0) -> Genome:
@@ -96,7 +94,7 @@ class SimulatedPerson:
 
     def reason(self, genome: Genome) -> str | None:
         """What a layout lacks most, of the reasons there are; none if nothing would help."""
-        row, now = self.world.look(genome)[1], self.truth(genome)
+        row, now = self.world.look(genome), self.truth(genome)
         gain, noise = {}, self._tired()
         for words, wanted in self.world.reasons.items():
             step = reason_step(self.world.scale, wanted)

@@ -1,13 +1,13 @@
 """Where simulated persons look for layouts: briefs whose layouts are made and measured quickly.
 
 A home is put together from rooms solved beforehand, so any genome can be had in a fraction of a
-millisecond. A site takes a fifth of a second, so its layouts come from a pool made once: a genome
-stands for the nearest of the pool.
+millisecond. Of a site only the buildings are placed, without ways and trees, which takes some
+hundredths of a second.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 from scenewright import domains
 from scenewright.core.breeding import Breeder, Gene, Genome
 from scenewright.core.solution import Solution
+from scenewright.domains.site.breeding import draft_site, prepare_grounds
+from scenewright.domains.site.features import DEVELOPED
 from scenewright.engine.preference.features import boxes_of, stands_on_floor
 from scenewright.engine.preference.taste import FeatureScale, Reasons, measure_scale
 from scenewright.formats import read
@@ -40,24 +42,15 @@ class SeenLayout(NamedTuple):
 
 
 class World(NamedTuple):
-    """A brief to evolve: its ``genes``, ``look`` at what a genome stands for (that genome, and its
-    layout), the scale of the features, the reasons of its domain, and ``many`` genomes that can
-    be looked at (empty: any)."""
+    """A brief to evolve: its ``genes``, ``look`` at what a genome stands for, the scale of the
+    features, the reasons of its domain and its breeder."""
 
     name: str
     genes: tuple[Gene, ...]
-    look: Callable[[Genome], tuple[Genome, SeenLayout]]
+    look: Callable[[Genome], SeenLayout]
     scale: FeatureScale
     reasons: Reasons
     breeder: Breeder
-    many: tuple[Genome, ...] = ()
-
-    def take(self, genome: Genome, known: Container[Genome]) -> Genome:
-        """What a genome stands for, if possible none of those ``known``."""
-        if not self.many:
-            return genome
-        free = [other for other in self.many if other not in known] or list(self.many)
-        return free[int((np.array(free) != np.array(genome)).sum(1).argmin())]
 
 
 def measure_unseen(solution: Solution) -> Floats:
@@ -90,78 +83,43 @@ def home_world(sample: str = "home-flat") -> World:
     names: list[str] = []
     known: dict[Genome, SeenLayout] = {}
 
-    def look(genome: Genome) -> tuple[Genome, SeenLayout]:
+    def look(genome: Genome) -> SeenLayout:
         if genome not in known:
             told, lacking = measure(genome)
             names[:] = list(told)
             unseen = measure_unseen(breeder.develop(genome))
             known[genome] = SeenLayout(np.array(list(told.values())), unseen, lacking)
-        return genome, known[genome]
+        return known[genome]
 
     rng = np.random.default_rng(0)
-    rows = [look(genome)[1] for genome in draw_genomes(genes, ALLELES, FIRST, rng)]
+    rows = [look(genome) for genome in draw_genomes(genes, ALLELES, FIRST, rng)]
     scale = measure_scale(names, np.array([row.values for row in rows]))
     return World(
         sample, genes, look, scale, domains.reasons_of("home"), breeder._replace(genes=genes)
     )
 
 
-def site_world(sample: str = "site-30", size: int = 400) -> World:
-    """A site of thirty buildings: a pool of ``size`` layouts."""
+def site_world(sample: str = "site-30") -> World:
+    """A site of thirty buildings; where a genome leaves some out, what it develops into."""
     brief = read(f"sample:{sample}")
     plan = domains.plan_of(brief)
-    breeder = domains.breeder_of(brief, plan)
-    rng = np.random.default_rng(0)
-    drawn = list(dict.fromkeys(draw_genomes(breeder.genes, 99, size, rng)))
-    names: list[str] = []
+    breeder, ready = domains.breeder_of(brief, plan), prepare_grounds(brief, plan)
+    usual = domains.features_of(breeder.develop((0,) * len(breeder.genes)), plan)
+    names, known = list(usual), dict[Genome, SeenLayout]()
 
-    def develop(genome: Genome) -> SeenLayout:
-        solution = breeder.develop(genome)
-        told = domains.features_of(solution, plan)
-        names[:] = list(told)
-        lacking = sum(out.required for out in solution.left_out)
-        return SeenLayout(np.array(list(told.values())), measure_unseen(solution), lacking)
-
-    develop(drawn[0])
-    with ThreadPoolExecutor(2) as pool:
-        layouts = list(pool.map(develop, drawn))
-    sane = [(g, row) for g, row in zip(drawn, layouts, strict=True) if not row.lacking]
-    genomes, rows = [g for g, _ in sane], [row for _, row in sane]
-    table = np.array(genomes)
-
-    def look(genome: Genome) -> tuple[Genome, SeenLayout]:
-        nearest = int((table != np.array(genome)).sum(1).argmin())
-        return genomes[nearest], rows[nearest]
-
-    scale = measure_scale(names, np.array([row.values for row in rows]))
-    reasons, many = domains.reasons_of("site"), tuple(genomes)
-    return World(sample, breeder.genes, look, scale, reasons, breeder._replace(measure=None), many)
-
-
-def wide_site_world(sample: str = "site-30") -> World:
-    """The same site without a pool: every layout is solved when it is first asked for."""
-    brief = read(f"sample:{sample}")
-    plan = domains.plan_of(brief)
-    breeder = domains.breeder_of(brief, plan)
-    names: list[str] = []
-    known: dict[Genome, SeenLayout] = {}
-
-    def look(genome: Genome) -> tuple[Genome, SeenLayout]:
+    def look(genome: Genome) -> SeenLayout:
         if genome not in known:
-            solution = breeder.develop(genome)
-            told = domains.features_of(solution, plan)
-            names[:] = list(told)
+            solution, _ = draft_site(ready, genome)
+            solution = breeder.develop(genome) if solution is None else solution
             lacking = sum(out.required for out in solution.left_out)
-            known[genome] = SeenLayout(
-                np.array(list(told.values())), measure_unseen(solution), lacking
-            )
-        return genome, known[genome]
+            told = domains.features_of(solution, plan) | {name: usual[name] for name in DEVELOPED}
+            values = np.array([told[name] for name in names])
+            known[genome] = SeenLayout(values, measure_unseen(solution), lacking)
+        return known[genome]
 
     drawn = draw_genomes(breeder.genes, 99, FIRST, np.random.default_rng(1))
-    rows = [look(genome)[1] for genome in drawn]
-    scale = measure_scale(names, np.array([row.values for row in rows]))
-    reasons = domains.reasons_of("site")
-    return World(f"{sample}, bred", breeder.genes, look, scale, reasons, breeder)
+    scale = measure_scale(names, np.array([look(genome).values for genome in drawn]))
+    return World(sample, breeder.genes, look, scale, domains.reasons_of("site"), breeder)
 
 
 def breeding_of(world: World) -> BreedingPlan:

@@ -109,14 +109,15 @@ def test_the_mode_is_the_highest_point_of_the_posterior() -> None:
 
 def test_the_posterior_is_that_of_sampling() -> None:
     """Prior draws weighed by their likelihood, half a million of them; the mode of what is skewed
-    lies a little below its mean."""
+    lies a little below its mean, the more so the wider the prior."""
+    kernel = Kernel(2.0, 0.5, 0.3)
     points = np.array([[0.0, 0.0], [1.0, 0.2], [-0.7, 1.0]])
     choices = (Choice(0, (0, 1, 2)), Choice(2, (1, 2), -1.0))
-    found = fit_posterior(Seen(points, np.zeros(3), choices), Kernel())
+    found = fit_posterior(Seen(points, np.zeros(3), choices), kernel)
     new = np.array([[0.5, -1.0]])
     mean, covariance = predict(found, new)
     every = np.vstack([points, new])
-    prior = kernel_matrix(Kernel(), every, every) + 1e-9 * np.eye(4)
+    prior = kernel_matrix(kernel, every, every) + 1e-9 * np.eye(4)
     rng = np.random.default_rng(0)
     draws = rng.standard_normal((500_000, 4)) @ np.linalg.cholesky(prior).T
     first = draws[:, 0] - np.log(np.exp(draws[:, :3]).sum(1))

@@ -23,7 +23,8 @@ class Breeder(NamedTuple):
     says: the same genome gives the same solution, of the brief as it was given. It may be called
     by several threads. ``measure`` tells the features of what a genome develops into, and how
     much that was asked for it lacks, where that is far quicker than developing it: of known
-    parts put together anew."""
+    parts put together anew, of buildings without ways. NaN is what only developing
+    tells; there need be no features where something lacks."""
 
     genes: tuple[Gene, ...]
     develop: Callable[[Genome], Solution]

@@ -1,107 +1,189 @@
-"""Sites bred by planar form, distances, open ground, order of the buildings and chance."""
+"""Sites bred block by block: a genome says how each is filled and what ground is kept open."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
-from functools import partial
-from typing import Any, NamedTuple, get_args
+from functools import cache, partial
+from typing import NamedTuple
+from zlib import crc32
 
 import numpy as np
 import shapely
 
+from scenewright.catalog.loading import catalog_of
 from scenewright.core.breeding import Breeder, Gene, Genome
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
-from scenewright.domains.site.brief import Building, FormName, Site
+from scenewright.domains.site.brief import Site
+from scenewright.domains.site.features import DEVELOPED, measure_features
+from scenewright.domains.site.furnish import buildings, fixed_buildings, landmarks
+from scenewright.domains.site.holdings import BuildingDemand
 from scenewright.domains.site.plan import plan_sites
-from scenewright.domains.site.solving import solve
+from scenewright.domains.site.presets import PRESETS
+from scenewright.domains.site.problem import SiteProblem
+from scenewright.domains.site.reasons import reasons
+from scenewright.domains.site.solvers.block import FORMS
+from scenewright.domains.site.solvers.chosen import (
+    AXES,
+    GAPS,
+    ORDERS,
+    QUEUES,
+    BlockChoice,
+    SiteChoice,
+    fill_chosen,
+)
+from scenewright.domains.site.solvers.outcome import SiteLayout
+from scenewright.domains.site.solving import Built, assemble_solution, build_site_problem, solve
+from scenewright.domains.site.variants import Variant
+from scenewright.ground.works import GroundWorks
 
-FORMS: tuple[FormName, ...] = get_args(FormName)
-LOOSE = (1.0, 1.15, 1.35, 1.7)
-"""Times the least distance that buildings keep."""
 SETBACKS = (1.0, 1.5, 2.5)
 """Times the least distances to streets and borders."""
 SPOTS = ((0.0, 0.0), (-0.25, 0.0), (0.25, 0.0), (0.0, -0.25), (0.0, 0.25))
 """Where ground may be kept open, in widths and depths of the site off its middle."""
 OPEN = 0.14
 """Radius of the open ground, as a share of the root of the site's area."""
-ORDERS, SEEDS = 8, 8
-MOST_ROWS = 8
-"""Rows of buildings that choose a form of their own; all others share the last gene."""
+MOST_BLOCKS = 8
+"""Blocks that have genes of their own; all further ones share the last."""
 TRIED = 3
-"""Layouts of each block that are tried: chance is in the genes."""
+"""Layouts of each block that are tried where what a genome says leaves out buildings."""
 
 
 class SiteVariation(NamedTuple):
-    """How a site is varied: the form each row of buildings takes, in which order rows are placed,
-    times the least distances of buildings and to streets, and where ground is kept open."""
+    """How a site is varied: how its blocks are filled, times the least distances to streets, and
+    where ground is kept open (0: nowhere)."""
 
-    forms: tuple[int, ...]
-    order: int = 0
-    loose: float = 1.0
+    choice: SiteChoice
     back: float = 1.0
     spot: int = 0
 
 
+class PreparedGround(NamedTuple):
+    """The ground of a variation, made ready to be filled: brief and plan, and of each site what
+    is to stand, with its problem."""
+
+    brief: Brief
+    plan: Plan
+    sites: tuple[tuple[list[BuildingDemand], SiteProblem], ...]
+
+
+Ready = Callable[[float, int], PreparedGround]
+
+
 def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
-    """Genes of a site: the planar form each row of buildings takes (none: any that it may), by
-    how much distances exceed the least, where ground is kept open, in which order rows are
-    placed, and the seed."""
-    rows = max((len(site.buildings) for site in brief.part.sites), default=0)
-    forms = tuple(Gene(f"form {k + 1}", 1 + len(FORMS)) for k in range(min(rows, MOST_ROWS)))
+    """Genes of a site: for each block its planar form (0: the usual one), the way its fronts
+    look, the order its buildings are placed in and how wide gaps may be; for the whole by how
+    much distances to streets exceed the least, where ground is kept open, in which order models
+    are taken and which block comes first."""
+    blocks = max((len(ground.blocks) for ground in plan.detail), default=1)
+    own = min(max(blocks, 1), MOST_BLOCKS)
+    parts = {"form": 1 + len(FORMS), "axis": AXES, "order": len(QUEUES), "gaps": len(GAPS)}
     genes = (
-        *forms,
-        Gene("spacing", len(LOOSE)),
+        *(Gene(f"{part} {k + 1}", count) for k in range(own) for part, count in parts.items()),
         Gene("setbacks", len(SETBACKS)),
         Gene("open space", 1 + len(SPOTS)),
-        Gene("order", ORDERS),
-        Gene("chance", SEEDS),
+        Gene("models", ORDERS),
+        Gene("first block", own),
     )
-    return Breeder(genes, partial(_develop, brief, plan, seed))
+
+    ready = prepare_grounds(brief, plan)
+    return Breeder(genes, partial(_develop, ready, seed), partial(_measure, ready))
 
 
-def _develop(brief: Brief, plan: Plan, seed: int, genome: Genome) -> Solution:
-    """The brief solved as its genome says; where that leaves out buildings, less and less of it."""
-    *forms, loose, back, spot, order, chance = genome
-    wish = SiteVariation(tuple(forms), order, LOOSE[loose], SETBACKS[back], spot)
-    least = wish._replace(loose=1.0, back=1.0)
-    tried = list(dict.fromkeys([wish, least, least._replace(spot=0)]))
-    for variation in tried[:-1]:
+def prepare_grounds(brief: Brief, plan: Plan) -> Ready:
+    """The grounds of a brief's variations, each made ready when it is first asked for."""
+
+    @cache
+    def ready(back: float, spot: int) -> PreparedGround:
+        return _prepare_ground(brief, plan, back, spot)
+
+    return ready
+
+
+def read_genome(genome: Genome) -> SiteVariation:
+    """How a genome says that a site is to be varied."""
+    *blocks, back, spot, ranks, first = genome
+    chosen = [BlockChoice(*blocks[k : k + 4]) for k in range(0, len(blocks), 4)]
+    return SiteVariation(SiteChoice(tuple(chosen), ranks, first), SETBACKS[back], spot)
+
+
+def _develop(ready: Ready, seed: int, genome: Genome) -> Solution:
+    """The brief solved as its genome says; with less and less of it where that leaves out
+    buildings."""
+    wish, asked = read_genome(genome), ready(1.0, 0)
+    for back, spot in dict.fromkeys([(wish.back, wish.spot), (1.0, 0)]):
         with suppress(InputError):
-            found = _solve(brief, seed + chance, variation, plan)
+            ground = ready(back, spot)
+            variant = Variant(choice=wish.choice)
+            found = solve(ground.brief, plan=ground.plan, seed=seed, threads=1, variant=variant)
             if not any(out.required for out in found.left_out):
-                return found
-    return _solve(brief, seed + chance, tried[-1], plan)
+                return replace(found, brief=asked.brief)
+    chance = seed + crc32(bytes(genome)) % 1000
+    return solve(asked.brief, plan=asked.plan, seed=chance, steps=TRIED, threads=1)
 
 
-def _solve(brief: Brief, seed: int, variation: SiteVariation, plan: Plan) -> Solution:
-    sites = [_vary_site(site, variation) for site in brief.part.sites]
+def _measure(ready: Ready, genome: Genome) -> tuple[dict[str, float], int]:
+    """The features of what a genome develops into before ways and trees are laid out; if any
+    building finds no place, none and how many do not."""
+    asked, (found, lacking) = ready(1.0, 0), draft_site(ready, genome)
+    if found is None:
+        return {}, lacking
+    told = measure_features(found, asked.plan)
+    return told | dict.fromkeys(DEVELOPED, math.nan), 0
+
+
+def draft_site(ready: Ready, genome: Genome) -> tuple[Solution | None, int]:
+    """What a genome develops into, with buildings alone; none, and how many do not, if any
+    building finds no place."""
+    wish, asked = read_genome(genome), ready(1.0, 0)
+    least = 0
+    for back, spot in dict.fromkeys([(wish.back, wish.spot), (1.0, 0)]):
+        with suppress(InputError):
+            ground = ready(back, spot)
+            found = [fill_chosen(problem, wish.choice).layouts[0] for _, problem in ground.sites]
+            least = sum(int((~one.present).sum()) for one in found)
+            if not least:
+                return _draft(asked, ground, found), 0
+    return None, least
+
+
+def _draft(asked: PreparedGround, ground: PreparedGround, found: list[SiteLayout]) -> Solution:
+    """Filled sites as a solution, with buildings alone."""
+    catalog, built = catalog_of(asked.brief.catalogs), []
+    for plan, (rows, problem), layout in zip(ground.plan.detail, ground.sites, found, strict=True):
+        pieces = (
+            *landmarks(plan, catalog),
+            *fixed_buildings(plan),
+            *buildings(plan, rows, layout.boxes, layout.present),
+        )
+        terms = reasons(problem, layout, plan.id)
+        built.append(Built(plan.id, pieces, terms, (), 1, GroundWorks(plan.id)))
+    return assemble_solution(asked.brief, built, "default", "fill", 0, 0.0)
+
+
+def _prepare_ground(brief: Brief, plan: Plan, back: float, spot: int) -> PreparedGround:
+    sites = [_vary_site(site, back, spot) for site in brief.part.sites]
+    same = back == 1.0 and not spot
     part = brief.part.model_copy(update={"sites": sites})
-    varied = brief.model_copy(update={"part": part})
-    same = variation.back == 1.0 and not variation.spot and not variation.order
-    ground = plan if same else plan_sites(varied)
-    found = solve(varied, plan=ground, seed=seed, steps=TRIED, threads=1)
-    return replace(found, brief=brief)
+    varied = brief if same else brief.model_copy(update={"part": part})
+    ground, preset = plan if same else plan_sites(varied), PRESETS["default"]
+    catalog = catalog_of(brief.catalogs)
+    ready = tuple(
+        build_site_problem(site, one, f"sites[{number}]", catalog, preset, None)
+        for number, (site, one) in enumerate(zip(sites, ground.detail, strict=True))
+    )
+    return PreparedGround(varied, ground, ready)
 
 
-def _vary_site(site: Site, variation: SiteVariation) -> Site:
-    last = len(variation.forms) - 1
-    rows = [_vary_row(row, variation.forms[min(k, last)]) for k, row in enumerate(site.buildings)]
-    if variation.order:
-        places = np.random.default_rng(variation.order).permutation(len(rows)).tolist()
-        rows = [rows[k] for k in places]
-    update: dict[str, Any] = {
-        "buildings": rows,
-        "spacing": variation.loose * site.spacing,
-        "setback": variation.back * site.setback,
-        "road_setback": variation.back * site.road_setback,
-    }
-    if variation.spot:
-        update["holes"] = [*site.holes, _open_ground(site, SPOTS[variation.spot - 1])]
-    return site.model_copy(update=update)
+def _vary_site(site: Site, back: float, spot: int) -> Site:
+    update = {"setback": back * site.setback, "road_setback": back * site.road_setback}
+    holes = [*site.holes, _open_ground(site, SPOTS[spot - 1])] if spot else site.holes
+    return site.model_copy(update={**update, "holes": holes})
 
 
 def _open_ground(site: Site, spot: tuple[float, float]) -> list[tuple[float, float]]:
@@ -111,12 +193,4 @@ def _open_ground(site: Site, spot: tuple[float, float]) -> list[tuple[float, flo
     middle = floor.centroid
     x, y = middle.x + spot[0] * (east - west), middle.y + spot[1] * (north - south)
     ring = shapely.Point(x, y).buffer(OPEN * floor.area**0.5, quad_segs=4).exterior
-    return [(float(px), float(py)) for px, py in ring.coords[:-1]]
-
-
-def _vary_row(row: Building, form: int) -> Building:
-    """A row of buildings that takes one form, if it may."""
-    name = FORMS[form - 1] if form else ""
-    if not name or (row.forms and name not in row.forms):
-        return row
-    return row.model_copy(update={"forms": [name]})
+    return [(float(px), float(py)) for px, py in np.asarray(ring.coords)[:-1]]

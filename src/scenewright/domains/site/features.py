@@ -35,6 +35,8 @@ REASONS: dict[str, dict[str, float]] = {
     "more trees": {"trees": 1},
 }
 """Reasons by their words: features, and the sign in which they should change."""
+DEVELOPED = ("trees",)
+"""Features that only a whole layout tells, with its ways and what grows between them."""
 
 
 def measure_features(solution: Solution, plan: Plan) -> dict[str, float]:

@@ -39,6 +39,7 @@ from scenewright.domains.site.presets import PRESETS, SitePreset
 from scenewright.domains.site.problem import Flags, SiteProblem
 from scenewright.domains.site.reasons import reasons
 from scenewright.domains.site.solvers import SITE_SOLVERS
+from scenewright.domains.site.solvers.chosen import fill_chosen
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.sunlight import solve_in_sun
 from scenewright.domains.site.variants import Variant, vary
@@ -170,6 +171,8 @@ def _build(
     heard = add_watch(progress, watch, plan.id, partial(_building_rows, rows))
 
     def run(posed: SiteProblem) -> SiteFound:
+        if variant.choice is not None:
+            return fill_chosen(posed, variant.choice)
         found: SiteFound = SITE_SOLVERS[solver].run(posed, budget, seed, heard, cancel)
         return found
 

@@ -6,16 +6,18 @@ import math
 from typing import NamedTuple
 
 from scenewright.domains.site.problem import SiteProblem
+from scenewright.domains.site.solvers.chosen import SiteChoice
 
 
 class Variant(NamedTuple):
     """A planar ``form`` for blocks that have none ("": as asked for); radians by which fronts are
     turned off the preferred heading; the heading of the side that buildings are drawn to (None:
-    none)."""
+    none); how blocks are to be filled, if that was chosen."""
 
     form: str = ""
     turn: float = 0.0
     side: float | None = None
+    choice: SiteChoice | None = None
 
 
 def vary(problem: SiteProblem, variant: Variant) -> SiteProblem:

@@ -44,8 +44,9 @@ class Posterior(NamedTuple):
     evidence: float
 
 
-def fit_posterior(seen: Seen, kernel: Kernel) -> Posterior:
-    """The mode by Newton's method, damped so that no step lowers the posterior."""
+def fit_posterior(seen: Seen, kernel: Kernel, begun: Floats | None = None) -> Posterior:
+    """The mode by Newton's method, damped so that no step lowers the posterior, from the slope
+    ``begun`` (n,) of a posterior of the same points, if there is one."""
     count = len(seen.points)
     prior = kernel_matrix(kernel, seen.points, seen.points) + JITTER * np.eye(count)
     screens = 1 + max((row.screen for row in seen.ratings), default=-1)
@@ -53,7 +54,9 @@ def fit_posterior(seen: Seen, kernel: Kernel) -> Posterior:
     wide[:count, :count] = prior
     wide[count:, count:] = OFFSET * np.eye(screens)
     slope = np.zeros(len(wide))
+    slope[:count] = 0.0 if begun is None else begun
     height, gradient, curvature = _slopes(seen, wide @ slope)
+    height -= 0.5 * float(slope @ wide @ slope)
     for _ in range(NEWTON):
         now = wide @ slope
         aim = np.linalg.solve(np.eye(len(wide)) + curvature @ wide, curvature @ now + gradient)

@@ -1,8 +1,9 @@
 """Which candidates to show next: few enough to look at, and worth the look.
 
-A screen holds the champion, the one predicted best, some drawn by Thompson sampling (each is the
-best under one draw of what the person may like; Thompson 1933) and some that lie farthest from
-all that was shown. The first screen spreads over sane layouts.
+A screen holds the champion, those predicted best, some drawn by Thompson sampling (each is the
+best under one draw of what the person may like; Thompson 1933) and some to learn from: those whose
+worth is least known, each after the others. Screens begin with the latter and end with the
+former. The first screen spreads over sane layouts.
 """
 
 from __future__ import annotations
@@ -17,20 +18,32 @@ from scenewright.engine.preference.taste import PersonTaste, judge, judge_each, 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-
 SHORT = 200
-"""Candidates with the best prospects that are drawn for."""
+"""Candidates with the best prospects that are drawn for, and those least known that are chosen
+from."""
 
 
 class ScreenMix(NamedTuple):
-    """How many candidates a screen has, how many of them are the predicted best and how many the
-    farthest from all shown; the rest is drawn by Thompson sampling. ``apart`` is how much more
-    two of a screen differ at least, as a share of the mean distance of the archive."""
+    """How many candidates a screen has. ``learning`` is how many choices and ratings have to be
+    heard until no more than ``least`` of a screen are there to learn from, ``greedy`` the share of
+    the others that are the predicted best; the rest is drawn by Thompson sampling. ``apart`` is
+    how much more two of a screen differ at least, as a share of the mean distance of the
+    archive."""
 
     size: int = 12
-    greedy: int = 3
-    farthest: int = 2
+    learning: int = 45
+    least: int = 4
+    greedy: float = 0.5
     apart: float = 0.35
+
+    def wide(self, heard: int) -> int:
+        """How many of a screen are there to learn from, after so much was heard.
+
+        >>> [ScreenMix().wide(heard) for heard in (0, 12, 24, 36)]
+        [11, 8, 5, 4]
+        """
+        left = 1.0 - heard / max(self.learning, 1)
+        return max(round((self.size - 1) * left), self.least)
 
 
 def spread_over(points: Floats, count: int, start: int) -> list[int]:
@@ -75,30 +88,35 @@ def choose_screen(
     taken = [] if champion is None else [champion]
     open_ = ~shown
     open_[taken] = False
-    ranked = _rank_by_draws(taste, values, open_, rng, mix)
-    for value in ranked:
-        if len(taken) >= mix.size - mix.farthest:
-            break
+    liked = mix.size - len(taken) - mix.wide(taste.heard)
+    for value in _rank_by_draws(taste, values, open_, rng, liked, round(mix.greedy * liked)):
         _take_best(value, open_, far, least, taken)
-    _take_farthest(far, shown, open_, mix.size, taken)
+    _take_unknown(taste, values, open_, mix.size, taken)
     return taken
 
 
 def _rank_by_draws(
-    taste: PersonTaste, values: Floats, open_: Flags, rng: np.random.Generator, mix: ScreenMix
+    taste: PersonTaste,
+    values: Floats,
+    open_: Flags,
+    rng: np.random.Generator,
+    count: int,
+    greedy: int,
 ) -> list[Floats]:
-    """Values (n,) by which to choose one after the other: predicted means, then draws; those that
-    have no prospect are left out."""
+    """``count`` values (n,) by which to choose one after the other: ``greedy`` times the predicted
+    means, then draws; those that have no prospect are left out."""
+    if count <= 0:
+        return []
     mean, deviation = judge_each(taste, values)
     hope = np.where(open_, mean + deviation, -np.inf)
     short = np.sort(np.argsort(-hope, kind="stable")[:SHORT])
     liking = judge(taste, values[short])
     ranked = []
-    for drawn in _draw(liking.mean, liking.covariance, mix.size, rng):
+    for drawn in _draw(liking.mean, liking.covariance, max(count - greedy, 0), rng):
         wide = np.full(len(mean), -np.inf)
         wide[short] = drawn
         ranked.append(wide)
-    return [mean] * mix.greedy + ranked
+    return [mean] * greedy + ranked
 
 
 def _take_best(value: Floats, open_: Flags, far: Floats, least: float, taken: list[int]) -> None:
@@ -112,16 +130,31 @@ def _take_best(value: Floats, open_: Flags, far: Floats, least: float, taken: li
         open_[best] = False
 
 
-def _take_farthest(far: Floats, shown: Flags, open_: Flags, size: int, taken: list[int]) -> None:
-    """Fill a screen with the rows farthest from all shown and taken."""
-    known = shown.copy()
-    known[taken] = True
-    nearest = far[:, known].min(1) if known.any() else np.full(len(far), np.inf)
-    while len(taken) < size and open_.any():
-        best = int(np.argmax(np.where(open_, nearest, -1.0)))
+def _take_unknown(
+    taste: PersonTaste, values: Floats, open_: Flags, size: int, taken: list[int]
+) -> None:
+    """Fill a screen with rows to learn from."""
+    free = np.flatnonzero(open_)
+    if len(taken) < size and len(free):
+        _, deviation = judge_each(taste, values[free])
+        short = free[np.sort(np.argsort(-deviation, kind="stable")[:SHORT])]
+        taken += [int(short[k]) for k in find_unknown(taste, values[short], size - len(taken))]
+
+
+def find_unknown(taste: PersonTaste, values: Floats, count: int) -> list[int]:
+    """``count`` rows of ``values`` (n, D) to learn from: always that of which least is known once
+    the worth of those before it is (the pivots of Cholesky's decomposition of the covariance; the
+    entropy of Shewry, Wynn 1987)."""
+    rest = judge(taste, values).covariance
+    taken: list[int] = []
+    while len(taken) < min(count, len(values)):
+        left = np.diag(rest).copy()
+        left[taken] = -1.0
+        best = int(np.argmax(left))
         taken.append(best)
-        open_[best] = False
-        nearest = np.minimum(nearest, far[:, best])
+        row = rest[best] / np.sqrt(max(float(rest[best, best]), 1e-12))
+        rest = rest - np.outer(row, row)
+    return taken
 
 
 def _draw(mean: Floats, covariance: Floats, count: int, rng: np.random.Generator) -> Floats:

@@ -25,13 +25,8 @@ from scenewright.engine.preference.events import (
     counting,
 )
 from scenewright.engine.preference.kernel import Kernel
-from scenewright.engine.preference.laplace import (
-    Posterior,
-    Seen,
-    fit_posterior,
-    predict,
-    predict_each,
-)
+from scenewright.engine.preference.laplace import Posterior, Seen, predict, predict_each
+from scenewright.engine.preference.relevance import fit_relevance
 
 Floats = NDArray[np.float64]
 Reasons = Mapping[str, Mapping[str, float]]
@@ -41,16 +36,19 @@ FAR = 3.0
 STAR = 1.0
 """What a star more is worth, in the unit of a choice."""
 STEP, SURE = 1.0, 2.0
-"""A reason says that a layout like this but so many standard deviations further would be better,
-so much more surely than a choice among what is there."""
-KERNELS = (
-    Kernel(1.5, 0.5, 0.3),
-    Kernel(4.0, 1.0, 0.5),
-    Kernel(10.0, 2.0, 1.0),
-    Kernel(2.0, 4.0, 0.5),
-    Kernel(4.0, 8.0, 1.0),
-)
-"""What the evidence chooses from."""
+"""A reason says that a layout like this but so many standard deviations further would be better
+than one moved for any other reason, so much more surely than a choice among what is there."""
+
+
+class TasteRule(NamedTuple):
+    """How a taste is learned: the ``kernel`` one starts from, and in how many ``rounds`` it is
+    found which features matter (0: all alike)."""
+
+    kernel: Kernel = Kernel()
+    rounds: int = 6
+
+
+AS_USUAL = TasteRule()
 
 
 class FeatureScale(NamedTuple):
@@ -62,12 +60,13 @@ class FeatureScale(NamedTuple):
 
 
 class PersonTaste(NamedTuple):
-    """What was learned: the scale of features, the posterior (none before anything was said), and
-    ``start`` (D,), the slopes it started from."""
+    """What was learned: the scale of features, the posterior (none before anything was said),
+    ``start`` (D,), the slopes it started from, and of how many choices and ratings."""
 
     scale: FeatureScale
     posterior: Posterior | None
     start: Floats
+    heard: int = 0
 
 
 class Liking(NamedTuple):
@@ -100,19 +99,18 @@ def learn_taste(
     values: Mapping[int, Floats],
     reasons: Reasons,
     start: Floats | None = None,
-    kernels: Sequence[Kernel] = KERNELS,
+    rule: TasteRule = AS_USUAL,
 ) -> PersonTaste:
     """The taste that ``events`` tell of, with the features of each candidate by its number.
 
-    ``reasons`` are those of the domain; ``start`` (D,) slopes of another taste, standardised. Of
-    the ``kernels`` that is taken for which the events are most likely.
+    ``reasons`` are those of the domain; ``start`` (D,) slopes of another taste, standardised.
     """
     origin = np.zeros(len(scale.names)) if start is None else start
     seen = _observe(scale, counting(events), values, reasons, origin)
     if not (seen.choices or seen.ratings):
         return PersonTaste(scale, None, origin)
-    best = max((fit_posterior(seen, kernel) for kernel in kernels), key=lambda p: p.evidence)
-    return PersonTaste(scale, best, origin)
+    heard = len(seen.choices) + len(seen.ratings)
+    return PersonTaste(scale, fit_relevance(seen, rule.kernel, rule.rounds), origin, heard)
 
 
 def judge(taste: PersonTaste, values: Floats) -> Liking:
@@ -187,13 +185,21 @@ def _observe(
             case Stars(candidate, stars, screen):
                 ratings.append(Rating(row_of(candidate), (stars - 3.0) * STAR, screen))
             case Reason(candidate, reason):
-                wanted = reason_step(scale, reasons.get(reason, {}))
-                if wanted.any():
+                steps = _reason_steps(scale, reasons)
+                if reason in steps:
                     here = row_of(candidate)
-                    points.append(np.clip(points[here] + wanted, -FAR, FAR))
-                    choices.append(Choice(len(points) - 1, (len(points) - 1, here), 1.0, SURE))
+                    moved = range(len(points), len(points) + len(steps))
+                    points += [np.clip(points[here] + step, -FAR, FAR) for step in steps.values()]
+                    chosen = moved[list(steps).index(reason)]
+                    choices.append(Choice(chosen, (here, *moved), 1.0, SURE))
     made = np.array(points).reshape(-1, len(scale.names))
     return Seen(made, made @ start, tuple(choices), tuple(ratings))
+
+
+def _reason_steps(scale: FeatureScale, reasons: Reasons) -> dict[str, Floats]:
+    """The steps (D,) of all reasons that speak of what varies, by their words."""
+    steps = {words: reason_step(scale, wanted) for words, wanted in reasons.items()}
+    return {words: step for words, step in steps.items() if step.any()}
 
 
 def reason_step(scale: FeatureScale, wanted: Mapping[str, float]) -> Floats:

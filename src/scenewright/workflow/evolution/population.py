@@ -13,9 +13,12 @@ from scenewright import domains
 from scenewright.core.breeding import Breeder, Gene, Genome
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
+from scenewright.engine.preference.screens import find_unknown
 from scenewright.engine.preference.taste import PersonTaste, judge_each
 
 Floats = NDArray[np.float64]
+BESIDE = 2
+"""Of how many of the best genomes the neighbours are looked at."""
 
 
 class BreedingPlan(NamedTuple):
@@ -23,7 +26,8 @@ class BreedingPlan(NamedTuple):
     one; ``alleles`` of a gene that may be used at first, and how many more with each screen;
     ``fresh`` share of children made without parents, ``mutated`` genes of a child on average,
     ``crossed`` share of children of two parents, ``parents`` that children are made of; ``rounds``
-    of so large a ``brood`` are bred unseen where genomes can be measured by themselves."""
+    of so large a ``brood`` are bred unseen where genomes can be measured by themselves, by what is
+    predicted and ``hope`` times its standard deviation."""
 
     first: int = 24
     each: int = 24
@@ -33,8 +37,9 @@ class BreedingPlan(NamedTuple):
     mutated: float = 1.2
     crossed: float = 0.7
     parents: int = 12
-    rounds: int = 6
-    brood: int = 120
+    rounds: int = 3
+    brood: int = 64
+    hope: float = 0.7
 
 
 class BredLayout(NamedTuple):
@@ -157,32 +162,72 @@ def breed_further(
     number: int,
     rng: np.random.Generator,
     how: BreedingPlan,
+    wide: int = 0,
 ) -> list[Genome]:
-    """The best of ``how.rounds`` further generations bred by what is predicted, from genomes
-    ``begun``, where genomes can be measured without developing them: mostly what is predicted
-    best, a third for what might be."""
+    """Genomes bred by what is predicted, from genomes ``begun``, where genomes can be measured
+    without developing them: ``wide`` of them to learn from, the others what is predicted best
+    after ``how.rounds`` generations."""
     if breeder.measure is None or taste.posterior is None:
         return [genome for genome in begun if genome not in known][: how.each]
-    pool: dict[Genome, Floats] = {}
-    parents = list(begun)
     open_ = count_open(breeder.genes, len(known), number, how)
+    pool: dict[Genome, Floats] = {}
+    drawn = draw_genomes(breeder.genes, open_, how.brood, rng)
+    _measure_into(pool, breeder, drawn, taste.scale.middle)
+    unseen = [genome for genome in pool if genome not in known]
+    told = np.array([pool[genome] for genome in unseen])
+    chosen = [unseen[k] for k in find_unknown(taste, told, wide)] if wide and unseen else []
+    parents = _rank(taste, pool, list(begun), breeder, how)
     for _ in range(how.rounds):
-        wide = how._replace(each=how.brood)
-        children = breed_genomes(breeder.genes, parents, set(pool), 1, rng, wide, open_)
-        told = [breeder.measure(child) for child in [*parents, *children]]
-        least = min(lacking for _, lacking in told)
-        for genome, (values, lacking) in zip([*parents, *children], told, strict=True):
-            if lacking <= least:
-                pool[genome] = np.array(list(values.values()))
-        mean, deviation = judge_each(taste, np.array(list(pool.values())))
-        order = np.argsort(-(mean + 0.5 * deviation), kind="stable")
-        ranked = [list(pool)[k] for k in order.tolist()]
-        parents = ranked[: 2 * how.parents]
-    fresh = [genome for genome in ranked if genome not in known]
-    best, rest = fresh[: how.each // 2], fresh[how.each // 2 : 6 * how.each]
-    drawn = rng.permutation(len(rest))[: how.each // 4].tolist()
-    chosen = [*best, *(rest[k] for k in sorted(drawn))]
-    return [*chosen, *(g for g in begun if g not in chosen)][: how.each]
+        brood = how._replace(each=how.brood)
+        children = breed_genomes(breeder.genes, parents, set(pool), 1, rng, brood, open_)
+        parents = _rank(taste, pool, children, breeder, how)
+    near = [child for one in parents[:BESIDE] for child in _list_neighbours(one, breeder, open_)]
+    some = [near[k] for k in rng.permutation(len(near))[: how.brood].tolist()]
+    _rank(taste, pool, some, breeder, how)
+    mean, _ = judge_each(taste, np.array(list(pool.values())))
+    ranked = [list(pool)[k] for k in np.argsort(-mean, kind="stable").tolist()]
+    skipped = known.union(chosen)
+    return (chosen + [genome for genome in ranked if genome not in skipped])[: how.each]
+
+
+def _rank(
+    taste: PersonTaste,
+    pool: dict[Genome, Floats],
+    more: Sequence[Genome],
+    breeder: Breeder,
+    how: BreedingPlan,
+) -> list[Genome]:
+    """The most promising of a ``pool`` that some more are taken into, best first."""
+    _measure_into(pool, breeder, more, taste.scale.middle)
+    mean, deviation = judge_each(taste, np.array(list(pool.values())))
+    order = np.argsort(-(mean + how.hope * deviation), kind="stable")[: 2 * how.parents]
+    ranked = list(pool)
+    return [ranked[k] for k in order.tolist()]
+
+
+def _measure_into(
+    pool: dict[Genome, Floats], breeder: Breeder, genomes: Sequence[Genome], usual: Floats
+) -> None:
+    """Measure genomes and add those to a ``pool`` that lack no more than the others; what cannot
+    be measured is as ``usual`` (D,)."""
+    assert breeder.measure is not None
+    told = {genome: breeder.measure(genome) for genome in genomes if genome not in pool}
+    known = [lacking for values, lacking in told.values() if values]
+    least = 0 if pool else min(known, default=0)
+    for genome, (values, lacking) in told.items():
+        if values and lacking <= least:
+            row = np.array(list(values.values()))
+            pool[genome] = np.where(np.isnan(row), usual, row)
+
+
+def _list_neighbours(genome: Genome, breeder: Breeder, open_: int) -> list[Genome]:
+    """All genomes that differ in one gene, by one of the first ``open_`` alleles."""
+    return [
+        (*genome[:k], allele, *genome[k + 1 :])
+        for k, gene in enumerate(breeder.genes)
+        for allele in range(min(gene.alleles, open_))
+        if allele != genome[k]
+    ]
 
 
 def develop_all(

@@ -237,7 +237,8 @@ class Evolution:
             begun = breed_genomes(breeder.genes, parents, known, age, rng, how)
             if taste is None or not rows:
                 return begun
-            return breed_further(breeder, taste, [*parents, *begun], known, age, rng, how)
+            wide = self._mix.wide(taste.heard)
+            return breed_further(breeder, taste, [*parents, *begun], known, age, rng, how, wide)
 
         self._nursery.begin(epoch, screen, choose)
 

@@ -95,14 +95,14 @@ def _fill_blocks(
     at 1 each block takes all it can, not its share."""
     n = len(problem.buildings.sizes)
     boxes, present, forms = np.zeros((n, 5)), np.zeros(n, bool), [""] * n
-    order = _southern_first(problem)
+    order = order_blocks(problem)
     left, done = _low_first(problem), 0
     for count, b in enumerate(order):
         if filling.over(count / len(order), boxes, present, forms) and count:
             break
-        share = left if loosest == 1.0 else _share(problem, left, order[count:])
-        ground = _ground(problem, b, boxes, present, share)
-        about = around(problem, _edges(problem, b), boxes, present)
+        share = left if loosest == 1.0 else share_out(problem, left, order[count:])
+        ground = list_ground(problem, b, boxes, present, share)
+        about = around(problem, list_edges(problem, b), boxes, present)
         effort = (tried if loosest > 1.0 else 4 * tried, loosest)
         over = partial(_over_in_block, filling, count, len(order), boxes, present, forms)
         found = _best(problem, about, b, ground, share, effort, rng, over)
@@ -113,7 +113,7 @@ def _fill_blocks(
             break
         if problem.court_gap > 0.0 and problem.block_forms[b] == "peripheral":
             continue  # what is left would fill the court
-        ground = _ground(problem, b, boxes, present, left)
+        ground = list_ground(problem, b, boxes, present, left)
         form = list_forms(problem, left, b)[0]
         found = lay_out_block(problem, ground, left, problem.facing, form, 1.0)
         left = _record_block(found, left, boxes, present, forms)
@@ -142,10 +142,10 @@ def _record_block(
     return [i for i in left if not present[i]]
 
 
-def _southern_first(problem: SiteProblem) -> list[int]:
+def order_blocks(problem: SiteProblem) -> list[int]:
     """Blocks from the side the fronts look to."""
     front = np.array([math.cos(problem.facing), math.sin(problem.facing)])
-    middles = [_edges(problem, b)[:, :2].mean(0) @ front for b in range(len(_areas(problem)))]
+    middles = [list_edges(problem, b)[:, :2].mean(0) @ front for b in range(len(_areas(problem)))]
     return np.argsort(-np.array(middles), kind="stable").tolist()
 
 
@@ -162,12 +162,12 @@ def _areas(problem: SiteProblem) -> Floats:
     areas = np.asarray(problem.ground.block_areas, np.float64)
     if not any(problem.drawn_to) or len(areas) < 2:
         return areas
-    middles = np.array([_edges(problem, b)[:, :2].mean(0) for b in range(len(areas))])
+    middles = np.array([list_edges(problem, b)[:, :2].mean(0) for b in range(len(areas))])
     off = (middles - middles.mean(0)) @ np.array(problem.drawn_to)
     return areas * np.exp(DRAWN * off / max(float(np.abs(off).max()), 1e-9))
 
 
-def _share(problem: SiteProblem, left: list[int], blocks: list[int]) -> list[int]:
+def share_out(problem: SiteProblem, left: list[int], blocks: list[int]) -> list[int]:
     """The buildings the first of some blocks takes of those that are left: the next ones, up to
     its share of the ground."""
     areas, sizes = _areas(problem), problem.buildings.sizes
@@ -185,16 +185,17 @@ def _ground_of(problem: SiteProblem, size: Floats) -> float:
     return float((size[0] + problem.spacing) * (size[1] + behind))
 
 
-def _edges(problem: SiteProblem, b: int) -> Floats:
+def list_edges(problem: SiteProblem, b: int) -> Floats:
+    """The directed edges (e, 4) of block ``b``, in metres."""
     first, last = problem.ground.block_spans[b]
     return problem.ground.block_edges[first:last]
 
 
-def _ground(
+def list_ground(
     problem: SiteProblem, b: int, boxes: Floats, present: Flags, waiting: list[int]
 ) -> Floats:
     """Edges of a block less what stands near with its distances."""
-    edges, sizes = _edges(problem, b), problem.buildings.sizes
+    edges, sizes = list_edges(problem, b), problem.buildings.sizes
     low, high = edges.reshape(-1, 2).min(0), edges.reshape(-1, 2).max(0)
     standing = np.concatenate([boxes[present], problem.ground.landmarks])
     heights = np.concatenate([sizes[present, 2], problem.ground.landmark_heights])
