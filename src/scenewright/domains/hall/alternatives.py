@@ -21,6 +21,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.hall.presets import PRESETS
 from scenewright.domains.hall.settings import OtherPlansSettings
 from scenewright.domains.hall.solving import solve
+from scenewright.engine.diversity import choose_diverse
 from scenewright.engine.rows import preset_named
 
 Progress = Callable[[float, str], None]
@@ -63,17 +64,8 @@ def choose(
     left = sorted(found, key=_rank)
     energies = np.array([_rank(solution)[1] for solution in left])
     worth = -(energies - energies.min()) / max(float(np.ptp(energies)), 1e-9)
-    taken: list[int] = []
-    while len(taken) < min(count, len(left)):
-        scores = [
-            -np.inf
-            if k in taken
-            else worth[k]
-            - rule.missing * len(left[k].left_out)
-            + rule.different * min((difference(left[k], left[t]) for t in taken), default=0.0)
-            for k in range(len(left))
-        ]
-        taken.append(int(np.argmax(scores)))
+    worth = worth - rule.missing * np.array([len(solution.left_out) for solution in left])
+    taken = choose_diverse(worth, lambda k, t: difference(left[k], left[t]), count, rule.different)
     return [left[k] for k in taken]
 
 

@@ -25,6 +25,7 @@ from scenewright.domains import check
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.settings import VarietySettings
 from scenewright.domains.home.solving import solve
+from scenewright.engine.diversity import choose_diverse
 from scenewright.engine.rows import preset_named
 
 Progress = Callable[[float, str], None]
@@ -39,9 +40,8 @@ WINDS = ("east", "north-east", "north", "north-west", "west", "south-west", "sou
 
 
 class Candidate(NamedTuple):
-    """One answer for one room: from which solution, its patches, energy and what it lacks."""
+    """One answer for one room: its patches, energy and what it lacks."""
 
-    number: int
     patches: tuple[Patch, ...]
     energy: float
     lacking: int
@@ -82,12 +82,10 @@ def choose(
     made = plan or plan_rooms(found[0].brief)
     rooms = made.spaces
     ordered = sorted(found, key=_rank)
-    chosen: dict[str, list[Candidate]] = {room.id: [] for room in rooms}
+    chosen = [_choose_for(ordered, room, count, rule) for room in rooms]
     plans: list[Solution] = []
-    for _ in range(count):
-        for room in rooms:
-            chosen[room.id].append(_next(ordered, room, chosen[room.id], rule))
-        home = compose_home(ordered, [chosen[room.id][-1].number for room in rooms], rooms)
+    for numbers in zip(*chosen, strict=True):
+        home = compose_home(ordered, numbers, rooms)
         if not check(home, plan=made).valid:
             home = max(
                 ordered, key=lambda s: min((difference(s, p, made) for p in plans), default=0.0)
@@ -97,26 +95,27 @@ def choose(
     return tuple(sorted(plans, key=_rank))
 
 
-def _next(
-    found: Sequence[Solution], room: Space, taken: Sequence[Candidate], rule: VarietySettings
-) -> Candidate:
-    """The candidate for a room that adds most to those taken."""
-    known = [_candidate(k, solution, room.id) for k, solution in enumerate(found)]
+def _choose_for(
+    found: Sequence[Solution], room: Space, count: int, rule: VarietySettings
+) -> list[int]:
+    """The solutions that plan after plan takes for a room, each what adds most to those before."""
+    known = [_candidate(solution, room.id) for solution in found]
     energies = np.array([c.energy for c in known])
-    spread = max(float(np.ptp(energies)), 1e-9)
-    scores = [
-        -(c.energy - float(energies.min())) / spread
-        - rule.missing * c.lacking
-        + rule.different * min((_apart(c.patches, t.patches) for t in taken), default=0.0)
-        for c in known
-    ]
-    return known[int(np.argmax(scores))]
+    worth = -(energies - energies.min()) / max(float(np.ptp(energies)), 1e-9)
+    worth = worth - rule.missing * np.array([c.lacking for c in known])
+    return choose_diverse(
+        worth,
+        lambda k, t: _apart(known[k].patches, known[t].patches),
+        count,
+        rule.different,
+        again=True,
+    )
 
 
-def _candidate(number: int, solution: Solution, room: str) -> Candidate:
+def _candidate(solution: Solution, room: str) -> Candidate:
     lacking = sum(out.required for out in solution.left_out if out.space == room)
     patches = tuple(p for p in solution.patches if p.space == room)
-    return Candidate(number, patches, solution.energies.get(room, 0.0), lacking)
+    return Candidate(patches, solution.energies.get(room, 0.0), lacking)
 
 
 def compose_home(

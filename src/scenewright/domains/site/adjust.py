@@ -14,9 +14,10 @@ from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.site.locks import LANDMARK, check_lockable, lock_sites
+from scenewright.domains.site.locks import LANDMARK, WORDS, lock_sites
 from scenewright.domains.site.plan import plan_sites
 from scenewright.domains.site.solving import solve
+from scenewright.ground.locks import check_lockable
 
 
 def adjust(
@@ -55,7 +56,7 @@ def adjust(
 def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
     """The building a name means, if it may be moved and locked."""
     found = find_piece(pieces, name, lambda _piece: False)
-    check_lockable(found)
+    check_lockable(found, *WORDS)
     if found.function == LANDMARK:
         raise InputError(f"'{found.id}' is a landmark", 'change it in the brief, under "landmarks"')
     return (found,)

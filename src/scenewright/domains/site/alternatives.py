@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from itertools import cycle, islice
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
@@ -22,17 +22,18 @@ from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.plan import plan_sites
+from scenewright.domains.site.presets import PRESETS
+from scenewright.domains.site.problem import Floats
+from scenewright.domains.site.settings import SiteVarietySettings
 from scenewright.domains.site.solving import solve
 from scenewright.domains.site.variants import Variant
+from scenewright.engine.diversity import choose_diverse
+from scenewright.engine.rows import preset_named
 from scenewright.ground.plan import SitePlan
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 
-TRIED = 2
-"""Candidates for every plan asked for, and two more."""
-DIFFERENT, LOST = 0.6, 0.05
-"""Weight of differing against being good, and what a building left out costs."""
 FORMS = ("peripheral", "parallel", "half-closed", "staggered", "mixed", "spliced", "point")
 TURNS = (0.0, 0.3, -0.3)
 SIDES = (None, math.pi / 2, -math.pi / 2, 0.0, math.pi)
@@ -52,7 +53,8 @@ def alternatives(
     """``count`` layouts that differ, best first; ``options`` are those of
     :func:`scenewright.domains.site.solving.solve`."""
     made = plan or plan_sites(brief)
-    variants = list_variants(brief.part.sites, TRIED * count + 2)
+    rule = preset_named(PRESETS, options.get("preset", "default")).settings.variety
+    variants = list_variants(brief.part.sites, rule.tried * count + rule.spare)
     found: list[Solution] = []
     for k, variant in enumerate(variants):
         if cancel is not None and cancel() and found:
@@ -62,7 +64,7 @@ def alternatives(
         )
         if progress:
             progress((k + 1) / len(variants), f"plan {k + 1} of {len(variants)}")
-    return tuple(sorted(choose(found, made, count), key=_rank))
+    return tuple(sorted(choose(found, made, count, rule), key=_rank))
 
 
 def list_variants(sites: Sequence[Site], count: int) -> list[Variant]:
@@ -85,39 +87,67 @@ def list_variants(sites: Sequence[Site], count: int) -> list[Variant]:
     return [Variant(), *(Variant(*row) for row in zip(forms, turns, sides, strict=True))]
 
 
-def choose(found: list[Solution], plan: Plan, count: int) -> list[Solution]:
+def choose(
+    found: list[Solution],
+    plan: Plan,
+    count: int,
+    rule: SiteVarietySettings = PRESETS["default"].settings.variety,
+) -> list[Solution]:
     """The best, then those that add most."""
     left = sorted(found, key=_rank)
+    looks = [_look_at(solution, plan) for solution in left]
     energies = np.array([_rank(solution)[1] for solution in left])
-    worth = -(energies - energies.min()) / max(float(np.ptp(energies)), 1e-9)
-    worth = 0.3 * worth - LOST * np.array([_rank(solution)[0] for solution in left])
-    taken = [0] if left else []
-    while len(taken) < min(count, len(left)):
-        scores = [
-            -np.inf
-            if k in taken
-            else worth[k] + DIFFERENT * min(compare(left[k], left[t], plan) for t in taken)
-            for k in range(len(left))
-        ]
-        taken.append(int(np.argmax(scores)))
+    worth = -(energies - energies.min()) / max(float(np.ptp(energies)), 1e-9) if left else energies
+    worth = rule.good * worth - rule.lost * np.array([_rank(solution)[0] for solution in left])
+    taken = choose_diverse(
+        worth, lambda k, t: _differ(looks[k], looks[t]), count, rule.different, first=0
+    )
     return [left[k] for k in taken]
+
+
+class SiteLook(NamedTuple):
+    """What layouts of a site are compared by: the ground built on, shares of it by the eighth of
+    the circle fronts look to (8,), the middle (2,) of the largest open circle, and the site's
+    diagonal in metres."""
+
+    built: shapely.Geometry
+    headings: Floats
+    open: Floats
+    span: float
 
 
 def compare(one: Solution, other: Solution, plan: Plan | None = None) -> float:
     """How much two layouts differ, 0 to 1: the mean of the share of built ground that is not built
     on by both, of how far headings differ, and of how far apart their largest open circles lie, in
     halves of the site's diagonal (at most 1). Of several sites the mean."""
-    made = (plan or plan_sites(one.brief)).detail
-    return float(np.mean([_compare_site(one, other, site) for site in made])) if made else 0.0
+    made = plan or plan_sites(one.brief)
+    return _differ(_look_at(one, made), _look_at(other, made))
 
 
-def _compare_site(one: Solution, other: Solution, site: SitePlan) -> float:
-    a, b = _built(one, site), _built(other, site)
-    union = shapely.union(a, b).area
-    moved = 1.0 - shapely.intersection(a, b).area / union if union > 0.0 else 0.0
-    span = float(np.hypot(*np.ptp(site.outline, axis=0)))
-    apart = np.hypot(*(find_open_circle(one, site) - find_open_circle(other, site))) / (0.5 * span)
-    turned = 0.5 * float(np.abs(_headings(one, site) - _headings(other, site)).sum())
+def _look_at(solution: Solution, plan: Plan) -> list[SiteLook]:
+    """What layouts are compared by, site by site."""
+    return [
+        SiteLook(
+            _built(solution, site),
+            _headings(solution, site),
+            find_open_circle(solution, site),
+            float(np.hypot(*np.ptp(site.outline, axis=0))),
+        )
+        for site in plan.detail
+    ]
+
+
+def _differ(one: list[SiteLook], other: list[SiteLook]) -> float:
+    pairs = zip(one, other, strict=True)
+    return float(np.mean([_differ_on_site(a, b) for a, b in pairs])) if one else 0.0
+
+
+def _differ_on_site(a: SiteLook, b: SiteLook) -> float:
+    union = shapely.union(a.built, b.built).area
+    shared = shapely.intersection(a.built, b.built).area
+    moved = 1.0 - shared / union if union > 0.0 else 0.0
+    apart = np.hypot(*(a.open - b.open)) / (0.5 * a.span)
+    turned = 0.5 * float(np.abs(a.headings - b.headings).sum())
     return (moved + turned + min(float(apart), 1.0)) / 3.0
 
 
@@ -126,7 +156,7 @@ def _built(solution: Solution, site: SitePlan) -> shapely.Geometry:
     return shapely.union_all(polygons_of([p for p in here if p.function != "landmark"]))
 
 
-def _headings(solution: Solution, site: SitePlan) -> np.ndarray[Any, np.dtype[np.float64]]:
+def _headings(solution: Solution, site: SitePlan) -> Floats:
     """Share of built ground by eighths of the circle that fronts look to."""
     shares = np.zeros(8)
     for piece in solution.pieces:
@@ -136,7 +166,7 @@ def _headings(solution: Solution, site: SitePlan) -> np.ndarray[Any, np.dtype[np
     return shares / max(float(shares.sum()), 1e-9)
 
 
-def find_open_circle(solution: Solution, site: SitePlan) -> np.ndarray[Any, np.dtype[np.float64]]:
+def find_open_circle(solution: Solution, site: SitePlan) -> Floats:
     """The middle (2,) of the largest circle without buildings or ways."""
     ways = [shapely.Polygon(a.outline, a.holes) for way in site.roads for a in way.areas]
     marks = [shapely.Polygon(row.footprint) for row in site.landmarks]

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from scenewright.core.brief import Brief
-from scenewright.core.errors import InputError
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import LockedBuilding
+from scenewright.ground.locks import lock_areas
 from scenewright.ground.names import assign_ids
 
 LANDMARK = "landmark"
+WORDS = ("trees and lamps", "buildings")
+"""What cannot be locked, and what can."""
 
 
 def lock_sites(solution: Solution) -> Brief:
@@ -17,30 +19,15 @@ def lock_sites(solution: Solution) -> Brief:
     is asked; all others are free. Landmarks stand by the brief, locked or not."""
     sites = solution.brief.part.sites
     names = assign_ids(sites, "site", "sites")
-    for piece in solution.pieces:
-        check_lockable(piece) if piece.fixed else None
-    updated = []
-    for site, name in zip(sites, names, strict=True):
-        here = [p for p in solution.pieces if p.space == name]
-        ids = {p.id for p in here}
-        locked = [locked_building(p) for p in here if p.fixed and p.function != LANDMARK]
-        unplaced = [row for row in site.fixed if row.id not in ids]
-        updated.append(site.model_copy(update={"fixed": [*locked, *unplaced]}))
+    updated = lock_areas(solution, sites, names, _keep_building, *WORDS)
     part = solution.brief.part.model_copy(update={"sites": updated})
     return solution.brief.model_copy(update={"part": part})
 
 
-def check_lockable(piece: Piece) -> None:
-    """InputError for what cannot be locked: trees and lamps follow the buildings."""
-    if piece.category != "building":
-        raise InputError(
-            f"'{piece.id}' cannot be locked: trees and lamps are placed after the buildings",
-            "lock buildings only",
-        )
-
-
-def locked_building(piece: Piece) -> LockedBuilding:
-    """A building as the brief keeps it."""
+def _keep_building(piece: Piece) -> LockedBuilding | None:
+    """A building as the brief keeps it; no landmark."""
+    if piece.function == LANDMARK:
+        return None
     return LockedBuilding(
         id=piece.id,
         name=piece.function,

@@ -38,12 +38,24 @@ class ChainSettings(NamedTuple):
     moves: int = 4000
 
 
+class SiteVarietySettings(NamedTuple):
+    """Other plans: candidates for each plan asked for, and more; what differing, being good and a
+    building left out weigh."""
+
+    tried: int = 2
+    spare: int = 2
+    different: float = 0.6
+    good: float = 0.3
+    lost: float = 0.05
+
+
 class SiteSettings(NamedTuple):
     """The measure of visual quality (our ``relief`` or as ``printed``), the form of the paper's
-    measures, and how blocks are filled, buildings exchanged and boxes annealed."""
+    measures, and how blocks are filled, buildings exchanged, boxes annealed and plans chosen."""
 
     measure: Measure = "relief"
     form: Literal["printed", "repaired"] = "repaired"
     fill: FillSettings = FillSettings()
     exchange: ExchangeSettings = ExchangeSettings()
     chain: ChainSettings = ChainSettings()
+    variety: SiteVarietySettings = SiteVarietySettings()

@@ -14,9 +14,10 @@ from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.village.locks import check_lockable, lock_village
+from scenewright.domains.village.locks import WORDS, lock_village
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.solving import solve
+from scenewright.ground.locks import check_lockable
 
 OVERLAP = 0.01
 """Square metres shared with a house moved by hand that make another give way."""
@@ -80,7 +81,7 @@ def _solve_again(
 def _find_house(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
     """The house a name means, if it may be moved and locked."""
     found = find_piece(pieces, name, lambda _piece: False)
-    check_lockable(found)
+    check_lockable(found, *WORDS)
     return (found,)
 
 
