@@ -23,7 +23,8 @@ from scenewright.domains.hall.build_problem import HallContext, build_problem, h
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.holdings import HallDemand, collect_demands
-from scenewright.domains.hall.patterns import SINGLE
+from scenewright.domains.hall.on_stage import split_carried
+from scenewright.domains.hall.patterns import SINGLE, WALL
 from scenewright.domains.hall.presets import OURS, PAPER
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
@@ -67,7 +68,7 @@ class Posed(NamedTuple):
 def posed(brief: Brief, seed: int = 0, printed: bool = False) -> Posed:
     """The first hall of a brief ready to be solved, by the paper's preset if ``printed``."""
     hall = hall_in(brief, 0, None)
-    wishes = collect_demands(brief, 0, (), shipped())
+    wishes, _ = split_carried(collect_demands(brief, 0, (), shipped()), hall.fixed)
     weights = PAPER if printed else OURS
     return Posed(hall, wishes, fit(hall, wishes, weights, shipped(), seed, printed))
 
@@ -123,8 +124,9 @@ def _placed(solution: Solution, hall: HallContext, wishes: list[HallDemand]) -> 
     for group in solution.detail.layout.groups:
         if group.space == hall.space.id:
             key = numbers[group.demand], hall.names.index(group.zone)
-            placed.setdefault(key, []).extend(pieces[name] for name in group.objects)
-    return dict(sorted(placed.items()))
+            here = [pieces[name] for name in group.objects if pieces[name].on is None]
+            placed.setdefault(key, []).extend(here)
+    return {key: here for key, here in sorted(placed.items()) if here}
 
 
 def _units(placed: _Placed) -> list[Unit]:
@@ -158,7 +160,7 @@ def _proportion(problem: HallProblem, boxes: Floats) -> tuple[float, int]:
     """E_p over the least spanning trees of the units that stand free, and its pairs."""
     reach, total, pairs = problem.units.clear.max(axis=1), 0.0, 0
     for unit, (first, last) in enumerate(problem.units.spans):
-        if last - first < 2 or problem.units.choices[unit, -1]:
+        if last - first < 2 or problem.units.choices[unit, WALL]:
             continue
         gaps = gaps_of(boxes[first:last])
         for i, j in least_tree(gaps):

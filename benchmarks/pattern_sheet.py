@@ -45,7 +45,12 @@ TARGET = Path(__file__).parent.parent / "docs" / "patterns.svg"
 SCALE = 8.0
 CELL, HEAD = (86.0, 84.0), 19.0
 """Millimetres a metre; millimetres of one cell and of its heading."""
-ROWS = (("chain", "grid", "radiation"), ("circulation", "fan", "wall"), ("mixture", "single"))
+ROWS = (
+    ("chain", "grid", "radiation"),
+    ("circulation", "fan", "wall"),
+    ("mixture", "single"),
+    ("around",),
+)
 WIDE = "mixture"
 """The pattern that takes two cells."""
 ALLEY, FRONT, FAN = "#bfe0d6", "#0064a8", "fan"
@@ -69,6 +74,7 @@ EXAMPLES = {
     "circulation": Example("ring_shelf", 12, 0.0, "12 ring shelves"),
     "fan": Example("auditorium_seat", 46, 0.55, "46 seats, apex ahead"),
     "mixture": Example("plinth", 14, 0.5, "14 plinths"),
+    "around": Example("lounge_seat", 7, 0.0, "7 lounge seats; tables are set between them"),
     "wall": Example("wall_exhibit", 10, 0.0, "10 wall exhibits"),
 }
 

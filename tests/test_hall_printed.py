@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from hall_chains import boxes_of, posed, two_zones
+from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.solvers.chains import HallChain, anneal_hall, begin_chain, gd_mh
 from scenewright.domains.hall.terms.state import Kept
@@ -76,7 +77,7 @@ def test_lines_and_aisles_are_those_of_the_boxes() -> None:
     assert chain.s.costs[ALIGNMENT, 0] == lines
     gaps = 0.0
     for u, (first, last) in enumerate(fitted.problem.units.spans):
-        if fitted.problem.units.choices[u, -1]:
+        if fitted.problem.units.choices[u, WALL]:
             mine = boxes[first:last]
             apart = np.hypot(*np.diff(mine[:, :2], axis=0).T) - mine[1:, 3]
             straight = np.abs(np.diff(mine[:, 2])) < 1e-9

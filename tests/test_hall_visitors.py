@@ -20,7 +20,15 @@ from scenewright.domains.hall.solvers.start import copy_frames
 from scenewright.domains.hall.solving import solve
 from scenewright.domains.hall.terms.table import EGRESS, EVENNESS, ORDER, QUEUES, SIGHT
 from scenewright.domains.hall.terms.trial import begin, judge, settle, undo
-from scenewright.domains.hall.terms.visitors import FIRST, QUEUE, RAYS, TILL
+from scenewright.domains.hall.terms.visitors import (
+    FAR_OFF,
+    FIRST,
+    LANE,
+    OFF_AXIS,
+    QUEUE,
+    RAYS,
+    TILL,
+)
 from scenewright.domains.hall.terms.whole import measure_all
 from scenewright.engine.draws import below, streams
 from scenewright.formats import read
@@ -78,7 +86,9 @@ def slow(chain: HallChain) -> dict[int, Any]:
             any(ray.intersects(shape) for shape in hides) or any(ray.crosses(e) for e in lines)
             for ray in rays
         ]
-        found[SIGHT] = float(np.mean(hidden))
+        axis = shapely.LineString([p.entrances[0], p.entrances[0] + 100 * p.inward[0]])
+        far = axis.distance(shapely.Point(boxes[main, :2]))
+        found[SIGHT] = float(np.mean(hidden)) + OFF_AXIS * min(far, FAR_OFF)
     for u, role in enumerate(p.roles):
         for bit, doors in ((FIRST, p.entrances[:1]), (TILL, p.exits)):
             others = [v for v in range(len(units)) if not p.roles[v] & bit]
@@ -101,11 +111,19 @@ def slow(chain: HallChain) -> dict[int, Any]:
             x, y, heading, width, depth = boxes[i]
             off = (depth + QUEUE) / 2
             at = [x + off * math.cos(heading), y + off * math.sin(heading), heading, width, QUEUE]
+            astray = 0.0
+            if p.roles[u] & LANE:
+                ways = p.exits - boxes[i, :2]
+                way = ways[np.hypot(*ways.T).argmin()]
+                right = np.array([math.sin(heading), -math.cos(heading)])
+                toward = float(right @ way / np.hypot(*way))
+                astray, off = 1.0 - abs(toward), -math.copysign((width + QUEUE) / 2, toward)
+                at = [*(boxes[i, :2] + off * right), heading, QUEUE, depth]
             queue = shapely.polygons(corners(np.array([at])))[0]
             taken = queue.area - queue.intersection(inside).area
             for k, shape in enumerate([*shapes, *walls, *solid]):
                 taken += queue.intersection(shape).area if k != i else 0.0
-            shares.append(min(taken / queue.area, 1.0))
+            shares.append(min(taken / queue.area, 1.0) + astray)
         found[QUEUES][u] = float(np.mean(shares))
     found[EVENNESS] = _unevenness(chain)
     return found
@@ -127,10 +145,14 @@ def _unevenness(chain: HallChain) -> float:
         )
         for z in zones
     ]
+    taken = np.zeros(len(zones))
+    for u, (a, b) in enumerate(p.spans):
+        taken[p.zones[u]] += p.sizes[a:b].prod(1).sum()
+    floor = float(np.abs(taken / p.zone_areas - taken.sum() / p.zone_areas.sum()).mean())
     if not sum(length):
-        return 0.0
+        return floor
     whole = sum(rows) / sum(length)
-    return float(
+    return floor + float(
         np.mean([abs(r / w - whole) for r, w in zip(rows, length, strict=True) if w > 0.0])
     )
 
@@ -176,9 +198,9 @@ def test_the_ship_is_seen_and_the_desk_comes_first() -> None:
     values = {t.term: 0.0 for t in with_all.terms}
     for term in with_all.terms:
         values[term.term] += term.value
-    assert values["sight"] == 0.0
+    assert values["sight"] < 0.05, "nothing hides it, less than a metre off the axis"
     assert values["order"] < 1.5
-    assert values["queues"] < 1e-9
+    assert values["queues"] < 0.3
 
 
 def test_visitors_never_leave_by_an_emergency_exit() -> None:

@@ -25,6 +25,9 @@ from scenewright.core.space import Space
 REACH = 0.2
 """How far an arm reaches beyond the person's own radius, in metres."""
 
+STAGE = "stage"
+"""What one steps up to: what stands on it is reached where it is."""
+
 _SIDES = {"front": (1, 2), "left": (2, 3), "back": (3, 0), "right": (0, 1)}
 _ROUND: tuple[Side, ...] = ("front", "left", "back", "right")
 _SEATS = ("seat", "chair", "stool", "bench")
@@ -121,6 +124,7 @@ def _missed_pieces(
         grouped = {int(row) for group in groups for row in group.rows}
         here = np.flatnonzero(bodies.room == room).tolist()
         rows = [i for i in here if bodies.kinds[i].access or i in grouped]
+        rows = [i for i in rows if not _stepped_up_to(bodies, i)]
         if not rows:
             continue
         within = _with_doorways(rooms, ground, room)
@@ -143,6 +147,12 @@ def _missed_pieces(
             if row not in counted and bodies.kinds[row].access
         ]
     return missed
+
+
+def _stepped_up_to(bodies: Bodies, row: int) -> bool:
+    """Whether a piece stands on a stage, onto which one steps: reached as the stage is."""
+    on = bodies.pieces[row].on
+    return on is not None and any(p.id == on and p.category == STAGE for p in bodies.pieces)
 
 
 def _seat_of(bodies: Bodies, row: int, grouped: set[int], groups: set[str]) -> bool:

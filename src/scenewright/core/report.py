@@ -20,6 +20,7 @@ KINDS = (
     "unreachable_room",
     "narrow_passage",
     "outside_zone",
+    "no_wall",
     "through_slope",
     "floating",
     "sunk",

@@ -68,7 +68,7 @@ KINDS = (
         access=FRONT,
         back="high",
         sizes=size_range("55 78 120", "55 78 110", "60 75 105"),
-        hall=free("radiation circulation grid wall", 0.5, 0.15, 0.0, 0.15),
+        hall=free("around", 0.45, 0.0, 0.0, 0.0),
         words=(
             words(
                 en="lounge seat, lobby seat, waiting seat",

@@ -28,7 +28,9 @@ class ZoneBrief(StrictModel):
     """A functional zone of a hall.
 
     With ``outline`` it lies there. Without, one is proposed: of about ``area`` square metres
-    (left out: by what it is to hold), ``beside`` the zones named, at the door ``door``.
+    (left out: by what it is to hold), ``beside`` the zones named, at the door ``door``. ``slack``
+    metres each of its borders with other zones may be moved while solving (left out: none where the
+    outline is stated, 1.5 where it is proposed).
     """
 
     id: Annotated[str, Field(min_length=1, max_length=200)]
@@ -37,6 +39,7 @@ class ZoneBrief(StrictModel):
     area: Annotated[Number, Field(gt=0, le=1e6)] | None = None
     beside: Annotated[list[str], Field(max_length=200)] = []
     door: str | None = None
+    slack: Annotated[Number, Field(ge=0, le=100)] | None = None
 
 
 class Link(StrictModel):
@@ -69,7 +72,7 @@ class Demand(StrictModel):
     sizes: Annotated[list[Sizes], Field(max_length=20_000)] = []
     clearance: Clearance | tuple[Clearance, Clearance, Clearance, Clearance] | None = None
     place: Literal["wall", "free"] | None = None
-    patterns: Annotated[list[PatternName], Field(max_length=8)] = []
+    patterns: Annotated[list[PatternName], Field(max_length=9)] = []
     zone: str | Annotated[list[str], Field(max_length=200)] | None = None
     facing: str | None = None
     required: Switch = True

@@ -44,8 +44,8 @@ SIDES = ("front", "left", "back", "right")
 
 class HallContext(NamedTuple):
     """A hall ready to be posed: its space, zones and links, borders between zones, the walls of
-    each zone, what stands there already, the width of the route, and what stands in other
-    rooms and reaches in."""
+    each zone, what stands there already, the width of the route, what stands in other rooms and
+    reaches in, and the ``passage`` wished for between objects people walk round."""
 
     space: Space
     plan: HallPlan
@@ -61,6 +61,7 @@ class HallContext(NamedTuple):
         return tuple(zone.id for zone in self.plan.zones)
 
     settings: HallSettings = HallSettings()
+    passage: float = 1.2
 
 
 def hall_of(
@@ -70,10 +71,11 @@ def hall_of(
     fixed: tuple[Piece, ...],
     route: float,
     beside: tuple[Piece, ...] = (),
+    passage: float = 1.2,
 ) -> HallContext:
     """Everything about a hall that does not depend on what it is to hold."""
     walls = tuple(_without_windows(wall_stretches(zone, space)) for zone in plan.zones)
-    return HallContext(space, plan, borders, walls, fixed, route, beside)
+    return HallContext(space, plan, borders, walls, fixed, route, beside, passage=passage)
 
 
 def wall_lengths(hall: HallContext) -> Floats:
@@ -123,6 +125,7 @@ def build_problem(
         route=hall.route,
         settings=hall.settings,
         visitors=plan_visitors(hall.space, hall.fixed, wishes, units),
+        passage=hall.passage,
     )
 
 

@@ -10,6 +10,7 @@ import shapely
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.doors import ways_in
+from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
@@ -26,7 +27,8 @@ def turn_desks(
     layout: MeasuredLayout,
 ) -> MeasuredLayout:
     """A layout with desks that stand by themselves turned half round where their front looks away
-    from visitors, unless the route would then miss more. Their footprints stay."""
+    from visitors, unless the route would then miss more or the energy grow. Their footprints
+    stay."""
     desks = [
         number
         for number, unit in enumerate(units)
@@ -39,7 +41,7 @@ def turn_desks(
         row = int(problem.units.spans[number, 0])
         if _welcome(hall, units[number].zone, layout.boxes[row]) < 0.0:
             other = _half_round(layout, number, row)
-            if measure_layout(problem, other)[2] <= measure_layout(problem, layout)[2]:
+            if _measure_cost(problem, other) <= _measure_cost(problem, layout):
                 layout = other
     return layout
 
@@ -52,6 +54,12 @@ def _welcome(hall: HallContext, zone: int, box: Floats) -> float:
     way = np.array(points) - box[:2]
     way = way / np.maximum(np.hypot(*way.T), 1e-9)[:, None]
     return float((way @ (math.cos(box[2]), math.sin(box[2]))).sum())
+
+
+def _measure_cost(problem: HallProblem, layout: MeasuredLayout) -> tuple[float, float]:
+    """What the route misses, and the energy: a desk is not turned into what others need."""
+    p, s, missed = measure_layout(problem, layout)
+    return missed, round(sum(part.cost for part in parts_of(problem, p, s, missed)), 6)
 
 
 def _half_round(layout: MeasuredLayout, unit: int, row: int) -> MeasuredLayout:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from scenewright.domains.hall.patterns import WALL
+from scenewright.domains.hall.patterns.fan import ROW, near_radius
 from scenewright.domains.hall.problem import HallProblem, Units, VisitorPlan
 from scenewright.domains.hall.terms.measure import block_solids
 from scenewright.domains.hall.terms.state import (
@@ -34,8 +35,6 @@ from scenewright.geometry.paths import RouteGrid, make_grid
 
 SAME_WAY = math.radians(1.0)
 """Edges that differ by less run the same way."""
-STAGE = 2.5
-"""Least distance from the apex of a fan to its first row, in metres."""
 
 
 def _fresh(array: Floats | Ints, width: int) -> Floats:
@@ -71,11 +70,13 @@ def prepare(problem: HallProblem) -> PreparedHall:
         loops=loops,
         loop_spans=loop_spans,
         thickness=float(ground.thickness),
+        passage=float(problem.passage),
         weights=read_hall_weights(problem.weights),
         axes=_axes(ground.edges),
         host_spans=_host_spans(problem, hosts),
         host_shifts=_or_zeros(ground.host_shifts, 2 * len(hosts)).reshape(-1, 2),
         wall_needs=_or_zeros(ground.zone_walls, len(ground.zone_areas)),
+        uneven=_uneven(units, ground.zone_areas),
         **_unit_arrays(units, problem.settings.printed),
         own=gather(HALL_TERMS, problem),
         **_visitor_arrays(problem.visitors, len(units.sizes), len(units.spans)),
@@ -150,6 +151,17 @@ def _host_spans(problem: HallProblem, hosts: Floats) -> Floats:
     return np.column_stack([np.zeros(len(hosts)), length])
 
 
+def _uneven(units: Units, areas: Floats) -> float:
+    """Eq. 8 for floor: mean over zones of abs(U_a of the zone - U_a), footprints over floor."""
+    areas = np.array(areas, np.float64)
+    if not len(areas) or not len(units.sizes):
+        return 0.0
+    zone_of = np.repeat(units.zones, np.diff(np.asarray(units.spans).reshape(-1, 2))[:, 0])
+    taken = np.bincount(zone_of, np.asarray(units.sizes).prod(1), len(areas))
+    shares = taken / np.maximum(areas, 1e-9)
+    return float(np.abs(shares - taken.sum() / max(float(areas.sum()), 1e-9)).mean())
+
+
 def _or_zeros(given: Floats, count: int) -> Floats:
     return np.array(given, np.float64) if len(given) else np.zeros(count)
 
@@ -163,17 +175,21 @@ def _unit_arrays(units: Units, printed: bool) -> dict[str, Any]:
     demanded = (sizes[:, 0] + clear[:, 1] + clear[:, 3]) * (sizes[:, 1] + clear[:, 0] + clear[:, 2])
     choices = np.array(units.choices, np.int64).reshape(len(spans), -1)
     beta, largest, gaps = np.zeros(len(spans)), np.zeros((len(spans), 2)), np.zeros((len(spans), 2))
-    constant = np.full(len(spans), -1.0)
+    constant, near = np.full(len(spans), -1.0), np.zeros(len(spans))
+    several_sides = (_fresh(units.access, 4) > 0.0).sum(1) > 1
     for u, (first, last) in enumerate(spans):
         beta[u] = (demanded - sizes.prod(1))[first:last].sum()
         constant[u] = demanded[first:last].sum() if printed else -1.0
         largest[u] = sizes[first:last].max(0)
         ahead, left, back, right = clear[first:last].max(0)
         gaps[u] = left + right, ahead + back
+        wide, deep = largest[u]
+        near[u] = near_radius(last - first, wide * (deep + max(gaps[u, 1], ROW)))
     return {
         "sizes": sizes,
         "clear": clear,
         "access": _fresh(units.access, 4),
+        "strolled": several_sides.astype(np.int64),
         "unit_of": np.repeat(np.arange(len(spans)), counts).astype(np.int64),
         "spans": spans,
         "zones": np.array(units.zones, np.int64),
@@ -185,7 +201,7 @@ def _unit_arrays(units: Units, printed: bool) -> dict[str, Any]:
         "iota": clear.max(1, initial=0.0),
         "largest": largest,
         "gaps": gaps,
-        "near": np.full(len(spans), STAGE),
+        "near": near,
         "targets": np.array(units.targets, np.int64),
         "layer_spans": np.stack([ends - rows, ends], 1).astype(np.int64),
     }
@@ -198,6 +214,7 @@ def _visitor_arrays(visitors: VisitorPlan, objects: int, groups: int) -> dict[st
         "entrances": _fresh(visitors.entrances, 2),
         "exits": _fresh(visitors.exits, 2),
         "ways_out": _fresh(visitors.ways_out, 2),
+        "inward": _fresh(visitors.inward, 2),
         "hiding": frames_of(_fresh(visitors.hiding, 5)),
         "tall": _or_zeros(visitors.tall, objects),
         "roles": roles,

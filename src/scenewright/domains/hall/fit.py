@@ -97,11 +97,12 @@ def _fit(
     walls = wall_lengths(hall)
     units = assign(wishes, hall.names, zone_areas(hall), walls, whole)
     units = drop_unplaceable(hall, wishes, units, share)
-    lack = lacking(units, wishes, walls, whole)
-    order = visiting_order(hall.plan.links, hall.names, _first_zone(hall))
-    built = hosts(hall.borders, hall.plan.links, hall.names, order, lack, whole)
+    built = build_hosts(hall, wishes, units, whole, whole)
     if free:
-        built += standing_hosts(hall.plan.zones, short_of(built, lack), hall.route)
+        lack = lacking(units, wishes, walls, whole)
+        built += standing_hosts(
+            hall.plan.zones, short_of(built, lack), max(hall.route, hall.passage)
+        )
     spans = np.array([host.span for host in built]).reshape(-1, 2)
     rule = hall.settings.fit
     for attempt in range(rule.most_rounds):
@@ -120,6 +121,19 @@ def _fit(
     units = [units[k] for k in stay]
     problem = build_problem(hall, wishes, units, built, weights, catalog)
     return Fitted(units, built, problem, start)
+
+
+def build_hosts(
+    hall: HallContext,
+    wishes: list[HallDemand],
+    units: list[Unit],
+    printed: bool,
+    spare: bool = False,
+) -> tuple[Host, ...]:
+    """Walls on the borders of zones for what units lack, counted as ``printed`` or as ours."""
+    lack = lacking(units, wishes, wall_lengths(hall), printed)
+    order = visiting_order(hall.plan.links, hall.names, _first_zone(hall))
+    return hosts(hall.borders, hall.plan.links, hall.names, order, lack, spare)
 
 
 def _all_reached(problem: HallProblem, start: Kept, seed: int, looked: int) -> bool:

@@ -98,8 +98,10 @@ class Tour(NamedTuple):
 
 class HallDetail(NamedTuple):
     """What only a solution of halls holds: the layout of zones and groups, the visitors' tours, one
-    a space, and the ``floors``: each space and the least its energy could be."""
+    a space, the ``floors``: each space and the least its energy could be, and the ``shifts``: a
+    space, the zones on both sides of a line of borders and the metres it was moved to its left."""
 
     layout: HallLayout
     tours: tuple[Tour, ...] = ()
     floors: tuple[tuple[str, float], ...] = ()
+    shifts: tuple[tuple[str, str, float], ...] = ()

@@ -137,6 +137,16 @@ def stands_free(host: Host) -> bool:
     return host.row[4] == host.row[5]
 
 
+def refit_host(host: Host, border: Border, gap: float) -> Host | None:
+    """A host whose border has moved; None if no wall may stand there any more."""
+    most = _span(border, gap, _length(border))
+    if most is None:
+        return None
+    low, high = (min(max(end, most[0]), most[1]) for end in host.span)
+    row = (*border.start, *border.end, *host.row[4:])
+    return host._replace(row=row, span=(low, high), most=most)
+
+
 def short_of(hosts: tuple[Host, ...], lack: Floats) -> Floats:
     """Metres of wall (z,) that zones still lack with the walls of some hosts at their longest."""
     left = np.array(lack, np.float64)

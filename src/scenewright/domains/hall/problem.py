@@ -85,7 +85,8 @@ class VisitorPlan(NamedTuple):
     by, the main one first, ``exits`` (x, 2) those visitors leave by, ``ways_out`` (w, 2) all they
     may leave by; ``hiding`` (h, 5) boxes as high as the eyes that do not move; ``tall`` (n,) 1 for
     objects as high; ``roles`` (g,) of the units, as bits: 1 seen first, 2 a till, 4 the main
-    exhibit. Empty arrays: nobody comes."""
+    exhibit, 8 tills in lanes; ``inward`` (1, 2) the unit direction in at the main entrance. Empty
+    arrays: nobody comes."""
 
     entrances: Floats = _NONE
     exits: Floats = _NONE
@@ -93,12 +94,14 @@ class VisitorPlan(NamedTuple):
     hiding: Floats = _NONE
     tall: Floats = _NONE
     roles: Floats = _NONE
+    inward: Floats = _NONE
 
 
 class HallProblem(NamedTuple):
     """One hall to solve. ``names`` of the units and ``zone_names``, ``weights`` by name of the
-    term, ``route`` the width of the route every object must be reached by, in metres;
-    ``settings`` steer the solvers."""
+    term, ``route`` the width of the route every object must be reached by, ``passage`` what is
+    wished for between objects people walk round (0: nothing), in metres; ``settings`` steer the
+    solvers."""
 
     ground: HallGround
     units: Units
@@ -108,3 +111,4 @@ class HallProblem(NamedTuple):
     route: float
     settings: HallSettings = HallSettings()
     visitors: VisitorPlan = VisitorPlan()
+    passage: float = 0.0

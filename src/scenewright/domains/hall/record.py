@@ -96,18 +96,21 @@ class TourRecord(StrictModel):
 
 
 class DetailRecord(StrictModel):
-    """What only solutions of halls hold: the layout of zones and groups, the tours, and the least
-    the energy of each space could be."""
+    """What only solutions of halls hold: the layout of zones and groups, the tours, the least the
+    energy of each space could be, and how far borders of zones were moved."""
 
     graph: GraphRecord | None = None
     tours: Annotated[list[TourRecord], Field(max_length=10_000)] = []
     floors: Annotated[dict[str, Number], Many] = {}
+    shifts: Annotated[list[tuple[str, str, Number]], Many] = []
 
 
 def detail_document(detail: HallDetail) -> dict[str, Any]:
     """The keys a solution of halls adds to its document."""
     tours = [tour_document(tour) for tour in detail.tours]
-    return {"graph": graph_document(detail.layout), "tours": tours, "floors": dict(detail.floors)}
+    shifts = {"shifts": [list(shift) for shift in detail.shifts]} if detail.shifts else {}
+    graph = graph_document(detail.layout)
+    return {"graph": graph, "tours": tours, "floors": dict(detail.floors)} | shifts
 
 
 def detail_of(record: DetailRecord) -> HallDetail | None:
@@ -115,7 +118,8 @@ def detail_of(record: DetailRecord) -> HallDetail | None:
     if record.graph is None:
         return None
     tours = tuple(tour_of(tour) for tour in record.tours)
-    return HallDetail(graph_of(record.graph), tours, tuple(record.floors.items()))
+    floors = tuple(record.floors.items())
+    return HallDetail(graph_of(record.graph), tours, floors, tuple(record.shifts))
 
 
 def lock_halls(solution: Solution) -> Brief:
@@ -190,7 +194,7 @@ def _make_zone_filler(solution: Solution) -> Callable[[Room, str], Room]:
     def zoned(room: Room, space: str) -> Room:
         drawn = [
             zone
-            if zone.outline is not None or (space, zone.id) not in outlines
+            if (zone.outline is not None and not zone.slack) or (space, zone.id) not in outlines
             else zone.model_copy(update={"outline": [tuple(p) for p in outlines[space, zone.id]]})
             for zone in room.zones
         ]

@@ -12,14 +12,20 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.layout import NamedBox, Watch, name_rows
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext, build_problem
-from scenewright.domains.hall.fit import Fitted
+from scenewright.domains.hall.fit import Fitted, build_hosts
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.settings import SearchSettings
 from scenewright.domains.hall.solvers import HALL_SOLVERS
 from scenewright.domains.hall.solvers.chains import MANY, cooled_hall, first_layout
-from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout, StartedHall
+from scenewright.domains.hall.solvers.outcome import (
+    HallFound,
+    MeasuredLayout,
+    StartedHall,
+    measure_layout,
+)
+from scenewright.domains.hall.terms.table import SPACE, space_cost
 from scenewright.engine.solve import Budget, Found, Report
 from scenewright.engine.watched import add_watch
 
@@ -47,21 +53,27 @@ class HallSearch(NamedTuple):
 
 
 class Answer(NamedTuple):
-    """What one attempt found: objects and doors nobody reaches plus metres that passages lack,
-    for which units, and the layouts."""
+    """What one attempt found: objects and doors nobody reaches plus metres that passages lack, how
+    crowded it is (:func:`measure_crowding`), for which units, and the layouts."""
 
     wrong: float
+    crowding: float
     fitted: Fitted
     found: HallFound
+
+    @property
+    def rank(self) -> tuple[float, float]:
+        """What answers are compared by: what is wrong, then the energy."""
+        return self.wrong, self.found.layouts[0].energy
 
 
 def search_layout(
     search: HallSearch, fitted: Fitted, progress: Progress | None, cancel: Cancel | None
 ) -> tuple[Fitted, HallFound]:
     """The solver's answer. While it leaves something that nobody reaches, or a passage too
-    narrow, ours tries again: from other first layouts, then with large groups in halves. Of
-    seconds or steps that a user states, a part is kept for that; what is left of them in the end
-    improves the answer."""
+    narrow, ours tries again: from other first layouts, then with large groups in halves; once more
+    where it is crowded, with more walls if there is a place for them. Of seconds or steps that a
+    user states, a part is kept for that; what is left of them in the end improves the answer."""
     again = may_retry(search)
     shared = again and (search.stated or search.budget.seconds is not None)
     rule = search.preset.settings.search
@@ -69,20 +81,22 @@ def search_layout(
     begun, answers = time.perf_counter(), list[Answer]()
     for attempt in range(tries):
         seed = search.seed + 104_729 * attempt
-        if attempt > 0 and attempt + 1 == tries:
+        if attempt > 0 and attempt + 1 == tries and answers[-1].wrong > 0.0:
             fitted = halve_groups(search, fitted, seed)
+        elif attempt == 1 and answers[0].crowding > rule.crowded:
+            fitted = add_walls(search, fitted, seed)
         share = rule.again if attempt else rule.first
-        budget = _share(search.budget, share) if shared else search.budget
+        budget = take_share(search.budget, share) if shared else search.budget
         heard = _make_progress_reporter(progress, attempt, shared, rule)
         heard = _watch_objects(search, fitted, heard)
         run = HALL_SOLVERS[search.solver].run
         problem = _heavy(fitted.problem) if shared and attempt else fitted.problem
         found = run(StartedHall(problem, fitted.start), budget, seed, heard, cancel)
-        answers.append(Answer(_wrong(found.layouts[0]), fitted, found))
-        if answers[-1].wrong == 0.0 or (cancel is not None and cancel()):
+        answers.append(_answer(fitted, found))
+        if _suffices(answers, rule) or (cancel is not None and cancel()):
             break
     seen = sum(answer.found.evaluations for answer in answers)
-    best = min(answers, key=lambda answer: answer.wrong)
+    best = min(answers, key=lambda answer: answer.rank)
     if shared and not (cancel is not None and cancel()):
         rest = _rest(search.budget, seen, time.perf_counter() - begun)
         heard = _make_progress_reporter(progress, rule.attempts, shared, rule)
@@ -97,6 +111,25 @@ def may_retry(search: HallSearch) -> bool:
     return search.solver == "anneal" and not search.preset.settings.whole
 
 
+def _answer(fitted: Fitted, found: HallFound) -> Answer:
+    best = found.layouts[0]
+    return Answer(_wrong(best), measure_crowding(fitted.problem, best), fitted, found)
+
+
+def _suffices(answers: list[Answer], rule: SearchSettings) -> bool:
+    """Whether no further attempt is made: nothing is wrong, and it is not crowded or was tried
+    twice."""
+    last = answers[-1]
+    return last.wrong == 0.0 and (last.crowding <= rule.crowded or len(answers) > 1)
+
+
+def measure_crowding(problem: HallProblem, layout: MeasuredLayout) -> float:
+    """How far E_s (eq. 1) of all groups of a layout lies above its least, unweighted."""
+    p, s, _ = measure_layout(problem, layout)
+    least = space_cost(0.0, 1.0)
+    return float((s.costs[SPACE, : len(p.spans)] - least).sum())
+
+
 def _wrong(layout: MeasuredLayout) -> float:
     return layout.missed + layout.lacking
 
@@ -105,7 +138,7 @@ def _rank(layout: MeasuredLayout) -> tuple[float, float]:
     return _wrong(layout), layout.energy
 
 
-def _share(budget: Budget, share: float) -> Budget:
+def take_share(budget: Budget, share: float) -> Budget:
     """A part of a budget, whether of seconds, of steps or of both."""
     steps = None if budget.steps is None else max(int(share * budget.steps), 1)
     seconds = None if budget.seconds is None else share * budget.seconds
@@ -189,3 +222,24 @@ def halve_groups(search: HallSearch, fitted: Fitted, seed: int) -> Fitted:
     )
     start, lost = first_layout(problem, fitted.start.walls, seed, settings.fit.tried)
     return fitted if lost else fitted._replace(units=units, problem=problem, start=start)
+
+
+def add_walls(search: HallSearch, fitted: Fitted, seed: int) -> Fitted:
+    """The same with walls on further borders, as many as the paper builds (a metre between all
+    objects at walls); unchanged if that builds none, or something then finds no room."""
+    hosts = build_hosts(search.hall, search.wishes, fitted.units, True)
+    there = {host.row for host in fitted.hosts}
+    more = tuple(host for host in hosts if host.row not in there)
+    if not more:
+        return fitted
+    hosts = (*fitted.hosts, *more)
+    problem = build_problem(
+        search.hall, search.wishes, fitted.units, hosts, search.preset.weights, search.catalog
+    )
+    spans = np.array([host.span for host in hosts]).reshape(-1, 2)
+    rule = search.preset.settings.fit
+    for chance in range(rule.chances):
+        start, lost = first_layout(problem, spans, seed + chance, 2 * rule.tried)
+        if not lost:
+            return Fitted(fitted.units, hosts, problem, start)
+    return fitted

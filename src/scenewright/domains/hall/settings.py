@@ -29,7 +29,7 @@ class SearchSettings(NamedTuple):
     """Attempts while something cannot be reached; of a stated budget the share of the ``first``
     and of each ``again``; how much more what is ``wrong`` weighs in the end, and the objects of a
     group that is then tried in halves (``large``); how often what no route reaches is then
-    ``given_up``."""
+    ``given_up``; E_s of all groups above its least that makes a layout ``crowded``."""
 
     attempts: int = 4
     first: float = 0.5
@@ -37,6 +37,7 @@ class SearchSettings(NamedTuple):
     wrong: float = 20.0
     large: int = 6
     given_up: int = 6
+    crowded: float = 4.0
 
 
 class FitSettings(NamedTuple):
@@ -56,6 +57,18 @@ class FitSettings(NamedTuple):
     looked: int = 1200
 
 
+class BorderSettings(NamedTuple):
+    """Moving borders of zones that have slack: how many ``lines`` of borders, the most uneven first
+    (0: they stay), the shares of their slack that are tried in turn (``steps``), the ``share`` of
+    the layouts looked at that is spent on annealing after each, and the least ``gain`` of energy
+    for which it stays moved."""
+
+    lines: int = 2
+    steps: tuple[float, ...] = (0.6, 0.3)
+    share: float = 0.12
+    gain: float = 0.2
+
+
 class OtherPlansSettings(NamedTuple):
     """Plans that differ: candidates ``tried`` for every plan asked for, and ``spare`` ones; the
     weight of differing (``different``) against being good; what it costs that something is not
@@ -69,8 +82,8 @@ class OtherPlansSettings(NamedTuple):
 
 class HallSettings(NamedTuple):
     """Whether groups stay ``whole``, and whether eqs. 1 and 3 stand as ``printed``; how demands are
-    made to fit, chains anneal, the paper's chain runs, attempts follow one another and plans
-    differ."""
+    made to fit, chains anneal, the paper's chain runs, attempts follow one another, borders move
+    and plans differ."""
 
     whole: bool = False
     printed: bool = False
@@ -78,4 +91,5 @@ class HallSettings(NamedTuple):
     guided: GuidedSettings = GuidedSettings()
     search: SearchSettings = SearchSettings()
     fit: FitSettings = FitSettings()
+    borders: BorderSettings = BorderSettings()
     other_plans: OtherPlansSettings = OtherPlansSettings()

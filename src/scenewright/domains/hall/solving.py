@@ -35,8 +35,11 @@ from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.floors import least_energies
 from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
-from scenewright.domains.hall.hall_layout import HallDetail, HallLayout, PlacedGroup, Tour
+from scenewright.domains.hall.hall_layout import HallDetail, HallLayout, PlacedGroup, Tour, Zone
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
+from scenewright.domains.hall.low_tables import low_tables
+from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
+from scenewright.domains.hall.on_stage import put_on_stage, split_carried
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
 from scenewright.domains.hall.shortfall import left_out
@@ -68,7 +71,8 @@ class HallTask(NamedTuple):
 
 
 class Laid(NamedTuple):
-    """One hall laid out."""
+    """One hall laid out; ``zones`` as they lie now and how far borders have moved (empty: as
+    before)."""
 
     pieces: tuple[Piece, ...]
     groups: tuple[PlacedGroup, ...]
@@ -78,6 +82,8 @@ class Laid(NamedTuple):
     energy: float
     evaluations: int
     tour: Tour | None
+    zones: tuple[Zone, ...] = ()
+    shifts: tuple[tuple[str, float], ...] = ()
 
 
 def solve(
@@ -141,7 +147,8 @@ def problems(
     found = []
     for number, one in enumerate(hall_contexts(brief, rooms, catalog, 0, 0)):
         hall = one._replace(settings=chosen.settings)
-        wishes = collect_demands(brief, number, _locked_of(hall), catalog)
+        asked = collect_demands(brief, number, _locked_of(hall), catalog)
+        wishes, _ = split_carried(asked, hall.fixed)
         if wishes:
             seed = _stream(0, hall.space)
             fitted = fit(hall, wishes, chosen.weights, catalog, seed, whole)
@@ -176,7 +183,8 @@ def _hall(
     variant: int,
 ) -> HallContext:
     plan = zones_of(brief, number, space, seed=seed, variant=variant)
-    return hall_of(space, plan, borders_of(plan, space), fixed, brief.route_width, beside)
+    borders, passage = borders_of(plan, space), brief.passage_width
+    return hall_of(space, plan, borders, fixed, brief.route_width, beside, passage)
 
 
 def _run(
@@ -231,14 +239,16 @@ def _lay(
     preset = task.preset
     hall = task.hall._replace(settings=preset.settings)
     locked = _locked_of(hall)
-    wishes = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
+    asked = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
+    wishes, carried = split_carried(asked, hall.fixed)
     fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.settings.whole, cancel)
     if not fitted.units:
         missing = left_out(hall, wishes, fitted.units)
-        kept = kept_groups(hall, locked)
+        on, groups, out = put_on_stage(hall, carried, hall.fixed, catalog)
+        kept = (*kept_groups(hall, locked), *groups)
         layout = HallLayout(hall.plan.zones, hall.plan.links, kept)
         way = tour(hall.space, hall.fixed, layout, catalog, hall.route) if kept else None
-        return Laid((), kept, (), (), missing, 0.0, 0, way)
+        return Laid(on, kept, (), (), (*missing, *out), 0.0, 0, way)
     budget = task.budget
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
         budget = budget._replace(steps=count_steps(preset, len(fitted.units)))
@@ -253,13 +263,26 @@ def _lay(
         task.budget.steps is not None,
         watch,
     )
-    fitted, found = search_layout(search, fitted, progress, cancel)
+    slack = read_slack(brief.rooms[task.number], hall)
+    begun = search_with_borders(search, slack)
+    fitted, found = search_layout(begun, fitted, progress, cancel)
     given_up: frozenset[int] = frozenset()
+    shifts: tuple[tuple[str, float], ...] = ()
     if may_retry(search) and not (cancel is not None and cancel()):
         fitted, found, given_up = drop_unreached(search, fitted, found)
+        hall, fitted, found, shifts = move_borders(search, fitted, found, slack, progress, cancel)
     missing = left_out(hall, wishes, fitted.units, given_up)
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, found.layouts[0])
-    return furnish_layout(hall, wishes, fitted, best, locked, missing, found.evaluations, catalog)
+    laid = furnish_layout(hall, wishes, fitted, best, locked, missing, found.evaluations, catalog)
+    pieces = (*hall.fixed, *laid.pieces)
+    on, groups, out = put_on_stage(hall, carried, pieces, catalog)
+    return laid._replace(
+        pieces=(*laid.pieces, *on),
+        groups=(*laid.groups, *groups),
+        left_out=(*laid.left_out, *out),
+        zones=hall.plan.zones,
+        shifts=shifts,
+    )
 
 
 def furnish_layout(
@@ -281,14 +304,15 @@ def furnish_layout(
         *kept_groups(hall, locked),
         *placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, objects),
     )
+    tables = low_tables(groups, (*objects, *chairs), (*hall.fixed, *walls), catalog)
     parts = parts_of(fitted.problem, p, s, lost)
     layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
     out = {wish.id: wish.chairs for wish in wishes}
     seated = (grow_table(piece, out[piece.function]) for piece in objects)
-    every = (*hall.fixed, *walls, *seated)
+    every = (*hall.fixed, *walls, *seated, *tables)
     way = tour(hall.space, every, layout, catalog, hall.route)
     return Laid(
-        (*walls, *objects, *chairs),
+        (*walls, *objects, *chairs, *tables),
         groups,
         layout.partitions,
         parts,
@@ -317,7 +341,11 @@ def assemble_solution(
         for piece in (*hall.fixed, *(answer.pieces if answer else ()))
     ]
     layout = HallLayout(
-        tuple(zone for hall in halls for zone in hall.plan.zones),
+        tuple(
+            zone
+            for hall, answer in zip(halls, found, strict=True)
+            for zone in (answer.zones if answer and answer.zones else hall.plan.zones)
+        ),
         tuple(link for hall in halls for link in hall.plan.links),
         tuple(group for answer in done for group in answer.groups),
         tuple(wall for answer in done for wall in answer.partitions),
@@ -350,5 +378,10 @@ def assemble_solution(
             layout,
             tuple(answer.tour for answer in done if answer.tour is not None),
             tuple(least_energies(terms, layout, printed).items()),
+            tuple(
+                (hall.space.id, name, metres)
+                for hall, answer in zip(halls, found, strict=True)
+                for name, metres in (answer.shifts if answer else ())
+            ),
         ),
     )

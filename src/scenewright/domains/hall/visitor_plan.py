@@ -13,12 +13,14 @@ from scenewright.domains.hall.doors import visitor_exits, ways_in, ways_out
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats, VisitorPlan
 from scenewright.domains.hall.roles import is_first, is_till
-from scenewright.domains.hall.terms.visitors import FIRST, MAIN, TILL
+from scenewright.domains.hall.terms.visitors import FIRST, LANE, MAIN, TILL
 
 EYES = 1.6
 """What rises above this height hides what is behind it, in metres."""
 INSIDE = 0.5
 """How far inside a door a visitor looks round, in metres."""
+LANES = ("checkout",)
+"""Tills that stand side by side with lanes between them, where there are several."""
 EXHIBITS = ("exhibit_island", "showcase", "plinth", "interactive_table", "stage", "screen")
 
 
@@ -39,7 +41,15 @@ def plan_visitors(
         hiding=np.array([box for piece in hides for box in boxes_of(piece)]).reshape(-1, 5),
         tall=np.array([float(size.height > EYES) for size in sizes]),
         roles=_roles(wishes, units),
+        inward=_inward(space),
     )
+
+
+def _inward(space: Space) -> Floats:
+    """The unit direction (1, 2) in at the main entrance; none without doors."""
+    ways = {gate.opening.id: gate.inward for gate in gates(space)}
+    found = [ways[door.id] for door in ways_in(space)[:1]]
+    return np.array(found, np.float64).reshape(-1, 2)
 
 
 def _points(space: Space, doors: list[Opening]) -> Floats:
@@ -54,7 +64,7 @@ def _roles(wishes: list[HallDemand], units: list[Unit]) -> Floats:
     for k, unit in enumerate(units):
         category = wishes[unit.demand].category
         if is_till(category, beside):
-            roles[k] = TILL
+            roles[k] = TILL + (LANE if category in LANES and unit.last - unit.first > 1 else 0)
         elif is_first(category, beside):
             roles[k] = FIRST
     alone = [

@@ -23,6 +23,7 @@ from scenewright.domains.hall.check.passages import (
 )
 from scenewright.domains.hall.check.sight import seen_from
 from scenewright.domains.hall.check.tours import tour_figures
+from scenewright.domains.hall.check.walls import find_no_wall
 from scenewright.domains.hall.check.zones import WHEELCHAIR, find_outside_zone, reached_by, turning
 
 
@@ -85,6 +86,7 @@ def _judge(
     verdict.findings.extend(find_outside_zone(bodies, hall))
     verdict.findings.extend(find_narrow(bodies, hall, passages))
     wish = wishes.get(hall.space.id)
+    verdict.findings.extend(find_no_wall(bodies, hall, wish))
     escape = escape_figures(hall, around.field, wish.people if wish else None)
     verdict.notes.extend(escape_notes(hall, escape))
     seen = seen_from(bodies, hall, around.ground)

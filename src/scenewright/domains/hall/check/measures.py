@@ -141,9 +141,16 @@ def walls_of(bodies: Bodies, hall: JudgedHall) -> Shape:
 def at_walls(bodies: Bodies, hall: JudgedHall) -> Indices:
     """1 for each object of a hall the middle of whose back edge is within 5 cm of a wall or
     partition, else 0."""
+    return (wall_gaps(bodies, hall) <= WALL_GAP).astype(np.int64)
+
+
+def wall_gaps(bodies: Bodies, hall: JudgedHall) -> Floats:
+    """Metres from the middle of the back edge of each object of a hall to the nearest wall or
+    partition."""
     backs = bodies.corners[hall.objects][:, [0, 3]].mean(1)
     solid = shapely.union_all([shapely.boundary(hall.shape), *bodies.footprints[hall.partitions]])
-    return np.asarray(shapely.distance(shapely.points(backs), solid) <= WALL_GAP).astype(np.int64)
+    gaps: Floats = np.asarray(shapely.distance(shapely.points(backs), solid), np.float64)
+    return gaps
 
 
 def _rings(shape: Shape) -> Shapes:

@@ -19,7 +19,7 @@ GROUP = "scenewright.patterns"
 NUMBER, ALONG, ACROSS, CODE, PART = range(5)
 """Columns of the layers."""
 
-SINGLE, CHAIN, GRID, RADIATION, CIRCULATION, FAN, MIXTURE, WALL = range(8)
+SINGLE, CHAIN, GRID, RADIATION, CIRCULATION, FAN, MIXTURE, WALL, AROUND = range(9)
 """Codes of the patterns: the rows of :data:`PATTERNS` in order."""
 
 
@@ -119,6 +119,14 @@ _ROWS = (
         "wall cases, wall shelving",
         "Cao, Cheng, Zhang 2024, wall objects",
         layout=f"{__name__}.mixture:lay_single",
+    ),
+    PatternRow(
+        "around",
+        "two by two, looking at each other over a low table",
+        "lounge seats",
+        "ours",
+        place=f"{__name__}.around:place_around",
+        layout=f"{__name__}.around:lay_around",
     ),
 )
 PATTERNS: dict[str, PatternRow] = {

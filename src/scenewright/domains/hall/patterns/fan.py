@@ -14,8 +14,23 @@ from scenewright.geometry.compiled import inlined
 
 AISLE = 1.2
 """Width of an aisle through the arcs, in metres."""
+STAGE = 2.5
+"""Least distance from the apex of a fan to its first row, in metres."""
+ROW = 0.61
+"""Least gap between two arcs, in metres: one gets through before those who sit."""
 BLOCK = 16
 """Most objects of an arc between two aisles."""
+
+
+def near_radius(number: float, area: float) -> float:
+    """The least radius of a fan: half of the greatest where ``number`` objects of ``area`` square
+    metres, gaps included, fill a sector of 1.5 rad, n A = 1.5 / 2 (R² - r²), R = 2 r; so the first
+    row is no point.
+
+    >>> round(near_radius(140, 0.68), 1), near_radius(6, 0.68)
+    (6.5, 2.5)
+    """
+    return max(math.sqrt(number * area / 2.25), STAGE)
 
 
 @inlined

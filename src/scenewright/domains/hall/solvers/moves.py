@@ -8,9 +8,12 @@ from __future__ import annotations
 
 import math
 
-from scenewright.domains.hall.patterns import CIRCULATION, FAN, SINGLE, WALL
+from scenewright.domains.hall.patterns import AROUND, CHAIN, CIRCULATION, FAN, SINGLE, WALL
+from scenewright.domains.hall.patterns.chain import seed_chain
 from scenewright.domains.hall.patterns.expand import seed, stretch
+from scenewright.domains.hall.patterns.fan import ROW, STAGE
 from scenewright.domains.hall.terms.state import PreparedHall, State
+from scenewright.domains.hall.terms.visitors import LANE
 from scenewright.engine.draws import Stream, bell, below, uniform
 from scenewright.geometry.boxes import square_to_segment
 from scenewright.geometry.compiled import compiled, inlined
@@ -69,14 +72,19 @@ def drawn_code(p: PreparedHall, unit: int, stream: Stream) -> int:
 
 @compiled
 def reseed(p: PreparedHall, s: State, unit: int, code: int, shape: float, tight: float) -> None:
-    """Give a unit a pattern in its seeded form; gaps are what clearances need times ``tight``."""
+    """Give a unit a pattern in its seeded form; gaps are what clearances need times ``tight``.
+    Tills with lanes between them stand one behind another."""
     row, end = p.layer_spans[unit, 0], p.layer_spans[unit, 1]
     wide, deep = p.largest[unit, 0], p.largest[unit, 1]
     along, across = tight * p.gaps[unit, 0], tight * p.gaps[unit, 1]
-    number = p.spans[unit, 1] - p.spans[unit, 0]
-    used, extra = seed(
-        code, number, shape, wide, deep, along, across, p.near[unit], s.layers[row:end]
-    )
+    number, near = p.spans[unit, 1] - p.spans[unit, 0], STAGE
+    if code == FAN:
+        across = tight * max(p.gaps[unit, 1], ROW)
+        near = max(min(tight, 1.0) * p.near[unit], STAGE)
+    if code == CHAIN and p.roles[unit] & LANE:
+        used, extra = seed_chain(s.layers[row:end], 0, number, number, along, across, 0), 0.0
+    else:
+        used, extra = seed(code, number, shape, wide, deep, along, across, near, s.layers[row:end])
     s.code[unit], s.used[unit] = code, used
     s.pose[unit, 3] = along if code == WALL else extra
 
@@ -117,6 +125,8 @@ def spread(p: PreparedHall, s: State, unit: int, step: float, stream: Stream) ->
     if close:
         along = 0.0
         across = 0.0 if s.code[unit] in (CIRCULATION, FAN) else step
+    if s.code[unit] == AROUND:
+        across = 0.0
     s.pose[unit, 3] = stretch(s.code[unit], layers, s.pose[unit, 3], along, across)
 
 

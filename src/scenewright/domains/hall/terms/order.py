@@ -49,22 +49,26 @@ def all_lines(p: PreparedHall, s: State) -> float:
 @inlined
 def aisles_of(p: PreparedHall, s: State, unit: int) -> float:
     """Metres that gaps lack: neighbours of each layer, and layers in turn, as often as the layer
-    has objects. The seats of a curved row stand side by side though their corners alone meet."""
+    has objects. The seats of a curved row stand side by side though their corners alone meet.
+    Between objects that people walk round a whole passage is wished for."""
     if s.code[unit] == SINGLE:
         return 0.0
     first, last, row = p.spans[unit, 0], p.spans[unit, 1], p.layer_spans[unit, 0]
     total, i = 0.0, first
+    wide = p.passage if p.strolled[first] == 1 and s.code[unit] != WALL else 0.0
     if s.code[unit] == WALL:
         for j in range(first, last - 1):
-            total += aisle_cost(gap_between(read_frame(s.frames, j), read_frame(s.frames, j + 1)))
+            gap = gap_between(read_frame(s.frames, j), read_frame(s.frames, j + 1))
+            total += aisle_cost(gap, wide)
         return total
     for k in range(s.used[unit]):
         number = int(s.layers[row + k, NUMBER])
         beside = 0 if s.code[unit] == FAN else number - 1
         for j in range(i, i + beside):
-            total += aisle_cost(gap_between(read_frame(s.frames, j), read_frame(s.frames, j + 1)))
+            gap = gap_between(read_frame(s.frames, j), read_frame(s.frames, j + 1))
+            total += aisle_cost(gap, wide)
         i += number
         if k + 1 < s.used[unit]:
             before = read_frame(s.frames, i - number)
-            total += number * aisle_cost(gap_between(before, read_frame(s.frames, i)))
+            total += number * aisle_cost(gap_between(before, read_frame(s.frames, i)), wide)
     return total

@@ -39,11 +39,14 @@ class PreparedHall(NamedTuple):
     ``layer_spans`` (g, 2). ``axes`` (2, 3) directions along and across the hall, and where its
     lines begin. ``host_spans`` (p, 2) the longest partition a host may carry, ``host_shifts``
     (p, 2) how far off it may stand, ``wall_needs``
-    (z,) metres of wall the objects of a zone need. ``entrances``, ``exits``, ``ways_out`` (k, 2)
-    points before doors, ``hiding`` (h, 8) frames of what hides and does not move, ``tall`` (n,) 1
-    for objects that hide, ``roles`` (g,) bits of :mod:`.visitors`, ``main`` the unit that is the
-    main exhibit (-1: none); ``wall_bound`` (g,) 1 for units that can stand at walls only;
-    ``own`` the numbers of the terms with data of their own.
+    (z,) metres of wall the objects of a zone need, ``uneven`` the mean over zones of
+    abs(U_a of the zone - U_a), which no move changes. ``strolled`` (n,) 1 for objects used from
+    several sides, between which ``passage`` metres are wished for. ``entrances``, ``exits``,
+    ``ways_out`` (k, 2) points before doors, ``inward`` (1, 2) the way in at the main entrance,
+    ``hiding`` (h, 8) frames of what hides and does not move, ``tall`` (n,) 1 for objects that hide,
+    ``roles`` (g,) bits of :mod:`.visitors`, ``main`` the unit that is the main exhibit (-1: none);
+    ``wall_bound`` (g,) 1 for units that can stand at walls only; ``own`` the numbers of the terms
+    with data of their own.
     """
 
     edges: Floats
@@ -66,6 +69,7 @@ class PreparedHall(NamedTuple):
     sizes: Floats
     clear: Floats
     access: Floats
+    strolled: Ints
     unit_of: Ints
     spans: Ints
     zones: Ints
@@ -83,11 +87,14 @@ class PreparedHall(NamedTuple):
     host_spans: Floats
     host_shifts: Floats
     wall_needs: Floats
+    uneven: float
     thickness: float
+    passage: float
     weights: Floats
     entrances: Floats
     exits: Floats
     ways_out: Floats
+    inward: Floats
     hiding: Floats
     tall: Floats
     roles: Ints

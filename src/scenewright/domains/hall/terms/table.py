@@ -26,6 +26,8 @@ NEAR = 1.0
 
 PASS, ABUT = 0.6, 0.02
 """Gaps people get through, and gaps of objects that stand side by side, in metres."""
+EASE = 0.5
+"""What a metre lacking of a wished passage costs beside one that nobody gets through."""
 NEAR_OUT = 15.0
 """Nobody minds so many metres to a way out."""
 
@@ -55,7 +57,14 @@ _ROWS = (
     ),
     TermRow("reach", REACH, "hall", 30, "objects and doors that the route does not reach", "ours"),
     TermRow("balance", BALANCE, "zone", 4, "groups crowded at one side of their zone", "ours"),
-    TermRow("facing", FACING, "group", 10, "groups turned away from what they look at", "ours"),
+    TermRow(
+        "facing",
+        FACING,
+        "group",
+        10,
+        "groups turned away from what they look at, desks from who comes in",
+        "ours",
+    ),
     TermRow(
         "alignment",
         ALIGNMENT,
@@ -69,7 +78,8 @@ _ROWS = (
         AISLES,
         "group",
         4,
-        "metres that gaps of neighbours lack for a person, unless side by side",
+        "metres that gaps of neighbours lack for a person, half of those that objects people "
+        "walk round lack for a passage, unless side by side",
         "Cao, Cheng, Zhang 2024, eq. 9",
     ),
     TermRow(
@@ -77,11 +87,16 @@ _ROWS = (
         EVENNESS,
         "hall",
         60,
-        "walls of some zones hung fuller than those of others",
+        "floor and walls of some zones fuller than those of others",
         "Cao, Cheng, Zhang 2024, eq. 8",
     ),
     TermRow(
-        "sight", SIGHT, "hall", 8, "main exhibit hidden from who stands in the entrance", "ours"
+        "sight",
+        SIGHT,
+        "hall",
+        8,
+        "main exhibit hidden from who stands in the entrance, or off its axis",
+        "ours",
     ),
     TermRow(
         "order",
@@ -92,7 +107,14 @@ _ROWS = (
         "out than the tills",
         "ours",
     ),
-    TermRow("queues", QUEUES, "group", 6, "floor before tills not free to queue on", "ours"),
+    TermRow(
+        "queues",
+        QUEUES,
+        "group",
+        6,
+        "floor before tills not free to queue on, lanes not leading to the way out",
+        "ours",
+    ),
     TermRow("egress", EGRESS, "group", 10, "objects more than 15 m from every way out", "ours"),
 )
 HALL_TERMS: tuple[TermRow, ...] = add_terms("hall", _ROWS)
@@ -170,14 +192,16 @@ def proportion_cost(gap: float, most: float) -> float:
 
 
 @compiled
-def aisle_cost(gap: float) -> float:
-    """max(0, 0.6 - gap) of two neighbours, in metres; 0 for those at most 2 cm apart, which stand
-    side by side.
+def aisle_cost(gap: float, wide: float) -> float:
+    """max(0, 0.6 - gap) + max(0, wide - gap) / 2 of two neighbours, in metres; 0 for those at most
+    2 cm apart, which stand side by side. ``wide`` is the passage wished for between them.
 
-    >>> round(aisle_cost(0.5), 6), aisle_cost(0.01), aisle_cost(0.7)
+    >>> round(aisle_cost(0.5, 0.0), 6), aisle_cost(0.01, 1.2), aisle_cost(0.7, 0.0)
     (0.1, 0.0, 0.0)
+    >>> round(aisle_cost(1.0, 1.2), 6)
+    0.1
     """
-    return max(PASS - gap, 0.0) if gap > ABUT else 0.0
+    return max(PASS - gap, 0.0) + EASE * max(wide - gap, 0.0) if gap > ABUT else 0.0
 
 
 @compiled

@@ -121,7 +121,7 @@ def judge(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
     change += visit_change(p, s, work, unit) + own_change(p, s, work)
     if p.weights[FACING] != 0.0:
         for other in range(p.targets.shape[0]):
-            if p.targets[other] >= 0 and (other == unit or p.targets[other] == unit):
+            if other == unit or p.targets[other] == unit:
                 work.fresh[2, other] = facing_of(p, s, other)
                 change += p.weights[FACING] * (work.fresh[2, other] - s.costs[FACING, other])
     return change
@@ -274,7 +274,7 @@ def settle(p: PreparedHall, s: State, work: Scratch, unit: int) -> None:
                 s.costs[ACCESS, link] = work.fresh[1, link]
     if p.weights[FACING] != 0.0:
         for other in range(p.targets.shape[0]):
-            if p.targets[other] >= 0 and (other == unit or p.targets[other] == unit):
+            if other == unit or p.targets[other] == unit:
                 s.costs[FACING, other] = work.fresh[2, other]
 
 

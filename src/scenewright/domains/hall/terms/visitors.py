@@ -20,8 +20,14 @@ RAYS = 5
 """Lines of sight to the main exhibit, over four fifths of its width."""
 QUEUE = 2.0
 """Depth of the floor before a till on which people wait, in metres: about four of them."""
-FIRST, TILL, MAIN = 1, 2, 4
-"""Roles of groups: seen first, passed last, and the main exhibit."""
+FIRST, TILL, MAIN, LANE = 1, 2, 4, 8
+"""Roles of groups: seen first, passed last, the main exhibit, and tills with lanes between them."""
+OFF_AXIS, FAR_OFF = 0.05, 5.0
+"""What a metre of the main exhibit off the axis of the entrance costs, and the metres beyond which
+more cost no more."""
+TURNED = 0.2
+"""What a desk costs at most half of whose visitors see its back, of what a group does that looks
+away from its stage."""
 
 
 @inlined
@@ -90,14 +96,25 @@ def sight_of(s: State) -> float:
 
 
 @inlined
+def off_axis(p: PreparedHall, s: State) -> float:
+    """What the main exhibit costs for the metres it lies off the way in at the entrance."""
+    if p.inward.shape[0] == 0:
+        return 0.0
+    i = p.spans[p.main, 0]
+    dx, dy = s.frames[i, 0] - p.entrances[0, 0], s.frames[i, 1] - p.entrances[0, 1]
+    return OFF_AXIS * min(abs(dx * p.inward[0, 1] - dy * p.inward[0, 0]), FAR_OFF)
+
+
+@inlined
 def look_again(p: PreparedHall, s: State, unit: int) -> float:
-    """The share hidden after a unit moved (-1: after anything did); its masks are written."""
+    """The share hidden after a unit moved (-1: after anything did), and what lies off the axis; its
+    masks are written."""
     if unit >= 0 and unit != p.main:
         s.shade[unit] = shade_of(p, s, unit)
     else:
         for u in range(s.shade.shape[0]):
             s.shade[u] = shade_of(p, s, u)
-    return sight_of(s)
+    return sight_of(s) + off_axis(p, s)
 
 
 @inlined
@@ -136,19 +153,55 @@ def order_of(p: PreparedHall, s: State, moved: int, x: float, y: float) -> float
 
 
 @inlined
-def queue_before(frame: Frame) -> Frame:
-    """The floor before a till on which people wait."""
+def welcome_of(p: PreparedHall, s: State, unit: int) -> float:
+    """How far a desk that stands by itself is turned away from the main entrance and from the
+    middle of its zone, 0 to 0.2; 0 for all others."""
+    first, last = p.spans[unit, 0], p.spans[unit, 1]
+    if not p.roles[unit] & FIRST or last - first > 1 or p.entrances.shape[0] == 0:
+        return 0.0
+    frame, zone, total = frame_at(s.frames, first), p.zones[unit], 0.0
+    for turn in range(2):
+        x = p.entrances[0, 0] if turn == 0 else p.middles[zone, 0]
+        y = p.entrances[0, 1] if turn == 0 else p.middles[zone, 1]
+        dx, dy = x - frame[0], y - frame[1]
+        far = max(math.sqrt(dx * dx + dy * dy), 1e-9)
+        total += 0.25 * (1.0 - (dx * frame[2] + dy * frame[3]) / far)
+    return TURNED * total
+
+
+@inlined
+def to_exit(p: PreparedHall, frame: Frame) -> float:
+    """Cosine of the angle between the right of a till and the way to the nearest exit; 0 without
+    exits."""
+    least, found = math.inf, 0.0
+    for k in range(p.exits.shape[0]):
+        dx, dy = p.exits[k, 0] - frame[0], p.exits[k, 1] - frame[1]
+        far = math.hypot(dx, dy)
+        if 1e-9 < far < least:
+            least, found = far, (dx * frame[3] - dy * frame[2]) / far
+    return found
+
+
+@inlined
+def queue_before(p: PreparedHall, frame: Frame, role: int) -> Frame:
+    """The floor before a till on which people wait: before its front, or of tills with lanes at
+    that end which is farther from the way out."""
+    if role & LANE and p.exits.shape[0] > 0:
+        side = -1.0 if to_exit(p, frame) > 0.0 else 1.0
+        return part_of(frame, side * (frame[4] + 0.5 * QUEUE), 0.0, 0.5 * QUEUE, frame[5])
     return part_of(frame, 0.0, frame[5] + 0.5 * QUEUE, frame[4], 0.5 * QUEUE)
 
 
 @inlined
 def queues_of(p: PreparedHall, s: State, unit: int) -> float:
-    """Mean share of the floor before the tills of a unit that is not free to queue on."""
+    """Mean share of the floor before the tills of a unit that is not free to queue on; of those
+    with lanes between them also 1 - abs(cos) of the angle of their lanes to the way out."""
     if not p.roles[unit] & TILL:
         return 0.0
     first, last, total = p.spans[unit, 0], p.spans[unit, 1], 0.0
     for i in range(first, last):
-        queue = queue_before(frame_at(s.frames, i))
+        till = frame_at(s.frames, i)
+        queue = queue_before(p, till, p.roles[unit])
         area = 4.0 * queue[4] * queue[5]
         taken = area - area_in_polygon(queue, p.edges)
         for solids in (p.obstacles, s.walls, s.frames):
@@ -158,6 +211,8 @@ def queues_of(p: PreparedHall, s: State, unit: int) -> float:
                     if not apart(queue, other):
                         taken += common_area(queue, other)
         total += min(taken / area, 1.0)
+        if p.roles[unit] & LANE and p.exits.shape[0] > 0:
+            total += 1.0 - abs(to_exit(p, till))
     return total / (last - first)
 
 
@@ -167,7 +222,7 @@ def in_queue(p: PreparedHall, s: State, work: Scratch, unit: int, till: int) -> 
     if unit == till:
         return True
     for t in range(p.spans[till, 0], p.spans[till, 1]):
-        queue = queue_before(frame_at(s.frames, t))
+        queue = queue_before(p, frame_at(s.frames, t), p.roles[till])
         for i in range(p.spans[unit, 0], p.spans[unit, 1]):
             for frames in (s.frames, work.frames):
                 dx, dy = frames[i, 0] - queue[0], frames[i, 1] - queue[1]
@@ -188,20 +243,21 @@ def egress_of(p: PreparedHall, unit: int, x: float, y: float) -> float:
 
 @inlined
 def evenness_of(p: PreparedHall, s: State) -> float:
-    """Eq. 8 for walls: mean over zones with walls of abs(U_w of the zone - U_w), the lengths of
-    the rows that stand at walls over the metres of wall."""
+    """Eq. 8: mean over zones of abs(U_a of the zone - U_a), and over those with walls of
+    abs(U_w of the zone - U_w), the lengths of the rows that stand at walls over the metres of
+    wall."""
     total, taken, count = 0.0, 0.0, 0
     zones = p.zone_areas.shape[0]
     for z in range(zones):
         total, taken = total + wall_length(p, s, z), taken + row_length(p, s, z)
     if total <= 0.0:
-        return 0.0
+        return p.uneven
     uneven = 0.0
     for z in range(zones):
         length = wall_length(p, s, z)
         if length > 0.0:
             uneven, count = uneven + abs(row_length(p, s, z) / length - taken / total), count + 1
-    return uneven / count
+    return uneven / count + p.uneven
 
 
 @inlined

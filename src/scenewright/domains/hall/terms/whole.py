@@ -47,6 +47,7 @@ from scenewright.domains.hall.terms.visitors import (
     look_again,
     order_of,
     queues_of,
+    welcome_of,
 )
 from scenewright.engine.whole_terms import join_terms, with_data
 from scenewright.geometry.boxes import common_area, read_frame
@@ -95,10 +96,10 @@ def place_all(
 
 @inlined
 def facing_of(p: PreparedHall, s: State, unit: int) -> float:
-    """How far a unit is turned away from what it looks at; 0 if it looks at nothing."""
+    """How far a unit is turned away from what it looks at, a desk from who comes in."""
     target = p.targets[unit]
     if target < 0:
-        return 0.0
+        return welcome_of(p, s, unit)
     x, y = middle_of(s, p.spans[unit, 0], p.spans[unit, 1])
     to_x, to_y = middle_of(s, p.spans[target, 0], p.spans[target, 1])
     return facing_cost(x, y, s.pose[unit, 2], to_x, to_y)

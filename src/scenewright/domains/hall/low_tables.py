@@ -1,0 +1,69 @@
+"""Low tables between seats that look at each other: what the pattern ``around`` leaves room for."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from scenewright.core.catalog import Catalog, footprint_of
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains.hall.hall_layout import PlacedGroup
+from scenewright.geometry.boxes import Frame, common_area, make_frame
+
+CATEGORY, TABLES = "coffee_table", "/tables"
+"""What stands between seats, and what its function ends with."""
+SHORT, LONG, HEIGHT = 0.6, 1.1, 0.42
+"""Side and length of a low table, for up to three seats and for more, and its height, in metres."""
+TOUCH = 1e-4
+
+
+def low_tables(
+    groups: tuple[PlacedGroup, ...],
+    pieces: tuple[Piece, ...],
+    others: tuple[Piece, ...],
+    catalog: Catalog,
+) -> tuple[Piece, ...]:
+    """A table in the middle of each company of two seats and more that stands ``around`` one. What
+    would stand in something is left out."""
+    known = {piece.id: piece for piece in pieces}
+    solid = [_frame(piece) for piece in (*pieces, *others)]
+    found: list[Piece] = []
+    for group in (group for group in groups if group.pattern == "around"):
+        first = 0
+        for layer in group.parts[0].layers:
+            seats = [known[name] for name in group.objects[first : first + layer.number]]
+            first += layer.number
+            table = _table(group, seats, layer.across, len(found), catalog)
+            if layer.number > 1 and all(common_area(_frame(table), f) <= TOUCH for f in solid):
+                found.append(table)
+    return tuple(found)
+
+
+def _table(
+    group: PlacedGroup, seats: list[Piece], far: float, number: int, catalog: Catalog
+) -> Piece:
+    """The table before some seats whose middles are ``far`` from its middle line."""
+    ahead = [
+        (p.pose.x + far * math.cos(p.pose.heading), p.pose.y + far * math.sin(p.pose.heading))
+        for p in seats
+    ]
+    x, y = (float(v) for v in np.mean(ahead, axis=0))
+    size = Size(SHORT, SHORT if len(seats) < 4 else LONG, HEIGHT)
+    asset = catalog.choose(CATEGORY, size)
+    return Piece(
+        id=f"{group.id}/{CATEGORY}_{number + 1}",
+        category=CATEGORY,
+        asset=asset.id if asset else "",
+        space=group.space,
+        pose=Pose(x, y, 0.0, group.pose[2]),
+        size=size,
+        group=group.id,
+        function=f"{group.demand}{TABLES}",
+        footprint=footprint_of(asset, size),
+    )
+
+
+def _frame(piece: Piece) -> Frame:
+    pose, size = piece.pose, piece.size
+    return make_frame(pose.x, pose.y, pose.heading, size.width, size.depth)

@@ -1,0 +1,92 @@
+"""What stands on the stage instead of beside it: the lectern, at the side of it and near its edge,
+as speakers do, so that what is shown behind them stays in sight."""
+
+from __future__ import annotations
+
+import math
+
+from scenewright.core.catalog import Catalog, footprint_of
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import LeftOut
+from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
+from scenewright.domains.hall.holdings import HallDemand
+
+STAGE, CARRIED = "stage", ("lectern",)
+ASIDE = 0.28
+"""How far off the middle of the stage, as a share of its width: beside the steps at its ends."""
+EDGE = 0.5
+"""Between what stands on it and the front of the stage, in metres."""
+BEHIND = 0.9
+"""Least depth for who speaks, in metres."""
+
+
+def split_carried(
+    wishes: list[HallDemand], fixed: tuple[Piece, ...]
+) -> tuple[list[HallDemand], list[HallDemand]]:
+    """Demands that stand on the floor, and those of one object that a stage has room for: one of
+    the same zone, or one that stands already."""
+    stages = [(wish.zones, wish.sizes[0]) for wish in wishes if wish.category == STAGE]
+    there = [piece.size for piece in fixed if piece.category == STAGE]
+    carried = [
+        wish
+        for wish in wishes
+        if wish.category in CARRIED
+        and len(wish.sizes) == 1
+        and any(
+            _has_room(floor, wish.sizes[0])
+            for floor in (*there, *(floor for zones, floor in stages if zones == wish.zones))
+        )
+    ]
+    return [wish for wish in wishes if wish not in carried], carried
+
+
+def _has_room(floor: Size, size: Size) -> bool:
+    """Whether a stage is wide and deep enough to speak from behind an object."""
+    return (0.5 - ASIDE) * floor.width > 0.5 * size.width + 0.3 and (
+        floor.depth > EDGE + size.depth + BEHIND
+    )
+
+
+def put_on_stage(
+    hall: HallContext, carried: list[HallDemand], pieces: tuple[Piece, ...], catalog: Catalog
+) -> tuple[tuple[Piece, ...], tuple[PlacedGroup, ...], tuple[LeftOut, ...]]:
+    """The pieces of carried demands on the first stage among ``pieces``, their groups, and what has
+    no stage: on alternating sides of the middle, looking where the stage does."""
+    stages = [piece for piece in pieces if piece.category == STAGE]
+    found, groups, missing = list[Piece](), list[PlacedGroup](), list[LeftOut]()
+    for number, wish in enumerate(carried):
+        if not stages:
+            why = "its stage found no room"
+            missing.append(LeftOut(hall.space.id, wish.name, why, wish.required))
+            continue
+        stage, zone = stages[0], wish.zones[0] if wish.zones else hall.names[0]
+        piece = _on(stage, wish, number, f"{hall.space.id}/{wish.id}", catalog)
+        found.append(piece)
+        part = PatternPart("single", (Layer(1, 0.0, 0.0),))
+        pose = (piece.pose.x, piece.pose.y, piece.pose.heading)
+        placed = piece.group, wish.id, hall.space.id, zone, "single", pose, (part,), (piece.id,)
+        groups.append(PlacedGroup(*placed))
+    return tuple(found), tuple(groups), tuple(missing)
+
+
+def _on(stage: Piece, wish: HallDemand, number: int, group: str, catalog: Catalog) -> Piece:
+    """One object at the edge of a stage."""
+    size = Size(*wish.sizes[0])
+    right = (-1.0 if number % 2 == 0 else 1.0) * ASIDE * stage.size.width
+    ahead = 0.5 * stage.size.depth - EDGE - 0.5 * size.depth
+    c, s = math.cos(stage.pose.heading), math.sin(stage.pose.heading)
+    x, y = stage.pose.x + right * s + ahead * c, stage.pose.y - right * c + ahead * s
+    asset = catalog.choose(wish.category, size)
+    return Piece(
+        id=f"{group}/{wish.category}_1",
+        category=wish.category,
+        asset=asset.id if asset else "",
+        space=stage.space,
+        pose=Pose(x, y, stage.pose.z + stage.size.height, stage.pose.heading),
+        size=size,
+        group=group,
+        function=wish.id,
+        footprint=footprint_of(asset, size),
+        on=stage.id,
+    )
