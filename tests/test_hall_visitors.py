@@ -136,7 +136,12 @@ def _boxes(frames: Any) -> Any:
 def _unevenness(chain: HallChain) -> float:
     p, s = chain.p, chain.s
     zones = range(len(p.zone_areas))
-    length = [s.stretches[s.stretches[:, 5] == z, 4].sum() for z in zones]
+    before = s.stretches[:, 5].copy()
+    for host, off in enumerate(s.offsets):
+        row = len(before) - 2 * len(p.hosts) + 2 * host
+        if abs(off) > p.thickness / 2:
+            before[row : row + 2] = p.hosts[host, 4 if off > 0.0 else 5]
+    length = [s.stretches[before == z, 4].sum() for z in zones]
     rows = [
         sum(
             p.sizes[a:b, 0].sum()

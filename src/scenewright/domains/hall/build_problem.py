@@ -108,7 +108,7 @@ def build_problem(
     )
     flat = np.array([(size.width, size.depth) for size in sizes], np.float64).reshape(-1, 2)
     return HallProblem(
-        ground=_ground(hall, wishes, units, hosts),
+        ground=_ground(hall, wishes, units, hosts, catalog),
         units=Units(
             sizes=flat,
             clear=np.array(clear, np.float64).reshape(-1, 4),
@@ -145,7 +145,11 @@ def unit_names(hall: HallContext, wishes: list[HallDemand], units: list[Unit]) -
 
 
 def _ground(
-    hall: HallContext, wishes: list[HallDemand], units: list[Unit], hosts: tuple[Host, ...]
+    hall: HallContext,
+    wishes: list[HallDemand],
+    units: list[Unit],
+    hosts: tuple[Host, ...],
+    catalog: Catalog,
 ) -> HallGround:
     zones, names = hall.plan.zones, hall.names
     rings = [zone_edges(zone) for zone in zones]
@@ -156,6 +160,7 @@ def _ground(
     seen = gates(hall.space)
     doors = [gate for gate in seen if gate.opening.kind != "window"]
     solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
+    locked = _locked(hall, catalog)
     return HallGround(
         edges=edges_of(hall.space),
         obstacles=_rows([box for piece in solid for box in boxes_of(piece)], 5),
@@ -176,7 +181,21 @@ def _ground(
         host_shifts=_rows([list(host.shift) for host in hosts], 2),
         zone_walls=np.maximum(lacking(units, wishes, np.zeros(len(zones)), True), 0.0),
         bounds=np.concatenate([low, high]),
+        standing=_rows([list(boxes_of(piece)[0]) for piece, _ in locked], 5),
+        standing_access=_rows([[float(k in sides) for k in SIDES] for _, sides in locked], 4),
     )
+
+
+def _locked(hall: HallContext, catalog: Catalog) -> list[tuple[Piece, tuple[str, ...]]]:
+    """Locked objects of groups that one walks up to, and the sides they are used from."""
+    found: list[tuple[Piece, tuple[str, ...]]] = []
+    for piece in hall.fixed:
+        kind = catalog.kinds.get(piece.category)
+        mine = piece.function not in ("", "fixed", "partition") and _solid(piece)
+        seat = any(word in piece.category for word in SEATS)
+        if mine and not seat and kind is not None and kind.access:
+            found.append((piece, tuple(kind.access)))
+    return found
 
 
 def _least(wishes: list[HallDemand], units: list[Unit], areas: Floats) -> Floats:

@@ -15,6 +15,7 @@ from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.patterns.fan import ROW, near_radius
 from scenewright.domains.hall.problem import HallProblem, Units, VisitorPlan
 from scenewright.domains.hall.terms.measure import block_solids
+from scenewright.domains.hall.terms.standing import find_reached
 from scenewright.domains.hall.terms.state import (
     LINE,
     STEP,
@@ -53,6 +54,8 @@ def prepare(problem: HallProblem) -> PreparedHall:
     cells = np.stack([starts, counts], 1).astype(np.int64).reshape(-1, 2)
     p = PreparedHall(
         edges=_fresh(ground.edges, 4),
+        standing=frames_of(_fresh(ground.standing, 5)),
+        standing_access=_fresh(ground.standing_access, 4),
         obstacles=frames_of(_fresh(ground.obstacles, 5)),
         keep_free=frames_of(_fresh(ground.keep_free, 5)),
         zone_edges=_fresh(ground.zone_edges, 4),
@@ -82,7 +85,17 @@ def prepare(problem: HallProblem) -> PreparedHall:
         **_visitor_arrays(problem.visitors, len(units.sizes), len(units.spans)),
     )
     _block(p)
-    return p
+    return _keep_reachable(problem, p) if len(p.standing) else p
+
+
+def _keep_reachable(problem: HallProblem, p: PreparedHall) -> PreparedHall:
+    """Without the locked objects that no route leads to even where nothing else stands."""
+    grid, none = route_grid(problem, p), np.zeros((0, 8))
+    free, reached = (np.zeros(grid.free.shape, np.uint64) for _ in range(2))
+    found = np.zeros(len(p.standing))
+    find_reached(p.standing, p.standing_access, none, grid, free, reached, found)
+    kept = found > 0.0
+    return p._replace(standing=p.standing[kept], standing_access=p.standing_access[kept])
 
 
 def _stretches(problem: HallProblem, hosts: Floats) -> Floats:

@@ -31,7 +31,7 @@ SLACK = 1.5
 """How far the borders of a proposed zone may move, in metres, unless its brief says otherwise."""
 
 
-class Moved(NamedTuple):
+class ShiftedHall(NamedTuple):
     """A hall with its zones as they lie now, what was found there, and how far each line of borders
     has moved, by the names of the zones on both its sides."""
 
@@ -74,12 +74,12 @@ def move_borders(
     slack: Floats,
     progress: Progress | None,
     cancel: Cancel | None,
-) -> Moved:
+) -> ShiftedHall:
     """Borders moved while that lowers the energy, in turn with annealing what stands there.
 
     ``slack`` (z,) metres each zone allows. Only a layout in which nothing is wrong is touched.
     """
-    now, best = Moved(search.hall, fitted, found), found.layouts[0]
+    now, best = ShiftedHall(search.hall, fitted, found), found.layouts[0]
     if best.missed or best.lacking or not may_move(search, slack):
         return now
     rule, lines = search.preset.settings.borders, border_lines(now.hall.borders)
@@ -97,7 +97,9 @@ def move_borders(
     return now
 
 
-def _shift(search: HallSearch, now: Moved, line: BorderLine, slack: Floats) -> Moved | None:
+def _shift(
+    search: HallSearch, now: ShiftedHall, line: BorderLine, slack: Floats
+) -> ShiftedHall | None:
     """A line moved into its emptier side, as far as it can be of a few steps; None if it cannot."""
     most = min(slack[k] for k in line.zones)
     side = 1.0 if _fuller(now, line) < 0.0 else -1.0
@@ -108,11 +110,11 @@ def _shift(search: HallSearch, now: Moved, line: BorderLine, slack: Floats) -> M
     return None
 
 
-def _energy(moved: Moved) -> float:
+def _energy(moved: ShiftedHall) -> float:
     return moved.found.layouts[0].energy
 
 
-def _fuller(now: Moved, line: BorderLine) -> float:
+def _fuller(now: ShiftedHall, line: BorderLine) -> float:
     """By how much the share of floor taken is greater left of a line than right of it."""
     units, areas = now.fitted.problem.units, now.fitted.problem.ground.zone_areas
     zone_of = np.repeat(units.zones, np.diff(units.spans)[:, 0])
@@ -121,12 +123,14 @@ def _fuller(now: Moved, line: BorderLine) -> float:
     return float(shares[0] - shares[1])
 
 
-def _name(now: Moved, line: BorderLine) -> str:
+def _name(now: ShiftedHall, line: BorderLine) -> str:
     sides = (", ".join(now.hall.names[k] for k in sorted(side)) for side in (line.left, line.right))
     return " | ".join(sides)
 
 
-def _shifted(search: HallSearch, now: Moved, line: BorderLine, metres: float) -> list[Moved]:
+def _shifted(
+    search: HallSearch, now: ShiftedHall, line: BorderLine, metres: float
+) -> list[ShiftedHall]:
     """The same layout where a line lies so far to its left, and with the groups on the side that
     it moves into carried along; without what cannot be."""
     hall = now.hall
@@ -161,8 +165,8 @@ def _carried(start: Kept, zones: Ints, line: BorderLine, metres: float) -> Kept:
 
 
 def _measured(
-    hall: HallContext, fitted: Fitted, now: Moved, name: str, metres: float
-) -> Moved | None:
+    hall: HallContext, fitted: Fitted, now: ShiftedHall, name: str, metres: float
+) -> ShiftedHall | None:
     """A shifted hall with its layout measured; None where it breaks a rule."""
     chain = begin_chain(fitted.problem, fitted.start, streams(0, 1)[0])
     if not np.isfinite(chain.tally[0]):
@@ -173,7 +177,7 @@ def _measured(
     found = now.found._replace(layouts=(layout,), evaluations=now.found.evaluations + 1)
     before = dict(now.shifts)
     shifts = {**before, name: float(before.get(name, 0.0) + metres)}
-    return Moved(hall, fitted, found, tuple(shifts.items()))
+    return ShiftedHall(hall, fitted, found, tuple(shifts.items()))
 
 
 def _follow(
@@ -211,7 +215,9 @@ def _within(walls: Floats, hosts: tuple[Host, ...]) -> Floats:
     return found
 
 
-def _anneal(search: HallSearch, moved: Moved, seed: int, cancel: Cancel | None) -> Moved:
+def _anneal(
+    search: HallSearch, moved: ShiftedHall, seed: int, cancel: Cancel | None
+) -> ShiftedHall:
     """What was gained, cooled again with a share of the budget; never worse."""
     budget = take_share(search.budget, search.preset.settings.borders.share)
     start: Kept = moved.found.layouts[0].kept

@@ -36,7 +36,8 @@ class HallGround(NamedTuple):
     the left and to the right. ``bounds`` (4,). ``host_spans`` (p, 2): start and end of the longest
     partition each may carry (left out: all of the border), ``host_shifts`` (p, 2) how far to its
     right and left it may stand off (left out: nowhere), ``zone_walls`` (z,) metres of wall that the
-    objects of a zone need (left out: none).
+    objects of a zone need (left out: none). ``standing`` (k, 5) locked objects that must stay
+    within reach, ``standing_access`` (k, 4) 1 for the sides of which one must be reached.
     """
 
     edges: Floats
@@ -56,6 +57,8 @@ class HallGround(NamedTuple):
     host_spans: Floats = _NONE
     host_shifts: Floats = _NONE
     zone_walls: Floats = _NONE
+    standing: Floats = _NONE
+    standing_access: Floats = _NONE
     thickness: float = 0.15
 
 

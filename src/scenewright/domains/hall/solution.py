@@ -18,6 +18,7 @@ from scenewright.core.layout import Layouts, NamedBox, check_layouts
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Size
 from scenewright.core.solution import LeftOut, Solution
+from scenewright.domains.hall.assemble import Laid, assemble_solution
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext, build_problem
 from scenewright.domains.hall.energy import capacity
@@ -27,7 +28,7 @@ from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.presets import PRESETS
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
-from scenewright.domains.hall.solving import Laid, assemble_solution, furnish_layout, hall_contexts
+from scenewright.domains.hall.solving import furnish_layout, hall_contexts
 from scenewright.domains.hall.terms.state import Kept
 
 FITS = 0.01

@@ -6,7 +6,6 @@ patterns, patterns stand in functional zones; the parameters of the patterns are
 
 from __future__ import annotations
 
-import hashlib
 import os
 import time
 from collections.abc import Callable
@@ -17,7 +16,6 @@ from zlib import crc32
 
 import numpy as np
 
-from scenewright._version import __version__
 from scenewright.building.plan import plan_rooms
 from scenewright.building.standing import fixed_pieces, reaching_in
 from scenewright.catalog.loading import catalog_of
@@ -26,16 +24,16 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.layout import Watch
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
-from scenewright.core.solution import LeftOut, Solution, TermValue
+from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
+from scenewright.domains.hall.assemble import Laid, assemble_solution
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import grow_table, with_chairs
 from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.fit import Fitted, fit
-from scenewright.domains.hall.floors import least_energies
 from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
-from scenewright.domains.hall.hall_layout import HallDetail, HallLayout, PlacedGroup, Tour, Zone
+from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
 from scenewright.domains.hall.low_tables import low_tables
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
@@ -47,7 +45,6 @@ from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.unreached import drop_unreached
 from scenewright.domains.hall.zones import borders_of, zones_of
-from scenewright.engine.energy import Part
 from scenewright.engine.rows import preset_named
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget
@@ -68,22 +65,6 @@ class HallTask(NamedTuple):
     budget: Budget
     seed: int
     lean: int
-
-
-class Laid(NamedTuple):
-    """One hall laid out; ``zones`` as they lie now and how far borders have moved (empty: as
-    before)."""
-
-    pieces: tuple[Piece, ...]
-    groups: tuple[PlacedGroup, ...]
-    partitions: tuple[str, ...]
-    parts: tuple[Part, ...]
-    left_out: tuple[LeftOut, ...]
-    energy: float
-    evaluations: int
-    tour: Tour | None
-    zones: tuple[Zone, ...] = ()
-    shifts: tuple[tuple[str, float], ...] = ()
 
 
 def solve(
@@ -320,68 +301,4 @@ def furnish_layout(
         sum(part.cost for part in parts),
         evaluations,
         way,
-    )
-
-
-def assemble_solution(
-    brief: Brief,
-    halls: list[HallContext],
-    laid: dict[int, Laid],
-    preset: str,
-    solver: str,
-    seed: int,
-    seconds: float,
-) -> Solution:
-    """The solution of all halls of a brief; those not in ``laid`` hold what stands there."""
-    found = [laid.get(number) for number in range(len(halls))]
-    done = [answer for answer in found if answer is not None]
-    pieces = [
-        piece
-        for hall, answer in zip(halls, found, strict=True)
-        for piece in (*hall.fixed, *(answer.pieces if answer else ()))
-    ]
-    layout = HallLayout(
-        tuple(
-            zone
-            for hall, answer in zip(halls, found, strict=True)
-            for zone in (answer.zones if answer and answer.zones else hall.plan.zones)
-        ),
-        tuple(link for hall in halls for link in hall.plan.links),
-        tuple(group for answer in done for group in answer.groups),
-        tuple(wall for answer in done for wall in answer.partitions),
-    )
-    terms = tuple(
-        TermValue(hall.space.id, part.item, part.term, part.value, part.weight, part.cost)
-        for hall, answer in zip(halls, found, strict=True)
-        for part in (answer.parts if answer else ())
-    )
-    printed = PRESETS[preset].settings.printed
-    return Solution(
-        brief=brief,
-        pieces=tuple(pieces),
-        patches=(),
-        terms=terms,
-        left_out=tuple(out for answer in done for out in answer.left_out),
-        energies={
-            hall.space.id: answer.energy
-            for hall, answer in zip(halls, found, strict=True)
-            if answer is not None
-        },
-        preset=preset,
-        solver=solver,
-        seed=seed,
-        version=__version__,
-        brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
-        seconds=seconds,
-        evaluations=sum(answer.evaluations for answer in done),
-        detail=HallDetail(
-            layout,
-            tuple(answer.tour for answer in done if answer.tour is not None),
-            tuple(least_energies(terms, layout, printed).items()),
-            tuple(
-                (hall.space.id, name, metres)
-                for hall, answer in zip(halls, found, strict=True)
-                for name, metres in (answer.shifts if answer else ())
-            ),
-        ),
     )

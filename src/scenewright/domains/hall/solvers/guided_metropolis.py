@@ -51,8 +51,8 @@ BLOCK = 16
 def count_missed(
     p: PreparedHall, s: State, grid: RouteGrid, base: Bits, free: Bits, reached: Bits, inset: Floats
 ) -> float:
-    """Objects and doors the route does not reach; ``base`` takes the floor less partitions. Each
-    unit's share of the objects is left in its costs."""
+    """Objects, locked ones among them, and doors the route does not reach; ``base`` takes the floor
+    less partitions. Each unit's share of the objects is left in its costs."""
     for row in range(base.shape[0]):
         for word in range(base.shape[1]):
             base[row, word] = grid.free[row, word]
@@ -61,6 +61,10 @@ def count_missed(
             sweep_box(base, grid, read_frame(s.walls, h), grid.radius, CLEAR)
     bare = RouteGrid(grid.x0, grid.y0, grid.cell, grid.radius, base, grid.doors)
     count = route(s.frames, p.access, inset, bare, free, reached, math.inf)
+    for k in range(p.standing.shape[0]):
+        frame, sides = read_frame(p.standing, k), read_sides(p.standing_access, k)
+        if not is_reached(frame, sides, reached, bare):
+            count += 1.0
     for u in range(p.spans.shape[0]):
         s.costs[REACH, u] = 0.0
     if count > 0.0:

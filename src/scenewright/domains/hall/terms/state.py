@@ -25,8 +25,10 @@ LINE = 0.01
 class PreparedHall(NamedTuple):
     """A problem ready for compiled code; see :class:`scenewright.domains.hall.problem.HallProblem`.
 
-    ``obstacles``, ``keep_free`` as frames (k, 8). ``least`` (z,) share of each zone that should
-    be in use, ``middles`` (z, 2) centroids. ``border_cells`` (b, 2) start and number of the
+    ``obstacles``, ``keep_free`` as frames (k, 8). ``standing`` (k, 8) locked objects that must stay
+    within reach at one of their sides of use, ``standing_access`` (k, 4). ``least`` (z,) share of
+    each zone that should be in use, ``middles`` (z, 2) centroids. ``border_cells`` (b, 2) start and
+    number of the
     cells of each border, ``blocked`` (cells,) 1 where walls or obstacles block one.
     ``stretches`` (s, 7): x0, y0, unit direction, length, zone and what to leave free at its start
     in corners (1 or 0); the last 2 p rows are the two sides of the p hosts, without length.
@@ -50,6 +52,8 @@ class PreparedHall(NamedTuple):
     """
 
     edges: Floats
+    standing: Floats
+    standing_access: Floats
     obstacles: Floats
     keep_free: Floats
     zone_edges: Floats

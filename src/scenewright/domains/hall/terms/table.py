@@ -86,7 +86,7 @@ _ROWS = (
         "evenness",
         EVENNESS,
         "hall",
-        60,
+        100,
         "floor and walls of some zones fuller than those of others",
         "Cao, Cheng, Zhang 2024, eq. 8",
     ),

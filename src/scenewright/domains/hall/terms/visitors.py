@@ -261,11 +261,22 @@ def evenness_of(p: PreparedHall, s: State) -> float:
 
 
 @inlined
+def zone_before(p: PreparedHall, s: State, row: int) -> int:
+    """The zone before a stretch: both sides of a partition that stands off its border lie in the
+    zone it stands in."""
+    host = (row - s.stretches.shape[0] + 2 * p.hosts.shape[0]) // 2
+    if host < 0 or abs(s.offsets[host]) <= 0.5 * p.thickness:
+        return int(p.stretches[row, 5])
+    return int(p.hosts[host, 4]) if s.offsets[host] > 0.0 else int(p.hosts[host, 5])
+
+
+@inlined
 def wall_length(p: PreparedHall, s: State, zone: int) -> float:
     """Metres of wall a zone has, partitions among them."""
     length = 0.0
-    for k in range(p.loop_spans[zone, 0], p.loop_spans[zone, 1]):
-        length += s.stretches[p.loops[k], 4]
+    for row in range(s.stretches.shape[0]):
+        if zone_before(p, s, row) == zone:
+            length += s.stretches[row, 4]
     return length
 
 
