@@ -149,7 +149,7 @@ def test_rows_of_the_brief_are_laid_as_written() -> None:
         sw.solve(extension({"buildings": kinds}, rows=[row | {"pattern": "A Z"}]), steps=1)
 
 
-@pytest.mark.parametrize("suffix", [".svg", ".geojson", ".glb", ".png", ".json"])
+@pytest.mark.parametrize("suffix", [".svg", ".geojson", ".glb", ".png", ".json", ".city.json"])
 def test_extensions_are_written(suffix: str, tmp_path: Path) -> None:
     brief = extension(count=4).model_copy()
     part = brief.part.model_copy(update={"origin": (11.5, 49.5)})
@@ -168,6 +168,18 @@ def test_a_map_reads_as_the_brief_it_was_written_from(tmp_path: Path) -> None:
     assert len(again.part.sources[0].buildings) == len(solution.pieces)
     area = shapely.Polygon(again.part.areas[0].outline).area
     assert area == pytest.approx(114 * 50, rel=1e-4)
+
+
+def test_a_city_model_written_is_a_source_again(tmp_path: Path) -> None:
+    first = sw.solve(extension(count=4), steps=1)
+    sw.write(first, tmp_path / "first.city.json")
+    outline = [[202, -4], [300, -4], [300, 46], [202, 46]]
+    source = {"path": str(tmp_path / "first.city.json"), "stands": False}
+    second = sw.solve(extension(source, outline=outline, count=4), steps=1)
+    assert len(new(second)) == 4
+    sizes = {(round(p.size.width), round(p.size.height)) for p in new(second)}
+    assert sizes == {(10, 7)}
+    assert all(p.asset.startswith("model:first") for p in new(second))
 
 
 def test_a_saved_solution_is_a_source(tmp_path: Path) -> None:

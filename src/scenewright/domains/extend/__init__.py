@@ -43,6 +43,12 @@ DOMAIN = Domain(
             domain="extend",
         ),
         Format(
+            ".city.json",
+            "city model (CityJSON) of an extension (written)",
+            writer=f"{__name__}.writing.cityjson",
+            domain="extend",
+        ),
+        Format(
             ".street.png",
             "picture across the seam, at eye height",
             writer=f"{__name__}.writing.street_picture",

@@ -29,6 +29,9 @@ FARTHEST = 90.0
 """Metres beyond which nobody is a neighbour."""
 ALIKE = 5
 """Buildings of the sources that stand in for one."""
+TOUCHING, TERRACED = 0.5, 0.35
+"""Metres below which buildings touch, and the share of buildings that must for it to be the
+rule."""
 TIGHT = 0.05
 """The quantile of gaps below which nothing is built."""
 
@@ -162,6 +165,14 @@ def _alike(boxes: Floats, kind: Indices, relative: Floats, near: Indices) -> Ind
     return np.argsort(size, axis=1, kind="stable")[:, :ALIKE]
 
 
+def _least_gap(gaps: Floats, of: Indices, count: int) -> float:
+    """The least gap in use: a low quantile. That few buildings touch is no rule, as between the
+    parts of one; only where many do, as in terraces, touching counts."""
+    touching = len(np.unique(of[gaps < TOUCHING])) / max(count, 1)
+    known = gaps if touching >= TERRACED else gaps[gaps >= TOUCHING]
+    return float(np.quantile(known, TIGHT)) * 0.98 if len(known) else np.nan
+
+
 def pair_kind(box: Floats, others: Floats) -> Indices:
     """How boxes (n, 5) stand to a box (5,), or each to its own (n, 5): 0 beside, 1 before or
     behind, 2 at a corner.
@@ -189,10 +200,7 @@ def _gap_rules(boxes: Floats, shapes: NDArray[np.object_], source: Indices) -> G
     i, j = i[apart], j[apart]
     gaps = np.asarray(shapely.distance(shapes[i], shapes[j]))
     how = pair_kind(boxes[i], boxes[j])
-    least = [
-        float(np.quantile(gaps[how == k], TIGHT)) * 0.98 if (how == k).any() else np.nan
-        for k in range(3)
-    ]
+    least = [_least_gap(gaps[how == k], i[how == k], len(boxes)) for k in range(3)]
     known = [value for value in least if np.isfinite(value)] or [6.0]
     side, front, corner = (v if np.isfinite(v) else min(known) for v in least)
     return GapRules(side, front, min(corner, side, front) if corner < 0.5 else corner)

@@ -294,7 +294,7 @@ def anneal_plots(
     now = _random(grid, kinds, rng)
     value = judge.rate(now)
     while not judge.spent():
-        heat = 0.03 * (1 - len(judge.history) / evaluations) + 1e-9
+        heat = 0.004 * (1 - len(judge.history) / evaluations) + 1e-9
         made = _step(grid, now, kinds, rng)
         other = judge.rate(made)
         if other >= value or rng.random() < np.exp((other - value) / heat):

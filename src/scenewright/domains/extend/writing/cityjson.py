@@ -1,0 +1,74 @@
+"""A solved extension as CityJSON 2.0: buildings old and new, areas and streets.
+
+In local metres, or those of the city model the only source came from. Buildings are prisms over
+their footprints with the model that draws them, their age and the front's heading as attributes.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+import numpy as np
+
+from scenewright.building.outlines import rings
+from scenewright.catalog import credits as authorship
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.atomic_file import write_atomically
+from scenewright.core.piece_outlines import outline_of
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.domains.extend.areas import OLD, ExtendPlan
+from scenewright.domains.extend.plan import plan_extend
+from scenewright.ground.city_objects import (
+    Vertices,
+    city_document,
+    flat_object,
+    free_key,
+    prism_object,
+)
+
+STOREY = 3.0
+
+
+def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
+    """Write the city model of a solution to ``path``; the file appears whole or not at all."""
+    write_atomically(path, json.dumps(document(solution, plan), ensure_ascii=False) + "\n")
+
+
+def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
+    """The CityJSON object of a solution of an extension."""
+    plan: ExtendPlan = (made or plan_extend(solution.brief)).detail
+    models = catalog_of(solution.brief.catalogs)
+    credited = authorship.document(authorship.credits_of(solution.pieces, models))
+    vertices: Vertices = {}
+    objects: dict[str, Any] = {}
+    for area in plan.areas:
+        outline, holes = rings(area.outline)
+        told: dict[str, Any] = {"name": area.name, "class": "extension", "credits": credited}
+        key = free_key(area.id, objects)
+        objects[key] = flat_object("LandUse", [(outline, *holes)], told, vertices)
+    for way in plan.ground.roads:
+        parts = [(part.outline, *part.holes) for part in way.areas]
+        if parts:
+            told = {"name": way.name or way.id, "class": way.kind, "width": way.width}
+            objects[free_key(way.id, objects)] = flat_object("Road", parts, told, vertices)
+    for piece in solution.pieces:
+        if piece.category == "building":
+            objects[free_key(piece.id, objects)] = _building(piece, vertices)
+    return city_document(solution.brief.name, objects, vertices)
+
+
+def _building(piece: Piece, vertices: Vertices) -> dict[str, Any]:
+    told = {
+        "name": piece.function,
+        "measuredHeight": round(piece.size.height, 3),
+        "model": piece.asset,
+        "storeysAboveGround": max(1, round(piece.size.height / STOREY)),
+        "new": piece.space != OLD,
+        "heading": round(float(np.rad2deg(piece.pose.heading)), 3),
+    }
+    low = piece.pose.z
+    return prism_object(outline_of(piece), low, low + piece.size.height, told, vertices)
