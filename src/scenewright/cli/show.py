@@ -14,7 +14,7 @@ from scenewright.core.registry import domain_of
 
 if TYPE_CHECKING:
     from scenewright.core.plan import Plan
-    from scenewright.core.report import Report
+    from scenewright.core.report import Finding, Report
     from scenewright.core.solution import Solution
 
 MOST_FINDINGS = 20
@@ -91,7 +91,7 @@ def print_report(console: Console, report: Report) -> None:
     print_line(console, str(report), "green" if report.valid else "red")
     for found in report.findings[:MOST_FINDINGS]:
         text = f"  {found.kind.replace('_', ' ')}: {found.message}"
-        print_line(console, text + (" (given)" if found.given else ""))
+        print_line(console, text + _excuse(found))
     if len(report.findings) > MOST_FINDINGS:
         print_line(console, f"  and {len(report.findings) - MOST_FINDINGS} more")
     for note in report.notes:
@@ -106,6 +106,13 @@ def print_report(console: Console, report: Report) -> None:
         print_line(console, f"walkable floor: {text}", "dim")
     _usability(console, report.figures.get("usability", {}))
     _halls(console, report.figures.get("halls", {}))
+
+
+def _excuse(found: Finding) -> str:
+    """Why the answer is not to blame for a finding, if it is not."""
+    if found.accepted:
+        return f" (accepted: {found.accepted})"
+    return " (given)" if found.given else ""
 
 
 def _usability(console: Console, figures: Mapping[str, Any]) -> None:

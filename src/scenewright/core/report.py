@@ -54,7 +54,8 @@ class Finding:
     it, several ids joined by commas; outside a zone, the zone). ``amount`` is the size of the
     fault in metres (depth of an overlap, distance outside, gap beneath, width missing) and
     ``area`` in square metres. ``given`` findings concern only pieces that came fixed with the
-    brief: they are told, but the answer is not to blame for them.
+    brief: they are told, but the answer is not to blame for them; nor for those ``accepted`` by
+    the user, for the reason stated there (empty: not accepted).
     """
 
     kind: str
@@ -66,6 +67,12 @@ class Finding:
     amount: float = 0.0
     area: float = 0.0
     given: bool = False
+    accepted: str = ""
+
+    @property
+    def blamed(self) -> bool:
+        """Whether the answer is to blame: it neither came with the brief nor was accepted."""
+        return not self.given and not self.accepted
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,8 +102,8 @@ class Report:
 
     @property
     def valid(self) -> bool:
-        """Whether nothing but what came with the brief violates a rule."""
-        return all(found.given for found in self.findings)
+        """Whether nothing but what came with the brief or was accepted violates a rule."""
+        return not any(found.blamed for found in self.findings)
 
     def of(self, kind: str) -> tuple[Finding, ...]:
         """The findings of one kind."""
@@ -121,10 +128,12 @@ class Report:
         >>> str(Report((Finding("collision", "0", "a", "sofa", "tv", "they overlap"),)))
         'not valid: 1 collision'
         """
-        blamed = Counter(found.kind for found in self.findings if not found.given)
+        blamed = Counter(found.kind for found in self.findings if found.blamed)
         counted = ", ".join(f"{blamed[k]} {k.replace('_', ' ')}" for k in KINDS if blamed[k])
-        given = len(self.findings) - blamed.total()
+        accepted = sum(bool(found.accepted) for found in self.findings)
+        given = len(self.findings) - blamed.total() - accepted
         tail = f" ({given} more in what was given)" if given else ""
+        tail += f" ({accepted} accepted)" if accepted else ""
         return (f"not valid: {counted}" if counted else "valid") + tail
 
 

@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from scenewright.core.acceptance import accept_findings
 from scenewright.core.breeding import Breeder, Gene
 from scenewright.core.brief import Brief
 from scenewright.core.brief.domain_keys import check_domain
@@ -159,7 +160,8 @@ def check(
 
     ``plan`` is that of the solution's brief (made unless given), ``spaces`` take the place of its
     spaces; ``catalog`` tells how each category is used (that of the brief unless given). Nothing
-    the pieces hold, however broken, raises an error: it becomes a finding.
+    the pieces hold, however broken, raises an error: it becomes a finding. Findings that the brief
+    has ``accepted`` say why.
     """
     from scenewright.catalog.loading import catalog_of
 
@@ -167,7 +169,7 @@ def check(
     made = made if spaces is None else made._replace(spaces=spaces)
     kinds = catalog or catalog_of(solution.brief.catalogs)
     report: Report = domain_of(solution.brief.domain).verb("check")(solution, made, kinds)
-    return report
+    return accept_findings(report, solution.brief.accepted)
 
 
 def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:

@@ -8,6 +8,7 @@ What only one domain knows is that domain's part.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from operator import not_
 from typing import Annotated, Any, Literal
 
 from pydantic import (
@@ -20,6 +21,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticKnownError
 
+from scenewright.core.brief.accepted import AcceptedFinding
 from scenewright.core.brief.catalog import CatalogEntry, GroupsEntry
 from scenewright.core.brief.fields import (
     Coordinate,
@@ -204,7 +206,7 @@ class Brief(StrictModel):
     ``scale`` corrects a plan drawn at the wrong scale: every length in plan is multiplied by it
     once, on reading (1.25: the plan was drawn too small), and it is 1 from then on; furniture and
     heights keep their size. ``notes`` are what a reader of files left out or assumed; the referee
-    repeats them.
+    repeats them. ``accepted`` are findings of the referee that are meant to be so, with reasons.
     """
 
     format: Literal["scenewright/brief"] = "scenewright/brief"
@@ -227,6 +229,7 @@ class Brief(StrictModel):
     accessible: Switch = False
     scale: Annotated[Number, Field(ge=0.05, le=20)] = 1.0
     notes: Annotated[list[Annotated[str, Field(max_length=400)]], Field(max_length=100)] = []
+    accepted: Annotated[list[AcceptedFinding], Field(max_length=1000, exclude_if=not_)] = []
     part: Any = Field(default=None, validate_default=True)
 
     @model_validator(mode="before")
@@ -329,7 +332,7 @@ def brief_schema() -> dict[str, Any]:
     """The JSON Schema of a brief, with the keys of every domain's part.
 
     >>> sorted(brief_schema()["properties"])[:3]
-    ['accessible', 'areas', 'blocks']
+    ['accepted', 'accessible', 'areas']
     """
     schema = Brief.model_json_schema(mode="validation")
     schema["properties"].pop("part")

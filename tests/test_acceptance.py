@@ -1,0 +1,83 @@
+"""Findings that are accepted: told with their reason, not blamed, kept in the files."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from scenewright import cli, read, read_solution
+from scenewright.core.acceptance import accept_findings
+from scenewright.core.brief import Brief
+from scenewright.core.brief.accepted import AcceptedFinding
+from scenewright.core.errors import InputError
+from scenewright.core.report import Finding, Report
+from scenewright.domains import check
+from scenewright.domains.home import solving as homes
+from scenewright.formats import solution_json
+
+REASON = "the box stays until spring"
+FOUND = Finding("collision", "0", "a", "a/sofa_1", "a/tv_1", "they overlap", 0.2)
+GIVEN = replace(FOUND, piece="a/old_1", other="a/old_2", given=True)
+
+
+def accepted(**more: str) -> AcceptedFinding:
+    return AcceptedFinding(**{"kind": "collision", "reason": REASON} | more)
+
+
+@pytest.mark.parametrize("more", [{}, {"piece": "a/tv_1"}, {"piece": "a/sofa_1", "space": "a"}])
+def test_an_accepted_finding_is_told_and_not_blamed(more: dict[str, str]) -> None:
+    report = accept_findings(Report((FOUND, GIVEN)), [accepted(**more)])
+    assert report.valid
+    assert [found.accepted for found in report.findings] == [REASON, ""]
+    assert report.to_dict()["findings"][0]["accepted"] == REASON
+    assert str(report) == "valid (1 more in what was given) (1 accepted)"
+    assert report.notes == ()
+
+
+@pytest.mark.parametrize(
+    "more", [{"kind": "floating"}, {"piece": "a/bed_1"}, {"space": "b"}, {"piece": "a/tv"}]
+)
+def test_what_was_not_accepted_is_blamed_and_what_is_idle_noted(more: dict[str, str]) -> None:
+    report = accept_findings(Report((FOUND,)), [accepted(**more)])
+    assert not report.valid
+    (note,) = report.notes
+    assert "not found any more" in note.message
+
+
+def test_it_is_kept_in_brief_and_solution(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """Two beds in one place: refused, then accepted in the saved solution, then shown so."""
+    brief = read("sample:home-child")
+    assert "accepted" not in brief.model_dump()
+    solved = homes.solve(brief, steps=200, seed=1)
+    first = max(solved.pieces, key=lambda p: p.size.width * p.size.depth * (p.pose.z < 0.1))
+    twice = replace(solved, pieces=(*solved.pieces, replace(first, id=f"{first.space}/box_9")))
+    assert not check(twice).valid
+    path = tmp_path / "home.json"
+    path.write_text(solution_json.dumps(twice))
+    document = json.loads(path.read_text())
+    kinds = sorted({found.kind for found in check(twice).findings if found.blamed})
+    document["brief"]["accepted"] = [{"kind": kind, "reason": REASON} for kind in kinds]
+    path.write_text(json.dumps(document))
+    assert check(read_solution(path)).valid
+    assert cli.run(["check", str(path)]) == 0
+    told = capsys.readouterr().out
+    assert REASON in " ".join(told.split())
+    again = Brief.model_validate(json.loads(read_solution(path).brief.model_dump_json()))
+    assert [row.reason for row in again.accepted] == [REASON] * len(kinds)
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"kind": "ugliness"}, {"reason": ""}, {"reason": None}, {"colour": "red"}]
+)
+def test_nonsense_is_refused_in_one_line(wrong: dict[str, str], tmp_path: Path) -> None:
+    document = json.loads(read("sample:home-child").model_dump_json())
+    document["accepted"] = [{"kind": "collision", "reason": REASON} | wrong]
+    path = tmp_path / "brief.json"
+    path.write_text(json.dumps(document))
+    with pytest.raises(InputError) as caught:
+        read(path)
+    assert "\n" not in str(caught.value)
+    assert "accepted" in str(caught.value)
