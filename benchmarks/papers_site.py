@@ -29,7 +29,7 @@ from scenewright.domains.site.presets import PRESETS
 from scenewright.domains.site.problem import SiteProblem
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solvers.answer import score
-from scenewright.domains.site.solvers.genetic import TEMPLATES, MatrixGenetic, evolve, make_judge
+from scenewright.domains.site.solvers.genetic import MatrixGenetic, evolve, make_judge
 from scenewright.domains.site.solvers.lattice import make_cells
 from scenewright.domains.site.solvers.outcome import SiteFound
 from scenewright.domains.site.solvers.seed_layouts import seed_layouts
@@ -47,9 +47,11 @@ PRINTED: dict[Name, tuple[float | None, float | None]] = {
 }
 """Generations to converge and layouts rated, means of ten runs."""
 NAMES = {"vp": "the paper's, with the rater", "tiga": "TIGA, with the rater", "sga": "SGA"}
-RUNS, RATERS, SEEDS = 10, 8, 3
-MOST, MOST_RATINGS, RATED = 100, 600, 284
-"""Generations and ratings of a run to converge; ratings where methods are compared."""
+RUNS, RATERS, SEEDS = 10, 6, 3
+MOST, MOST_RATINGS = 100, 600
+"""Generations and ratings of a run to converge."""
+RATED, BRED = 284, 60
+"""Ratings and generations where methods are compared."""
 STEPS, WITHIN, SCENE = 2000, 0.05, 30
 LED = ("fill", "paper", "sga", "sa", "pso", "random")
 """What is led by F_eva: ours, the paper's preset as printed without the person, and the others."""
@@ -119,7 +121,7 @@ def liking_records(scene: Scene, size: int, raters: int, seeds: int) -> Iterator
         told = {name: [like(taste, boxes) for boxes in led[name]] for name in LED}
         asked: tuple[Name, Name] = ("vp", "tiga")
         for method in asked:
-            run = search(problem, method, SiteRater(problem, number), number, MOST, RATED)
+            run = search(problem, method, SiteRater(problem, number), number, BRED, RATED)
             told[method] = [like(taste, run[-1].champion)]
         most = max(max(values) for values in told.values())
         for name, values in told.items():
@@ -172,7 +174,7 @@ def aim_records(size: int, raters: int, seeds: int) -> Iterator[Record]:
 def lead(problem: SiteProblem, aim: int, seed: int, tastes: list[SiteTaste]) -> dict[str, float]:
     """A run of the repaired algorithm with one aim at 0.7."""
     cells = make_cells(problem)
-    parents = seed_layouts(problem, cells, TEMPLATES, seed)
+    parents = seed_layouts(problem, cells, problem.settings.matrix.templates, seed)
     solver = MatrixGenetic(cells, problem.buildings.quality, parents=parents)
     weights = tuple(0.7 if k == aim else 0.1 for k in range(4))
     judge = make_judge(problem, cells)._replace(omega=weights)

@@ -38,6 +38,10 @@ CHANGED: list[tuple[str, str, str, Any, str, int]] = [
     ("site", "exchange", "partners", 2, "fill", 2),
     ("site", "exchange", "tries", 1, "fill", 2),
     ("site", "exchange", "leeway", 3.2, "fill", 2),
+    ("site", "exchange", "give", 0.0, "fill", 2),
+    ("site", "matrix", "alike", 1.0, "vp", 300),
+    ("site", "matrix", "position", 3.0, "vp", 300),
+    ("site", "matrix", "eyes", 2, "vp", 300),
     ("site", "chain", "hot", 0.1, "sa", 4000),
     ("site", "chain", "cold", 1.0, "sa", 4000),
 ]
@@ -69,6 +73,31 @@ def test_another_value_finds_another_layout(
     usual, looked = found_by(problem, domain, solver, Budget(steps=steps))
     other, also = found_by(
         steered(problem, group, name, value), domain, solver, Budget(steps=steps)
+    )
+    assert looked != also or not np.array_equal(usual, other)
+
+
+@pytest.mark.parametrize(
+    ("group", "name", "value", "solver", "steps"),
+    [
+        ("aims", "rays", 1, "fill", 40),
+        ("aims", "minutes", 480.0, "fill", 40),
+        ("aims", "lit", 1, "fill", 40),
+        ("fill", "halvings", 0, "fill", 8),
+        ("exchange", "rays", 2, "fill", 8),
+        ("exchange", "paces", 30, "fill", 8),
+        ("exchange", "shade", 1.0, "fill", 8),
+        ("matrix", "templates", 9, "vp", 100),
+        ("matrix", "rays", 1, "vp", 200),
+    ],
+)
+def test_another_value_finds_another_site(
+    group: str, name: str, value: Any, solver: str, steps: int
+) -> None:
+    problem = problems(sw.read("sample:site-landmarks"))[0]
+    usual, looked = found_by(problem, "site", solver, Budget(steps=steps))
+    other, also = found_by(
+        steered(problem, group, name, value), "site", solver, Budget(steps=steps)
     )
     assert looked != also or not np.array_equal(usual, other)
 

@@ -18,7 +18,6 @@ from scenewright.domains.site.solvers.block import BlockLayout
 from scenewright.domains.site.solvers.exchange import exchange_all
 from scenewright.domains.site.solvers.fill import fill_site
 from scenewright.domains.site.solvers.improve import (
-    RAYS,
     exchanges,
     improve_layout,
     make_rule,
@@ -112,7 +111,7 @@ def test_only_what_changed_is_looked_at_again_and_nothing_is_forgotten(seed: int
     after = made.made.values.sum() * rule.seen + made.hours.sum() * rule.sun
     assert after - before == pytest.approx(tally[1], abs=1e-9)
     frames = made.grid.frames[:, [0, 1, 7, 4, 5]] * (1.0, 1.0, 1.0, 2.0, 2.0)
-    fresh = sights(problem.ground.eyes[::2], RAYS)
+    fresh = sights(problem.ground.eyes[::2], problem.settings.exchange.rays)
     sides = np.concatenate([problem.buildings.sides[who], made.quality[len(who) :]])
     look(box_grid(frames, made.grid.heights), np.ascontiguousarray(sides), fresh, REACH)
     assert made.made.values == pytest.approx(fresh.values, abs=1e-12)

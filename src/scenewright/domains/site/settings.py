@@ -12,22 +12,73 @@ class FillSettings(NamedTuple):
     """Filling block by block: layouts of each without a budget; how many times the least the gaps
     may be, filling by filling; how much chance has a say among forms about as good; what half a
     turn off the preferred heading costs, in shares of a block's buildings, and what a court that is
-    to close and does not."""
+    to close and does not; how many times e the farthest block's share is where buildings are
+    ``drawn`` to its side; shares of a run done after the first filling and after all; halvings by
+    which gaps are widened; how many heights towers of the form ``point`` stand apart."""
 
     tried: int = 8
     loosest: tuple[float, ...] = (3.0, 1.5, 1.0, 1.0, 1.0)
     variety: float = 0.05
     askew: float = 0.5
     unclosed: float = 20.0
+    drawn: float = 0.8
+    filled: float = 0.5
+    most: float = 0.8
+    halvings: int = 5
+    apart: float = 0.6
+
+
+class AimSettings(NamedTuple):
+    """Looking at layouts of a block: metres up to which buildings and eyes about it count, most
+    eyes and the rays of each, most buildings whose sun is looked at, and minutes between."""
+
+    far: float = 150.0
+    near: float = 60.0
+    eyes: int = 48
+    rays: int = 32
+    lit: int = 40
+    minutes: float = 60.0
+
+
+class InterlockSettings(NamedTuple):
+    """Setting buildings that are no boxes into each other's corners: orders and corners tried;
+    buildings beyond which none are set anew; what half a turn off the preferred heading costs, as
+    a share of the ground taken."""
+
+    tried: int = 6
+    many: int = 400
+    turn: float = 0.05
+
+
+class MatrixSettings(NamedTuple):
+    """The matrix-coded genetic algorithm: δ of (12); what a mean position cost of (5) takes off
+    the value of (22) where repaired; first layouts made of local templates; eyes and rays by which
+    M is measured; generations of local search without gain, and without anything new, that end a
+    run."""
+
+    alike: float = 0.002
+    position: float = 0.1
+    templates: int = 5
+    eyes: int = 40
+    rays: int = 32
+    stalled: int = 40
+    known: int = 50
 
 
 class ExchangeSettings(NamedTuple):
     """Improving: partners drawn for each building and exchanges tried for each; how far a front may
-    turn off the preferred heading, in radians, or as far as it was before."""
+    turn off the preferred heading, in radians, or as far as it was before; rays of each eye, and of
+    how many eyes one is used; metres within which shadows are followed, by which one may be larger
+    that takes another's place, and within which a way is one a building stands at."""
 
     partners: int = 24
     tries: int = 2
     leeway: float = math.radians(30.0)
+    rays: int = 32
+    paces: int = 2
+    shade: float = 100.0
+    give: float = 25.0
+    beside: float = 40.0
 
 
 class ChainSettings(NamedTuple):
@@ -51,11 +102,15 @@ class SiteVarietySettings(NamedTuple):
 
 class SiteSettings(NamedTuple):
     """The measure of visual quality (our ``relief`` or as ``printed``), the form of the paper's
-    measures, and how blocks are filled, buildings exchanged, boxes annealed and plans chosen."""
+    measures, and how blocks are filled and looked at, buildings set into corners and exchanged,
+    matrices bred, boxes annealed and plans chosen."""
 
     measure: Measure = "relief"
     form: Literal["printed", "repaired"] = "repaired"
     fill: FillSettings = FillSettings()
+    aims: AimSettings = AimSettings()
+    interlock: InterlockSettings = InterlockSettings()
+    matrix: MatrixSettings = MatrixSettings()
     exchange: ExchangeSettings = ExchangeSettings()
     chain: ChainSettings = ChainSettings()
     variety: SiteVarietySettings = SiteVarietySettings()

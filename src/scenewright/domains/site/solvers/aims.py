@@ -14,12 +14,6 @@ from scenewright.geometry.box_grid import box_grid
 from scenewright.geometry.sun import SILL, light, open_hours, sun_path
 from scenewright.geometry.walker import sights_of_boxes
 
-FAR, NEAR = 150.0, 60.0
-"""Buildings and eyes up to so many metres from a block are looked at with it."""
-EYES, RAYS = 48, 32
-"""Most eyes about a block, and rays of each."""
-LIT, MINUTES = 40, 60.0
-"""Most buildings of a block whose sun is looked at, and how often."""
 SEEN, SUN, EVEN = range(3)
 
 
@@ -44,9 +38,9 @@ def around(problem: SiteProblem, edges: Floats, boxes: Floats, present: Flags) -
     """What is near a block of ``edges`` (e, 4), while ``boxes`` (n, 5) stand as far as
     ``present`` (n,)."""
     low, high = edges.reshape(-1, 2).min(0), edges.reshape(-1, 2).max(0)
-    ground, made = problem.ground, problem.buildings
+    ground, made, rule = problem.ground, problem.buildings, problem.settings.aims
     every = np.concatenate([boxes[present], ground.landmarks])
-    near = ((every[:, :2] > low - FAR) & (every[:, :2] < high + FAR)).all(1)
+    near = ((every[:, :2] > low - rule.far) & (every[:, :2] < high + rule.far)).all(1)
     heights = np.concatenate([made.sizes[present, 2], ground.landmark_heights])
     sides = np.concatenate(
         [
@@ -54,10 +48,10 @@ def around(problem: SiteProblem, edges: Floats, boxes: Floats, present: Flags) -
             sides_of(ground.landmark_sides, ground.landmark_quality),
         ]
     )
-    eyes = ground.eyes[((ground.eyes > low - NEAR) & (ground.eyes < high + NEAR)).all(1)]
-    eyes = eyes[np.unique(np.linspace(0, len(eyes) - 1, min(len(eyes), EYES)).astype(int))]
+    eyes = ground.eyes[((ground.eyes > low - rule.near) & (ground.eyes < high + rule.near)).all(1)]
+    eyes = eyes[np.unique(np.linspace(0, len(eyes) - 1, min(len(eyes), rule.eyes)).astype(int))]
     middle, area = _middle(edges)
-    path = sun_path(problem.latitude, problem.day, minutes=MINUTES)
+    path = sun_path(problem.latitude, problem.day, minutes=rule.minutes)
     weights = read_site_aims(problem.weights) * (len(eyes) > 0, len(path) > 0, 1.0)
     noon = np.arctan2(path[:, 1].sum(), path[:, 0].sum())
     best = max(float(open_hours([noon], path)[0, 0]), 1e-9)
@@ -70,29 +64,29 @@ def lacking(problem: SiteProblem, about: Around, found: BlockLayout, most: float
     is certainly ``most`` or more is not looked at to the end."""
     if not len(found.numbers):
         return float(about.weights.sum())
-    weights, cost = about.weights, 0.0
+    weights, cost, rule = about.weights, 0.0, problem.settings.aims
     if weights[EVEN]:
         cost += weights[EVEN] * uneven(found.boxes, about.middle, about.size)
     if cost >= most or not weights[SEEN] + weights[SUN]:
         return cost
-    rows = _spread_out(len(found.numbers))
+    rows = _spread_out(len(found.numbers), rule.lit)
     numbers, made = [found.numbers[k] for k in rows], problem.buildings
     every = np.concatenate([found.boxes[rows], about.boxes])
     grid = box_grid(every, np.concatenate([made.sizes[numbers, 2], about.heights]))
     if weights[SUN]:
-        hours = np.zeros((min(len(rows), LIT), 4))
+        hours = np.zeros((min(len(rows), rule.lit), 4))
         light(grid, about.path, 1, SILL, hours)
         cost += weights[SUN] * (1.0 - float(hours[:, 0].mean()) / about.open_hours)
     if weights[SEEN] and cost < most:
         sides = np.concatenate([sides_of(made.sides, made.quality)[numbers], about.sides])
-        view = sights_of_boxes(grid, sides, about.eyes, 1.0, RAYS).values.mean()
+        view = sights_of_boxes(grid, sides, about.eyes, 1.0, rule.rays).values.mean()
         cost += weights[SEEN] * (1.0 - float(view) / MUCH)
     return cost
 
 
-def _spread_out(count: int) -> list[int]:
-    """The numbers below ``count``, :data:`LIT` of them that are spread over all first."""
-    some = np.unique(np.linspace(0, count - 1, min(count, LIT)).astype(int))
+def _spread_out(count: int, most: int) -> list[int]:
+    """The numbers below ``count``, at most ``most`` that are spread over all first."""
+    some = np.unique(np.linspace(0, count - 1, min(count, most)).astype(int))
     return [*some.tolist(), *np.setdiff1d(np.arange(count), some).tolist()]
 
 

@@ -34,9 +34,6 @@ COURTS = {"peripheral": 1.0, "half-closed": 1.0, "mixed": 0.5}
 """Forms with buildings along the rim, and what share of the buildings."""
 TURNED = math.pi / 6
 """How far each building of the form ``rotated`` is turned in its row, in radians."""
-APART = 0.6
-"""How many heights towers of the form ``point`` stand apart at least, if there is room for it."""
-HALVINGS = 5
 
 
 class BlockLayout(NamedTuple):
@@ -87,7 +84,7 @@ def loosen_layout(
     if form == "peripheral" and problem.court_gap > 0.0:
         return tight
     low, high, best = 1.0, loosest, tight
-    for _ in range(HALVINGS if loosest > 1.0 else 0):
+    for _ in range(problem.settings.fill.halvings if loosest > 1.0 else 0):
         loose = 0.5 * (low + high)
         found = lay_out_block(problem, edges, queue, heading, form, loose, margins)
         if len(found.numbers) >= len(tight.numbers) and found.around >= tight.around:
@@ -115,7 +112,8 @@ def lay_out_block(
     sizes, way = problem.buildings.sizes, problem.fire_access
     spacing = problem.spacing
     if form == "point" and loose > 1.0 and queue:
-        spacing = max(spacing, APART * float(np.median(sizes[queue, 2])))
+        tall = float(np.median(sizes[queue, 2]))
+        spacing = max(spacing, problem.settings.fill.apart * tall)
     rule = StripRule(spacing, way, problem.sun_spacing, loose, form == "staggered", True)
     numbers: list[int] = []
     boxes = np.zeros((0, 5))

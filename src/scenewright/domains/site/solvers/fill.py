@@ -31,12 +31,6 @@ from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
-DRAWN = 0.8
-"""How many times e the farthest block's share is where buildings are drawn to its side."""
-FILLED, MOST = 0.5, 0.8
-"""Shares of a run that are done after the first filling and after all; the rest is spent on
-improving the best."""
-
 
 def fill_site(
     problem: SiteProblem,
@@ -51,7 +45,7 @@ def fill_site(
     watch = BudgetWatch(budget._replace(steps=None), progress, cancel)
     rule, begun = problem.settings.fill, 0.0
     tried = max(budget.steps or rule.tried, 1)
-    ends = np.linspace(FILLED, MOST, len(rule.loosest)).tolist()
+    ends = np.linspace(rule.filled, rule.most, len(rule.loosest)).tolist()
     best: SiteLayout | None = None
     done, rng = 0, np.random.default_rng(seed)
     for loosest, until in zip(rule.loosest, ends, strict=True):
@@ -164,7 +158,8 @@ def _areas(problem: SiteProblem) -> Floats:
         return areas
     middles = np.array([list_edges(problem, b)[:, :2].mean(0) for b in range(len(areas))])
     off = (middles - middles.mean(0)) @ np.array(problem.drawn_to)
-    return areas * np.exp(DRAWN * off / max(float(np.abs(off).max()), 1e-9))
+    drawn = problem.settings.fill.drawn
+    return areas * np.exp(drawn * off / max(float(np.abs(off).max()), 1e-9))
 
 
 def share_out(problem: SiteProblem, left: list[int], blocks: list[int]) -> list[int]:

@@ -27,6 +27,7 @@ from scenewright.domains.site.encodings.cell_moves import (
 from scenewright.domains.site.encodings.cells import Ints, SiteLattice, decode_genes
 from scenewright.domains.site.encodings.refill import Amount, make_amount, mutate_surely, refill
 from scenewright.domains.site.problem import Floats, SiteProblem
+from scenewright.domains.site.settings import MatrixSettings
 from scenewright.domains.site.solvers.answer import Measure, answer, make_measure, stand, views_of
 from scenewright.domains.site.solvers.lattice import make_cells
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
@@ -38,18 +39,6 @@ from scenewright.engine.asked import Asked, join
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
 
 POPULATION, GENERATIONS = 10, 200
-KNOWN = 50
-"""Generations without anything new after which there is nothing left to ask."""
-ALIKE = 0.002
-"""δ of (12): how little the values may differ when the global search ends."""
-POSITION = 0.1
-"""What a building's mean position cost of (5) takes off the value of (22)."""
-TEMPLATES = 5
-"""Layouts of the first generation that are made of local templates."""
-EYES, RAYS = 40, 32
-"""Eyes and rays by which M is measured while breeding."""
-STALLED = 40
-"""Generations of local search without gain after which a run without a budget ends."""
 
 
 class Bred(NamedTuple):
@@ -72,7 +61,8 @@ class MatrixGenetic(NamedTuple):
     ``points`` of the crossover; ``keep`` how many of the best stay; ``led`` how much the visual
     quality rules the first layouts; ``local`` whether, once the individuals are alike, the best
     one is searched around by single-point mutations; ``amount`` what is to stand where operators
-    are repaired (left out: as printed).
+    are repaired (left out: as printed); ``alike`` δ of (12), and ``known`` generations without
+    anything new after which there is nothing left to ask.
 
     Ratings may come from anybody who looks at the layouts: told with their sign turned, the best
     rated breed. Here somebody likes buildings in the west.
@@ -107,6 +97,8 @@ class MatrixGenetic(NamedTuple):
     local: bool = True
     amount: Amount | None = None
     parents: Floats | None = None
+    alike: float = MatrixSettings().alike
+    known: int = MatrixSettings().known
 
     def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Bred:  # noqa: ARG002
         """Nothing judged yet."""
@@ -117,7 +109,7 @@ class MatrixGenetic(NamedTuple):
         """Layouts to be judged: given parents and random ones at first, then children of the last
         generation. Those asked before are known, and not asked again: a generation that holds
         nothing new is followed by the next. None, if nothing new comes of many."""
-        for _ in range(KNOWN):
+        for _ in range(self.known):
             rows = self._first(rng) if state.age == 0 else self._next(state, rng)
             new, state = state.asked.new_among(rows), state._replace(waiting=rows)
             if len(new):
@@ -198,7 +190,7 @@ class MatrixGenetic(NamedTuple):
         energies = asked.energies(genes)
         settled, before = state.settled, state.energies.min(initial=math.inf)
         rated = energies[np.isfinite(energies)]
-        if settled < 0 and len(rated) > 1 and spread(-rated, ALIKE) <= 0.0:
+        if settled < 0 and len(rated) > 1 and spread(-rated, self.alike) <= 0.0:
             settled = state.age + 1
         gained = energies.min() < before - 1e-12
         stalled = 0 if gained or settled < 0 or not self.local else state.stalled + 1
@@ -214,7 +206,7 @@ class MatrixJudge(NamedTuple):
     measure: Measure
     worth: Worth
     omega: tuple[float, ...] = OMEGA
-    position: float = POSITION
+    position: float = MatrixSettings().position
     seen: Callable[[Floats], float] | None = None
 
     def energies(self, genes: Floats) -> Floats:
@@ -254,8 +246,9 @@ def make_judge(
 
 def measure_seen(problem: SiteProblem, boxes: Floats) -> float:
     """M of (22) in the repaired form: what walkers see of boxes (n, 5), of no width: left out."""
-    present = boxes[:, 3] > 0.0
-    return min(float(views_of(problem, boxes[present], present, EYES, RAYS).mean()) / FULL, 1.0)
+    present, rule = boxes[:, 3] > 0.0, problem.settings.matrix
+    views = views_of(problem, boxes[present], present, rule.eyes, rule.rays)
+    return min(float(views.mean()) / FULL, 1.0)
 
 
 def evolve(
@@ -269,6 +262,7 @@ def evolve(
 ) -> SiteFound:
     """Breed until the budget is spent; without one 200 generations, or until nothing is gained."""
     watch, rng = BudgetWatch(budget, progress, cancel), np.random.default_rng(seed)
+    rule = problem.settings.matrix
     if budget.steps:
         solver = solver._replace(population=min(solver.population, budget.steps))
     width = solver.cells.fits.shape[2] * 3
@@ -288,7 +282,7 @@ def evolve(
         first = int(energies.argmin())
         if energies[first] < least:
             best, least = genes[first].copy(), float(energies[first])
-        spent = not bounded and (state.age >= GENERATIONS or state.stalled > STALLED)
+        spent = not bounded and (state.age >= GENERATIONS or state.stalled > rule.stalled)
         full = budget.steps is not None and done + solver.population > budget.steps
         if watch.over(done, least, layout) or spent or full:
             break
@@ -307,14 +301,17 @@ def viewpoint_site(
     are alike by (12), it searches around the best. In the form printed, (22) alone judges, and
     crossover and mutation lose what they lose."""
     cells, printed = make_cells(problem), problem.form == "printed"
+    rule = problem.settings.matrix
     amount = make_amount(problem.target, cells, problem.buildings.floors)
     solver = MatrixGenetic(
         cells,
         problem.buildings.quality,
         amount=amount if not printed or amount.covered > 0.0 else None,
-        parents=seed_layouts(problem, cells, TEMPLATES, seed),
+        parents=seed_layouts(problem, cells, rule.templates, seed),
+        alike=rule.alike,
+        known=rule.known,
     )
-    judge = make_judge(problem, cells)._replace(position=0.0 if printed else POSITION)
+    judge = make_judge(problem, cells)._replace(position=0.0 if printed else rule.position)
     return evolve(problem, solver, judge, budget, seed, progress, cancel)
 
 

@@ -35,14 +35,6 @@ from scenewright.geometry.box_grid import BoxGrid, box_grid
 from scenewright.geometry.sun import sun_path
 from scenewright.geometry.walker import REACH, look, sights
 
-RAYS, PACES = 32, 2
-"""Rays of each eye, and of how many eyes one is used."""
-SHADE = 100.0
-"""Metres within which shadows are followed."""
-GIVE = 25.0
-"""How much wider, narrower, deeper or less deep one may be that takes another's place, metres."""
-BESIDE = 40.0
-"""Metres from the middle of a building within which a way is one it stands at."""
 LOT = 64
 """Exchanges tried between two looks at the clock."""
 LOOSE = 1e-3
@@ -97,11 +89,12 @@ def _read_slots(found: SiteLayout, here: Ints, who: Ints, made: Slots) -> SiteLa
 def make_slots(problem: SiteProblem, boxes: Floats, here: Ints) -> Slots:
     """The buildings ``here`` (k,) at boxes (k, 5) as slots, and what is seen of them."""
     ground, made, count = problem.ground, problem.buildings, len(here)
+    rule = problem.settings.exchange
     heights = np.concatenate([made.sizes[here, 2], ground.landmark_heights])
     every = np.concatenate([boxes, ground.landmarks])
-    eyes = ground.eyes[::PACES]
-    grid = _roomy(every, heights, count)
-    seen = sights(eyes, RAYS)
+    eyes = ground.eyes[:: rule.paces]
+    grid = _roomy(every, heights, count, rule.give)
+    seen = sights(eyes, rule.rays)
     quality = np.ascontiguousarray(
         np.concatenate(
             [
@@ -115,12 +108,12 @@ def make_slots(problem: SiteProblem, boxes: Floats, here: Ints) -> Slots:
     slots = Slots(
         grid,
         quality,
-        boxes[:, 3:] + GIVE,
+        boxes[:, 3:] + rule.give,
         seen,
         sun_path(problem.latitude, problem.day, minutes=30.0),
         np.zeros(count),
         _near(middles, shapely.points(eyes), REACH + float(boxes[:, 3:].max())),
-        _near(middles, middles, SHADE),
+        _near(middles, middles, rule.shade),
         np.zeros((seen.values.size, 3), np.int64),
         np.zeros((seen.values.size, 2)),
         np.zeros(1, np.int64),
@@ -132,10 +125,10 @@ def make_slots(problem: SiteProblem, boxes: Floats, here: Ints) -> Slots:
     return slots
 
 
-def _roomy(boxes: Floats, heights: Floats, count: int) -> BoxGrid:
+def _roomy(boxes: Floats, heights: Floats, count: int, give: float) -> BoxGrid:
     """A grid over boxes of which the first ``count`` may be exchanged: it holds any that come."""
     large = boxes.copy()
-    large[:count, 3:] = (boxes[:count, 3:].max(1) + 2.0 * GIVE)[:, None]
+    large[:count, 3:] = (boxes[:count, 3:].max(1) + 2.0 * give)[:, None]
     grid, true = box_grid(large, heights), box_grid(boxes, heights)
     grid.frames[:] = true.frames
     grid.tallest[grid.tallest > 0.0] = heights.max()
@@ -186,7 +179,7 @@ def exchanges(
     ] / np.maximum(quality, 1e-9)
     sizes, models = problem.buildings.sizes[who], problem.buildings.models[who]
     apart = np.abs(sizes[first, :2] - sizes[second, :2]).max(1)
-    fit = (apart <= GIVE) & (models[first] != models[second])
+    fit = (apart <= rule.give) & (models[first] != models[second])
     fit &= _find_allowed_pairs(problem, who, forms, first, second)
     first, second = first[fit], second[fit]
     promise = (quality[second] - quality[first]) * (shown[first] - shown[second])
@@ -233,7 +226,9 @@ def _to_way(problem: SiteProblem, boxes: Floats) -> Floats:
     found = np.full(len(boxes), np.nan)
     if len(eyes):
         own, eye = shapely.STRtree(shapely.points(eyes)).query_nearest(
-            shapely.points(middles), max_distance=BESIDE, all_matches=False
+            shapely.points(middles),
+            max_distance=problem.settings.exchange.beside,
+            all_matches=False,
         )
         way = eyes[eye] - middles[own]
         found[own] = np.arctan2(way[:, 1], way[:, 0])

@@ -28,12 +28,6 @@ HAIR = 1e-3
 SLACK = 4e-4
 """Metres by which a polygon is drawn in, so that what just fits does."""
 MITRE = 2.0
-TRIED = 6
-"""Orders and corners of the ground that are tried."""
-MANY = 400
-"""Buildings beyond which none are set anew: the work grows with their square."""
-TURN = 0.05
-"""What half a turn off the preferred heading costs, as a share of the ground taken."""
 
 
 FreeRegions = dict[tuple[bytes, float], tuple[shapely.Geometry, int]]
@@ -58,12 +52,12 @@ def interlock(
     """A layout with more on the ground, and how many were tried: what was left out is set between
     what stands, or all is set anew, whichever holds most floor. Sites of boxes, and what is
     complete, stay as they are. ``begun`` is the share of the run done before."""
-    made = problem.buildings
-    if not made.footprints or found.present.all() or len(made.sizes) > MANY:
+    made, rule = problem.buildings, problem.settings.interlock
+    if not made.footprints or found.present.all() or len(made.sizes) > rule.many:
         return found, 0
     areas = np.array([shapely.Polygon(ring).area for ring in made.outlines()])
     best, attempt = found, 0
-    for attempt in range(TRIED):
+    for attempt in range(rule.tried):
         if watch.reached(begun, best._replace):
             break
         start = found if attempt == 0 else _clear(found)
@@ -135,7 +129,7 @@ def _best_place(
             continue
         off = abs(wrap_angle(heading - problem.facing)) / math.pi
         costs = _costs(problem, points, turned, [one.shape for one in standing], corner)
-        costs *= 1.0 + TURN * off
+        costs *= 1.0 + problem.settings.interlock.turn * off
         k = int(np.argmin(costs))
         if costs[k] < least - 1e-9:
             best, least = np.array([*points[k], heading, size[0], size[1]]), float(costs[k])
