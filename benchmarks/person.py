@@ -38,6 +38,7 @@ METHODS: dict[str, tuple[Callable[..., Iterator[SearchStep]], int]] = {
     "rated GA": (person_genetic.rated_ga, RATINGS),
     "TIGA": (person_genetic.tiga, RATINGS),
     "paper-repaired": (person_genetic.paper, RATINGS),
+    "paper-local": (person_genetic.paper_local, RATINGS),
     "linear Bradley-Terry": (person_methods.bradley_terry, SCREENS),
     "random": (person_methods.random_search, 24),
 }

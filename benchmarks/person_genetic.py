@@ -6,7 +6,8 @@ asked for.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,9 +32,11 @@ from scenewright.engine.preference.alleles.preference import (
     observe_allele,
     prefer_allele,
 )
+from scenewright.engine.preference.alleles.subspaces import estimate_locally
 from scenewright.workflow.evolution.population import draw_genomes
 
 Floats = NDArray[np.float64]
+Estimate = Callable[..., float]
 POPULATION, CROSSED, MUTATED = 10, 0.75, 0.04
 ASKED = 5
 """Individuals of a generation that the paper's method asks for; it estimates the others."""
@@ -72,6 +75,21 @@ def paper(
 ) -> Iterator[SearchStep]:
     """Zhang, Yang 2023: allele preferences estimate half of each generation, an ART1 network
     rates whole generations once it may, in two stages."""
+    return _evolve_estimated(world, person, seed, ratings, partial(estimate, form=form))
+
+
+def paper_local(
+    world: World, person: SimulatedPerson, seed: int, ratings: int
+) -> Iterator[SearchStep]:
+    """The same with the other estimate the paper gives: local models over sub-spaces, (13) to
+    (21)."""
+    return _evolve_estimated(world, person, seed, ratings, estimate_by_models)
+
+
+def _evolve_estimated(
+    world: World, person: SimulatedPerson, seed: int, ratings: int, guess: Estimate
+) -> Iterator[SearchStep]:
+    """Some of each generation are rated, the others estimated."""
     rng, shown = np.random.default_rng([seed, 5]), set[Genome]()
     rated: list[Genome] = []
     told: list[float] = []
@@ -94,8 +112,8 @@ def paper(
                     encode_alleles(np.array(rated), alleles), np.array(told), settings
                 )
                 bits = encode_alleles(np.array(asked), alleles)
-                guess = np.array([rate_pattern(network, row, 3.0, settings) for row in bits])
-                if may_take_over(given, guess, STAGES[stage]):
+                heard = np.array([rate_pattern(network, row, 3.0, settings) for row in bits])
+                if may_take_over(given, heard, STAGES[stage]):
                     alone, stage = min(STAGES[stage].generations, 10), stage + 1
             rated += asked
             told += given.tolist()
@@ -103,7 +121,7 @@ def paper(
             best = max(best, *(person.truth(g) for g in asked))
             if given.max() >= top:
                 champion, top = asked[int(given.argmax())], float(given.max())
-            rest = [estimate(world.genes, rated, told, g, rng, form) for g in genomes[len(asked) :]]
+            rest = [guess(world.genes, rated, told, g, rng) for g in genomes[len(asked) :]]
             fitness = np.array([*given, *rest])
             yield SearchStep(len(rated), len(shown), champion, best)
         genomes = breed(world, genomes, fitness, rng, champion)
@@ -115,7 +133,7 @@ def estimate(
     told: list[float],
     genome: Genome,
     rng: np.random.Generator,
-    form: Form,
+    form: Form = "repaired",
 ) -> float:
     """(7) for an individual not rated; genes of these worlds have no mesh, so τ is 1/2 for all."""
     rows, ratings = np.array(rated), np.array(told)
@@ -128,6 +146,19 @@ def estimate(
         fitness = float(ratings[carry].mean()) if carry.any() else 3.0
         records.append(AlleleRecord(used, 0.5, fitness))
     return estimate_fitness(records, 3.0, form)
+
+
+def estimate_by_models(
+    genes: tuple[Gene, ...],
+    rated: list[Genome],
+    told: list[float],
+    genome: Genome,
+    rng: np.random.Generator,  # noqa: ARG001
+) -> float:
+    """(21) for an individual not rated, over the bits of its genes."""
+    alleles = [gene.alleles for gene in genes]
+    points = encode_alleles(np.array([*rated, genome]), alleles)
+    return estimate_locally(points[:-1], np.array(told), points[-1], 3.0)
 
 
 def _begin(world: World, rng: np.random.Generator) -> list[Genome]:

@@ -229,3 +229,17 @@ def test_24_25_and_the_stages_of_the_takeover() -> None:
     assert not art1.may_take_over(one, near, fine)
     assert art1.may_take_over(one, exact, fine)
     assert not art1.may_take_over(np.zeros(0), np.zeros(0), coarse)
+
+
+def test_13_to_21_estimate_what_was_not_rated() -> None:
+    """Local models tell points apart where ratings bend, and keep to the usual without enough."""
+    points = np.linspace(0.0, 8.0, 17)[:, None]
+    ratings = np.where(points[:, 0] < 4.0, 1.5 + 0.5 * points[:, 0], 5.0 - 0.5 * points[:, 0] / 4)
+    asked = np.array([0.7, 2.2, 5.3, 7.4])
+    plain = np.interp(asked, points[:, 0], ratings)
+    found = [subspaces.estimate_locally(points, ratings, np.array([x]), 3.0) for x in asked]
+    assert found == pytest.approx(plain.tolist(), abs=0.45)
+    assert subspaces.estimate_locally(points[:4], ratings[:4], np.zeros(1), 3.0) == 3.0
+    there = subspaces.estimate_locally(points, ratings, points[0], 3.0)
+    mean, middle, slopes = subspaces.fit_plane(points[:9], ratings[:9])
+    assert there == pytest.approx(mean + float(slopes @ (points[0] - middle)), abs=0.3)
