@@ -68,6 +68,24 @@ def test_rows_go_on_at_their_pitch() -> None:
     assert on_pitch.mean() >= 0.8
 
 
+def test_rows_that_end_at_the_border_go_on_with_their_string() -> None:
+    """Passages and kinds follow in order, fronts stay in line, and a bent street is followed."""
+    wide = [9.0, 9.0, 14.0, 9.0]
+    at, found = 0.0, []
+    for k in range(8):
+        found.append({"outline": box(at, 0.0, wide[k % 4]), "height": 7.0, "heading": -1.570796})
+        at += wide[k % 4] + (6.0 if k % 4 == 3 else 1.0)
+    street = {"line": [[-5, -9], [100, -9]], "width": 6}
+    outline = [[at - 4, -30], [at + 120, -30], [at + 120, 30], [at - 4, 30]]
+    source = {"buildings": found, "roads": [street]}
+    solution = sw.solve(extension(source, outline=outline, count=7), preset="quick")
+    made = sorted(new(solution), key=lambda p: p.pose.x)
+    line = [p for p in made if abs(p.pose.y - p.size.depth / 2) < 1e-6]
+    assert len(line) >= 6
+    widths = [round(p.size.width) for p in line]
+    assert "".join("B" if w == 14 else "A" for w in widths[:4]) in "AABAAABAAABA"
+
+
 def test_a_source_turned_and_moved_grows_the_same_turned_and_moved() -> None:
     def turn(points: list[list[float]]) -> list[list[float]]:
         return [[500.0 - y, 200.0 + x] for x, y in points]

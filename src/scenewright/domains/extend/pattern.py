@@ -203,4 +203,4 @@ def _gap_rules(boxes: Floats, shapes: NDArray[np.object_], source: Indices) -> G
     least = [_least_gap(gaps[how == k], i[how == k], len(boxes)) for k in range(3)]
     known = [value for value in least if np.isfinite(value)] or [6.0]
     side, front, corner = (v if np.isfinite(v) else min(known) for v in least)
-    return GapRules(side, front, min(corner, side, front) if corner < 0.5 else corner)
+    return GapRules(side, front, min(corner, front))

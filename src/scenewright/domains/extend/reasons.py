@@ -10,12 +10,18 @@ from scenewright.domains.extend.rating import MEANINGS as RATED
 from scenewright.domains.extend.rating import WEIGHTS, measure_layout
 
 FIGURES: dict[str, str] = {
+    "rows": "share of the new buildings that continue a row of the source or of the brief",
     "neighbours": "share of the new buildings that stand where a neighbour of the source would",
     "patches": "share of the new buildings laid as part of a whole patch of the source",
     "filled": "share of the new buildings that fill free ground in line with the nearest",
 }
 MEANINGS: dict[str, str] = {**RATED, **FIGURES}
-WAYS = {"neighbours": ("neighbour", "row"), "patches": ("patch",), "filled": ("filled",)}
+WAYS = {
+    "rows": ("continued", "row"),
+    "neighbours": ("neighbour",),
+    "patches": ("patch",),
+    "filled": ("filled",),
+}
 
 
 def reasons(problem: ExtendProblem, layout: GrownLayout) -> tuple[TermValue, ...]:

@@ -10,6 +10,7 @@ from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, Grown
 from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.anneal import anneal
 from scenewright.domains.extend.solvers.canvas import Canvas
+from scenewright.domains.extend.solvers.continued_rows import continue_rows
 from scenewright.domains.extend.solvers.laid_rows import lay_rows
 from scenewright.domains.extend.solvers.neighbours import grow_neighbours
 from scenewright.domains.extend.solvers.patches import lay_patch
@@ -52,10 +53,11 @@ def _first(found: list[GrownLayout]) -> GrownLayout:
 def grow_once(
     problem: ExtendProblem, rng: np.random.Generator, cancel: Cancel | None = None
 ) -> GrownLayout:
-    """One layout: rows of the brief, neighbours, then patches and their neighbours until enough is
-    built, then coverage repaired."""
+    """One layout: rows of the brief and of the sources, neighbours, then patches and their
+    neighbours until enough is built, then coverage repaired."""
     canvas = Canvas(problem)
     lay_rows(canvas)
+    continue_rows(canvas, rng)
     grow_neighbours(canvas, rng, cancel)
     for _ in range(ROUNDS):
         if canvas.full() or not lay_patch(canvas, rng, problem.settings.patches):
