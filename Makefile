@@ -1,12 +1,13 @@
 # make demo   a furnished flat in demo/ (installs into .venv first)
 # make test   the whole check
+# make test-learn   training with PyTorch (installs the extra learn), not part of the check
 # make install   installs into .venv and compiles for homes, halls and sites
 # Needs Python 3.11 or newer and make; nothing else.
 
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo install test types tests clean
+.PHONY: demo install test test-learn types tests clean
 
 demo: .venv/installed
 	$(BIN)/scenewright arrange sample:home-flat -o demo/home.glb -o demo/home.svg -o demo/home.png -o demo/home.json || [ $$? -eq 1 ]
@@ -19,6 +20,10 @@ test: .venv/checked
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	@$(MAKE) --no-print-directory -j2 types tests
+
+test-learn: .venv/checked
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[learn]'
+	$(BIN)/pytest learn_tests
 
 types:
 	$(BIN)/mypy

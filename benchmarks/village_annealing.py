@@ -12,7 +12,7 @@ import shapely
 
 from scenewright.domains.village.house import House
 from scenewright.domains.village.learning.tables import RealBlock
-from scenewright.domains.village.problem import StandingHouses, place, stand
+from scenewright.domains.village.standing import StandingHouses, place, stand
 
 STEPS = 40_000
 HOT, COLD, FAULT = 20.0, 0.05, 10.0

@@ -17,8 +17,8 @@ import shapely
 
 from scenewright.domains.village.house import class_of_shape
 from scenewright.domains.village.measures import coverage, relations_of, void
-from scenewright.domains.village.problem import StandingHouses
 from scenewright.domains.village.settings import OURS
+from scenewright.domains.village.standing import StandingHouses
 from scenewright.domains.village.weights import bin_of
 
 Floats = np.ndarray

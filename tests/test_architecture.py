@@ -250,9 +250,13 @@ OUR_OWN = {"scenewright", "pydantic_core"}  # and what pydantic cannot be withou
 
 @pytest.mark.parametrize("file", FILES, ids=NAMES)
 def test_only_packages_a_user_has_are_imported(file: Path) -> None:
-    """What pyproject.toml lists for everybody, or for the extra of more solvers."""
+    """What pyproject.toml lists for everybody, or for the extra of more solvers; what learns may
+    import what the extra of learning lists."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    listed = [*project["dependencies"], *project["optional-dependencies"]["solve"]]
+    extras = ["solve", *(["learn"] if "learning" in file.parts else [])]
+    listed = [*project["dependencies"]]
+    for extra in extras:
+        listed += project["optional-dependencies"][extra]
     names = [re.split("[<>=!~ ;\\[]", line)[0] for line in listed]
     known = {NAMED.get(name, name) for name in names} | sys.stdlib_module_names
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import shapely
-from benchmarks import village, village_data, village_metrics
+from benchmarks import village, village_data, village_location, village_metrics
 from benchmarks.village_annealing import anneal_block
 
 from scenewright.domains.village.house import to_own_frame
@@ -70,6 +70,26 @@ def test_the_same_blocks_are_not_told_apart_and_others_are() -> None:
 
 def _figures(one: RealBlock) -> village_metrics.BlockFigures:
     return village_metrics.figures(one.floor, one.streets, one.standing)
+
+
+def test_what_is_foretold_is_scored_against_even_ground() -> None:
+    free = village_location.free_middles(shapely.box(0, 0, 50, 40), np.zeros(0, object))
+    assert len(free) == 2000
+    rng = np.random.default_rng(0)
+    poses = np.column_stack(
+        [rng.uniform(0, 50, 40_000), rng.uniform(0, 40, 40_000), rng.random(40_000)]
+    )
+    found = village_location.Sampled(poses, np.zeros(40_000, object), np.ones(40_000))
+    real = np.array([20.0, 15.0])
+    even = village_location.foretell(found, np.zeros(40_000), free, real)
+    assert even.nats == pytest.approx(0.0, abs=0.15)
+    away = np.hypot(*(poses[:, :2] - real).T)
+    sure = village_location.foretell(found, -0.5 * (away / 2.0) ** 2, free, real)
+    # A bell of 2 m blurred by 1 m: its height is 1 / (2 pi (4 + 1)).
+    assert sure.nats == pytest.approx(np.log(0.9 * 2000 / (2 * np.pi * 5.0) + 0.1), abs=0.1)
+    assert sure.distance < 1.5
+    wrong = village_location.foretell(found, -0.5 * (away / 2.0) ** 2, free, real + 15.0)
+    assert wrong.nats == pytest.approx(np.log(0.1), abs=0.05)
 
 
 def test_faulty_houses_are_counted() -> None:

@@ -13,10 +13,11 @@ from scenewright.domains.village.doors import assign_doors
 from scenewright.domains.village.house import rectangle_about, to_own_frame
 from scenewright.domains.village.library import LOOKS, our_houses
 from scenewright.domains.village.measures import relations_of, void
-from scenewright.domains.village.problem import VillageProblem, place, stand
+from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.proposals import draw_values, is_legal, propose, shapes_at, shrink
 from scenewright.domains.village.settings import OURS
 from scenewright.domains.village.solvers.growing import standing_of
+from scenewright.domains.village.standing import place, stand
 from scenewright.domains.village.weights import log_ratio
 from scenewright.engine.solve import Budget
 

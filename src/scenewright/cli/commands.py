@@ -23,9 +23,17 @@ from scenewright.cli import catalog as cli_catalog
 from scenewright.cli import compare as cli_compare
 from scenewright.cli import evolve as cli_evolve
 from scenewright.cli import fold as cli_fold
+from scenewright.cli import learn as cli_learn
 from scenewright.cli import show, tables, terminal
 from scenewright.cli.arguments import check_words
-from scenewright.cli.reading import CatalogOption, GroupsOption, HiddenOption, ScaleOption
+from scenewright.cli.reading import (
+    CatalogOption,
+    GroupsOption,
+    HiddenOption,
+    KeepOption,
+    ScaleOption,
+    StyleOption,
+)
 from scenewright.cli.termination import Terminated, orderly_termination
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import CancelledError, InputError
@@ -44,6 +52,7 @@ app.command()(cli_adjust.adjust)
 app.command()(cli_evolve.evolve)
 app.command()(cli_compare.compare)
 app.command()(cli_fold.fold)
+app.command()(cli_learn.learn)
 
 USAGE_FAULT = cast(type[Exception], typer.BadParameter.__mro__[2])
 """What the parser raises for arguments it cannot use (its own ``ClickException``)."""
@@ -125,14 +134,13 @@ def arrange(
     seconds: Annotated[float | None, typer.Option(help="Search budget in seconds.")] = None,
     steps: Annotated[int | None, typer.Option(help="Search budget in steps, instead.")] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same result.")] = 0,
-    keep: Annotated[
-        bool, typer.Option("--keep", help="Keep the furniture of a .sh3d file in place.")
-    ] = False,
+    keep: KeepOption = False,
     accessible: Annotated[bool, typer.Option(help="Furnish for wheelchair users.")] = False,
     scale: ScaleOption = 1.0,
     hidden_levels: HiddenOption = False,
     catalogs: CatalogOption = None,
     groups: GroupsOption = None,
+    style: StyleOption = "",
     alternatives: Annotated[
         int, typer.Option(min=1, max=50, help="Number of distinct plans, ranked: OUT-1, OUT-2 …")
     ] = 1,
@@ -163,6 +171,7 @@ def arrange(
         accessible,
         scale,
         hidden_levels,
+        style,
     )
     terms = cli_batch.BatchTerms(formats, jobs, memory, limit)
     if many:

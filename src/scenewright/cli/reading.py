@@ -6,6 +6,9 @@ from typing import Annotated
 
 import typer
 
+KeepOption = Annotated[
+    bool, typer.Option("--keep", help="Keep the furniture of a .sh3d file in place.")
+]
 ScaleOption = Annotated[
     float, typer.Option(min=0.05, max=20, help="Multiply all lengths in plan, if drawn too small.")
 ]
@@ -19,4 +22,7 @@ CatalogOption = Annotated[
 GroupsOption = Annotated[
     list[str] | None,
     typer.Option("--groups", metavar="PATH", help="Learned groups; may be repeated."),
+]
+StyleOption = Annotated[
+    str, typer.Option("--style", metavar="STYLE", help="By name, or a file that learn has written.")
 ]

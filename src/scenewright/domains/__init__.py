@@ -42,6 +42,7 @@ __all__ = [
     "draw_plan",
     "features_of",
     "learn_groups",
+    "learn_style",
     "plan_of",
     "presets",
     "problems",
@@ -260,6 +261,21 @@ def learn_groups(homes: Mapping[str, Brief], output: Path) -> LearnedGroups:
     domain: Domain = domain_of(next(iter(homes.values())).domain)
     found: LearnedGroups = domain.verb("learn")(homes, output)
     return found
+
+
+def learn_style(
+    domain: str,
+    sources: Sequence[Path],
+    output: Path,
+    options: Mapping[str, Any],
+    read_plan: Callable[[Path], Plan],
+    tell: Callable[[float, str], None],
+    cancel: Callable[[], bool],
+) -> Any:
+    """Learn how things of a domain stand from real ones and write it as a style that briefs name.
+    ``options`` are the domain's; a domain that cannot learn is refused."""
+    verb = domain_of(domain).verb("learn_style")
+    return verb(sources, output, options, read_plan, tell, cancel)
 
 
 def features_of(solution: Solution, plan: Plan) -> dict[str, float]:

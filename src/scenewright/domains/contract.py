@@ -43,6 +43,7 @@ Verb = Literal[
     "accessible",
     "groups",
     "learn",
+    "learn_style",
     "floors",
     "detail_document",
     "detail_of",

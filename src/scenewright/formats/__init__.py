@@ -60,6 +60,7 @@ def read_planned(
     groups: Sequence[str] = (),
     scale: float = 1.0,
     hidden_levels: bool = False,
+    style: str = "",
 ) -> tuple[Brief, Plan]:
     """The brief in a file, or a sample (``sample:home-flat``), and its plan, which checks it down
     to its geometry.
@@ -67,8 +68,9 @@ def read_planned(
     ``keep`` leaves movable furniture of the file where it is, as fixed items; ``catalogs`` are
     further catalogues of models and ``groups`` files of learned groups, below the working folder.
     ``scale`` multiplies every length in plan, for a plan drawn too small or too large;
-    ``hidden_levels`` includes the levels that are hidden in a Sweet Home 3D file.
-    Anything that cannot be used raises :class:`InputError`, one line that names the file.
+    ``hidden_levels`` includes the levels that are hidden in a Sweet Home 3D file; ``style`` takes
+    the place of the brief's. Anything that cannot be used raises :class:`InputError`, one line that
+    names the file.
 
     >>> brief, plan = read_planned("sample:home-flat")
     >>> brief.rooms[1].name, plan.spaces[1].name
@@ -83,7 +85,7 @@ def read_planned(
     for path in (source, *catalogs, *groups):
         check_text(os.fspath(path), "the name of a file")
     try:
-        brief = with_more(_read(source, keep, hidden_levels), catalogs, groups)
+        brief = with_more(_read(source, keep, hidden_levels), catalogs, groups, style)
         brief = _to_scale(brief, scale)
         plan, domain = plan_of(brief), domain_of(brief.domain)
         if domain.has("validate"):

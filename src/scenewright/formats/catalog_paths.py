@@ -1,4 +1,5 @@
-"""Catalogues and learned groups a brief names relative to its own file, as absolute paths."""
+"""Catalogues, learned groups and styles a brief names relative to its own file, as absolute
+paths."""
 
 from __future__ import annotations
 
@@ -12,15 +13,21 @@ Json = dict[str, Any]
 
 NAMED = ("catalogs", "groups", "sources")
 """Fields of a brief that hold paths."""
+STYLE = ".npz"
+"""How the style of a brief ends where it is a file that was learned."""
 
 
 def resolve_paths(document: Json, folder: Path) -> Json:
-    """A brief or solution whose ``catalogs`` and ``groups`` are absolute; what is no text stays.
+    """A brief or solution whose ``catalogs``, ``groups`` and ``style``, where it is a file, are
+    absolute; what is no text stays.
 
     A plain name that is no file in ``folder`` stays a name: it may be registered.
     """
     if isinstance(document.get("brief"), dict):
         return document | {"brief": resolve_paths(document["brief"], folder)}
+    style = document.get("style")
+    if isinstance(style, str) and style.endswith(STYLE):
+        document = document | {"style": absolute(style, folder)}
     listed = {key: document[key] for key in NAMED if isinstance(document.get(key), list)}
     return document | {
         key: [_resolve_entry(entry, folder) for entry in entries] for key, entries in listed.items()
@@ -34,8 +41,14 @@ def absolute(path: str, folder: Path) -> str:
     return path if plain and not whole.exists() else str(whole.absolute())
 
 
-def with_more(brief: Brief, catalogs: Sequence[str], groups: Sequence[str] = ()) -> Brief:
-    """A brief with further catalogues and learned groups, below the working folder."""
+def with_more(
+    brief: Brief, catalogs: Sequence[str], groups: Sequence[str] = (), style: str = ""
+) -> Brief:
+    """A brief with further catalogues and learned groups, below the working folder, and in another
+    style (empty: its own)."""
+    if style:
+        named = absolute(style, Path.cwd()) if style.endswith(STYLE) else style
+        brief = brief.model_copy(update={"style": named})
     if not catalogs and not groups:
         return brief
     more, learned = ([absolute(path, Path.cwd()) for path in paths] for paths in (catalogs, groups))

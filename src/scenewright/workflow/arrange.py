@@ -95,6 +95,7 @@ def arrange(
     accessible: bool = False,
     scale: float = 1.0,
     hidden_levels: bool = False,
+    style: str = "",
 ) -> Arranged:
     """Read a brief, solve it, judge the solution and write it to all ``outputs`` or none.
 
@@ -120,6 +121,7 @@ def arrange(
         accessible=accessible,
         scale=scale,
         hidden_levels=hidden_levels,
+        style=style,
     )
 
     def pass_on(event: Event) -> None:

@@ -37,6 +37,7 @@ class ArrangeRequest(NamedTuple):
     accessible: bool = False
     scale: float = 1.0
     hidden_levels: bool = False
+    style: str = ""
 
 
 def plan_request(request: ArrangeRequest) -> Planned:
@@ -49,6 +50,7 @@ def plan_request(request: ArrangeRequest) -> Planned:
         groups=request.groups,
         scale=request.scale,
         hidden_levels=request.hidden_levels,
+        style=request.style,
     )
     check_targets(request.outputs)
     for path in request.outputs:

@@ -215,7 +215,7 @@ class Brief(StrictModel):
     name: str = "home"
     catalogs: Annotated[list[CatalogEntry], Field(max_length=50)] = []
     groups: Annotated[list[GroupsEntry], Field(max_length=20)] = []
-    style: Words = ""
+    style: Annotated[str, Field(max_length=500)] = ""
     colour: Words = ""
     levels: Annotated[list[LevelBrief], Field(max_length=200)] = []
     stairs: Annotated[list[StairsBrief], Field(max_length=200)] = []

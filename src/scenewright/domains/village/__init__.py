@@ -25,6 +25,7 @@ DOMAIN = Domain(
         "scene": ".furnish:scene_of_village",
         "draw": ".drawing.plan:draw",
         "adjust": ".adjust:adjust",
+        "learn_style": ".learning.learn:learn_style",
         "locked": ".locks:lock_village",
     },
     tables={
@@ -37,6 +38,12 @@ DOMAIN = Domain(
             ".geojson",
             "lanes, blocks and houses of a village (written)",
             writer=f"{__name__}.writing.geojson",
+            domain="village",
+        ),
+        Format(
+            ".city.json",
+            "city model (CityJSON) of a village (written)",
+            writer=f"{__name__}.writing.cityjson",
             domain="village",
         ),
         Format(

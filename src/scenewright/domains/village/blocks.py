@@ -7,6 +7,7 @@ from typing import NamedTuple
 from scenewright.core.footprint import Footprint
 from scenewright.core.space import Points
 from scenewright.domains.village.house import House
+from scenewright.domains.village.learned.style import Style
 from scenewright.ground.plan import SitePlan, Way
 
 
@@ -40,9 +41,11 @@ class BlockPlan(NamedTuple):
 
 
 class VillagePlan(NamedTuple):
-    """A valid village: its blocks, all lanes, the houses to choose from, and its style."""
+    """A valid village: its blocks, all lanes, the houses to choose from, the ``look`` of those that
+    are built here, and the style they stand in."""
 
     blocks: tuple[BlockPlan, ...]
     lanes: tuple[Way, ...]
     houses: tuple[House, ...]
     look: str
+    style: Style

@@ -9,8 +9,9 @@ from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.brief import HouseClass, VillageBlock
 from scenewright.domains.village.house import class_of_area
-from scenewright.domains.village.problem import VillageProblem, stand
+from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.settings import VillageSettings
+from scenewright.domains.village.standing import stand
 
 PACE = 2.0
 """Metres between the places tried for a free square along the street."""
@@ -21,13 +22,14 @@ def build_problem(
     block: VillageBlock, plan: BlockPlan, village: VillagePlan, settings: VillageSettings
 ) -> VillageProblem:
     """The problem of filling one block."""
+    style = village.style
     fixed = stand(
         [row.outline for row in plan.fixed], [class_of_area(_area(r.outline)) for r in plan.fixed]
     )
     floor = shapely.Polygon(plan.outline)
     shapely.prepare(floor)
     asked = [block.classes.get(name, 0.0) for name in CLASSES]
-    given = (asked[0], asked[1], asked[2]) if sum(asked) > 0 else settings.manner.sizes
+    given = (asked[0], asked[1], asked[2]) if sum(asked) > 0 else style.manner.sizes
     square = find_square(block, plan)
     return VillageProblem(
         plan.id,
@@ -41,6 +43,7 @@ def build_problem(
         block.coverage,
         given,
         settings,
+        style,
         shapely.Polygon(square) if square is not None else shapely.Polygon(),
     )
 

@@ -14,7 +14,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
-from scenewright.domains.village.problem import Flags, Floats, Indices, Shapes
+from scenewright.domains.village.standing import Flags, Floats, Indices, Shapes
 
 WAY = 0.65
 """Half the width of a way, and what it keeps from houses, in metres."""

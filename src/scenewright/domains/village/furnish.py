@@ -17,7 +17,8 @@ from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan
 from scenewright.domains.village.gardens import lay_ground
 from scenewright.domains.village.house import House
-from scenewright.domains.village.problem import VillageLayout, place
+from scenewright.domains.village.problem import VillageLayout
+from scenewright.domains.village.standing import place
 
 SQUARE = "square"
 

@@ -15,35 +15,45 @@ import shapely
 from scenewright.core.space import Points
 from scenewright.domains.village.doors import assign_doors
 from scenewright.domains.village.house import House
-from scenewright.domains.village.problem import (
-    Floats,
-    Shapes,
-    StandingHouses,
-    VillageLayout,
-    VillageProblem,
-    add,
-    place,
+from scenewright.domains.village.learned.pose_net import score_poses
+from scenewright.domains.village.learned.surroundings import (
+    Surroundings,
+    survey,
+    with_house,
+    without_houses,
 )
+from scenewright.domains.village.learned.tokens import tokens_of
+from scenewright.domains.village.problem import VillageLayout, VillageProblem
 from scenewright.domains.village.proposals import is_legal, propose, shapes_at, shrink
 from scenewright.domains.village.relations import relate
+from scenewright.domains.village.standing import Flags, Floats, Shapes, StandingHouses, add, place
 from scenewright.domains.village.weights import weigh
 
 MOST = 500
 """Most houses of a block."""
+SPREAD = 0.8
+"""How much of the spread of real counts blocks have."""
+SLIT = (0.01, 0.3)
+"""Metres between walls that nobody leaves."""
 JITTER = 0.12
 """How far chance may change the order of houses by area."""
 
-Weighing = Callable[[VillageProblem, StandingHouses, House, Shapes, Floats], Floats]
+Weighing = Callable[[VillageProblem, Surroundings, House, Shapes, Floats], Floats]
 """Log weights (k,) of legal poses (k, 3) of a house with their footprints (k,)."""
 
 
 class Growth(NamedTuple):
-    """A block while it is filled: what stands, and the numbers in the library and poses of the
-    houses placed."""
+    """A block while it is filled: what stands and what else there is to see, and the numbers in the
+    library and poses of the houses placed."""
 
-    standing: StandingHouses
+    seen: Surroundings
     houses: tuple[int, ...]
     poses: tuple[Floats, ...]
+
+    @property
+    def standing(self) -> StandingHouses:
+        """What stands, houses that stay first."""
+        return self.seen.standing
 
 
 def grow(
@@ -52,14 +62,14 @@ def grow(
     weighing: Weighing | None = None,
     cancel: Callable[[], bool] | None = None,
 ) -> VillageLayout:
-    """Fill a block. ``weighing`` tells how likely poses are (left out: by the tables of the
-    manner)."""
+    """Fill a block. ``weighing`` tells how likely poses are (left out: by the learned net)."""
     chosen = choose_houses(problem, rng)
-    growth = Growth(problem.fixed, (), ())
-    grown = _add_all(problem, growth, chosen, rng, weighing or weigh_by_tables, cancel)
+    weighing = weighing or weigh_by_net
+    growth = Growth(survey_problem(problem, len(chosen)), (), ())
+    grown = _add_all(problem, growth, chosen, rng, weighing, cancel)
     grown, doors, lost = _keep_reached(problem, grown)
     if lost:
-        grown = _add_all(problem, grown, lost, rng, weighing or weigh_by_tables, cancel)
+        grown = _add_all(problem, grown, lost, rng, weighing, cancel)
         grown, doors, _ = _keep_reached(problem, grown)
     return VillageLayout(
         np.array(grown.houses, np.int64),
@@ -70,20 +80,33 @@ def grow(
     )
 
 
+def survey_problem(problem: VillageProblem, added: int) -> Surroundings:
+    """What can be seen of a block on which so many houses are to be added to those that stay."""
+    planned = added + len(problem.fixed.shapes)
+    share = problem.street_share
+    return survey(problem.floor, problem.streets, share, planned, problem.fixed)
+
+
+def weigh_by_net(
+    problem: VillageProblem, seen: Surroundings, house: House, shapes: Shapes, poses: Floats
+) -> Floats:
+    """Log weights of poses by the net of the style."""
+    return score_poses(problem.style.poses, tokens_of(seen, house, poses, shapes))
+
+
 def weigh_by_tables(
-    problem: VillageProblem, standing: StandingHouses, house: House, shapes: Shapes, poses: Floats
+    problem: VillageProblem, seen: Surroundings, house: House, shapes: Shapes, poses: Floats
 ) -> Floats:
     """Log weights of poses by the tables of the manner."""
-    turn = poses[:, 2]
-    found = relate(shapes, turn, standing, problem.streets)
-    return weigh(found, house.size, problem.settings.manner, not len(standing.shapes))
+    found = relate(shapes, poses[:, 2], seen.standing, problem.streets)
+    return weigh(found, house.size, problem.style.manner, not len(seen.standing.shapes))
 
 
 def draw_count(problem: VillageProblem, rng: np.random.Generator) -> int:
     """How many houses a block of its size and streets has: log n is normal."""
-    a, b, c, spread = problem.settings.manner.count_law
+    a, b, c, spread = problem.style.manner.count_law
     mean = a + b * np.log(problem.floor.area) + c * problem.street_share
-    return max(1, min(MOST, round(float(np.exp(mean + spread * 0.5 * rng.normal())))))
+    return max(1, min(MOST, round(float(np.exp(mean + SPREAD * spread * rng.normal())))))
 
 
 def choose_houses(problem: VillageProblem, rng: np.random.Generator) -> list[int]:
@@ -126,7 +149,7 @@ def _add_all(
         if cancel is not None and cancel():
             break
         for candidate in [number] * problem.settings.grow.retries + _smaller(problem, number):
-            pose = draw_pose(problem, growth.standing, problem.houses[candidate], rng, weighing)
+            pose = draw_pose(problem, growth.seen, problem.houses[candidate], rng, weighing)
             if pose is not None:
                 growth = _with(growth, problem.houses[candidate], candidate, pose)
                 break
@@ -146,32 +169,46 @@ def _smaller(problem: VillageProblem, number: int) -> list[int]:
 
 def draw_pose(
     problem: VillageProblem,
-    standing: StandingHouses,
+    seen: Surroundings,
     house: House,
     rng: np.random.Generator,
     weighing: Weighing,
 ) -> Floats | None:
     """A legal pose (3,) of a house, drawn by its weight; None if none of those proposed is."""
-    settings = problem.settings.grow
+    settings, standing = problem.settings.grow, seen.standing
     poses = propose(problem, standing, house, rng)
     shapes, rings = shapes_at(house, poses)
     blocked = [*standing.shapes, problem.kept_free]
     good = np.flatnonzero(is_legal(problem.floor, shrink(np.array(blocked, object)), shapes, rings))
     if not len(good):
         return None
-    good = rng.permutation(good)[: settings.judged]
-    weight = weighing(problem, standing, house, shapes[good], poses[good])
+    good = rng.permutation(good[~is_slit(standing, shapes[good])])[: settings.judged]
+    if not len(good):
+        return None
+    weight = weighing(problem, seen, house, shapes[good], poses[good])
     if settings.temperature <= 0:
         return np.asarray(poses[good[int(np.argmax(weight))]])
     odds = np.exp((weight - weight.max()) / settings.temperature)
     return np.asarray(poses[good[int(rng.choice(len(good), p=odds / odds.sum()))]])
 
 
+def is_slit(standing: StandingHouses, shapes: Shapes) -> Flags:
+    """Which footprints (k,) leave a slit beside a house: walls are shared or stand apart."""
+    found = np.zeros(len(shapes), np.bool_)
+    if len(standing.shapes) and len(shapes):
+        tree = shapely.STRtree(standing.shapes)
+        (row, _), away = tree.query_nearest(shapes, return_distance=True, all_matches=False)
+        found[row] = (away > SLIT[0]) & (away < SLIT[1])
+    return found
+
+
 def _with(growth: Growth, house: House, number: int, pose: Floats) -> Growth:
     ring = place(house.outline, pose[None])[0]
     frame = np.array([pose[0], pose[1], pose[2], *house.extent])
     standing = add(growth.standing, shapely.Polygon(ring), frame, house.size)
-    return Growth(standing, (*growth.houses, number), (*growth.poses, pose))
+    return Growth(
+        with_house(growth.seen, standing), (*growth.houses, number), (*growth.poses, pose)
+    )
 
 
 def _keep_reached(problem: VillageProblem, growth: Growth) -> tuple[Growth, np.ndarray, list[int]]:
@@ -218,4 +255,8 @@ def _without(growth: Growth, fixed: int, number: int) -> Growth:
     keep = np.arange(len(growth.standing.shapes)) != fixed + number
     standing = growth.standing.take(keep)
     houses = (*growth.houses[:number], *growth.houses[number + 1 :])
-    return Growth(standing, houses, (*growth.poses[:number], *growth.poses[number + 1 :]))
+    return Growth(
+        without_houses(growth.seen, standing),
+        houses,
+        (*growth.poses[:number], *growth.poses[number + 1 :]),
+    )

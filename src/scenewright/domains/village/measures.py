@@ -6,8 +6,8 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
-from scenewright.domains.village.problem import Floats, StandingHouses
 from scenewright.domains.village.relations import PoseRelations, relate
+from scenewright.domains.village.standing import Floats, StandingHouses
 
 STEP = 4.0
 """Distance in metres of the points at which voids are measured."""

@@ -22,6 +22,7 @@ from scenewright.core.space import Level, Points, Space
 from scenewright.domains.village.blocks import BlockPlan, StandingHouse, VillagePlan
 from scenewright.domains.village.brief import LockedHouse, VillageBlock
 from scenewright.domains.village.house import House
+from scenewright.domains.village.learned.style import is_file, style_named
 from scenewright.domains.village.library import LOOKS, houses_of
 from scenewright.ground import outlines as shapes
 from scenewright.ground.names import assign_ids
@@ -46,7 +47,9 @@ def plan_village(brief: Brief) -> Plan:
 
     Raises InputError, with the place in the brief, for anything that cannot be built on.
     """
-    look = _look(brief.style)
+    style = style_named(brief.style)
+    look = str(style.card.get("look", "")) if is_file(brief.style) else _look(brief.style)
+    look = look if look in LOOKS else LOOKS[0]
     houses = houses_of(brief.part.houses, look, catalog_of(brief.catalogs))
     names = assign_ids(brief.part.blocks, "block", "blocks")
     floors = [
@@ -71,7 +74,7 @@ def plan_village(brief: Brief) -> Plan:
         Space(block.id, block.name, ("village",), LEVEL.id, block.outline, (), SKY)
         for block in blocks
     )
-    detail = VillagePlan(blocks, lanes, houses, look)
+    detail = VillagePlan(blocks, lanes, houses, look, style)
     return Plan((LEVEL,), spaces, {block.id: block.name for block in blocks}, detail)
 
 
@@ -80,7 +83,7 @@ def _look(style: str) -> str:
     if style and style not in LOOKS:
         raise InputError(
             f"'{style[:40]}' is no style of villages",
-            f"use one of: {', '.join(LOOKS)}",
+            f"use one of: {', '.join(LOOKS)}, or a file .npz",
             place="style",
         )
     return style or LOOKS[0]

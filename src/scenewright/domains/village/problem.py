@@ -2,42 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-import numpy as np
 import shapely
-from numpy.typing import NDArray
 
 from scenewright.core.space import Points
-from scenewright.domains.village.house import House, rectangle_about
+from scenewright.domains.village.house import House
+from scenewright.domains.village.learned.style import Style
 from scenewright.domains.village.settings import VillageSettings
+from scenewright.domains.village.standing import Floats, Indices, StandingHouses
 from scenewright.engine.solve import Found
-
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
-Indices = NDArray[np.int64]
-Shapes = NDArray[np.object_]
-
-
-class StandingHouses(NamedTuple):
-    """Houses that stand, row by row: ``shapes`` (n,) polygons, ``frames`` (n, 5) the least
-    rectangle about each (x, y, angle of the longer side, longer side, shorter side), and classes
-    of area ``sizes`` (n,)."""
-
-    shapes: Shapes
-    frames: Floats
-    sizes: Indices
-
-    def take(self, rows: Any) -> StandingHouses:
-        """Some of the houses, by their numbers or as flags."""
-        return StandingHouses(self.shapes[rows], self.frames[rows], self.sizes[rows])
 
 
 class VillageProblem(NamedTuple):
     """One block: its ground, street sides (s, 2, 2), the share of the outline that is street,
     where people may walk, houses that stay, the library, how many houses are asked for
     (``asked``, or the share ``coverage`` of the ground, or neither), shares of classes of area
-    (3,), and settings."""
+    (3,), settings, the style its houses stand in, and what is to stay free."""
 
     name: str
     floor: shapely.Polygon
@@ -50,6 +31,7 @@ class VillageProblem(NamedTuple):
     coverage: float | None
     sizes: tuple[float, float, float]
     settings: VillageSettings
+    style: Style
     kept_free: shapely.Polygon
 
 
@@ -66,35 +48,3 @@ class VillageLayout(NamedTuple):
 
 
 VillageFound = Found[VillageLayout]
-
-
-def place(outline: Points, poses: Floats) -> Floats:
-    """A ring (n, 2) of a house's own frame at poses (k, 3) in the plan: (k, n, 2).
-
-    >>> place(np.array([[1.0, 0.0]]), np.array([[5.0, 5.0, np.pi / 2]])).round(9).tolist()
-    [[[5.0, 6.0]]]
-    """
-    cos, sin = np.cos(poses[:, 2]), np.sin(poses[:, 2])
-    x, y = outline[:, 0], outline[:, 1]
-    east = poses[:, :1] + cos[:, None] * x - sin[:, None] * y
-    north = poses[:, 1:2] + sin[:, None] * x + cos[:, None] * y
-    return np.stack([east, north], -1)
-
-
-def stand(outlines: list[Points], sizes: list[int]) -> StandingHouses:
-    """Some houses by their footprints in the plan and classes of area."""
-    shapes = np.empty(len(outlines), object)
-    shapes[:] = [shapely.Polygon(ring) for ring in outlines]
-    frames = np.zeros((len(outlines), 5))
-    for k, ring in enumerate(outlines):
-        angle, middle, sides = rectangle_about(ring)
-        frames[k] = (*middle, angle, *sides)
-    return StandingHouses(shapes, frames, np.array(sizes, np.int64))
-
-
-def add(standing: StandingHouses, shape: Any, frame: Floats, size: int) -> StandingHouses:
-    """The same and one more house at ``frame`` (8,)."""
-    shapes = np.empty(len(standing.shapes) + 1, object)
-    shapes[:-1], shapes[-1] = standing.shapes, shape
-    frames = np.concatenate([standing.frames, frame[None]])
-    return StandingHouses(shapes, frames, np.append(standing.sizes, size))

@@ -11,15 +11,9 @@ import shapely
 
 from scenewright.core.space import Points
 from scenewright.domains.village.house import House
-from scenewright.domains.village.problem import (
-    Flags,
-    Floats,
-    Shapes,
-    StandingHouses,
-    VillageProblem,
-    place,
-)
+from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.settings import Relations
+from scenewright.domains.village.standing import Flags, Floats, Shapes, StandingHouses, place
 
 TOUCH = 0.005
 """Metres by which footprints may overlap unseen."""
@@ -34,7 +28,7 @@ def propose(
     """Poses (k, 3) of a house: x, y, and the angle of its own frame."""
     settings = problem.settings.grow
     counts = rng.multinomial(settings.proposed, _shares(settings.shares, len(standing.shapes)))
-    gap = problem.settings.manner.gap
+    gap = problem.style.manner.gap
     return np.concatenate(
         [
             beside(standing, house, gap, int(counts[0]), rng),
@@ -91,7 +85,7 @@ def along_streets(
     pick = rng.choice(len(sides), size=count, p=length / length.sum())
     share = rng.random(count)
     way = along[pick] / length[pick, None]
-    back = problem.settings.manner.street
+    back = problem.style.manner.street
     away = draw_values(back, back.small if house.size == 0 else back.large, count, rng)
     quarter = rng.integers(4, size=count)
     deep = np.where(quarter % 2 == 0, house.extent[1], house.extent[0]) / 2

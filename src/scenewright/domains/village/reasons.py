@@ -6,7 +6,8 @@ import numpy as np
 
 from scenewright.core.solution import TermValue
 from scenewright.domains.village.measures import PARALLEL, coverage, relations_of, void
-from scenewright.domains.village.problem import StandingHouses, VillageProblem
+from scenewright.domains.village.problem import VillageProblem
+from scenewright.domains.village.standing import StandingHouses
 
 MEANINGS: dict[str, str] = {
     "missing": "houses asked for without a place",

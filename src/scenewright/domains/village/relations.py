@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
-from scenewright.domains.village.problem import Floats, Indices, Shapes, StandingHouses
+from scenewright.domains.village.standing import Floats, Indices, Shapes, StandingHouses
 
 FAR = 1e6
 """The gap, in metres, of a house that stands alone."""

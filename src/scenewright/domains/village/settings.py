@@ -142,7 +142,6 @@ class GrowSettings(NamedTuple):
 
 
 class VillageSettings(NamedTuple):
-    """How houses stand, and how blocks are filled."""
+    """How blocks are filled."""
 
-    manner: Manner = OURS
     grow: GrowSettings = GrowSettings()

@@ -9,13 +9,15 @@ from __future__ import annotations
 import hashlib
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from scenewright._version import __version__
 from scenewright.core.brief import Brief
+from scenewright.core.layout import NamedBox, Watch
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Patch, Solution, TermValue
@@ -23,6 +25,7 @@ from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.brief import VillageBlock
 from scenewright.domains.village.build_problem import build_problem, find_square
 from scenewright.domains.village.furnish import pieces_of, square_patch, standing_pieces
+from scenewright.domains.village.house import House
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.planting import plant
 from scenewright.domains.village.presets import PRESETS
@@ -32,6 +35,7 @@ from scenewright.domains.village.solvers import VILLAGE_SOLVERS
 from scenewright.domains.village.solvers.growing import standing_of
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
+from scenewright.engine.watched import add_watch
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -60,11 +64,13 @@ def solve(
     threads: int | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
+    watch: Watch | None = None,
 ) -> Solution:
     """Fill every block of a brief.
 
     ``steps`` are layouts of each block, ``seconds`` are for each; the same seed and steps give the
-    same answer. ``plan`` is that of the brief (made unless given).
+    same answer. ``plan`` is that of the brief (made unless given). ``watch`` is told the best
+    layout of each block, as boxes by the names of houses.
     """
     started = time.perf_counter()
     chosen, village = preset_named(PRESETS, preset), (plan or plan_village(brief)).detail
@@ -74,6 +80,7 @@ def solve(
     for k, (block, one) in enumerate(zip(brief.part.blocks, village.blocks, strict=True)):
         problem = build_problem(block, one, village, chosen.settings)
         heard = None if progress is None else _share(progress, k, len(village.blocks), one.name)
+        heard = add_watch(heard, watch, one.id, partial(_boxes, one, village.houses))
         budget = Budget(seconds, given, threads=threads)
         answer = VILLAGE_SOLVERS[named].run(problem, budget, seed + 7919 * k, heard, cancel)
         layout = answer.layouts[0]
@@ -81,6 +88,14 @@ def solve(
             furnish_block(block, one, village, problem, layout, answer.evaluations, seed + 7919 * k)
         )
     return assemble_solution(brief, found, preset, named, seed, time.perf_counter() - started)
+
+
+def _boxes(plan: BlockPlan, houses: Sequence[House], layout: VillageLayout) -> tuple[NamedBox, ...]:
+    """A layout as boxes by the names of houses, as ``solution_of`` takes them."""
+    return tuple(
+        NamedBox(piece.function, (*piece.pose[:2], piece.pose.heading, *piece.size[:2]))
+        for piece in pieces_of(plan, houses, layout)
+    )
 
 
 def problems(

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from scenewright.domains.village.problem import Floats
 from scenewright.domains.village.relations import PoseRelations
 from scenewright.domains.village.settings import Manner, Relations
+from scenewright.domains.village.standing import Floats
 
 LEAST = 0.5
 """Proposals a bin is taken to hold at least."""

@@ -14,9 +14,9 @@ import shapely
 
 from scenewright.core.space import Points
 from scenewright.domains.village.house import class_of_area
-from scenewright.domains.village.problem import Floats, StandingHouses, stand
 from scenewright.domains.village.relations import relate
 from scenewright.domains.village.settings import OURS, Manner, Relations
+from scenewright.domains.village.standing import Floats, StandingHouses, stand
 from scenewright.domains.village.weights import bin_of
 
 PRIOR = 2.0

@@ -13,6 +13,13 @@ ROWS = (
         "houses",
     ),
     SolverRow(
+        "tables",
+        "the same weighed by tables of single relations instead of the net (comparison)",
+        "ours",
+        f"{__name__}.growing:fill_by_tables",
+        "houses",
+    ),
+    SolverRow(
         "proposals",
         "the same without weights: any legal pose proposed (comparison)",
         "ours",

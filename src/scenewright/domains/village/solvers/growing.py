@@ -7,19 +7,12 @@ from functools import partial
 import numpy as np
 import shapely
 
-from scenewright.domains.village.grow import Weighing, grow
+from scenewright.domains.village.grow import Weighing, grow, weigh_by_tables
 from scenewright.domains.village.house import House
+from scenewright.domains.village.learned.surroundings import Surroundings
 from scenewright.domains.village.measures import void
-from scenewright.domains.village.problem import (
-    Floats,
-    Shapes,
-    StandingHouses,
-    VillageFound,
-    VillageLayout,
-    VillageProblem,
-    add,
-    place,
-)
+from scenewright.domains.village.problem import VillageFound, VillageLayout, VillageProblem
+from scenewright.domains.village.standing import Floats, Shapes, StandingHouses, add, place
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 LAYOUTS = 3
@@ -33,9 +26,20 @@ def grow_block(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
 ) -> VillageFound:
-    """Layouts weighed by the tables of the manner; of those the one that lacks fewest houses and
+    """Layouts weighed by the learned net; of those the one that lacks fewest houses and
     leaves the least void. One step is one layout."""
     return _best(problem, None, budget, seed, progress, cancel)
+
+
+def fill_by_tables(
+    problem: VillageProblem,
+    budget: Budget,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> VillageFound:
+    """The same weighed by the tables of single relations."""
+    return _best(problem, weigh_by_tables, budget, seed, progress, cancel)
 
 
 def fill_unweighed(
@@ -50,9 +54,9 @@ def fill_unweighed(
 
 
 def _alike(
-    problem: VillageProblem, standing: StandingHouses, house: House, shapes: Shapes, poses: Floats
+    problem: VillageProblem, seen: Surroundings, house: House, shapes: Shapes, poses: Floats
 ) -> Floats:
-    del problem, standing, house, shapes
+    del problem, seen, house, shapes
     return np.zeros(len(poses))
 
 

@@ -1,0 +1,90 @@
+"""Methods that say where the next house stands, on the same proposals: the shipped net, gradient
+boosting on the same figures, the tables, nothing, and hugging the street."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from benchmarks.village_location import Foretold, Scoring, foretell_blocks
+from scenewright.domains.village.learned.more import odds_of_figures
+from scenewright.domains.village.learned.pose_net import score_poses
+from scenewright.domains.village.learned.style import Style
+from scenewright.domains.village.learned.tokens import PoseTokens
+from scenewright.domains.village.learning.examples import Turn, examples_of
+from scenewright.domains.village.learning.more_training import states_of
+from scenewright.domains.village.learning.tables import RealBlock
+from scenewright.domains.village.standing import Floats
+
+SETBACK, STEEP = 12, 3.0
+"""Where in what is told of a house its distance to the street is, and how hard it is hugged."""
+FALSE = 12
+"""Proposals beside each real pose that boosting learns from."""
+
+
+def methods_of(style: Style, train: Sequence[RealBlock], seed: int) -> dict[str, Scoring]:
+    """Methods by name; boosting only where scikit-learn is installed."""
+    found: dict[str, Scoring] = {
+        "net": lambda _turn, tokens: score_poses(style.poses, tokens),
+        "proposals": lambda _turn, tokens: np.zeros(len(tokens.own)),
+        "hug the street": lambda _turn, tokens: -STEEP * tokens.own[:, SETBACK],
+    }
+    boosted = boost(style, train, seed)
+    return found if boosted is None else {"boosting": boosted, **found}
+
+
+def boost(style: Style, train: Sequence[RealBlock], seed: int) -> Scoring | None:
+    """Gradient boosting (scikit-learn's by histograms, after Ke and others 2017) that tells real
+    poses from proposals by the same figures; its log odds weigh poses."""
+    try:
+        from sklearn.ensemble import HistGradientBoostingClassifier
+    except ImportError:
+        return None
+    rng = np.random.default_rng(seed)
+    rows = [row.tokens for b in train for row in examples_of(b, style, rng, FALSE + 1)]
+    label = np.concatenate([np.arange(len(row.own)) == 0 for row in rows])
+    model = HistGradientBoostingClassifier(
+        max_iter=200, learning_rate=0.1, max_leaf_nodes=31, l2_regularization=1.0, random_state=seed
+    )
+    model.fit(np.concatenate([flat(row) for row in rows]), label)
+    return partial(_by_model, model)
+
+
+def _by_model(model: Any, turn: Turn, tokens: PoseTokens) -> Floats:
+    del turn
+    return np.asarray(model.decision_function(flat(tokens)))
+
+
+def flat(tokens: PoseTokens) -> Floats:
+    """What is told of poses as rows (k, …): the house, the four nearest houses, all sides."""
+    count = len(tokens.own)
+    parts = [tokens.own, tokens.houses[:, :4].reshape(count, -1), tokens.sides.reshape(count, -1)]
+    return np.concatenate(parts, 1).astype(np.float32)
+
+
+def tell_locations(
+    style: Style, train: Sequence[RealBlock], test: Sequence[RealBlock], houses: int, seed: int
+) -> dict[str, list[Foretold]]:
+    """What each method foretells of so many held-out houses."""
+    methods = methods_of(style, train, seed)
+    found = foretell_blocks(test, style, list(methods.values()), houses, seed)
+    return dict(zip(methods, found, strict=True))
+
+
+def tell_more(style: Style, test: Sequence[RealBlock], seed: int) -> tuple[float, float]:
+    """How well full held-out blocks are told from those that lack half their houses (area under
+    the curve): by the law, and by the number of houses alone."""
+    rows, label = states_of(test, style.manner, seed, 2)
+    by = odds_of_figures(style.more, rows), rows[:, 1]
+    one, two = (float((v[label > 0][:, None] > v[label == 0][None]).mean()) for v in by)
+    return one, two
+
+
+def location_figures(found: dict[str, list[Foretold]]) -> Iterator[tuple[str, str, float]]:
+    """Method, figure and value: mean nats over even ground, median distance of the best peaks."""
+    for name, rows in found.items():
+        yield name, "location: nats over even ground", float(np.mean([row.nats for row in rows]))
+        yield name, "location: best of 5 peaks", float(np.median([row.distance for row in rows]))

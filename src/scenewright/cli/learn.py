@@ -1,0 +1,78 @@
+"""The verb ``learn``: a style of villages from real blocks, a file that ``--style`` takes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from scenewright.cli import tables, terminal
+from scenewright.cli.progress import watching
+from scenewright.core.errors import InputError
+
+
+def learn(
+    domain: Annotated[str, typer.Argument(metavar="KIND", help="village.")],
+    sources: Annotated[
+        list[Path],
+        typer.Argument(metavar="DATA...", help="Blocks with their houses: .json or .geojson."),
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="STYLE.npz")],
+    hold_out: Annotated[
+        list[str] | None,
+        typer.Option("--hold-out", metavar="PLACE", help="Not to learn from; may be repeated."),
+    ] = None,
+    kind: Annotated[
+        list[str] | None, typer.Option(metavar="KIND", help="Kinds of places to learn from.")
+    ] = None,
+    epochs: Annotated[int, typer.Option(min=1, max=1000, help="How often blocks are seen.")] = 6,
+    budget: Annotated[
+        float | None, typer.Option(min=0, help="Processor seconds of training, at most.")
+    ] = None,
+    look: Annotated[str, typer.Option(help="Look of houses built in the style.")] = "rural",
+    licence: Annotated[str, typer.Option(help="Licence of the data, for the card.")] = "",
+    seed: Annotated[int, typer.Option(min=0, help="Same seed, same style.")] = 0,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
+) -> int:
+    """Learn a style from real blocks. A run that was stopped goes on where it was."""
+    from scenewright.domains import learn_style
+    from scenewright.formats import read_planned
+
+    options = {
+        "seed": seed,
+        "held": tuple(hold_out or ()),
+        "kinds": tuple(kind or ()),
+        "epochs": epochs,
+        "budget": budget,
+        "look": look,
+        "licence": licence,
+    }
+    if domain != "village":
+        raise InputError(f"styles of {domain!r} cannot be learned", "give village")
+    with watching(terminal.console(stderr=True, quiet=quiet or as_json), quiet) as watch:
+        learned = learn_style(
+            domain,
+            sources,
+            output,
+            options,
+            lambda path: read_planned(path)[1],
+            watch.progress,
+            watch.cancelled,
+        )
+    if as_json:
+        tables.print_json({"file": str(output), **learned._asdict()})
+    elif not quiet:
+        console = tables.output_console()
+        rows = [{"figure": key, "value": _text(value)} for key, value in learned.card.items()]
+        tables.table(console, rows, title="style")
+        done = f"wrote {output}" if learned.written else "stopped; the same command goes on"
+        tables.print_line(console, f"{learned.seconds:.0f} s of training; {done}", "dim")
+    return 0 if learned.written else 130
+
+
+def _text(value: object) -> str:
+    if isinstance(value, dict):
+        return ", ".join(f"{key} {row}" for key, row in value.items())
+    return ", ".join(map(str, value)) if isinstance(value, list) else str(value)

@@ -1,0 +1,172 @@
+"""A style: all that was learned of how houses of a region stand, and its file.
+
+The file is a plain ``.npz`` of arrays without pickled objects; ``card`` holds, as JSON, where it is
+from. Of a file nothing is run: names and shapes must be those of the net, all numbers finite.
+"""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from collections.abc import Mapping
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from scenewright.core.errors import InputError
+from scenewright.domains.village.learned.more import FIGURES, MoreLaw
+from scenewright.domains.village.learned.pose_net import Weights, shapes_of_net
+from scenewright.domains.village.settings import OURS, Manner, Relations
+
+FORMAT = 1
+SUFFIX = ".npz"
+LARGEST = 16_000_000
+"""Bytes of a file of a style at most, once unpacked."""
+SHIPPED = Path(__file__).parent / "europe.npz"
+TABLES = ("gap", "turn", "street", "street_turn")
+REMEDY = "give a file that scenewright learn village has written"
+
+Arrays = Mapping[str, np.ndarray]
+
+
+class Style(NamedTuple):
+    """How houses of a region stand: tables of single relations and the law of counts, the weights
+    of the net of poses, the law that tells full blocks; and its card (data, licence, split,
+    figures)."""
+
+    manner: Manner
+    poses: Weights
+    more: MoreLaw
+    card: dict[str, Any]
+
+
+def is_file(style: str) -> bool:
+    """Whether a style is a file, not a name.
+
+    >>> is_file("hui"), is_file("mine.npz")
+    (False, True)
+    """
+    return style.endswith(SUFFIX)
+
+
+def style_named(style: str) -> Style:
+    """The style of a file, else the one that ships."""
+    return read_style(Path(style)) if is_file(style) else shipped_style()
+
+
+def bare_style(manner: Manner) -> Style:
+    """A style of tables alone, to propose poses before anything else is learned."""
+    none = np.zeros(FIGURES)
+    return Style(manner, {}, MoreLaw(none, none + 1.0, none, 0.0), {})
+
+
+@lru_cache(maxsize=1)
+def shipped_style() -> Style:
+    """The style that ships, learned from villages of Franconia, Liechtenstein, Lower Austria and
+    the Riviera (© OpenStreetMap contributors, ODbL).
+
+    >>> shipped_style().card["licence"][:4]
+    'ODbL'
+    """
+    return read_style(SHIPPED)
+
+
+def write_style(path: Path, style: Style) -> None:
+    """Write a style; the same style gives the same bytes."""
+    with path.open("wb") as file:
+        np.savez(file, allow_pickle=False, **arrays_of(style))
+
+
+def arrays_of(style: Style) -> dict[str, np.ndarray]:
+    """A style as the arrays of its file."""
+    found = {f"poses/{name}": np.asarray(value) for name, value in style.poses.items()}
+    for name in TABLES:
+        table: Relations = getattr(style.manner, name)
+        found[f"manner/{name}"] = np.array([table.small, table.large])
+    found["manner/count_law"] = np.array(style.manner.count_law)
+    found["manner/sizes"] = np.array(style.manner.sizes)
+    found["more/law"] = np.stack([style.more.mean, style.more.spread, style.more.weights])
+    found["more/constant"] = np.array([style.more.constant])
+    told = json.dumps({"format": FORMAT, **style.card}, sort_keys=True, ensure_ascii=False)
+    return found | {"card": np.frombuffer(told.encode(), np.uint8)}
+
+
+def read_style(path: Path) -> Style:
+    """The style of a file; InputError, in one line, for anything that is none."""
+    try:
+        return style_of(_arrays(path))
+    except InputError as error:
+        raise error.located(file=str(path)) from None
+
+
+def _arrays(path: Path) -> Arrays:
+    try:
+        with zipfile.ZipFile(path) as archive:
+            if sum(row.file_size for row in archive.infolist()) > LARGEST:
+                raise InputError(f"is larger than {LARGEST / 1e6:.0f} MB unpacked", REMEDY)
+        with np.load(path, allow_pickle=False) as file:
+            return {name: file[name] for name in file.files}
+    except FileNotFoundError:
+        raise InputError("there is no such style file", "check the path") from None
+    except (OSError, EOFError, ValueError, zipfile.BadZipFile, KeyError, MemoryError):
+        raise InputError("is no style file: it cannot be read as .npz", REMEDY) from None
+
+
+def style_of(arrays: Arrays) -> Style:
+    """The style of the arrays of a file; InputError for arrays of another kind."""
+    card = _card(arrays)
+    weights = {
+        name: _array(arrays, f"poses/{name}", shape).astype(np.float32)
+        for name, shape in shapes_of_net().items()
+    }
+    rows = _array(arrays, "more/law", (3, FIGURES))
+    constant = float(_array(arrays, "more/constant", (1,))[0])
+    more = MoreLaw(rows[0], np.maximum(rows[1], 1e-6), rows[2], constant)
+    return Style(_manner(arrays), weights, more, card)
+
+
+def _card(arrays: Arrays) -> dict[str, Any]:
+    told = arrays.get("card", np.zeros(0))
+    try:
+        card = json.loads(bytes(told.astype(np.uint8)).decode()) if told.ndim == 1 else None
+    except (ValueError, RecursionError):
+        card = None
+    if not isinstance(card, dict):
+        raise InputError("is no style file: its card is missing", REMEDY)
+    if card.get("format") != FORMAT:
+        raise InputError(f"is of format {str(card.get('format'))[:20]}, not {FORMAT}", REMEDY)
+    return card
+
+
+def _manner(arrays: Arrays) -> Manner:
+    tables = []
+    for name in TABLES:
+        ours: Relations = getattr(OURS, name)
+        rows = _shares(_array(arrays, f"manner/{name}", (2, len(ours.small))), name)
+        tables.append(Relations(ours.edges, tuple(rows[0].tolist()), tuple(rows[1].tolist())))
+    a, b, c, spread = _array(arrays, "manner/count_law", (4,)).tolist()
+    small, medium, large = _shares(_array(arrays, "manner/sizes", (3,)), "sizes").tolist()
+    gap, turn, street, street_turn = tables
+    law = (a, b, c, abs(spread))
+    return Manner(gap, turn, street, street_turn, law, (small, medium, large))
+
+
+def _shares(values: np.ndarray, name: str) -> np.ndarray:
+    if (values < 0).any() or (values.sum(-1) < 1e-3).any():
+        raise InputError(f"is no style file: the shares of '{name}' are not positive", REMEDY)
+    whole = values.sum(-1, keepdims=True)
+    return np.asarray(np.where(np.abs(whole - 1) < 1e-9, values, values / whole))
+
+
+def _array(arrays: Arrays, name: str, shape: tuple[int, ...]) -> np.ndarray:
+    value = arrays.get(name)
+    if value is None:
+        raise InputError(f"is no style file: the array '{name}' is missing", REMEDY)
+    if value.shape != shape or value.dtype.kind != "f":
+        told = "x".join(map(str, shape))
+        raise InputError(f"is no style file: the array '{name}' is not {told} numbers", REMEDY)
+    if not np.isfinite(value).all() or np.abs(value).max() > 1e6:
+        raise InputError(f"is no style file: the array '{name}' holds no usable numbers", REMEDY)
+    return np.asarray(value)

@@ -1,0 +1,173 @@
+"""The networks of Zhu, Jiang and Li (2022) in PyTorch, at their printed sizes and in a small form.
+
+*Continue* is ResNet34 (He and others 2016) with an MLP of 128; the three *category* networks are
+small CNNs with an MLP of 128 that is also told how many houses of each class stand; *location* is
+fully convolutional (its text is lost; after Ritchie, Wang and Lin 2019) and gives the log odds of
+the base point at every pixel; *orientation* is a conditional variational autoencoder of the cosine
+of the door angle, with 40 hidden values.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from scenewright.domains.village.learning.paper.views import AREAS, CHANNELS, MATERIALS, SHAPES
+
+COUNTED = MATERIALS + SHAPES + AREAS
+"""How many numbers the count vector has."""
+CLASSES = {"material": MATERIALS, "shape": SHAPES, "area": AREAS}
+ASKED = ("continue", "material", "shape", "area", "location", "orientation")
+
+
+class NetSizes(NamedTuple):
+    """Sizes: pixels of a view, channels and blocks of each stage of *continue*, channels of the
+    CNNs, of the MLPs, and hidden values of *orientation*."""
+
+    pixels: int
+    stages: tuple[tuple[int, int], ...]
+    channels: tuple[int, ...]
+    mlp: int
+    hidden: int
+
+
+PRINTED = NetSizes(256, ((64, 3), (128, 4), (256, 6), (512, 3)), (32, 64, 128, 256), 128, 40)
+SMALL = NetSizes(64, ((16, 1), (32, 1), (64, 1)), (16, 32, 64), 64, 16)
+
+
+def make_nets(torch: Any, sizes: NetSizes) -> dict[str, Any]:
+    """All networks by name (:data:`ASKED`)."""
+    found = {"continue": continue_net(torch, sizes), "location": location_net(torch, sizes)}
+    for name, count in CLASSES.items():
+        found[name] = category_net(torch, sizes, count)
+    return found | {"orientation": orientation_net(torch, sizes)}
+
+
+def continue_net(torch: Any, sizes: NetSizes) -> Any:
+    """View (b, 12, s, s) -> the log odds (b, 1) that another house follows."""
+    nn = torch.nn
+    before = sizes.stages[0][0]
+    parts = [
+        nn.Conv2d(CHANNELS, before, 7, 2, 3, bias=False),
+        nn.BatchNorm2d(before),
+        nn.ReLU(),
+        nn.MaxPool2d(3, 2, 1),
+    ]
+    for number, (width, blocks) in enumerate(sizes.stages):
+        for k in range(blocks):
+            parts.append(_residual(torch, before, width, 2 if number and not k else 1))
+            before = width
+    head = [nn.Linear(before, sizes.mlp), nn.ReLU(), nn.Linear(sizes.mlp, 1)]
+    return nn.Sequential(*parts, nn.AdaptiveAvgPool2d(1), nn.Flatten(), *head)
+
+
+def _residual(torch: Any, before: int, width: int, stride: int) -> Any:
+    """Two convolutions beside a way round them."""
+    nn = torch.nn
+
+    class Residual(nn.Module):  # type: ignore[name-defined]
+        def __init__(self) -> None:
+            super().__init__()
+            self.main = nn.Sequential(
+                nn.Conv2d(before, width, 3, stride, 1, bias=False),
+                nn.BatchNorm2d(width),
+                nn.ReLU(),
+                nn.Conv2d(width, width, 3, 1, 1, bias=False),
+                nn.BatchNorm2d(width),
+            )
+            plain = stride == 1 and before == width
+            self.round = (
+                nn.Identity()
+                if plain
+                else nn.Sequential(
+                    nn.Conv2d(before, width, 1, stride, bias=False), nn.BatchNorm2d(width)
+                )
+            )
+
+        def forward(self, x: Any) -> Any:
+            return torch.relu(self.main(x) + self.round(x))
+
+    return Residual()
+
+
+def _encoder(torch: Any, sizes: NetSizes) -> tuple[Any, int]:
+    """A small CNN: view -> features (b, n), and n."""
+    nn, before = torch.nn, CHANNELS
+    parts: list[Any] = []
+    for width in sizes.channels:
+        parts += [nn.Conv2d(before, width, 3, 2, 1), nn.BatchNorm2d(width), nn.ReLU()]
+        before = width
+    return nn.Sequential(*parts, nn.AdaptiveAvgPool2d(2), nn.Flatten()), before * 4
+
+
+def category_net(torch: Any, sizes: NetSizes, classes: int) -> Any:
+    """View and count vector (b, COUNTED) -> log odds (b, classes)."""
+    nn = torch.nn
+
+    class Category(nn.Module):  # type: ignore[name-defined]
+        def __init__(self) -> None:
+            super().__init__()
+            self.seen, width = _encoder(torch, sizes)
+            self.head = nn.Sequential(
+                nn.Linear(width + COUNTED, sizes.mlp), nn.ReLU(), nn.Linear(sizes.mlp, classes)
+            )
+
+        def forward(self, view: Any, counts: Any) -> Any:
+            return self.head(torch.cat([self.seen(view), counts], 1))
+
+    return Category()
+
+
+def location_net(torch: Any, sizes: NetSizes) -> Any:
+    """View and classes of the house painted as planes (b, 12 + COUNTED, s, s) -> log odds of the
+    base point (b, s, s)."""
+    nn, before = torch.nn, CHANNELS + COUNTED
+    down: list[Any] = []
+    for width in sizes.channels:
+        down += [nn.Conv2d(before, width, 3, 2, 1), nn.BatchNorm2d(width), nn.ReLU()]
+        before = width
+    up: list[Any] = []
+    for width in (*sizes.channels[-2::-1], sizes.channels[0]):
+        up += [nn.Upsample(scale_factor=2, mode="nearest")]
+        up += [nn.Conv2d(before, width, 3, 1, 1), nn.BatchNorm2d(width), nn.ReLU()]
+        before = width
+    return nn.Sequential(*down, *up, nn.Conv2d(before, 1, 1), _drop_channel(torch))
+
+
+def _drop_channel(torch: Any) -> Any:
+    class DropChannel(torch.nn.Module):
+        def forward(self, x: Any) -> Any:
+            return x[:, 0]
+
+    return DropChannel()
+
+
+def orientation_net(torch: Any, sizes: NetSizes) -> Any:
+    """A conditional VAE: ``forward(view, shape, cosine)`` -> cosine again, mean and log variance of
+    the hidden values; ``draw(view, shape, hidden)`` -> cosine (b,)."""
+    nn = torch.nn
+
+    class Orientation(nn.Module):  # type: ignore[name-defined]
+        def __init__(self) -> None:
+            super().__init__()
+            self.seen, width = _encoder(torch, sizes)
+            told = width + SHAPES
+            self.inner = nn.Sequential(nn.Linear(told + 1, sizes.mlp), nn.ReLU())
+            self.mean = nn.Linear(sizes.mlp, sizes.hidden)
+            self.spread = nn.Linear(sizes.mlp, sizes.hidden)
+            self.outer = nn.Sequential(
+                nn.Linear(told + sizes.hidden, sizes.mlp), nn.ReLU(), nn.Linear(sizes.mlp, 1)
+            )
+
+        def draw(self, view: Any, shape: Any, hidden: Any) -> Any:
+            told = torch.cat([self.seen(view), shape, hidden], 1)
+            return torch.tanh(self.outer(told))[:, 0]
+
+        def forward(self, view: Any, shape: Any, cosine: Any) -> Any:
+            told = torch.cat([self.seen(view), shape], 1)
+            inner = self.inner(torch.cat([told, cosine[:, None]], 1))
+            mean, spread = self.mean(inner), self.spread(inner)
+            hidden = mean + torch.randn_like(mean) * torch.exp(spread / 2)
+            again = torch.tanh(self.outer(torch.cat([told, hidden], 1)))[:, 0]
+            return again, mean, spread
+
+    return Orientation()

@@ -1,0 +1,78 @@
+"""A filled village as CityJSON 2.0: houses as prisms (level of detail 1.2), as high as they are,
+blocks, lanes and free squares, in the local metres of the brief."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+import numpy as np
+import shapely
+
+from scenewright.catalog import credits as authorship
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.atomic_file import write_atomically
+from scenewright.core.layout import corners
+from scenewright.core.piece_outlines import outline_of
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.domains.village.blocks import VillagePlan
+from scenewright.domains.village.plan import plan_village
+from scenewright.ground.city_objects import (
+    Vertices,
+    city_document,
+    flat_object,
+    free_key,
+    prism_object,
+)
+
+
+def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
+    """Write the city model of a village to ``path``; the file appears whole or not at all."""
+    write_atomically(path, json.dumps(document(solution, plan), ensure_ascii=False) + "\n")
+
+
+def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
+    """The CityJSON object of a village."""
+    plan: VillagePlan = (made or plan_village(solution.brief)).detail
+    vertices: Vertices = {}
+    objects = _grounds(solution, plan, vertices)
+    for piece in solution.pieces:
+        if piece.category == "building" and np.isfinite([*piece.pose, *piece.size]).all():
+            told = {
+                "name": piece.function,
+                "measuredHeight": round(piece.size[2], 3),
+                "block": piece.space,
+                "model": piece.asset,
+                "area": round(float(shapely.Polygon(outline_of(piece)).area), 2),
+                "heading": round(float(np.rad2deg(piece.pose.heading)), 3),
+            }
+            low = piece.pose.z
+            shape = outline_of(piece)
+            built = prism_object(shape, low, low + piece.size[2], told, vertices)
+            objects[free_key(piece.id, objects)] = built
+    return city_document(solution.brief.name, objects, vertices)
+
+
+def _grounds(solution: Solution, plan: VillagePlan, vertices: Vertices) -> dict[str, Any]:
+    """Blocks, lanes and free squares."""
+    credited = authorship.document(
+        authorship.credits_of(solution.pieces, catalog_of(solution.brief.catalogs))
+    )
+    found: dict[str, Any] = {}
+    for block in plan.blocks:
+        told: dict[str, Any] = {"name": block.name, "class": "block", "credits": credited}
+        found[free_key(block.id, found)] = flat_object(
+            "LandUse", [(block.outline,)], told, vertices
+        )
+    for way in plan.lanes:
+        areas = [(area.outline, *area.holes) for area in way.areas]
+        if areas:
+            told = {"name": way.name or way.id, "class": way.kind, "width": way.width}
+            found[free_key(way.id, found)] = flat_object("Road", areas, told, vertices)
+    for patch in solution.patches:
+        ring = corners(np.array([patch.box]))[0]
+        told = {"name": patch.id, "class": "square"}
+        found[free_key(patch.id, found)] = flat_object("TransportSquare", [(ring,)], told, vertices)
+    return found
