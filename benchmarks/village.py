@@ -36,9 +36,9 @@ Progress = Callable[[float, str], None]
 METHODS = ("grow", "tables", "proposals", "annealing", "brief annealing")
 MOVES = {"annealing": STEPS, "brief annealing": 4000}
 """Moves of a block; the short one takes as long as ours."""
-USUAL = {"grow": 60, "tables": 60, "proposals": 60, "annealing": 12, "brief annealing": 60}
+USUAL = {"grow": 40, "tables": 40, "proposals": 40, "annealing": 4, "brief annealing": 20}
 """Blocks of a split that are filled: 40,000 moves take four seconds each."""
-HOUSES = 200
+HOUSES = 100
 """Houses of a split whose places are foretold."""
 QUICK, QUICK_HOUSES, QUICK_MOVES = 6, 10, 1000
 STYLES = Path(__file__).parent / "styles"
