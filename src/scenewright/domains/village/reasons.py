@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from scenewright.core.solution import TermValue
-from scenewright.domains.village.measures import PARALLEL, coverage, relations_of, void
+from scenewright.domains.village.measures import PARALLEL, coverage, excess_void, relations_of
 from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.standing import StandingHouses
 
 MEANINGS: dict[str, str] = {
     "missing": "houses asked for without a place",
-    "void": "distance to the nearest house that 95 % of the ground is within, in plot widths",
+    "void": "how much wider the void is than in most real blocks, in plot widths",
     "gap": "median distance to the nearest house, in metres",
     "beside": "share of houses within 5 degrees of the nearest house",
     "along": "share of houses within 5 degrees of the nearest street side",
@@ -29,7 +29,7 @@ def reasons(
     known = {"missing": float(missing), "void": 0.0, "coverage": 0.0}
     if count:
         found = relations_of(standing, problem.streets)
-        known["void"] = void(problem.floor, standing) / float(np.sqrt(problem.floor.area / count))
+        known["void"] = excess_void(problem.floor, standing)
         known["setback"] = float(np.median(found.street))
         known["along"] = float((found.street_turn <= PARALLEL).mean())
         known["coverage"] = coverage(problem.floor, standing)

@@ -10,7 +10,7 @@ import shapely
 from scenewright.domains.village.grow import Weighing, grow, weigh_by_tables
 from scenewright.domains.village.house import House
 from scenewright.domains.village.learned.surroundings import Surroundings
-from scenewright.domains.village.measures import void
+from scenewright.domains.village.measures import excess_void
 from scenewright.domains.village.problem import VillageFound, VillageLayout, VillageProblem
 from scenewright.domains.village.standing import Floats, Shapes, StandingHouses, add, place
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
@@ -27,7 +27,7 @@ def grow_block(
     cancel: Cancel | None = None,
 ) -> VillageFound:
     """Layouts weighed by the learned net; of those the one that lacks fewest houses and
-    leaves the least void. One step is one layout."""
+    leaves the least void beyond the usual. One step is one layout."""
     return _best(problem, None, budget, seed, progress, cancel)
 
 
@@ -87,12 +87,10 @@ def _first(found: list[VillageLayout]) -> VillageLayout:
 
 
 def rate(problem: VillageProblem, layout: VillageLayout) -> dict[str, float]:
-    """The energy of a layout, 0 at best: houses missing, and void in widths of a plot."""
+    """The energy of a layout, 0 at best: houses missing, and voids beyond the usual."""
     standing = standing_of(problem, layout)
     missing = float(layout.asked - len(layout.houses))
-    plot = np.sqrt(problem.floor.area / max(len(standing.shapes), 1))
-    open_ = void(problem.floor, standing)
-    share = float(open_ / plot) if np.isfinite(open_) else 0.0
+    share = excess_void(problem.floor, standing)
     return {"energy": missing + share, "missing": missing, "void": share}
 
 
