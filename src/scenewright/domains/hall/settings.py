@@ -69,6 +69,37 @@ class BorderSettings(NamedTuple):
     gain: float = 0.2
 
 
+class ZoningSettings(NamedTuple):
+    """Proposing zones by annealing trees of cuts: at most so many ``attempts``; of each the best
+    ``tried`` divisions for every plan asked for; two plans put at least the share ``different`` of
+    the floor into other zones. Floors in one piece of up to ``exhaustive`` zones are divided in
+    every way; else ``rounds`` of ``starts`` follow one another, the best ``kept`` of which are
+    annealed for so many ``steps`` as ``heat`` falls from the first to the second, until one costs
+    less than ``good`` a zone; halls of more than ``large`` hundred corners times zones get less.
+    Weights of not meeting whom a zone should (``pair``), not being at its ``door``, cutting a door
+    in two (``cut_door``), ``narrow`` ends in square metres, and of another ``area``."""
+
+    attempts: int = 3
+    tried: int = 8
+    different: float = 0.15
+    exhaustive: int = 3
+    rounds: int = 3
+    starts: int = 40
+    kept: int = 2
+    steps: int = 40
+    good: float = 0.25
+    large: float = 12.0
+    heat: tuple[float, float] = (0.3, 0.02)
+    pair: float = 2.0
+    door: float = 10.0
+    cut_door: float = 2.0
+    narrow: float = 4.0
+    area: float = 4.0
+
+
+USUAL_ZONING = ZoningSettings()
+
+
 class OtherPlansSettings(NamedTuple):
     """Plans that differ: candidates ``tried`` for every plan asked for, and ``spare`` ones; the
     weight of differing (``different``) against being good; what it costs that something is not
@@ -82,8 +113,8 @@ class OtherPlansSettings(NamedTuple):
 
 class HallSettings(NamedTuple):
     """Whether groups stay ``whole``, and whether eqs. 1 and 3 stand as ``printed``; how demands are
-    made to fit, chains anneal, the paper's chain runs, attempts follow one another, borders move
-    and plans differ."""
+    made to fit, chains anneal, the paper's chain runs, attempts follow one another, borders move,
+    zones are proposed and plans differ."""
 
     whole: bool = False
     printed: bool = False
@@ -92,4 +123,5 @@ class HallSettings(NamedTuple):
     search: SearchSettings = SearchSettings()
     fit: FitSettings = FitSettings()
     borders: BorderSettings = BorderSettings()
+    zoning: ZoningSettings = USUAL_ZONING
     other_plans: OtherPlansSettings = OtherPlansSettings()

@@ -40,11 +40,12 @@ from scenewright.domains.hall.move_borders import move_borders, read_slack, sear
 from scenewright.domains.hall.on_stage import put_on_stage, split_carried
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
+from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall, measure_layout
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.unreached import drop_unreached
-from scenewright.domains.hall.zones import borders_of, zones_of
+from scenewright.domains.hall.zones import HallPlan, borders_of, zones_of
 from scenewright.engine.rows import preset_named
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget
@@ -98,7 +99,8 @@ def solve(
     named = solver or chosen.solver
     catalog, rooms = catalog_of(brief.catalogs), (plan or plan_rooms(brief)).spaces
     threads = min(threads or os.cpu_count() or 1, 16)
-    halls = hall_contexts(brief, rooms, catalog, seed, variant)
+    zoning = chosen.settings.zoning
+    halls = hall_contexts(brief, rooms, catalog, seed, variant, zoning)
     busy = [k for k, room in enumerate(brief.rooms) if room.demands]
     each = Budget(threads=threads if len(busy) == 1 else 1)
     share = min(threads, max(len(busy), 1)) / max(len(busy), 1)
@@ -126,7 +128,9 @@ def problems(
     chosen, rooms = preset_named(PRESETS, preset), (plan or plan_rooms(brief)).spaces
     catalog, whole = catalog_of(brief.catalogs), chosen.settings.whole
     found = []
-    for number, one in enumerate(hall_contexts(brief, rooms, catalog, 0, 0)):
+    for number, one in enumerate(
+        hall_contexts(brief, rooms, catalog, 0, 0, chosen.settings.zoning)
+    ):
         hall = one._replace(settings=chosen.settings)
         asked = collect_demands(brief, number, _locked_of(hall), catalog)
         wishes, _ = split_carried(asked, hall.fixed)
@@ -143,27 +147,27 @@ def _stream(seed: int, space: Space) -> int:
 
 
 def hall_contexts(
-    brief: Brief, rooms: tuple[Space, ...], catalog: Catalog, seed: int, variant: int
+    brief: Brief,
+    rooms: tuple[Space, ...],
+    catalog: Catalog,
+    seed: int,
+    variant: int,
+    zoning: ZoningSettings = USUAL_ZONING,
 ) -> list[HallContext]:
     """Every hall of a brief: its zones, walls and what stands there."""
     pairs = zip(brief.rooms, rooms, strict=True)
     standing = [tuple(fixed_pieces(room, space, catalog)) for room, space in pairs]
     beside = reaching_in(standing, rooms)
+    plans = [zones_of(brief, k, space, seed, variant, zoning) for k, space in enumerate(rooms)]
     return [
-        _hall(brief, k, rooms[k], standing[k], beside[k], seed, variant) for k in range(len(rooms))
+        _hall(brief, plan, *there)
+        for plan, there in zip(plans, zip(rooms, standing, beside, strict=True), strict=True)
     ]
 
 
 def _hall(
-    brief: Brief,
-    number: int,
-    space: Space,
-    fixed: tuple[Piece, ...],
-    beside: tuple[Piece, ...],
-    seed: int,
-    variant: int,
+    brief: Brief, plan: HallPlan, space: Space, fixed: tuple[Piece, ...], beside: tuple[Piece, ...]
 ) -> HallContext:
-    plan = zones_of(brief, number, space, seed=seed, variant=variant)
     borders, passage = borders_of(plan, space), brief.passage_width
     return hall_of(space, plan, borders, fixed, brief.route_width, beside, passage)
 

@@ -28,6 +28,7 @@ from scenewright.domains.hall.borders import (
 )
 from scenewright.domains.hall.demands import check_demands
 from scenewright.domains.hall.hall_layout import Zone, ZoneLink
+from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.zone_wishes import check_names, wishes_of
 from scenewright.domains.hall.zoning import LEAST_ZONE, ZoneWish, proposals
 
@@ -50,13 +51,20 @@ class HallPlan(NamedTuple):
     links: tuple[ZoneLink, ...]
 
 
-def zones_of(brief: Brief, number: int, space: Space, seed: int = 0, variant: int = 0) -> HallPlan:
+def zones_of(
+    brief: Brief,
+    number: int,
+    space: Space,
+    seed: int = 0,
+    variant: int = 0,
+    rule: ZoningSettings = USUAL_ZONING,
+) -> HallPlan:
     """The zones and links of room ``number`` of a brief, whose space is ``space``.
 
-    Zones without an outline are proposed (:mod:`scenewright.domains.hall.zoning`, by ``seed``);
-    ``variant`` counts through proposals that differ, best first. A hall without zones is one,
-    ``hall``. Raises InputError, with the place in the brief, for zones that cannot be built and
-    links that cannot be walked.
+    Zones without an outline are proposed (:mod:`scenewright.domains.hall.zoning`, by ``seed``, as
+    ``rule`` says); ``variant`` counts through proposals that differ, best first. A hall without
+    zones is one, ``hall``. Raises InputError, with the place in the brief, for zones that cannot be
+    built and links that cannot be walked.
     """
     check_names(brief, number, space)
     given = given_zones(brief, number, space)
@@ -64,7 +72,7 @@ def zones_of(brief: Brief, number: int, space: Space, seed: int = 0, variant: in
     zones = tuple(given.values())
     if len(zones) < len(wishes):
         try:
-            zones = _propose_zones(brief, number, space, wishes, seed, variant)
+            zones = _propose_zones(brief, number, space, wishes, (seed, variant), rule)
         except InputError as error:
             raise error.located(place=place(brief, number)) from None
     borders = shared_borders(zones)
@@ -155,11 +163,17 @@ def _check_doors(brief: Brief, number: int, space: Space) -> None:
 
 
 def _propose_zones(
-    brief: Brief, number: int, space: Space, wishes: tuple[ZoneWish, ...], seed: int, variant: int
+    brief: Brief,
+    number: int,
+    space: Space,
+    wishes: tuple[ZoneWish, ...],
+    which: tuple[int, int],
+    rule: ZoningSettings,
 ) -> tuple[Zone, ...]:
+    seed, variant = which
     links = _unbuilt_links(brief, number, space)
     width = brief.passage_width
-    found = proposals(space, wishes, variant + 1, seed, links, width)
+    found = proposals(space, wishes, variant + 1, seed, links, width, rule)
     return found[variant % len(found)]
 
 

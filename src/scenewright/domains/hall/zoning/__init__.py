@@ -18,15 +18,13 @@ from scenewright.core.errors import InputError
 from scenewright.core.space import Space
 from scenewright.domains.hall.borders import border_lengths, floor_of, shared_borders, zone_of
 from scenewright.domains.hall.hall_layout import Zone, ZoneLink
+from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.zoning.cuts import GRID, Frame, frame_of, into, out_of
 from scenewright.domains.hall.zoning.search import ZoningGround, rank_divisions
 
 LEAST_ZONE = 1.0
 MARGIN = 1e-3
 PASSAGE = 1.2
-DIFFERENT = 0.15
-TRIED = 8
-ATTEMPTS = 3
 DECIMALS = 11
 
 
@@ -67,33 +65,35 @@ def proposals(
     seed: int = 0,
     links: Sequence[ZoneLink] = (),
     passage: float = PASSAGE,
+    rule: ZoningSettings = USUAL_ZONING,
 ) -> tuple[tuple[Zone, ...], ...]:
     """At most ``count`` ways to divide the floor into zones, best first; every two put at least
     15 % of the floor into different zones. The areas wished for are shares of the floor.
 
-    ``links`` are borders that must be there, ``passage`` their least length for zones that only
-    wish to lie beside each other. One that misses a link, or has zones nobody can walk to, is
-    only returned where none was found that does not. Always at least one, or an InputError.
+    ``rule`` steers the search. ``links`` are borders that must be there, ``passage`` their least
+    length for zones that only wish to lie beside each other. One that misses a link, or has zones
+    nobody can walk to, is only returned where none was found that does not. Always at least one,
+    or an InputError.
     """
     if len(wishes) == 1 and wishes[0].zone is None:
         return ((zone_of(floor_of(space), wishes[0][:2], space),),)
     frame = frame_of(space)
-    ground = _ground(space, frame, wishes, links, passage)
+    ground = _ground(space, frame, wishes, links, passage)._replace(rule=rule)
     if not ground.parts:
         whole = tuple(wish.zone for wish in wishes if wish.zone is not None)
         return (whole,)
     best: tuple[Zone, ...] = ()
     fewest = len(links) + len(wishes) + 1
-    for attempt in range(ATTEMPTS):
+    for attempt in range(rule.attempts):
         chosen: list[tuple[Zone, ...]] = []
         for pieces in rank_divisions(ground, np.random.default_rng([seed, attempt]))[
-            : TRIED * count
+            : rule.tried * count
         ]:
             zones = _zones(space, frame, wishes, pieces)
             if not zones:
                 continue
             faults = _faults(zones, links, passage)
-            if faults == 0 and all(_differ(zones, other) for other in chosen):
+            if faults == 0 and all(_differ(zones, other, rule.different) for other in chosen):
                 chosen.append(zones)
             if faults < fewest:
                 best, fewest = zones, faults
@@ -211,10 +211,10 @@ def _faults(zones: tuple[Zone, ...], links: Sequence[ZoneLink], passage: float) 
     return met.count(False) + len(set(root)) - 1
 
 
-def _differ(zones: tuple[Zone, ...], others: tuple[Zone, ...]) -> bool:
+def _differ(zones: tuple[Zone, ...], others: tuple[Zone, ...], share: float) -> bool:
     one, two = (
         np.array([shapely.Polygon(zone.outline, zone.holes) for zone in both])
         for both in (zones, others)
     )
     same = shapely.area(shapely.intersection(one, two, grid_size=GRID)).sum()
-    return bool(same < (1.0 - DIFFERENT) * shapely.area(one).sum())
+    return bool(same < (1.0 - share) * shapely.area(one).sum())

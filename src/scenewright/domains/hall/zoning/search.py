@@ -14,6 +14,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
+from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.zoning.trees import (
     Cuts,
     FloorPart,
@@ -24,23 +25,14 @@ from scenewright.domains.hall.zoning.trees import (
     placed_tree,
 )
 
-ROUNDS = 3
-STARTS = 40
-KEPT = 2
-STEPS = 40
-GOOD = 0.25
-LARGE = 12.0
-EXHAUSTIVE = 3
 BESIDE = 0.02
-HEAT = (0.3, 0.02)
-PAIR, DOOR, CUT_DOOR, NARROW, AREA = 2.0, 10.0, 2.0, 4.0, 4.0
 
 
 class ZoningGround(NamedTuple):
     """What is divided, in the hall's frame: the free ``parts`` of the floor among the zones
     ``free``, beside those ``fixed``. ``areas`` of all zones; ``pairs`` (zone, zone, least border,
     weight) that wish to meet; ``doors`` (d, 2, 2) their ends; ``at_door`` which zone wishes to
-    lie at which door."""
+    lie at which door. ``rule`` steers the search."""
 
     parts: tuple[shapely.Polygon, ...]
     free: tuple[int, ...]
@@ -49,6 +41,7 @@ class ZoningGround(NamedTuple):
     pairs: tuple[tuple[int, int, float, float], ...]
     doors: Points
     at_door: Mapping[int, int]
+    rule: ZoningSettings = USUAL_ZONING
 
 
 Found = dict[Forest, tuple[float, dict[int, FloorPart]]]
@@ -77,23 +70,23 @@ def rank_divisions(
 def _search_divisions(ground: ZoningGround, rng: np.random.Generator) -> Found:
     """Every division tried, by its forest: rounds of many starts, the best of which are
     improved, until one is good enough."""
-    memory = Memory({}, {}, {})
-    if len(ground.parts) == 1 and len(ground.free) <= EXHAUSTIVE:
+    memory, rule = Memory({}, {}, {}), ground.rule
+    if len(ground.parts) == 1 and len(ground.free) <= rule.exhaustive:
         for tree in every_tree(ground.free):
             _evaluate_forest((tree,), ground, memory)
     else:
         corners = sum(len(part.exterior.coords) for part in ground.parts)
-        effort = min(1.0, LARGE / (len(ground.free) * max(corners, 100) / 100))
-        for _ in range(ROUNDS if effort == 1.0 else 1):
-            starts = [_start(ground, rng) for _ in range(math.ceil(effort * STARTS))]
+        effort = min(1.0, rule.large / (len(ground.free) * max(corners, 100) / 100))
+        for _ in range(rule.rounds if effort == 1.0 else 1):
+            starts = [_start(ground, rng) for _ in range(math.ceil(effort * rule.starts))]
             costs = [
                 (_evaluate_forest(forest, ground, memory), k) for k, forest in enumerate(starts)
             ]
             best = min(
-                _anneal_division(starts[k], ground, memory, rng, math.ceil(effort * STEPS))
-                for _, k in sorted(costs)[:KEPT]
+                _anneal_division(starts[k], ground, memory, rng, math.ceil(effort * rule.steps))
+                for _, k in sorted(costs)[: rule.kept]
             )
-            if best < GOOD * len(ground.free):
+            if best < rule.good * len(ground.free):
                 break
     return {forest: row for forest, row in memory.found.items() if np.isfinite(row[0])}
 
@@ -103,7 +96,7 @@ def _anneal_division(
 ) -> float:
     """The cost of a division after annealing it."""
     cost = _evaluate_forest(forest, ground, memory)
-    for heat in np.geomspace(*HEAT, steps):
+    for heat in np.geomspace(*ground.rule.heat, steps):
         which = int(rng.integers(len(forest)))
         trial = (*forest[:which], mutate_tree(forest[which], rng), *forest[which + 1 :])
         new = _evaluate_forest(trial, ground, memory)
@@ -161,11 +154,11 @@ def _evaluate_forest(forest: Forest, ground: ZoningGround, memory: Memory) -> fl
     return memory.found[forest][0]
 
 
-def flaw(shape: shapely.Polygon) -> float:
+def flaw(shape: shapely.Polygon, narrow_weight: float = USUAL_ZONING.narrow) -> float:
     """How far a zone is from a good shape, 0 for a square: ``(2 - 32 A / P²)³`` where it is
     longer than a square (area A, outer perimeter P), the share by which its convex hull is
-    larger, and four times the square metres in ends too narrow for a box of 0.3 of its mean side
-    (2 m at most)."""
+    larger, and ``narrow_weight`` times the square metres in ends too narrow for a box of 0.3 of its
+    mean side (2 m at most)."""
     area = shape.area
     long = max(2.0 - 32.0 * area / shapely.length(shape.exterior) ** 2, 0.0)
     hollow = shapely.convex_hull(shape).area / area - 1.0
@@ -174,30 +167,30 @@ def flaw(shape: shapely.Polygon) -> float:
     outer, radius = shapely.Polygon(shape.exterior), min(0.3 * math.sqrt(area), 2.0) / 2
     core = outer.buffer(-radius, join_style="mitre")
     narrow = outer.area - core.buffer(radius, join_style="mitre").area
-    return float(min(long**3, 3.0) + hollow + NARROW * min(narrow, 1.0))
+    return float(min(long**3, 3.0) + hollow + narrow_weight * min(narrow, 1.0))
 
 
 def _cost(pieces: dict[int, FloorPart], ground: ZoningGround, flaws: dict[int, float]) -> float:
     shapes = {zone: piece.shape for zone, piece in pieces.items()} | dict(ground.fixed)
-    cost = 0.0
+    cost, rule = 0.0, ground.rule
     for piece in pieces.values():
         if piece.number not in flaws:
-            flaws[piece.number] = flaw(piece.shape)
+            flaws[piece.number] = flaw(piece.shape, rule.narrow)
         cost += flaws[piece.number]
     cost += sum(
-        PAIR * weight * _apart(shapes[i], shapes[j], width)
+        rule.pair * weight * _apart(shapes[i], shapes[j], width)
         for i, j, width, weight in ground.pairs
         if i in pieces or j in pieces
     )
     cost += sum(
-        DOOR * _away(shapes[zone], ground.doors[door]) for zone, door in ground.at_door.items()
+        rule.door * _away(shapes[zone], ground.doors[door]) for zone, door in ground.at_door.items()
     )
     if len(ground.parts) > 1:
         whole = sum(part.area for part in ground.parts)
         all_areas = sum(ground.areas[zone] for zone in ground.free)
         wished = {zone: ground.areas[zone] * whole / all_areas for zone in pieces}
-        cost += AREA * sum(abs(pieces[z].shape.area / wished[z] - 1.0) for z in pieces)
-    return cost + CUT_DOOR * _cut_doors(list(shapes.values()), ground.doors)
+        cost += rule.area * sum(abs(pieces[z].shape.area / wished[z] - 1.0) for z in pieces)
+    return cost + rule.cut_door * _cut_doors(list(shapes.values()), ground.doors)
 
 
 def _apart(one: shapely.Polygon, two: shapely.Polygon, width: float) -> float:
