@@ -93,5 +93,11 @@ def test_moved_borders_are_written_and_read_again(tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize("seed", [11, 16])
+def test_walls_on_moved_borders_end_within_the_hall(seed: int) -> None:
+    found = scenewright.solve(read("sample:hall-irregular"), seed=seed)
+    assert scenewright.check(found).valid
+
+
 def _shape(zone: Zone) -> shapely.Polygon:
     return shapely.Polygon(zone.outline, zone.holes)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.core.brief import Room
-from scenewright.domains.hall.borders import Border, shared_borders
+from scenewright.domains.hall.borders import Border, floor_of, shared_borders
 from scenewright.domains.hall.build_problem import HallContext, build_problem, hall_of, zone_areas
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.partitions import Host, refit_host, stands_free
@@ -136,7 +136,8 @@ def _shifted(
     hall = now.hall
     zones = shift_zones(hall.plan.zones, line, metres, hall.space)
     borders = shared_borders(zones or ())
-    hosts = _follow(now.fitted.hosts, hall, borders) if zones is not None else None
+    thickness = now.fitted.problem.ground.thickness
+    hosts = _follow(now.fitted.hosts, hall, borders, thickness) if zones is not None else None
     if zones is None or hosts is None:
         return []
     plan = HallPlan(zones, hall.plan.links)
@@ -181,7 +182,7 @@ def _measured(
 
 
 def _follow(
-    hosts: tuple[Host, ...], hall: HallContext, borders: tuple[Border, ...]
+    hosts: tuple[Host, ...], hall: HallContext, borders: tuple[Border, ...], thickness: float
 ) -> tuple[Host, ...] | None:
     """The hosts of walls on the borders as they lie now; None if one has lost its border."""
     widths = {frozenset((k.first, k.second)): k.width for k in hall.plan.links}
@@ -194,7 +195,10 @@ def _follow(
         near = [border for border in borders if (border.first, border.second) == pair]
         middle = 0.5 * (np.array(host.row[:2]) + np.array(host.row[2:4]))
         gap = widths.get(frozenset(hall.names[k] for k in pair), 0.0)
-        moved = refit_host(host, min(near, key=lambda b: _far(b, middle)), gap) if near else None
+        if not near:
+            return None
+        border = min(near, key=lambda b: _far(b, middle))
+        moved = refit_host(host, border, gap, floor_of(hall.space), thickness)
         if moved is None:
             return None
         found.append(moved)

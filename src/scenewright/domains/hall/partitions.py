@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
+import shapely.ops
 
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.borders import Border
@@ -27,6 +28,11 @@ ASIDE, ROAM = 3.0, 6.0
 """How far a wall may stand off its border, and one within a zone off the middle, in metres."""
 SPARE = 0.3
 """What a gap is wider than its passage, and a wall longer than its objects need, in metres."""
+
+
+TRIMS, OUTSIDE = (0.0, 0.1, 0.2, 0.3), 1e-4
+"""Metres taken off both ends of a wall where a slanting wall of the hall cuts its corner, and
+square metres of it that may lie outside."""
 
 
 class Host(NamedTuple):
@@ -137,14 +143,25 @@ def stands_free(host: Host) -> bool:
     return host.row[4] == host.row[5]
 
 
-def refit_host(host: Host, border: Border, gap: float) -> Host | None:
-    """A host whose border has moved; None if no wall may stand there any more."""
+def refit_host(
+    host: Host, border: Border, gap: float, floor: shapely.Polygon, thickness: float
+) -> Host | None:
+    """A host whose border has moved, no longer than lies on the ``floor`` of the hall with its
+    ``thickness``; None if no wall may stand there any more."""
     most = _span(border, gap, _length(border))
     if most is None:
         return None
-    low, high = (min(max(end, most[0]), most[1]) for end in host.span)
-    row = (*border.start, *border.end, *host.row[4:])
-    return host._replace(row=row, span=(low, high), most=most)
+    line = shapely.LineString([border.start, border.end])
+    for cut in TRIMS:
+        low, high = most[0] + cut, most[1] - cut
+        if high - low < SHORTEST:
+            break
+        wall = shapely.ops.substring(line, low, high).buffer(0.5 * thickness, cap_style="flat")
+        if wall.difference(floor).area < OUTSIDE:
+            span = min(max(host.span[0], low), high), min(max(host.span[1], low), high)
+            row = (*border.start, *border.end, *host.row[4:])
+            return host._replace(row=row, span=span, most=(low, high))
+    return None
 
 
 def short_of(hosts: tuple[Host, ...], lack: Floats) -> Floats:
