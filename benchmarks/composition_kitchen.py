@@ -28,7 +28,8 @@ def neighbour(piece: Piece, pieces: list[Piece], side: int) -> Piece | None:
 
 
 def _touches(one: Piece, other: Piece, side: int) -> bool:
-    turned = abs(remainder(one.pose.heading - other.pose.heading, tau)) > 0.1
+    corner = "corner_cabinet" in (one.category, other.category)  # its top lies along both walls
+    turned = abs(remainder(one.pose.heading - other.pose.heading, tau / 4 if corner else tau)) > 0.1
     if turned or other.pose.z > 0.3:
         return False
     s, c = sin(one.pose.heading), cos(one.pose.heading)

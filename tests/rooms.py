@@ -34,6 +34,7 @@ def room() -> Ground:
         area=29.0 - 0.16,
         slopes=np.array([[0.0, 0.0, 0.0, 1.0, 1.6, 1.4]]),
         paths=ring(PATH),
+        strips=np.array([[2, 5.35, -np.pi / 2, 1.6, 0.3, 1], [5.85, 2, np.pi, 2.0, 0.3, 0]]),
     )
 
 
@@ -51,6 +52,7 @@ def full_problem(printed: bool = False) -> Problem:
         inset=np.array([[0.2, 0, 0, 0], [0] * 4, [0.1, 0.1, 0, 0], [0] * 4], float),
         daylight=np.array([0.0, 0.0, 1.0, 0.5]),
         nestle=np.array([0.0, 0.0, 1.0, 0.0]),
+        shades=np.array([1.0, 0.5, 1.0, 0.0]),
         pairs=np.array([[0, 1], [0, 3], [2, 3]], np.int64),
         pair_targets=np.array([[2.5, np.pi, 0.0], [1.2, np.nan, np.nan], [np.nan, np.pi / 2, 1.0]]),
         pair_weights=np.array([1.0, 0.5, 2.0]),
@@ -94,7 +96,7 @@ def turned_problem(problem: Problem, angle: float, shift) -> Problem:
     old, shift = problem.ground, np.asarray(shift, float)
     boxes = {
         name: turned_boxes(getattr(old, name), angle, shift)
-        for name in ("keep_free", "use_space", "obstacles", "windows", "doors")
+        for name in ("keep_free", "use_space", "obstacles", "windows", "doors", "strips")
     }
     segments = {
         name: turned_segments(getattr(old, name), angle, shift)

@@ -206,6 +206,7 @@ def print_explanation(console: Console, solution: Solution, plan: Plan | None = 
         }
         for term in sorted(felt, key=lambda t: -t.cost)
     ]
+    print_line(console, _programme(solution, plan))
     table(console, why, "why", right=("value", "weight", "cost"))
     _print_excess(console, solution, rooms)
     domain = solution.brief.domain
@@ -223,6 +224,16 @@ def print_explanation(console: Console, solution: Solution, plan: Plan | None = 
     for name, meaning in _meanings({term.term for term in (*felt, *figures)}, domain).items():
         print_line(console, f"{name}: {meaning}", "dim")
     _left_out(console, solution, rooms)
+
+
+def _programme(solution: Solution, plan: Plan | None) -> str:
+    """What was decided for the whole, where the domain tells it."""
+    from scenewright.domains import plan_of
+
+    domain = domain_of(solution.brief.domain)
+    if not domain.has("programme"):
+        return ""
+    return str(domain.verb("programme")(solution, plan or plan_of(solution.brief)))
 
 
 def _floors(solution: Solution) -> dict[str, float]:
@@ -254,6 +265,7 @@ def explained_document(solution: Solution, plan: Plan | None = None) -> dict[str
     return {
         "energies": dict(solution.energies),
         **({"floors": floors} if (floors := _floors(solution)) else {}),
+        **({"programme": told} if (told := _programme(solution, plan)) else {}),
         "terms": [term._asdict() for term in solution.terms],
         "left_out": [entry._asdict() for entry in solution.left_out],
         "wishes": figures.get("wishes", []),

@@ -45,6 +45,7 @@ Verb = Literal[
     "learn",
     "learn_style",
     "floors",
+    "programme",
     "detail_document",
     "detail_of",
     "features",
@@ -52,7 +53,8 @@ Verb = Literal[
 ]
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged;
 of the others ``validate``, ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups``,
-``floors`` (the least the energy of each space could be), ``features``, ``breeder`` and the two of
+``floors`` (the least the energy of each space could be), ``programme`` (what was decided for the
+whole, in words), ``features``, ``breeder`` and the two of
 the detail are passed over where a domain has none, the rest refused by name."""
 Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels", "reasons"]
 

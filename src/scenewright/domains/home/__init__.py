@@ -26,6 +26,7 @@ DOMAIN = Domain(
         "accessible": ".wheelchair:accessible",
         "groups": ".cases.listing:list_groups",
         "learn": ".learned.from_homes:learn_from_homes",
+        "programme": ".household:tell_programme",
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",
     },

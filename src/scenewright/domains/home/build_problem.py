@@ -124,6 +124,7 @@ def items_of(wishes: tuple[Wish, ...], area: float, library: Library = SHIPPED) 
         inset=rows([k.inset for k in kinds], 4),
         daylight=column([k.daylight for k in kinds]),
         nestle=column([k.nestle for k in kinds]),
+        shades=column([k.shades for k in kinds]),
         pairs=pairs,
         pair_targets=targets,
         pair_weights=weights,

@@ -61,7 +61,13 @@ def _zones(ground: Ground, tops: Floats) -> Floats:
 
 def _traits(items: Items, reach: Floats, role: Floats) -> Floats:
     columns = (items.height, items.back_to_wall, role, items.daylight, items.nestle, items.wish)
-    return np.array(np.column_stack((*columns, reach)), np.float64, order="C")
+    return np.array(np.column_stack((*columns, reach, items.shades)), np.float64, order="C")
+
+
+def _strips(ground: Ground) -> Floats:
+    """The floor before windows and wide openings ``(k, 10)``: frame, kind, depth."""
+    strips = _fresh(ground.strips, 6)
+    return np.column_stack([frames_of(strips[:, :5]), strips[:, 5], strips[:, 4]])
 
 
 def _index_relations(pairs: Ints, n: int) -> tuple[Ints, Ints]:
@@ -102,6 +108,7 @@ def prepare(problem: Problem) -> PreparedHome:
         bounds=bounds,
         own=gather(TERMS, problem),
         paths=_fresh(ground.paths, 4),
+        strips=np.ascontiguousarray(_strips(ground)),
         area=float(ground.area),
         normal=float(inward(main[0])) if len(main) else float("nan"),
         span=float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])),

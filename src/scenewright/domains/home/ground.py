@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from scenewright.building.ceiling import planes
 from scenewright.building.door_approach import (
+    WIDE,
     DoorApproach,
     before,
     door_zone,
@@ -25,6 +26,7 @@ from scenewright.domains.home.problem import Ground
 Floats = NDArray[np.float64]
 
 WINDOW_DEPTH = 0.3  # nothing taller than the sill this near to the glass, metres
+STRIP = 0.3  # the floor before an opening that is better free in all its width, metres
 USE = 0.6  # floor before a fixed piece, metres
 HEAD_HEIGHT = 2.0
 MAIN_WALL = 1.5  # the paper's least length of a main wall, metres
@@ -58,6 +60,7 @@ def ground_of(
         slopes=planes(space),
         fronts=_rows([_ahead(p, RADIATED) for p in fixed if is_radiator(p)], 5),
         paths=door_paths(space, doors, solids),
+        strips=_rows([_strip(g) for g in seen if _wants_all(g)], 6),
     )
 
 
@@ -87,6 +90,19 @@ def _window(gate: DoorApproach) -> list[float]:
         under = gate._replace(face=gate.face + near * gate.inward)
         return [*before(under, gate.opening.width, far - near), gate.opening.sill + 0.04]
     return [*before(gate, gate.opening.width, WINDOW_DEPTH), gate.opening.sill + 0.04]
+
+
+def _wants_all(gate: DoorApproach) -> bool:
+    """Whether an opening wants its whole width free though some may stand there: a window in a
+    wall, and a door or passage without a leaf of which the middle is kept free by rule."""
+    opening = gate.opening
+    if opening.kind == "window":
+        return opening.roof is None
+    return opening.hinge == 0 and opening.width > WIDE
+
+
+def _strip(gate: DoorApproach) -> list[float]:
+    return [*before(gate, gate.opening.width, STRIP), float(gate.opening.kind == "window")]
 
 
 def _ahead(piece: Piece, depth: float) -> list[float]:

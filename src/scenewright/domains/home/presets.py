@@ -39,6 +39,8 @@ HOME = {
     "route": 900.0,
     "balance": 60.0,
     "places": 110.0,
+    "daylight_kept": 40.0,
+    "openings_kept": 60.0,
 }
 
 OURS = HomeSettings()

@@ -32,7 +32,9 @@ class Ground(NamedTuple):
     x0, y0, x1, y1 and ``area`` the free area in square metres. ``slopes`` (k, 6) are what lowers
     the ceiling, as in :mod:`scenewright.building.ceiling`. ``fronts`` (r, 5): boxes before
     radiators in which nothing is put, though one may walk there. ``paths`` (m, 4): directed edges
-    of the united ways from door to door, better left free.
+    of the united ways from door to door, better left free. ``strips`` (k, 6): the floor before
+    windows (1 in the last column) and before doors and passages without a leaf that are wider than
+    need stay free (0).
     """
 
     edges: Floats
@@ -48,6 +50,7 @@ class Ground(NamedTuple):
     slopes: Floats = np.zeros((0, 6))
     fronts: Floats = np.zeros((0, 5))
     paths: Floats = np.zeros((0, 4))
+    strips: Floats = np.zeros((0, 6))
 
 
 class Items(NamedTuple):
@@ -60,8 +63,9 @@ class Items(NamedTuple):
     side of which at least one must be reached by the route. ``inset`` (n, 4): depth inside the box
     at each side that can be walked on (the aisle beside a bed, the place of a chair): the route
     term takes the box less its insets as the solid part, and access boxes start at that solid
-    part; all other terms take the whole box. ``daylight`` (n,): how much it wants
-    a window near, ``nestle`` (n,): how much it wants a side against something (a corner).
+    part; all other terms take the whole box. ``daylight`` (n,): how much it wants a window near,
+    ``nestle`` (n,): how much it wants a side against something (a corner), ``shades`` (n,): how
+    much it takes from the light of a window it stands before.
     ``pairs`` (p, 2): indices i, j of related items; ``pair_targets`` (p, 3): distance between
     centres in metres (below zero: at least as much), angle between headings, and bearing of j from
     the front of i (NaN: any); ``pair_weights`` (p,).
@@ -82,6 +86,7 @@ class Items(NamedTuple):
     inset: Floats
     daylight: Floats
     nestle: Floats
+    shades: Floats
     pairs: Ints
     pair_targets: Floats
     pair_weights: Floats
@@ -121,6 +126,7 @@ def empty_items(n: int) -> Items:
         inset=np.zeros((n, 4)),
         daylight=none.copy(),
         nestle=none.copy(),
+        shades=none.copy(),
         pairs=np.zeros((0, 2), np.int64),
         pair_targets=np.zeros((0, 3)),
         pair_weights=np.zeros(0),

@@ -74,7 +74,7 @@ _PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
         ProgrammeRow("seating", 0),
         ProgrammeRow("media", 0),
         ProgrammeRow("dining", 1, 22, unless=("dining", "home:dining")),
-        ProgrammeRow("dining_wall", 1, 11, 22, unless=("dining", "home:dining")),
+        ProgrammeRow("dining_wall", 1, 9, 22, unless=("dining", "home:dining")),
         ProgrammeRow("shelf", 1, 16),
         ProgrammeRow("sideboard", 2, 24),
         ProgrammeRow("reading", 2, 26),
@@ -290,10 +290,12 @@ def _once(wishes: list[Wish]) -> list[Wish]:
 def is_essential(wish: Wish) -> bool:
     """Whether a room is incomplete without a wish: it fails its function, or the referee notes it.
 
-    >>> [is_essential(Wish(group, 1)) for group in ("shoes", "coats")]
-    [True, False]
+    A rack for coats counts where it stands for shoes that are kept in another room.
+
+    >>> [is_essential(wish) for wish in (Wish("shoes", 1), Wish("coats", 1), Wish("coats", 2))]
+    [True, True, False]
     """
-    return wish.rank == 0 or wish.group in NOTED
+    return wish.rank == 0 or wish.group in NOTED or (wish.group == "coats" and wish.rank == 1)
 
 
 def instead_of(wish: Wish, others: Mapping[str, str] = FALLBACK) -> tuple[Wish, ...]:

@@ -12,6 +12,7 @@ from functools import partial
 from itertools import islice
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, penalty
+from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.programme import Wish, is_essential
 from scenewright.domains.home.room import fill_rest, share_of
 from scenewright.domains.home.settings import FaultCosts
@@ -48,6 +49,7 @@ def tried_again(
             if _lacks(found[room], costs) <= wanted:
                 break
             other = furnish_by_use(_otherwise(task, number, wider), wishes[room], budgets[room])
+            other = compose(_otherwise(task, number, wider), other)
             if _lacks(other, costs) < _lacks(found[room], costs):
                 found = min(
                     found, opened(_with(found, room, other)), key=partial(_lacking, costs=costs)
@@ -89,7 +91,7 @@ def _at_rank(
         if _essential(trial, costs) >= _essential(found, costs):
             continue
         part = share_of(budget, rule.tries.fill, rule.tries)
-        filled = opened(_with(found, room, fill_rest(task, bare, part)))
+        filled = opened(_with(found, room, compose(task, fill_rest(task, bare, part))))
         found = min(trial, filled, key=lambda a: (_essential(a, costs), _lacking(a, costs)))
         if not _lacks(found[room], costs):
             break

@@ -75,6 +75,47 @@ class TrySettings(NamedTuple):
     modest: float = 0.45
 
 
+class CompositionCosts(NamedTuple):
+    """What faults of composition cost, beside those of :class:`FaultCosts`: too little worktop in
+    one piece, a hob beside the sink or at the end of its run, half a wardrobe, a bed for two with
+    one nightstand or one side to get in, a single bed away from walls, too few shelves, too few
+    seats, something before a window, something before a wide door."""
+
+    worktop: float = 8.0
+    hob_at_sink: float = 8.0
+    hob_at_end: float = 8.0
+    wardrobe: float = 8.0
+    nightstand: float = 5.0
+    one_side: float = 5.0
+    adrift: float = 8.0
+    shelves: float = 6.0
+    seats: float = 8.0
+    window: float = 6.0
+    opening: float = 6.0
+
+
+class ComposingSettings(NamedTuple):
+    """Groups of a furnished room tried in better forms and places: ``rounds`` over all of them;
+    of each group ``forms``, of each form the best ``places`` of those that are ``step`` metres
+    apart; where that mends nothing each of so many ``others``, the largest, in ``other_forms`` at
+    the best ``moved`` places before; what may be paid for something ``lacking``, and for an
+    ``addition`` nobody asked for; by how much the room is to cost less (``least``), and how much
+    ``wider`` its ways stay on the grid, metres. ``costs`` are those of faults."""
+
+    rounds: int = 2
+    forms: int = 6
+    places: int = 3
+    step: float = 0.1
+    least: float = 0.5
+    wider: float = 0.02
+    others: int = 1
+    other_forms: int = 3
+    moved: int = 3
+    lacking: float = 25.0
+    addition: float = 6.0
+    costs: CompositionCosts = CompositionCosts()
+
+
 class RetrySettings(NamedTuple):
     """Rooms that gave up something essential: how much ``wider`` the ways of each further try are,
     metres (up to two cells of the grid they are walked on); layouts of essentials walked through
@@ -131,6 +172,7 @@ class HomeSettings(NamedTuple):
     greedy: GreedySettings = GreedySettings()
     costs: FaultCosts = FaultCosts()
     tries: TrySettings = TrySettings()
+    composing: ComposingSettings = ComposingSettings()
     retry: RetrySettings = RetrySettings()
     walls: WallSearchSettings = WallSearchSettings()
     rearrange: RearrangeSettings = RearrangeSettings()

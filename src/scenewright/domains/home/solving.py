@@ -26,12 +26,14 @@ from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_problem
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
+from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.entrances import entered_by
+from scenewright.domains.home.household import decide_household, share_out
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import share_open_plans
 from scenewright.domains.home.presets import PRESETS, HomePreset
 from scenewright.domains.home.problem import Problem
-from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.programme import STANDS_FOR, Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.remove_blockers import remove_blockers
 from scenewright.domains.home.requests import check_asks, check_possible
@@ -40,7 +42,12 @@ from scenewright.domains.home.shortfall import complete_account
 from scenewright.domains.home.tasks import add_lamps_and_curtains, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, vary_task
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
-from scenewright.domains.home.wished.wishes import check_wishes, list_substitutes, restrict_library
+from scenewright.domains.home.wished.wishes import (
+    check_wishes,
+    list_barred_groups,
+    list_substitutes,
+    restrict_library,
+)
 from scenewright.engine.rows import preset_named
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget
@@ -151,7 +158,24 @@ def prepare_rooms(
         wishes_of(brief_room, task, rooms, task.fixed)
         for brief_room, task in zip(brief.rooms, tasks, strict=True)
     ]
-    return tasks, wishes
+    return tasks, _as_one_home(tasks, wishes, rooms)
+
+
+def _as_one_home(
+    tasks: Sequence[RoomTask], wishes: Sequence[tuple[Wish, ...]], rooms: tuple[Space, ...]
+) -> list[tuple[Wish, ...]]:
+    """The wishes of all rooms as the home has them; rooms of which all is listed stay as asked."""
+    household = decide_household(rooms)
+    standing = {piece.category for task in tasks for piece in task.fixed}
+    there = {group for group, kinds in STANDS_FOR.items() if standing.intersection(kinds)}
+    others = frozenset(there | {wish.group for asked in wishes for wish in asked})
+    found = []
+    for task, asked in zip(tasks, wishes, strict=True):
+        listed = task.asked is not None and task.asked.ask is not None
+        shared = asked if listed else share_out(household, task.space.id, asked, others)
+        barred = list_barred_groups(task.asked, task.library) if task.asked else frozenset()
+        found.append(tuple(w for w in shared if w in asked or w.group not in barred))
+    return found
 
 
 def _tasks(
@@ -222,7 +246,7 @@ def _name(task: RoomTask) -> str:
 def _furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
     if not wishes or task.cancelled():
         return RoomAnswer(0.0, (), (), (), None, 0.0, 0)
-    return furnish_by_use(task, wishes, budget)
+    return compose(task, furnish_by_use(task, wishes, budget))
 
 
 def _budget(

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.core.catalog import Catalog, Group
+from scenewright.core.catalog import Catalog, Group, Member
 from scenewright.domains.home.furnishing.furnish import SLACK, needed_of, too_tall, world
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.furnishing.whole import RAISED
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.fit import faults, side_gaps
 
@@ -25,13 +26,31 @@ def free_places(
 ) -> Floats:
     """Boxes ``(n, 5)`` of a case, its back at a wall, on which the members it cannot do without
     run into nothing: in corners first, then far from the doors; of neighbours only one."""
-    boxes = along_walls(case, ground)
-    boxes = boxes[_stands_free(boxes, case, ground, standing, catalog, height)]
+    boxes = free_boxes(case, ground, standing, catalog, height)
     return _apart(boxes[np.argsort(_rank(boxes, ground), kind="stable")])
 
 
-def along_walls(case: Group, ground: Ground) -> Floats:
-    """Boxes ``(n, 5)`` of a case with its back at a wall, from one end of every wall to the other.
+def free_boxes(
+    case: Group,
+    ground: Ground,
+    standing: StandingObstacles,
+    catalog: Catalog,
+    height: float,
+    step: float = STEP,
+    whole: bool = False,
+) -> Floats:
+    """The same, ``step`` metres apart and in no order; on which all that stands on the floor runs
+    into nothing, if the ``whole`` case is wanted."""
+    boxes = along_walls(case, ground, step)
+    needed = tuple(case.members[i] for i in needed_of(case))
+    if whole:
+        needed = tuple(m for m in case.members if m.on < 0 and m.z < RAISED)
+    return boxes[_stands_free(boxes, case, needed, ground, standing, catalog, height)]
+
+
+def along_walls(case: Group, ground: Ground, step: float = STEP) -> Floats:
+    """Boxes ``(n, 5)`` of a case with its back at a wall, from one end of every wall to the other,
+    at most ``step`` metres apart.
 
     >>> from scenewright.core.catalog import Member
     >>> from scenewright.core.scene import Size
@@ -48,7 +67,7 @@ def along_walls(case: Group, ground: Ground) -> Floats:
         if spare < -SLACK:
             continue
         ux, uy = (x1 - x0) / length, (y1 - y0) / length
-        count = min(max(int(np.ceil(spare / STEP)), 0) + 1, MOST)
+        count = min(max(int(np.ceil(spare / step)), 0) + 1, MOST)
         t = np.linspace(0.0, max(spare, 0.0), count) + case.width / 2
         out = case.depth / 2
         heading = float(np.arctan2(ux, -uy))
@@ -69,13 +88,13 @@ def along_walls(case: Group, ground: Ground) -> Floats:
 def _stands_free(
     boxes: Floats,
     case: Group,
+    members: tuple[Member, ...],
     ground: Ground,
     standing: StandingObstacles,
     catalog: Catalog,
     height: float,
 ) -> NDArray[np.bool_]:
-    """On which boxes (n, 5) of a case all that it needs stands free."""
-    members = tuple(case.members[i] for i in needed_of(case))
+    """On which boxes (n, 5) of a case some of its ``members`` stand free."""
     if not len(boxes):
         return np.zeros(0, bool)
     local = world(members, np.array([0.0, 0.0, np.pi / 2, case.width, case.depth]), catalog)

@@ -33,9 +33,10 @@ class GroupKind:
     its role at the main wall; ``clear`` free depth outside the patch; ``access`` sides of which
     one must be reachable; ``inset`` walkable depth inside; ``daylight`` and ``nestle`` wishes;
     ``roomy`` the room areas (m²) at which the smallest and the largest case are preferred;
-    ``essential`` the category that makes the group what it is; ``lean`` the category whose end
-    belongs to the nearer side wall when the case is not symmetric; ``label`` what people call the
-    group, empty where that is its name in plain words.
+    ``essential`` the category that makes the group what it is; ``shades`` how much it minds a
+    window behind it; ``lean`` the category whose end belongs to the nearer side wall when the case
+    is not symmetric; ``label`` what people call the group, empty where that is its name in plain
+    words.
     """
 
     cases: Callable[[], Iterator[Group]]
@@ -51,6 +52,7 @@ class GroupKind:
     roomy: tuple[float, float] = (8.0, 30.0)
     lean: str = ""
     label: str = ""
+    shades: float = 0.0
 
 
 _GROUPS: dict[str, GroupKind] = {
@@ -63,6 +65,7 @@ _GROUPS: dict[str, GroupKind] = {
         access=NONE,
         roomy=(8, 34),
         label="TV stand",
+        shades=1,
     ),
     "seating": GroupKind(
         living.seating,
@@ -74,6 +77,7 @@ _GROUPS: dict[str, GroupKind] = {
         inset=(0, 0, 0, 0),
         roomy=(7, 20),
         label="seating group",
+        shades=1,
     ),
     "reading": GroupKind(
         living.reading,
@@ -86,9 +90,12 @@ _GROUPS: dict[str, GroupKind] = {
         roomy=(8, 22),
         lean="floor_lamp",
         label="reading chair",
+        shades=0.5,
     ),
-    "shelf": GroupKind(living.shelf, 2.0, ("bookcase",), nestle=1, roomy=(8, 40), label="bookcase"),
-    "sideboard": GroupKind(living.sideboard, 0.8, ("sideboard",), roomy=(12, 36)),
+    "shelf": GroupKind(
+        living.shelf, 2.0, ("bookcase",), nestle=1, roomy=(8, 40), label="bookcase", shades=1
+    ),
+    "sideboard": GroupKind(living.sideboard, 0.8, ("sideboard",), roomy=(12, 36), shades=1),
     "plant": GroupKind(
         living.plant,
         1.5,
@@ -109,6 +116,7 @@ _GROUPS: dict[str, GroupKind] = {
         inset=(0, 0.45, 0, 0.45),
         roomy=(4, 13),
         label="double bed",
+        shades=1,
     ),
     "single": GroupKind(
         sleeping.single,
@@ -121,6 +129,7 @@ _GROUPS: dict[str, GroupKind] = {
         roomy=(5, 14),
         lean="single_bed",
         label="single bed",
+        shades=1,
     ),
     "bunk": GroupKind(
         sleeping.bunk,
@@ -130,9 +139,16 @@ _GROUPS: dict[str, GroupKind] = {
         nestle=1,
         clear=(0.3, 0, 0, 0),
         label="bunk bed",
+        shades=1,
     ),
     "wardrobe": GroupKind(
-        sleeping.wardrobe, 2.2, ("wardrobe",), nestle=1, clear=(0.75, 0, 0, 0), roomy=(4, 14)
+        sleeping.wardrobe,
+        2.2,
+        ("wardrobe",),
+        nestle=1,
+        clear=(0.75, 0, 0, 0),
+        roomy=(4, 14),
+        shades=1,
     ),
     "chest": GroupKind(
         sleeping.chest,
@@ -141,6 +157,7 @@ _GROUPS: dict[str, GroupKind] = {
         clear=(0.7, 0, 0, 0),
         roomy=(9, 18),
         label="chest of drawers",
+        shades=1,
     ),
     "vanity": GroupKind(
         sleeping.vanity,
@@ -152,7 +169,13 @@ _GROUPS: dict[str, GroupKind] = {
         label="dressing table",
     ),
     "play": GroupKind(
-        sleeping.play, 1.0, ("shelf_unit",), nestle=0.5, roomy=(8, 16), label="shelf for toys"
+        sleeping.play,
+        1.0,
+        ("shelf_unit",),
+        nestle=0.5,
+        roomy=(8, 16),
+        label="shelf for toys",
+        shades=0.5,
     ),
     "dining": GroupKind(
         dining.dining,

@@ -94,12 +94,21 @@ def storage() -> Iterator[Group]:
     """Storage shelving, 0.4 to 3.0 m long."""
     for width in (0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 2.0, 2.4, 3.0):
         for depth in (0.2, 0.3, 0.4):
-            count = max(1, round(width / 1.0))
-            each = width / count
-            members = tuple(
-                Member(
-                    "storage_shelf", (i - (count - 1) / 2) * each, 0, 0, 0, Size(each, depth, 1.9)
-                )
-                for i in range(count)
-            )
-            yield Group("storage", f"{width:.1f} m of shelving", width, depth + 0.01, members)
+            yield _shelving(width, depth)
+
+
+def fitted_storage() -> Iterator[Group]:
+    """Shelving made to measure, 0.7 to 3.0 m long in steps of 0.1 m."""
+    for width in range(7, 31):
+        for depth in (0.2, 0.3, 0.4):
+            yield _shelving(width / 10, depth)
+
+
+def _shelving(width: float, depth: float) -> Group:
+    count = max(1, round(width / 1.0))
+    each = width / count
+    members = tuple(
+        Member("storage_shelf", (i - (count - 1) / 2) * each, 0, 0, 0, Size(each, depth, 1.9))
+        for i in range(count)
+    )
+    return Group("storage", f"{width:.1f} m of shelving", width, depth + 0.01, members)

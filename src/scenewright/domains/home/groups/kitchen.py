@@ -53,7 +53,13 @@ def kitchenette() -> Iterator[Group]:
 def counter() -> Iterator[Group]:
     """A second run: drawers and cupboards under a worktop."""
     for width in np.arange(24, 61) / 20:
-        yield _run("counter", float(width), _fill(float(width)), fridge=False)
+        yield _run("counter", float(width), fill(float(width)), fridge=False)
+
+
+def short_counters() -> Iterator[Group]:
+    """Worktop beside a run that has little, 1.2 to 0.6 m, the longest first."""
+    for width in (1.2, 0.9, 0.6):
+        yield _run("counter", width, fill(width), fridge=False)
 
 
 def fridge() -> Iterator[Group]:
@@ -87,14 +93,14 @@ def _sequence(length: float) -> list[Unit]:
     rest = length - sink - hob
     washer: list[Unit] = [("dishwasher", 0.6)] if rest >= 0.9 else []
     rest -= 0.6 * len(washer)
-    before = _fill(rest * 0.3) if rest >= 1.2 else []
-    after = _fill(_beyond(rest))
+    before = fill(rest * 0.3) if rest >= 1.2 else []
+    after = fill(_beyond(rest))
     used = sum(w for _, w in before + after)
     return [
         *before,
         ("sink_cabinet", sink),
         *washer,
-        *_fill(rest - used),
+        *fill(rest - used),
         ("hob_cabinet", hob),
         *after,
     ]
@@ -110,8 +116,8 @@ def _short_sequence(length: float) -> list[Unit]:
     spare = length - least - beyond - between
     sink = SMALL_SINK + min(spare, 0.6 - SMALL_SINK)
     hob = SMALL_HOB + min(spare - (sink - SMALL_SINK), 0.6 - SMALL_HOB)
-    run = [("sink_cabinet", sink), *_fill(length - sink - hob - beyond), ("hob_cabinet", hob)]
-    return [*run, *_fill(beyond)]
+    run = [("sink_cabinet", sink), *fill(length - sink - hob - beyond), ("hob_cabinet", hob)]
+    return [*run, *fill(beyond)]
 
 
 def _beyond(rest: float) -> float:
@@ -119,7 +125,7 @@ def _beyond(rest: float) -> float:
     return rest if rest < 2 * BEYOND - 1e-9 else max(BEYOND, 0.2 * rest if rest >= 1.8 else 0.0)
 
 
-def _fill(length: float) -> list[Unit]:
+def fill(length: float) -> list[Unit]:
     """Drawers and cupboards in turn, of equal width near 0.6 m."""
     count = max(1, round(length / 0.6)) if length > 0.05 else 0
     kinds = ("drawer_cabinet", "base_cabinet")
@@ -141,7 +147,7 @@ def _run(
         at = x + wide / 2
         y = back + UNIT_DEPTH / 2
         members.append(Member(category, at, y, 0, 0, Size(wide, UNIT_DEPTH, WORKTOP)))
-        members += _above(category, at, wide, back)
+        members += hang_above(category, at, wide, back)
         x += wide
     if mirrored:
         members = [m._replace(x=-m.x) for m in members]
@@ -149,7 +155,8 @@ def _run(
     return Group(function, f"{width:.1f} m kitchen run{text}", width, depth, tuple(members))
 
 
-def _above(category: str, x: float, wide: float, back: float) -> list[Member]:
+def hang_above(category: str, x: float, wide: float, back: float) -> list[Member]:
+    """What hangs above a unit: a hood over a hob, else a wall cabinet."""
     if category == "hob_cabinet":
         return [Member("hood", x, back + 0.24, 1.55, 0, Size(wide, 0.48, 0.65))]
     if category == "sink_cabinet" and wide > 0.7:

@@ -30,6 +30,25 @@ def single() -> Iterator[Group]:
             yield _bed("single", "single_bed", bed, 0.0, wing, length, mirrored=True)
 
 
+def along_wall() -> Iterator[Group]:
+    """Single beds with a long side at the wall, the pillow at either end, with a nightstand at the
+    pillow where it fits."""
+    for bed, length in ((0.9, 2.05), (1.0, 2.05), (0.8, 1.9)):
+        for stand in (0.45, 0.0):
+            for side in (1.0, -1.0):
+                yield _along(bed, length, stand, side)
+
+
+def _along(bed: float, length: float, stand: float, side: float) -> Group:
+    """A bed with its pillow on the right (``side`` 1) or the left (-1)."""
+    width, depth = length + stand, bed + 0.01
+    x = -side * stand / 2
+    members = [Member("single_bed", x, 0, 0, side * pi / 2, Size(bed, length, 0.9))]
+    if stand:
+        members += _nightstand(x + side * (length / 2 + 0.23), -depth / 2, len(members))
+    return Group("single", f"{bed:.1f} m bed along the wall", width, depth, tuple(members))
+
+
 def bunk() -> Iterator[Group]:
     """A bunk bed with a toy box at its foot side."""
     bed = Member("bunk_bed", 0, 0, 0, 0, Size(1.0, BED_LENGTH, 1.65))
@@ -80,6 +99,15 @@ def wardrobe() -> Iterator[Group]:
         for depth in (0.5, 0.6):
             piece = Member("wardrobe", 0, 0, 0, 0, Size(width, depth, 2.2))
             yield Group("wardrobe", f"{width:.1f} m wardrobe", width, depth + 0.01, (piece,))
+
+
+def fitted_wardrobes() -> Iterator[Group]:
+    """Wardrobes made to measure, 1.0 to 3.0 m wide in steps of 0.1 m, 0.4 to 0.6 m deep."""
+    for width in range(10, 31):
+        for depth in (0.4, 0.5, 0.6):
+            piece = Member("wardrobe", 0, 0, 0, 0, Size(width / 10, depth, 2.2))
+            name = f"{width / 10:.1f} m fitted wardrobe"
+            yield Group("wardrobe", name, width / 10, depth + 0.01, (piece,))
 
 
 def chest() -> Iterator[Group]:

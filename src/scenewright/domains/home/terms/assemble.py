@@ -13,7 +13,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.home.terms import clearance, orientation, packing, places, relations
+from scenewright.domains.home.terms import (
+    clearance,
+    openings,
+    orientation,
+    packing,
+    places,
+    relations,
+)
 from scenewright.domains.home.terms.table import (
     AGAINST_WALL,
     AGAINST_WALL_PRINTED,
@@ -23,9 +30,11 @@ from scenewright.domains.home.terms.table import (
     CLEAR_ROOM,
     CORRIDORS,
     DAYLIGHT,
+    DAYLIGHT_KEPT,
     MAIN_WALL,
     MAIN_WALL_PRINTED,
     NESTLE,
+    OPENINGS_KEPT,
     OVERLAP,
     PAIRS,
     PAIRS_PRINTED,
@@ -52,16 +61,17 @@ class PreparedHome(NamedTuple):
     """A problem ready for compiled code, in few arrays.
 
     ``zones`` (k, 10): frame of a box to be kept free, its term, the height it starts from.
-    ``clear``, ``access``, ``inset`` (n, 4) as of the items. ``traits`` (n, 8): height,
+    ``clear``, ``access``, ``inset`` (n, 4) as of the items. ``traits`` (n, 9): height,
     back to wall, main wall, daylight, nestle, preferred width and depth, how far clear zones
-    stick out.
+    stick out, how much it shades.
     ``limits`` (n, 4): least width and depth, greatest width and depth. ``pairs`` (p, 2) and
     ``targets`` (p, 4) with the weight last. ``related`` (2p,) lists the relations item i is in
     from ``related_start[i]`` to ``related_start[i + 1]``; ``places`` (s, 6) those it wants from
     ``place_start[i]`` on, of the ``spots`` (k, 4). ``normal`` is the main wall's inward
     direction (NaN without one), ``span`` the diagonal of the bounds. ``paths`` (m, 4) are the
-    directed edges of the ways from door to door, ``own`` the numbers of the terms that bring data
-    of their own. A back is at its wall within ``flush`` metres.
+    directed edges of the ways from door to door, ``strips`` (k, 10) what
+    :func:`scenewright.domains.home.terms.openings.covered_width` takes, ``own`` the numbers of the
+    terms that bring data of their own. A back is at its wall within ``flush`` metres.
     """
 
     edges: Floats
@@ -82,6 +92,7 @@ class PreparedHome(NamedTuple):
     weights: Floats
     bounds: Floats
     paths: Floats
+    strips: Floats
     own: TermData
     area: float
     normal: float
@@ -123,6 +134,10 @@ def box_cost(
         own += w[NESTLE] * snug * relations.nestle(frame, p.walls, p.zones)
     if w[WISH] != 0.0:
         own += w[WISH] * packing.wish(frame, p.traits[i, 5], p.traits[i, 6])
+    if w[OPENINGS_KEPT] != 0.0:
+        own += w[OPENINGS_KEPT] * openings.covered_width(frame, p.strips, 0.0)
+    if w[DAYLIGHT_KEPT] != 0.0 and p.traits[i, 8] != 0.0:
+        own += w[DAYLIGHT_KEPT] * p.traits[i, 8] * openings.covered_width(frame, p.strips, 1.0)
     for k in range(p.place_start[i], p.place_start[i + 1]):
         own += w[PLACES] * places.place(frame, k, p.places, p.spots)
     return shared, own, 4.0 * frame[4] * frame[5], turn

@@ -42,7 +42,9 @@ from scenewright.engine.whole_terms import add_terms
     BALANCE,
     PLACES,
     SLOPE,
-) = range(23)
+    DAYLIGHT_KEPT,
+    OPENINGS_KEPT,
+) = range(25)
 
 
 LIU = "Liu et al. 2017"
@@ -289,6 +291,26 @@ _ROWS = (
         form="repaired",
         per_area=True,
         function=f"{THEMES}.clearance:measure_entered_area",
+    ),
+    TermRow(
+        "daylight_kept",
+        DAYLIGHT_KEPT,
+        "box",
+        60,
+        "metres of a window behind what takes its light or is lit from behind",
+        OURS,
+        form="repaired",
+        function=f"{THEMES}.openings:covered_width",
+    ),
+    TermRow(
+        "openings_kept",
+        OPENINGS_KEPT,
+        "box",
+        60,
+        "metres of a wide door or passage that an item stands before",
+        OURS,
+        form="repaired",
+        function=f"{THEMES}.openings:covered_width",
     ),
 )
 TERMS: tuple[TermRow, ...] = add_terms("home", _ROWS)

@@ -1,0 +1,76 @@
+"""What a composed room takes in besides: what was missing, worktop, what makes it fuller."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
+from scenewright.domains.home.cases.library import SHIPPED, cases
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.judging import RUNS, Placed
+from scenewright.domains.home.groups.kitchen import short_counters
+from scenewright.domains.home.programme import FALLBACK, Wish
+
+COVERED = 0.27
+"""The share of a living room's floor under furniture up to which it takes more."""
+FULLER = (("shelf", 9.0), ("sideboard", 9.0), ("plant", 9.0), ("shelf", 14.0))
+"""What a bare living room takes, in this order, from so many square metres on."""
+
+
+def list_additions(
+    task: RoomTask, placed: Placed, missing: tuple[Missing, ...]
+) -> Iterator[tuple[Wish, tuple[Missing, ...]]]:
+    """Wishes to try beside what is placed, each with what is missing no longer once it stands."""
+    for lack in sorted(missing, key=lambda m: m.wish.rank):
+        if lack.wish.rank < 2 and lack.wish.group not in task.library.own:
+            yield lack.wish, (lack,)
+            other = FALLBACK.get(lack.wish.group)
+            if other == "dining_wall":
+                yield lack.wish._replace(group=other, small=True), (lack,)
+    if task.asked is not None and task.asked.ask is not None:
+        return
+    if any(_is_short(p) for p in placed) and "counter" not in task.forbidden:
+        yield Wish("counter", 2), ()
+    if "living" in task.space.functions and task.library is SHIPPED and task.welcome is None:
+        for group, least in FULLER:
+            if task.ground.area >= least and group not in task.elsewhere:
+                yield Wish(group, 2), ()
+
+
+def is_wanted(task: RoomTask, placed: Placed, wish: Wish, lacks: tuple[Missing, ...]) -> bool:
+    """Whether an addition is still wanted beside what stands by now."""
+    there = [p.wish.group for p in placed]
+    if lacks:
+        return True
+    if wish.group == "counter":
+        return "counter" not in there and any(_is_short(p) for p in placed)
+    twice = wish.group == "shelf" and task.ground.area >= 14.0
+    if there.count(wish.group) > int(twice):
+        return False
+    covered = sum(float(p.dressed.case.width * p.dressed.case.depth) for p in placed)
+    return _covered_by(placed) < COVERED * task.ground.area and covered < task.ground.area
+
+
+def _is_short(group: FurnishedGroup) -> bool:
+    """Whether a kitchen run has too little worktop in one piece."""
+    names = {name for name, _ in find_case_faults(group.dressed.case)}
+    return group.wish.group in RUNS and "worktop" in names
+
+
+def _covered_by(placed: Placed) -> float:
+    """Square metres under what stands on the floor, rugs apart."""
+    low = (p for g in placed for p in g.pieces if p.pose.z < 0.05 and p.category != "rug")
+    return sum(p.size.width * p.size.depth for p in low)
+
+
+def forms_to_add(task: RoomTask, wish: Wish) -> list[Group]:
+    """The forms in which a group is added: the preferred first, then ever smaller ones."""
+    if wish.group == "counter":
+        return list(short_counters())
+    known = cases(wish.group, task.library)
+    order = np.argsort(-known.sizes.prod(-1), kind="stable")
+    fit = [int(i) for i in order if wish.most is None or (known.sizes[i] <= wish.most).all()]
+    return [known.groups[i] for i in fit]

@@ -1,0 +1,66 @@
+"""The forms a group is tried in while a room is composed, the better first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cache
+from itertools import zip_longest
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.build_problem import select_allowed
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.groups.corner_kitchen import corner_kitchens
+from scenewright.domains.home.groups.entry import fitted_storage
+from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes
+from scenewright.domains.home.settings import ComposingSettings
+
+FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
+    "kitchen": corner_kitchens,
+    "single": along_wall,
+    "storage": fitted_storage,
+    "wardrobe": fitted_wardrobes,
+}
+"""Forms beside the cases of a group, for a place that is found for them."""
+WIDEST = frozenset(("storage",))
+"""Groups that take all of their wall."""
+IN_TURN = frozenset(("single",))
+"""Groups of which usual and further forms are tried in turn."""
+ROOMY = 14.0
+"""From so many square metres on a living room has seats for more than two."""
+
+
+def cost_of_case(case: Group, area: float, rule: ComposingSettings) -> float:
+    """What is wrong with a case wherever it stands in a room of ``area`` square metres: each fault
+    half for being there, half by its degree."""
+    return sum(
+        float(getattr(rule.costs, name)) * (1.0 + degree) / 2
+        for name, degree in find_case_faults(case)
+        if name != "seats" or area >= ROOMY
+    )
+
+
+def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
+    """The forms of a group that stands, those with less wrong first, then those most like it; of
+    what fills its wall the widest first."""
+    rule, case = task.preset.settings.composing, group.dressed.case
+
+    def worth(other: Group) -> tuple[float, float, float]:
+        faults = cost_of_case(other, task.ground.area, rule)
+        wide = other.width if other.function in WIDEST else 0.0
+        return faults, -wide, abs(other.width - case.width) + abs(other.depth - case.depth)
+
+    known, fits = cases(group.wish.group, task.library), select_allowed(group.wish, task.library)
+    usual = [form for form, fit in zip(known.groups, fits, strict=True) if fit]
+    further = _further(group.wish.group) if group.wish.most is None else []
+    if group.wish.group not in IN_TURN:
+        yield from sorted([*usual, *further], key=worth)
+        return
+    for both in zip_longest(sorted(further, key=worth), sorted(usual, key=worth)):
+        yield from (form for form in both if form is not None)
+
+
+@cache
+def _further(function: str) -> list[Group]:
+    return list(FURTHER[function]()) if function in FURTHER else []

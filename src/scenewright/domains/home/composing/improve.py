@@ -1,0 +1,95 @@
+"""Groups of a furnished room in better sizes and places, one after the other.
+
+The search lays out all groups at once and furnishes its best layouts; where a room is tight it
+ends with the smallest forms wherever they fit. Here each group with a fault of composition is taken
+out and tried anew along all walls in its better forms, beside all others as they stand. A change
+stays if it costs less, counting energy and faults (:mod:`.placed_faults`), and bars no way.
+"""
+
+from __future__ import annotations
+
+from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.composing.adding import add_groups
+from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.judging import Judge, Judged, Placed, judge_of
+from scenewright.domains.home.composing.kitchens import reform_kitchen
+from scenewright.domains.home.composing.moving import take_best, try_forms, with_margin
+from scenewright.domains.home.composing.placed_faults import cost_of_group, cost_of_shelves
+from scenewright.domains.home.wished.unmet import count_unmet_wishes
+
+
+def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
+    """The answer with its groups better composed where that bars no way and takes nothing away.
+
+    Rooms of wheelchair users keep the room to turn they were furnished with; presets that are not
+    exact are left as they are.
+    """
+    settings = task.preset.settings
+    if not settings.exact or task.accessible or not answer.placed:
+        return answer
+    judge = judge_of(task, answer.placed)
+    best = judge.cost_of(answer.placed)
+    barred = frozenset(find_blocked(with_margin(task), best.placed))
+    for _ in range(settings.composing.rounds):
+        before = best.cost
+        for name in _worst_first(task, best.placed):
+            if not task.cancelled():
+                best = _improve(judge, best, name, barred)
+        if best.cost > before - settings.composing.least:
+            break
+    for name in _worst_first(task, best.placed):
+        if not task.cancelled():
+            best = _improve_two(judge, best, name, barred)
+    best = reform_kitchen(task, best, barred)
+    better = add_groups(task, answer._replace(placed=best.placed), barred)
+    return better if _count_unmet(task, better) <= _count_unmet(task, answer) else answer
+
+
+def _count_unmet(task: RoomTask, answer: RoomAnswer) -> int:
+    """The wishes for places that an answer does not meet."""
+    standing = (*task.fixed, *(p for item in answer.placed for p in item.pieces))
+    return count_unmet_wishes(task.asked, task.space, standing, task.catalog)
+
+
+def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
+    """The names of groups with a fault, the costliest first."""
+    rule = task.preset.settings.composing
+    short = cost_of_shelves(placed, task.ground, rule.costs.shelves)
+    costs = {
+        p.name: cost_of_group(p, task.ground, rule) + short * (p.wish.group == "storage")
+        for p in placed
+        if p.wish.group not in task.library.own
+    }
+    return sorted((name for name, cost in costs.items() if cost > 0.0), key=lambda n: -costs[n])
+
+
+def _improve(judge: Judge, best: Judged, name: str, barred: frozenset[str]) -> Judged:
+    """The groups with one of them in a better form or place, or as they were."""
+    rule = judge.task.preset.settings.composing
+    found = _elsewhere(judge, best.placed, _number_of(best.placed, name), rule.forms)
+    return take_best(judge.task, best, found, barred)
+
+
+def _improve_two(judge: Judge, best: Judged, name: str, barred: frozenset[str]) -> Judged:
+    """The same after one of the largest others has been taken elsewhere."""
+    rule = judge.task.preset.settings.composing
+    at = _number_of(best.placed, name)
+    others = [i for i in range(len(best.placed)) if i != at]
+    others.sort(key=lambda i: -float(best.placed[i].dressed.box[3:].prod()))
+    found: list[Judged] = []
+    for other in others[: rule.others]:
+        for judged in _elsewhere(judge, best.placed, other, rule.other_forms, at)[: rule.moved]:
+            found += _elsewhere(judge, judged.placed, at, rule.forms)[:1]
+    return take_best(judge.task, best, found, barred)
+
+
+def _number_of(placed: Placed, name: str) -> int:
+    return next(i for i, p in enumerate(placed) if p.name == name)
+
+
+def _elsewhere(
+    judge: Judge, placed: Placed, at: int, forms: int, through: int = -1
+) -> list[Judged]:
+    """The groups with one of them in its better forms wherever along the walls it stands free, the
+    cheapest first; it may stand ``through`` another, which is to be moved next."""
+    return try_forms(judge, placed, at, list_forms(judge.task, placed[at]), forms, through)

@@ -1,0 +1,111 @@
+"""One group of a room in other forms and places, beside all others as they stand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import count, islice
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.core.catalog import Group
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.composing.judging import RUNS, Judge, Judged, Placed
+from scenewright.domains.home.composing.placed_faults import are_adrift
+from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.wall_places import free_boxes
+from scenewright.geometry.fit import is_backed, side_gaps
+
+Floats = NDArray[np.float64]
+
+BACKED = 0.04  # a unit nearer than this is at its wall, metres
+
+
+def with_margin(task: RoomTask) -> RoomTask:
+    """The task with ways so much wider that an exact walk finds what the grid finds."""
+    more = task.preset.settings.composing.wider
+    return task._replace(route_width=task.route_width + more, use_width=task.use_width + more)
+
+
+def take_best(task: RoomTask, best: Judged, found: list[Judged], barred: frozenset[str]) -> Judged:
+    """The cheapest of those found that cost less than the best and bar no way."""
+    for judged in sorted(found, key=lambda j: j.cost):
+        if judged.cost > best.cost - task.preset.settings.composing.least:
+            break
+        if barred.issuperset(find_blocked(with_margin(task), judged.placed)):
+            return judged
+    return best
+
+
+def try_forms(
+    judge: Judge, placed: Placed, at: int, cases: Iterable[Group], forms: int, through: int = -1
+) -> list[Judged]:
+    """The groups with one of them in the first so many ``forms`` of which some place is free."""
+    task, group = judge.task, placed[at]
+    flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
+    rest = (p for i, p in enumerate(placed) if i not in (at, through))
+    others = (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces))
+    standing = standing_of(others, flat)
+    tried = ((case, free) for case in cases if len(free := _free(task, case, standing)))
+    found = []
+    for case, free in islice(tried, forms):
+        for box in _least_cost(judge, case, free, placed, at):
+            dressed = _dress(task, group, case, box, standing)
+            if dressed is not None:
+                found.append(judge.cost_of((*placed[:at], dressed, *placed[at + 1 :])))
+    return sorted(found, key=lambda j: j.cost)
+
+
+def _free(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
+    step = task.preset.settings.composing.step
+    height = task.space.height
+    free = free_boxes(case, task.ground, standing, task.catalog, height, step, whole=True)
+    side = next((m.x for m in case.members if m.category == "corner_cabinet"), 0.0)
+    if not side or not len(free):
+        return free
+    gaps = np.array([side_gaps(box, task.ground.walls) for box in free])
+    return free[gaps[:, int(side > 0.0)] < BACKED]
+
+
+def _least_cost(judge: Judge, case: Group, free: Floats, placed: Placed, at: int) -> Floats:
+    """Of the boxes ``(n, 5)`` for one group those at which the whole room costs least."""
+    layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(free), axis=0)
+    layouts[:, at] = free
+    rule, energy = judge.task.preset.settings.composing, judge.task.costs.energy
+    costs = energy * judge.energies_of(layouts)
+    if case.function == "single":
+        costs += rule.costs.adrift * are_adrift(case, free, judge.task.ground.walls)
+    return free[np.argsort(costs, kind="stable")[: rule.places]]
+
+
+def _dress(
+    task: RoomTask, group: FurnishedGroup, case: Group, box: Floats, standing: StandingObstacles
+) -> FurnishedGroup | None:
+    dressed = dress_case(
+        case.function, case, box, task.ground, standing, task.catalog, task.space.height
+    )
+    if not isinstance(dressed, FurnishedPatch) or dressed.lost > group.dressed.lost:
+        return None
+    name = f"{task.space.id}/{group.name}"
+    pieces = pieces_of(dressed, task.space.id, name, group.wish.group, task.catalog)
+    if group.wish.group in RUNS and not all(_is_at_wall(p, task) for p in pieces):
+        return None
+    return group._replace(dressed=dressed, pieces=pieces)
+
+
+def _is_at_wall(unit: Piece, task: RoomTask) -> bool:
+    """Whether a unit of a kitchen that stands on the floor has its back at a wall."""
+    (x, y, z, heading), size = unit.pose, unit.size
+    box = np.array([x, y, heading, size.width, size.depth])
+    return z > BACKED or bool(is_backed(box, task.ground.walls, BACKED))
+
+
+def unplaced(task: RoomTask, placed: Placed, wish: Wish, case: Group) -> FurnishedGroup:
+    """A group under a name of its own that has no place yet."""
+    taken = {p.name for p in placed} | {p.group.rpartition("/")[2] for p in task.fixed}
+    names = (f"{wish.group}_{k}" if k > 1 else wish.group for k in count(1))
+    nowhere = FurnishedPatch(case, np.array([0.0, 0.0, 0.0, case.width, case.depth]), (), 0)
+    return FurnishedGroup(wish, next(n for n in names if n not in taken), nowhere, ())

@@ -1,0 +1,147 @@
+"""One programme for the whole home: what it has once, and in which of its rooms.
+
+Rooms are furnished one by one, and each would bring what its function asks for. What a home has
+once is decided first: where its people eat, where shoes stand, where one works. Residents are
+counted from the bedrooms: two in a room for two, one in any other, two where children share.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import shapely
+
+from scenewright.building.ceiling import living_area, planes
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.core.space import Space
+from scenewright.domains.home.programme import Wish, resolve_bedrooms
+
+SLEEPERS = {"double_bedroom": 2, "single_bedroom": 1, "child_bedroom": 1}
+SHARED_ROOM = 14.0  # from so many square metres on two children share a room
+LEAST_EATING = 9.0  # a room of less has no table put into it for the home's sake, square metres
+LEAST_WORKING = 13.0  # the same of a desk
+DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
+TABLES = frozenset(("dining", "dining_wall"))
+STORING = frozenset(
+    ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf")
+)
+WET = ("bathroom", "toilet", "washroom")
+
+
+class Household(NamedTuple):
+    """What is decided for a home as a whole: how many live there, in how many bedrooms; the rooms
+    (their ids, empty: none) where they eat, where shoes stand and where one works; the wet rooms.
+    """
+
+    residents: int
+    bedrooms: int
+    eats_in: str
+    shoes_in: str
+    works_in: str
+    wet: tuple[str, ...]
+
+
+def decide_household(rooms: Sequence[Space]) -> Household:
+    """The programme of a home, from its rooms.
+
+    >>> import numpy as np
+    >>> def room(name, use, w, d):
+    ...     return Space(name, name, (use,), "0", np.array([[0, 0], [w, 0], [w, d], [0, d]]) * 1.0)
+    >>> home = decide_household([room("a", "bedroom", 4, 3), room("b", "bedroom", 2, 3),
+    ...                          room("c", "living", 5, 4), room("d", "hall", 2, 2)])
+    >>> home.residents, home.eats_in, home.shoes_in, home.works_in
+    (3, 'c', 'd', 'b')
+    """
+    areas = {room.id: _area(room) for room in rooms}
+    uses = {room.id: resolve_bedrooms(room.functions, areas[room.id]) for room in rooms}
+    beds = [_sleepers(uses[room.id], areas[room.id]) for room in rooms]
+    halls = [room for room in rooms if "hall" in uses[room.id]]
+    entered = [room for room in halls if _is_entered(room)] or halls
+
+    def largest(functions: Sequence[str], least: float = 0.0) -> str:
+        for function in functions:
+            known = [k for k in areas if function in uses[k] and areas[k] >= least]
+            if known:
+                return max(known, key=lambda k: areas[k])
+        return ""
+
+    return Household(
+        residents=max(sum(beds), 1),
+        bedrooms=sum(bed > 0 for bed in beds),
+        eats_in=largest(("dining",)) or largest(("living", "kitchen"), LEAST_EATING),
+        shoes_in=max(entered, key=lambda room: areas[room.id]).id if entered else "",
+        works_in=largest(("study", "single_bedroom"))
+        or largest(("double_bedroom", "living"), LEAST_WORKING),
+        wet=tuple(room.id for room in rooms if set(WET) & set(uses[room.id])),
+    )
+
+
+def _area(room: Space) -> float:
+    shape = shapely.Polygon(room.outline, list(room.holes))
+    return float(living_area(shape, planes(room), room.height))
+
+
+def _sleepers(functions: Sequence[str], area: float) -> int:
+    """How many sleep in a room."""
+    most = max((SLEEPERS.get(function, 0) for function in functions), default=0)
+    return 2 if "child_bedroom" in functions and area >= SHARED_ROOM else most
+
+
+def _is_entered(room: Space) -> bool:
+    """Whether one comes into a room from outside."""
+    return any(o.kind == "door" and len(o.spaces) == 1 for o in room.openings)
+
+
+def share_out(
+    household: Household, room: str, wishes: tuple[Wish, ...], others: frozenset[str]
+) -> tuple[Wish, ...]:
+    """The wishes of a room as the household has them: shoes stand in one room, elsewhere is a rack
+    for coats; a home none of whose rooms brings a table eats where it has room. ``others`` are the
+    groups that all rooms wish for.
+
+    >>> home = Household(3, 2, "living", "hall", "", ())
+    >>> [wish.group for wish in share_out(home, "landing", (Wish("shoes", 1),), frozenset())]
+    ['coats']
+    """
+    found = list(wishes)
+    if room != household.shoes_in:
+        away = [wish for wish in found if wish.group == "shoes" and not wish.required]
+        racks = [wish._replace(group="coats") for wish in away]
+        found = [w for w in found if w not in away and not (racks and w.group == "coats")]
+        found += racks
+    if room == household.eats_in and not others & TABLES:
+        found.append(Wish("dining_wall", 1))
+    if room == household.works_in and not others & DESKS:
+        found.append(Wish("desk", 2))
+    return tuple(found)
+
+
+def tell_programme(solution: Solution, plan: Plan) -> str:
+    """The programme of a home and what came of it, in one paragraph."""
+    household, names = decide_household(plan.spaces), plan.names
+    people, rooms, pieces = household.residents, household.bedrooms, solution.pieces
+    parts = [f"{people} {'person' if people == 1 else 'people'} in {_count(rooms, 'bedroom')}"]
+    if household.eats_in:
+        chairs = sum(p.category == "dining_chair" and p.function in TABLES for p in pieces)
+        parts.append(f"they eat in {names[household.eats_in]} ({_count(chairs, 'chair')})")
+    if household.works_in and any(p.function in DESKS for p in pieces):
+        parts.append(f"the desk is in {_where(pieces, DESKS, names)}")
+    if household.shoes_in:
+        parts.append(f"shoes are in {names[household.shoes_in]}")
+    if household.wet:
+        parts.append(f"water is in {', '.join(names[room] for room in household.wet)}")
+    metres = sum(p.size.width for p in pieces if p.category in STORING)
+    return f"{'; '.join(parts)}; {metres:.1f} m of storage."
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number or 'no'} {what}{'' if number == 1 else 's'}"
+
+
+def _where(pieces: Sequence[Piece], groups: frozenset[str], names: Mapping[str, str]) -> str:
+    """The rooms in which groups stand."""
+    rooms = dict.fromkeys(names[p.space] for p in pieces if p.function in groups)
+    return ", ".join(rooms)

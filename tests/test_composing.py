@@ -1,0 +1,157 @@
+"""Rooms are composed after they are furnished: what is mended, and that nothing is paid for it."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import shapely
+from benchmarks import composition_kitchen
+
+from rooms import full_problem, random_layouts
+from scenewright.core.brief import Brief, Room
+from scenewright.core.scene import Piece, Pose
+from scenewright.domains import check
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.improve import compose
+from scenewright.domains.home.energy import evaluate
+from scenewright.domains.home.groups.corner_kitchen import corner_kitchens
+from scenewright.domains.home.groups.sleeping import along_wall
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.solving import prepare_rooms, solve
+from scenewright.domains.home.terms.openings import FIRST
+
+KITCHENS = (*cases("kitchen").groups, *corner_kitchens())
+ROOMS = {
+    "bedroom": {
+        "function": "single_bedroom",
+        "outline": [[0, 0], [2.6, 0], [2.6, 3.4], [0, 3.4]],
+        "doors": [{"at": [0.0, 0.6], "width": 0.8}],
+        "windows": [{"at": [1.3, 3.4], "width": 1.4}],
+    },
+    "kitchen": {
+        "function": "kitchen",
+        "outline": [[0, 0], [2.6, 0], [2.6, 2.6], [0, 2.6]],
+        "doors": [{"at": [0.7, 0.0], "width": 0.8}],
+        "windows": [{"at": [1.3, 2.6], "width": 1.0, "sill": 1.0}],
+    },
+    "closet": {
+        "function": "storage",
+        "outline": [[0, 0], [2.0, 0], [2.0, 1.0], [0, 1.0]],
+        "doors": [{"at": [1.0, 0.0], "width": 0.8, "swing": "out"}],
+    },
+}
+
+
+def pieces_of(case):
+    """The members of a case as pieces of a kitchen whose front looks along +y."""
+    return [
+        Piece(f"{k}", m.category, "", "room", Pose(m.x, m.y, m.z, m.heading + np.pi / 2), m.size)
+        for k, m in enumerate(case.members)
+    ]
+
+
+@pytest.mark.parametrize("case", KITCHENS, ids=lambda case: case.name)
+def test_faults_of_runs_are_those_the_benchmark_counts(case):
+    found = {name for name, _ in find_case_faults(case)}
+    counted = {
+        "worktop": composition_kitchen.short_worktop,
+        "hob_at_sink": composition_kitchen.hob_at_sink,
+        "hob_at_end": composition_kitchen.hob_at_end,
+    }
+    assert {name for name, fault in counted.items() if fault(pieces_of(case))} <= found
+
+
+@pytest.mark.parametrize("case", list(corner_kitchens()), ids=lambda case: case.name)
+def test_a_kitchen_round_a_corner_is_one_worktop_without_faults(case):
+    assert find_case_faults(case) == ()
+    floor = [m for m in case.members if m.z < 0.3]
+    boxes = [_shape(m) for m in floor]
+    for k, one in enumerate(boxes):
+        assert all(one.intersection(other).area < 1e-9 for other in boxes[:k])
+    assert shapely.union_all([b.buffer(0.01) for b in boxes]).geom_type == "Polygon"
+    names = [m.category for m in floor]
+    assert {"hob_cabinet", "sink_cabinet", "fridge", "corner_cabinet"} <= set(names)
+
+
+def _shape(member):
+    turned = abs(np.sin(member.heading)) > 0.5
+    w, d = member.size[:2][::-1] if turned else member.size[:2]
+    return shapely.box(member.x - w / 2, member.y - d / 2, member.x + w / 2, member.y + d / 2)
+
+
+def test_kitchens_round_a_corner_come_with_their_mirror_images():
+    for one, other in list(pairwise(corner_kitchens()))[::2]:
+        assert one.name == other.name
+        for a, b in zip(one.members, other.members, strict=True):
+            assert (a.x, a.y, *a.size) == pytest.approx((-b.x, b.y, *b.size))
+            if a.category != "corner_cabinet":
+                assert np.sin(a.heading) == pytest.approx(-np.sin(b.heading))
+
+
+def test_beds_along_the_wall_have_their_pillow_by_the_nightstand():
+    for case in along_wall():
+        bed = next(m for m in case.members if m.category == "single_bed")
+        for stand in (m for m in case.members if m.category == "nightstand"):
+            assert np.sign(stand.x - bed.x) == np.sign(np.sin(bed.heading))
+        assert abs(bed.y + bed.size.width / 2) <= case.depth / 2
+
+
+@pytest.mark.parametrize(("term", "kind"), [("daylight_kept", 1.0), ("openings_kept", 0.0)])
+def test_width_covered_of_openings_is_what_shapely_finds(term, kind):
+    problem = full_problem()._replace(weights={term: 1.0})
+    (strip,) = (row for row in problem.ground.strips if row[5] == kind)
+    minds = problem.items.shades if kind else np.ones(4)
+    seen = 0.0
+    for layout in random_layouts(problem, 200):
+        metres = [_polygon(*box).intersection(_polygon(*strip[:5])).area / 0.3 for box in layout]
+        wanted = sum(m * (w + min(w, FIRST) / FIRST) for m, w in zip(minds, metres, strict=True))
+        assert evaluate(problem, layout[None])[0] == pytest.approx(wanted, abs=1e-9)
+        seen += wanted
+    assert seen > 0.0
+
+
+def _polygon(x, y, heading, w, d):
+    box = shapely.box(-d / 2, -w / 2, d / 2, w / 2)
+    return shapely.affinity.translate(
+        shapely.affinity.rotate(box, heading, origin=(0, 0), use_radians=True), x, y
+    )
+
+
+@pytest.fixture(scope="module", params=ROOMS)
+def composed(request):
+    brief = Brief(rooms=[Room.model_validate({"id": request.param, **ROOMS[request.param]})])
+    return request.param, brief, solve(brief, seed=1, steps=2000)
+
+
+def test_rooms_that_can_be_are_well_composed(composed):
+    name, _, solution = composed
+    assert check(solution).valid
+    wide = {p.category: p.size.width for p in solution.pieces}
+    if name == "bedroom":
+        assert wide["wardrobe"] >= 0.999
+    if name == "kitchen":
+        assert not composition_kitchen.short_worktop(list(solution.pieces))
+        assert not composition_kitchen.hob_at_end(list(solution.pieces))
+    if name == "closet":
+        shelves = [p.size.width for p in solution.pieces if p.category == "storage_shelf"]
+        assert sum(shelves) >= 0.6 * 2.0
+
+
+def test_composing_takes_nothing_away_and_is_done_once(composed):
+    from scenewright.building.plan import spaces
+    from scenewright.catalog.loading import catalog_of
+    from scenewright.domains.home.wheelchair import furnish_by_use
+    from scenewright.engine.solve import Budget
+
+    _, brief, _ = composed
+    rooms, preset = spaces(brief), PRESETS["default"]
+    tasks, wishes = prepare_rooms(brief, rooms, catalog_of(()), preset, preset.solver, 5)
+    before = furnish_by_use(tasks[0], wishes[0], Budget(steps=6000, threads=1))
+    after = compose(tasks[0], before)
+    assert len(after.placed) >= len(before.placed)
+    assert len(after.missing) <= len(before.missing)
+    again = compose(tasks[0], after)
+    assert [p.name for p in again.placed] == [p.name for p in after.placed]
