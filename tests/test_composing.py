@@ -10,6 +10,7 @@ import shapely
 from benchmarks import composition_kitchen
 
 from rooms import full_problem, random_layouts
+from scenewright.cli.show import explained_document
 from scenewright.core.brief import Brief, Room
 from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
@@ -19,7 +20,9 @@ from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.groups.corner_kitchen import corner_kitchens
 from scenewright.domains.home.groups.sleeping import along_wall
+from scenewright.domains.home.household import decide_household, share_out
 from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms, solve
 from scenewright.domains.home.terms.openings import FIRST
 
@@ -155,3 +158,37 @@ def test_composing_takes_nothing_away_and_is_done_once(composed):
     assert len(after.missing) <= len(before.missing)
     again = compose(tasks[0], after)
     assert [p.name for p in again.placed] == [p.name for p in after.placed]
+
+
+def test_shoes_stand_in_one_hall_and_a_home_has_a_table():
+    from scenewright.building.plan import spaces
+
+    halls = [
+        {
+            "id": f"hall{k}",
+            "function": "hall",
+            "outline": [[x, 0], [x + 2, 0], [x + 2, 2], [x, 2]],
+            "doors": [{"at": [x + 1.0, 2.0 if k else 0.0], "width": 0.8}],
+        }
+        for k, x in ((0, 0.0), (1, 6.0))
+    ]
+    living = {"id": "living", "function": "living", "outline": [[0, 2], [4, 2], [4, 5], [0, 5]]}
+    living["doors"] = [{"at": [1.0, 2.0], "width": 0.8}]
+    brief = Brief(rooms=[Room.model_validate(room) for room in (*halls, living)])
+    household = decide_household(spaces(brief))
+    assert (household.shoes_in, household.eats_in) == ("hall0", "living")
+    shoes = (Wish("shoes", 1), Wish("coats", 2))
+    assert share_out(household, "hall0", shoes, frozenset()) == shoes
+    assert [w.group for w in share_out(household, "hall1", shoes, frozenset())] == ["coats"]
+    asked = (Wish("shoes", 0, required=True),)
+    assert share_out(household, "hall1", asked, frozenset()) == asked
+    eats = share_out(household, "living", (), frozenset(("seating",)))
+    assert [w.group for w in eats] == ["dining_wall"]
+    assert share_out(household, "living", (), frozenset(("dining",))) == ()
+
+
+def test_explain_tells_the_programme(composed):
+    _, _brief, solution = composed
+    told = explained_document(solution)["programme"]
+    assert told.endswith("m of storage.")
+    assert "\n" not in told

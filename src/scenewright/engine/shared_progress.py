@@ -63,6 +63,7 @@ class SharedProgress:
             for begun, last in zip(self.begun, self.last, strict=True)
         ]
         share = min(sum(w * d for w, d in zip(self.work, done, strict=True)), 1.0)
+        share = 1.0 if min(done, default=0.0) >= 1.0 else share  # whatever the shares add up to
         if share >= self.told + step:
             self.told = share
             self.progress(share, name)

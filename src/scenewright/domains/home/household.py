@@ -22,7 +22,7 @@ from scenewright.domains.home.programme import Wish, resolve_bedrooms
 SLEEPERS = {"double_bedroom": 2, "single_bedroom": 1, "child_bedroom": 1}
 SHARED_ROOM = 14.0  # from so many square metres on two children share a room
 LEAST_EATING = 9.0  # a room of less has no table put into it for the home's sake, square metres
-LEAST_WORKING = 13.0  # the same of a desk
+LEAST_DESK, LEAST_WORKING = 6.5, 13.0  # the same of a desk, where one sleeps alone, and elsewhere
 DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
 TABLES = frozenset(("dining", "dining_wall"))
 STORING = frozenset(
@@ -50,7 +50,7 @@ def decide_household(rooms: Sequence[Space]) -> Household:
     >>> import numpy as np
     >>> def room(name, use, w, d):
     ...     return Space(name, name, (use,), "0", np.array([[0, 0], [w, 0], [w, d], [0, d]]) * 1.0)
-    >>> home = decide_household([room("a", "bedroom", 4, 3), room("b", "bedroom", 2, 3),
+    >>> home = decide_household([room("a", "bedroom", 4, 3), room("b", "bedroom", 2.5, 3),
     ...                          room("c", "living", 5, 4), room("d", "hall", 2, 2)])
     >>> home.residents, home.eats_in, home.shoes_in, home.works_in
     (3, 'c', 'd', 'b')
@@ -73,7 +73,8 @@ def decide_household(rooms: Sequence[Space]) -> Household:
         bedrooms=sum(bed > 0 for bed in beds),
         eats_in=largest(("dining",)) or largest(("living", "kitchen"), LEAST_EATING),
         shoes_in=max(entered, key=lambda room: areas[room.id]).id if entered else "",
-        works_in=largest(("study", "single_bedroom"))
+        works_in=largest(("study",))
+        or largest(("single_bedroom",), LEAST_DESK)
         or largest(("double_bedroom", "living"), LEAST_WORKING),
         wet=tuple(room.id for room in rooms if set(WET) & set(uses[room.id])),
     )
@@ -114,8 +115,6 @@ def share_out(
         found += racks
     if room == household.eats_in and not others & TABLES:
         found.append(Wish("dining_wall", 1))
-    if room == household.works_in and not others & DESKS:
-        found.append(Wish("desk", 2))
     return tuple(found)
 
 

@@ -46,10 +46,10 @@ HOME = {
 OURS = HomeSettings()
 PRESETS: dict[str, HomePreset] = {
     "default": Preset(
-        "our terms in repaired form, every piece checked", "anneal", 12_000, HOME, OURS
+        "our terms in repaired form, every piece checked", "anneal", 7_000, HOME, OURS
     ),
-    "quick": Preset("the default with a third of the work", "anneal", 4_000, HOME, OURS),
-    "fine": Preset("the default with eight times the work", "anneal", 96_000, HOME, OURS),
+    "quick": Preset("the default with some half of the work", "anneal", 4_000, HOME, OURS),
+    "fine": Preset("the default with fourteen times the work", "anneal", 96_000, HOME, OURS),
     "paper": Preset(
         "Liu, Jiang, Mao, Wang 2017 as printed: seven costs, 40 x 100 GA, nearest case",
         "paper-ga",

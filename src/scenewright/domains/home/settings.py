@@ -67,7 +67,7 @@ class TrySettings(NamedTuple):
     first: float = 0.5
     again: float = 0.3
     fill: float = 0.2
-    layouts: int = 5
+    layouts: int = 4
     fills: int = 6
     unmet: int = 2
     roomy: int = 4
@@ -97,8 +97,9 @@ class CompositionCosts(NamedTuple):
 class ComposingSettings(NamedTuple):
     """Groups of a furnished room tried in better forms and places: ``rounds`` over all of them;
     of each group ``forms``, of each form the best ``places`` of those that are ``step`` metres
-    apart; where that mends nothing each of so many ``others``, the largest, in ``other_forms`` at
-    the best ``moved`` places before; what may be paid for something ``lacking``, and for an
+    apart; in rooms of a
+    ``few`` groups each of so many ``others``, the largest, in ``other_forms`` at the best ``moved``
+    places before; what may be paid for something ``lacking``, and for an
     ``addition`` nobody asked for; by how much the room is to cost less (``least``), and how much
     ``wider`` its ways stay on the grid, metres. ``costs`` are those of faults."""
 
@@ -108,8 +109,9 @@ class ComposingSettings(NamedTuple):
     step: float = 0.1
     least: float = 0.5
     wider: float = 0.02
+    few: int = 3
     others: int = 1
-    other_forms: int = 3
+    other_forms: int = 2
     moved: int = 3
     lacking: float = 25.0
     addition: float = 6.0

@@ -60,29 +60,23 @@ def along_walls(case: Group, ground: Ground, step: float = STEP) -> Floats:
     >>> along_walls(case, Room).round(3).tolist()[0]
     [0.5, 0.2, 1.571, 1.0, 0.4]
     """
-    rows = []
-    for x0, y0, x1, y1 in ground.walls:
-        length = float(np.hypot(x1 - x0, y1 - y0))
-        spare = length - case.width
-        if spare < -SLACK:
-            continue
-        ux, uy = (x1 - x0) / length, (y1 - y0) / length
-        count = min(max(int(np.ceil(spare / step)), 0) + 1, MOST)
-        t = np.linspace(0.0, max(spare, 0.0), count) + case.width / 2
-        out = case.depth / 2
-        heading = float(np.arctan2(ux, -uy))
-        rows.append(
-            np.column_stack(
-                [
-                    x0 + ux * t - uy * out,
-                    y0 + uy * t + ux * out,
-                    np.full(count, heading),
-                    np.full(count, case.width),
-                    np.full(count, case.depth),
-                ]
-            )
-        )
-    return np.concatenate(rows) if rows else np.empty((0, 5))
+    start, way = ground.walls[:, :2], ground.walls[:, 2:] - ground.walls[:, :2]
+    length = np.hypot(way[:, 0], way[:, 1])
+    fit = np.flatnonzero(length - case.width >= -SLACK)
+    if not len(fit):
+        return np.empty((0, 5))
+    spare = np.maximum(length[fit] - case.width, 0.0)
+    count = np.minimum(np.ceil(spare / step).astype(int) + 1, MOST)
+    wall, first = np.repeat(np.arange(len(fit)), count), np.repeat(np.cumsum(count) - count, count)
+    share = (np.arange(len(wall)) - first) / np.maximum(count - 1, 1)[wall]
+    t = share * spare[wall] + case.width / 2
+    ux, uy = (way[fit] / length[fit, None])[wall].T
+    boxes = np.empty((len(wall), 5))
+    boxes[:, 0] = start[fit[wall], 0] + ux * t - uy * case.depth / 2
+    boxes[:, 1] = start[fit[wall], 1] + uy * t + ux * case.depth / 2
+    boxes[:, 2] = np.arctan2(ux, -uy)
+    boxes[:, 3:] = case.width, case.depth
+    return boxes
 
 
 def _stands_free(

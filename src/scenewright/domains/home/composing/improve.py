@@ -27,22 +27,30 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     settings = task.preset.settings
     if not settings.exact or task.accessible or not answer.placed:
         return answer
-    judge = judge_of(task, answer.placed)
-    best = judge.cost_of(answer.placed)
-    barred = frozenset(find_blocked(with_margin(task), best.placed))
-    for _ in range(settings.composing.rounds):
+    barred = frozenset(find_blocked(with_margin(task), answer.placed))
+    placed = answer.placed
+    if _worst_first(task, placed):
+        judge = judge_of(task, placed)
+        best = _improve_all(judge, judge.cost_of(placed), barred)
+        placed = reform_kitchen(task, best, barred).placed
+    better = add_groups(task, answer._replace(placed=placed), barred)
+    return better if _count_unmet(task, better) <= _count_unmet(task, answer) else answer
+
+
+def _improve_all(judge: Judge, best: Judged, barred: frozenset[str]) -> Judged:
+    """The groups with each faulty one in a better form or place, the worst first."""
+    task, rule = judge.task, judge.task.preset.settings.composing
+    for _ in range(rule.rounds):
         before = best.cost
         for name in _worst_first(task, best.placed):
             if not task.cancelled():
                 best = _improve(judge, best, name, barred)
-        if best.cost > before - settings.composing.least:
+        if best.cost > before - rule.least:
             break
-    for name in _worst_first(task, best.placed):
+    for name in _worst_first(task, best.placed) if len(best.placed) <= rule.few else ():
         if not task.cancelled():
             best = _improve_two(judge, best, name, barred)
-    best = reform_kitchen(task, best, barred)
-    better = add_groups(task, answer._replace(placed=best.placed), barred)
-    return better if _count_unmet(task, better) <= _count_unmet(task, answer) else answer
+    return best
 
 
 def _count_unmet(task: RoomTask, answer: RoomAnswer) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from itertools import count, islice
 
 import numpy as np
@@ -13,6 +13,7 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
 from scenewright.domains.home.composing.judging import RUNS, Judge, Judged, Placed
 from scenewright.domains.home.composing.placed_faults import are_adrift
+from scenewright.domains.home.composing.stretches import Reach, longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
 from scenewright.domains.home.programme import Wish
@@ -49,7 +50,7 @@ def try_forms(
     rest = (p for i, p in enumerate(placed) if i not in (at, through))
     others = (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces))
     standing = standing_of(others, flat)
-    tried = ((case, free) for case in cases if len(free := _free(task, case, standing)))
+    tried = _with_places(task, cases, standing)
     found = []
     for case, free in islice(tried, forms):
         for box in _least_cost(judge, case, free, placed, at):
@@ -57,6 +58,19 @@ def try_forms(
             if dressed is not None:
                 found.append(judge.cost_of((*placed[:at], dressed, *placed[at + 1 :])))
     return sorted(found, key=lambda j: j.cost)
+
+
+def _with_places(
+    task: RoomTask, cases: Iterable[Group], standing: StandingObstacles
+) -> Iterator[tuple[Group, Floats]]:
+    """The cases that stand free somewhere along a wall, each with its boxes ``(n, 5)``."""
+    longest: dict[Reach, float] = {}
+    for case in cases:
+        reach = reach_of(case)
+        if reach not in longest:
+            longest[reach] = longest_stretch(task.ground, standing, reach)
+        if case.width <= longest[reach] and len(free := _free(task, case, standing)):
+            yield case, free
 
 
 def _free(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:

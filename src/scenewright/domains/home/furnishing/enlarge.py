@@ -18,7 +18,7 @@ from scenewright.catalog.kinds import SIZES
 from scenewright.core.catalog import OWN, Catalog
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.home.furnishing.furnish import too_tall
-from scenewright.domains.home.furnishing.obstacles import standing_of
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.fit import faults
 
@@ -43,13 +43,16 @@ def enlarge_pieces(
     stays as it is, and so does a model of a user's own.
     """
     found = list(placed)
+    flat = frozenset(name for name, kind in catalog.kinds.items() if kind.flat)
     for i, piece in enumerate(found):
         forms = FORMS.get(piece.category)
         if forms is None or piece.fixed or piece.asset.startswith(OWN):
             continue
-        rest = [*(p for p in found if p is not piece), *others]
+        own = piece.group if piece.category in flat else ""
+        rest = (p for p in (*found, *others) if p is not piece and (not own or p.group != own))
+        standing = standing_of(tuple(rest), flat)
         for form in forms(piece, found):
-            if _fits(form, rest, ground, height, catalog):
+            if _fits(form, standing, ground, height):
                 asset = catalog.choose(form.category, form.size)
                 found[i] = replace(form, asset=asset.id if asset else "")
                 break
@@ -98,14 +101,9 @@ FORMS: dict[str, Callable[[Piece, Sequence[Piece]], Iterator[Piece]]] = {
 """The larger forms of a piece, by category."""
 
 
-def _fits(
-    form: Piece, rest: Sequence[Piece], ground: Ground, height: float, catalog: Catalog
-) -> bool:
-    """Whether it is under the ceiling and meets nothing outside its group: a rug lies under
-    that."""
-    flat = frozenset(name for name, kind in catalog.kinds.items() if kind.flat)
-    own = form.group if form.category in flat else ""
-    standing = standing_of(tuple(p for p in rest if not own or p.group != own), flat)
+def _fits(form: Piece, standing: StandingObstacles, ground: Ground, height: float) -> bool:
+    """Whether it is under the ceiling and meets nothing that stands outside its group: a rug lies
+    under that."""
     box = np.array([[*form.pose[:2], form.pose.heading, *form.size[:2]]])
     span = np.array([[form.pose.z, form.pose.z + form.size.height]])
     zones, panes = ground.keep_free, ground.windows
