@@ -142,11 +142,15 @@ class WallSearchSettings(NamedTuple):
 
 class RearrangeSettings(NamedTuple):
     """Changes to a furnished room: layouts furnished (``layouts``); what it costs to put a group a
-    metre away from where it was (``shift``); share of the work for groups placed anew."""
+    metre away from where it was (``shift``); share of the work for groups placed anew; where a
+    group that was moved fits is looked for in so many ``nudges`` of one ``nudge``, metres, either
+    way."""
 
     layouts: int = 6
     shift: float = 10.0
     share: float = 0.5
+    nudge: float = 0.05
+    nudges: int = 12
 
 
 class VarietySettings(NamedTuple):

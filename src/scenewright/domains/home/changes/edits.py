@@ -22,11 +22,10 @@ from scenewright.core.space import Space
 from scenewright.domains.home.changes.belonging import moved_in, restore_supports
 from scenewright.domains.home.changes.destination import Frame, check_along, room_at
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.settings import RearrangeSettings
 
 MOST = 6  # names listed in a message
 LIGHT = "light"  # the function of lamps and curtains, which follow the rest
-NUDGE = 0.05  # step of the search for where a swapped group fits, metres
-NUDGES = 12
 
 
 class Shift(NamedTuple):
@@ -188,11 +187,12 @@ def _check_may_leave(piece: Piece) -> None:
         )
 
 
-def near_poses(frame: Frame) -> list[Frame]:
+def near_poses(frame: Frame, rule: RearrangeSettings) -> list[Frame]:
     """Places near a pose, the nearest first, along its own axes."""
     x, y, h = frame
-    steps = range(-NUDGES, NUDGES + 1)
+    steps = range(-rule.nudges, rule.nudges + 1)
     offsets = sorted(
-        ((i * NUDGE, k * NUDGE) for i in steps for k in range(NUDGES + 1)), key=lambda o: hypot(*o)
+        ((i * rule.nudge, k * rule.nudge) for i in steps for k in range(rule.nudges + 1)),
+        key=lambda o: hypot(*o),
     )
     return [(x + a * sin(h) + b * cos(h), y - a * cos(h) + b * sin(h), h) for a, b in offsets]

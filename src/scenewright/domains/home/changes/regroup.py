@@ -167,7 +167,7 @@ def settle_group(
     main = next((p for p in pieces if leads(p)), pieces[0])
     start = (main.pose.x, main.pose.y, main.pose.heading)
     best, least = tuple(pieces), float("inf")
-    for end in near_poses(start):
+    for end in near_poses(start, task.preset.settings.rearrange):
         there = carry_pieces(pieces, start, end)
         wrong = find_misplaced(task, there, standing)
         worth = sum(len(pieces) if leads(p) else 1 for p in there if p.id in wrong)
