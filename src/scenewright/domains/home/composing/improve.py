@@ -11,11 +11,10 @@ from __future__ import annotations
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.forms import list_forms
-from scenewright.domains.home.composing.judging import Judge, Judged, Placed, judge_of
+from scenewright.domains.home.composing.judging import Judge, Judged, Placed, count_unmet, judge_of
 from scenewright.domains.home.composing.kitchens import reform_kitchen
 from scenewright.domains.home.composing.moving import take_best, try_forms, with_margin
 from scenewright.domains.home.composing.placed_faults import cost_of_group, cost_of_shelves
-from scenewright.domains.home.wished.unmet import count_unmet_wishes
 
 
 def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
@@ -34,7 +33,9 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         best = _improve_all(judge, judge.cost_of(placed), barred)
         placed = reform_kitchen(task, best, barred).placed
     better = add_groups(task, answer._replace(placed=placed), barred)
-    return better if _count_unmet(task, better) <= _count_unmet(task, answer) else answer
+    return (
+        better if count_unmet(task, better.placed) <= count_unmet(task, answer.placed) else answer
+    )
 
 
 def _improve_all(judge: Judge, best: Judged, barred: frozenset[str]) -> Judged:
@@ -47,24 +48,20 @@ def _improve_all(judge: Judge, best: Judged, barred: frozenset[str]) -> Judged:
                 best = _improve(judge, best, name, barred)
         if best.cost > before - rule.least:
             break
-    for name in _worst_first(task, best.placed) if len(best.placed) <= rule.few else ():
+    pairs = len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0
+    for name in _worst_first(task, best.placed) if pairs else ():
         if not task.cancelled():
             best = _improve_two(judge, best, name, barred)
     return best
 
 
-def _count_unmet(task: RoomTask, answer: RoomAnswer) -> int:
-    """The wishes for places that an answer does not meet."""
-    standing = (*task.fixed, *(p for item in answer.placed for p in item.pieces))
-    return count_unmet_wishes(task.asked, task.space, standing, task.catalog)
-
-
 def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
-    """The names of groups with a fault, the costliest first."""
+    """The names of groups with a fault, the costliest first; of all where a wish is not met."""
     rule = task.preset.settings.composing
     short = cost_of_shelves(placed, task.ground, rule.costs.shelves)
+    unmet = float(count_unmet(task, placed) > 0)
     costs = {
-        p.name: cost_of_group(p, task.ground, rule) + short * (p.wish.group == "storage")
+        p.name: cost_of_group(p, task.ground, rule) + short * (p.wish.group == "storage") + unmet
         for p in placed
         if p.wish.group not in task.library.own
     }

@@ -11,6 +11,7 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_tas
 from scenewright.domains.home.composing.placed_faults import cost_of_group, cost_of_shelves
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
 from scenewright.domains.home.terms.assemble import PreparedHome
+from scenewright.domains.home.wished.unmet import count_unmet_wishes
 from scenewright.geometry.paths import RouteGrid
 
 Floats = NDArray[np.float64]
@@ -47,7 +48,16 @@ class Judge(NamedTuple):
         each = sum(cost_of_group(p, task.ground, rule) for p in placed)
         lost = task.costs.piece * sum(p.dressed.lost for p in placed)
         shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
-        return Judged(placed, task.costs.energy * energy + each + lost + shelves)
+        unmet = task.costs.unmet * count_unmet(task, placed)
+        return Judged(placed, task.costs.energy * energy + each + lost + shelves + unmet)
+
+
+def count_unmet(task: RoomTask, placed: Placed) -> int:
+    """The wishes for places, and the outlets, that groups as they stand do not meet."""
+    if not task.space.outlets and not (task.asked and task.asked.wishes):
+        return 0
+    standing = (*task.fixed, *(p for item in placed for p in item.pieces))
+    return count_unmet_wishes(task.asked, task.space, standing, task.catalog)
 
 
 def judge_of(task: RoomTask, placed: Placed) -> Judge:
