@@ -14,7 +14,10 @@ DEFAULTS = {
     HALL: "test_hall_as_printed",
     HOME: "test_home_as_printed",
     SITE: "test_site_as_printed",
+    "extend": "test_extend_printed",
 }
+PACKAGES = {"extension": "extend"}
+"""Domains that are not named by the heading of their page."""
 SHARED = ("engine/", "geometry/")
 NUMBERED = {
     HALL: [f"eq. {number}" for number in range(1, 10)],
@@ -37,7 +40,8 @@ def lines_of(page: str) -> list[Line]:
     found, domain = [], ""
     for line in page.splitlines():
         if line.startswith("## "):
-            domain = line.removeprefix("## ").lower().removesuffix("s")
+            heading = line.removeprefix("## ").lower().removesuffix("s")
+            domain = PACKAGES.get(heading, heading)
         cells = [cell.strip() for cell in line.strip("|").split("|")]
         code = [re.fullmatch(r"`([^`]+)`", cell) for cell in cells[1:3]]
         if len(cells) >= 3 and all(code):
