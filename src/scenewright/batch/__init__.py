@@ -47,6 +47,7 @@ def batch(
     accessible: bool = False,
     scale: float = 1.0,
     hidden_levels: bool = False,
+    style: str = "",
     memory: float = MEMORY,
     limit: float = TIME,
     progress: Told | None = None,
@@ -76,6 +77,7 @@ def batch(
         scale,
         hidden_levels,
         accessible,
+        style,
     )
     limits = _check_limits(Limits(jobs or os.cpu_count() or 1, memory, limit), options)
     with recorded_run() as run:

@@ -43,6 +43,7 @@ class BatchOptions(NamedTuple):
     scale: float = 1.0
     hidden_levels: bool = False
     accessible: bool = False
+    style: str = ""
 
 
 class Job(NamedTuple):
@@ -143,7 +144,10 @@ def _key(source: str, options: BatchOptions, stamps: Look) -> str:
     """A digest of a file's content, of names, times and sizes of the catalogues it names, of the
     options and the version; a file that cannot be read has that of nothing."""
     beside = [
-        stamps(path) for path in list_dependencies(source, (*options.catalogs, *options.groups))
+        stamps(path)
+        for path in list_dependencies(
+            source, (*options.catalogs, *options.groups, *filter(None, [options.style]))
+        )
     ]
     digest = hashlib.blake2b(repr((__version__, options, beside)).encode(), digest_size=16)
     try:

@@ -91,6 +91,7 @@ def run(
             accessible=request.accessible,
             scale=request.scale,
             hidden_levels=request.hidden_levels,
+            style=request.style,
             memory=MEMORY if terms.memory is None else terms.memory,
             limit=TIME if terms.limit is None else terms.limit,
             progress=watch.on_row,
