@@ -32,6 +32,7 @@ from scenewright.workflow.evolution.population import BreedingPlan
 from scenewright.workflow.evolve import Evolution, evolve, resume_evolution
 
 SAMPLES = {"home": "home-child", "hall": "hall-irregular", "site": "site-courtyards"}
+KINDS = {**SAMPLES, "village": "village-hamlet"}
 HOME = "sample:home-child"
 FEW = BreedingPlan(first=13, each=5, rounds=1, brood=8)
 
@@ -51,7 +52,7 @@ def play(evolution: Evolution, screens: int) -> list[tuple[int, ...]]:
     return found
 
 
-@pytest.mark.parametrize("name", SAMPLES.values(), ids=SAMPLES)
+@pytest.mark.parametrize("name", KINDS.values(), ids=KINDS)
 def test_every_domain_is_evolved_by_the_same_words(name: str, tmp_path: Path) -> None:
     with evolve(f"sample:{name}", tmp_path / "log", breeding=FEW) as evolution:
         first = evolution.ask()
@@ -92,6 +93,23 @@ def test_genes_and_features_keep_the_contract(name: str) -> None:
     assert domain_of(brief.domain).has("breeder")
 
 
+def test_the_best_so_far_is_told_and_changes_nothing(tmp_path: Path) -> None:
+    """What is bred for the next screen can be looked at before it is asked for."""
+    with (
+        evolve(HOME, tmp_path / "one", breeding=FEW) as one,
+        evolve(HOME, tmp_path / "other", breeding=FEW) as other,
+    ):
+        assert one.best_so_far() is None
+        assert play(one, 1) == play(other, 1)
+        while not one.ready():
+            time.sleep(0.01)
+        best = one.best_so_far()
+        assert best is not None
+        assert best.predicted is not None
+        assert numbers(one.ask()) == numbers(other.ask())
+        assert one.solution_of(best.number).pieces == best.solution.pieces
+
+
 def test_the_same_words_lead_to_the_same_screens(tmp_path: Path) -> None:
     with (
         evolve(HOME, tmp_path / "one", breeding=FEW) as one,
@@ -105,12 +123,14 @@ def test_the_same_words_lead_to_the_same_screens(tmp_path: Path) -> None:
         assert values != [again.ask().candidates[0].figures()]
 
 
-def test_a_resumed_evolution_goes_on_as_if_never_ended(tmp_path: Path) -> None:
-    with evolve(HOME, tmp_path / "whole", breeding=FEW) as whole:
+@pytest.mark.parametrize("name", ["home-child", "site-courtyards"])
+def test_a_resumed_evolution_goes_on_as_if_never_ended(name: str, tmp_path: Path) -> None:
+    source = f"sample:{name}"
+    with evolve(source, tmp_path / "whole", breeding=FEW) as whole:
         expected = play(whole, 4)
         events = whole.events
     for k in range(4):
-        with evolve(HOME, tmp_path / "parts", breeding=FEW) as part:
+        with evolve(source, tmp_path / "parts", breeding=FEW) as part:
             assert play(part, 1) == [expected[k]]
     with resume_evolution(tmp_path / "parts") as last:
         assert last.events == events

@@ -22,15 +22,21 @@ PARTS = 6
 
 
 class Batch(NamedTuple):
-    """Candidates being bred for a ``screen`` of an ``epoch``, in order."""
+    """Candidates being bred for a ``screen`` of an ``epoch``: the ``genomes`` once they are
+    chosen, and what they develop into, in order."""
 
     epoch: str
     screen: int
+    genomes: Future[list[Genome]]
     parts: tuple[Future[list[Developed]], ...]
 
     def ready(self) -> bool:
         """Whether all are bred."""
         return all(part.done() for part in self.parts)
+
+    def size(self) -> int:
+        """How many candidates it has; 0 while they are being chosen."""
+        return len(self.genomes.result()) if self.genomes.done() else 0
 
 
 class Nursery:
@@ -58,11 +64,21 @@ class Nursery:
         parts = tuple(
             self._pool.submit(_develop_part, ground, genomes, part) for part in range(PARTS)
         )
-        self.batch = Batch(epoch, screen, parts)
+        self.batch = Batch(epoch, screen, genomes, parts)
 
     def is_breeding(self, epoch: str, screen: int) -> bool:
         """Whether the batch is for this screen of this epoch."""
         return self.batch is not None and self.batch[:2] == (epoch, screen)
+
+    def peek(self) -> list[tuple[int, Developed]]:
+        """What is bred so far of the batch, each with its place in it."""
+        found, parts = [], self.batch.parts if self.batch else ()
+        done = [k for k, part in enumerate(parts) if part.done() and not part.cancelled()]
+        for k in done:
+            count = self.batch.size() if self.batch else 0
+            first = count * k // len(parts)
+            found += [(first + n, one) for n, one in enumerate(parts[k].result())]
+        return found
 
     def collect(self, progress: Told | None) -> list[Developed]:
         """What was bred, when all is; ``progress`` hears how much is."""

@@ -74,6 +74,7 @@ class Evolution:
         self._mix, self._breeding = mix or ScreenMix(), breeding or BreedingPlan()
         self._others = tuple(start)
         self._names: tuple[str, ...] = ()
+        self._learned: tuple[tuple[Event, ...], PersonTaste] | None = None
         self._archive = CandidateArchive(log, self._breeding.first)
         self._history = read_history(log.entries())
         self._nursery = Nursery(
@@ -136,6 +137,20 @@ class Evolution:
     def ready(self) -> bool:
         """Whether the next screen can be shown at once."""
         return self._nursery.batch is not None and self._nursery.batch.ready()
+
+    def best_so_far(self) -> ShownCandidate | None:
+        """The predicted best of the candidates that are bred so far for the next screen, under the
+        number it will have; none while there is nothing to tell. Looking changes nothing."""
+        batch, taste = self._nursery.batch, self.taste
+        known = taste.posterior is not None or bool(taste.start.any())
+        found = [(place, *one) for place, one in self._nursery.peek() if one[0].valid]
+        if batch is None or not found or not known:
+            return None
+        mean, deviation = judge_each(taste, np.array([bred.values for _, bred, _ in found]))
+        best = int(np.argmax(mean))
+        number, plan = len(self._archive.bred) + found[best][0], self._nursery.ground(batch.epoch)
+        predicted = float(mean[best]), float(deviation[best])
+        return ShownCandidate(number, found[best][2], plan.plan, *predicted)
 
     def ask(self, progress: Told | None = None) -> Screen:
         """The next screen: the champion, the predicted best, draws and the farthest. ``progress``
@@ -245,11 +260,15 @@ class Evolution:
     def _learn(self, events: Sequence[Event]) -> PersonTaste:
         if not self._archive.bred:
             return PersonTaste(FeatureScale((), np.zeros(0), np.ones(0)), None, np.zeros(0))
+        if self._learned is not None and self._learned[0] == events:
+            return self._learned[1]
         if not self._names:
             self._names = tuple(domains.features_of(self.solution_of(0), self.plan))
         start = start_from(self._others, self._names) if self._others else None
         scale = self._archive.scale(self._names)
-        return learn_taste(scale, events, self._archive.values(), self.reasons, start)
+        taste = learn_taste(scale, events, self._archive.values(), self.reasons, start)
+        self._learned = tuple(events), taste
+        return taste
 
     def _show(
         self, numbers: Sequence[int], taste: PersonTaste | None = None
