@@ -110,7 +110,7 @@ def _fill(
     block: RealBlock, houses: Sequence[Any], style: Style, method: str, seed: int, steps: int
 ) -> Any:
     problem = problem_of_block(block, houses, style, VillageSettings())
-    if method.startswith("annealing"):
+    if method in MOVES:
         counted = problem._replace(asked=len(block.houses))
         picked = choose_houses(counted, np.random.default_rng(seed))
         return anneal_block(block, [houses[k] for k in picked], seed, steps)
