@@ -18,5 +18,5 @@ class GrowthSettings(NamedTuple):
     noise: float = 0.12
     patches: int = 24
     slack: float = 0.02
-    polish: int = 40
+    polish: int = 30
     relaxed: bool = True
