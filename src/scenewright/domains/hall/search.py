@@ -118,9 +118,10 @@ def _answer(fitted: Fitted, found: HallFound) -> Answer:
 
 def _suffices(answers: list[Answer], rule: SearchSettings) -> bool:
     """Whether no further attempt is made: nothing is wrong, and it is not crowded or was tried
-    twice."""
+    twice, three times where it is ten times as crowded."""
     last = answers[-1]
-    return last.wrong == 0.0 and (last.crowding <= rule.crowded or len(answers) > 1)
+    again = 1 if last.crowding <= 10.0 * rule.crowded else 2
+    return last.wrong == 0.0 and (last.crowding <= rule.crowded or len(answers) > again)
 
 
 def measure_crowding(problem: HallProblem, layout: MeasuredLayout) -> float:
