@@ -20,7 +20,7 @@ import scenewright as sw
 from scenewright.domains import problems
 from scenewright.domains.extend.printed import PlotGrid, allele_values, fitness
 from scenewright.domains.extend.solvers.colony import (
-    Bred,
+    BredPlots,
     ColonySettings,
     anneal_plots,
     breed,
@@ -38,7 +38,7 @@ USUAL = (1000, 5)
 """Evaluations and seeds unless ``full``."""
 GENERATIONS, POPULATION = 30, 8
 NEAR = 0.9
-SEARCHES: dict[str, Callable[..., Bred]] = {
+SEARCHES: dict[str, Callable[..., BredPlots]] = {
     "ants, printed": partial(run_ants, settings=PRINTED),
     "ants, elite deposit": partial(run_ants, settings=REPAIRED),
     "breeding, printed": partial(breed, settings=PRINTED),

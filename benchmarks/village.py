@@ -22,7 +22,7 @@ from benchmarks.village_data import SPLITS, split
 from benchmarks.village_foretelling import location_figures, tell_locations, tell_more
 from benchmarks.village_metrics import BlockFigures, classifier_auc, divergences, figures
 from scenewright.domains.village.grow import choose_houses
-from scenewright.domains.village.learned.style import SHIPPED, Style, read_style
+from scenewright.domains.village.learned.style import SHIPPED, VillageStyle, read_style
 from scenewright.domains.village.learning.examples import problem_of_block
 from scenewright.domains.village.learning.real_blocks import library_of
 from scenewright.domains.village.learning.tables import RealBlock
@@ -80,7 +80,7 @@ def path_of_style(name: str) -> Path:
     return SHIPPED if name == "A" else STYLES / f"village_{name}.npz"
 
 
-def style_of_split(name: str) -> Style:
+def style_of_split(name: str) -> VillageStyle:
     """The style of a split."""
     return read_style(path_of_style(name))
 
@@ -107,7 +107,7 @@ def fill_split(
 
 
 def _fill(
-    block: RealBlock, houses: Sequence[Any], style: Style, method: str, seed: int, steps: int
+    block: RealBlock, houses: Sequence[Any], style: VillageStyle, method: str, seed: int, steps: int
 ) -> Any:
     problem = problem_of_block(block, houses, style, VillageSettings())
     if method in MOVES:

@@ -12,7 +12,7 @@ import numpy as np
 from benchmarks.village_location import Foretold, Scoring, foretell_blocks
 from scenewright.domains.village.learned.more import odds_of_figures
 from scenewright.domains.village.learned.pose_net import score_poses
-from scenewright.domains.village.learned.style import Style
+from scenewright.domains.village.learned.style import VillageStyle
 from scenewright.domains.village.learned.tokens import PoseTokens
 from scenewright.domains.village.learning.examples import Turn, examples_of
 from scenewright.domains.village.learning.more_training import states_of
@@ -25,7 +25,7 @@ FALSE = 12
 """Proposals beside each real pose that boosting learns from."""
 
 
-def methods_of(style: Style, train: Sequence[RealBlock], seed: int) -> dict[str, Scoring]:
+def methods_of(style: VillageStyle, train: Sequence[RealBlock], seed: int) -> dict[str, Scoring]:
     """Methods by name; boosting only where scikit-learn is installed."""
     found: dict[str, Scoring] = {
         "net": lambda _turn, tokens: score_poses(style.poses, tokens),
@@ -36,7 +36,7 @@ def methods_of(style: Style, train: Sequence[RealBlock], seed: int) -> dict[str,
     return found if boosted is None else {"boosting": boosted, **found}
 
 
-def boost(style: Style, train: Sequence[RealBlock], seed: int) -> Scoring | None:
+def boost(style: VillageStyle, train: Sequence[RealBlock], seed: int) -> Scoring | None:
     """Gradient boosting (scikit-learn's by histograms, after Ke and others 2017) that tells real
     poses from proposals by the same figures; its log odds weigh poses."""
     try:
@@ -66,7 +66,11 @@ def flat(tokens: PoseTokens) -> Floats:
 
 
 def tell_locations(
-    style: Style, train: Sequence[RealBlock], test: Sequence[RealBlock], houses: int, seed: int
+    style: VillageStyle,
+    train: Sequence[RealBlock],
+    test: Sequence[RealBlock],
+    houses: int,
+    seed: int,
 ) -> dict[str, list[Foretold]]:
     """What each method foretells of so many held-out houses."""
     methods = methods_of(style, train, seed)
@@ -74,7 +78,7 @@ def tell_locations(
     return dict(zip(methods, found, strict=True))
 
 
-def tell_more(style: Style, test: Sequence[RealBlock], seed: int) -> tuple[float, float]:
+def tell_more(style: VillageStyle, test: Sequence[RealBlock], seed: int) -> tuple[float, float]:
     """How well full held-out blocks are told from those that lack half their houses (area under
     the curve): by the law, and by the number of houses alone."""
     rows, label = states_of(test, style.manner, seed, 2)

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from scenewright.domains.village.learned.style import Style
+from scenewright.domains.village.learned.style import VillageStyle
 from scenewright.domains.village.learned.tokens import PoseTokens, tokens_of
 from scenewright.domains.village.learning.examples import Turn, problem_of_block, turns_of
 from scenewright.domains.village.learning.tables import RealBlock
@@ -114,7 +114,7 @@ def _peaks(found: Sampled, odds: Floats) -> Floats:
 
 def foretell_blocks(
     blocks: Sequence[RealBlock],
-    style: Style,
+    style: VillageStyle,
     methods: Sequence[Scoring],
     houses: int,
     seed: int = 3,

@@ -15,7 +15,7 @@ import shapely
 from scenewright.cli.commands import run
 from scenewright.domains.village.learned.pose_net import score_poses
 from scenewright.domains.village.learned.style import bare_style, read_style
-from scenewright.domains.village.learning.checkpoint import (
+from scenewright.domains.village.learning.interrupted_run import (
     checkpoint_path,
     resume_training,
     save_training,

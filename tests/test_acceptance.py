@@ -58,7 +58,7 @@ def test_it_is_kept_in_brief_and_solution(tmp_path: Path, capsys: pytest.Capture
     path = tmp_path / "home.json"
     path.write_text(solution_json.dumps(twice))
     document = json.loads(path.read_text())
-    kinds = sorted({found.kind for found in check(twice).findings if found.blamed})
+    kinds = sorted({found.kind for found in check(twice).findings if found.is_blamed})
     document["brief"]["accepted"] = [{"kind": kind, "reason": REASON} for kind in kinds]
     path.write_text(json.dumps(document))
     assert check(read_solution(path)).valid

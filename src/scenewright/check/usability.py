@@ -145,7 +145,7 @@ def mark_cells(grid: FloorGrid, shape: Shape) -> tuple[Window, Flags]:
 def _count_sides(bodies: Bodies, ground: JoinedFloor, grid: FloorGrid) -> SideCount:
     """How clear the sides are that pieces of a floor are used from."""
     sides, clear, share = 0, 0, 0.0
-    for row in _used(bodies, ground):
+    for row in _find_used(bodies, ground):
         for strip in before_sides(bodies, row, BEFORE):
             window, inside = mark_cells(grid, strip)
             # beyond the raster there is no floor
@@ -167,7 +167,7 @@ def _find_narrowest(bodies: Bodies, rooms: Rooms, ground: JoinedFloor, grid: Flo
         parts = label_parts(grid.open_)
         starts = parts == np.bincount(parts[parts >= 0], minlength=1).argmax()
     goals = [mark_cells(grid, rooms.shapes[room]) for room in ground.rooms]
-    for row in _used(bodies, ground):
+    for row in _find_used(bodies, ground):
         goals.append(mark_cells(grid, shapely.union_all(before_sides(bodies, row, STANDING))))
     most = round(WIDE / grid.cell)
     widths = measure_widths(grid.open_, most)
@@ -182,7 +182,7 @@ def _find_narrowest(bodies: Bodies, rooms: Rooms, ground: JoinedFloor, grid: Flo
     return low * grid.cell
 
 
-def _used(bodies: Bodies, ground: JoinedFloor) -> list[int]:
+def _find_used(bodies: Bodies, ground: JoinedFloor) -> list[int]:
     """Rows of the pieces of a floor that are used from a side, seats left out: they are pushed to
     where one sits."""
     here = np.flatnonzero(standing_in(bodies, ground.rooms) & ~bodies.seat)

@@ -42,7 +42,7 @@ def fold(
     elif suffix and Path(source).exists():
         rows = model_rows(Path(source), "xyz".index(axis), to, output)
     else:
-        rows = [_row("string", _parsed(source), to)]
+        rows = [_row("string", _parse_string(source), to)]
     if output is not None and suffix in SCENES:
         raise InputError("only models are written", "give a .glb or .obj", file=str(output))
     if as_json:
@@ -55,7 +55,7 @@ def fold(
     return 0
 
 
-def _parsed(text: str) -> tuple[str, ...]:
+def _parse_string(text: str) -> tuple[str, ...]:
     from scenewright.geometry.folding import parse, unfold
 
     try:

@@ -9,7 +9,6 @@ import typer
 
 from scenewright.cli import tables, terminal
 from scenewright.cli.progress import watching
-from scenewright.core.errors import InputError
 
 
 def learn(
@@ -49,8 +48,6 @@ def learn(
         "look": look,
         "licence": licence,
     }
-    if domain != "village":
-        raise InputError(f"styles of {domain!r} cannot be learned", "give village")
     with watching(terminal.console(stderr=True, quiet=quiet or as_json), quiet) as watch:
         learned = learn_style(
             domain,

@@ -70,7 +70,7 @@ class Finding:
     accepted: str = ""
 
     @property
-    def blamed(self) -> bool:
+    def is_blamed(self) -> bool:
         """Whether the answer is to blame: it neither came with the brief nor was accepted."""
         return not self.given and not self.accepted
 
@@ -103,7 +103,7 @@ class Report:
     @property
     def valid(self) -> bool:
         """Whether nothing but what came with the brief or was accepted violates a rule."""
-        return not any(found.blamed for found in self.findings)
+        return not any(found.is_blamed for found in self.findings)
 
     def of(self, kind: str) -> tuple[Finding, ...]:
         """The findings of one kind."""
@@ -128,7 +128,7 @@ class Report:
         >>> str(Report((Finding("collision", "0", "a", "sofa", "tv", "they overlap"),)))
         'not valid: 1 collision'
         """
-        blamed = Counter(found.kind for found in self.findings if found.blamed)
+        blamed = Counter(found.kind for found in self.findings if found.is_blamed)
         counted = ", ".join(f"{blamed[k]} {k.replace('_', ' ')}" for k in KINDS if blamed[k])
         accepted = sum(bool(found.accepted) for found in self.findings)
         given = len(self.findings) - blamed.total() - accepted

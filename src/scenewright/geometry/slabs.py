@@ -109,10 +109,10 @@ def grow_slabs(mesh: Mesh, slabs: ModelSlabs, first: int, last: int, times: int)
         copy[:, axis] += k * thick
         vertices.append(copy)
         faces.append(mesh.faces[inside] + count * (k + 1))
-    return _used(np.concatenate(vertices), np.concatenate(faces))
+    return _keep_used(np.concatenate(vertices), np.concatenate(faces))
 
 
-def _used(vertices: Floats, faces: NDArray[np.int64]) -> Mesh:
+def _keep_used(vertices: Floats, faces: NDArray[np.int64]) -> Mesh:
     """Only the vertices that faces use."""
     used, inverse = np.unique(faces, return_inverse=True)
     return Mesh(vertices[used], inverse.reshape(-1, 3))

@@ -52,11 +52,11 @@ def _of_plan(plan: SitePlan, works: GroundWorks) -> Iterator[GroundSurface]:
     lanes = shapely.intersection(_lanes(driven), floor, grid_size=GRID)
     shapely.prepare(lanes)
     ways = shapely.union(roads, paths)
-    drives = shapely.difference(paved(works.pathways, "lane"), ways)
+    drives = shapely.difference(pave(works.pathways, "lane"), ways)
     squares = shapely.difference(_paved_areas(works, "square", "forecourt"), ways)
     lots = shapely.difference(_paved_areas(works, "parking"), ways)
     hard = shapely.union_all([ways, drives, squares, lots])
-    strips = shapely.difference(paved(works.pathways, "walk"), hard)
+    strips = shapely.difference(pave(works.pathways, "walk"), hard)
     courts = shapely.difference(_paved_areas(works, "court"), shapely.union(hard, strips))
     drives = shapely.difference(drives, shapely.union(squares, lots))
     found = {
@@ -76,11 +76,11 @@ def _of_plan(plan: SitePlan, works: GroundWorks) -> Iterator[GroundSurface]:
             yield GroundSurface(f"{kind} of {plan.id}", plan.id, kind, areas, -0.01, HEIGHTS[kind])
 
 
-def paved(pathways: Sequence[Pathway], kind: str) -> shapely.Geometry:
+def pave(pathways: Sequence[Pathway], kind: str) -> shapely.Geometry:
     """The ground that ways of a kind cover, with round bends. The ends of lanes are round too:
     there is room for a disc of their width.
 
-    >>> round(paved([Pathway("walk", 2.0, ((0, 0), (10, 0)))], "walk").area)
+    >>> round(pave([Pathway("walk", 2.0, ((0, 0), (10, 0)))], "walk").area)
     20
     """
     rows = [row for row in pathways if row.kind == kind]

@@ -160,7 +160,7 @@ def _ground(
     seen = gates(hall.space)
     doors = [gate for gate in seen if gate.opening.kind != "window"]
     solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
-    locked = _locked(hall, catalog)
+    locked = _find_locked(hall, catalog)
     return HallGround(
         edges=edges_of(hall.space),
         obstacles=_rows([box for piece in solid for box in boxes_of(piece)], 5),
@@ -186,7 +186,7 @@ def _ground(
     )
 
 
-def _locked(hall: HallContext, catalog: Catalog) -> list[tuple[Piece, tuple[str, ...]]]:
+def _find_locked(hall: HallContext, catalog: Catalog) -> list[tuple[Piece, tuple[str, ...]]]:
     """Locked objects of groups that one walks up to, and the sides they are used from."""
     found: list[tuple[Piece, tuple[str, ...]]] = []
     for piece in hall.fixed:

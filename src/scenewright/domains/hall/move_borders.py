@@ -104,7 +104,7 @@ def _shift(
     most = min(slack[k] for k in line.zones)
     side = 1.0 if _fuller(now, line) < 0.0 else -1.0
     for share in search.preset.settings.borders.steps if most > 0.0 else ():
-        tried = _shifted(search, now, line, side * share * most)
+        tried = _shift_line(search, now, line, side * share * most)
         if tried:
             return min(tried, key=_energy)
     return None
@@ -128,7 +128,7 @@ def _name(now: ShiftedHall, line: BorderLine) -> str:
     return " | ".join(sides)
 
 
-def _shifted(
+def _shift_line(
     search: HallSearch, now: ShiftedHall, line: BorderLine, metres: float
 ) -> list[ShiftedHall]:
     """The same layout where a line lies so far to its left, and with the groups on the side that
@@ -150,13 +150,13 @@ def _shifted(
     weights = search.preset.weights
     problem = build_problem(there, search.wishes, units, hosts, weights, search.catalog)
     start = kept._replace(walls=_within(kept.walls, hosts))
-    starts = (start, _carried(start, problem.units.zones, line, metres))
+    starts = (start, _carry(start, problem.units.zones, line, metres))
     fitted = (Fitted(units, hosts, problem, one) for one in starts)
-    measured = (_measured(there, one, now, _name(now, line), metres) for one in fitted)
+    measured = (_measure_shifted(there, one, now, _name(now, line), metres) for one in fitted)
     return [one for one in measured if one is not None]
 
 
-def _carried(start: Kept, zones: Ints, line: BorderLine, metres: float) -> Kept:
+def _carry(start: Kept, zones: Ints, line: BorderLine, metres: float) -> Kept:
     """A layout whose free groups on the side that a line moves into move with it."""
     side = line.left if metres > 0.0 else line.right
     moving = np.isin(zones, list(side)) & (start.rows[:, 0] != WALL)
@@ -165,7 +165,7 @@ def _carried(start: Kept, zones: Ints, line: BorderLine, metres: float) -> Kept:
     return start._replace(pose=pose)
 
 
-def _measured(
+def _measure_shifted(
     hall: HallContext, fitted: Fitted, now: ShiftedHall, name: str, metres: float
 ) -> ShiftedHall | None:
     """A shifted hall with its layout measured; None where it breaks a rule."""

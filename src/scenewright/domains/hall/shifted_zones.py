@@ -112,7 +112,7 @@ def shift_zones(
     [4.5, 10.5]
     """
     shapes = [_shape(zone) for zone in zones]
-    for low, high, left, right in _widened(line):
+    for low, high, left, right in _widen(line):
         strip = _strip(line, (low, high), metres)
         winner = right if metres > 0.0 else left
         for loser in line.left if metres > 0.0 else line.right:
@@ -128,7 +128,7 @@ def shift_zones(
     return moved if _fill_alike(zones, moved, space) else None
 
 
-def _widened(line: BorderLine) -> list[tuple[float, float, int, int]]:
+def _widen(line: BorderLine) -> list[tuple[float, float, int, int]]:
     """The pieces of a line, the first and the last drawn out beyond its ends."""
     found = list(line.pieces)
     found[0] = (found[0][0] - FAR, *found[0][1:])

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from scenewright.core.footprint import Footprint
 from scenewright.core.space import Points
 from scenewright.domains.village.house import House
-from scenewright.domains.village.learned.style import Style
+from scenewright.domains.village.learned.style import VillageStyle
 from scenewright.ground.plan import SitePlan, Way
 
 
@@ -48,4 +48,4 @@ class VillagePlan(NamedTuple):
     lanes: tuple[Way, ...]
     houses: tuple[House, ...]
     look: str
-    style: Style
+    style: VillageStyle

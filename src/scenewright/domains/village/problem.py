@@ -8,7 +8,7 @@ import shapely
 
 from scenewright.core.space import Points
 from scenewright.domains.village.house import House
-from scenewright.domains.village.learned.style import Style
+from scenewright.domains.village.learned.style import VillageStyle
 from scenewright.domains.village.settings import VillageSettings
 from scenewright.domains.village.standing import Floats, Indices, StandingHouses
 from scenewright.engine.solve import Found
@@ -31,7 +31,7 @@ class VillageProblem(NamedTuple):
     coverage: float | None
     sizes: tuple[float, float, float]
     settings: VillageSettings
-    style: Style
+    style: VillageStyle
     kept_free: shapely.Polygon
 
 

@@ -27,7 +27,7 @@ class CandidateArchive:
         self._solutions: dict[int, Solution] = {}
         self._unwritten: list[int] = []
         self._documents: set[int] = set()
-        for number, epoch, body in log.bred():
+        for number, epoch, body in log.read_candidates():
             self.bred[number], self.epochs[number] = bred_of(body), epoch
 
     def add(self, found: Sequence[tuple[BredLayout, Solution]], epoch: str) -> list[int]:

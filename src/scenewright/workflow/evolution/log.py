@@ -97,7 +97,7 @@ class EvolutionLog:
             rows = self._base.execute("SELECT number, kind, body FROM entry ORDER BY number")
             return [Entry(number, kind, json.loads(body)) for number, kind, body in rows]
 
-    def bred(self) -> list[tuple[int, str, dict[str, Any]]]:
+    def read_candidates(self) -> list[tuple[int, str, dict[str, Any]]]:
         """All candidates in order."""
         with self._report_faults():
             rows = self._base.execute("SELECT number, epoch, body FROM bred ORDER BY number")

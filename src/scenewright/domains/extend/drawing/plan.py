@@ -147,7 +147,7 @@ def _figures(heading: str, found: dict[str, Any]) -> list[LegendRow]:
 def _summary(plan: ExtendPlan, houses: Sequence[Piece], report: Report) -> str:
     area = sum(one.outline.area for one in plan.areas)
     old = sum(piece.space == OLD for piece in houses)
-    faults = sum(found.blamed for found in report.findings)
+    faults = sum(found.is_blamed for found in report.findings)
     told = [f"{area / 1e4:.2f} ha", f"{len(houses) - old} new buildings", f"{old} old"]
     told += [f"{faults} violation{'s' * (faults != 1)}"] if faults else []
     return " · ".join(["Extension plan", *told])

@@ -30,7 +30,7 @@ SLIDE = 3.0
 """Metres a row or a building slides at most, as a standard deviation."""
 
 
-class Undo(NamedTuple):
+class UndoneMove(NamedTuple):
     """What takes a move back: buildings that were elsewhere, that were removed and added."""
 
     moved: tuple[tuple[int, Floats, int], ...] = ()
@@ -38,7 +38,7 @@ class Undo(NamedTuple):
     added: tuple[int, ...] = ()
 
 
-Move = Callable[[Canvas, np.random.Generator], "Undo | None"]
+Move = Callable[[Canvas, np.random.Generator], "UndoneMove | None"]
 
 
 def anneal(canvas: Canvas, rng: np.random.Generator, steps: int) -> GrownLayout:
@@ -79,7 +79,7 @@ def _energy(canvas: Canvas, source: dict[str, Floats], layout: GrownLayout) -> f
     )
 
 
-def take_back(canvas: Canvas, undo: Undo) -> None:
+def take_back(canvas: Canvas, undo: UndoneMove) -> None:
     """Undo a move."""
     for number in undo.added:
         canvas.remove(number)
@@ -89,7 +89,7 @@ def take_back(canvas: Canvas, undo: Undo) -> None:
         canvas.move(number, pose, origin)
 
 
-def slide_row(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
+def slide_row(canvas: Canvas, rng: np.random.Generator) -> UndoneMove | None:
     """All buildings of a row move along it by the same distance."""
     rows = canvas.movable()
     frames = BuiltFrames(canvas.boxes[rows], canvas.shapes[rows], np.ones(len(rows)))
@@ -105,12 +105,12 @@ def slide_row(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
         moved[:2] = from_frames(step, np.array([*pose[:2], row.heading, 1.0, 1.0]))
         canvas.move(number, moved, origin)
     if all(_stands(canvas, number) for number in members):
-        return Undo(moved=before)
-    take_back(canvas, Undo(moved=before))
+        return UndoneMove(moved=before)
+    take_back(canvas, UndoneMove(moved=before))
     return None
 
 
-def slide_one(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
+def slide_one(canvas: Canvas, rng: np.random.Generator) -> UndoneMove | None:
     """A building moves along its front."""
     rows = canvas.movable()
     number = int(rng.choice(rows))
@@ -120,10 +120,10 @@ def slide_one(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
     if not canvas.legal(moved[None], np.array([origin]), number)[0]:
         return None
     canvas.move(number, moved, origin)
-    return Undo(moved=((number, box[:3], origin),))
+    return UndoneMove(moved=((number, box[:3], origin),))
 
 
-def replace_one(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
+def replace_one(canvas: Canvas, rng: np.random.Generator) -> UndoneMove | None:
     """Another building takes the place of one, its front on the same line."""
     pattern = canvas.problem.pattern
     number = int(rng.choice(canvas.movable()))
@@ -138,10 +138,10 @@ def replace_one(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
     if not canvas.legal(moved[None], np.array([other]), number)[0]:
         return None
     canvas.move(number, moved, other)
-    return Undo(moved=((number, box[:3], origin),))
+    return UndoneMove(moved=((number, box[:3], origin),))
 
 
-def move_worst(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
+def move_worst(canvas: Canvas, rng: np.random.Generator) -> UndoneMove | None:
     """One of those that agree least with their neighbours goes; what another proposes comes."""
     rows = canvas.movable()
     few = rng.choice(rows, min(4, len(rows)), replace=False).tolist()
@@ -161,7 +161,7 @@ def move_worst(canvas: Canvas, rng: np.random.Generator) -> Undo | None:
     values = [worth_of(canvas, poses[k], int(origins[k])) for k in good]
     best = good[int(np.argmax(values))]
     added = canvas.add(poses[best], int(origins[best]), "neighbour")
-    return Undo(removed=(number,), added=(added,))
+    return UndoneMove(removed=(number,), added=(added,))
 
 
 def _stands(canvas: Canvas, number: int) -> bool:

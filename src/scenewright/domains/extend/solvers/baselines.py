@@ -11,7 +11,7 @@ from scenewright.domains.extend.pattern import GapRules
 from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, GrownLayout
 from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.canvas import Canvas
-from scenewright.domains.extend.solvers.patches import patch_turns, turned
+from scenewright.domains.extend.solvers.patches import patch_turns, turn_poses
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 MOST_TRIES = 400
@@ -106,7 +106,7 @@ def _tile(problem: ExtendProblem, seed: int) -> GrownLayout:
     start = np.array([west, south]) + rng.uniform(0, 1, 2) * (wide, deep)
     for x in np.arange(start[0] - wide, east + wide, wide):
         for y in np.arange(start[1] - deep, north + deep, deep):
-            poses = turned(pattern.boxes[rows, :3], middle, np.array([x, y]), turn)
+            poses = turn_poses(pattern.boxes[rows, :3], middle, np.array([x, y]), turn)
             for k in np.flatnonzero(canvas.legal(poses, rows)).tolist():
                 still = canvas.legal(poses[k][None], rows[k : k + 1])[0]
                 if still and canvas.room_for(int(rows[k])):

@@ -182,18 +182,18 @@ class Canvas:
         self.made[self.sizes[self._origin[number]]] += 1
         self.covered += float(self._shapes[number].area)
 
-    def added(self) -> Indices:
+    def find_added(self) -> Indices:
         """The numbers of the added buildings that stand."""
         return self.first + np.flatnonzero(self.alive[self.first : self.count])
 
     def movable(self) -> Indices:
         """The numbers of the added buildings that no row of the brief put where they are."""
-        rows = self.added()
+        rows = self.find_added()
         return rows[[self.how[k - self.first] != "row" for k in rows.tolist()]]
 
     def layout(self) -> GrownLayout:
         """What was added, as a layout without scores."""
-        rows = self.added()
+        rows = self.find_added()
         asked = self.problem.number
         return GrownLayout(
             self.boxes[rows, :3].copy(),

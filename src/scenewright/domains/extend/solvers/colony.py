@@ -54,7 +54,7 @@ class ColonySettings(NamedTuple):
     printed: bool = True
 
 
-class Bred(NamedTuple):
+class BredPlots(NamedTuple):
     """The best matrix (m, n), its fitness, and the best after each evaluation."""
 
     genes: Genes
@@ -62,7 +62,7 @@ class Bred(NamedTuple):
     history: tuple[float, ...]
 
 
-class Judge:
+class PlotJudge:
     """Counts and keeps the best of what is looked at, up to a number of evaluations."""
 
     def __init__(self, grid: PlotGrid, weights: Floats, most: int) -> None:
@@ -82,9 +82,9 @@ class Judge:
         self.history.append(self.value)
         return value
 
-    def found(self) -> Bred:
+    def found(self) -> BredPlots:
         """What was found."""
-        return Bred(self.best, self.value, tuple(self.history))
+        return BredPlots(self.best, self.value, tuple(self.history))
 
 
 def run_ants(
@@ -93,11 +93,11 @@ def run_ants(
     evaluations: int,
     rng: np.random.Generator,
     settings: ColonySettings | None = None,
-) -> Bred:
+) -> BredPlots:
     """Ant colony (13) to (19): each ant walks from plot to plot and builds on those it visits,
     until enough is built."""
     chosen = settings or ColonySettings()
-    judge = Judge(grid, weights, evaluations)
+    judge = PlotJudge(grid, weights, evaluations)
     plots = grid.middles.reshape(-1, 2)[grid.free.ravel()]
     count = len(plots)
     trails = np.full((count, count), chosen.start)
@@ -199,12 +199,12 @@ def breed(
     rng: np.random.Generator,
     settings: ColonySettings | None = None,
     score: Callable[[Genes], float] | None = None,
-) -> Bred:
+) -> BredPlots:
     """The genetic algorithm of section 5: blocks of matrices are swapped with chance φ, single
     genes mutate, drawn by their allele value (23); the best replaces the worst; local search once
     the genes of the population hardly differ. ``score`` rates in place of F (a person)."""
     chosen = settings or ColonySettings()
-    judge = Judge(grid, weights, evaluations)
+    judge = PlotJudge(grid, weights, evaluations)
     rate = judge.rate if score is None else _both(judge, score)
     kinds = len(grid.areas)
     people = [_random(grid, kinds, rng) for _ in range(chosen.population)]
@@ -230,7 +230,7 @@ def breed(
     return judge.found()
 
 
-def _both(judge: Judge, score: Callable[[Genes], float]) -> Callable[[Genes], float]:
+def _both(judge: PlotJudge, score: Callable[[Genes], float]) -> Callable[[Genes], float]:
     def rate(genes: Genes) -> float:
         judge.rate(genes)
         return score(genes)
@@ -287,9 +287,9 @@ def _step(grid: PlotGrid, genes: Genes, kinds: int, rng: np.random.Generator) ->
 
 def anneal_plots(
     grid: PlotGrid, weights: Floats, evaluations: int, rng: np.random.Generator
-) -> Bred:
+) -> BredPlots:
     """For comparison: annealing of the same matrices by the same steps."""
-    judge = Judge(grid, weights, evaluations)
+    judge = PlotJudge(grid, weights, evaluations)
     kinds = len(grid.areas)
     now = _random(grid, kinds, rng)
     value = judge.rate(now)
@@ -304,9 +304,9 @@ def anneal_plots(
 
 def climb_plots(
     grid: PlotGrid, weights: Floats, evaluations: int, rng: np.random.Generator
-) -> Bred:
+) -> BredPlots:
     """For comparison: greedy steps uphill."""
-    judge = Judge(grid, weights, evaluations)
+    judge = PlotJudge(grid, weights, evaluations)
     now = _random(grid, len(grid.areas), rng)
     value = judge.rate(now)
     while not judge.spent():
@@ -317,9 +317,11 @@ def climb_plots(
     return judge.found()
 
 
-def draw_plots(grid: PlotGrid, weights: Floats, evaluations: int, rng: np.random.Generator) -> Bred:
+def draw_plots(
+    grid: PlotGrid, weights: Floats, evaluations: int, rng: np.random.Generator
+) -> BredPlots:
     """For comparison: matrices at random."""
-    judge = Judge(grid, weights, evaluations)
+    judge = PlotJudge(grid, weights, evaluations)
     while not judge.spent():
         judge.rate(_random(grid, len(grid.areas), rng))
     return judge.found()

@@ -27,7 +27,7 @@ def lay_patch(canvas: Canvas, rng: np.random.Generator, tries: int) -> int:
         turn = float(rng.choice(turns))
         middle = pattern.boxes[rng.choice(rows), :2]
         at = np.array([rng.uniform(west, east), rng.uniform(south, north)])
-        poses = turned(pattern.boxes[rows, :3], middle, at, turn)
+        poses = turn_poses(pattern.boxes[rows, :3], middle, at, turn)
         good = canvas.legal(poses, rows)
         area = float(np.prod(pattern.boxes[rows[good], 3:], axis=1).sum())
         if int(good.sum()) >= LEAST and (best is None or area > best[0]):
@@ -56,10 +56,10 @@ def patch_turns(canvas: Canvas) -> Floats:
     return np.asarray(own - usual + np.arange(4) * np.pi / 2)
 
 
-def turned(poses: Floats, middle: Floats, at: Floats, turn: float) -> Floats:
+def turn_poses(poses: Floats, middle: Floats, at: Floats, turn: float) -> Floats:
     """Poses (n, 3) turned about ``middle`` (2,) and moved so that it comes to ``at`` (2,).
 
-    >>> turned(np.array([[2.0, 0.0, 0.0]]), np.zeros(2), np.ones(2), np.pi).round(6).tolist()
+    >>> turn_poses(np.array([[2.0, 0.0, 0.0]]), np.zeros(2), np.ones(2), np.pi).round(6).tolist()
     [[-1.0, 1.0, 3.141593]]
     """
     cos, sin = np.cos(turn), np.sin(turn)

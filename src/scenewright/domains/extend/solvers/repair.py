@@ -104,7 +104,7 @@ def take_away(canvas: Canvas) -> int:
     gone = 0
     slack = 1 + 3 * canvas.problem.settings.slack
     while canvas.problem.number is None and canvas.covered > canvas.wanted * slack:
-        rows = canvas.added()
+        rows = canvas.find_added()
         over = canvas.covered - canvas.wanted
         small = [k for k in rows.tolist() if canvas.shapes[k].area <= 1.5 * over]
         if not small:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.additions import forms_to_add, is_wanted, list_additions
 from scenewright.domains.home.composing.judging import Placed, judge_of
-from scenewright.domains.home.composing.moving import try_forms, unplaced, with_margin
+from scenewright.domains.home.composing.moving import make_unplaced, try_forms, with_margin
 from scenewright.domains.home.programme import Wish
 
 
@@ -29,7 +29,7 @@ def _best_added(
 ) -> FurnishedGroup | None:
     """One more group where the room as a whole costs least, at most what it is ``worth`` more; None
     if it stands nowhere without barring a way."""
-    group = unplaced(task, placed, wish, forms_to_add(task, wish)[-1])
+    group = make_unplaced(task, placed, wish, forms_to_add(task, wish)[-1])
     judge = judge_of(task, (*placed, group))
     alone = judge_of(task, placed).cost_of(placed).cost if placed else 0.0
     found = try_forms(judge, (*placed, group), len(placed), forms_to_add(task, wish), 2)

@@ -11,7 +11,13 @@ from __future__ import annotations
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.forms import list_forms
-from scenewright.domains.home.composing.judging import Judge, Judged, Placed, count_unmet, judge_of
+from scenewright.domains.home.composing.judging import (
+    JudgedRoom,
+    Placed,
+    RoomJudge,
+    count_unmet,
+    judge_of,
+)
 from scenewright.domains.home.composing.kitchens import reform_kitchen
 from scenewright.domains.home.composing.moving import take_best, try_forms, with_margin
 from scenewright.domains.home.composing.placed_faults import cost_of_group, cost_of_shelves
@@ -38,7 +44,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     )
 
 
-def _improve_all(judge: Judge, best: Judged, barred: frozenset[str]) -> Judged:
+def _improve_all(judge: RoomJudge, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
     """The groups with each faulty one in a better form or place, the worst first."""
     task, rule = judge.task, judge.task.preset.settings.composing
     for _ in range(rule.rounds):
@@ -68,20 +74,22 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     return sorted((name for name, cost in costs.items() if cost > 0.0), key=lambda n: -costs[n])
 
 
-def _improve(judge: Judge, best: Judged, name: str, barred: frozenset[str]) -> Judged:
+def _improve(judge: RoomJudge, best: JudgedRoom, name: str, barred: frozenset[str]) -> JudgedRoom:
     """The groups with one of them in a better form or place, or as they were."""
     rule = judge.task.preset.settings.composing
     found = _elsewhere(judge, best.placed, _number_of(best.placed, name), rule.forms)
     return take_best(judge.task, best, found, barred)
 
 
-def _improve_two(judge: Judge, best: Judged, name: str, barred: frozenset[str]) -> Judged:
+def _improve_two(
+    judge: RoomJudge, best: JudgedRoom, name: str, barred: frozenset[str]
+) -> JudgedRoom:
     """The same after one of the largest others has been taken elsewhere."""
     rule = judge.task.preset.settings.composing
     at = _number_of(best.placed, name)
     others = [i for i in range(len(best.placed)) if i != at]
     others.sort(key=lambda i: -float(best.placed[i].dressed.box[3:].prod()))
-    found: list[Judged] = []
+    found: list[JudgedRoom] = []
     for other in others[: rule.others]:
         for judged in _elsewhere(judge, best.placed, other, rule.other_forms, at)[: rule.moved]:
             found += _elsewhere(judge, judged.placed, at, rule.forms)[:1]
@@ -93,8 +101,8 @@ def _number_of(placed: Placed, name: str) -> int:
 
 
 def _elsewhere(
-    judge: Judge, placed: Placed, at: int, forms: int, through: int = -1
-) -> list[Judged]:
+    judge: RoomJudge, placed: Placed, at: int, forms: int, through: int = -1
+) -> list[JudgedRoom]:
     """The groups with one of them in its better forms wherever along the walls it stands free, the
     cheapest first; it may stand ``through`` another, which is to be moved next."""
     return try_forms(judge, placed, at, list_forms(judge.task, placed[at]), forms, through)

@@ -23,14 +23,14 @@ LEFT_OUT = {"route": 0.0, "wish": 0.0}
 """Terms that do not count while composing: ways are walked, and sizes are what is looked for."""
 
 
-class Judged(NamedTuple):
+class JudgedRoom(NamedTuple):
     """Groups as they stand and what they cost."""
 
     placed: Placed
     cost: float
 
 
-class Judge(NamedTuple):
+class RoomJudge(NamedTuple):
     """What the groups of one room are judged by, wherever they stand and in whichever form."""
 
     task: RoomTask
@@ -41,7 +41,7 @@ class Judge(NamedTuple):
         """Energies ``(P,)`` of boxes ``(P, n, 5)`` of the groups in their order."""
         return energies_of(self.prepared, self.grid, layouts)[0]
 
-    def cost_of(self, placed: Placed) -> Judged:
+    def cost_of(self, placed: Placed) -> JudgedRoom:
         """The groups with what they cost: energy, lost pieces, and faults of composition."""
         task, rule = self.task, self.task.preset.settings.composing
         energy = float(self.energies_of(np.array([[p.dressed.box for p in placed]]))[0])
@@ -49,7 +49,7 @@ class Judge(NamedTuple):
         lost = task.costs.piece * sum(p.dressed.lost for p in placed)
         shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
         unmet = task.costs.unmet * count_unmet(task, placed)
-        return Judged(placed, task.costs.energy * energy + each + lost + shelves + unmet)
+        return JudgedRoom(placed, task.costs.energy * energy + each + lost + shelves + unmet)
 
 
 def count_unmet(task: RoomTask, placed: Placed) -> int:
@@ -60,8 +60,8 @@ def count_unmet(task: RoomTask, placed: Placed) -> int:
     return count_unmet_wishes(task.asked, task.space, standing, task.catalog)
 
 
-def judge_of(task: RoomTask, placed: Placed) -> Judge:
+def judge_of(task: RoomTask, placed: Placed) -> RoomJudge:
     """The judge of groups of these wishes, in this order."""
     problem = build_task_problem(task, tuple(p.wish for p in placed), task.ground)
     problem = problem._replace(weights={**problem.weights, **LEFT_OUT})
-    return Judge(task, prepare(problem), route_grid(problem, 0.1))
+    return RoomJudge(task, prepare(problem), route_grid(problem, 0.1))

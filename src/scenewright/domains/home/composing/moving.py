@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
-from scenewright.domains.home.composing.judging import RUNS, Judge, Judged, Placed
+from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, Placed, RoomJudge
 from scenewright.domains.home.composing.placed_faults import are_adrift
 from scenewright.domains.home.composing.stretches import Reach, longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
@@ -31,7 +31,9 @@ def with_margin(task: RoomTask) -> RoomTask:
     return task._replace(route_width=task.route_width + more, use_width=task.use_width + more)
 
 
-def take_best(task: RoomTask, best: Judged, found: list[Judged], barred: frozenset[str]) -> Judged:
+def take_best(
+    task: RoomTask, best: JudgedRoom, found: list[JudgedRoom], barred: frozenset[str]
+) -> JudgedRoom:
     """The cheapest of those found that cost less than the best and bar no way."""
     for judged in sorted(found, key=lambda j: j.cost):
         if judged.cost > best.cost - task.preset.settings.composing.least:
@@ -42,8 +44,8 @@ def take_best(task: RoomTask, best: Judged, found: list[Judged], barred: frozens
 
 
 def try_forms(
-    judge: Judge, placed: Placed, at: int, cases: Iterable[Group], forms: int, through: int = -1
-) -> list[Judged]:
+    judge: RoomJudge, placed: Placed, at: int, cases: Iterable[Group], forms: int, through: int = -1
+) -> list[JudgedRoom]:
     """The groups with one of them in the first so many ``forms`` of which some place is free."""
     task, group = judge.task, placed[at]
     flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
@@ -84,7 +86,7 @@ def _free(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
     return free[gaps[:, int(side > 0.0)] < BACKED]
 
 
-def _least_cost(judge: Judge, case: Group, free: Floats, placed: Placed, at: int) -> Floats:
+def _least_cost(judge: RoomJudge, case: Group, free: Floats, placed: Placed, at: int) -> Floats:
     """Of the boxes ``(n, 5)`` for one group those at which the whole room costs least."""
     layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(free), axis=0)
     layouts[:, at] = free
@@ -117,7 +119,7 @@ def _is_at_wall(unit: Piece, task: RoomTask) -> bool:
     return z > BACKED or bool(is_backed(box, task.ground.walls, BACKED))
 
 
-def unplaced(task: RoomTask, placed: Placed, wish: Wish, case: Group) -> FurnishedGroup:
+def make_unplaced(task: RoomTask, placed: Placed, wish: Wish, case: Group) -> FurnishedGroup:
     """A group under a name of its own that has no place yet."""
     taken = {p.name for p in placed} | {p.group.rpartition("/")[2] for p in task.fixed}
     names = (f"{wish.group}_{k}" if k > 1 else wish.group for k in count(1))

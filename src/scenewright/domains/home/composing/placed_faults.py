@@ -39,7 +39,7 @@ def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings
         for strip in ground.strips:
             window = strip[5] == 1.0
             if not window or piece.category in SHADES:
-                share = _covered(piece, strip)
+                share = _metres_before(piece, strip)
                 if share > SEEN:
                     found.append((covered[0 if window else 1], min(share, 1.0)))
         if piece.category == "single_bed":
@@ -54,7 +54,7 @@ def _box(piece: Piece) -> Floats:
     return np.array([pose.x, pose.y, pose.heading, size.width, size.depth])
 
 
-def _covered(piece: Piece, strip: Floats) -> float:
+def _metres_before(piece: Piece, strip: Floats) -> float:
     """Metres of an opening that a piece stands before."""
     return float(common_area(make_frame(*_box(piece)), make_frame(*strip[:5])) / strip[4])
 

@@ -52,11 +52,11 @@ def longest_stretch(ground: Ground, standing: StandingObstacles, reach: Reach) -
         ux, uy = (x1 - x0) / length, (y1 - y0) / length
         t = np.arange(STEP / 2, length, STEP)
         px, py = x0 + ux * t - uy * reach.depth, y0 + uy * t + ux * reach.depth
-        longest = max(longest, min(length, _longest_run(~_covered(px, py, boxes)) * STEP + STEP))
+        longest = max(longest, min(length, _longest_run(~_lie_in(px, py, boxes)) * STEP + STEP))
     return longest
 
 
-def _covered(x: Floats, y: Floats, boxes: Floats) -> NDArray[np.bool_]:
+def _lie_in(x: Floats, y: Floats, boxes: Floats) -> NDArray[np.bool_]:
     """Which of the points (n,) lie well inside any of the boxes (k, 5)."""
     dx, dy = x[:, None] - boxes[:, 0], y[:, None] - boxes[:, 1]
     cos, sin = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])

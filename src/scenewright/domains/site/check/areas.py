@@ -70,7 +70,7 @@ def _find_spoilt(
         over = [
             bodies.ids[k]
             for k in np.flatnonzero(~bodies.landmark)
-            if _shared(bodies.footprints[k], shapes[number]) > TOLERANCE
+            if _reach_into(bodies.footprints[k], shapes[number]) > TOLERANCE
         ]
         told = f"{', '.join(over[:3])} stands on {named}" if over else f"{named} leaves the site"
         found.append(_site_finding("blocked_area", grounds, told, over[0] if over else ""))
@@ -93,7 +93,7 @@ def _find_lack_of_parking(
     for row, shape in laid:
         if row.kind != "parking":
             continue
-        reached = any(_shared(drive, shape) > 1.0 for drive in joined)
+        reached = any(_reach_into(drive, shape) > 1.0 for drive in joined)
         room = shape.area - sum(shapely.intersection(drive, shape).area for drive in joined)
         count += min(row.bays, int((room + NEAR) / BAY)) if reached else 0
         unjoined += 0 if reached else row.bays
@@ -156,7 +156,7 @@ def _find_blocked_forecourts(
         asked = shapely.difference(shapely.intersection(box, grounds.floor), streets)
         mine = [s for area, s in laid if area.kind == "forecourt" and area.about == there.id]
         laid_out = shapely.intersection(shapely.union_all(mine), asked).area if mine else 0.0
-        built = bool(len(own)) and max(_shared(shape, asked) for shape in own) > TOLERANCE
+        built = bool(len(own)) and max(_reach_into(shape, asked) for shape in own) > TOLERANCE
         if built or laid_out < 0.9 * asked.area:
             told = f"the forecourt of {there.id}, {row.forecourt:g} m deep, is "
             told += "built on" if built else "not laid out"
@@ -254,11 +254,11 @@ def _is_built_over(bodies: SiteBodies, shapes: Shapes) -> Flags:
     """Which areas a building, not a landmark, stands on; courts lie between buildings."""
     own = bodies.footprints[~bodies.landmark]
     return np.array(
-        [any(_shared(body, shape) > TOLERANCE for body in own) for shape in shapes], bool
+        [any(_reach_into(body, shape) > TOLERANCE for body in own) for shape in shapes], bool
     )
 
 
-def _shared(one: Shape, other: Shape) -> float:
+def _reach_into(one: Shape, other: Shape) -> float:
     """How far two shapes reach into each other: area over the longest side of what they share."""
     both = shapely.intersection(one, other)
     if both.area <= 0.0:

@@ -255,7 +255,7 @@ def _figures(
             f"{found.get('doors_served', 1.0):.0%}",
         ),
         ("Reached by the fire brigade", f"{found['reached_share']:.0%}"),
-        ("Faults", f"{sum(f.blamed for f in drawing.findings)}"),
+        ("Faults", f"{sum(f.is_blamed for f in drawing.findings)}"),
     ]
     return [
         LegendRow("heading", clean(heading, 40)),
@@ -270,7 +270,7 @@ def _against(value: str, wanted: float | None, form: str) -> str:
 def _summary(drawings: Sequence[SiteSheet], views: Views) -> str:
     buildings = sum(d.figures["buildings"] for d in drawings)
     area = sum(d.plan.area for d in drawings)
-    faults = sum(f.blamed for d in drawings for f in d.findings)
+    faults = sum(f.is_blamed for d in drawings for f in d.findings)
     told = [f"{area / 1e4:.2f} ha", f"{buildings} buildings"]
     hours = [d.figures["sun_mean"] for d in drawings if d.figures["sun_mean"] is not None]
     told += [f"{float(np.mean(hours)):.1f} h of winter sun"] if hours else []

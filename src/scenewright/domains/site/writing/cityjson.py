@@ -36,7 +36,7 @@ from scenewright.ground.city_objects import (
 )
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.reference_system import address_of
-from scenewright.ground.surfaces import paved
+from scenewright.ground.surfaces import pave
 from scenewright.ground.works import GroundWorks
 
 
@@ -74,7 +74,7 @@ def _laid_out(works: GroundWorks, vertices: Vertices) -> Iterator[tuple[str, dic
     """Names and objects of what a solution lays out on the ground of a site."""
     for k, path in enumerate(works.pathways, 1):
         told: dict[str, Any] = {"name": path.kind, "class": path.kind, "width": path.width}
-        parts = shapely.get_parts(paved([path], path.kind))
+        parts = shapely.get_parts(pave([path], path.kind))
         yield (
             f"{works.site}/{path.kind}_{k}",
             flat_object("Road", [rings_of(part) for part in parts], told, vertices),

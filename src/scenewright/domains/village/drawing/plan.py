@@ -147,7 +147,7 @@ def _metres(value: float | None) -> str:
 
 def _summary(village: VillagePlan, houses: Sequence[Piece], report: Report) -> str:
     area = sum(block.area for block in village.blocks)
-    faults = sum(found.blamed for found in report.findings)
+    faults = sum(found.is_blamed for found in report.findings)
     told = [f"{area / 1e4:.2f} ha", f"{len(houses)} houses"]
     told += [f"{len(village.blocks)} blocks"] if len(village.blocks) > 1 else []
     told += [f"{faults} violation{'s' * (faults != 1)}"] if faults else []

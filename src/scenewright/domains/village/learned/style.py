@@ -31,7 +31,7 @@ REMEDY = "give a file that scenewright learn village has written"
 Arrays = Mapping[str, np.ndarray]
 
 
-class Style(NamedTuple):
+class VillageStyle(NamedTuple):
     """How houses of a region stand: tables of single relations and the law of counts, the weights
     of the net of poses, the law that tells full blocks; and its card (data, licence, split,
     figures)."""
@@ -51,19 +51,19 @@ def is_file(style: str) -> bool:
     return style.endswith(SUFFIX)
 
 
-def style_named(style: str) -> Style:
+def style_named(style: str) -> VillageStyle:
     """The style of a file, else the one that ships."""
     return read_style(Path(style)) if is_file(style) else shipped_style()
 
 
-def bare_style(manner: Manner) -> Style:
+def bare_style(manner: Manner) -> VillageStyle:
     """A style of tables alone, to propose poses before anything else is learned."""
     none = np.zeros(FIGURES)
-    return Style(manner, {}, MoreLaw(none, none + 1.0, none, 0.0), {})
+    return VillageStyle(manner, {}, MoreLaw(none, none + 1.0, none, 0.0), {})
 
 
 @lru_cache(maxsize=1)
-def shipped_style() -> Style:
+def shipped_style() -> VillageStyle:
     """The style that ships, learned from villages of Franconia, Liechtenstein, Lower Austria and
     the Riviera (© OpenStreetMap contributors, ODbL).
 
@@ -73,13 +73,13 @@ def shipped_style() -> Style:
     return read_style(SHIPPED)
 
 
-def write_style(path: Path, style: Style) -> None:
+def write_style(path: Path, style: VillageStyle) -> None:
     """Write a style; the same style gives the same bytes."""
     with path.open("wb") as file:
         np.savez(file, allow_pickle=False, **arrays_of(style))
 
 
-def arrays_of(style: Style) -> dict[str, np.ndarray]:
+def arrays_of(style: VillageStyle) -> dict[str, np.ndarray]:
     """A style as the arrays of its file."""
     found = {f"poses/{name}": np.asarray(value) for name, value in style.poses.items()}
     for name in TABLES:
@@ -93,7 +93,7 @@ def arrays_of(style: Style) -> dict[str, np.ndarray]:
     return found | {"card": np.frombuffer(told.encode(), np.uint8)}
 
 
-def read_style(path: Path) -> Style:
+def read_style(path: Path) -> VillageStyle:
     """The style of a file; InputError, in one line, for anything that is none."""
     try:
         return style_of(_arrays(path))
@@ -114,7 +114,7 @@ def _arrays(path: Path) -> Arrays:
         raise InputError("is no style file: it cannot be read as .npz", REMEDY) from None
 
 
-def style_of(arrays: Arrays) -> Style:
+def style_of(arrays: Arrays) -> VillageStyle:
     """The style of the arrays of a file; InputError for arrays of another kind."""
     card = _card(arrays)
     weights = {
@@ -124,7 +124,7 @@ def style_of(arrays: Arrays) -> Style:
     rows = _array(arrays, "more/law", (3, FIGURES))
     constant = float(_array(arrays, "more/constant", (1,))[0])
     more = MoreLaw(rows[0], np.maximum(rows[1], 1e-6), rows[2], constant)
-    return Style(_manner(arrays), weights, more, card)
+    return VillageStyle(_manner(arrays), weights, more, card)
 
 
 def _card(arrays: Arrays) -> dict[str, Any]:

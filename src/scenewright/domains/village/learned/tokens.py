@@ -162,10 +162,10 @@ def _mirror(seen: Surroundings, poses: Floats, near: Indices, street: _NearSides
     toward = street.toward[:, 0]
     if len(seen.standing.frames):
         toward = seen.standing.frames[np.maximum(near[:, 0], 0), :2] - poses[:, :2]
-    return np.where(_turned(toward[:, None], poses)[:, 0] < -1e-6, -1.0, 1.0)
+    return np.where(_turn(toward[:, None], poses)[:, 0] < -1e-6, -1.0, 1.0)
 
 
-def _turned(vectors: Floats, poses: Floats) -> Floats:
+def _turn(vectors: Floats, poses: Floats) -> Floats:
     """Vectors (k, m, 2) seen from poses (k, 3)."""
     cos, sin = np.cos(poses[:, 2, None]), np.sin(poses[:, 2, None])
     x, y = vectors[..., 0], vectors[..., 1]
@@ -187,7 +187,7 @@ def _house_rows(
         return rows
     known = near >= 0
     theirs = seen.standing.frames[np.maximum(near, 0)]
-    at = _turned(theirs[..., :2] - poses[:, None, :2], poses) * mirror[:, None]
+    at = _turn(theirs[..., :2] - poses[:, None, :2], poses) * mirror[:, None]
     turn = (theirs[..., 2] - poses[:, None, 2]) * mirror.prod(1)[:, None]
     half = np.array(house.extent) / 2
     cos, sin = np.abs(np.cos(turn)), np.abs(np.sin(turn))
@@ -219,7 +219,7 @@ def _house_rows(
 
 def _side_rows(poses: Floats, side: _NearSides, mirror: Floats, street: float) -> Floats:
     """What is told of sides (k, m, SIDE)."""
-    at = _turned(side.toward, poses) * mirror[:, None]
+    at = _turn(side.toward, poses) * mirror[:, None]
     turn = (side.angle - poses[:, None, 2]) * mirror.prod(1)[:, None]
     reach = np.hypot(at[..., 0], at[..., 1])
     parts = [

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from scenewright.domains.village.grow import JITTER
 from scenewright.domains.village.house import House, to_own_frame
-from scenewright.domains.village.learned.style import Style
+from scenewright.domains.village.learned.style import VillageStyle
 from scenewright.domains.village.learned.surroundings import Surroundings, survey, with_house
 from scenewright.domains.village.learned.tokens import PoseTokens, tokens_of
 from scenewright.domains.village.learning.tables import RealBlock
@@ -47,7 +47,7 @@ class Turn(NamedTuple):
 
 
 def problem_of_block(
-    block: RealBlock, houses: Sequence[House], style: Style, settings: VillageSettings
+    block: RealBlock, houses: Sequence[House], style: VillageStyle, settings: VillageSettings
 ) -> VillageProblem:
     """The problem of filling a real block anew with houses of a library."""
     shapely.prepare(block.floor)
@@ -107,7 +107,7 @@ def legal_proposals(
 
 
 def examples_of(
-    block: RealBlock, style: Style, rng: np.random.Generator, choices: int = CHOICES
+    block: RealBlock, style: VillageStyle, rng: np.random.Generator, choices: int = CHOICES
 ) -> Iterator[PoseExample]:
     """An example of every house of a block for which some pose is legal."""
     problem = problem_of_block(block, (), style, VillageSettings())

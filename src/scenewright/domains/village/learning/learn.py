@@ -16,12 +16,12 @@ from scenewright.core.plan import Plan
 from scenewright.domains.village.learned.more import odds_of_figures
 from scenewright.domains.village.learned.style import (
     SUFFIX,
-    Style,
+    VillageStyle,
     bare_style,
     is_file,
     write_style,
 )
-from scenewright.domains.village.learning.checkpoint import (
+from scenewright.domains.village.learning.interrupted_run import (
     checkpoint_path,
     resume_training,
     save_training,
@@ -63,7 +63,7 @@ class LearnOptions(NamedTuple):
     licence: str = ""
 
 
-class Learned(NamedTuple):
+class LearnedStyle(NamedTuple):
     """What came of it: the style's card, the processor seconds its training took, and whether it
     was written (False: stopped before; the same command goes on)."""
 
@@ -79,7 +79,7 @@ def learn_style(
     read_plan: Callable[[Path], Plan],
     tell: Tell,
     cancel: Cancel,
-) -> Learned:
+) -> LearnedStyle:
     """Learn a style from files of blocks and write it to ``output``; ``given`` are
     :class:`LearnOptions`.
 
@@ -96,14 +96,14 @@ def learn_style(
     bare = bare_style(manner)._replace(more=more)
     state, seconds, whole = _train(train, bare, output, options, tell, cancel)
     if not whole:
-        return Learned({"rounds": state.rounds}, seconds, False)
+        return LearnedStyle({"rounds": state.rounds}, seconds, False)
     tell(0.99, "looking at what was held out")
     style = bare._replace(poses=state.weights)
     style = style._replace(card=_card(style, train, test, state, options))
     with atomic_write(output) as partial:
         write_style(partial, style)
     checkpoint_path(output).unlink(missing_ok=True)
-    return Learned(style.card, seconds, True)
+    return LearnedStyle(style.card, seconds, True)
 
 
 def _check(output: Path, options: LearnOptions) -> None:
@@ -162,7 +162,7 @@ def split_by_place(
 
 def _train(
     train: Sequence[RealBlock],
-    bare: Style,
+    bare: VillageStyle,
     output: Path,
     options: LearnOptions,
     tell: Tell,
@@ -203,7 +203,7 @@ def _key(train: Sequence[RealBlock], options: LearnOptions) -> str:
 
 
 def _card(
-    style: Style,
+    style: VillageStyle,
     train: Sequence[RealBlock],
     test: Sequence[RealBlock],
     state: TrainingState,
@@ -226,7 +226,7 @@ def _card(
     return card
 
 
-def _figures(style: Style, test: Sequence[RealBlock], seed: int) -> dict[str, float]:
+def _figures(style: VillageStyle, test: Sequence[RealBlock], seed: int) -> dict[str, float]:
     """Figures of what was held out: the mean log odds of the real pose among legal proposals, by
     the net and by chance, and how well full blocks are told (area under the curve)."""
     loss, even = mean_loss(style, test, seed)

@@ -23,7 +23,7 @@ from scenewright.domains.village.learned.pose_net import (
     score_poses,
     shapes_of_net,
 )
-from scenewright.domains.village.learned.style import Style
+from scenewright.domains.village.learned.style import VillageStyle
 from scenewright.domains.village.learned.tokens import PoseTokens
 from scenewright.domains.village.learning.examples import (
     CHOICES,
@@ -74,7 +74,7 @@ def rounds_of(blocks: Sequence[RealBlock], epochs: int = EPOCHS) -> int:
 def train_poses(
     state: TrainingState,
     blocks: Sequence[RealBlock],
-    style: Style,
+    style: VillageStyle,
     seed: int,
     total: int,
     done: Callable[[TrainingState], bool],
@@ -92,7 +92,7 @@ def train_poses(
 
 
 def round_examples(
-    blocks: Sequence[RealBlock], style: Style, seed: int, number: int
+    blocks: Sequence[RealBlock], style: VillageStyle, seed: int, number: int
 ) -> list[PoseExample]:
     """The examples of one round, shuffled."""
     each = -(-len(blocks) // BLOCKS)
@@ -165,7 +165,7 @@ def loss_of(torch: Any, weights: dict[str, Any], rows: Sequence[PoseExample]) ->
     return torch.nn.functional.cross_entropy(scores, first)
 
 
-def mean_loss(style: Style, blocks: Sequence[RealBlock], seed: int) -> tuple[float, float]:
+def mean_loss(style: VillageStyle, blocks: Sequence[RealBlock], seed: int) -> tuple[float, float]:
     """The mean cross entropy of the real poses of some blocks by a style's net, and by chance."""
     rng = np.random.default_rng([seed, 5])
     losses, even = [], []

@@ -9,14 +9,14 @@ import numpy as np
 import shapely
 
 from scenewright.domains.village.learning.paper.nets import CLASSES
-from scenewright.domains.village.learning.paper.retrieval import Candidate, retrieve
+from scenewright.domains.village.learning.paper.retrieval import RetrievedHouse, retrieve
 from scenewright.domains.village.learning.paper.samples import class_planes, count_vector
 from scenewright.domains.village.learning.paper.views import (
     SHAPES,
     PaperHouses,
     ViewFrame,
     base_and_door,
-    centred,
+    centre_view,
     door_points,
     frame_of,
     paint,
@@ -28,21 +28,21 @@ MOST, TRIES, SEEN = 150, 12, 160
 """Houses of a block at most, places tried for one, candidates looked at."""
 
 
-def candidates_of(blocks: Sequence[RealBlock], told: Sequence[PaperHouses]) -> list[Candidate]:
+def candidates_of(blocks: Sequence[RealBlock], told: Sequence[PaperHouses]) -> list[RetrievedHouse]:
     """Every house of some blocks as a candidate."""
     found = []
     for block, houses in zip(blocks, told, strict=True):
         doors = door_points(list(block.houses), block.streets)
         for k, ring in enumerate(block.houses):
             material, shape, area = (int(v[k]) for v in houses[3:])
-            found.append(Candidate(ring, doors[k], (material, shape, area)))
+            found.append(RetrievedHouse(ring, doors[k], (material, shape, area)))
     return found
 
 
 def fill_block(
     nets: dict[str, Any],
     block: RealBlock,
-    candidates: Sequence[Candidate],
+    candidates: Sequence[RetrievedHouse],
     pixels: int,
     hidden: int,
     rng: np.random.Generator,
@@ -74,7 +74,7 @@ def _place(
     block: RealBlock,
     houses: PaperHouses,
     view: np.ndarray,
-    candidates: Sequence[Candidate],
+    candidates: Sequence[RetrievedHouse],
     hidden: int,
     rng: np.random.Generator,
 ) -> tuple[Floats, Floats, tuple[int, int, int]] | None:
@@ -92,7 +92,7 @@ def _place(
         pixel = _draw(torch, where, rng)
         at = np.array([[pixel % frame.size, pixel // frame.size]]) + rng.random((1, 2))
         base = frame.metres(at)[0]
-        near = torch.from_numpy(paint(centred(frame, base), block.floor, houses)[None])
+        near = torch.from_numpy(paint(centre_view(frame, base), block.floor, houses)[None])
         inner = torch.from_numpy(rng.normal(size=(1, hidden)).astype(np.float32))
         cosine = nets["orientation"].draw(near, shape, inner)[0].item()
         some = rng.choice(len(candidates), min(SEEN, len(candidates)), replace=False)

@@ -26,7 +26,7 @@ EARLY, LATE = 0.8, 0.4
 """What category weighs for the first and for the last house."""
 
 
-class Candidate(NamedTuple):
+class RetrievedHouse(NamedTuple):
     """A house of the library: its ring (n, 2), its door (2,), classes of material, shape, area."""
 
     ring: Points
@@ -43,7 +43,9 @@ class Retrieved(NamedTuple):
     score: float
 
 
-def turned_to(candidate: Candidate, base: Floats, angle: float) -> tuple[Points, Floats] | None:
+def turned_to(
+    candidate: RetrievedHouse, base: Floats, angle: float
+) -> tuple[Points, Floats] | None:
     """Ring and door of a candidate moved so that its base point is at ``base`` and its door at an
     angle in [0, π] from it; None if no corner of it can be its base then."""
     box = shapely.minimum_rotated_rectangle(shapely.Polygon(candidate.ring))
@@ -61,7 +63,7 @@ def turned_to(candidate: Candidate, base: Floats, angle: float) -> tuple[Points,
 
 
 def retrieve(
-    candidates: Sequence[Candidate],
+    candidates: Sequence[RetrievedHouse],
     asked: tuple[int, int, int],
     base: Floats,
     angle: float,

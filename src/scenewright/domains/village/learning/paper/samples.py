@@ -18,7 +18,7 @@ from scenewright.domains.village.learning.paper.views import (
     SHAPES,
     PaperHouses,
     ViewFrame,
-    centred,
+    centre_view,
     frame_of,
     paint,
     paper_houses,
@@ -74,7 +74,7 @@ def sample_of(told: PaperBlock, rng: np.random.Generator) -> PaperSample:
         (classes[0], classes[1], classes[2]),
         pixel_of(frame, base),
         float(np.cos(houses.doors[next_])),
-        paint(centred(frame, base), floor, before),
+        paint(centre_view(frame, base), floor, before),
         paint(frame, floor, houses.take(kept)),
         float(len(kept) < count),
     )

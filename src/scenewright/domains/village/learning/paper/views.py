@@ -78,7 +78,7 @@ def frame_of(floor: shapely.Polygon, size: int) -> ViewFrame:
     return ViewFrame(np.array([west + east - side, south + north - side]) / 2, side / size, size)
 
 
-def centred(frame: ViewFrame, at: Floats) -> ViewFrame:
+def centre_view(frame: ViewFrame, at: Floats) -> ViewFrame:
     """The same view shifted so that a point (2,) is in its middle."""
     return frame._replace(corner=at - frame.pixel * frame.size / 2)
 
