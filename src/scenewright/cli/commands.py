@@ -277,7 +277,8 @@ def bench(
     if as_json:
         tables.print_json(list(measured.records))
     elif not quiet:
-        tables.table(tables.output_console(), measured.records, title=f"bench {name}")
+        rows = [{key: record[key] for key in cli_bench.KEYS} for record in measured.records]
+        tables.table(tables.output_console(), rows, title=f"bench {name}")
     if measured.interrupted:
         return _fault(f"interrupted after {len(measured.records)} records", 130)
     return 0
