@@ -13,6 +13,18 @@ from typing import Any
 import pytest
 
 PLUGINS = Path(__file__).parent / "plugins"
+ENTRIES = """
+[scenewright.terms]
+home.northward = loft.northward:HOME
+hall.northward = loft.northward:HALL
+site.northward = loft.northward:SITE
+[scenewright.patterns]
+hall.zigzag = loft.zigzag:ROW
+[scenewright.solvers]
+home.handful = loft.handful:ROW
+[scenewright.formats]
+.tally = loft.tally
+"""
 USED = """
 import json, sys
 import numpy as np
@@ -45,6 +57,16 @@ print(json.dumps({
 """
 
 
+def install(folder: Path, name: str, entries: str) -> dict[str, str]:
+    """The environment of a program in which a package has these entry points."""
+    info = folder / f"{name}-1.0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n")
+    (info / "entry_points.txt").write_text(entries)
+    paths = [str(folder), str(PLUGINS), *filter(None, [os.environ.get("PYTHONPATH")])]
+    return dict(os.environ) | {"PYTHONPATH": os.pathsep.join(paths)}
+
+
 def brief(domain: str, **more: Any) -> dict[str, Any]:
     outline = [[0, 0], [7, 0], [7, 6], [0, 6]]
     wanted = {"name": "Room", "outline": outline, "doors": [{"at": [3.5, 0], "width": 0.9}]}
@@ -55,14 +77,14 @@ def brief(domain: str, **more: Any) -> dict[str, Any]:
 def used(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     demand = {"category": "plinth", "count": 5, "patterns": ["zigzag"], "size": [0.5, 0.5, 1.0]}
     briefs = {"home": brief("home", function="bedroom"), "hall": brief("hall", demands=[demand])}
-    paths = os.pathsep.join([str(PLUGINS), *filter(None, [os.environ.get("PYTHONPATH")])])
+    folder = tmp_path_factory.mktemp("loft")
     done = subprocess.run(
         [sys.executable, "-c", USED],
         input=json.dumps(briefs),
         capture_output=True,
         text=True,
-        cwd=tmp_path_factory.mktemp("loft"),
-        env=os.environ | {"PYTHONPATH": paths},
+        cwd=folder,
+        env=install(folder, "loft", ENTRIES),
     )
     assert done.returncode == 0, done.stderr
     return dict(json.loads(done.stdout))
@@ -94,15 +116,9 @@ def test_a_solver_is_found_by_its_name(used: dict[str, Any]) -> None:
     [("loft.nowhere:ROW", "cannot be loaded"), ("loft.tally:write", "is no TermRow")],
 )
 def test_a_broken_row_costs_one_line(row: str, fault: str, tmp_path: Path) -> None:
-    folder = tmp_path / "broken-1.0.dist-info"
-    folder.mkdir()
-    (folder / "METADATA").write_text("Metadata-Version: 2.1\nName: broken\nVersion: 1.0\n")
-    (folder / "entry_points.txt").write_text(f"[scenewright.terms]\nhome.broken = {row}\n")
-    paths = os.pathsep.join([str(tmp_path), str(PLUGINS), os.environ.get("PYTHONPATH", "")])
+    env = install(tmp_path, "broken", f"[scenewright.terms]\nhome.broken = {row}\n")
     command = [sys.executable, "-m", "scenewright", "list", "terms"]
-    done = subprocess.run(
-        command, capture_output=True, text=True, env=os.environ | {"PYTHONPATH": paths}
-    )
+    done = subprocess.run(command, capture_output=True, text=True, env=env)
     assert done.returncode == 2
     assert fault in done.stderr
     assert len(done.stderr.strip().splitlines()) <= 3
