@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -10,7 +9,6 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Catalog
-from scenewright.core.kind import Kind
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece
 from scenewright.domains.hall.floor import AT_EASE, WalkingFloor
@@ -60,17 +58,14 @@ def stops_of(
     """Stops to see a group, at most so many: for each the cells of the raster that will do, the
     best one first; none if there is no way to it.
 
-    A place lies before a side its objects are used from (any side, where none of these can be
-    walked up to), with nothing between. Places are taken
+    A place lies before a side its objects are used from, with nothing between. Places are taken
     greedily by how many more objects they show; those in the open come first. Rows of seats are
     looked at from their rim. ``times`` are those from the entrance, ``half`` the clearance a
     visitor would like to have. ``times`` (c,) in seconds, one for each cell of the raster in
     row-major order.
     """
     boxes = np.array([[*p.pose[:2], p.pose.heading, *p.size[:2]] for p in members])
-    views = _usable(_views(boxes, members, catalog.kinds, floor.clear), times, half)
-    if not len(views.cells):
-        views = _usable(_views(boxes, members, {}, floor.clear), times, half)
+    views = _usable(_views(boxes, members, catalog, floor.clear), times, half)
     seats = bool(members) and any(word in members[0].category for word in SEATS)
     if seats:
         views = _at_the_rim(views, boxes)
@@ -80,13 +75,13 @@ def stops_of(
 
 
 def _views(
-    boxes: Floats, members: tuple[Piece, ...], kinds: Mapping[str, Kind], clear: DistanceRaster
+    boxes: Floats, members: tuple[Piece, ...], catalog: Catalog, clear: DistanceRaster
 ) -> Views:
-    """Places before every side in use; before all sides of what is of none of ``kinds``."""
+    """Places before every side in use."""
     lines = [np.zeros((0, len(AWAY) + 1, 2))]
     owners = []
     for k, (box, piece) in enumerate(zip(boxes, members, strict=True)):
-        kind = kinds.get(piece.category)
+        kind = catalog.kinds.get(piece.category)
         for side in (kind and kind.access) or SIDES:
             lines.append(_before(box, SIDES.index(side), max(CLOSE, clear.cell)))
             owners += [k] * len(lines[-1])

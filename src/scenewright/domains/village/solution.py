@@ -37,15 +37,20 @@ def solution_of(
     built: list[FilledBlock] = []
     for k, (block, one) in enumerate(zip(brief.part.blocks, made.detail.blocks, strict=True)):
         problem = build_problem(block, one, made.detail, PRESETS["default"].settings)
-        layout = _layout(made.detail.houses, layouts.get(one.id, ()), one.id)
+        free = shapely.difference(problem.floor, problem.kept_free)
+        layout = _layout(made.detail.houses, layouts.get(one.id, ()), one.id, free)
         asked = max((block.count or 0) - len(one.fixed), len(layout.houses), 1)
         layout = layout._replace(asked=asked)
         built.append(furnish_block(block, one, made.detail, problem, layout, 0, seed + 7919 * k))
     return assemble_solution(brief, built, "default", "given", seed, time.perf_counter() - started)
 
 
-def _layout(houses: Sequence[House], given: Sequence[NamedBox], block: str) -> VillageLayout:
-    """Houses, poses and doors of boxes; InputError for a box that no house fits."""
+def _layout(
+    houses: Sequence[House], given: Sequence[NamedBox], block: str, free: shapely.Geometry
+) -> VillageLayout:
+    """Houses, poses and doors of boxes; InputError for a box that no house fits. Of several ways a
+    house fits its box, as one with a corner cut out does, that which keeps most to ``free`` ground.
+    """
     names = {house.name: number for number, house in enumerate(houses)}
     numbers, poses, doors = [], [], []
     for k, one in enumerate(given):
@@ -54,12 +59,12 @@ def _layout(houses: Sequence[House], given: Sequence[NamedBox], block: str) -> V
             known = ", ".join(sorted(names))
             raise InputError("is no house of the library", f"use one of: {known}", place=place)
         house = houses[names[one.name]]
-        side, front = _match(house, one.box, place)
-        frame = front_frame(house, front)
-        turn = one.box[2] - front
-        cos, sin = math.cos(turn), math.sin(turn)
-        x, y = frame.middle
-        poses.append((one.box[0] - cos * x + sin * y, one.box[1] - sin * x - cos * y, turn))
+        ways = [
+            (side, _pose_in(house, front, one.box))
+            for side, front in _find_fronts(house, one.box, place)
+        ]
+        side, pose = min(ways, key=lambda way: _measure_outside(house, way[1], free))
+        poses.append(pose)
         numbers.append(names[one.name])
         doors.append(side)
     return VillageLayout(
@@ -71,17 +76,36 @@ def _layout(houses: Sequence[House], given: Sequence[NamedBox], block: str) -> V
     )
 
 
-def _match(house: House, box: tuple[float, ...], place: str) -> tuple[int, float]:
-    """The side of a house that is the front of a box, and its direction: the first that makes the
-    box of its size."""
+def _pose_in(house: House, front: float, box: tuple[float, ...]) -> tuple[float, float, float]:
+    """The pose of a house whose front is that of a box."""
+    turn = box[2] - front
+    cos, sin = math.cos(turn), math.sin(turn)
+    x, y = front_frame(house, front).middle
+    return box[0] - cos * x + sin * y, box[1] - sin * x - cos * y, turn
+
+
+def _measure_outside(
+    house: House, pose: tuple[float, float, float], free: shapely.Geometry
+) -> float:
+    """Square metres of a house that lie outside some ground, to a hundredth."""
+    cos, sin = math.cos(pose[2]), math.sin(pose[2])
+    stands = house.outline @ np.array([[cos, sin], [-sin, cos]]) + np.array(pose[:2])
+    return round(float(shapely.area(shapely.difference(shapely.Polygon(stands), free))), 2)
+
+
+def _find_fronts(house: House, box: tuple[float, ...], place: str) -> list[tuple[int, float]]:
+    """The sides of a house that may be the front of a box, and their directions: those that make
+    the box of its size; InputError if none does."""
     sides = range(len(house.outline)) if house.front is None else (0,)
-    seen = []
+    seen, found = [], []
     for side in sides:
         front = direction_of(house.outline, side) if house.front is None else house.front
         frame = front_frame(house, front)
         if max(abs(frame.width - box[3]), abs(frame.depth - box[4])) <= FITS:
-            return side, front
+            found.append((side, front))
         seen.append(f"{frame.width:g} x {frame.depth:g}")
+    if found:
+        return found
     area = float(shapely.area(shapely.Polygon(house.outline)))
     raise InputError(
         f"is {box[3]:g} x {box[4]:g} m, the house {' or '.join(dict.fromkeys(seen))} m "

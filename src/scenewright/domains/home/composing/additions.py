@@ -8,7 +8,7 @@ import numpy as np
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
-from scenewright.domains.home.cases.library import SHIPPED, cases
+from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import RUNS, Placed
 from scenewright.domains.home.groups.kitchen import short_counters
@@ -34,7 +34,8 @@ def list_additions(
         return
     if any(_is_short(p) for p in placed) and "counter" not in task.forbidden:
         yield Wish("counter", 2), ()
-    if "living" in task.space.functions and task.library is SHIPPED and task.welcome is None:
+    shared = task.elsewhere or task.instead
+    if "living" in task.space.functions and task.welcome is None and not shared:
         for group, least in FULLER:
             if task.ground.area >= least and group not in task.elsewhere:
                 yield Wish(group, 2), ()

@@ -9,6 +9,7 @@ stays if it costs less, counting energy and faults (:mod:`.placed_faults`), and 
 from __future__ import annotations
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import (
@@ -26,11 +27,11 @@ from scenewright.domains.home.composing.placed_faults import cost_of_group, cost
 def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     """The answer with its groups better composed where that bars no way and takes nothing away.
 
-    Rooms of wheelchair users keep the room to turn they were furnished with; presets that are not
-    exact are left as they are.
+    Rooms of wheelchair users keep the room to turn they were furnished with, rooms of learned
+    groups what was learned; presets that are not exact are left as they are.
     """
-    settings = task.preset.settings
-    if not settings.exact or task.accessible or not answer.placed:
+    exact = task.preset.settings.exact and task.library is SHIPPED
+    if not exact or task.accessible or not answer.placed:
         return answer
     barred = frozenset(find_blocked(with_margin(task), answer.placed))
     placed = answer.placed

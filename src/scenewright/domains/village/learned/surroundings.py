@@ -51,10 +51,10 @@ def survey(
 ) -> Surroundings:
     """The surroundings on some ground where houses stand and ``planned`` are to stand.
 
-    >>> from scenewright.domains.village.problem import stand
+    >>> from scenewright.domains.village.standing import stand
     >>> street = np.array([[[0.0, 0.0], [40.0, 0.0]]])
     >>> seen = survey(shapely.box(0, 0, 40, 30), street, 0.29, 4, stand([], []))
-    >>> len(seen.others), round(seen.plot, 1), seen.away.min()
+    >>> len(seen.others), round(seen.plot, 1), float(seen.away.min())
     (3, 17.3, 200.0)
     """
     corners = shapely.get_coordinates(floor.exterior)
