@@ -87,11 +87,11 @@ BEDROOM = {
 }
 
 
-def furnished(tmp_path: Path, targets: Targets) -> Solution:
+def furnished(tmp_path: Path, targets: Targets, seed: int = 1) -> Solution:
     """A bedroom furnished with the shipped groups and some habits."""
     write(Learned(1, (), targets), tmp_path / "groups.json")
     brief = Brief(rooms=[Room.model_validate(BEDROOM)], groups=[str(tmp_path / "groups.json")])
-    answer = home.solve(brief, steps=2000, seed=1)
+    answer = home.solve(brief, steps=2000, seed=seed)
     assert check(answer).valid
     return answer
 
@@ -120,8 +120,14 @@ def test_rooms_hold_what_people_hold_in_such_rooms(tmp_path: Path) -> None:
 
 
 def test_free_floor_follows_what_was_learned(tmp_path: Path) -> None:
+    """Over eight seeds: one room may not hold it beside all else."""
     rows = tuple(Clearance(f, "front", 1.5, 2.0, 200) for f in ("wardrobe", "chest", "vanity"))
-    usual, wide = (share_and_front(furnished(tmp_path, Targets((), r, ())))[1] for r in ((), rows))
+    usual, wide = (
+        np.median(
+            [share_and_front(furnished(tmp_path, Targets((), r, ()), k))[1] for k in range(8)]
+        )
+        for r in ((), rows)
+    )
     assert wide >= max(usual, 1.2) - 1e-6
     assert np.isfinite(usual)
 
