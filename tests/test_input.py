@@ -194,7 +194,7 @@ def refusal(path: Path | str) -> str:
     told = str(caught.value)
     assert "\n" not in told
     assert told.startswith(str(path))
-    assert len(told) < 700
+    assert len(told) < 600
     return told
 
 
@@ -226,7 +226,8 @@ def test_files_that_are_not_there_or_not_files(tmp_path: Path) -> None:
     assert "is a folder; add --batch" in refusal(tmp_path)
     assert "'.dwg' files cannot be read; use one of: .json, .sh3d, .xml" in refusal("flat.dwg")
     assert "no suffix" in refusal("flat")
-    assert "use one of: sample:" in refusal("sample:castle")
+    assert "; all: scenewright list samples" in refusal("sample:castle")
+    assert "use one of: sample:home-flat" in refusal("sample:home-falt")
     assert "say sample:home-flat" in refusal("home-flat")
 
 

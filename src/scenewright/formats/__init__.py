@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from difflib import get_close_matches
 from importlib import import_module, resources
 from inspect import signature
 from pathlib import Path
@@ -238,7 +239,12 @@ def _sample(name: str) -> Brief:
     from scenewright.formats import brief_json
 
     if name not in samples():
-        raise InputError("there is no such sample", f"use one of: {', '.join(samples())}")
+        stems = [sample.removeprefix(SAMPLE) for sample in samples()]
+        near = get_close_matches(name.removeprefix(SAMPLE), stems, 6, 0.4)
+        some = ", ".join(SAMPLE + stem for stem in near or stems[:: len(stems) // 6])
+        raise InputError(
+            "there is no such sample", f"use one of: {some}; all: scenewright list samples"
+        )
     return brief_json.loads(_sample_files()[name.removeprefix(SAMPLE)].read_bytes())
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol, TypeVar
 
@@ -44,6 +45,17 @@ def lock_areas(
         unplaced = [row for row in area.fixed if row.id not in ids]
         updated.append(area.model_copy(update={"fixed": [*locked, *unplaced]}))
     return updated
+
+
+def count_buildings(
+    solution: Solution, areas: Sequence[AreaT], names: Sequence[str]
+) -> list[AreaT]:
+    """The parts of a brief, each asked for as many buildings as the solution has there."""
+    counts = Counter(p.space for p in solution.pieces if p.category == "building")
+    return [
+        area.model_copy(update={"count": counts[name], "coverage": None})
+        for area, name in zip(areas, names, strict=True)
+    ]
 
 
 def check_lockable(piece: Piece, dressing: str, what: str) -> None:

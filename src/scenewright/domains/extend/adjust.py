@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
-from dataclasses import replace
-
-import numpy as np
-import shapely
 
 from scenewright.core.edits import Adjusted, Edits
-from scenewright.core.piece_edits import Edited, apply_edits, find_piece, list_adjusted, with_locks
-from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.errors import InputError
+from scenewright.core.piece_edits import find_piece
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.extend.locks import check_lockable, lock_extension
+from scenewright.domains.extend.areas import OLD
+from scenewright.domains.extend.locks import WORDS, lock_extension
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.solving import solve
+from scenewright.ground.adjusting import GroundRules, adjust_ground, find_overlapped
+from scenewright.ground.locks import check_lockable, count_buildings
 from scenewright.ground.names import assign_ids
-
-OVERLAP = 0.01
-"""Square metres shared with a building moved by hand that make another give way."""
 
 
 def adjust(
@@ -37,62 +32,24 @@ def adjust(
     Buildings that a moved one stands on find another place; in areas named in ``again`` all that
     is not locked does. All other buildings stay, and so does what stood before.
     """
-    plan = plan or plan_extend(solution.brief)
-    edited = apply_edits(solution.pieces, plan, edits, _find_building, _alone)
-    locked = {p.id for p in edited.pieces if p.fixed}
-    free = _find_overlapped(edited, locked)
-    free |= {p.id for p in edited.pieces if p.space in edited.again} - locked
-    chosen = solution.seed if seed is None else seed
-    if not free and not edited.moved:
-        after = replace(solution, pieces=edited.pieces)
-    else:
-        after = _solve_again(solution, edited, free, locked, steps, chosen)
-    after = replace(after, brief=lock_extension(after), seed=chosen)
-    return list_adjusted(solution, after, edited, skip="/green")
+    made = plan or plan_extend(solution.brief)
+    rules = GroundRules(_find_building, lock_extension, find_overlapped, _grow_again)
+    return adjust_ground(solution, made, edits, rules, steps, seed)
 
 
-def _solve_again(
-    solution: Solution,
-    edited: Edited,
-    free: set[str],
-    locked: set[str],
-    steps: int | None,
-    seed: int,
-) -> Solution:
-    """Areas with as many buildings as they had; those that are not free stand."""
-    held = {p.id for p in edited.pieces if p.category == "building"} - free
-    pieces = with_locks(edited.pieces, held)
-    brief = lock_extension(replace(solution, pieces=pieces))
+def _grow_again(standing: Solution, steps: int | None, seed: int) -> Solution:
+    """Areas with as many buildings as they had; those that are not locked find a place."""
+    brief = lock_extension(standing)
     names = assign_ids(brief.part.areas, "area", "areas")
-    counts = Counter(p.space for p in pieces if p.category == "building")
-    areas = [
-        area.model_copy(update={"count": counts[name], "coverage": None})
-        for area, name in zip(brief.part.areas, names, strict=True)
-    ]
+    areas = count_buildings(standing, brief.part.areas, names)
     counted = brief.model_copy(update={"part": brief.part.model_copy(update={"areas": areas})})
-    found = solve(counted, preset=solution.preset, solver=solution.solver, steps=steps, seed=seed)
-    pieces = with_locks(found.pieces, locked)
-    return replace(found, brief=brief, pieces=pieces, brief_hash=solution.brief_hash)
+    return solve(counted, preset=standing.preset, solver=standing.solver, steps=steps, seed=seed)
 
 
 def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
     """The building a name means, if it may be moved and locked."""
     found = find_piece(pieces, name, lambda _piece: False)
-    check_lockable(found)
+    if found.space == OLD:
+        raise InputError(f"'{found.id}' stood before", 'change it in the brief, under "sources"')
+    check_lockable(found, *WORDS)
     return (found,)
-
-
-def _alone(piece: Piece, _pieces: Sequence[Piece]) -> tuple[Piece, ...]:
-    return (piece,)
-
-
-def _find_overlapped(edited: Edited, locked: set[str]) -> set[str]:
-    """Ids of buildings that a moved one stands on."""
-    houses = [p for p in edited.pieces if p.category == "building"]
-    moved = [p for p in houses if p.id in edited.moved]
-    others = [p for p in houses if p.id not in locked]
-    if not moved or not others:
-        return set()
-    shapes, theirs = polygons_of(moved), polygons_of(others)
-    shared = shapely.area(shapely.intersection(shapes[:, None], theirs[None]))
-    return {others[k].id for k in np.flatnonzero((shared > OVERLAP).any(0))}

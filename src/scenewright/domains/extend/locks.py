@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from scenewright.core.brief import Brief
-from scenewright.core.errors import InputError
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.extend.areas import OLD
 from scenewright.domains.extend.brief import LockedGrowth
+from scenewright.ground.locks import lock_areas
 from scenewright.ground.names import assign_ids
+
+WORDS = ("roads", "buildings")
+"""What cannot be locked, and what can."""
 
 
 def lock_extension(solution: Solution) -> Brief:
@@ -16,25 +18,9 @@ def lock_extension(solution: Solution) -> Brief:
     asked; all others are free. What stood before stands by the brief."""
     areas = solution.brief.part.areas
     names = assign_ids(areas, "area", "areas")
-    updated = []
-    for area, name in zip(areas, names, strict=True):
-        here = [p for p in solution.pieces if p.space == name]
-        ids = {p.id for p in here}
-        for piece in here:
-            check_lockable(piece) if piece.fixed else None
-        locked = [locked_growth(p) for p in here if p.fixed]
-        unplaced = [row for row in area.fixed if row.id not in ids]
-        updated.append(area.model_copy(update={"fixed": [*locked, *unplaced]}))
+    updated = lock_areas(solution, areas, names, locked_growth, *WORDS)
     part = solution.brief.part.model_copy(update={"areas": updated})
     return solution.brief.model_copy(update={"part": part})
-
-
-def check_lockable(piece: Piece) -> None:
-    """InputError for what cannot be locked, moved or let go."""
-    if piece.space == OLD:
-        raise InputError(f"'{piece.id}' stood before", 'change it in the brief, under "sources"')
-    if piece.category != "building":
-        raise InputError(f"'{piece.id}' cannot be locked", "lock buildings only")
 
 
 def locked_growth(piece: Piece) -> LockedGrowth:

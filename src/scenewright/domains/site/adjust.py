@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import shapely
 
 from scenewright.core.edits import Adjusted, Edits
 from scenewright.core.errors import InputError
-from scenewright.core.piece_edits import Edited, apply_edits, find_piece, list_adjusted, with_locks
+from scenewright.core.piece_edits import Edited, find_piece
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
@@ -17,6 +16,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.site.locks import LANDMARK, WORDS, lock_sites
 from scenewright.domains.site.plan import plan_sites
 from scenewright.domains.site.solving import solve
+from scenewright.ground.adjusting import GroundRules, adjust_ground
 from scenewright.ground.locks import check_lockable
 
 
@@ -33,24 +33,14 @@ def adjust(
     Buildings nearer to a moved one than the site's spacing find another place; on sites named in
     ``again`` all that is not locked does. All other buildings stay; trees and lamps follow.
     """
-    plan = plan or plan_sites(solution.brief)
-    edited = apply_edits(solution.pieces, plan, edits, _find_building, _alone)
-    locked = {p.id for p in edited.pieces if p.fixed}
-    free = _find_crowded(solution, edited, locked)
-    free |= {p.id for p in edited.pieces if p.space in edited.again} - locked
-    chosen = solution.seed if seed is None else seed
-    if not free and not edited.moved:
-        after = replace(solution, pieces=edited.pieces)
-    else:
-        held = {p.id for p in edited.pieces if p.category == "building"} - free
-        brief = lock_sites(replace(solution, pieces=with_locks(edited.pieces, held)))
-        found = solve(
-            brief, preset=solution.preset, solver=solution.solver, steps=steps, seed=chosen
-        )
-        pieces = with_locks(found.pieces, locked)
-        after = replace(found, pieces=pieces, brief_hash=solution.brief_hash)
-    after = replace(after, brief=lock_sites(after), seed=chosen)
-    return list_adjusted(solution, after, edited, skip="/green")
+    made = plan or plan_sites(solution.brief)
+    rules = GroundRules(_find_building, lock_sites, _find_crowded, _build_again)
+    return adjust_ground(solution, made, edits, rules, steps, seed)
+
+
+def _build_again(standing: Solution, steps: int | None, seed: int) -> Solution:
+    brief = lock_sites(standing)
+    return solve(brief, preset=standing.preset, solver=standing.solver, steps=steps, seed=seed)
 
 
 def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
@@ -60,10 +50,6 @@ def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
     if found.function == LANDMARK:
         raise InputError(f"'{found.id}' is a landmark", 'change it in the brief, under "landmarks"')
     return (found,)
-
-
-def _alone(piece: Piece, _pieces: Sequence[Piece]) -> tuple[Piece, ...]:
-    return (piece,)
 
 
 def _find_crowded(solution: Solution, edited: Edited, locked: set[str]) -> set[str]:
