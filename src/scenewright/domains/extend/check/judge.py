@@ -12,7 +12,14 @@ from typing import Any
 import numpy as np
 import shapely
 
-from scenewright.check.bodies import TOLERANCE, Shape, Shapes
+from scenewright.check.bodies import TOLERANCE, Shapes
+from scenewright.check.buildings import (
+    find_collisions,
+    find_off_ground,
+    measure_shared,
+    split_sound,
+    state_fault,
+)
 from scenewright.check.rooms import count_findings
 from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import polygons_of
@@ -22,8 +29,6 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, AreaPlan, ExtendPlan
 
-LARGEST = 1e5
-
 
 def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     """Judge the buildings of every area; see :func:`scenewright.domains.check`. Buildings have no
@@ -31,58 +36,14 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     del kinds
     detail: ExtendPlan = plan.detail
     known = {OLD, *(area.id for area in detail.areas)}
-    findings, sound = [], []
-    for piece in solution.pieces:
-        fault = _fault(piece, known)
-        if fault:
-            told = f"{piece.id or 'a piece'} {fault}"
-            findings.append(
-                Finding("malformed", "", piece.space, piece.id, "", told, given=piece.fixed)
-            )
-        elif piece.category == "building":
-            sound.append(piece)
+    findings, sound = split_sound(solution.pieces, known, "an area")
     shapes = polygons_of(sound)
-    findings += find_overlaps(sound, shapes)
+    findings += find_collisions(sound, shapes)
     for area in detail.areas:
         findings += find_outside(area, sound, shapes)
     figures = {area.id: figures_of(area, detail, sound, shapes) for area in detail.areas}
     found = {**count_findings(solution.pieces, findings), "areas": figures}
     return Report(tuple(findings), (), found)
-
-
-def _fault(piece: Piece, known: set[str]) -> str:
-    """What is wrong with a piece that cannot be judged; empty if it can."""
-    values = np.array([*piece.pose, *piece.size], float)
-    if not np.isfinite(values).all() or np.abs(values).max() > LARGEST:
-        return "has a pose or size that is not a number of metres"
-    if (values[4:] <= 0).any():
-        return f"has no size: {values[4]:g} x {values[5]:g} x {values[6]:g} m"
-    return "" if piece.space in known else f"stands in {piece.space!r}, which is not an area"
-
-
-def find_overlaps(pieces: Sequence[Piece], shapes: Shapes) -> list[Finding]:
-    """Pairs that share more than a wall: an area more than 1 cm thick."""
-    found: list[Finding] = []
-    if len(pieces) < 2:
-        return found
-    i, j = shapely.STRtree(shapes).query(shapes, predicate="intersects")
-    for a, b in sorted((int(a), int(b)) for a, b in zip(i, j, strict=True) if a < b):
-        depth, area = _thickness(shapely.intersection(shapes[a], shapes[b]))
-        one, other = pieces[a], pieces[b]
-        if depth > TOLERANCE:
-            told = f"{one.id} and {other.id} overlap by {depth:.2f} m ({area:.2f} m²)"
-            given = one.fixed and other.fixed
-            found.append(_finding("collision", one, told, depth, area, other.id, given))
-    return found
-
-
-def _thickness(shared: Shape) -> tuple[float, float]:
-    """The short side of the least rectangle about a shape, and its area; 0 where it holds none."""
-    area = float(shared.area)
-    if area <= TOLERANCE**2:
-        return 0.0, area
-    frame = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shared))
-    return float(np.hypot(*np.diff(frame[:3], axis=0).T).min()), area
 
 
 def find_outside(area: AreaPlan, pieces: Sequence[Piece], shapes: Shapes) -> list[Finding]:
@@ -100,18 +61,15 @@ def find_outside(area: AreaPlan, pieces: Sequence[Piece], shapes: Shapes) -> lis
         if piece.space != area.id:
             continue
         if not shapely.covers(wider, shape):
-            depth, size = _thickness(shapely.difference(shape, area.outline))
+            depth, size = measure_shared(shapely.difference(shape, area.outline))
             told = f"{piece.id} is {depth:.2f} m ({size:.2f} m²) outside {area.id}"
             if depth > TOLERANCE:
-                found.append(_finding("out_of_bounds", piece, told, depth, size))
-        depth, size = _thickness(shapely.intersection(shape, streets))
+                found.append(state_fault("out_of_bounds", piece, told, depth, size))
+        depth, size = measure_shared(shapely.intersection(shape, streets))
         if depth > TOLERANCE:
             told = f"{piece.id} stands in a street by {depth:.2f} m ({size:.2f} m²)"
-            found.append(_finding("blocked_path", piece, told, depth, size))
-        if abs(piece.pose.z) > 0.02:
-            kind = "floating" if piece.pose.z > 0 else "sunk"
-            told = f"{piece.id} stands {piece.pose.z:+.2f} m off the ground"
-            found.append(_finding(kind, piece, told, abs(piece.pose.z)))
+            found.append(state_fault("blocked_path", piece, told, depth, size))
+        found += find_off_ground(piece)
     return found
 
 
@@ -139,18 +97,3 @@ def figures_of(
         "median_gap": gap,
         "streets_continued": len(area.continued),
     }
-
-
-def _finding(
-    kind: str,
-    piece: Piece,
-    told: str,
-    amount: float = 0.0,
-    area: float = 0.0,
-    other: str = "",
-    given: bool | None = None,
-) -> Finding:
-    chosen = piece.fixed if given is None else given
-    return Finding(
-        kind, "", piece.space, piece.id, other, told, round(amount, 4), round(area, 4), bool(chosen)
-    )

@@ -21,10 +21,10 @@ from scenewright.core.piece_outlines import outline_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.core.space import Points
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.plan import plan_extend
-from scenewright.ground.projection import Projection, coordinates_of, projection
+from scenewright.ground.map_writing import bearing_of, write_feature, write_points, write_ring
+from scenewright.ground.projection import Projection, projection
 
 STOREY = 3.0
 
@@ -51,41 +51,26 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     features = []
     for area in plan.areas:
         outline, holes = rings(area.outline)
-        ring = [_ring(one, map_) for one in (outline, *holes)]
-        features.append(_feature(area.id, "Polygon", ring, {"extend": "yes", "name": area.name}))
+        ring = [write_ring(one, map_) for one in (outline, *holes)]
+        features.append(
+            write_feature(area.id, "Polygon", ring, {"extend": "yes", "name": area.name})
+        )
     for way in plan.ground.roads:
         kind = "residential" if way.kind == "road" else "footway"
         told = {"highway": kind, "name": way.name, "width": way.width}
-        features.append(_feature(way.id, "LineString", _points(way.line, map_), told))
+        features.append(write_feature(way.id, "LineString", write_points(way.line, map_), told))
     features += [_building(p, map_) for p in solution.pieces if p.category == "building"]
     return {"type": "FeatureCollection", "name": solution.brief.name, "features": features}
 
 
 def _building(piece: Piece, map_: Projection) -> dict[str, Any]:
-    north = (90.0 - float(np.rad2deg(piece.pose.heading))) % 360.0
     told = {
         "building": "yes",
         "name": piece.function,
         "height": round(piece.size.height, 3),
         "building:levels": max(1, round(piece.size.height / STOREY)),
         "model": piece.asset,
-        "direction": round(north, 2),
+        "direction": bearing_of(piece.pose.heading),
         "new": "" if piece.space == OLD else "yes",
     }
-    return _feature(piece.id, "Polygon", [_ring(outline_of(piece), map_)], told)
-
-
-def _feature(name: str, kind: str, coordinates: Any, told: dict[str, Any]) -> dict[str, Any]:
-    properties = {key: value for key, value in told.items() if value != ""}
-    geometry = {"type": kind, "coordinates": coordinates}
-    return {"type": "Feature", "id": name, "properties": properties, "geometry": geometry}
-
-
-def _ring(ring: Points, map_: Projection) -> list[list[float]]:
-    return _points(np.vstack([ring, ring[:1]]), map_)
-
-
-def _points(points: Points, map_: Projection) -> list[list[float]]:
-    """Degrees to 1e-8 (a millimetre)."""
-    found: list[list[float]] = coordinates_of(map_, points).round(8).tolist()
-    return found
+    return write_feature(piece.id, "Polygon", [write_ring(outline_of(piece), map_)], told)

@@ -21,12 +21,12 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
-from scenewright.core.space import Points
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
+from scenewright.ground.map_writing import bearing_of, write_feature, write_points, write_ring
 from scenewright.ground.plan import SitePlan, Way
-from scenewright.ground.projection import Projection, coordinates_of, projection
+from scenewright.ground.projection import Projection, projection
 from scenewright.ground.reference_system import urn_of
 from scenewright.ground.works import Pathway, PavedArea
 
@@ -112,56 +112,39 @@ def _projection(site: Site, in_degrees: bool) -> Projection:
 def _site(site: Site, plan: SitePlan, map_: Projection) -> dict[str, Any]:
     values = {field: getattr(site, field) for field in FIELDS}
     stated = {field: value for field, value in values.items() if value is not None}
-    rings = [_ring(ring, map_) for ring in (plan.outline, *plan.holes)]
-    return _feature(plan.id, "Polygon", rings, {"site": "yes", "name": plan.name} | stated)
+    rings = [write_ring(ring, map_) for ring in (plan.outline, *plan.holes)]
+    return write_feature(plan.id, "Polygon", rings, {"site": "yes", "name": plan.name} | stated)
 
 
 def _way(way: Way, map_: Projection) -> dict[str, Any]:
     kind = "residential" if way.kind == "road" else "footway"
     told = {"highway": kind, "name": way.name, "width": way.width}
-    return _feature(way.id, "LineString", _points(way.line, map_), told)
+    return write_feature(way.id, "LineString", write_points(way.line, map_), told)
 
 
 def _path(path: Pathway, site: str, number: int, map_: Projection) -> dict[str, Any]:
     """A lane, drive or walk that the solution lays out."""
     told = PATH_TAGS[path.kind] | {"laid_out": path.kind, "width": path.width}
-    points = _points(np.array(path.line), map_)
-    return _feature(f"{site}/{path.kind}_{number}", "LineString", points, told)
+    points = write_points(np.array(path.line), map_)
+    return write_feature(f"{site}/{path.kind}_{number}", "LineString", points, told)
 
 
 def _area(area: PavedArea, site: str, number: int, map_: Projection) -> dict[str, Any]:
     """A square, forecourt, car park or court."""
     told: dict[str, Any] = AREA_TAGS[area.kind] | {"laid_out": area.kind, "name": area.about}
     told |= {"capacity": area.bays} if area.bays else {}
-    ring = [_ring(np.array(area.outline), map_)]
-    return _feature(f"{site}/{area.kind}_{number}", "Polygon", ring, told)
+    ring = [write_ring(np.array(area.outline), map_)]
+    return write_feature(f"{site}/{area.kind}_{number}", "Polygon", ring, told)
 
 
 def _building(row: StandingBuilding, map_: Projection) -> dict[str, Any]:
-    north = (90.0 - float(np.rad2deg(row.heading))) % 360.0
     told: dict[str, Any] = {
         "building": "yes",
         "name": row.name,
         "height": round(row.high - row.low, 3),
         "building:levels": row.floors,
         "model": row.model,
-        "direction": round(north, 2),
+        "direction": bearing_of(row.heading),
         "landmark": "yes" if row.landmark else "no",
     }
-    return _feature(row.id, "Polygon", [_ring(row.footprint, map_)], told)
-
-
-def _feature(name: str, kind: str, coordinates: Any, told: dict[str, Any]) -> dict[str, Any]:
-    properties = {key: value for key, value in told.items() if value != ""}
-    geometry = {"type": kind, "coordinates": coordinates}
-    return {"type": "Feature", "id": name, "properties": properties, "geometry": geometry}
-
-
-def _ring(ring: Points, map_: Projection) -> list[list[float]]:
-    return _points(np.vstack([ring, ring[:1]]), map_)
-
-
-def _points(points: Points, map_: Projection) -> list[list[float]]:
-    """Degrees to 1e-8 (a millimetre), metres to a millimetre."""
-    found: list[list[float]] = coordinates_of(map_, points).round(8 if map_.turns else 3).tolist()
-    return found
+    return write_feature(row.id, "Polygon", [write_ring(row.footprint, map_)], told)

@@ -13,6 +13,13 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Flags, Floats, Indices, Shape, Shapes
+from scenewright.check.buildings import (
+    find_collisions,
+    find_off_ground,
+    measure_shared,
+    split_sound,
+    state_fault,
+)
 from scenewright.check.rooms import count_findings
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import corners
@@ -23,7 +30,6 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Patch, Solution
 from scenewright.domains.village.blocks import BlockPlan
 
-LARGEST = 1e5
 DOOR, COURT = 0.9, 1.0
 """Width of a door, and how deep the ground before it must be free, in metres."""
 WAY = 0.5
@@ -60,16 +66,7 @@ def judge_blocks(
 ) -> tuple[list[Finding], dict[str, dict[str, Any]]]:
     """Every violation on some blocks, and their figures. Broken pieces become findings."""
     known = {block.id for block in blocks}
-    findings, sound = [], []
-    for piece in pieces:
-        fault = _fault(piece, known)
-        if fault:
-            told = f"{piece.id or 'a piece'} {fault}"
-            findings.append(
-                Finding("malformed", "", piece.space, piece.id, "", told, given=piece.fixed)
-            )
-        elif piece.category == "building":
-            sound.append(piece)
+    findings, sound = split_sound(pieces, known, "a block")
     figures = {}
     for block in blocks:
         judged = _make_judged(block, [p for p in sound if p.space == block.id], patches)
@@ -82,16 +79,6 @@ def judge_blocks(
         ]
         figures[block.id] = figures_of(judged, reached)
     return findings, figures
-
-
-def _fault(piece: Piece, known: set[str]) -> str:
-    """What is wrong with a piece that cannot be judged; empty if it can."""
-    values = np.array([*piece.pose, *piece.size], float)
-    if not np.isfinite(values).all() or np.abs(values).max() > LARGEST:
-        return "has a pose or size that is not a number of metres"
-    if (values[4:] <= 0).any():
-        return f"has no size: {values[4]:g} x {values[5]:g} x {values[6]:g} m"
-    return "" if piece.space in known else f"stands in {piece.space!r}, which is not a block"
 
 
 def _make_judged(block: BlockPlan, houses: list[Piece], patches: Sequence[Patch]) -> JudgedBlock:
@@ -128,36 +115,13 @@ def door_of(piece: Piece) -> tuple[Floats, Floats]:
 
 def find_overlaps(judged: JudgedBlock) -> list[Finding]:
     """Pairs that share more than a wall: an area more than 1 cm thick; and houses on the square."""
-    found = []
-    for a, b in _pairs(judged.shapes):
-        depth, area = _thickness(shapely.intersection(judged.shapes[a], judged.shapes[b]))
-        if depth > TOLERANCE:
-            one, other = judged.houses[a], judged.houses[b]
-            told = f"{one.id} and {other.id} overlap by {depth:.2f} m ({area:.2f} m²)"
-            given = one.fixed and other.fixed
-            found.append(_finding("collision", judged, one, told, depth, area, other.id, given))
+    found = find_collisions(judged.houses, judged.shapes)
     for piece, shape in zip(judged.houses, judged.shapes, strict=True):
-        depth, area = _thickness(shapely.intersection(shape, judged.square))
+        depth, area = measure_shared(shapely.intersection(shape, judged.square))
         if depth > TOLERANCE:
             told = f"{piece.id} stands on the square by {depth:.2f} m ({area:.2f} m²)"
-            found.append(_finding("blocked_path", judged, piece, told, depth, area, "square"))
+            found.append(state_fault("blocked_path", piece, told, depth, area, "square"))
     return found
-
-
-def _pairs(shapes: Shapes) -> list[tuple[int, int]]:
-    if len(shapes) < 2:
-        return []
-    i, j = shapely.STRtree(shapes).query(shapes, predicate="intersects")
-    return sorted((int(a), int(b)) for a, b in zip(i, j, strict=True) if a < b)
-
-
-def _thickness(shared: Shape) -> tuple[float, float]:
-    """The short side of the least rectangle about a shape, and its area; 0 where it holds none."""
-    area = float(shared.area)
-    if area <= TOLERANCE**2:
-        return 0.0, area
-    frame = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shared))
-    return float(np.hypot(*np.diff(frame[:3], axis=0).T).min()), area
 
 
 def find_outside(judged: JudgedBlock) -> list[Finding]:
@@ -171,11 +135,8 @@ def find_outside(judged: JudgedBlock) -> list[Finding]:
             points = shapely.points(shapely.get_coordinates(shapely.segmentize(rest, 0.1)))
             depth = float(shapely.distance(points, judged.floor).max(initial=0.0))
             told = f"{piece.id} is {depth:.2f} m ({rest.area:.2f} m²) outside {judged.plan.id}"
-            found.append(_finding("out_of_bounds", judged, piece, told, depth, float(rest.area)))
-        if abs(piece.pose.z) > 0.02:
-            kind = "floating" if piece.pose.z > 0 else "sunk"
-            told = f"{piece.id} stands {piece.pose.z:+.2f} m off the ground"
-            found.append(_finding(kind, judged, piece, told, abs(piece.pose.z)))
+            found.append(state_fault("out_of_bounds", piece, told, depth, float(rest.area)))
+        found += find_off_ground(piece)
     return found
 
 
@@ -193,16 +154,16 @@ def find_blocked_doors(judged: JudgedBlock) -> list[Finding]:
     for k, (piece, court) in enumerate(zip(judged.houses, courts, strict=True)):
         near = [int(n) for n in tree.query(court, predicate="intersects") if n != k]
         for n in near:
-            depth, area = _thickness(shapely.intersection(court, judged.shapes[n]))
+            depth, area = measure_shared(shapely.intersection(court, judged.shapes[n]))
             if depth > TOLERANCE:
                 told = f"the door of {piece.id} is blocked by {judged.houses[n].id}"
                 other = judged.houses[n].id
-                found.append(_finding("blocked_door", judged, piece, told, depth, area, other))
+                found.append(state_fault("blocked_door", piece, told, depth, area, other))
         out = shapely.difference(court, judged.walkable)
-        depth, area = _thickness(out)
+        depth, area = measure_shared(out)
         if depth > TOLERANCE:
             told = f"the door of {piece.id} opens on ground beyond the block that is no street"
-            found.append(_finding("blocked_door", judged, piece, told, depth, area))
+            found.append(state_fault("blocked_door", piece, told, depth, area))
     return found
 
 
@@ -220,9 +181,8 @@ def find_reached(judged: JudgedBlock) -> Flags:
 def _unreachable(judged: JudgedBlock, reached: Flags) -> list[Finding]:
     lost: Indices = np.flatnonzero(~reached)
     return [
-        _finding(
+        state_fault(
             "unreachable_building",
-            judged,
             judged.houses[k],
             f"no way {2 * WAY:g} m wide leads from a street to the door of {judged.houses[k].id}",
         )
@@ -253,27 +213,3 @@ def figures_of(judged: JudgedBlock, reached: Flags) -> dict[str, Any]:
         "median_setback": setback,
         "reached_share": round(float(reached.mean()), 4) if count else 1.0,
     }
-
-
-def _finding(
-    kind: str,
-    judged: JudgedBlock,
-    piece: Piece,
-    told: str,
-    amount: float = 0.0,
-    area: float = 0.0,
-    other: str = "",
-    given: bool | None = None,
-) -> Finding:
-    chosen = piece.fixed if given is None else given
-    return Finding(
-        kind,
-        "",
-        judged.plan.id,
-        piece.id,
-        other,
-        told,
-        round(amount, 4),
-        round(area, 4),
-        bool(chosen),
-    )

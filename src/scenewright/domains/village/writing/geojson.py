@@ -19,10 +19,10 @@ from scenewright.core.piece_outlines import outline_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.core.space import Points
 from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.plan import plan_village
-from scenewright.ground.projection import Projection, coordinates_of, projection
+from scenewright.ground.map_writing import bearing_of, write_feature, write_points, write_ring
+from scenewright.ground.projection import Projection, projection
 
 STOREY = 2.7
 
@@ -40,15 +40,15 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     features = []
     for block in village.blocks:
         tags = {"block": "yes", "name": block.name}
-        features.append(_feature(block.id, "Polygon", [_ring(block.outline, map_)], tags))
+        features.append(write_feature(block.id, "Polygon", [write_ring(block.outline, map_)], tags))
         for k, side in enumerate(block.streets, 1):
             name = f"{block.id}/street-{k}"
             told = {"street_side": block.id}
-            features.append(_feature(name, "LineString", _points(side, map_), told))
+            features.append(write_feature(name, "LineString", write_points(side, map_), told))
     for way in village.lanes:
         kind = "residential" if way.kind == "road" else "footway"
         tags_ = {"highway": kind, "name": way.name, "width": way.width}
-        features.append(_feature(way.id, "LineString", _points(way.line, map_), tags_))
+        features.append(write_feature(way.id, "LineString", write_points(way.line, map_), tags_))
     features += [_house(p, map_) for p in solution.pieces if p.category == "building"]
     return {"type": "FeatureCollection", "name": solution.brief.name, "features": features}
 
@@ -63,29 +63,12 @@ def check(brief: Brief) -> None:
 
 
 def _house(piece: Piece, map_: Projection) -> dict[str, Any]:
-    north = (90.0 - float(np.rad2deg(piece.pose.heading))) % 360.0
     told = {
         "building": "yes",
         "name": piece.function,
         "height": round(piece.size.height, 3),
         "building:levels": max(1, round(piece.size.height / STOREY)),
         "model": piece.asset,
-        "direction": round(north, 2),
+        "direction": bearing_of(piece.pose.heading),
     }
-    return _feature(piece.id, "Polygon", [_ring(outline_of(piece), map_)], told)
-
-
-def _feature(name: str, kind: str, coordinates: Any, told: dict[str, Any]) -> dict[str, Any]:
-    properties = {key: value for key, value in told.items() if value != ""}
-    geometry = {"type": kind, "coordinates": coordinates}
-    return {"type": "Feature", "id": name, "properties": properties, "geometry": geometry}
-
-
-def _ring(ring: Points, map_: Projection) -> list[list[float]]:
-    return _points(np.vstack([ring, ring[:1]]), map_)
-
-
-def _points(points: Points, map_: Projection) -> list[list[float]]:
-    """Degrees to 1e-8 (a millimetre)."""
-    found: list[list[float]] = coordinates_of(map_, points).round(8).tolist()
-    return found
+    return write_feature(piece.id, "Polygon", [write_ring(outline_of(piece), map_)], told)
