@@ -99,7 +99,8 @@ class GroundSurface(NamedTuple):
 @dataclass(frozen=True, slots=True)
 class Scene:
     """Everything that is drawn: the shell (levels, spaces, walls, openings), what lies on open
-    ground, the pieces, and the stairs."""
+    ground, the pieces, and the stairs; ``palette`` names the colours it is drawn in (empty: those
+    of the models)."""
 
     name: str
     levels: tuple[Level, ...]
@@ -109,3 +110,4 @@ class Scene:
     pieces: tuple[Piece, ...]
     surfaces: tuple[GroundSurface, ...] = ()
     stairs: tuple[Stairs, ...] = ()
+    palette: str = ""

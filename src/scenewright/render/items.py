@@ -16,6 +16,7 @@ from scenewright.building import joinery
 from scenewright.building.finishes import CONCRETE, PLASTER, SECTION, SURFACES, UNKNOWN, floor_of
 from scenewright.building.gables import cut_off, height_at
 from scenewright.building.masonry import polygons
+from scenewright.building.palettes import paint
 from scenewright.building.stair_parts import flight_parts, railing_parts, wells
 from scenewright.catalog.assets.extruded import extrude_model
 from scenewright.catalog.assets.tints import apply_tint, tint_of
@@ -85,6 +86,8 @@ def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[Re
         )
         staged = (_piece(piece, level.id, catalog, cut) for piece in pieces)
         found += [piece for piece in staged if piece.parts or cut is None]
+    if scene.palette:
+        found = [one._replace(parts=paint(one.parts, scene.palette)) for one in found]
     return tuple(_make_names_unique(found))
 
 

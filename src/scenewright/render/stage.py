@@ -200,7 +200,7 @@ def _page(bounds: Floats, material: Material) -> PartTriangles:
 
 def _row(material: Material) -> list[float]:
     color = linear_of(np.array(material.color)).tolist()
-    pattern = PATTERNS.get(material.name, finish.PLAIN)
+    pattern = PATTERNS.get(material.name.partition(", ")[0], finish.PLAIN)
     return [*color, material.roughness, material.metallic, material.emission, float(pattern)]
 
 

@@ -38,7 +38,7 @@ def _pillows(x: Interval, back: float, z: float, count: int) -> list[Mesh]:
     return found
 
 
-def _bedding(
+def make_bedding(
     x: Interval, y: Interval, z: Interval, count: int, accent: Material, drop: float = 0.12
 ) -> dict[Material, list[Mesh]]:
     """Mattress, pillows, a duvet with its edge folded back, and a throw over the foot end."""
@@ -71,7 +71,7 @@ def _bed(size: Size, pillows: int, accent: Material, wood: Material, soft: bool)
     w, d, h = size.width / 2, size.depth / 2, size.height
     top = min(0.52, 0.62 * h)
     low, rail = 0.12, 0.3 * top / 0.52
-    found = _bedding(
+    found = make_bedding(
         (-w + 0.04, w - 0.04), (-d + HEAD + 0.01, d - 0.03), (rail - 0.04, top), pillows, accent
     )
     frame = block((-w, w), (-d + 0.03, d), (low, rail))
@@ -106,7 +106,7 @@ def _bunk_bed(size: Size) -> Parts:
     ]
     found: dict[Material, list[Mesh]] = {}
     for base, accent in ((0.18, NAVY), (upper - 0.08, SAGE_FABRIC)):
-        bed = _bedding(
+        bed = make_bedding(
             (-w + 0.04, w - 0.04),
             (-d + 0.06, d - 0.06),
             (base + 0.08, base + 0.24),

@@ -31,7 +31,8 @@ class Drawing(NamedTuple):
     """How one model of a kind is drawn: its mesh and its symbol. Of several models of a kind each
     but the first has an ``id`` of its own (left out: the category), a ``name`` (left out: the
     kind's) and the ``sizes`` it can take (left out: the kind's). ``footprint`` is what it covers
-    (left out: its box), ``over`` what it looks like over another footprint (left out: a prism)."""
+    (left out: its box), ``over`` what it looks like over another footprint (left out: a prism);
+    ``style`` the style it is made in, if any."""
 
     category: str
     mesh: Mesher
@@ -41,6 +42,7 @@ class Drawing(NamedTuple):
     sizes: SizeRange | tuple[()] = ()
     footprint: Covering = covers_box
     over: OutlineMesher | None = None
+    style: str = ""
 
 
 def buildable(size: Size, small: Size, large: Size) -> Size:
@@ -109,6 +111,7 @@ def asset_of(drawing: Drawing, kind: Kind) -> Asset:
         large,
         mesh,
         symbol,
+        style=drawing.style,
         footprint=_stretch_footprint(drawing.footprint, small, large),
         over=drawing.over,
     )

@@ -158,7 +158,7 @@ def _wall_lamp_symbol(size: Size) -> Lines:
     return path((-0.6 * w, -d), (0.6 * w, -d)), oval(0, d - wide, w, wide), path((0, -d), (0, d))
 
 
-def _lamp_symbol(size: Size) -> Lines:
+def draw_lamp(size: Size) -> Lines:
     """A circle with the cross that marks a light."""
     w, d = size.width / 2, size.depth / 2
     return (
@@ -176,10 +176,10 @@ def _desk_lamp_symbol(size: Size) -> Lines:
 
 
 ASSETS = (
-    Drawing("floor_lamp", _floor_lamp, _lamp_symbol),
-    Drawing("table_lamp", _table_lamp, _lamp_symbol),
+    Drawing("floor_lamp", _floor_lamp, draw_lamp),
+    Drawing("table_lamp", _table_lamp, draw_lamp),
     Drawing("desk_lamp", _desk_lamp, _desk_lamp_symbol),
     Drawing("wall_lamp", _wall_lamp, _wall_lamp_symbol),
-    Drawing("pendant_lamp", _pendant_lamp, _lamp_symbol),
-    Drawing("ceiling_lamp", _ceiling_lamp, _lamp_symbol),
+    Drawing("pendant_lamp", _pendant_lamp, draw_lamp),
+    Drawing("ceiling_lamp", _ceiling_lamp, draw_lamp),
 )

@@ -54,7 +54,7 @@ from scenewright.geometry.solids import (
 ARM, BACK = 0.15, 0.2
 
 
-def _pillow(x: float, y: float, z: float, side: float, lean: float, turn: float) -> Mesh:
+def throw_pillow(x: float, y: float, z: float, side: float, lean: float, turn: float) -> Mesh:
     """A square throw pillow standing on its edge at ``z``, leaning back."""
     half = side / 2
     flat = cushion((-half, half), (-0.055, 0.055), (0, side), 0.055, 2, 0.5)
@@ -105,8 +105,8 @@ def _sofa(size: Size) -> Parts:
         {
             FABRIC: body,
             FABRIC_LIGHT: soft,
-            TERRACOTTA: [_pillow(-w + arm + 0.24, -d + 0.37, seat - 0.02, pillow, 0.3, -0.35)],
-            MUSTARD: [_pillow(w - arm - 0.24, -d + 0.37, seat - 0.02, pillow, 0.3, 0.35)],
+            TERRACOTTA: [throw_pillow(-w + arm + 0.24, -d + 0.37, seat - 0.02, pillow, 0.3, -0.35)],
+            MUSTARD: [throw_pillow(w - arm - 0.24, -d + 0.37, seat - 0.02, pillow, 0.3, 0.35)],
             OAK: four_legs(w, d, (0, low + 0.01), 0.026, 0.018, 0.04),
         },
     )
@@ -138,8 +138,8 @@ def _corner_sofa(size: Size) -> Parts:
         {
             FABRIC: body,
             FABRIC_LIGHT: soft,
-            TERRACOTTA: [_pillow(-w + arm + 0.24, -d + 0.38, seat - 0.02, pillow, 0.3, -0.3)],
-            NAVY: [_pillow(w - arm - 0.24, -d + 0.38, seat - 0.02, pillow, 0.3, 0.35)],
+            TERRACOTTA: [throw_pillow(-w + arm + 0.24, -d + 0.38, seat - 0.02, pillow, 0.3, -0.3)],
+            NAVY: [throw_pillow(w - arm - 0.24, -d + 0.38, seat - 0.02, pillow, 0.3, 0.35)],
             OAK: [
                 leg(x, y, (0, low + 0.01), 0.026, 0.018)
                 for x, y in (
@@ -314,16 +314,18 @@ def sofa_symbol(size: Size) -> Lines:
     return tuple(lines)
 
 
-def _corner_outline(size: Size) -> Outline:
+def corner_sofa_outline(size: Size) -> Outline:
+    """The L of a corner sofa, its lounge on the left."""
     return corner_outline(size, min(0.95, 0.7 * size.depth), min(1.0, 0.42 * size.width))
 
 
-def _corner_symbol(size: Size) -> Lines:
+def corner_sofa_symbol(size: Size) -> Lines:
+    """Outline, back, arms and the lines between the cushions."""
     w, d = size.width / 2, size.depth / 2
     front, edge = -d + min(0.95, 1.4 * d), -w + min(1.0, 0.84 * w)
     back = -d + BACK
     count = max(1, round((w - ARM - edge) / 0.75))
-    outline = close_line(_corner_outline(size))
+    outline = close_line(corner_sofa_outline(size))
     seams = [path((a, back), (a, front)) for a, _ in spread(edge, w - ARM, count)]
     return (
         outline,
@@ -335,7 +337,8 @@ def _corner_symbol(size: Size) -> Lines:
     )
 
 
-def _chair_symbol(size: Size) -> Lines:
+def chair_symbol(size: Size) -> Lines:
+    """The seat and the bent backrest behind it."""
     w, d = size.width / 2, size.depth / 2
     deep = 0.16 * size.depth
     seat = box(-0.9 * w, 0.9 * w, -d + 0.6 * deep, d, 0.06)
@@ -361,12 +364,12 @@ def _bench_symbol(size: Size) -> Lines:
 ASSETS = (
     Drawing("sofa", _sofa, sofa_symbol),
     Drawing("loveseat", _sofa, sofa_symbol),
-    Drawing("corner_sofa", _corner_sofa, _corner_symbol, footprint=cover(_corner_outline)),
+    Drawing("corner_sofa", _corner_sofa, corner_sofa_symbol, footprint=cover(corner_sofa_outline)),
     Drawing("armchair", _armchair, sofa_symbol),
-    Drawing("dining_chair", _dining_chair, _chair_symbol),
+    Drawing("dining_chair", _dining_chair, chair_symbol),
     Drawing("office_chair", _office_chair, _office_symbol),
     Drawing("stool", _stool, _round_seat_symbol),
-    Drawing("bar_stool", _bar_stool, _chair_symbol),
+    Drawing("bar_stool", _bar_stool, chair_symbol),
     Drawing("bench", _bench, _bench_symbol),
     Drawing("pouf", _pouf, round_plain),
 )

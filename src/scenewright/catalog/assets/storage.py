@@ -269,7 +269,7 @@ def _laundry_basket(size: Size) -> Parts:
     return parts(size, {RATTAN: [*body, lid], STEEL: [knob]})
 
 
-def _hangers(size: Size) -> Lines:
+def draw_hangers(size: Size) -> Lines:
     """Outline, the line of the doors, the rail and strokes for the hangers."""
     w, d = size.width / 2, size.depth / 2
     rail = -0.05 * size.depth
@@ -286,7 +286,8 @@ def _hangers(size: Size) -> Lines:
     )
 
 
-def _draw_front(size: Size) -> Lines:
+def draw_front_line(size: Size) -> Lines:
+    """The footprint and the line of its doors."""
     w, d = size.width / 2, size.depth / 2
     line = d - min(0.04, 0.15 * size.depth)
     return rectangle(size), path((-w, line), (w, line))
@@ -315,21 +316,21 @@ def _chest_symbol(size: Size) -> Lines:
 _SLIDING = (Size(1.6, 0.55, 1.9), Size(2.4, 0.65, 2.3), Size(3.6, 0.75, 2.7))
 
 ASSETS = (
-    Drawing("wardrobe", _wardrobe, _hangers),
+    Drawing("wardrobe", _wardrobe, draw_hangers),
     Drawing(
         "wardrobe",
         _sliding_wardrobe,
-        _hangers,
+        draw_hangers,
         id="wardrobe_sliding",
         name="Sliding wardrobe",
         sizes=_SLIDING,
     ),
     Drawing("chest_of_drawers", _chest, _chest_symbol),
     Drawing("sideboard", _sideboard, _sideboard_symbol),
-    Drawing("tv_stand", _tv_stand, _draw_front),
-    Drawing("shoe_cabinet", _shoe_cabinet, _draw_front),
+    Drawing("tv_stand", _tv_stand, draw_front_line),
+    Drawing("shoe_cabinet", _shoe_cabinet, draw_front_line),
     Drawing("toy_box", _toy_box, _draw_lid),
-    Drawing("display_cabinet", _display_cabinet, _draw_front),
-    Drawing("bathroom_cabinet", _bathroom_cabinet, _draw_front),
+    Drawing("display_cabinet", _display_cabinet, draw_front_line),
+    Drawing("bathroom_cabinet", _bathroom_cabinet, draw_front_line),
     Drawing("laundry_basket", _laundry_basket, _draw_lid),
 )

@@ -66,6 +66,51 @@ def _plain_rug(size: Size) -> Parts:
     return parts(size, found)
 
 
+def _framed_rug(size: Size) -> Parts:
+    """A dark border, a light field, a medallion in its middle."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    rim = 0.14 * min(w, d)
+    found: Stuff = {TERRACOTTA: [slab((-w, w), (-d, d), (0, 0.5 * h), 0.01)]}
+    found[WOOL] = [block((-w + rim, w - rim), (-d + rim, d - rim), (0.2 * h, 0.8 * h))]
+    found[NAVY] = [
+        _border(w - 0.5 * rim, d - 0.5 * rim, 0.2 * rim, 0.9 * h),
+        _medallion(0.34 * w, 0.4 * d, (0.7 * h, h)),
+    ]
+    found[TERRACOTTA].append(_medallion(0.22 * w, 0.26 * d, (0.75 * h, 1.02 * h)))
+    return parts(size, found)
+
+
+def _medallion(w: float, d: float, z: Interval) -> Mesh:
+    """An eight-pointed star."""
+    angle = np.arange(16) * pi / 8
+    reach = np.where(np.arange(16) % 2 == 0, 1.0, 0.72)
+    return extrude(np.column_stack([w * reach * np.cos(angle), d * reach * np.sin(angle)]), *z)
+
+
+def _ribbed_rug(size: Size) -> Parts:
+    """One colour, woven in flat ribs across."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    ribs = [
+        block((a + 0.2 * (b - a), b), (-d + 0.01, d - 0.01), (0.5 * h, h))
+        for a, b in spread(-w + 0.01, w - 0.01, 14)
+    ]
+    return parts(size, {WOOL: [slab((-w, w), (-d, d), (0, 0.6 * h), 0.01)], FABRIC_LIGHT: ribs})
+
+
+def _checked_rug(size: Size) -> Parts:
+    """A field of large squares in three cloths."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    found: Stuff = {WOOL: [slab((-w, w), (-d, d), (0, 0.6 * h), 0.01)]}
+    columns, rows = max(2, round(size.width / 0.45)), max(2, round(size.depth / 0.45))
+    for i, (a, b) in enumerate(spread(-w + 0.05, w - 0.05, columns)):
+        for k, (low, high) in enumerate(spread(-d + 0.05, d - 0.05, rows)):
+            if (i + k) % 2 == 0:
+                cloth = (MUSTARD, TERRACOTTA, NAVY)[(i + 2 * k) // 2 % 3]
+                field = block((a, b), (low, high), (0.5 * h, h))
+                found.setdefault(cloth, []).append(field)
+    return parts(size, found)
+
+
 def _border(w: float, d: float, rim: float, h: float) -> Mesh:
     """A flat frame on a rug."""
     upright = frame((-w, w), (0.0, 0.5 * h), (-d, d), rim)
@@ -151,8 +196,21 @@ def _blind_symbol(size: Size) -> Lines:
     return rectangle(size), np.array([(-size.width / 2, 0.0), (size.width / 2, 0.0)])
 
 
+_RUGS = {
+    "nordic": _striped_rug,
+    "classic": _framed_rug,
+    "industrial": _plain_rug,
+    "japandi": _ribbed_rug,
+    "retro": _checked_rug,
+    "boho": _lozenge_rug,
+}
+
 ASSETS = (
     Drawing("rug", _rug, _rug_symbol),
+    *(
+        Drawing("rug", mesh, _rug_symbol, f"rug_{style}", f"{style.capitalize()} rug", style=style)
+        for style, mesh in _RUGS.items()
+    ),
     Drawing("curtain", _curtain, _curtain_symbol),
     Drawing("blind", _blind, _blind_symbol),
 )

@@ -24,7 +24,7 @@ KINDS = (
         ),
         essential=("bed", "double bed"),
         forms="sleeping",
-        drawn_by=(".beds",),
+        drawn_by=(".beds", ".styled.beds"),
     ),
     Kind(
         "single_bed",
@@ -43,7 +43,7 @@ KINDS = (
         ),
         essential=("bed",),
         forms="single",
-        drawn_by=(".beds",),
+        drawn_by=(".beds", ".styled.beds"),
     ),
     Kind(
         "bunk_bed",
@@ -99,6 +99,6 @@ KINDS = (
             ),
         ),
         essential=("nightstand",),
-        drawn_by=(".beds",),
+        drawn_by=(".beds", ".styled.cases"),
     ),
 )

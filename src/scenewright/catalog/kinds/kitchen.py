@@ -25,7 +25,7 @@ KINDS = (
         in_rooms=(("bathroom", ("basin", "pedestal_basin")),),
         essential=("sink", "base units"),
         forms="kitchen",
-        drawn_by=(".cooking",),
+        drawn_by=(".cooking", ".styled.kitchens"),
     ),
     Kind(
         "drawer_cabinet",
@@ -45,7 +45,7 @@ KINDS = (
         ),
         essential=("base units",),
         forms="counter",
-        drawn_by=(".kitchen",),
+        drawn_by=(".kitchen", ".styled.kitchens"),
     ),
     Kind(
         "base_cabinet",
@@ -65,7 +65,7 @@ KINDS = (
         ),
         essential=("base units",),
         forms="counter",
-        drawn_by=(".kitchen",),
+        drawn_by=(".kitchen", ".styled.kitchens"),
     ),
     Kind(
         "tall_cabinet",
@@ -84,7 +84,7 @@ KINDS = (
             ),
         ),
         essential=("storage",),
-        drawn_by=(".kitchen",),
+        drawn_by=(".kitchen", ".styled.kitchens"),
     ),
     Kind(
         "wall_cabinet",
@@ -104,7 +104,7 @@ KINDS = (
                 ja="吊戸棚",
             ),
         ),
-        drawn_by=(".kitchen",),
+        drawn_by=(".kitchen", ".styled.kitchens"),
     ),
     Kind(
         "hood",
@@ -138,7 +138,7 @@ KINDS = (
                 ja="アイランドキッチン",
             ),
         ),
-        drawn_by=(".kitchen",),
+        drawn_by=(".kitchen", ".styled.kitchens"),
     ),
     Kind(
         "corner_cabinet",
@@ -155,7 +155,7 @@ KINDS = (
                 ja="コーナーキャビネット",
             ),
         ),
-        drawn_by=(".kitchen",),
+        drawn_by=(".kitchen", ".styled.kitchens"),
     ),
     Kind(
         "hob_cabinet",
@@ -175,7 +175,7 @@ KINDS = (
             ),
         ),
         essential=("hob", "base units"),
-        drawn_by=(".cooking",),
+        drawn_by=(".cooking", ".styled.kitchens"),
     ),
     Kind(
         "oven_cabinet",
@@ -194,7 +194,7 @@ KINDS = (
                 ja="オーブン",
             ),
         ),
-        drawn_by=(".cooking",),
+        drawn_by=(".cooking", ".styled.kitchens"),
     ),
     Kind(
         "dishwasher",

@@ -19,7 +19,7 @@ KINDS = (
                 ja="フロアランプ",
             ),
         ),
-        drawn_by=(".lighting",),
+        drawn_by=(".lighting", ".styled.lamps"),
     ),
     Kind(
         "table_lamp",
@@ -36,7 +36,7 @@ KINDS = (
                 ja="テーブルランプ",
             ),
         ),
-        drawn_by=(".lighting",),
+        drawn_by=(".lighting", ".styled.lamps"),
     ),
     Kind(
         "desk_lamp",
@@ -84,7 +84,7 @@ KINDS = (
                 ja="ペンダント",
             ),
         ),
-        drawn_by=(".lighting",),
+        drawn_by=(".lighting", ".styled.lamps"),
     ),
     Kind(
         "ceiling_lamp",
@@ -100,6 +100,6 @@ KINDS = (
                 ja="シーリング",
             ),
         ),
-        drawn_by=(".lighting",),
+        drawn_by=(".lighting", ".styled.lamps"),
     ),
 )

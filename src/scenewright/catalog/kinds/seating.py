@@ -22,7 +22,7 @@ KINDS = (
         ),
         essential=("seat",),
         forms="seating",
-        drawn_by=(".seating",),
+        drawn_by=(".seating", ".styled.seats"),
     ),
     Kind(
         "sofa",
@@ -44,7 +44,7 @@ KINDS = (
         in_rooms=(("exterior", ("other",)),),
         essential=("seat",),
         forms="seating",
-        drawn_by=(".seating",),
+        drawn_by=(".seating", ".styled.seats"),
     ),
     Kind(
         "loveseat",
@@ -63,7 +63,7 @@ KINDS = (
         ),
         essential=("seat",),
         forms="seating",
-        drawn_by=(".seating",),
+        drawn_by=(".seating", ".styled.seats"),
     ),
     Kind(
         "armchair",
@@ -85,7 +85,7 @@ KINDS = (
         in_rooms=(("office", ("office_chair", "armchair")), ("exterior", ("outdoor_chair",))),
         essential=("seat",),
         forms="reading",
-        drawn_by=(".seating",),
+        drawn_by=(".seating", ".styled.seats"),
     ),
     Kind(
         "dining_chair",
@@ -108,7 +108,7 @@ KINDS = (
         ),
         in_rooms=(("office", ("office_chair", "dining_chair")), ("exterior", ("outdoor_chair",))),
         essential=("two chairs", "chair"),
-        drawn_by=(".seating",),
+        drawn_by=(".seating", ".styled.chairs"),
     ),
     Kind(
         "office_chair",
@@ -169,7 +169,7 @@ KINDS = (
             ),
         ),
         essential=("two chairs",),
-        drawn_by=(".seating",),
+        drawn_by=(".seating", ".styled.chairs"),
     ),
     Kind(
         "bench",

@@ -24,7 +24,7 @@ KINDS = (
         ),
         essential=("wardrobe", "storage", "somewhere for coats or shoes"),
         forms="wardrobe",
-        drawn_by=(".storage",),
+        drawn_by=(".storage", ".styled.cases"),
     ),
     Kind(
         "chest_of_drawers",
@@ -44,7 +44,7 @@ KINDS = (
         ),
         essential=("wardrobe", "storage"),
         forms="chest",
-        drawn_by=(".storage",),
+        drawn_by=(".storage", ".styled.cases"),
     ),
     Kind(
         "sideboard",
@@ -63,7 +63,7 @@ KINDS = (
         ),
         essential=("screen or focal point", "somewhere for coats or shoes"),
         forms="sideboard",
-        drawn_by=(".storage",),
+        drawn_by=(".storage", ".styled.cases"),
     ),
     Kind(
         "tv_stand",
@@ -82,7 +82,7 @@ KINDS = (
         ),
         essential=("screen or focal point",),
         forms="media",
-        drawn_by=(".storage",),
+        drawn_by=(".storage", ".styled.cases"),
     ),
     Kind(
         "shoe_cabinet",
@@ -102,7 +102,7 @@ KINDS = (
         ),
         essential=("storage", "somewhere for coats or shoes"),
         forms="shoes",
-        drawn_by=(".storage",),
+        drawn_by=(".storage", ".styled.cases"),
     ),
     Kind(
         "toy_box",
@@ -191,7 +191,7 @@ KINDS = (
         ),
         essential=("screen or focal point", "storage"),
         forms="shelf",
-        drawn_by=(".shelves",),
+        drawn_by=(".shelves", ".styled.cases"),
     ),
     Kind(
         "shelf_unit",

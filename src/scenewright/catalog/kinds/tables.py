@@ -35,7 +35,7 @@ KINDS = (
         in_rooms=(("exterior", ("outdoor_table",)),),
         essential=("table", "dining table"),
         forms="dining",
-        drawn_by=(".tables",),
+        drawn_by=(".tables", ".styled.tops"),
     ),
     Kind(
         "round_table",
@@ -56,7 +56,7 @@ KINDS = (
         in_rooms=(("exterior", ("outdoor_table",)),),
         essential=("table", "dining table"),
         forms="dining",
-        drawn_by=(".tables",),
+        drawn_by=(".tables", ".styled.tops"),
     ),
     Kind(
         "coffee_table",
@@ -75,7 +75,7 @@ KINDS = (
             ),
         ),
         essential=("table",),
-        drawn_by=(".tables",),
+        drawn_by=(".tables", ".styled.tops"),
     ),
     Kind(
         "side_table",
@@ -93,7 +93,7 @@ KINDS = (
             ),
         ),
         essential=("table",),
-        drawn_by=(".tables",),
+        drawn_by=(".tables", ".styled.tops"),
     ),
     Kind(
         "desk",
@@ -115,7 +115,7 @@ KINDS = (
         ),
         essential=("desk",),
         forms="desk",
-        drawn_by=(".tables",),
+        drawn_by=(".tables", ".styled.tops"),
     ),
     Kind(
         "corner_desk",

@@ -16,7 +16,7 @@ DOMAIN = Domain(
         "solve": ".solving:solve",
         "solution": ".solution:solution_of",
         "check": ".check.judge:check",
-        "scene": "scenewright.building.shell:scene_of_rooms",
+        "scene": ".furnishing.look:scene_of_home",
         "draw": ".drawing.plan:draw",
         "alternatives": ".alternatives:alternatives",
         "compare": ".alternatives:difference",

@@ -28,6 +28,7 @@ from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_pr
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.entrances import entered_by
+from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.household import decide_household, share_out
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import share_open_plans
@@ -286,7 +287,13 @@ def assemble_solution(
     entries = {task.space.id: terms(task, answer) for task, answer in pairs}
     return Solution(
         brief=brief,
-        pieces=tuple(piece for here in stands for piece in here),
+        pieces=apply_style(
+            (piece for here in stands for piece in here),
+            brief,
+            (task.space.id for task in tasks),
+            tasks[0].catalog,
+            seed,
+        ),
         patches=tuple(p for task, answer in pairs for p in patches(task, answer)),
         terms=tuple(value for values in entries.values() for value in values),
         left_out=tuple(

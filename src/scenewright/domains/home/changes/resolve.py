@@ -35,6 +35,7 @@ from scenewright.domains.home.changes.regroup import (
     regroup_pieces,
     settle_group,
 )
+from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import held_elsewhere
@@ -280,7 +281,13 @@ def _assemble_solution(
         ]
     return replace(
         solution,
-        pieces=consistent(pieces),
+        pieces=apply_style(
+            consistent(pieces),
+            solution.brief,
+            (space.id for space in rooms),
+            catalog_of(solution.brief.catalogs),
+            solution.seed,
+        ),
         patches=tuple(drawn),
         terms=tuple(values),
         left_out=tuple(dict.fromkeys(missing)),

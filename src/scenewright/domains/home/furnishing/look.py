@@ -1,0 +1,52 @@
+"""How a home looks: one style and one palette, told by the brief or drawn by the seed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import lru_cache
+
+from scenewright.building.palettes import Palette, choose_palette, style_of
+from scenewright.building.shell import scene_of_rooms
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Catalog
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece, Scene
+from scenewright.core.solution import Solution
+
+
+def palette_of(brief: Brief, seed: int) -> Palette:
+    """The palette of a home: by the words of its brief, among those by its seed."""
+    return choose_palette(brief.style, brief.colour, brief.name, seed)
+
+
+def apply_style(
+    pieces: Iterable[Piece], brief: Brief, spaces: Iterable[str], catalog: Catalog, seed: int
+) -> tuple[Piece, ...]:
+    """Pieces drawn by the models of the home's style, or of their room's if it names one.
+    ``spaces`` are the ids of the brief's rooms. What stands there already, what is drawn by a model
+    of the user's and what a style has no model of stays as it is.
+    """
+    home = palette_of(brief, seed).style
+    rooms = {k: style_of(room.style) for k, room in zip(spaces, brief.rooms, strict=True)}
+    return tuple(_restyle(piece, rooms.get(piece.space) or home, catalog) for piece in pieces)
+
+
+def _restyle(piece: Piece, style: str, catalog: Catalog) -> Piece:
+    if piece.fixed or piece.asset != piece.category:
+        return piece
+    model = _models(catalog, style).get(piece.category)
+    return replace(piece, asset=model) if model else piece
+
+
+@lru_cache(maxsize=64)
+def _models(catalog: Catalog, style: str) -> dict[str, str]:
+    """The model of each kind that is made in a style."""
+    ours = (asset for asset in catalog.assets.values() if asset.style == style)
+    return {asset.category: asset.id for asset in ours if asset.id.endswith(f"_{style}")}
+
+
+def scene_of_home(solution: Solution, plan: Plan) -> Scene:
+    """The scene of a home, in its palette."""
+    palette = palette_of(solution.brief, solution.seed)
+    return replace(scene_of_rooms(solution, plan), palette=palette.id)
