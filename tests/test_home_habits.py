@@ -105,30 +105,26 @@ def share_and_front(answer: Solution) -> tuple[float, float]:
 
 
 def test_rooms_hold_what_people_hold_in_such_rooms(tmp_path: Path) -> None:
-    """Thirty rooms half empty, or half full, and shelves in all of the latter; rooms are usually
-    furnished about as the full ones."""
+    """Thirty rooms half empty, or half full, and shelves in all of the latter."""
     area = 4.6 * 4.2
     sparse = Targets((), (), (Share("bedroom", area, 0.12, ("sleeping",)),) * 30)
     full = Targets((), (), (Share("bedroom", area, 0.45, ("sleeping", "shelf")),) * 30)
     usual, less, more = (furnished(tmp_path, t) for t in (Targets((), (), ()), sparse, full))
     shares = [share_and_front(s)[0] for s in (less, usual, more)]
     assert shares[0] < shares[1] - 0.02
-    assert shares[2] > shares[0] + 0.05
-    assert shares[2] > shares[1] - 0.01
+    assert shares[2] > shares[1] + 0.01
     assert "shelf" in {p.function for p in more.patches} - {p.function for p in usual.patches}
     assert {"sleeping", "wardrobe"} <= {p.function for p in less.patches}
 
 
 def test_free_floor_follows_what_was_learned(tmp_path: Path) -> None:
-    """Over eight seeds: one room may not hold it beside all else."""
     rows = tuple(Clearance(f, "front", 1.5, 2.0, 200) for f in ("wardrobe", "chest", "vanity"))
-    usual, wide = (
-        np.median(
-            [share_and_front(furnished(tmp_path, Targets((), r, ()), k))[1] for k in range(8)]
-        )
-        for r in ((), rows)
-    )
+    usual, wide = (share_and_front(furnished(tmp_path, Targets((), r, ())))[1] for r in ((), rows))
     assert wide >= max(usual, 1.2) - 1e-6
+    others = [
+        share_and_front(furnished(tmp_path, Targets((), rows, ()), k))[1] for k in range(2, 8)
+    ]
+    assert min(others) >= 1.2
     assert np.isfinite(usual)
 
 

@@ -53,8 +53,9 @@ class RoomTask(NamedTuple):
     ``route_width`` is that of the way from door to door, ``use_width`` of the way to the pieces;
     ``tight`` names the doors and fixed pieces no route reaches even while the room is empty;
     ``forbidden`` are kinds of pieces the household will not have; sizes are those of a room
-    ``amount`` times as large, and ``welcome`` the welcome groups (none: the usual); ``asked`` is
-    the room of the brief; ``beside`` is what stands in other rooms and reaches into this one. In an
+    ``amount`` times as large, of whose floor people furnish a ``share`` (none: not known), and
+    ``welcome`` the welcome groups (none: the usual); ``asked`` is the room of the brief;
+    ``beside`` is what stands in other rooms and reaches into this one. In an
     open space groups may stand ``elsewhere``, in another room of it, and this one has others
     ``instead``. ``entered`` are the doors one comes in by (none: any). ``progress`` is told what
     the solvers report, ``watch`` the best layouts of groups."""
@@ -74,6 +75,7 @@ class RoomTask(NamedTuple):
     accessible: bool = False
     forbidden: frozenset[str] = frozenset()
     amount: float = 1.0
+    share: float | None = None
     welcome: tuple[str, ...] | None = None
     asked: Room | None = None
     beside: tuple[Piece, ...] = ()

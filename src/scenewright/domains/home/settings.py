@@ -22,13 +22,15 @@ class ChainSettings(NamedTuple):
 
 class GreedySettings(NamedTuple):
     """Greedy placement: metres between places ``along`` a wall and ``apart`` on the floor; places
-    looked at for ``one`` item, and in the ``first`` pass; how much the logarithm of an area may err
-    in further passes (``shake``); layouts ``kept``."""
+    looked at for ``one`` item, for all items of a pass (``first``), and for one in the ``least``
+    pass; how much the logarithm of an area may err in further passes (``shake``); layouts
+    ``kept``."""
 
     along: float = 0.25
     apart: float = 0.5
     one: int = 400
     first: int = 4000
+    least: int = 25
     shake: float = 0.5
     kept: int = 64
 
@@ -79,7 +81,9 @@ class CompositionCosts(NamedTuple):
     """What faults of composition cost, beside those of :class:`FaultCosts`: too little worktop in
     one piece, a hob beside the sink or at the end of its run, half a wardrobe, a bed for two with
     one nightstand or one side to get in, a single bed away from walls, too few shelves, too few
-    seats, something before a window, something before a wide door."""
+    seats, a screen too small for its distance, something before a window or a wide door; a unit by
+    which the furnished share of a floor is off what was learned (``share``), and by which the free
+    floor beside a group falls short of it (``floor``)."""
 
     worktop: float = 8.0
     hob_at_sink: float = 8.0
@@ -90,16 +94,19 @@ class CompositionCosts(NamedTuple):
     adrift: float = 8.0
     shelves: float = 6.0
     seats: float = 8.0
+    screen: float = 6.0
     window: float = 6.0
     opening: float = 6.0
+    share: float = 300.0
+    floor: float = 20.0
 
 
 class ComposingSettings(NamedTuple):
     """Groups of a furnished room tried in better forms and places: ``rounds`` over all of them;
-    of each group ``forms``, of each form the best ``places`` of those that are ``step`` metres
-    apart; in rooms of a
-    ``few`` groups each of so many ``others``, the largest, in ``other_forms`` at the best ``moved``
-    places before; what may be paid for something ``lacking``, and for an
+    of each group ``forms``, of each form the best ``places``, looked at every ``step`` metres, that
+    are ``apart`` metres from one another; in rooms of a ``few`` groups also at the best ``moved``
+    places as if each of so many ``others``, the largest, were not there, which is then taken
+    elsewhere in ``other_forms``; what may be paid for something ``lacking``, and for an
     ``addition`` nobody asked for; by how much the room is to cost less (``least``), and how much
     ``wider`` its ways stay on the grid, metres. ``costs`` are those of faults."""
 
@@ -107,12 +114,13 @@ class ComposingSettings(NamedTuple):
     forms: int = 6
     places: int = 3
     step: float = 0.1
+    apart: float = 0.4
     least: float = 0.5
     wider: float = 0.02
-    few: int = 3
-    others: int = 1
+    few: int = 6
+    others: int = 2
     other_forms: int = 2
-    moved: int = 3
+    moved: int = 2
     lacking: float = 25.0
     addition: float = 6.0
     costs: CompositionCosts = CompositionCosts()

@@ -9,10 +9,14 @@ from scenewright.domains.home.composing.moving import make_unplaced, try_forms, 
 from scenewright.domains.home.programme import Wish
 
 
-def add_groups(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
-    """The answer with what can still be taken in beside all others."""
+def add_groups(
+    task: RoomTask, answer: RoomAnswer, barred: frozenset[str], lacking: bool = False
+) -> RoomAnswer:
+    """The answer with what can still be taken in beside all others; only what is ``lacking``."""
     rule = task.preset.settings.composing
     for wish, lacks in list_additions(task, answer.placed, answer.missing):
+        if lacking and not lacks:
+            break
         still = all(lack in answer.missing for lack in lacks)
         if not still or not is_wanted(task, answer.placed, wish, lacks) or task.cancelled():
             continue

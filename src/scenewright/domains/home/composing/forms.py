@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import cache
 from itertools import zip_longest
+from math import sqrt
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
@@ -13,11 +14,13 @@ from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.groups.corner_kitchen import corner_kitchens
 from scenewright.domains.home.groups.entry import fitted_storage
+from scenewright.domains.home.groups.living import more_seats
 from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes
 from scenewright.domains.home.settings import ComposingSettings
 
 FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
     "kitchen": corner_kitchens,
+    "seating": more_seats,
     "single": along_wall,
     "storage": fitted_storage,
     "wardrobe": fitted_wardrobes,
@@ -27,6 +30,8 @@ WIDEST = frozenset(("storage",))
 """Groups that take all of their wall."""
 IN_TURN = frozenset(("single",))
 """Groups of which usual and further forms are tried in turn."""
+SCREEN = 0.38
+"""Width of a screen watched from wall to wall of a square room, as a share of its side."""
 ROOMY = 14.0
 """From so many square metres on a living room has seats for more than two."""
 
@@ -45,11 +50,11 @@ def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     """The forms of a group that stands, those with less wrong first, then those most like it; of
     what fills its wall the widest first."""
     rule, case = task.preset.settings.composing, group.dressed.case
+    area = task.ground.area
 
     def worth(other: Group) -> tuple[float, float, float]:
-        faults = cost_of_case(other, task.ground.area, rule)
-        wide = other.width if other.function in WIDEST else 0.0
-        return faults, -wide, abs(other.width - case.width) + abs(other.depth - case.depth)
+        like = abs(other.width - case.width) + abs(other.depth - case.depth)
+        return cost_of_case(other, area, rule), _off_goal(other, area), like
 
     known, fits = cases(group.wish.group, task.library), select_allowed(group.wish, task.library)
     usual = [form for form, fit in zip(known.groups, fits, strict=True) if fit]
@@ -59,6 +64,14 @@ def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
         return
     for both in zip_longest(sorted(further, key=worth), sorted(usual, key=worth)):
         yield from (form for form in both if form is not None)
+
+
+def _off_goal(form: Group, area: float) -> float:
+    """The less the better a form suits a room of ``area`` square metres: what fills its wall by its
+    width, a stand by how near its width is to that of the screen the room asks for."""
+    if form.function == "media":
+        return abs(form.width - SCREEN * sqrt(area))
+    return -form.width if form.function in WIDEST else 0.0
 
 
 @cache

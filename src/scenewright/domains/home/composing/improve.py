@@ -12,6 +12,7 @@ from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.habitual import keep_habits
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
     Placed,
@@ -21,25 +22,36 @@ from scenewright.domains.home.composing.judging import (
 )
 from scenewright.domains.home.composing.kitchens import reform_kitchen
 from scenewright.domains.home.composing.moving import take_best, try_forms, with_margin
-from scenewright.domains.home.composing.placed_faults import cost_of_group, cost_of_shelves
+from scenewright.domains.home.composing.placed_faults import (
+    cost_of_group,
+    cost_of_screen,
+    cost_of_shelves,
+)
 
 
 def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     """The answer with its groups better composed where that bars no way and takes nothing away.
 
     Rooms of wheelchair users keep the room to turn they were furnished with, rooms of learned
-    groups what was learned; presets that are not exact are left as they are.
+    groups what was learned (of learned habits: :mod:`.habitual`); presets that are not exact are
+    left as they are.
     """
-    exact = task.preset.settings.exact and task.library is SHIPPED
-    if not exact or task.accessible or not answer.placed:
+    habits = task.library.habits
+    learned = bool(habits.clearances or habits.shares)
+    if task.accessible or not answer.placed or not task.preset.settings.exact:
+        return answer
+    if task.library is not SHIPPED and not learned:
         return answer
     barred = frozenset(find_blocked(with_margin(task), answer.placed))
-    placed = answer.placed
+    if learned:
+        return keep_habits(task, answer, barred)
+    before = add_groups(task, answer, barred, lacking=True)
+    placed = before.placed
     if _worst_first(task, placed):
         judge = judge_of(task, placed)
         best = _improve_all(judge, judge.cost_of(placed), barred)
         placed = reform_kitchen(task, best, barred).placed
-    better = add_groups(task, answer._replace(placed=placed), barred)
+    better = add_groups(task, before._replace(placed=placed), barred)
     return (
         better if count_unmet(task, better.placed) <= count_unmet(task, answer.placed) else answer
     )
@@ -65,10 +77,13 @@ def _improve_all(judge: RoomJudge, best: JudgedRoom, barred: frozenset[str]) -> 
 def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     """The names of groups with a fault, the costliest first; of all where a wish is not met."""
     rule = task.preset.settings.composing
-    short = cost_of_shelves(placed, task.ground, rule.costs.shelves)
+    whole = {
+        "storage": cost_of_shelves(placed, task.ground, rule.costs.shelves),
+        "media": cost_of_screen(placed, rule.costs.screen),
+    }
     unmet = float(count_unmet(task, placed) > 0)
     costs = {
-        p.name: cost_of_group(p, task.ground, rule) + short * (p.wish.group == "storage") + unmet
+        p.name: cost_of_group(p, task.ground, rule) + whole.get(p.wish.group, 0.0) + unmet
         for p in placed
         if p.wish.group not in task.library.own
     }
@@ -85,25 +100,26 @@ def _improve(judge: RoomJudge, best: JudgedRoom, name: str, barred: frozenset[st
 def _improve_two(
     judge: RoomJudge, best: JudgedRoom, name: str, barred: frozenset[str]
 ) -> JudgedRoom:
-    """The same after one of the largest others has been taken elsewhere."""
-    rule = judge.task.preset.settings.composing
-    at = _number_of(best.placed, name)
-    others = [i for i in range(len(best.placed)) if i != at]
-    others.sort(key=lambda i: -float(best.placed[i].dressed.box[3:].prod()))
+    """The same as if one of the largest others were not there, which is then taken elsewhere."""
+    task, rule = judge.task, judge.task.preset.settings.composing
+    placed, at = best.placed, _number_of(best.placed, name)
+    others = [i for i in range(len(placed)) if i != at]
+    others.sort(key=lambda i: -float(placed[i].dressed.box[3:].prod()))
     found: list[JudgedRoom] = []
     for other in others[: rule.others]:
-        for judged in _elsewhere(judge, best.placed, other, rule.other_forms, at)[: rule.moved]:
-            found += _elsewhere(judge, judged.placed, at, rule.forms)[:1]
-    return take_best(judge.task, best, found, barred)
+        rest = (*placed[:other], *placed[other + 1 :])
+        alone = judge_of(task, rest)
+        for judged in _elsewhere(alone, rest, _number_of(rest, name), rule.forms)[: rule.moved]:
+            whole = (*judged.placed[:other], placed[other], *judged.placed[other:])
+            found += _elsewhere(judge, whole, other, rule.other_forms)[:1]
+    return take_best(task, best, found, barred)
 
 
 def _number_of(placed: Placed, name: str) -> int:
     return next(i for i, p in enumerate(placed) if p.name == name)
 
 
-def _elsewhere(
-    judge: RoomJudge, placed: Placed, at: int, forms: int, through: int = -1
-) -> list[JudgedRoom]:
+def _elsewhere(judge: RoomJudge, placed: Placed, at: int, forms: int) -> list[JudgedRoom]:
     """The groups with one of them in its better forms wherever along the walls it stands free, the
-    cheapest first; it may stand ``through`` another, which is to be moved next."""
-    return try_forms(judge, placed, at, list_forms(judge.task, placed[at]), forms, through)
+    cheapest first."""
+    return try_forms(judge, placed, at, list_forms(judge.task, placed[at]), forms)

@@ -6,10 +6,21 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from shapely import Polygon
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem
-from scenewright.domains.home.composing.placed_faults import cost_of_group, cost_of_shelves
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
+from scenewright.domains.home.composing.placed_faults import (
+    cost_of_group,
+    cost_of_screen,
+    cost_of_shelves,
+)
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
+from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.learned.density import footing
+from scenewright.domains.home.learned.habits import clear
+from scenewright.domains.home.learned.rows import SIDES
+from scenewright.domains.home.learned.space import footprint, measure_coverage
+from scenewright.domains.home.learned.targets import free_before, side_of, stands_on_floor
 from scenewright.domains.home.terms.assemble import PreparedHome
 from scenewright.domains.home.wished.unmet import count_unmet_wishes
 from scenewright.geometry.paths import RouteGrid
@@ -19,8 +30,9 @@ Placed = tuple[FurnishedGroup, ...]
 
 RUNS = ("kitchen", "kitchenette")
 """Groups one cooks at."""
-LEFT_OUT = {"route": 0.0, "wish": 0.0}
-"""Terms that do not count while composing: ways are walked, and sizes are what is looked for."""
+REWEIGHED = {"route": 0.0, "wish": 0.0, "daylight_kept": 3.0, "openings_kept": 2.0}
+"""By how much more terms count while composing. Two do not: ways are walked, and sizes are what is
+looked for."""
 
 
 class JudgedRoom(NamedTuple):
@@ -49,7 +61,36 @@ class RoomJudge(NamedTuple):
         lost = task.costs.piece * sum(p.dressed.lost for p in placed)
         shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
         unmet = task.costs.unmet * count_unmet(task, placed)
-        return JudgedRoom(placed, task.costs.energy * energy + each + lost + shelves + unmet)
+        room = lost + shelves + cost_of_screen(placed, rule.costs.screen) + unmet
+        if task.share is not None:
+            room += rule.costs.share * abs(share_of(task, placed) - task.share)
+        if task.library.habits.clearances:
+            room += rule.costs.floor * short_of_floor(task, placed)
+        return JudgedRoom(placed, task.costs.energy * energy + each + room)
+
+
+def share_of(task: RoomTask, placed: Placed) -> float:
+    """The share of the floor under fixed pieces and the groups placed."""
+    taken = measure_coverage(task.fixed) + sum(footing(p.dressed.case) for p in placed)
+    return float(taken / floor_of(task.ground))
+
+
+def short_of_floor(task: RoomTask, placed: Placed) -> float:
+    """Σ 1 - f/d over the sides of groups of which free floor was learned: f metres are free over
+    the whole of a side, d are wished for."""
+    learned, total = task.library.habits, 0.0
+    pieces = (*task.fixed, *(q for g in placed for q in g.pieces))
+    standing = [p for p in pieces if stands_on_floor(p, task.catalog)]
+    floor = Polygon(task.space.outline, list(task.space.holes))
+    for group in placed:
+        function, (x, y, heading, _, _) = group.wish.group, group.dressed.box.tolist()
+        others = [footprint(p) for p in standing if p not in group.pieces]
+        wanted = clear(learned, function, GROUPS[function].clear)
+        for number, depth in enumerate(wanted):
+            if depth > 0.0 and (function, SIDES[number]) in learned.clearances:
+                side = side_of(x, y, heading, group.dressed.case, number)
+                total += max(0.0, 1.0 - free_before(side, others, floor) / depth)
+    return total
 
 
 def count_unmet(task: RoomTask, placed: Placed) -> int:
@@ -63,5 +104,6 @@ def count_unmet(task: RoomTask, placed: Placed) -> int:
 def judge_of(task: RoomTask, placed: Placed) -> RoomJudge:
     """The judge of groups of these wishes, in this order."""
     problem = build_task_problem(task, tuple(p.wish for p in placed), task.ground)
-    problem = problem._replace(weights={**problem.weights, **LEFT_OUT})
+    weights = {name: w * REWEIGHED.get(name, 1.0) for name, w in problem.weights.items()}
+    problem = problem._replace(weights=weights)
     return RoomJudge(task, prepare(problem), route_grid(problem, 0.1))

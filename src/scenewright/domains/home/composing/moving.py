@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import count, islice
+from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,12 +45,12 @@ def take_best(
 
 
 def try_forms(
-    judge: RoomJudge, placed: Placed, at: int, cases: Iterable[Group], forms: int, through: int = -1
+    judge: RoomJudge, placed: Placed, at: int, cases: Iterable[Group], forms: int
 ) -> list[JudgedRoom]:
     """The groups with one of them in the first so many ``forms`` of which some place is free."""
     task, group = judge.task, placed[at]
     flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
-    rest = (p for i, p in enumerate(placed) if i not in (at, through))
+    rest = (p for i, p in enumerate(placed) if i != at)
     others = (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces))
     standing = standing_of(others, flat)
     tried = _with_places(task, cases, standing)
@@ -87,14 +88,28 @@ def _free(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
 
 
 def _least_cost(judge: RoomJudge, case: Group, free: Floats, placed: Placed, at: int) -> Floats:
-    """Of the boxes ``(n, 5)`` for one group those at which the whole room costs least."""
+    """Of the boxes ``(n, 5)`` for one group those at which the whole room costs least, of
+    neighbours only one: where one bars a way, the other most often does."""
     layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(free), axis=0)
     layouts[:, at] = free
     rule, energy = judge.task.preset.settings.composing, judge.task.costs.energy
     costs = energy * judge.energies_of(layouts)
     if case.function == "single":
         costs += rule.costs.adrift * are_adrift(case, free, judge.task.ground.walls)
-    return free[np.argsort(costs, kind="stable")[: rule.places]]
+    return _pick_apart(free[np.argsort(costs, kind="stable")], rule.places, rule.apart)
+
+
+def _pick_apart(boxes: Floats, most: int, apart: float) -> Floats:
+    """The first ``most`` of boxes ``(n, 5)`` that are ``apart`` metres from one another, or turned
+    otherwise."""
+    kept: list[int] = []
+    for i, (x, y, turn) in enumerate(boxes[:, :3].tolist()):
+        others = (boxes[k, :3].tolist() for k in kept)
+        if all(hypot(x - a, y - b) >= apart or abs(turn - c) > 0.1 for a, b, c in others):
+            kept.append(i)
+            if len(kept) == most:
+                break
+    return boxes[kept]
 
 
 def _dress(

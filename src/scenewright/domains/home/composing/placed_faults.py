@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,7 @@ from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.forms import cost_of_case
+from scenewright.domains.home.furnishing.enlarge import OVERHANG, SOFAS
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.settings import ComposingSettings
 from scenewright.geometry.boxes import common_area, make_frame
@@ -25,6 +27,7 @@ SHADES = frozenset((*_SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
 """What takes a window's light, or is not to stand in it."""
 AT_WALL = 0.12  # a bed's side nearer than this is at its wall, metres
 SHELVED = 0.75  # share of the longest wall that shelves of a storage room stand along
+FARTHEST = 3.1  # a screen is watched from so many of its widths at most
 SEEN = 0.02  # less of an opening that something stands before is not seen, metres
 
 
@@ -67,6 +70,17 @@ def are_adrift(case: Group, boxes: Floats, walls: Floats) -> NDArray[np.bool_]:
     left, right = (case.width / 2 + sign * bed.x - bed.size.width / 2 for sign in (1, -1))
     gaps = np.array([side_gaps(box, walls) for box in boxes])
     return np.asarray(np.minimum(gaps[:, 0] + left, gaps[:, 1] + right) > AT_WALL)
+
+
+def cost_of_screen(groups: Sequence[FurnishedGroup], cost: float) -> float:
+    """What is wrong with a stand too narrow for a screen that is large enough for its distance."""
+    stand = next((p for g in groups for p in g.pieces if p.category == "tv_stand"), None)
+    seats = [p for g in groups for p in g.pieces if p.category in SOFAS]
+    if stand is None or not seats:
+        return 0.0
+    away = min(hypot(p.pose.x - stand.pose.x, p.pose.y - stand.pose.y) for p in seats)
+    short = 1.0 - (stand.size.width + OVERHANG) * FARTHEST / away
+    return cost * (1.0 + short) / 2 if short > 0.0 else 0.0
 
 
 def cost_of_shelves(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:

@@ -27,7 +27,7 @@ DEPTH = {"curtain": 0.09, "blind": 0.06}
 """How far each stands out from its wall, metres."""
 LET_DOWN = 0.35  # of a window's height that a blind covers
 COOKING = 0.8  # no curtain nearer than this to kitchen units, metres
-NARROWEST = 0.6  # a window narrower than this is left bare, metres
+NARROWEST = 0.3  # a window narrower than this is left bare, metres
 
 
 def dress_windows(

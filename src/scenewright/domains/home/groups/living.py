@@ -47,6 +47,15 @@ def seating() -> Iterator[Group]:
             yield _two_armchairs(sofa)
 
 
+def more_seats() -> Iterator[Group]:
+    """Sofas for three for rooms in which no group with one stands: before a small table or
+    beside a side table."""
+    for sofa in (2.0, 1.9):
+        yield _compact(sofa)
+    for sofa in (2.0, 1.9):
+        yield _alone(sofa)
+
+
 def _sofa(width: float, depth: float, x: float = 0.0) -> Member:
     category = "sofa" if width >= 1.7 else "loveseat"
     return Member(category, x, -depth / 2 + 0.45, 0, 0, Size(width, SOFA_DEPTH, SOFA_HEIGHT))
@@ -68,10 +77,10 @@ def _rug(width: float, depth: float, x: float = 0.0) -> Member:
 
 
 def _alone(sofa: float) -> Group:
-    """A small sofa with a side table, for rooms with no depth for more."""
+    """A sofa with a side table, for rooms with no depth for more."""
     width, depth = sofa + 0.42, 0.82
     members = (
-        Member("loveseat", -0.21, 0, 0, 0, Size(sofa, 0.8, SOFA_HEIGHT)),
+        Member("sofa" if sofa >= 1.7 else "loveseat", -0.21, 0, 0, 0, Size(sofa, 0.8, SOFA_HEIGHT)),
         Member("side_table", sofa / 2, -0.1, 0, 0, Size(0.4, 0.4, 0.5)),
     )
     return Group("seating", f"{sofa:.1f} m sofa, side table", width, depth, members)
@@ -80,9 +89,9 @@ def _alone(sofa: float) -> Group:
 def _compact(sofa: float) -> Group:
     depth = SOFA_DEPTH + 0.35 + 0.42
     members = (
-        _rug(sofa, depth),
         _sofa(sofa, depth),
         _table(_beside_legs(0.45, sofa), depth, deep=0.4),
+        _rug(sofa, depth),
     )
     return Group("seating", f"{sofa:.1f} m sofa, small table", sofa, depth, members)
 
@@ -91,9 +100,9 @@ def _sofa_and_table(sofa: float, lamps: int) -> Group:
     width, depth = sofa + 0.5 * lamps, 1.95
     x = -0.25 if lamps == 1 else 0.0
     members = [
-        _rug(sofa, depth, x),
         _sofa(sofa, depth, x),
         _table(_beside_legs(0.55, sofa), depth, x),
+        _rug(sofa, depth, x),
     ]
     for sign in (1, -1)[:lamps]:
         side = len(members)
@@ -118,9 +127,9 @@ def _one_armchair(sofa: float) -> Group:
     width = sofa / 2 + max(reach, sofa / 2)
     x = sofa / 2 - width / 2
     members = (
-        _rug(min(table + 1.0, sofa), depth, x),
         _sofa(sofa, depth, x),
         _table(table, depth, x),
+        _rug(min(table + 1.0, sofa), depth, x),
         _armchair(x + reach - 0.4, depth, pi / 2),
         _picture_above(depth, x, sofa),
     )
@@ -132,9 +141,9 @@ def _two_armchairs(sofa: float) -> Group:
     reach = table / 2 + 0.3 + 0.8
     width = 2 * max(reach, sofa / 2)
     members = (
-        _rug(table + 1.2, depth),
         _sofa(sofa, depth),
         _table(table, depth),
+        _rug(table + 1.2, depth),
         _armchair(reach - 0.4, depth, pi / 2),
         _armchair(0.4 - reach, depth, -pi / 2),
         _picture_above(depth, 0, sofa),

@@ -48,7 +48,7 @@ def match_learned_density(task: RoomTask, room: Room, rooms: tuple[Space, ...]) 
     def off(factor: float) -> float:
         return round(abs(estimate_coverage(task._replace(amount=factor), wishes) - wanted), 3)
 
-    return task._replace(amount=min(FACTORS, key=off))
+    return task._replace(amount=min(FACTORS, key=off), share=wanted)
 
 
 def _welcome(task: RoomTask, usual: tuple[Wish, ...], wanted: float) -> tuple[str, ...]:

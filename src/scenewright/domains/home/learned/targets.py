@@ -9,7 +9,7 @@ from math import cos, hypot, pi, remainder, sin
 import numpy as np
 import shapely
 
-from scenewright.core.catalog import Catalog
+from scenewright.core.catalog import Catalog, Group
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.home.learned.learning import FurnishedSpace, GroupOccurrence
 from scenewright.domains.home.learned.rows import SIDES, Beside, Clearance, Distance, Share, Targets
@@ -58,11 +58,11 @@ def _clearances(
     depths: dict[tuple[str, Beside], list[float]] = defaultdict(list)
     for room in rooms:
         floor = shapely.Polygon(room.space.outline, list(room.space.holes))
-        others = [footprint(p) for p in room.pieces if _stands(p, catalog)]
+        others = [footprint(p) for p in room.pieces if stands_on_floor(p, catalog)]
         here = (one for one in found if (one.home, one.room) == (room.home, room.space.id))
         for one in here:
             for number, side in enumerate(SIDES):
-                free = free_before(_side(one, number), others, floor)
+                free = free_before(side_of(*one.box, one.case, number), others, floor)
                 depths[one.case.function, side].append(free)
     return tuple(
         Clearance(*key, float(np.quantile(free, 0.25)), float(np.median(free)), len(free))
@@ -70,11 +70,11 @@ def _clearances(
     )
 
 
-def _side(one: GroupOccurrence, number: int) -> Piece:
-    """A group's box as a piece that looks over one of its sides."""
-    x, y, heading = one.box
-    width, depth = one.case.width, one.case.depth
-    size = Size(width, depth, 1.0) if number % 2 == 0 else Size(depth, width, 1.0)
+def side_of(x: float, y: float, heading: float, case: Group, number: int) -> Piece:
+    """A group's box as a piece that looks over one of its sides: front, left, back, right."""
+    size = (
+        Size(case.width, case.depth, 1.0) if number % 2 == 0 else Size(case.depth, case.width, 1.0)
+    )
     return Piece("", "", "", "", Pose(x, y, 0.0, heading + number * pi / 2), size)
 
 
@@ -109,6 +109,8 @@ def _shares(rooms: Iterable[FurnishedSpace], found: Sequence[GroupOccurrence]) -
             yield Share(room.space.functions[0], area, min(taken / area, 1.0), here)
 
 
-def _stands(piece: Piece, catalog: Catalog) -> bool:
+def stands_on_floor(piece: Piece, catalog: Catalog) -> bool:
+    """Whether a piece takes floor one would walk on: a curtain does not, nor does a rug."""
     kind = catalog.kinds.get(piece.category)
-    return kind is not None and not kind.flat and piece.pose.z < 0.05
+    floor = kind is not None and not kind.flat and kind.support == "floor"
+    return floor and piece.pose.z < 0.05

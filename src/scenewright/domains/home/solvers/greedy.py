@@ -3,14 +3,18 @@
 What a shop assistant does with paper cut-outs: try every corner, along every wall, and where its
 partners want it; keep the best; never take back. Tried sizes are the preferred and the least.
 
-One pass is quick, so while the budget lasts more follow with the order shaken and fewer places
-looked at, and the best pass is kept (greedy randomised search, Feo and Resende 1995).
+One pass is quick, so while the budget lasts more follow with the order shaken, and the best pass
+is kept (greedy randomised search, Feo and Resende 1995). How many places a pass looks at follows
+the sequence 1, 1, 2, 1, 1, 2, 4, … of Luby, Sinclair and Zuckerman (1993), whatever the budget: a
+larger budget goes on where a smaller one ends, so its answer is never worse.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from functools import partial
+from itertools import count
 from typing import NamedTuple
 
 import numpy as np
@@ -137,6 +141,21 @@ def place_all(
     return Pass(boxes, looked)
 
 
+def looks_in_turn(least: int, most: int) -> Iterator[int]:
+    """Places looked at for one item in one pass after the other: ``least`` times the numbers of
+    Luby, Sinclair and Zuckerman's sequence, none above ``most``.
+
+    >>> from itertools import islice
+    >>> list(islice(looks_in_turn(25, 60), 8))
+    [25, 25, 50, 25, 25, 50, 60, 25]
+    """
+    for k in count(1):
+        at = k
+        while (at + 1) & at:  # not one less than a power of two: the sequence repeats itself
+            at -= (1 << (at.bit_length() - 1)) - 1
+        yield min(least * (at + 1) // 2, most)
+
+
 def greedy(
     problem: Problem,
     budget: Budget,
@@ -146,23 +165,26 @@ def greedy(
 ) -> Found[Layout]:
     """Solve by greedy placement: one pass without a budget, else the best of as many as fit.
 
-    Steps are tried places. A pass always ends, so a budget of few steps looks at few places.
+    Steps are tried places: a pass begins if they last for all of it, and the first always.
     """
     rng, watch = np.random.default_rng(seed), BudgetWatch(budget, progress, cancel)
     n, p, grid = len(problem.items.low), prepare(problem), route_grid(problem, 0.1)
-    area, shake, done = problem.items.high.prod(axis=1), 0.0, 0
-    rule = problem.settings.greedy
-    most = min(rule.one, max(rule.first // n, 1))
+    area, widest, done = problem.items.high.prod(axis=1), 0, 0
+    rule, bounded = problem.settings.greedy, budget.steps or budget.seconds
+    whole = min(rule.one, max(rule.first // n, 1))
+    least = min(rule.least, whole, max((budget.steps or rule.first) // n, 1))
     kept: list[Layout] = []
-    while True:
-        if budget.steps:
-            most = max(min(most, (budget.steps - done) // n), 1)
+    for looks in looks_in_turn(least if bounded else whole, whole):
+        if kept and budget.steps and done + looks * n > budget.steps:
+            break
+        shake, widest = rule.shake * (looks <= widest), max(widest, looks)
         order = np.argsort(-area * np.exp(shake * rng.normal(size=n)), kind="stable")
-        found = place_all(problem, order.tolist(), most, rng, watch.cancelled)
+        found = place_all(problem, order.tolist(), looks, rng, watch.cancelled)
         energy = float(energies_of(p, grid, found.boxes[None])[0][0])
         kept = sorted([*kept, Layout(found.boxes, energy)], key=lambda a: a.energy)[: rule.kept]
-        done, most, shake = done + found.looked, min(most, rule.one // 4), rule.shake
+        done += found.looked
         over = watch.over(done, kept[0].energy, partial(min, kept, key=lambda a: a.energy))
-        if over or not (budget.steps or budget.seconds):
-            boxes, energies = zip(*kept, strict=True)
-            return Found(distinct(np.stack(boxes), np.array(energies)), done)
+        if over or not bounded:
+            break
+    boxes, energies = zip(*kept, strict=True)
+    return Found(distinct(np.stack(boxes), np.array(energies)), done)
