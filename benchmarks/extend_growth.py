@@ -64,6 +64,7 @@ def problem_of(place: CutPlace) -> ExtendProblem:
         _covered(place),
         ((),),
         GrowthSettings(),
+        grounds=(shapely.Polygon(place.one.outline),),
     )
 
 

@@ -31,7 +31,12 @@ from scenewright.workflow.evolution.log import EvolutionLog
 from scenewright.workflow.evolution.population import BreedingPlan
 from scenewright.workflow.evolve import Evolution, evolve, resume_evolution
 
-SAMPLES = {"home": "home-child", "hall": "hall-irregular", "site": "site-courtyards"}
+SAMPLES = {
+    "home": "home-child",
+    "hall": "hall-irregular",
+    "site": "site-courtyards",
+    "extend": "extend-village",
+}
 KINDS = {**SAMPLES, "village": "village-hamlet"}
 HOME = "sample:home-child"
 FEW = BreedingPlan(first=13, each=5, rounds=1, brood=8)

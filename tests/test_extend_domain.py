@@ -11,12 +11,17 @@ import pytest
 import shapely
 
 import scenewright as sw
+from scenewright.catalog.models.gltf import SceneBody
+from scenewright.catalog.models.gltf_scene import TURN, _join_bodies, _turned
+from scenewright.catalog.models.model import PLAIN
 from scenewright.core.brief import Brief
+from scenewright.core.catalog import Part
 from scenewright.core.errors import InputError
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.domains import plan_of
 from scenewright.domains.extend.areas import OLD
 from scenewright.formats import solution_json
+from scenewright.geometry.solids import block
 
 SAMPLES = ("extend-terrace", "extend-court", "extend-village")
 
@@ -257,3 +262,31 @@ def test_maps_in_unknown_systems_are_refused(tmp_path: Path) -> None:
     path.write_text(json.dumps({"type": "FeatureCollection", "features": [feature]}))
     with pytest.raises(InputError, match="no longitude and latitude"):
         sw.solve(extension({"path": str(path)}))
+
+
+def test_a_scene_of_models_is_a_source(tmp_path: Path) -> None:
+    """A GLB of ours: every building is found where it stood, copies share a model and a kind."""
+    first = sw.solve(extension(count=4), steps=1)
+    sw.write(first, tmp_path / "first.glb")
+    outline = [[202, -4], [300, -4], [300, 46], [202, 46]]
+    for path in (tmp_path / "first.glb", tmp_path):
+        brief = extension({"path": str(path)}, outline=outline, count=4)
+        (scene,) = plan_of(brief).detail.sources
+        before = sorted(p.pose[:2] for p in first.pieces if p.category == "building")
+        found = sorted(tuple(np.mean(one.outline, axis=0)) for one in scene.buildings)
+        assert np.allclose(found, before, atol=0.3)
+        second = sw.solve(brief, steps=1)
+        assert len(new(second)) == 4
+        assert sw.check(second).valid
+        assert {p.asset.partition("/")[0] for p in new(second)} == {"model:first"}
+
+
+def test_bodies_that_overlap_are_one_building_and_ground_is_none() -> None:
+    def body(x: float, low: float, high: float, wide: float = 8.0, mesh: int = 0) -> SceneBody:
+        made = block((x, x + wide), (0, 6), (low, high))
+        corners = made.vertices @ np.linalg.inv(TURN).T
+        return SceneBody("b", "", (Part(PLAIN, corners, made.faces),), mesh, np.eye(4))
+
+    bodies = [body(0, 0, 3), body(0, 3, 5), body(30, 0, 4), body(-50, -0.2, 0, 130.0)]
+    groups = _join_bodies([_turned(one, 1.0) for one in bodies])
+    assert [len(group) for group in groups] == [2, 1]

@@ -179,7 +179,7 @@ def _source(entry: CatalogBrief) -> tuple[Path, Path | None]:
 
 def _report(entry: CatalogBrief, path: Path) -> LibraryReport:
     """What a catalogue holds; it must be something. Of a registered one a copy is kept."""
-    options = ImportOptions(entry.up, entry.front, entry.scale)
+    options = ImportOptions(entry.up, entry.front, entry.scale, buildings=entry.buildings)
     copy = None if path == Path(entry.path) else table_file(entry.path).with_name(COPY)
     made_of = sha256(repr((_stamp(path), options, __version__)).encode()).hexdigest()
     ready = load_cached(copy, made_of) if copy else None

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterator, Mapping
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,8 +49,38 @@ KNOWN = (
 """Extensions a model may need: those that only change light, and what is read here."""
 
 
-def read(content: bytes, stem: str, beside: Beside, _: ImportOptions) -> Iterator[RawModel]:
-    """The one model of a glTF file."""
+class SceneBody(NamedTuple):
+    """A node with a mesh: its name, what its ``extras`` say that it is, its parts where they
+    stand, in the axes and units of the file, the number of its ``mesh``, and the matrix (4, 4)
+    that places it."""
+
+    name: str
+    category: str
+    parts: tuple[Part, ...]
+    mesh: int
+    place: Floats
+
+
+def read(content: bytes, stem: str, beside: Beside, options: ImportOptions) -> Iterator[RawModel]:
+    """The one model of a glTF file; with ``options.buildings`` every building that stands in it."""
+    if options.buildings:
+        from scenewright.catalog.models import gltf_scene
+
+        yield from gltf_scene.read(content, stem, beside)
+        return
+    held = open_scene(content, beside)
+    parts = merge_parts([part for body in scene_bodies(held) for part in body.parts])
+    author, licence, title = _credits(held.document)
+    yield RawModel(stem, title or stem, parts, "+y", "+z", author, licence)
+
+
+def read_credits(content: bytes, beside: Beside) -> tuple[str, str, str]:
+    """Author, licence and title of a file, where it tells them."""
+    return _credits(open_scene(content, beside).document)
+
+
+def open_scene(content: bytes, beside: Beside) -> Store:
+    """A checked document with its numbers."""
     text, inside = chunks(content) if content[:4] == b"glTF" else (content, None)
     if len(text) > MOST_JSON:
         raise InputError(f"its JSON is larger than {MOST_JSON // MEBIBYTE} MiB", "simplify it")
@@ -57,10 +88,7 @@ def read(content: bytes, stem: str, beside: Beside, _: ImportOptions) -> Iterato
     _check_version(raw)
     _check_needs(raw.get("extensionsRequired"))
     document = gltf_record.check_document(raw)
-    held = gltf_numbers.store(document, inside, beside)
-    parts = merge_parts(list(_parts(held)))
-    author, licence, title = _credits(document)
-    yield RawModel(stem, title or stem, parts, "+y", "+z", author, licence)
+    return gltf_numbers.store(document, inside, beside)
 
 
 def chunks(content: bytes) -> tuple[bytes, bytes | None]:
@@ -103,11 +131,13 @@ def _check_needs(needs: object) -> None:
             raise InputError(f"needs the extension '{clean(name)}'", "export it without")
 
 
-def _parts(held: Store) -> Iterator[Part]:
+def scene_bodies(held: Store) -> Iterator[SceneBody]:
+    """Every node of the scene that has a mesh."""
     coats = paints(held)
     faces = vertices = 0
-    for number, place in _bodies(held.document):
-        body = pick_row(held.document.meshes, number, "meshes")
+    for node, place in _placed_nodes(held.document):
+        found = []
+        body = pick_row(held.document.meshes, node.mesh or 0, "meshes")
         for primitive in body.primitives:
             if primitive.mode not in (TRIANGLES, STRIP, FAN):
                 continue
@@ -115,11 +145,16 @@ def _parts(held: Store) -> Iterator[Part]:
                 faces, vertices = faces + len(part.faces), vertices + len(part.vertices)
                 check_count(faces, MOST_FACES, "triangles")
                 check_count(vertices, MOST_VERTICES, "vertices")
-                yield part
+                found.append(part)
+        extras = node.extras if isinstance(node.extras, dict) else {}
+        yield SceneBody(
+            clean(node.name), clean(extras.get("category")), tuple(found), node.mesh or 0, place
+        )
 
 
-def _bodies(document: Document) -> Iterator[tuple[int, Floats]]:
-    """Each mesh of the scene with the matrix ``(4, 4)`` of its node; every node counts once."""
+def _placed_nodes(document: Document) -> Iterator[tuple[GltfNode, Floats]]:
+    """Each node of the scene that has a mesh, with the matrix ``(4, 4)`` of its place; every
+    node counts once."""
     waiting = [(root, np.eye(4)) for root in reversed(_roots(document))]
     seen: set[int] = set()
     while waiting:
@@ -135,7 +170,7 @@ def _bodies(document: Document) -> Iterator[tuple[int, Floats]]:
         with np.errstate(over="ignore", invalid="ignore"):
             place = above @ matrix(node)
         if node.mesh is not None:
-            yield node.mesh, place
+            yield node, place
         check_count(len(waiting) + len(node.children), gltf_record.MOST_NODES, "nodes")
         waiting += [(child, place) for child in reversed(node.children)]
 

@@ -98,6 +98,8 @@ class Body(BaseModel):
 class GltfNode(BaseModel):
     """A place in the tree, with a mesh or nodes below it."""
 
+    name: Any = None
+    extras: Any = None
     mesh: Whole | None = None
     children: list[Whole] = []
     matrix: Annotated[list[Number], Field(min_length=16, max_length=16)] | None = None

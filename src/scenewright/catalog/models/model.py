@@ -48,12 +48,14 @@ DIRECTIONS = {
 class ImportOptions(NamedTuple):
     """How to take models: which way of the file's axes is ``up`` and which the ``front`` looks
     (``+x`` to ``-z``; empty: as is usual for the format), metres a unit (``scale``), and the
-    ``language`` of names (``de``, ``zh_CN``) where a library has several."""
+    ``language`` of names (``de``, ``zh_CN``) where a library has several; ``buildings``: every
+    building of a scene (.glb) is a model."""
 
     up: str = ""
     front: str = ""
     scale: float = 1.0
     language: str = ""
+    buildings: bool = False
 
 
 class RawModel(NamedTuple):

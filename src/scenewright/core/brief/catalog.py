@@ -15,13 +15,15 @@ PathText = Annotated[str, Field(min_length=1, max_length=4096)]
 class CatalogBrief(StrictModel):
     """A catalogue whose files leave something open: ``scale`` tells metres a unit, ``up`` and
     ``front`` which way of the files' axes is up and which the fronts look (left out: as is usual
-    for the format). Without ``fill`` its models are used only where the brief names them."""
+    for the format). Without ``fill`` its models are used only where the brief
+    names them. With ``buildings`` every building of a scene (.glb) is a model of its own."""
 
     path: PathText
     scale: Annotated[Number, Field(gt=0, le=1e4)] = 1.0
     up: Direction = ""
     front: Direction = ""
     fill: Switch = True
+    buildings: Switch = False
 
 
 class GroupsBrief(StrictModel):

@@ -27,6 +27,8 @@ DOMAIN = Domain(
         "draw": ".drawing.plan:draw",
         "adjust": ".adjust:adjust",
         "locked": ".locks:lock_extension",
+        "features": ".features:measure_features",
+        "breeder": ".breeding:make_breeder",
         "detail_document": ".record:detail_document",
         "detail_of": ".record:detail_of",
     },
@@ -34,6 +36,7 @@ DOMAIN = Domain(
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:EXTEND_SOLVERS",
         "meanings": ".reasons:MEANINGS",
+        "reasons": ".features:REASONS",
     },
     formats=(
         Format(

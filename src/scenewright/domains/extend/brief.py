@@ -51,13 +51,15 @@ class StreetLine(StrictModel):
 
 
 class SourceScene(StrictModel):
-    """One neighbourhood to continue: a file at ``path`` (GeoJSON, CityJSON or a saved solution),
-    or drawn ``buildings`` and ``roads``. ``outline`` is its ground (left out: what lies about
-    its buildings). Of several, each is followed in its ``share``. ``stands`` says whether it
-    stands where it is drawn and is continued from there (left out: if it lies beside an area)."""
+    """One neighbourhood to continue: a file at ``path`` (GeoJSON, CityJSON, a saved solution, or a
+    scene of models, .glb or a folder of such, ``scale`` metres a unit), or drawn ``buildings`` and
+    ``roads``. ``outline`` is its ground (left out: what lies about its buildings). Of several, each
+    is followed in its ``share``. ``stands`` says whether it stands where it is drawn and is
+    continued from there (left out: if it lies beside an area)."""
 
     name: Annotated[str, Field(max_length=80)] = ""
     path: PathText | None = None
+    scale: Annotated[Number, Field(gt=0, le=1e4)] = 1.0
     buildings: Annotated[list[SourceBuilding], Field(max_length=5000)] = []
     roads: Annotated[list[StreetLine], Field(max_length=2000)] = []
     outline: Outline | None = None

@@ -36,6 +36,10 @@ def build_problem(plan: ExtendPlan, area: AreaPlan, settings: GrowthSettings) ->
             read_row(row, plan.pattern, f"{area.id} rows[{k}]")
             for k, row in enumerate(area.row.rows)
         ),
+        tuple(
+            None if scene.outline is None else shapely.Polygon(scene.outline)
+            for scene in plan.sources
+        ),
     )
 
 

@@ -29,8 +29,13 @@ BOXY = 0.985
 def with_source_models(brief: Brief, plan: ExtendPlan) -> Brief:
     """The brief with the models of its city models among its catalogues."""
     named = {entry_of(entry).path for entry in brief.catalogs}
-    paths = dict.fromkeys(scene.catalog for scene in plan.sources if scene.catalog)
-    more = [CatalogBrief(path=path, fill=False) for path in paths if path not in named]
+    rows = zip(brief.part.sources, plan.sources, strict=True)
+    paths = {scene.catalog: row.scale for row, scene in rows if scene.catalog}
+    more = [
+        CatalogBrief(path=path, fill=False, scale=scale, buildings=True)
+        for path, scale in paths.items()
+        if path not in named
+    ]
     return brief.model_copy(update={"catalogs": [*brief.catalogs, *more]}) if more else brief
 
 

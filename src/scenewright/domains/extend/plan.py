@@ -80,7 +80,11 @@ def _source(row: SourceScene, number: int, origin: tuple[float, float] | None) -
         told = "names a file and draws buildings" if row.path else "has no buildings"
         raise InputError(told, 'give either "path" or "buildings"', place=place)
     try:
-        scene = _build_source(row) if row.path is None else read_built(Path(row.path), origin)
+        scene = (
+            _build_source(row)
+            if row.path is None
+            else read_built(Path(row.path), origin, row.scale)
+        )
     except InputError as error:
         raise error.located(place=place) from None
     roads = (*scene.roads, *(_road(one, place) for one in row.roads)) if row.path else scene.roads

@@ -40,6 +40,6 @@ PRESETS: dict[str, ExtendPreset] = {
         "grow",
         4,
         WEIGHTS,
-        GrowthSettings(spread=1.2, missing=0.5, noise=0.05, polish=0, relaxed=False),
+        GrowthSettings(spread=1.2, missing=0.5, noise=0.05, polish=0, relaxed=False, edges=False),
     ),
 }

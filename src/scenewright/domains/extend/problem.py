@@ -32,7 +32,7 @@ class ExtendProblem(NamedTuple):
     """One area: the ``floor`` that may be built on, its whole outline, what is learned of the
     sources, what stands, streets in and about it, how many buildings (``number``) or what share
     of the outline (``coverage``) are wanted, settings, and
-    rows to lay first."""
+    rows to lay first; and the ``grounds`` of the sources, where they are drawn."""
 
     name: str
     floor: shapely.Polygon
@@ -45,6 +45,7 @@ class ExtendProblem(NamedTuple):
     source_roads: tuple[tuple[BuiltRoad, ...], ...]
     settings: GrowthSettings
     rows: tuple[Any, ...] = ()
+    grounds: tuple[shapely.Polygon | None, ...] = ()
 
 
 class GrownLayout(NamedTuple):

@@ -12,6 +12,7 @@ from scenewright.domains.extend.rating import WEIGHTS, measure_layout
 FIGURES: dict[str, str] = {
     "rows": "share of the new buildings that continue a row of the source or of the brief",
     "neighbours": "share of the new buildings that stand where a neighbour of the source would",
+    "edges": "share of the new buildings laid along streets and borders as in the source",
     "patches": "share of the new buildings laid as part of a whole patch of the source",
     "filled": "share of the new buildings that fill free ground in line with the nearest",
 }
@@ -19,6 +20,7 @@ MEANINGS: dict[str, str] = {**RATED, **FIGURES}
 WAYS = {
     "rows": ("continued", "row"),
     "neighbours": ("neighbour",),
+    "edges": ("edge",),
     "patches": ("patch",),
     "filled": ("filled",),
 }

@@ -11,7 +11,8 @@ class GrowthSettings(NamedTuple):
     chance added to what a proposal is worth; ``patches``: placements of a whole source tried
     before growing; ``slack``: the share by which coverage may miss; ``polish``: moves of rows and
     buildings tried at the end; ``relaxed``: whether free ground is filled
-    where no neighbour proposes anything."""
+    where no neighbour proposes anything; ``edges``: whether every other layout begins with what
+    stands along streets and borders."""
 
     spread: float = 2.5
     missing: float = 0.3
@@ -20,3 +21,4 @@ class GrowthSettings(NamedTuple):
     slack: float = 0.02
     polish: int = 30
     relaxed: bool = True
+    edges: bool = True

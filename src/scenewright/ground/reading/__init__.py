@@ -12,14 +12,17 @@ from scenewright.ground.built import BuiltScene
 MOST_BYTES = 128 * MEBIBYTE
 
 
-def read_built(path: Path, origin: tuple[float, float] | None = None) -> BuiltScene:
-    """What is built in a file: GeoJSON, CityJSON or a saved solution of buildings.
+def read_built(
+    path: Path, origin: tuple[float, float] | None = None, scale: float = 1.0
+) -> BuiltScene:
+    """What is built in a file: GeoJSON, CityJSON, a glTF scene (or a folder of them; ``scale`` is
+    metres a unit) or a saved solution of buildings.
 
     Maps in degrees become metres about ``origin`` (longitude, latitude), else about their own
     middle. InputError, naming the file, for what holds no building.
     """
     try:
-        return _read(path, origin)
+        return _read(path, origin, scale)
     except OSError as error:
         fault = f"cannot be read: {error.strerror or error}"
         raise InputError(fault, "check the path", file=str(path)) from None
@@ -27,17 +30,20 @@ def read_built(path: Path, origin: tuple[float, float] | None = None) -> BuiltSc
         raise error.located(file=str(path)) from None
 
 
-def _read(path: Path, origin: tuple[float, float] | None) -> BuiltScene:
+def _read(path: Path, origin: tuple[float, float] | None, scale: float) -> BuiltScene:
     from scenewright.ground.reading.city import city_scene
     from scenewright.ground.reading.maps import map_scene
+    from scenewright.ground.reading.models import SUFFIXES, model_scene
     from scenewright.ground.reading.saved import saved_scene
 
+    if path.is_dir() or (path.is_file() and path.suffix.lower() in SUFFIXES):
+        return _with_buildings(model_scene(path, scale))
     if not path.is_file():
         raise InputError("there is no such file", "check the path")
     if path.suffix.lower() not in (".json", ".geojson", ".cityjson"):
         raise InputError(
             f"'{path.suffix}' holds no buildings that can be read",
-            "give .geojson, .city.json or a saved solution",
+            "give .geojson, .city.json, .glb or a saved solution",
         )
     note_read(path)
     document = json_of(whole(path, MOST_BYTES), "JSON")
@@ -51,6 +57,10 @@ def _read(path: Path, origin: tuple[float, float] | None) -> BuiltScene:
         found = saved_scene(document)
     else:
         raise InputError("is no map, city model or solution", "give .geojson or .city.json")
+    return _with_buildings(found)
+
+
+def _with_buildings(found: BuiltScene) -> BuiltScene:
     if not found.buildings:
         raise InputError("holds no building", "give a scene with buildings")
     return found

@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 
 from scenewright.catalog.models.cityjson import City, city_of, parts_at, roots_of, turn_of
+from scenewright.catalog.models.gltf_scene import plan_of_parts
 from scenewright.catalog.models.model import clean
 from scenewright.core.catalog import OWN, Part
 from scenewright.core.errors import InputError
@@ -52,19 +53,23 @@ def city_scene(document: dict[str, Any], path: Path) -> BuiltScene:
 def _building(
     city: City, key: str, short: str, model: str, parts: tuple[Part, ...]
 ) -> BuiltBuilding | None:
+    told = city.objects[key].get("attributes")
+    name = clean(told.get("name")) if isinstance(told, dict) else ""
+    return building_of_parts(parts, short, name, model)
+
+
+def building_of_parts(
+    parts: tuple[Part, ...], short: str, name: str, model: str
+) -> BuiltBuilding | None:
+    """The building of some parts where they stand, its front the side nearest to the south;
+    ``None`` if they cover no usable footprint."""
     points = np.concatenate([part.vertices[np.unique(part.faces)] for part in parts])
-    corners = np.concatenate([part.vertices[part.faces][..., :2] for part in parts])
-    a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    wide = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) > 1e-6
-    shape = shapely.union_all(shapely.polygons(corners[wide]), grid_size=1e-3)
-    pieces = [p for p in shapely.get_parts(shape) if p.geom_type == "Polygon"]
+    pieces = [p for p in shapely.get_parts(plan_of_parts(parts)) if p.geom_type == "Polygon"]
     if not pieces:
         return None
     whole = max(pieces, key=lambda part: part.area)
     outline = clean_outline(shapely.get_coordinates(whole.exterior))
     if outline is None:
         return None
-    told = city.objects[key].get("attributes")
-    name = clean(told.get("name")) if isinstance(told, dict) else ""
     height = max(float(np.ptp(points[:, 2])), 1.0)
     return BuiltBuilding(short, name, outline, height, turn_of(parts) - np.pi / 2, model)

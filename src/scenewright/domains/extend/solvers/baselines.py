@@ -84,13 +84,14 @@ def _scatter(
         at = rng.uniform((west, south), (east, north), (BATCH, 2))
         heading = pattern.boxes[rng.choice(len(pattern.boxes), BATCH), 2]
         poses = np.concatenate([at, heading[:, None]], 1)
-        good = np.flatnonzero(canvas.legal(poses, origin, gaps=gaps))
+        wanted = [k for k in range(BATCH) if canvas.room_for(int(origin[k]))]
+        good = np.array(wanted, np.int64)
+        good = good[canvas.legal(poses[good], origin[good], gaps=gaps)] if wanted else good
         failed = 0 if len(good) else failed + BATCH
+        if not wanted:
+            canvas.loosen(1.0)
         for k in good[:1].tolist():
-            if canvas.room_for(int(origin[k])):
-                canvas.add(poses[k], int(origin[k]), "random")
-            else:
-                failed += BATCH // 4
+            canvas.add(poses[k], int(origin[k]), "random")
     return canvas.layout()
 
 

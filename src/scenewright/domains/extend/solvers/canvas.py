@@ -15,11 +15,14 @@ from scenewright.domains.extend.problem import (
     boxes_at,
     shapes_at,
 )
+from scenewright.domains.extend.solvers.lattice import lattice_shifts
 
 Flags = NDArray[np.bool_]
 EDGE = 1e-3
 MIX = 1.2
 """How many times as often as in the sources' mix a size may be built."""
+SHORT = 0.05
+"""The share by which coverage may fall short before sizes and gaps give way."""
 TOUCH = 0.005
 """Metres that buildings which touch in the sources may overlap by rounding."""
 
@@ -52,6 +55,8 @@ class Canvas:
         self.sizes = size_classes(problem.pattern)
         self.most = _most_of_each(problem, self.sizes, self.wanted)
         self.made = np.zeros(len(self.most), np.int64)
+        self.gaps = problem.pattern.gaps
+        self._shifts: dict[int, Floats] | None = None
 
     @property
     def boxes(self) -> Floats:
@@ -78,6 +83,28 @@ class Canvas:
         if self.problem.number is not None:
             return self.held >= self.problem.number
         return self.covered >= self.wanted * (1 - self.problem.settings.slack)
+
+    def enough(self) -> bool:
+        """Whether so much is built that what lacks is no fault: within :data:`SHORT`."""
+        if self.problem.number is not None:
+            return self.held >= self.problem.number
+        return self.covered >= self.wanted * (1 - SHORT)
+
+    def shifts(self) -> dict[int, Floats]:
+        """The shifts (m, 2) by which each source that stands goes on with itself (once found)."""
+        if self._shifts is None:
+            pattern, standing = self.problem.pattern, self.problem.standing
+            known = np.unique(pattern.source[standing.origin[~standing.inside]]).tolist()
+            self._shifts = {
+                s: lattice_shifts(pattern.boxes[pattern.source == s], self.problem.floor.bounds)
+                for s in known
+            }
+        return self._shifts
+
+    def loosen(self, share: float) -> None:
+        """Let any mix of sizes stand, and as near as a share of the sources' least gaps."""
+        self.most = np.full_like(self.most, np.iinfo(np.int64).max)
+        self.gaps = GapRules(*(share * gap for gap in self.problem.pattern.gaps))
 
     def room_for(self, origin: int, replaced: float = 0.0) -> bool:
         """Whether a copy of a building of the sources is still wanted: the area is not full, and
@@ -125,7 +152,7 @@ class Canvas:
         if not len(i):
             return good
         away = np.asarray(shapely.distance(shapes[rows[i]], self.shapes[j]))
-        least = np.array(gaps or self.problem.pattern.gaps)
+        least = np.array(gaps or self.gaps)
         how = pair_kind(boxes[rows[i]], self.boxes[j])
         bad = away < least[how] - 1e-6
         touching = away <= 0

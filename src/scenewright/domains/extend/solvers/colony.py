@@ -26,6 +26,9 @@ from scenewright.domains.extend.printed import (
 ELITES = 20
 """Past elites that allele values are taken of."""
 
+HOT = 5e-4
+"""F that annealing gives up at the start about as often as not."""
+
 
 class ColonySettings(NamedTuple):
     """Tables 1 and 2: ants, α and β of (13), evaporation ρ and ρ*, τ₀, weights of two attractors,
@@ -288,13 +291,14 @@ def _step(grid: PlotGrid, genes: Genes, kinds: int, rng: np.random.Generator) ->
 def anneal_plots(
     grid: PlotGrid, weights: Floats, evaluations: int, rng: np.random.Generator
 ) -> BredPlots:
-    """For comparison: annealing of the same matrices by the same steps."""
+    """For comparison: annealing of the same matrices by the same steps, from :data:`HOT`, which
+    gives up about what one step changes, down by the square of what is left."""
     judge = PlotJudge(grid, weights, evaluations)
     kinds = len(grid.areas)
     now = _random(grid, kinds, rng)
     value = judge.rate(now)
     while not judge.spent():
-        heat = 0.004 * (1 - len(judge.history) / evaluations) + 1e-9
+        heat = HOT * (1 - len(judge.history) / evaluations) ** 2 + 1e-9
         made = _step(grid, now, kinds, rng)
         other = judge.rate(made)
         if other >= value or rng.random() < np.exp((other - value) / heat):

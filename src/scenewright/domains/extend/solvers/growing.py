@@ -5,20 +5,28 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
+import shapely
 
 from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, GrownLayout
 from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.anneal import anneal
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.continued_rows import continue_rows
+from scenewright.domains.extend.solvers.edges import lay_edges
 from scenewright.domains.extend.solvers.laid_rows import lay_rows
 from scenewright.domains.extend.solvers.neighbours import grow_neighbours
 from scenewright.domains.extend.solvers.patches import lay_patch
-from scenewright.domains.extend.solvers.repair import fill_free, take_away
+from scenewright.domains.extend.solvers.repair import repair_coverage, take_away
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 LAYOUTS = 4
 """Layouts grown where no budget is given."""
+BUILDINGS, MOST_LAYOUTS = 60.0, 6
+"""Buildings of the layouts of one step together, and layouts of one step at most."""
+STARTS = 6
+"""Ways in which a layout begins: with neighbours, edges or a patch, and together."""
+POLISHED = 3
+"""Layouts that are annealed where they are small."""
 ROUNDS = 12
 """Times that growing is taken up again from a patch laid in what is left."""
 
@@ -31,19 +39,42 @@ def grow_area(
     cancel: Cancel | None = None,
 ) -> ExtendFound:
     """Layouts grown one after the other; of those the one of least energy. One step is one
-    layout."""
+    layout, or several where the area is small: about :data:`BUILDINGS` together."""
     if budget.steps is None and budget.seconds is None:
         budget = budget._replace(steps=LAYOUTS)
     watch = BudgetWatch(budget, progress, cancel)
     found: list[GrownLayout] = []
+    steps, each = 0, layouts_of_step(problem)
     while True:
-        rng = np.random.default_rng([seed, len(found)])
-        made = grow_once(problem, rng, cancel if found else None)
-        found.append(rate_layout(problem, made))
+        for number in range(steps * each, (steps + 1) * each):
+            if found and cancel is not None and cancel():
+                break
+            rng = np.random.default_rng([seed, number])
+            made = grow_once(problem, rng, number, cancel if found else None)
+            found.append(rate_layout(problem, made))
         found.sort(key=lambda layout: layout.score["energy"])
-        if watch.over(len(found), found[0].score["energy"], partial(_first, found)):
-            polished = polish(problem, found[0], np.random.default_rng([seed, 1, 1]))
-            return Found((polished, *found), len(found))
+        steps += 1
+        if watch.over(steps, found[0].score["energy"], partial(_first, found)):
+            best = [
+                polish(problem, layout, np.random.default_rng([seed, 1, 1 + k]))
+                for k, layout in enumerate(found[: 1 if each == 1 else POLISHED])
+            ]
+            best.sort(key=lambda layout: layout.score["energy"])
+            return Found((*best[:1], *found), len(found))
+
+
+def layouts_of_step(problem: ExtendProblem) -> int:
+    """How many layouts are one step."""
+    return int(np.clip(round(BUILDINGS / max(expected_count(problem), 1.0)), 1, MOST_LAYOUTS))
+
+
+def expected_count(problem: ExtendProblem) -> float:
+    """About how many buildings the area will hold."""
+    if problem.number is not None:
+        return float(problem.number)
+    pattern = problem.pattern
+    area = float(np.average(np.asarray(shapely.area(pattern.shapes)), weights=pattern.weight))
+    return problem.coverage * problem.outline.area / max(area, 1.0)
 
 
 def _first(found: list[GrownLayout]) -> GrownLayout:
@@ -51,20 +82,25 @@ def _first(found: list[GrownLayout]) -> GrownLayout:
 
 
 def grow_once(
-    problem: ExtendProblem, rng: np.random.Generator, cancel: Cancel | None = None
+    problem: ExtendProblem, rng: np.random.Generator, number: int = 0, cancel: Cancel | None = None
 ) -> GrownLayout:
     """One layout: rows of the brief and of the sources, neighbours, then patches and their
-    neighbours until enough is built, then coverage repaired."""
+    neighbours until enough is built, then coverage repaired. Every other ``number`` begins with
+    the buildings along edges, every third with a patch."""
     canvas = Canvas(problem)
     lay_rows(canvas)
+    if number % 2 and problem.settings.edges:
+        lay_edges(canvas, rng)
     continue_rows(canvas, rng)
+    if number % 3 == 2 and not canvas.full():
+        lay_patch(canvas, rng, problem.settings.patches)
     grow_neighbours(canvas, rng, cancel)
     for _ in range(ROUNDS):
         if canvas.full() or not lay_patch(canvas, rng, problem.settings.patches):
             break
         grow_neighbours(canvas, rng, cancel)
     if problem.settings.relaxed:
-        fill_free(canvas, rng)
+        repair_coverage(canvas, rng)
     take_away(canvas)
     return canvas.layout()
 
@@ -76,5 +112,7 @@ def polish(problem: ExtendProblem, layout: GrownLayout, rng: np.random.Generator
     canvas = Canvas(problem)
     for pose, origin, how in zip(layout.poses, layout.origin.tolist(), layout.how, strict=True):
         canvas.add(pose, origin, how)
-    made = rate_layout(problem, anneal(canvas, rng, problem.settings.polish))
+    many = max(len(layout.poses), 1)
+    moves = round(problem.settings.polish * np.clip(BUILDINGS / many, 1.0, MOST_LAYOUTS))
+    made = rate_layout(problem, anneal(canvas, rng, moves))
     return made if made.score["energy"] < layout.score["energy"] else layout

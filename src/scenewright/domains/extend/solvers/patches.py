@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scenewright.domains.extend.problem import Floats, Indices
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.ground.fit import main_direction
 
+TOGETHER = 24
+"""Placements tried at once."""
+FAR = 60.0
+"""Metres beyond the reach of neighbours at which a patch counts half."""
+NOWHERE = np.zeros((0, 2))
 LEAST = 2
 """Buildings that must fit for a patch to be laid."""
 
@@ -15,23 +21,24 @@ LEAST = 2
 def lay_patch(canvas: Canvas, rng: np.random.Generator, tries: int) -> int:
     """Lay the best of ``tries`` random placements of a source, or of its mirror turned round;
     how many buildings were added."""
-    problem, pattern = canvas.problem, canvas.problem.pattern
+    pattern = canvas.problem.pattern
     turns = patch_turns(canvas)
-    best: tuple[float, Floats, Indices] | None = None
-    west, south, east, north = problem.floor.bounds
     sources = np.unique(pattern.source)
     weights = np.array([pattern.weight[pattern.source == s].sum() for s in sources])
-    for _ in range(tries):
+    shifts = canvas.shifts()
+    best: tuple[float, Floats, Indices] | None = None
+    for _ in range(max(tries // TOGETHER, 1)):
         source = int(rng.choice(sources, p=weights / weights.sum()))
         rows = np.flatnonzero(pattern.source == source)
-        turn = float(rng.choice(turns))
-        middle = pattern.boxes[rng.choice(rows), :2]
-        at = np.array([rng.uniform(west, east), rng.uniform(south, north)])
-        poses = turn_poses(pattern.boxes[rows, :3], middle, at, turn)
-        good = canvas.legal(poses, rows)
-        area = float(np.prod(pattern.boxes[rows[good], 3:], axis=1).sum())
-        if int(good.sum()) >= LEAST and (best is None or area > best[0]):
-            best = (area, poses[good], rows[good])
+        poses = _place_patches(canvas, rng, rows, turns, shifts.get(source, NOWHERE))
+        many = np.tile(rows, TOGETHER)
+        good = canvas.legal(poses.reshape(-1, 3), many).reshape(TOGETHER, len(rows))
+        area = good @ np.prod(pattern.boxes[rows, 3:], axis=1)
+        area = area * _nearness(canvas, poses, good)
+        area[good.sum(1) < LEAST] = 0.0
+        k = int(area.argmax())
+        if area[k] > 0 and (best is None or area[k] > best[0]):
+            best = (float(area[k]), poses[k][good[k]], rows[good[k]])
     if best is None:
         return 0
     made = 0
@@ -41,6 +48,38 @@ def lay_patch(canvas: Canvas, rng: np.random.Generator, tries: int) -> int:
             canvas.add(pose, origin, "patch")
             made += 1
     return made
+
+
+def _place_patches(
+    canvas: Canvas, rng: np.random.Generator, rows: Indices, turns: Floats, shifts: Floats
+) -> Floats:
+    """Poses (k, n, 3) of a source's buildings ``rows`` (n,) at random placements: one of them
+    comes to a random point; where the source repeats itself, half of the placements are
+    ``shifts`` (m, 2) by its steps."""
+    problem, boxes = canvas.problem, canvas.problem.pattern.boxes
+    west, south, east, north = problem.floor.bounds
+    at = rng.uniform((west, south), (east, north), (TOGETHER, 2))
+    turn, middle = rng.choice(turns, TOGETHER), boxes[rng.choice(rows, TOGETHER), :2]
+    found = np.array(
+        [turn_poses(boxes[rows, :3], middle[k], at[k], float(turn[k])) for k in range(TOGETHER)]
+    )
+    if len(shifts):
+        half = TOGETHER // 2
+        found[:half] = boxes[rows, :3]
+        found[:half, :, :2] += shifts[rng.integers(len(shifts), size=half)][:, None]
+    return found
+
+
+def _nearness(canvas: Canvas, poses: Floats, good: NDArray[np.bool_]) -> Floats:
+    """How much placements (k, n, 3) count by how near what fits of each comes to what stands:
+    1 beside it, half :data:`FAR` metres on."""
+    there = canvas.boxes[canvas.there]
+    if not len(there):
+        return np.ones(len(poses))
+    step = poses[:, :, None, :2] - there[None, None, :, :2]
+    away = np.hypot(step[..., 0], step[..., 1]).min(2)
+    away = np.where(good, away, np.inf).min(1) - canvas.problem.pattern.reach
+    return np.asarray(1.0 / (1.0 + np.maximum(away, 0.0) / FAR))
 
 
 def patch_turns(canvas: Canvas) -> Floats:

@@ -14,8 +14,22 @@ STEP, MOST = 3.0, 240
 """Metres between the places tried, and how many at most."""
 TURNS = 16
 """Buildings of the sources tried at each place, in all."""
+CLOSER = (1.0, 0.7, 0.4)
+"""Shares of the least gaps of the sources that are kept where too little fits."""
 ALIGN = 5.0
 """Metres from which a building is drawn into line with the nearest."""
+
+
+def repair_coverage(canvas: Canvas, rng: np.random.Generator) -> int:
+    """Fill free ground; where too little fits, with any mix of sizes, then nearer and nearer
+    together (:data:`CLOSER`); how many buildings were added."""
+    made = fill_free(canvas, rng)
+    for share in CLOSER:
+        if canvas.enough():
+            break
+        canvas.loosen(share)
+        made += fill_free(canvas, rng)
+    return made
 
 
 def fill_free(canvas: Canvas, rng: np.random.Generator) -> int:
@@ -36,16 +50,18 @@ def _fill_once(canvas: Canvas, rng: np.random.Generator) -> int:
         return 0
     tries = min(TURNS, 4 * len(pattern.boxes))
     chosen = rng.choice(len(pattern.boxes), size=tries, p=_shares(canvas))
-    made = 0
+    made, hopeless = 0, set[int]()
     for origin in chosen.tolist():
         if canvas.full():
             break
-        if not canvas.room_for(origin):
+        kind = int(pattern.kind[origin])
+        if kind in hopeless or not canvas.room_for(origin):
             continue
         poses = align(canvas, places, origin, rng)
         rows = np.full(len(poses), origin)
         good = np.flatnonzero(canvas.legal(poses, rows))
         if not len(good):
+            hopeless.add(kind)
             continue
         worth = [worth_of(canvas, poses[k], origin) for k in good.tolist()]
         best = int(good[int(np.argmax(np.round(worth, 6)))])
