@@ -13,9 +13,9 @@ from shapely import Geometry, LineString, intersects, union_all
 from scenewright.core.space import Opening, Space
 from scenewright.drawing.labels import polygon_of
 from scenewright.drawing.marks import (
+    CUT,
     FINE,
     GREY,
-    LINE,
     NOTHING,
     Mark,
     PaperView,
@@ -125,7 +125,7 @@ def _chain_mark(view: PaperView, bounds: Bounds, chain: DimensionChain, offset: 
         foot = place + offset * out
         begin = max(1.5, offset - 1.6) if offset > FIRST else 1.5
         marks.append(line([place + begin * out, foot + 1.0 * out]))
-        marks.append(line([foot - slash, foot + slash], stroke_width=2 * LINE))
+        marks.append(line([foot - slash, foot + slash], stroke_width=CUT))
     for (a, b), (p, q) in zip(pairwise(chain.stations), pairwise(places), strict=True):
         marks.append(
             _measure(abs(b - a), (p + q) / 2 + offset * out, chain.side, float(np.hypot(*(q - p))))

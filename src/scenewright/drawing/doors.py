@@ -31,6 +31,9 @@ AWAY, LONG, WIDE = 0.9, 2.3, 2.6
 FIGURE, NOTE, LEAST = 1.5, 1.8, 1.1
 """Text heights in millimetres: widths in doors, notes beside them, the least that can be read."""
 
+HEIGHTS = 1.3
+"""Text height in millimetres of sill and head heights."""
+
 WORDS = {"entrance": "Entrance", "exit": "Exit", "both": "In and out"}
 
 Vector = NDArray[np.float64]
@@ -51,6 +54,26 @@ def doors_mark(
         else:
             marks.append(_note(view, door, np.asarray(middle, dtype=float)))
     return group(marks)
+
+
+def heights_mark(view: PaperView, openings: Sequence[Opening]) -> Mark:
+    """Heights of the sill and the head of each window above the floor, in metres, outside it."""
+    windows = [o for o in openings if o.kind == "window" and o.roof is None]
+    return group([_heights(view, window) for window in windows], fill=GREY, stroke="none")
+
+
+def _heights(view: PaperView, window: Opening) -> Mark:
+    """Both heights in words if the window is wide enough, else as two figures."""
+    figures = f"{window.sill:.2f}", f"{window.head:.2f}"
+    room = window.width * view.scale
+    tried = "sill {} · head {}".format(*figures), "{} / {}".format(*figures)
+    words = next((words for words in tried if text_width(words, HEIGHTS) <= room), "")
+    if not words:
+        return NOTHING
+    middle, along, _ = frame_of(window)
+    out = _paper(outwards(window))
+    at = to_paper(view, middle) + out * (window.thickness / 2 * view.scale + 0.9 * HEIGHTS)
+    return text(words, at, HEIGHTS, _turn(along))
 
 
 def outwards(door: Opening) -> Vector:

@@ -27,6 +27,8 @@ NAME, AREA, SIZE = 2.5, 2.0, 1.6
 """Text heights in millimetres: room name, its area, its inner dimensions."""
 
 HALO, CLEAR, BOLD = 0.9, 0.8, 1.12
+COVERING, LEAST = 3.0, 0.005
+"""What it costs to cover anything, more than the smallest label does, from so small a share on."""
 
 
 class Label(NamedTuple):
@@ -165,6 +167,7 @@ def _best_position(
     off = 1 - np.minimum(_cells(raster.floor, low, high) / whole, 1)
     over = _cells(raster.busy, low, high) / whole
     cost = 12 * off + 7 * over + 0.15 * away + label.cost
+    cost += COVERING * (over > LEAST)
     best = int(np.argmin(cost))
     return float(cost[best]), best
 

@@ -14,7 +14,6 @@ from scenewright.drawing.marks import (
     INK,
     LINE,
     NOTHING,
-    OUTLINE,
     POCHE,
     ROUTE,
     Mark,
@@ -191,10 +190,10 @@ def _sign(row: LegendRow, left: float, y: float) -> Mark:
             return line(flat, stroke=GREY, stroke_width=LINE, stroke_dasharray="1.6 1")
         case "wall":
             thin = [(left, y - 0.6), (left + 5.6, y - 0.6), (left + 5.6, y + 0.6), (left, y + 0.6)]
-            return shape([thin], fill=POCHE, stroke=INK, stroke_width=OUTLINE / 2)
+            return shape([thin], fill=POCHE, stroke=INK, stroke_width=LINE)
         case "passage":
             heads = [arrow_head((left + end, y), (way, 0), 1.5) for end, way in ((0, -1), (6, 1))]
-            bar = line([(left, y), (left + 6, y)], stroke=INK, stroke_width=2 * FINE)
+            bar = line([(left, y), (left + 6, y)], stroke=INK, stroke_width=LINE)
             return group([bar, *(shape([head], fill=INK) for head in heads)])
         case "entrance" | "exit":
             up = row.sign == "exit"

@@ -37,7 +37,7 @@ from scenewright.drawing.shell import CUT_HEIGHT
 
 SEAT_HEIGHT = 0.45
 PAPER, RUG = "#ffffff", "#e9e4d9"
-COARSE, SMALL, THIN = 7.5, 2.0, 0.13
+COARSE, SMALL = 7.5, 2.0
 """Below so many millimetres a metre symbols are simplified; things smaller than so many
 millimetres are drawn with the thin pen."""
 
@@ -161,7 +161,7 @@ def _strokes(view: PaperView, piece: Piece, catalog: Catalog) -> list[Mark]:
         return [line(row, stroke_width=FINE, **dashed) for row in points[:1]]
     kind = catalog.kinds.get(piece.category)
     fill = RUG if kind and kind.flat else PAPER
-    edge = LINE if min(piece.size[:2]) * view.scale > SMALL else THIN
+    edge = LINE if min(piece.size[:2]) * view.scale > SMALL else FINE
     pens = [edge] + [FINE] * (len(points) - 1)
     return [_stroke(row, pen, fill) for row, pen in zip(points, pens, strict=True)]
 

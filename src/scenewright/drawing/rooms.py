@@ -18,7 +18,7 @@ from scenewright.core.scene import Piece, Scene
 from scenewright.core.space import Level, Space
 from scenewright.drawing import dimensions as dimensions
 from scenewright.drawing import sheet as sheets
-from scenewright.drawing.doors import doors_mark
+from scenewright.drawing.doors import doors_mark, heights_mark
 from scenewright.drawing.labels import area_words, labels_mark, polygon_of
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
@@ -49,7 +49,8 @@ CAPTION = 8.0
 
 
 class Storey(NamedTuple):
-    """One level's part of a scene, with its outer bounds and dimension chains."""
+    """One level's part of a scene, with its outer bounds, doors that swing out included, and its
+    dimension chains, of the building alone."""
 
     level: Level
     scene: Scene
@@ -89,7 +90,8 @@ class Overlay(NamedTuple):
     ``floor`` are layers under the furniture, ``over`` above it, ``ways`` above walls and doors,
     each of a storey; ``keep_off`` are shapes that names of rooms do not cover; ``labels`` what is
     named, with the colour around the words; ``legend`` the rows of the legend; ``summary`` the line
-    below the title; ``inward`` whether the triangles at doors point to the middle of the storey.
+    below the title; ``inward`` whether the triangles at doors point to the middle of the storey;
+    ``title`` the number of the sheet and its date.
     """
 
     floor: Callable[[PaperView, Storey], Sequence[PlanLayer]] = _nothing
@@ -100,6 +102,7 @@ class Overlay(NamedTuple):
     legend: Callable[[Scene, Sequence[Storey]], Sequence[LegendRow]] = _no_rows
     summary: Callable[[Scene], str] = furnished_summary
     inward: bool = False
+    title: sheets.TitleBlock = sheets.UNDATED
 
 
 class Paper(NamedTuple):
@@ -127,7 +130,7 @@ def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> Plan
     symbols = define_repeated_symbols(1000 / sheet.scale, scene.pieces, catalog)
     paper = Paper(catalog, sheet, symbols, overlay)
     summary = overlay.summary(scene)
-    parts = [[PlanLayer("Sheet", sheets.sheet_mark(sheet, scene.name, summary))]]
+    parts = [[PlanLayer("Sheet", sheets.sheet_mark(sheet, scene.name, summary, overlay.title))]]
     spare = (room_wide - wide * 1000 / sheet.scale - extra_wide) / (len(storeys) + 1)
     below = max((m["south"] for m in margins), default=0.0)
     bottom = sheets.EDGE + room_high - CAPTION - below
@@ -162,12 +165,16 @@ def _storey(scene: Scene, level: Level) -> Storey | None:
     everything = union_all([*drawn, *(polygon_of(space) for space in spaces)])
     if everything.is_empty:
         return None
-    west, south, east, north = map(float, everything.bounds)
-    bounds = (west, south, east, north)
     cut = cut_walls(walls)
     solid = union_all([cut, *(polygon_of(space) for space in spaces)])
-    chains = dimensions.chains(bounds, solid, spaces, part.openings)
-    return Storey(level, part, cut, bounds, chains)
+    chains = dimensions.chains(_bounds(everything), solid, spaces, part.openings)
+    swings = [s for opening in part.openings if (s := swing_square(opening)) is not None]
+    return Storey(level, part, cut, _bounds(union_all([everything, *swings])), chains)
+
+
+def _bounds(shape: Geometry) -> dimensions.Bounds:
+    west, south, east, north = map(float, shape.bounds)
+    return west, south, east, north
 
 
 def _storey_layers(
@@ -190,6 +197,7 @@ def _storey_layers(
         PlanLayer("Sloped ceilings", slopes_mark(view, part.spaces, union_all(busy))),
         PlanLayer("Walls", walls_mark(view, walls)),
         PlanLayer("Windows and doors", openings_mark(view, part.openings)),
+        PlanLayer("Sills and heads", heights_mark(view, part.openings)),
         PlanLayer("Outlets", outlets_mark(view, part.spaces)),
         PlanLayer("Ways in", doors_mark(view, part.openings, middle if overlay.inward else None)),
         *overlay.ways(view, storey),

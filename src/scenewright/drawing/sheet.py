@@ -41,6 +41,17 @@ class PaperSheet(NamedTuple):
     scale: int
 
 
+class TitleBlock(NamedTuple):
+    """What a sheet is filed by: its number and the date it was issued (as stated: no clock is
+    read, so that the same solution gives the same drawing)."""
+
+    number: str = "1"
+    date: str = ""
+
+
+UNDATED = TitleBlock()
+
+
 def choose(width: float, height: float, extra_width: float, extra_height: float) -> PaperSheet:
     """The largest scale and then smallest paper on which a drawing fits.
 
@@ -67,8 +78,9 @@ def papers(scale: int, large: int = 200) -> tuple[tuple[float, float], ...]:
     return PAPERS if scale < large else PAPERS + LARGE
 
 
-def sheet_mark(sheet: PaperSheet, name: str, summary: str) -> Mark:
-    """Frame and title strip: name and summary take the room that the scale bar leaves."""
+def sheet_mark(sheet: PaperSheet, name: str, summary: str, block: TitleBlock = UNDATED) -> Mark:
+    """Frame and title strip: name and summary take the room that the scale bar leaves; scale,
+    number of the sheet and date are on the right."""
     right, bottom = sheet.width - EDGE, sheet.height - EDGE
     top = bottom - STRIP
     middle = (top + bottom) / 2
@@ -88,8 +100,11 @@ def sheet_mark(sheet: PaperSheet, name: str, summary: str) -> Mark:
         scale_bar(right - 64, middle + 1.5, sheet.scale, 0.45 * (right - 69 - EDGE)),
         north_arrow(right - 51, middle + 1.2),
         _words(f"1:{sheet.scale}", (right - 40, middle - 2.2), 4.4, weight="bold"),
-        _words(f"Scenewright {__version__}", (right - 40, middle + 3.6), 2.3, fill=GREY),
+        _words(f"Sheet {clean(block.number, 8)}", (right - 20, middle - 2.2), 2.3, weight="bold"),
+        _words(f"Scenewright {__version__}", (right - 40, middle + 3.6), 2.1, fill=GREY),
     ]
+    if block.date:
+        marks.append(_words(clean(block.date, 10), (right - 17, middle + 3.6), 2.1))
     return group(marks, fill="none", stroke=INK)
 
 

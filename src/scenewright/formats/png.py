@@ -1,7 +1,7 @@
 """A picture of the whole scene from above at an angle: soft light, no screen needed.
 
-Levels of a home stand side by side. Walls are cut just below the heads of doors and windows, so
-that every room shows. Sites are seen as a bird does.
+Levels of a home stand side by side. Walls are cut just below the heads of doors and windows, and
+lower still before a room, so that every room shows. Sites are seen as a bird does.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ OUTDOORS = Look((0.22, 0.80, -0.86), (-0.62, -0.48, 0.80), None, 14.0, 120.0)
 """From the south, as a bird sees it, on an afternoon."""
 OPEN = {"site", "village", "extend"}
 """Functions of spaces that are open ground."""
-MARGIN = 1.06
+MARGIN = 1.03
 
 Floats = NDArray[np.float64]
 
@@ -69,7 +69,7 @@ def picture(scene: Scene, catalog: Catalog, width: int = WIDTH) -> Pixels:
 
 def _stage_scene(scene: Scene, catalog: Catalog, look: Look) -> tuple[RenderStage, Camera, float]:
     """The triangles, and a camera that sees them with the shape of its picture."""
-    blocks = blocks_of(scene, catalog, look.cut)
+    blocks = blocks_of(scene, catalog, look.cut, look.towards)
     corners = [block.vertices for block in blocks] or [np.zeros((1, 3))]
     bounds = np.vstack(corners)
     camera, shape = frame_points(bounds, look.towards)

@@ -26,7 +26,15 @@ from scenewright.core.scene import STAIRS, GroundSurface, Piece, Prism, Scene, S
 from scenewright.core.space import Level, Opening, Space
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box, face_normals, prism, sheet
+from scenewright.render.near_walls import (
+    NearWalls,
+    cut_of_opening,
+    cut_of_piece,
+    find_near_walls,
+    split_prism,
+)
 
+Direction = tuple[float, float, float]
 ThingKind = Literal["slab", "space", "surface", "wall", "opening", "stairs", "piece"]
 
 SLAB = 0.22
@@ -56,16 +64,22 @@ class RenderItem(NamedTuple):
     extras: dict[str, str | float]
 
 
-def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[RenderItem, ...]:
+def things(
+    scene: Scene, catalog: Catalog, cut: float | None = None, towards: Direction | None = None
+) -> tuple[RenderItem, ...]:
     """Everything to draw, level by level: slab, floors, walls, openings, pieces.
 
     ``cut`` (metres above each floor) leaves out what walls, openings and pieces that hang on
-    them have above it, and all that hangs from the ceiling.
+    them have above it, and all that hangs from the ceiling; of walls that stand before a room for
+    an eye that looks ``towards`` a direction, more (:mod:`scenewright.render.near_walls`).
     """
     level_of = {space.id: space.level for space in scene.spaces}
     first = scene.levels[0].id if scene.levels else ""
     found: list[RenderItem] = []
     for level in scene.levels:
+        near = NearWalls()
+        if cut is not None and towards is not None:
+            near = find_near_walls(scene, level.id, towards)
         found += _slab(scene, level)
         well = wells(scene.stairs, level.id)
         rooms = (_floor(space, well) for space in scene.spaces if space.level == level.id)
@@ -75,16 +89,23 @@ def things(scene: Scene, catalog: Catalog, cut: float | None = None) -> tuple[Re
             for s in scene.surfaces
             if level_of.get(s.space, first) == level.id
         ]
-        walls = (_wall(wall, cut) for wall in scene.walls if wall.level == level.id)
+        walls = (_wall(wall, cut, near) for wall in scene.walls if wall.level == level.id)
         found += [wall for wall in walls if wall.parts]
-        found += [_opening(o, cut) for o in scene.openings if o.level == level.id]
+        found += [
+            _opening(o, cut and cut_of_opening(o, near, cut))
+            for o in scene.openings
+            if o.level == level.id
+        ]
         found += _stairs(scene, level, cut)
         pieces = (
             p
             for p in scene.pieces
             if level_of.get(p.space, first) == level.id and p.function != STAIRS
         )
-        staged = (_piece(piece, level.id, catalog, cut) for piece in pieces)
+        staged = (
+            _piece(piece, level.id, catalog, cut and cut_of_piece(piece, near, cut))
+            for piece in pieces
+        )
         found += [piece for piece in staged if piece.parts or cut is None]
     if scene.palette:
         found = [one._replace(parts=paint(one.parts, scene.palette)) for one in found]
@@ -184,18 +205,18 @@ def _surface(surface: GroundSurface, level: str) -> RenderItem:
     )
 
 
-def _wall(wall: Wall, cut: float | None) -> RenderItem:
-    top = max((p.top for p in wall.prisms), default=0.0)
-    top = top if cut is None else min(top, cut)
-    dark = top - 1e-6 if top > LOW else np.inf
+def _wall(wall: Wall, cut: float | None, near: NearWalls) -> RenderItem:
+    highest = max((p.top for p in wall.prisms), default=0.0)
+    top = highest if cut is None else min(highest, cut)
     caps: list[Mesh] = []
     sides: list[Mesh] = []
-    for solid in (part for whole in wall.prisms for part in cut_off(whole, top)):
-        if cut is None or solid.base < cut - 1e-6:
-            side, cap = _open_prism(solid, min(solid.top, top))
+    shares = (share for whole in wall.prisms for share in split_prism(whole, near, top))
+    for solid, level in ((part, low) for whole, low in shares for part in cut_off(whole, low)):
+        if cut is None or solid.base < level - 1e-6:
+            side, cap = _open_prism(solid, min(solid.top, level))
             sides.append(side)
-            section = solid.top >= dark or solid.tilt is not None
-            (caps if section else sides).append(cap)
+            section = top > LOW and solid.top >= level - 1e-6
+            (caps if section or solid.tilt is not None else sides).append(cap)
     parts = [Part(PLASTER, *merge(sides))] if sides else []
     parts += [Part(SECTION, *merge(caps))] if caps else []
     extras: dict[str, str | float] = {"category": "wall", "height": top}
@@ -239,6 +260,7 @@ def _opening(opening: Opening, cut: float | None) -> RenderItem:
         opening.head,
         opening.hinge,
         opening.swing,
+        cut,
     )
     turn = float(np.arctan2(opening.uy, opening.ux))
     at = (opening.x, opening.y, 0.0)

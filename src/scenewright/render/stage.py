@@ -91,10 +91,15 @@ def stage_of(
     )
 
 
-def blocks_of(scene: Scene, catalog: Catalog, cut: float | None = None) -> list[PartTriangles]:
+def blocks_of(
+    scene: Scene,
+    catalog: Catalog,
+    cut: float | None = None,
+    towards: tuple[float, float, float] | None = None,
+) -> list[PartTriangles]:
     """Every part of every thing, levels side by side on one ground, without what is above
-    ``cut``."""
-    shown = affordable(things(scene, catalog, cut))
+    ``cut``; walls before a room for an eye that looks ``towards`` a direction are lower."""
+    shown = affordable(things(scene, catalog, cut, towards))
     normals = _shared_normals(shown)
     found: list[PartTriangles] = []
     start = 0.0

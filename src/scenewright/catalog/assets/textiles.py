@@ -185,11 +185,15 @@ def _rug_symbol(size: Size) -> Lines:
 
 
 def _curtain_symbol(size: Size) -> Lines:
+    """Both lengths drawn back, in folds, and the rail between them."""
     w, d = size.width / 2, size.depth / 2
-    count = max(6, round(size.width / 0.09))
+    each = min(0.3 * size.width, 0.6)
+    count = max(2, round(each / 0.09))
     share = np.linspace(0, 1, 6 * count + 1)
-    wave = np.column_stack([-w + share * 2 * w, 0.9 * d * np.sin(share * count * 2 * pi)])
-    return (wave,)
+    wave = 0.9 * d * np.sin(share * count * 2 * pi)
+    left = np.column_stack([-w + share * each, wave])
+    rail = np.array([(-w + each, 0.0), (w - each, 0.0)])
+    return left, left * (-1.0, 1.0), rail
 
 
 def _blind_symbol(size: Size) -> Lines:

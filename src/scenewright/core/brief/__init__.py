@@ -64,6 +64,8 @@ Function = Literal[
     "other",
 ]
 
+DAY = r"^(\d{4}-[01]\d-[0-3]\d)?$"
+"""A day as ISO 8601 writes it, or none."""
 ACCESSIBLE_ROUTE = 0.9
 """Least width of routes for wheelchairs, in metres."""
 
@@ -206,7 +208,9 @@ class Brief(StrictModel):
     ``scale`` corrects a plan drawn at the wrong scale: every length in plan is multiplied by it
     once, on reading (1.25: the plan was drawn too small), and it is 1 from then on; furniture and
     heights keep their size. ``notes`` are what a reader of files left out or assumed; the referee
-    repeats them. ``accepted`` are findings of the referee that are meant to be so, with reasons.
+    repeats them. ``sheet`` is the number of the plan's sheet, ``date`` its day (2026-11-22): as
+    they are printed. ``residents`` is how many live in a home (left out: as many as its bedrooms
+    are for). ``accepted`` are findings of the referee that are meant to be so, with reasons.
     """
 
     format: Literal["scenewright/brief"] = "scenewright/brief"
@@ -229,6 +233,9 @@ class Brief(StrictModel):
     accessible: Switch = False
     scale: Annotated[Number, Field(ge=0.05, le=20)] = 1.0
     notes: Annotated[list[Annotated[str, Field(max_length=400)]], Field(max_length=100)] = []
+    sheet: Annotated[str, Field(max_length=8, exclude_if=not_)] = ""
+    date: Annotated[str, Field(pattern=DAY, exclude_if=not_)] = ""
+    residents: Annotated[Whole | None, Field(ge=1, le=20, exclude_if=is_left_out)] = None
     accepted: Annotated[list[AcceptedFinding], Field(max_length=1000, exclude_if=not_)] = []
     part: Any = Field(default=None, validate_default=True)
 

@@ -3,26 +3,44 @@
 Rooms are furnished one by one, and each would bring what its function asks for. What a home has
 once is decided first: where its people eat, where shoes stand, where one works. Residents are
 counted from the bedrooms: two in a room for two, one in any other, two where children share.
+Where a brief states how many live there, beds and seats follow: bunks where beds are short, a table
+and sofas with a place for each.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
+import numpy as np
 import shapely
 
 from scenewright.building.ceiling import living_area, planes
+from scenewright.core.catalog import Group
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
+from scenewright.domains.home.cases.library import Library, cases, subset
 from scenewright.domains.home.programme import Wish, resolve_bedrooms
 
 SLEEPERS = {"double_bedroom": 2, "single_bedroom": 1, "child_bedroom": 1}
 SHARED_ROOM = 14.0  # from so many square metres on two children share a room
 LEAST_EATING = 9.0  # a room of less has no table put into it for the home's sake, square metres
 LEAST_DESK, LEAST_WORKING = 6.5, 13.0  # the same of a desk, where one sleeps alone, and elsewhere
+LEAST_BUNK = 7.0  # a room of less has no bunk beds, square metres
+ALL_ROUND, LEAST_TABLE = 4, 14.0  # residents and square metres from which a table stands free
+SEATED: dict[str, tuple[float, int]] = {
+    "dining": (0.3, 8),
+    "dining_wall": (0.2, 3),
+    "seating": (0.45, 5),
+}
+"""Groups with a place for each resident: the share of its room's floor it takes at most, and how
+many it seats at most."""
+SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
+BEDS = {"double_bed": 2, "single_bed": 1, "bunk_bed": 2}
+SOFAS = {"sofa": 3, "loveseat": 2, "corner_sofa": 4, "armchair": 1}
 DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
 TABLES = frozenset(("dining", "dining_wall"))
 STORING = frozenset(
@@ -33,7 +51,9 @@ WET = ("bathroom", "toilet", "washroom")
 
 class Household(NamedTuple):
     """What is decided for a home as a whole: how many live there, in how many bedrooms; the rooms
-    (their ids, empty: none) where they eat, where shoes stand and where one works; the wet rooms.
+    (their ids, empty: none) where they eat, where shoes stand and where one works; the wet rooms;
+    where a number of residents is ``stated``, the rooms that get ``bunks`` and the area of each
+    room, square metres.
     """
 
     residents: int
@@ -42,10 +62,13 @@ class Household(NamedTuple):
     shoes_in: str
     works_in: str
     wet: tuple[str, ...]
+    stated: bool = False
+    bunks: tuple[str, ...] = ()
+    areas: Mapping[str, float] = MappingProxyType({})
 
 
-def decide_household(rooms: Sequence[Space]) -> Household:
-    """The programme of a home, from its rooms.
+def decide_household(rooms: Sequence[Space], stated: int | None = None) -> Household:
+    """The programme of a home, from its rooms and the number of residents, if one is stated.
 
     >>> import numpy as np
     >>> def room(name, use, w, d):
@@ -54,6 +77,8 @@ def decide_household(rooms: Sequence[Space]) -> Household:
     ...                          room("c", "living", 5, 4), room("d", "hall", 2, 2)])
     >>> home.residents, home.eats_in, home.shoes_in, home.works_in
     (3, 'c', 'd', 'b')
+    >>> decide_household([room("b", "bedroom", 2.5, 3)], 2).bunks
+    ('b',)
     """
     areas = {room.id: _area(room) for room in rooms}
     uses = {room.id: resolve_bedrooms(room.functions, areas[room.id]) for room in rooms}
@@ -69,7 +94,7 @@ def decide_household(rooms: Sequence[Space]) -> Household:
         return ""
 
     return Household(
-        residents=max(sum(beds), 1),
+        residents=stated or max(sum(beds), 1),
         bedrooms=sum(bed > 0 for bed in beds),
         eats_in=largest(("dining",)) or largest(("living", "kitchen"), LEAST_EATING),
         shoes_in=max(entered, key=lambda room: areas[room.id]).id if entered else "",
@@ -77,7 +102,22 @@ def decide_household(rooms: Sequence[Space]) -> Household:
         or largest(("single_bedroom",), LEAST_DESK)
         or largest(("double_bedroom", "living"), LEAST_WORKING),
         wet=tuple(room.id for room in rooms if set(WET) & set(uses[room.id])),
+        stated=stated is not None,
+        bunks=_bunks(uses, areas, (stated or 0) - sum(beds)),
+        areas=areas,
     )
+
+
+def _bunks(
+    uses: Mapping[str, Sequence[str]], areas: Mapping[str, float], short: int
+) -> tuple[str, ...]:
+    """The rooms of single beds that get bunks instead while beds are short, the largest first."""
+    single = [
+        room
+        for room, functions in uses.items()
+        if areas[room] >= LEAST_BUNK and _sleepers(functions, areas[room]) == 1
+    ]
+    return tuple(sorted(single, key=lambda room: -areas[room])[: max(short, 0)])
 
 
 def _area(room: Space) -> float:
@@ -115,14 +155,57 @@ def share_out(
         found += racks
     if room == household.eats_in and not others & TABLES:
         found.append(Wish("dining_wall", 1))
-    return tuple(found)
+    return tuple(_for_residents(household, room, wish) for wish in found)
+
+
+def _for_residents(household: Household, room: str, wish: Wish) -> Wish:
+    """A wish as the stated residents need it: a bunk for a single bed, a table all round."""
+    if wish.group == "single" and room in household.bunks:
+        return wish._replace(group="bunk")
+    many = household.stated and household.residents >= ALL_ROUND
+    if many and wish.group == "dining_wall" and household.areas.get(room, 0.0) >= LEAST_TABLE:
+        return wish._replace(group="dining")
+    return wish
+
+
+def seat_residents(household: Household, room: str, library: Library) -> Library:
+    """The library of a room with a place for each of the stated residents at its table and, up to
+    those of :data:`SEATED`, on its sofas, as far as such cases leave the room its floor."""
+    if not household.stated:
+        return library
+    own = dict(library.own)
+    for group, (share, most) in SEATED.items():
+        known = cases(group, library)
+        room_for = share * household.areas[room]
+        fits = [c.width * c.depth <= room_for for c in known.groups]
+        least = min(household.residents, most)
+        best = max((_places(c) for c, ok in zip(known.groups, fits, strict=True) if ok), default=0)
+        kept = np.array(
+            [
+                ok and _places(c) >= min(least, best)
+                for c, ok in zip(known.groups, fits, strict=True)
+            ]
+        )
+        if kept.any() and not kept.all():
+            own[group] = subset(known, kept)
+    return library._replace(own=own)
+
+
+def _places(case: Group) -> int:
+    """How many sit in a case: on chairs, or on sofas by their width."""
+    places = {"dining_chair": 1, "armchair": 1, "loveseat": 2, "sofa": 3, "corner_sofa": 4}
+    small = sum(m.category == "sofa" and m.size.width < SOFA_OF_THREE for m in case.members)
+    return sum(places.get(m.category, 0) for m in case.members) - small
 
 
 def tell_programme(solution: Solution, plan: Plan) -> str:
     """The programme of a home and what came of it, in one paragraph."""
-    household, names = decide_household(plan.spaces), plan.names
-    people, rooms, pieces = household.residents, household.bedrooms, solution.pieces
+    household = decide_household(plan.spaces, solution.brief.residents)
+    names, people, rooms = plan.names, household.residents, household.bedrooms
+    pieces = solution.pieces
     parts = [f"{people} {'person' if people == 1 else 'people'} in {_count(rooms, 'bedroom')}"]
+    if household.stated:
+        parts.append(_tell_places(pieces, people))
     if household.eats_in:
         chairs = sum(p.category == "dining_chair" and p.function in TABLES for p in pieces)
         parts.append(f"they eat in {names[household.eats_in]} ({_count(chairs, 'chair')})")
@@ -134,6 +217,16 @@ def tell_programme(solution: Solution, plan: Plan) -> str:
         parts.append(f"water is in {', '.join(names[room] for room in household.wet)}")
     metres = sum(p.size.width for p in pieces if p.category in STORING)
     return f"{'; '.join(parts)}; {metres:.1f} m of storage."
+
+
+def _tell_places(pieces: Sequence[Piece], people: int) -> str:
+    """Beds and seats for the stated residents, and how many are short."""
+    told = []
+    for what, places in (("beds", BEDS), ("sofa seats", SOFAS)):
+        count = sum(places.get(p.category, 0) for p in pieces)
+        short = f" ({people - count} short)" if count < people else ""
+        told.append(f"{what} for {count}{short}")
+    return ", ".join(told)
 
 
 def _count(number: int, what: str) -> str:

@@ -29,7 +29,12 @@ from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
-from scenewright.domains.home.household import decide_household, share_out
+from scenewright.domains.home.household import (
+    Household,
+    decide_household,
+    seat_residents,
+    share_out,
+)
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import share_open_plans
 from scenewright.domains.home.presets import PRESETS, HomePreset
@@ -159,14 +164,18 @@ def prepare_rooms(
         wishes_of(brief_room, task, rooms, task.fixed)
         for brief_room, task in zip(brief.rooms, tasks, strict=True)
     ]
-    return tasks, _as_one_home(tasks, wishes, rooms)
+    household = decide_household(rooms, brief.residents)
+    seated = [
+        task._replace(library=seat_residents(household, task.space.id, task.library))
+        for task in tasks
+    ]
+    return seated, _as_one_home(household, tasks, wishes)
 
 
 def _as_one_home(
-    tasks: Sequence[RoomTask], wishes: Sequence[tuple[Wish, ...]], rooms: tuple[Space, ...]
+    household: Household, tasks: Sequence[RoomTask], wishes: Sequence[tuple[Wish, ...]]
 ) -> list[tuple[Wish, ...]]:
     """The wishes of all rooms as the home has them; rooms of which all is listed stay as asked."""
-    household = decide_household(rooms)
     standing = {piece.category for task in tasks for piece in task.fixed}
     there = {group for group, kinds in STANDS_FOR.items() if standing.intersection(kinds)}
     others = frozenset(there | {wish.group for asked in wishes for wish in asked})

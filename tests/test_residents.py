@@ -1,0 +1,95 @@
+"""Stated residents: beds and seats follow, what is short is told; unstated, nothing changes."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.space import Space
+from scenewright.domains import plan_of, solve
+from scenewright.domains.home.cases.library import SHIPPED, cases
+from scenewright.domains.home.household import (
+    SEATED,
+    decide_household,
+    seat_residents,
+    share_out,
+    tell_programme,
+)
+from scenewright.domains.home.programme import Wish
+from scenewright.formats import read_planned
+
+
+def space(name: str, use: str, w: float, d: float) -> Space:
+    outline = np.array([[0, 0], [w, 0], [w, d], [0, d]], float)
+    return Space(name, name, (use,), "0", outline)
+
+
+ROOMS = (
+    space("big", "bedroom", 4, 3),
+    space("small", "single_bedroom", 3, 2.6),
+    space("tiny", "single_bedroom", 2.2, 2.6),
+    space("living", "living", 6, 5),
+)
+
+
+@pytest.mark.parametrize(
+    ("stated", "bunks"), [(None, ()), (3, ()), (5, ("small",)), (9, ("small",))]
+)
+def test_bunks_stand_where_beds_are_short_and_the_room_is_large_enough(
+    stated: int | None, bunks: tuple[str, ...]
+) -> None:
+    household = decide_household(ROOMS, stated)
+    assert household.bunks == bunks
+    asked = (Wish("single", 0), Wish("wardrobe", 0))
+    groups = [wish.group for wish in share_out(household, "small", asked, frozenset())]
+    assert groups == ["bunk" if bunks else "single", "wardrobe"]
+
+
+@pytest.mark.parametrize("people", [1, 2, 4, 6, 8])
+@pytest.mark.parametrize("group", SEATED)
+def test_tables_and_sofas_have_a_place_for_each(group: str, people: int) -> None:
+    household = decide_household(ROOMS, people)
+    kept = cases(group, seat_residents(household, "living", SHIPPED)).groups
+    chairs = ("dining_chair", "sofa", "loveseat", "corner_sofa", "armchair")
+    assert kept
+    share, most = SEATED[group]
+    for case in kept:
+        assert case.width * case.depth <= share * 30.0
+        seats = sum(m.category in chairs for m in case.members)
+        if group == "dining":
+            assert seats >= min(people, most)
+
+
+def test_without_a_number_nothing_changes() -> None:
+    household = decide_household(ROOMS)
+    assert seat_residents(household, "living", SHIPPED) is SHIPPED
+    asked = (Wish("single", 0), Wish("dining_wall", 1))
+    assert share_out(household, "small", asked, frozenset(("dining",))) == asked
+
+
+def test_a_number_stays_in_the_file_and_is_told() -> None:
+    brief, plan = read_planned("sample:home-room")
+    two = brief.model_copy(update={"residents": 2})
+    assert "residents" not in json.loads(brief.model_dump_json())
+    again = Brief.model_validate_json(two.model_dump_json())
+    assert again.residents == 2
+    told = tell_programme(solve(two, plan=plan, steps=200), plan)
+    assert told.startswith("2 people in")
+    assert "short)" in told or "beds for 2" in told
+
+
+@pytest.mark.parametrize("number", [0, -1, 21, 1.5, "two"])
+def test_other_numbers_are_refused(number: object) -> None:
+    document = json.loads(read_planned("sample:home-room")[0].model_dump_json())
+    with pytest.raises(ValueError, match="residents"):
+        Brief.model_validate(document | {"residents": number})
+
+
+def test_halls_have_no_residents() -> None:
+    brief, _ = read_planned("sample:hall-shop")
+    with pytest.raises(InputError, match="residents"):
+        plan_of(brief.model_copy(update={"residents": 3}))
