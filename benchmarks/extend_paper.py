@@ -18,7 +18,7 @@ import numpy as np
 
 import scenewright as sw
 from scenewright.domains import problems
-from scenewright.domains.extend.printed import PlotGrid, allele_values, fitness
+from scenewright.domains.extend.printed import PlotGrid, allele_values, fitness, fitness_of_alleles
 from scenewright.domains.extend.solvers.colony import (
     BredPlots,
     ColonySettings,
@@ -155,8 +155,7 @@ def _value(
 
 def _by_alleles(genes: np.ndarray, elites: list[tuple[float, np.ndarray]], kinds: int) -> float:
     worth = allele_values(np.array([g for _, g in elites]), np.array([v for v, _ in elites]), kinds)
-    rows, columns = np.indices(genes.shape)
-    return float(worth[rows, columns, genes].mean())
+    return fitness_of_alleles(genes, worth, np.full(genes.shape, 1.0 / genes.size))
 
 
 def _some(grid: PlotGrid, kinds: int, rng: np.random.Generator) -> np.ndarray:

@@ -31,6 +31,9 @@ def fold(
         Path | None,
         typer.Option("-o", "--output", metavar="OUT.obj", help="With --to: the model grown."),
     ] = None,
+    grammar: Annotated[
+        bool, typer.Option("--grammar", help="The layout as a grammar: groups, features, arrays.")
+    ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
 ) -> int:
     """Fold repeated neighbours: rows of a scene, storeys or bays of a model, or a string."""
@@ -45,14 +48,48 @@ def fold(
         rows = [_row("string", _parse_string(source), to)]
     if output is not None and suffix in SCENES:
         raise InputError("only models are written", "give a .glb or .obj", file=str(output))
+    lines = _layout_lines(source, suffix, axis, to) if grammar else []
     if as_json:
-        tables.print_json(rows)
+        tables.print_json({"grammar": lines, "folded": rows} if grammar else rows)
         return 0
     console = tables.output_console()
+    for line in lines:
+        tables.print_line(console, line)
     tables.table(console, rows[:MOST_ROWS], title="folded", whole=("folded",))
     if output is not None:
         tables.print_line(console, f"wrote {output}", "dim")
     return 0
+
+
+def _layout_lines(source: str, suffix: str, axis: str, to: int | None) -> list[str]:
+    """The productions of a scene, of the first model of a file, or of a string; grown to ``to``
+    elements, if asked for."""
+    from scenewright.geometry.folding import unfold
+    from scenewright.ground.grammar import grow_layout, parse_slabs, show_layout
+
+    if suffix in SCENES:
+        layout = _scene_layout(Path(source))
+    elif suffix and Path(source).exists():
+        layout = parse_slabs(_model_slabs(Path(source), "xyz".index(axis))[0][1])
+    else:
+        layout = parse_slabs(_parse_string(source))
+    if to is not None:
+        arrays = [a for g in layout.groups for f in g.features for a in f.arrays]
+        count = sum(len(unfold(array.elements)) for array in arrays)
+        layout = grow_layout(layout, to / max(count, 1))
+    told = [f"symmetry value {layout.symmetry:.2f}"] if layout.symmetry else []
+    return [*show_layout(layout), *told]
+
+
+def _scene_layout(path: Path) -> Any:
+    from scenewright.ground.built import frames_of
+    from scenewright.ground.grammar import parse_scene
+    from scenewright.ground.kinds import name_kinds
+    from scenewright.ground.reading import read_built
+
+    scene = read_built(path)
+    frames = frames_of(scene.buildings, scene.roads)
+    return parse_scene(frames, name_kinds(scene.buildings, frames))
 
 
 def _parse_string(text: str) -> tuple[str, ...]:
@@ -108,21 +145,26 @@ def scene_rows(path: Path, to: int | None) -> list[dict[str, Any]]:
 
 def model_rows(path: Path, axis: int, to: int | None, output: Path | None) -> list[dict[str, Any]]:
     """The slabs of each model of a file, and the first grown, if asked for."""
+    models = _model_slabs(path, axis)
+    found = [_row(name, symbols, to) for name, symbols, _ in models]
+    if output is not None:
+        _write_grown(models[0][2], axis, to, output)
+    return found
+
+
+def _model_slabs(path: Path, axis: int) -> list[tuple[str, tuple[str, ...], Any]]:
+    """The id, the slabs and the parts of each model of a file."""
     from scenewright.catalog.loading import read_entry
     from scenewright.core.brief.catalog import entry_of
     from scenewright.geometry.mesh import Mesh, merge
     from scenewright.geometry.slabs import slabs_of
 
-    models = read_entry(entry_of(str(path))).models
     found = []
-    for one in models:
+    for one in read_entry(entry_of(str(path))).models:
         mesh = merge([Mesh(part.vertices, part.faces) for part in one.model.parts])
-        slabs = slabs_of(mesh, axis)
-        found.append(_row(one.model.id, slabs.symbols, to))
+        found.append((one.model.id, slabs_of(mesh, axis).symbols, one.model.parts))
     if not found:
         raise InputError("holds no model", "give a .glb or .obj", file=str(path))
-    if output is not None:
-        _write_grown(models[0].model.parts, axis, to, output)
     return found
 
 

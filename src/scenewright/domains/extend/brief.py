@@ -94,7 +94,8 @@ class GrowthArea(StrictModel):
     out: the share that the sources cover). ``roads`` are drawn there; ``continue_streets`` runs
     those on that end at its border. ``use`` says which models stand there: the ``source``'s own,
     or of a like size from the brief's ``catalogue``. ``rows`` are built first. ``fixed`` stays and
-    counts."""
+    counts. ``storeys`` makes what is grown so many storeys taller (or lower) than its
+    originals."""
 
     id: str = ""
     name: str = ""
@@ -104,6 +105,7 @@ class GrowthArea(StrictModel):
     continue_streets: Switch = True
     count: Annotated[Whole, Field(ge=0, le=5000)] | None = None
     coverage: Annotated[Number, Field(gt=0, le=0.8)] | None = None
+    storeys: Annotated[int, Field(strict=True, ge=-20, le=60)] = 0
     use: Literal["source", "catalogue"] = "source"
     rows: Annotated[list[DrawnRow], Field(max_length=200)] = []
     fixed: Annotated[list[LockedGrowth], Field(max_length=5000)] = []

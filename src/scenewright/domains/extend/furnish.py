@@ -19,6 +19,9 @@ from scenewright.domains.extend.works import lay_walks
 from scenewright.ground.built import to_frames
 from scenewright.ground.surfaces import surfaces
 
+STOREY = 3.0
+"""Metres of a storey that is added."""
+
 
 def new_pieces(
     area: AreaPlan, pattern: SourcePattern, layout: GrownLayout, style: str, catalog: Catalog
@@ -32,7 +35,8 @@ def new_pieces(
         counts[kind.name] = counts.get(kind.name, 0) + 1
         while f"{area.id}/{kind.name}_{counts[kind.name]}" in taken:
             counts[kind.name] += 1
-        asset = model_of(kind, style, catalog)
+        size = grow_upwards(Size(*kind.size), area.row.storeys)
+        asset = model_of(kind._replace(size=(*size,)), style, catalog)
         found.append(
             Piece(
                 id=f"{area.id}/{kind.name}_{counts[kind.name]}",
@@ -40,13 +44,24 @@ def new_pieces(
                 asset=asset,
                 space=area.id,
                 pose=Pose(pose[0], pose[1], 0.0, wrap_angle(pose[2])),
-                size=Size(*kind.size),
+                size=size,
                 group=f"{area.id}/buildings",
                 function=kind.name,
-                footprint=footprint_within(kind.local, Size(*kind.size), catalog.assets.get(asset)),
+                footprint=footprint_within(kind.local, size, catalog.assets.get(asset)),
             )
         )
     return tuple(found)
+
+
+def grow_upwards(size: Size, storeys: int) -> Size:
+    """A size with some storeys of :data:`STOREY` more, or less; never below one.
+
+    >>> grow_upwards(Size(9.0, 8.0, 7.0), 2).height, grow_upwards(Size(9.0, 8.0, 7.0), -5).height
+    (13.0, 3.0)
+    """
+    if not storeys:
+        return size
+    return size._replace(height=max(size.height + storeys * STOREY, STOREY))
 
 
 def standing_pieces(area: AreaPlan) -> tuple[Piece, ...]:

@@ -64,7 +64,14 @@ def check_models(brief: Brief, plan: ExtendPlan) -> Catalog:
         known = ", ".join(sorted(filter(None, HOUSES)))
         raise InputError(f"'{brief.style[:40]}' is no style", f"use one of: {known}", place="style")
     catalog = catalog_of(with_source_models(brief, plan).catalogs)
+    taller = [area.id for area in plan.areas if area.row.storeys]
     for kind in plan.pattern.kinds:
+        if kind.model.startswith(OWN) and taller:
+            raise InputError(
+                f"'{kind.model}' is a model of its own: it cannot be made taller",
+                "grow the model: scenewright fold MODEL --to N -o taller.obj",
+                place=f"{taller[0]} storeys",
+            )
         try:
             model_of(kind, brief.style, catalog)
         except InputError as error:

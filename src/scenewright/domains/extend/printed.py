@@ -103,6 +103,19 @@ def allele_values(elites: Genes, values: Floats, kinds: int, as_printed: bool = 
     return np.asarray(total / np.maximum(carried.sum(0), 1))
 
 
+def fitness_of_alleles(genes: Genes, worth: Floats, weights: Floats) -> float:
+    """F(x) (21): Σ_n ω_n F(U_n) over the genes of a matrix (m, n), each worth what its allele is in
+    ``worth`` (m, n, k), by the weights ω (m, n) of the genes. So a layout that nobody has rated is
+    judged by those that were.
+
+    >>> worth = np.array([[[0.0, 1.0], [0.5, 0.2]]])
+    >>> fitness_of_alleles(np.array([[1, 0]]), worth, np.full((1, 2), 0.5))
+    0.75
+    """
+    own = np.take_along_axis(worth, genes[..., None], axis=-1)[..., 0]
+    return float((weights * own).sum())
+
+
 def attract(points: Floats, spots: Floats, pulls: Floats, mix: Floats) -> Floats:
     """f(x) (14): Σ_σ ω_σ (κ|x − x_σ| + λ|y − y_σ| + μ|z − z_σ|) for points (n, 3), spots (s, 3),
     pulls ω (s,) that sum to 1 (below 0: it repels) and the mix κ, λ, μ (3,), which sums to 1.
