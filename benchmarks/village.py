@@ -21,7 +21,7 @@ from benchmarks.village_annealing import STEPS, anneal_block
 from benchmarks.village_data import SPLITS, split
 from benchmarks.village_foretelling import location_figures, tell_locations, tell_more
 from benchmarks.village_metrics import BlockFigures, classifier_auc, divergences, figures
-from scenewright.domains.village.grow import choose_houses
+from scenewright.domains.village.choosing import choose_houses
 from scenewright.domains.village.learned.style import SHIPPED, VillageStyle, read_style
 from scenewright.domains.village.learning.examples import problem_of_block
 from scenewright.domains.village.learning.real_blocks import library_of

@@ -3,11 +3,13 @@
 Blocks are taken as they are filled, the largest house first. A method's answer is the density it
 draws poses from: legal proposals with its weights. Told are *nats over even ground*, the log of
 that density at the real middle against an even one over the free ground (no house on it), and the
-distance from the real middle to the nearest of the *five highest peaks* 3 m apart on a grid of 1 m.
+distance from the real middle to the nearest of the *five best places*: those with most of the
+density within 3 m, one after the other, 3 m apart or more.
 
-The density at the real middle is estimated from 30,000 proposals: those within 4 m of it are all
-weighed, of the others a random share that stands for all. It is blurred by 1 m, and a tenth is
-spread evenly over the free ground.
+The density is estimated from 20,000 proposals, all of them weighed. (Weighing all near the real
+middle but only a share of the others made false peaks of the others: each stood for many, and a
+lucky one was higher than what the middle had.) At the real middle it is blurred by 1 m, and a tenth
+is spread evenly over the free ground.
 """
 
 from __future__ import annotations
@@ -27,10 +29,10 @@ from scenewright.domains.village.proposals import propose, shapes_at
 from scenewright.domains.village.settings import GrowSettings, VillageSettings
 from scenewright.domains.village.standing import Floats, Shapes
 
-PROPOSED, FAR, NEAR, EVEN, BLUR = 30_000, 2500, 4.0, 0.1, 1.0
-"""Proposals of a house, those far from the real middle that are looked at, what is near in metres,
-the share spread evenly, metres of blur."""
-APART, PEAKS = 3.0, 5
+PROPOSED, EVEN, BLUR = 20_000, 0.1, 1.0
+"""Proposals of a house, the share spread evenly, metres of blur."""
+REACH, APART, PEAKS = 3.0, 3.0, 5
+"""Metres within which a place is right, metres between places, and how many are named."""
 
 Scoring = Callable[[Turn, PoseTokens], Floats]
 """Log weights (k,) of legal poses."""
@@ -44,29 +46,22 @@ class Foretold(NamedTuple):
 
 
 class Sampled(NamedTuple):
-    """Legal poses (k, 3) of a house, footprints (k,), and how many proposals each stands for."""
+    """Legal poses (k, 3) of a house and their footprints (k,)."""
 
     poses: Floats
     shapes: Shapes
-    share: Floats
 
 
 def sample_legal(problem: VillageProblem, turn: Turn, rng: np.random.Generator) -> Sampled:
-    """Legal poses: all of those near the real middle, some of the others."""
+    """Legal poses of a house, as they are proposed."""
     poses = propose(problem, turn.seen.standing, turn.house, rng)
-    near = np.hypot(*(poses[:, :2] - turn.pose[:2]).T) <= NEAR
-    far = rng.permutation(np.flatnonzero(~near))
-    kept = np.concatenate([np.flatnonzero(near), far[:FAR]])
-    share = np.concatenate(
-        [np.ones(int(near.sum())), np.full(len(far[:FAR]), len(far) / max(len(far[:FAR]), 1))]
-    )
-    shapes, rings = shapes_at(turn.house, poses[kept])
+    shapes, rings = shapes_at(turn.house, poses)
     good = shapely.contains_xy(problem.floor, rings[..., 0], rings[..., 1]).all(1)
     good[good] = shapely.covers(problem.floor, shapes[good])
     if len(turn.taken):
         hit = shapely.STRtree(turn.taken).query(shapes, predicate="intersects")[0]
         good[hit] = False
-    return Sampled(poses[kept][good], shapes[good], share[good])
+    return Sampled(poses[good], shapes[good])
 
 
 def free_middles(floor: shapely.Polygon, houses: Shapes) -> Floats:
@@ -86,30 +81,37 @@ def foretell(found: Sampled, weights: Floats, free: Floats, real: Floats) -> For
     """What weighed poses say of the real middle (2,), ``free`` (k, 2) being where one may be."""
     if not len(weights) or not len(free):
         return Foretold(float(np.log(EVEN)) if len(free) else 0.0, np.inf)
-    odds = found.share * np.exp(weights - weights.max())
+    odds = np.exp(weights - weights.max())
     odds /= odds.sum()
     away = np.hypot(*(found.poses[:, :2] - real).T)
     there = odds @ np.exp(-0.5 * (away / BLUR) ** 2) / (2 * np.pi * BLUR**2)
     nats = float(np.log((1 - EVEN) * there * len(free) + EVEN))
-    return Foretold(nats, float(np.hypot(*(_peaks(found, odds) - real).T).min()))
+    return Foretold(nats, float(np.hypot(*(best_places(found.poses[:, :2], odds) - real).T).min()))
 
 
-def _peaks(found: Sampled, odds: Floats) -> Floats:
-    """The middles (PEAKS, 2) of the highest cells of 1 m, blurred, that lie apart."""
-    low = np.floor(found.poses[:, :2].min(0)) - 3
-    cells = (found.poses[:, :2] - low).astype(int)
-    held = np.zeros(cells.max(0) + 4)
+def best_places(points: Floats, odds: Floats) -> Floats:
+    """The places (PEAKS, 2), on a grid of 1 m, that have most of what points (k, 2) weigh within
+    REACH, one after the other: what a place has is not counted again.
+
+    >>> best_places(np.array([[9.0, 5], [5, 5.2], [5.2, 5]]), np.ones(3) / 3).round()[:2].tolist()
+    [[5.0, 5.0], [9.0, 5.0]]
+    """
+    low = np.floor(points.min(0)) - 4
+    cells = (points - low).astype(int)
+    held = np.zeros(cells.max(0) + 5)
     np.add.at(held, (cells[:, 0], cells[:, 1]), odds)
-    kernel = np.exp(-0.5 * (np.arange(-3, 4) / BLUR) ** 2)
-    for axis in (0, 1):
-        held = np.apply_along_axis(np.convolve, axis, held, kernel, "same")
+    steps = np.arange(-int(REACH), int(REACH) + 1)
+    disc = [(a, b) for a in steps for b in steps if a * a + b * b <= REACH**2]
     x, y = np.mgrid[: held.shape[0], : held.shape[1]]
-    spots = []
+    spots: list[tuple[int, int]] = []
     for _ in range(PEAKS):
-        row, column = np.unravel_index(int(held.argmax()), held.shape)
-        spots.append((low[0] + row + 0.5, low[1] + column + 0.5))
-        held[(x - row) ** 2 + (y - column) ** 2 < APART**2] = 0.0
-    return np.array(spots)
+        mass = np.sum([np.roll(held, shift, (0, 1)) for shift in disc], axis=0)
+        for row, column in spots:
+            mass[(x - row) ** 2 + (y - column) ** 2 < APART**2] = -1.0
+        row, column = (int(v) for v in np.unravel_index(int(mass.argmax()), mass.shape))
+        spots.append((row, column))
+        held[(x - row) ** 2 + (y - column) ** 2 <= REACH**2] = 0.0
+    return low + np.array(spots) + 0.5
 
 
 def foretell_blocks(

@@ -1,14 +1,17 @@
-"""The networks of Zhu, Jiang and Li (2022): sizes, losses, and the loop on blocks made up here."""
+"""The networks of Zhu, Jiang and Li (2022): sizes, losses, and both passes of the small form."""
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
-import shapely
 from test_pose_training import blocks
 
-from scenewright.domains.village.learning.paper import nets, samples, training, views
-from scenewright.domains.village.learning.paper.filling import candidates_of, fill_block
+from scenewright.domains.village.learning.paper import nets, samples, training
+from scenewright.domains.village.learning.paper.export import write_paper_nets
+from scenewright.domains.village.paper import passes
+from scenewright.domains.village.paper.views import class_planes
 
 torch = pytest.importorskip("torch")
 
@@ -26,8 +29,8 @@ def test_the_small_form_is_small_and_all_shapes_fit() -> None:
     assert sum(p.numel() for net in made.values() for p in net.parameters()) < 450_000
     rng = np.random.default_rng(0)
     told = [samples.tell_block(block, 64) for block in blocks(3)]
-    rows = [samples.sample_of(one, rng) for one in told]
-    for name in nets.ASKED:
+    for name in passes.ASKED:
+        rows = [samples.sample_of(one, rng, name) for one in told]
         loss = training.loss_of_net(torch, name, made[name], rows)
         assert loss.ndim == 0
         assert torch.isfinite(loss)
@@ -46,18 +49,27 @@ def test_location_learns_where_the_only_free_place_is() -> None:
     assert np.mean(losses[-5:]) < np.log(64 * 64) - 1.5
 
 
-def test_the_loop_puts_real_houses_legally() -> None:
+def test_both_passes_say_the_same(tmp_path: Path) -> None:
     made = blocks(6)
-    trained = training.train_paper(
-        made,
-        nets.SMALL,
-        training.PaperSchedule(training.BRIEF.batch, dict.fromkeys(nets.ASKED, 1)),
-        2,
-    )
-    candidates = candidates_of(made, [views.paper_houses(block) for block in made])
-    block = made[0]
-    rings = fill_block(trained, block, candidates, 64, nets.SMALL.hidden, np.random.default_rng(1))
-    shapes = [shapely.Polygon(ring) for ring in rings]
-    assert all(block.floor.buffer(1e-6).covers(shape) for shape in shapes)
-    for k, one in enumerate(shapes):
-        assert all(one.intersection(other).area < 2.0 for other in shapes[:k])
+    schedule = training.PaperSchedule(training.BRIEF.batch, dict.fromkeys(passes.ASKED, 1))
+    trained = training.train_paper(made, nets.SMALL, schedule, 2)
+    write_paper_nets(tmp_path / "nets.npz", trained, {})
+    plain = passes.read_paper_nets(tmp_path / "nets.npz")
+    rng = np.random.default_rng(0)
+    told = samples.sample_of(samples.tell_block(made[0], 64), rng, "location")
+    planes = np.concatenate([told.view, class_planes(told.classes, 64)])
+    counts, shape = told.counts.astype(np.float32), np.eye(2, dtype=np.float32)[0]
+    hidden = rng.normal(size=passes.HIDDEN).astype(np.float32)
+
+    def seen(value: np.ndarray) -> object:
+        return torch.from_numpy(value[None])
+
+    with torch.no_grad():
+        odds = torch.sigmoid(trained["continue"](seen(told.view))).item()
+        area = trained["area"](seen(told.view), seen(counts))[0].numpy()
+        places = trained["location"](seen(planes))[0].numpy()
+        cosine = trained["orientation"].draw(seen(told.view), seen(shape), seen(hidden)).item()
+    assert passes.odds_of_another(plain, told.view) == pytest.approx(odds, abs=1e-5)
+    assert passes.odds_of_classes(plain, "area", told.view, counts) == pytest.approx(area, abs=1e-4)
+    assert passes.odds_of_places(plain, planes) == pytest.approx(places, abs=1e-4)
+    assert passes.draw_cosine(plain, told.view, shape, hidden) == pytest.approx(cosine, abs=1e-5)

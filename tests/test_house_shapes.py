@@ -7,10 +7,16 @@ import pytest
 import shapely
 
 from scenewright.catalog.assets import shipped
-from scenewright.catalog.assets.house_shapes import inset, saddle, split_wings
-from scenewright.core.footprint import read_footprint
+from scenewright.catalog.assets.house_shapes import (
+    hips,
+    inset,
+    list_rectangles,
+    saddle,
+    split_wings,
+)
+from scenewright.core.footprint import Footprint, read_footprint
 from scenewright.core.scene import Size
-from scenewright.geometry.mesh import volume
+from scenewright.geometry.mesh import Mesh, volume
 
 ELL = [(0, 0), (22, 0), (22, 8), (9, 8), (9, 18), (0, 18)]
 YOU = [(0, 0), (22, 0), (22, 16), (15, 16), (15, 8), (7, 8), (7, 16), (0, 16)]
@@ -78,3 +84,55 @@ def test_houses_fill_their_box_and_stay_on_their_footprint(asset: str, form: str
     outside = shapely.distance(covered, shapely.points(corners[:, :2]))
     assert outside.max() < 0.45
     assert sum(len(part.faces) for part in parts) < 6000
+
+
+def _cross(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    return one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
+
+
+def _height(meshes: list[Mesh], x: float, y: float) -> float:
+    """The highest point of some meshes above (x, y), by every triangle."""
+    best = -np.inf
+    for mesh in meshes:
+        a, b, c = (mesh.vertices[mesh.faces[:, k]] for k in range(3))
+        area = _cross(b - a, c - a)
+        at = np.array([x, y, 0.0])
+        a, b, c, area = (row[np.abs(area) > 1e-9] for row in (a, b, c, area))
+        v, w = _cross(at - a, c - a) / area, _cross(b - a, at - a) / area
+        inside = (v >= -1e-9) & (w >= -1e-9) & (v + w <= 1 + 1e-9)
+        z = a[:, 2] + v * (b[:, 2] - a[:, 2]) + w * (c[:, 2] - a[:, 2])
+        best = max(best, *z[inside].tolist()) if inside.any() else best
+    return best
+
+
+@pytest.mark.parametrize(
+    "outline",
+    [
+        ((0.0, 0.0), (14.0, 0.0), (14.0, 7.0), (8.0, 7.0), (8.0, 15.0), (0.0, 15.0)),
+        ((0.0, 0.0), (20.0, 0.0), (20.0, 14.0), (14.0, 14.0), (14.0, 8.0), (0.0, 8.0)),
+        ((0.0, 0.0), (12.0, 1.0), (13.0, 9.0), (6.0, 13.0), (-1.0, 8.0)),
+    ],
+)
+def test_hips_rise_as_far_as_the_nearest_side_is(outline: Footprint) -> None:
+    """Over right angles the distance is along the axes (no point of a square round the spot lies
+    outside); over a convex footprint it is to the nearest side."""
+    shape = shapely.Polygon(outline)
+    roofs = hips(outline, 3.0, 0.5)
+    straight = bool(list_rectangles(outline))
+    rng = np.random.default_rng(0)
+    west, south, east, north = shape.bounds
+    for x, y in rng.uniform((west, south), (east, north), (200, 2)):
+        if not shape.contains(shapely.Point(x, y)):
+            continue
+        away = shape.exterior.distance(shapely.Point(x, y))
+        if straight:
+            halves = np.linspace(0, 20, 2001)
+            fits = shapely.covers(
+                shape, shapely.box(x - halves, y - halves, x + halves, y + halves)
+            )
+            away = float(halves[fits].max())
+        assert _height(roofs, x, y) == pytest.approx(3.0 + 0.5 * away, abs=0.02)
+
+
+def test_a_footprint_neither_straight_nor_convex_has_no_hips() -> None:
+    assert hips(((0.0, 0.0), (12.0, 1.0), (13.0, 9.0), (6.0, 5.0), (-1.0, 8.0)), 3.0, 0.5) == []

@@ -79,7 +79,7 @@ def test_what_is_foretold_is_scored_against_even_ground() -> None:
     poses = np.column_stack(
         [rng.uniform(0, 50, 40_000), rng.uniform(0, 40, 40_000), rng.random(40_000)]
     )
-    found = village_location.Sampled(poses, np.zeros(40_000, object), np.ones(40_000))
+    found = village_location.Sampled(poses, np.zeros(40_000, object))
     real = np.array([20.0, 15.0])
     even = village_location.foretell(found, np.zeros(40_000), free, real)
     assert even.nats == pytest.approx(0.0, abs=0.15)

@@ -31,7 +31,12 @@ from scenewright.domains.village.learned.surroundings import (
     without_houses,
 )
 from scenewright.domains.village.learned.tokens import tokens_of
+from scenewright.domains.village.learning.examples import problem_of_block
+from scenewright.domains.village.learning.tables import RealBlock
 from scenewright.domains.village.library import classify_house
+from scenewright.domains.village.proposals import is_legal, propose, shapes_at, shrink
+from scenewright.domains.village.relations import fold
+from scenewright.domains.village.settings import GrowSettings, VillageSettings
 from scenewright.domains.village.standing import place, stand
 
 RINGS = [
@@ -100,15 +105,25 @@ def test_surroundings_grow_and_shrink_as_if_made_anew() -> None:
 
 
 def test_the_shipped_net_asks_the_neighbour() -> None:
-    """Nearly parallel to the nearest house is likelier than askew, all else alike. Scores are
-    against proposals, most of which are quite parallel: they are highest a few degrees off."""
-    seen = scene_of(lambda points: points)
-    turns = np.deg2rad([4.0, 35.0])
-    poses = np.column_stack([np.full(2, 27.5), np.full(2, 33.0), turns])
+    """Poses drawn by the net beside one house: most within 4° of it, and each degree below 4° is
+    likelier than one beyond. (Scores alone are against proposals, most of which are parallel.)"""
+    problem = problem_of_block(
+        RealBlock("b", "", shapely.box(0, 0, 60, 45), FLOOR[None, :2], (RINGS[1],)),
+        (),
+        shipped_style(),
+        VillageSettings(GrowSettings(proposed=6000)),
+    )
+    seen = survey(problem.floor, problem.streets, 0.28, 4, stand(RINGS[1:2], [1]))
     one = house()
-    shapes = np.asarray(shapely.polygons(place(one.outline, poses)))
-    scores = score_poses(shipped_style().poses, tokens_of(seen, one, poses, shapes))
-    assert scores[0] > scores[1] + 0.5
+    poses = propose(problem, seen.standing, one, np.random.default_rng(0))
+    shapes, rings = shapes_at(one, poses)
+    legal = is_legal(problem.floor, shrink(seen.standing.shapes), shapes, rings)
+    scores = score_poses(shipped_style().poses, tokens_of(seen, one, poses[legal], shapes[legal]))
+    odds = np.exp(scores - scores.max())
+    turn = np.rad2deg(fold(poses[legal, 2] - seen.standing.frames[0, 2]))
+    near, beyond = (odds[(turn >= a) & (turn < b)].sum() for a, b in ((0, 4), (4, 46)))
+    assert near > beyond
+    assert near / 4 > 3 * beyond / 41
 
 
 def test_a_block_with_houses_missing_is_told_from_a_full_one() -> None:
@@ -171,6 +186,8 @@ HOSTILE = {
     "words": lambda: _changed("manner/sizes", np.array(["a", "b", "c"])),
     "shares": lambda: _changed("manner/sizes", np.array([-1.0, 1, 1])),
     "card": lambda: _changed("card", np.frombuffer(b"[" * 90_000, np.uint8)),
+    "mix": lambda: _changed("mix/blocks", np.full((1, 3), 1e5)),
+    "no mix": lambda: _changed("mix/houses", np.zeros((1, 2))),
     "format": lambda: _changed("card", np.frombuffer(json.dumps({"format": 9}).encode(), np.uint8)),
 }
 

@@ -27,6 +27,10 @@ SURFACES: dict[str, Material] = {
     "square": Material("cobbles", (0.67, 0.64, 0.59), roughness=0.95),
     "parking": Material("parking", (0.47, 0.47, 0.47), roughness=0.95),
     "court": Material("court lawn", (0.57, 0.64, 0.43), roughness=1.0),
+    "hedge": Material("hedge", (0.30, 0.42, 0.20), roughness=1.0),
+    "white_wall": Material("garden wall, white", (0.93, 0.92, 0.89), roughness=0.95),
+    "stone_wall": Material("garden wall, stone", (0.74, 0.69, 0.60), roughness=0.95),
+    "coping": Material("tile coping", (0.27, 0.28, 0.30), roughness=0.9),
     "marking": Material("road marking", (0.93, 0.93, 0.91), roughness=0.9),
 }
 """What lies on open ground, by kind."""

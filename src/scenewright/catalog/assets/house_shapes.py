@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
+from scenewright.catalog.assets.roofs import hip
 from scenewright.core.footprint import Footprint
 from scenewright.core.space import Points
 from scenewright.geometry.mesh import Mesh, extrude, rotate_mesh
@@ -60,6 +61,33 @@ def split_wings(footprint: Footprint) -> tuple[Wing, ...]:
         left = shapely.difference(left, shapely.box(*rooms[best]))
     wings = sorted((_wing(box) for box in chosen), key=lambda wing: -wing.span)
     return (*wings[:1], *(_run_into(wing, wings[0]) for wing in wings[1:]))
+
+
+def list_rectangles(footprint: Footprint) -> list[tuple[float, float, float, float]]:
+    """The greatest rectangles (west, south, east, north) within a footprint whose sides run along
+    its box; none of another footprint.
+
+    >>> ell = ((0.0, 0.0), (9.0, 0.0), (9.0, 4.0), (5.0, 4.0), (5.0, 8.0), (0.0, 8.0))
+    >>> sorted(list_rectangles(ell))
+    [(0.0, 0.0, 5.0, 8.0), (0.0, 0.0, 9.0, 4.0)]
+    """
+    ring = np.array(footprint)
+    if np.abs(np.roll(ring, -1, axis=0) - ring).min(1).max() > STRAIGHT:
+        return []
+    shape = shapely.buffer(shapely.Polygon(ring), STRAIGHT)
+    within = [box for box in _rectangles(ring) if shape.covers(shapely.box(*box))]
+    return [
+        one
+        for one in within
+        if not any(
+            other != one
+            and other[0] <= one[0]
+            and other[1] <= one[1]
+            and other[2] >= one[2]
+            and other[3] >= one[3]
+            for other in within
+        )
+    ]
 
 
 def _rectangles(ring: Points) -> list[tuple[float, float, float, float]]:
@@ -132,6 +160,68 @@ def _along(ring: list[tuple[float, float]], length: Interval, along: str) -> Mes
         return profile(ring, length)
     flipped = [(-across, high) for across, high in reversed(ring)]
     return rotate_mesh(profile(flipped, length), "z", np.pi / 2)
+
+
+def hips(footprint: Footprint, eave: float, pitch: float) -> list[Mesh]:
+    """Hips of one slope over a footprint whose sides run along its box, or over a convex one; none
+    of another. Of the first kind the roof is the highest of hips over the greatest rectangles
+    within, for the straight skeleton of such a polygon (Aichholzer and others 1995) is that of
+    distances to its sides along the axes."""
+    rectangles = list_rectangles(footprint)
+    if rectangles:
+        made = []
+        for west, south, east, north in rectangles:
+            rise = pitch * min(east - west, north - south) / 2
+            made.append(hip((west, east), (south, north), (eave, eave + rise)))
+        return made
+    ring = np.array(footprint)
+    if not shapely.equals_exact(
+        shapely.convex_hull(shapely.Polygon(ring)).normalize(),
+        shapely.orient_polygons(shapely.Polygon(ring)).normalize(),
+        STRAIGHT,
+    ):
+        return []
+    return [_slope_over(ring, side, eave, pitch) for side in range(len(ring))]
+
+
+def _slope_over(ring: Points, side: int, eave: float, pitch: float) -> Mesh:
+    """The slope above one side of a convex ring (n, 2): over what is nearest to that side."""
+    step = np.roll(ring, -1, axis=0) - ring
+    inward = np.stack([-step[:, 1], step[:, 0]], 1) / np.hypot(*step.T)[:, None]
+    offset = (ring * inward).sum(1)
+    cell = ring
+    for other in range(len(ring)):
+        if other != side:
+            normal, away = inward[other] - inward[side], offset[other] - offset[side]
+            cell = _clip(cell, normal, away)
+    body = extrude(cell, eave - 0.05, eave)
+    vertices = body.vertices.copy()
+    upper = vertices[:, 2] > eave - 0.02
+    rise = vertices[upper, :2] @ inward[side] - offset[side]
+    vertices[upper, 2] = eave + pitch * np.maximum(rise, 0.0)
+    return Mesh(vertices, body.faces)
+
+
+def _clip(ring: Points, normal: Points, away: float) -> Points:
+    """The part of a convex ring (n, 2) with normal · p >= away."""
+    off = ring @ normal - away
+    found = []
+    for k in range(len(ring)):
+        after = (k + 1) % len(ring)
+        if off[k] >= 0:
+            found.append(ring[k])
+        if (off[k] < 0) != (off[after] < 0):
+            found.append(ring[k] + (ring[after] - ring[k]) * off[k] / (off[k] - off[after]))
+    return np.array(found)
+
+
+def tallest(footprint: Footprint) -> float:
+    """How far the middle of a footprint is from its sides, in metres: half the span of its hips."""
+    boxes = list_rectangles(footprint)
+    if boxes:
+        return max(min(c - a, d - b) for a, b, c, d in boxes) / 2
+    circle = shapely.maximum_inscribed_circle(shapely.Polygon(footprint), tolerance=0.01)
+    return float(shapely.length(circle))
 
 
 def saddle(footprint: Footprint, eave: float, top: float) -> list[Mesh]:

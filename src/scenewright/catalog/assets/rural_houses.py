@@ -19,10 +19,12 @@ from scenewright.catalog.assets.house_shapes import (
     Wing,
     gabled_roof,
     gabled_walls,
+    hips,
     inset,
     saddle,
     split_wings,
     stepped_gable,
+    tallest,
 )
 from scenewright.catalog.assets.house_walls import WallOpenings, WindowLook, openings
 from scenewright.catalog.assets.materials import (
@@ -43,7 +45,6 @@ from scenewright.catalog.assets.materials import (
     WHITE,
 )
 from scenewright.catalog.assets.model import Parts, parts, pick
-from scenewright.catalog.assets.roofs import hip
 from scenewright.core.catalog import Material
 from scenewright.core.footprint import Footprint
 from scenewright.core.scene import Size
@@ -99,8 +100,8 @@ def build_house(size: Size, footprint: Footprint, style: str, roof: str) -> Part
         return _flat(size, outline, look, area)
     if style == "hui" and len(wings) == 1 and min(size.width, size.depth) >= COURT:
         return _court_house(size, look)
-    if not wings or (roof == "hipped" and len(wings) == 1 and style != "hui"):
-        return _build_hips(size, outline, wings, look, area)
+    if not wings or (roof == "hipped" and style != "hui"):
+        return _build_hips(size, outline, look, area)
     return _build_gables(size, outline, wings, look, area, style == "hui")
 
 
@@ -150,18 +151,13 @@ def _chimney(wing: Wing, ridge_top: float, chimney: float) -> Mesh:
     )
 
 
-def _build_hips(
-    size: Size, outline: Footprint, wings: tuple[Wing, ...], look: HouseLook, area: float
-) -> Parts:
-    """A hip over a rectangle, a saddle over anything else."""
-    span = min(size.width, size.depth)
+def _build_hips(size: Size, outline: Footprint, look: HouseLook, area: float) -> Parts:
+    """Hips of one slope where there are any, a saddle over anything else."""
+    span = 2 * tallest(outline)
     rise = min(look.pitch * span / 2, size.height - LOWEST)
     eave = size.height - rise
     walls = [extrude(inset(outline, look.overhang), 0.0, eave + 0.05)]
-    if wings:
-        roofs = [hip(wings[0].x, wings[0].y, (eave, size.height))]
-    else:
-        roofs = saddle(outline, eave, size.height)
+    roofs = hips(outline, eave, rise / (span / 2)) or saddle(outline, eave, size.height)
     shown = openings(inset(outline, look.overhang), eave, look.windows, _gate(area, outline))
     return _parts(size, look, walls, roofs, shown, [])
 

@@ -29,7 +29,7 @@ def build_problem(
     floor = shapely.Polygon(plan.outline)
     shapely.prepare(floor)
     asked = [block.classes.get(name, 0.0) for name in CLASSES]
-    given = (asked[0], asked[1], asked[2]) if sum(asked) > 0 else style.manner.sizes
+    given = (asked[0], asked[1], asked[2]) if sum(asked) > 0 else None
     square = find_square(block, plan)
     return VillageProblem(
         plan.id,

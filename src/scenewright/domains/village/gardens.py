@@ -1,4 +1,5 @@
-"""What lies on the ground of a village: lanes, verges, squares, walks to doors, yards."""
+"""What lies on the ground of a village: lanes, verges, squares, walks to doors, yards, beds; and
+what encloses it."""
 
 from __future__ import annotations
 
@@ -13,13 +14,16 @@ from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import GroundSurface, Piece
 from scenewright.core.solution import Patch
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
+from scenewright.domains.village.enclosures import LOOKS, enclose_block, lay_beds
 from scenewright.domains.village.walks import lay_block_walks
 from scenewright.ground.outlines import GRID
 
-HEIGHTS = {"asphalt": 0.03, "path": 0.035, "yard": 0.02, "square": 0.04, "walk": 0.045}
+HEIGHTS = {"asphalt": 0.03, "path": 0.035, "yard": 0.02, "square": 0.04, "walk": 0.045, "bed": 0.14}
 """How far the top of each lies above the ground, in metres."""
 YARD, WALK = 1.6, 0.6
 """How far paving reaches around houses, and half the width of a walk, in metres."""
+GATE = 0.6
+"""Metres beside a walk or a square that walls and hedges leave open."""
 SPECK = 0.3
 """Areas smaller than this, in square metres, are left out."""
 
@@ -28,7 +32,8 @@ def lay_ground(
     plan: VillagePlan, pieces: Sequence[Piece], patches: Sequence[Patch]
 ) -> tuple[GroundSurface, ...]:
     """What lies on the ground of all blocks and between them."""
-    return (*_lanes(plan), *(row for b in plan.blocks for row in _of_block(b, pieces, patches)))
+    found = [row for b in plan.blocks for row in _of_block(b, plan.look, pieces, patches)]
+    return (*_lanes(plan), *found)
 
 
 def _lanes(plan: VillagePlan) -> Iterator[GroundSurface]:
@@ -56,7 +61,7 @@ def _union(plan: VillagePlan, kind: str) -> shapely.Geometry:
 
 
 def _of_block(
-    block: BlockPlan, pieces: Sequence[Piece], patches: Sequence[Patch]
+    block: BlockPlan, look: str, pieces: Sequence[Piece], patches: Sequence[Patch]
 ) -> Iterator[GroundSurface]:
     here = [p for p in pieces if p.space == block.id and p.category == "building"]
     here = [p for p in here if np.isfinite([*p.pose, *p.size]).all()]
@@ -75,12 +80,29 @@ def _of_block(
     yards = _cut(_cut(yards, squares), strips)
     for kind, shape in (("square", squares), ("walk", strips), ("yard", yards)):
         yield from _surface(f"{kind} of {block.id}", block.id, kind, shape)
+    gates = shapely.buffer(shapely.union_all([squares, strips]), GATE, join_style="mitre")
+    wall, cap = enclose_block(block, look, shapely.union_all([houses, gates]))
+    one = LOOKS[look]
+    yield from _surface(f"{one.kind} of {block.id}", block.id, one.kind, wall, one.high)
+    top = one.high + one.coping
+    yield from _surface(f"coping of {block.id}", block.id, "coping", cap, top, one.high)
+    free = shapely.difference(shapely.buffer(floor, -1.0), shapely.union_all([gates, wall, yards]))
+    trees = [p for p in pieces if p.space == block.id and p.category == "tree"]
+    beds = shapely.union_all(list(lay_beds(here, trees, free)))
+    yield from _surface(f"beds of {block.id}", block.id, "bed", beds)
 
 
-def _surface(name: str, space: str, kind: str, shape: shapely.Geometry) -> Iterator[GroundSurface]:
+def _surface(
+    name: str,
+    space: str,
+    kind: str,
+    shape: shapely.Geometry,
+    top: float | None = None,
+    bottom: float = -0.01,
+) -> Iterator[GroundSurface]:
     areas = tuple(rings(part) for part in _polygons([shape]))
     if areas:
-        yield GroundSurface(name, space, kind, areas, -0.01, HEIGHTS[kind])
+        yield GroundSurface(name, space, kind, areas, bottom, HEIGHTS[kind] if top is None else top)
 
 
 def _polygons(shapes: Iterable[shapely.Geometry]) -> list[shapely.Polygon]:

@@ -6,13 +6,14 @@ weighed, and one is drawn. What no way can lead to is taken away and tried again
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 import shapely
 
 from scenewright.core.space import Points
+from scenewright.domains.village.choosing import choose_houses
 from scenewright.domains.village.doors import assign_doors
 from scenewright.domains.village.house import House
 from scenewright.domains.village.learned.pose_net import score_poses
@@ -29,14 +30,8 @@ from scenewright.domains.village.relations import relate
 from scenewright.domains.village.standing import Flags, Floats, Shapes, StandingHouses, add, place
 from scenewright.domains.village.weights import weigh
 
-MOST = 500
-"""Most houses of a block."""
-SPREAD = 0.8
-"""How much of the spread of real counts blocks have."""
 SLIT = (0.01, 0.3)
 """Metres between walls that nobody leaves."""
-JITTER = 0.12
-"""How far chance may change the order of houses by area."""
 
 Weighing = Callable[[VillageProblem, Surroundings, House, Shapes, Floats], Floats]
 """Log weights (k,) of legal poses (k, 3) of a house with their footprints (k,)."""
@@ -71,13 +66,25 @@ def grow(
     if lost:
         grown = _add_all(problem, grown, lost, rng, weighing, cancel)
         grown, doors, _ = _keep_reached(problem, grown)
-    return VillageLayout(
-        np.array(grown.houses, np.int64),
-        np.array(grown.poses).reshape(-1, 3),
-        doors,
-        len(chosen),
-        {},
-    )
+    return _layout(grown, doors, len(chosen))
+
+
+def layout_of(
+    problem: VillageProblem, houses: Sequence[int], poses: Sequence[Floats]
+) -> VillageLayout:
+    """The layout of houses of the library at poses (3,), less those that no way leads to."""
+    growth = Growth(survey_problem(problem, len(houses)), (), ())
+    for number, pose in zip(houses, poses, strict=True):
+        growth = _with(growth, problem.houses[number], number, pose)
+    grown, doors, _ = _keep_reached(problem, growth)
+    given = problem.asked
+    asked = len(houses) if given is None else max(given - len(problem.fixed.shapes), 0)
+    return _layout(grown, doors, asked)
+
+
+def _layout(grown: Growth, doors: np.ndarray, asked: int) -> VillageLayout:
+    houses, poses = np.array(grown.houses, np.int64), np.array(grown.poses).reshape(-1, 3)
+    return VillageLayout(houses, poses, doors, asked, {})
 
 
 def survey_problem(problem: VillageProblem, added: int) -> Surroundings:
@@ -100,39 +107,6 @@ def weigh_by_tables(
     """Log weights of poses by the tables of the manner."""
     found = relate(shapes, poses[:, 2], seen.standing, problem.streets)
     return weigh(found, house.size, problem.style.manner, not len(seen.standing.shapes))
-
-
-def draw_count(problem: VillageProblem, rng: np.random.Generator) -> int:
-    """How many houses a block of its size and streets has: log n is normal."""
-    a, b, c, spread = problem.style.manner.count_law
-    mean = a + b * np.log(problem.floor.area) + c * problem.street_share
-    return max(1, min(MOST, round(float(np.exp(mean + SPREAD * spread * rng.normal())))))
-
-
-def choose_houses(problem: VillageProblem, rng: np.random.Generator) -> list[int]:
-    """The numbers of the houses to place besides those that stand, the largest first.
-
-    Without classes asked for, a class without houses in the library goes to the others.
-    """
-    groups = [[k for k, h in enumerate(problem.houses) if h.size == size] for size in range(3)]
-    odds = np.array([s if group else 0.0 for s, group in zip(problem.sizes, groups, strict=True)])
-    odds = odds / odds.sum() if odds.sum() else np.array([len(g) for g in groups], float)
-    odds = odds / odds.sum()
-    area = float(shapely.area(problem.fixed.shapes).sum()) if len(problem.fixed.shapes) else 0.0
-    whole = None if problem.coverage is None else problem.coverage * problem.floor.area
-    count = problem.asked
-    if count is None and whole is None:
-        count = draw_count(problem, rng)
-    wanted = MOST if count is None else max(count - len(problem.fixed.shapes), 0)
-    found: list[int] = []
-    while len(found) < wanted and (whole is None or area < whole):
-        group = groups[int(rng.choice(3, p=odds))]
-        share = np.array([problem.houses[k].share for k in group])
-        found.append(group[int(rng.choice(len(group), p=share / share.sum()))])
-        area += problem.houses[found[-1]].area
-    order = np.array([problem.houses[k].area for k in found])
-    order = order * np.exp(rng.normal(0.0, JITTER, len(found)))
-    return [found[k] for k in np.argsort(-order, kind="stable")]
 
 
 def _add_all(

@@ -12,6 +12,13 @@ PRESETS: dict[str, VillagePreset] = {
     "default": Preset("three layouts of each block", "grow", 3, {}, VillageSettings()),
     "quick": Preset("one layout of each block", "grow", 1, {}, VillageSettings()),
     "fine": Preset("twelve layouts of each block", "grow", 12, {}, VillageSettings()),
+    "paper": Preset(
+        "the loop of Zhu, Jiang and Li (2022), its networks in their small form",
+        "paper",
+        1,
+        {},
+        VillageSettings(),
+    ),
     "strict": Preset(
         "houses stand where most do: little is left to chance",
         "grow",

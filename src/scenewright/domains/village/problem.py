@@ -18,7 +18,8 @@ class VillageProblem(NamedTuple):
     """One block: its ground, street sides (s, 2, 2), the share of the outline that is street,
     where people may walk, houses that stay, the library, how many houses are asked for
     (``asked``, or the share ``coverage`` of the ground, or neither), shares of classes of area
-    (3,), settings, the style its houses stand in, and what is to stay free."""
+    (3,; None: as real blocks like it have), settings, the style its houses stand in, and
+    what is to stay free."""
 
     name: str
     floor: shapely.Polygon
@@ -29,7 +30,7 @@ class VillageProblem(NamedTuple):
     houses: tuple[House, ...]
     asked: int | None
     coverage: float | None
-    sizes: tuple[float, float, float]
+    sizes: tuple[float, float, float] | None
     settings: VillageSettings
     style: VillageStyle
     kept_free: shapely.Polygon

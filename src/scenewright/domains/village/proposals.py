@@ -18,7 +18,9 @@ from scenewright.domains.village.standing import Flags, Floats, Shapes, Standing
 TOUCH = 0.005
 """Metres by which footprints may overlap unseen."""
 SKEW = 0.02
-"""Spread in radians of a house that stands parallel to another."""
+"""Spread in radians of a house that stands parallel to a street."""
+ASKEW = (0.004, 0.14)
+"""Least and greatest spread in radians of a house that stands beside another."""
 INSIDE = 1e-3
 
 
@@ -46,33 +48,53 @@ def _shares(shares: tuple[float, float, float], houses: int) -> Floats:
 def beside(
     standing: StandingHouses, house: House, gap: Relations, count: int, rng: np.random.Generator
 ) -> Floats:
-    """Poses beside houses that stand: parallel to a side of one, a gap away, flush with one of its
-    corners or anywhere along it."""
+    """Poses beside houses that stand: a wall along a wall of one, a gap away, flush with an end of
+    it or anywhere along it; what does not touch is as askew as real neighbours are. Longer walls
+    are taken more often."""
     if not count:
         return np.zeros((0, 3))
-    frames = standing.frames[rng.integers(len(standing.frames), size=count)]
     away = draw_values(gap, gap.small if house.size == 0 else gap.large, count, rng)
-    side = rng.integers(4, size=count)
-    quarter = rng.integers(4, size=count)
-    half = np.array(house.extent) / 2
-    own = np.where((quarter % 2 == 0)[:, None], half, half[::-1])
-    theirs = frames[:, 3:] / 2
-    across = (side % 2)[:, None] == np.array([1, 0])
-    out = np.where(across, theirs + away[:, None] + own, 0.0)
-    slack = np.where(across, 0.0, theirs - own)
-    reach = np.where(across, 0.0, theirs + own)
-    flush = rng.random(count) < 0.5
-    shift = np.where(
-        flush[:, None],
-        slack * rng.choice([-1.0, 0.0, 1.0], size=(count, 1)),
-        reach * rng.uniform(-1, 1, size=(count, 1)),
+    start, way, length = _draw_walls(standing, count, rng)
+    ring = house.outline
+    step = np.roll(ring, -1, axis=0) - ring
+    sides = np.hypot(step[:, 0], step[:, 1])
+    own = rng.choice(len(ring), size=count, p=sides / sides.sum())
+    turn = np.arctan2(way[:, 1], way[:, 0]) + np.pi - np.arctan2(step[own, 1], step[own, 0])
+    ends = np.where(rng.random(count) < 0.5, sides[own], length)
+    reach = rng.random(count) * (length + sides[own])
+    along = np.where(rng.random(count) < 0.5, ends, reach)
+    out = np.stack([way[:, 1], -way[:, 0]], 1)
+    corner = start + along[:, None] * way + away[:, None] * out
+    cos, sin = np.cos(turn), np.sin(turn)
+    x = corner[:, 0] - cos * ring[own, 0] + sin * ring[own, 1]
+    y = corner[:, 1] - sin * ring[own, 0] - cos * ring[own, 1]
+    return np.stack([x, y, turn + draw_skew(count, rng) * (away > 0)], 1)
+
+
+def _draw_walls(
+    standing: StandingHouses, count: int, rng: np.random.Generator
+) -> tuple[Floats, Floats, Floats]:
+    """Walls of houses, each house as likely: where they start (k, 2), where they lead as they run
+    counter-clockwise (k, 2), and their length (k,)."""
+    points, owner = shapely.get_coordinates(
+        shapely.get_exterior_ring(shapely.orient_polygons(standing.shapes)), return_index=True
     )
-    local = out * np.where(side < 2, 1.0, -1.0)[:, None] + shift
-    cos, sin = np.cos(frames[:, 2]), np.sin(frames[:, 2])
-    x = frames[:, 0] + cos * local[:, 0] - sin * local[:, 1]
-    y = frames[:, 1] + sin * local[:, 0] + cos * local[:, 1]
-    skew = rng.normal(0.0, SKEW, count) * (away > 0) * (rng.random(count) < 0.6)
-    return np.stack([x, y, frames[:, 2] + quarter * np.pi / 2 + skew], 1)
+    real = np.flatnonzero(owner[1:] == owner[:-1])
+    step = points[real + 1] - points[real]
+    length = np.hypot(step[:, 0], step[:, 1])
+    around = np.bincount(owner[real], length, len(standing.shapes))
+    odds = length / around[owner[real]] / len(standing.shapes)
+    pick = rng.choice(len(real), size=count, p=odds / odds.sum())
+    way = step[pick] / np.maximum(length[pick, None], 1e-9)
+    return points[real[pick]], way, length[pick]
+
+
+def draw_skew(count: int, rng: np.random.Generator) -> Floats:
+    """Angles (k,) in radians by which neighbours are askew: none is quite parallel, a few are by
+    far."""
+    low, high = np.log(ASKEW)
+    spread = np.exp(rng.uniform(low, high, count))
+    return np.asarray(rng.normal(0.0, 1.0, count) * spread)
 
 
 def along_streets(
@@ -122,7 +144,7 @@ def anywhere(
         turn = np.where(rng.random(count) < 0.6, theirs, turn)
     turn = np.where(rng.random(count) < 0.2, rng.uniform(0, np.pi / 2, count), turn)
     quarter = rng.integers(4, size=count) * np.pi / 2
-    return np.column_stack([at, turn + quarter + rng.normal(0.0, SKEW, count)])
+    return np.column_stack([at, turn + quarter + draw_skew(count, rng)])
 
 
 def draw_values(

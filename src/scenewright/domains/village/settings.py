@@ -137,7 +137,7 @@ class GrowSettings(NamedTuple):
     proposed: int = 320
     judged: int = 72
     shares: tuple[float, float, float] = (0.5, 0.25, 0.25)
-    temperature: float = 1.0
+    temperature: float = 0.8
     retries: int = 3
 
 

@@ -47,7 +47,12 @@ PAVING = {
     "yard": "#eee9dc",
     "square": "#e3dccd",
     "walk": "#e2dccb",
+    "hedge": "#a9c48e",
+    "white_wall": "#9a968f",
+    "stone_wall": "#b3a890",
+    "bed": "#d9cfa6",
 }
+ENCLOSING = ("hedge", "white_wall", "stone_wall", "bed")
 LABEL, SMALLEST = 2.0, 1.1
 """Height of labels in millimetres, and the least at which they are still written."""
 

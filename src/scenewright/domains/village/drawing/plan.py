@@ -88,12 +88,14 @@ def _layers(
     surfaces = lay_ground(village, solution.pieces, solution.patches)
     lanes = [row for row in surfaces if row.kind in ("asphalt", "path")]
     paved = [row for row in surfaces if row.kind in ("yard", "walk", "square")]
+    grown = [row for row in surfaces if row.kind in marks.ENCLOSING]
     trees = [p for p in solution.pieces if p.category == "tree"]
     blocks = village.blocks
     found = [*(PlanLayer("Ground", marks.ground_mark(view, block)) for block in blocks)]
     found += [
         PlanLayer("Yards and walks", marks.paving_mark(view, paved)),
         PlanLayer("Lanes", marks.paving_mark(view, lanes)),
+        PlanLayer("Walls, hedges and beds", marks.paving_mark(view, grown)),
         *(PlanLayer("Street sides", marks.streets_mark(view, block)) for block in blocks),
         PlanLayer("Names of lanes", marks.names_mark(view, village.lanes)),
         PlanLayer("Trees", marks.trees_mark(view, trees)),

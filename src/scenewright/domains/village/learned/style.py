@@ -16,11 +16,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from scenewright.core.errors import InputError
+from scenewright.domains.village.learned.mix import EMPTY, HouseMix
 from scenewright.domains.village.learned.more import FIGURES, MoreLaw
 from scenewright.domains.village.learned.pose_net import Weights, shapes_of_net
 from scenewright.domains.village.settings import OURS, Manner, Relations
 
-FORMAT = 1
+FORMAT = 2
 SUFFIX = ".npz"
 LARGEST = 16_000_000
 """Bytes of a file of a style at most, once unpacked."""
@@ -33,13 +34,14 @@ Arrays = Mapping[str, np.ndarray]
 
 class VillageStyle(NamedTuple):
     """How houses of a region stand: tables of single relations and the law of counts, the weights
-    of the net of poses, the law that tells full blocks; and its card (data, licence, split,
-    figures)."""
+    of the net of poses, the law that tells full blocks, which houses stand together; and its card
+    (data, licence, split, figures)."""
 
     manner: Manner
     poses: Weights
     more: MoreLaw
     card: dict[str, Any]
+    mix: HouseMix
 
 
 def is_file(style: str) -> bool:
@@ -59,7 +61,7 @@ def style_named(style: str) -> VillageStyle:
 def bare_style(manner: Manner) -> VillageStyle:
     """A style of tables alone, to propose poses before anything else is learned."""
     none = np.zeros(FIGURES)
-    return VillageStyle(manner, {}, MoreLaw(none, none + 1.0, none, 0.0), {})
+    return VillageStyle(manner, {}, MoreLaw(none, none + 1.0, none, 0.0), {}, EMPTY)
 
 
 @lru_cache(maxsize=1)
@@ -81,7 +83,9 @@ def write_style(path: Path, style: VillageStyle) -> None:
 
 def arrays_of(style: VillageStyle) -> dict[str, np.ndarray]:
     """A style as the arrays of its file."""
-    found = {f"poses/{name}": np.asarray(value) for name, value in style.poses.items()}
+    found: dict[str, np.ndarray] = {
+        f"poses/{name}": np.asarray(value) for name, value in style.poses.items()
+    }
     for name in TABLES:
         table: Relations = getattr(style.manner, name)
         found[f"manner/{name}"] = np.array([table.small, table.large])
@@ -89,6 +93,7 @@ def arrays_of(style: VillageStyle) -> dict[str, np.ndarray]:
     found["manner/sizes"] = np.array(style.manner.sizes)
     found["more/law"] = np.stack([style.more.mean, style.more.spread, style.more.weights])
     found["more/constant"] = np.array([style.more.constant])
+    found["mix/blocks"], found["mix/houses"] = style.mix
     told = json.dumps({"format": FORMAT, **style.card}, sort_keys=True, ensure_ascii=False)
     return found | {"card": np.frombuffer(told.encode(), np.uint8)}
 
@@ -124,7 +129,7 @@ def style_of(arrays: Arrays) -> VillageStyle:
     rows = _array(arrays, "more/law", (3, FIGURES))
     constant = float(_array(arrays, "more/constant", (1,))[0])
     more = MoreLaw(rows[0], np.maximum(rows[1], 1e-6), rows[2], constant)
-    return VillageStyle(_manner(arrays), weights, more, card)
+    return VillageStyle(_manner(arrays), weights, more, card, _mix(arrays))
 
 
 def _card(arrays: Arrays) -> dict[str, Any]:
@@ -151,6 +156,17 @@ def _manner(arrays: Arrays) -> Manner:
     gap, turn, street, street_turn = tables
     law = (a, b, c, abs(spread))
     return Manner(gap, turn, street, street_turn, law, (small, medium, large))
+
+
+def _mix(arrays: Arrays) -> HouseMix:
+    told = arrays.get("mix/blocks", np.zeros(0))
+    count = len(told) if told.ndim else 0
+    blocks = _array(arrays, "mix/blocks", (max(count, 1), 3))
+    held = np.clip(blocks[:, 2], 1, 1e6).round()
+    houses = _array(arrays, "mix/houses", (int(held.sum()), 2))
+    if (held != blocks[:, 2]).any() or (houses[:, 0] <= 0).any() or (houses[:, 1] < 1).any():
+        raise InputError("is no style file: its lists of houses are none", REMEDY)
+    return HouseMix(blocks, houses)
 
 
 def _shares(values: np.ndarray, name: str) -> np.ndarray:

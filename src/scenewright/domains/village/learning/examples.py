@@ -13,7 +13,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.domains.village.grow import JITTER
+from scenewright.domains.village.choosing import JITTER
 from scenewright.domains.village.house import House, to_own_frame
 from scenewright.domains.village.learned.style import VillageStyle
 from scenewright.domains.village.learned.surroundings import Surroundings, survey, with_house
@@ -63,7 +63,7 @@ def problem_of_block(
         tuple(houses),
         None,
         None,
-        style.manner.sizes,
+        None,
         settings,
         style,
         shapely.Polygon(),

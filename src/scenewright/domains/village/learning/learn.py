@@ -36,7 +36,7 @@ from scenewright.domains.village.learning.pose_training import (
     train_poses,
 )
 from scenewright.domains.village.learning.real_blocks import blocks_of_plan, read_blocks
-from scenewright.domains.village.learning.tables import RealBlock, learn_manner
+from scenewright.domains.village.learning.tables import RealBlock, learn_manner, learn_mix
 from scenewright.domains.village.library import LOOKS
 
 FEWEST = 12
@@ -93,7 +93,7 @@ def learn_style(
     tell(0.0, f"{len(train)} blocks to learn from, {len(test)} held out")
     manner = learn_manner(train)
     more = learn_more(train, manner, options.seed)
-    bare = bare_style(manner)._replace(more=more)
+    bare = bare_style(manner)._replace(more=more, mix=learn_mix(train))
     state, seconds, whole = _train(train, bare, output, options, tell, cancel)
     if not whole:
         return LearnedStyle({"rounds": state.rounds}, seconds, False)

@@ -14,6 +14,7 @@ import shapely
 
 from scenewright.core.space import Points
 from scenewright.domains.village.house import class_of_area
+from scenewright.domains.village.learned.mix import HouseMix
 from scenewright.domains.village.relations import relate
 from scenewright.domains.village.settings import OURS, Manner, Relations
 from scenewright.domains.village.standing import Floats, StandingHouses, stand
@@ -65,6 +66,18 @@ def learn_manner(blocks: Sequence[RealBlock]) -> Manner:
     a, b, c = (float(v) for v in sizes / sizes.sum())
     gap, turn, street, street_turn = tables
     return Manner(gap, turn, street, street_turn, _count_law(blocks), (a, b, c))
+
+
+def learn_mix(blocks: Sequence[RealBlock]) -> HouseMix:
+    """Which houses stand together in some blocks."""
+    rows, houses = [], []
+    for block in blocks:
+        standing = block.standing
+        stretch = standing.frames[:, 3] / np.maximum(standing.frames[:, 4], 0.1)
+        houses.append(np.column_stack([shapely.area(standing.shapes), stretch]).round(3))
+        rows.append((np.log(block.floor.area), block.street_share, float(len(stretch))))
+    sizes = np.concatenate(houses)
+    return HouseMix(np.array(rows).round(4), np.maximum(sizes, (0.1, 1.0)))
 
 
 def relate_in_order(block: RealBlock) -> Floats:

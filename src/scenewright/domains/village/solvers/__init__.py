@@ -26,5 +26,12 @@ ROWS = (
         f"{__name__}.growing:fill_unweighed",
         "houses",
     ),
+    SolverRow(
+        "paper",
+        "networks that look at pixels say another? which? where? which way? (comparison)",
+        "Zhu, Jiang and Li 2022",
+        f"{__name__}.paper:fill_by_paper",
+        "houses",
+    ),
 )
 VILLAGE_SOLVERS: dict[str, SolverRow] = name_solvers("village", ROWS)

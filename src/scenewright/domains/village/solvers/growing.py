@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
 import shapely
 
-from scenewright.domains.village.grow import Weighing, grow, weigh_by_tables
+from scenewright.domains.village.grow import grow, weigh_by_tables
 from scenewright.domains.village.house import House
 from scenewright.domains.village.learned.surroundings import Surroundings
 from scenewright.domains.village.measures import excess_void
@@ -15,6 +16,8 @@ from scenewright.domains.village.problem import VillageFound, VillageLayout, Vil
 from scenewright.domains.village.standing import Floats, Shapes, StandingHouses, add, place
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
+Making = Callable[..., VillageLayout]
+"""Makes a layout of random numbers, asking ``cancel`` whether to stop."""
 LAYOUTS = 3
 """Layouts grown where no budget is given."""
 
@@ -28,7 +31,7 @@ def grow_block(
 ) -> VillageFound:
     """Layouts weighed by the learned net; of those the one that lacks fewest houses and
     leaves the least void beyond the usual. One step is one layout."""
-    return _best(problem, None, budget, seed, progress, cancel)
+    return grow_several(problem, partial(grow, problem), budget, seed, progress, cancel)
 
 
 def fill_by_tables(
@@ -39,7 +42,8 @@ def fill_by_tables(
     cancel: Cancel | None = None,
 ) -> VillageFound:
     """The same weighed by the tables of single relations."""
-    return _best(problem, weigh_by_tables, budget, seed, progress, cancel)
+    make = partial(grow, problem, weighing=weigh_by_tables)
+    return grow_several(problem, make, budget, seed, progress, cancel)
 
 
 def fill_unweighed(
@@ -50,7 +54,8 @@ def fill_unweighed(
     cancel: Cancel | None = None,
 ) -> VillageFound:
     """The same with all legal proposals alike."""
-    return _best(problem, _alike, budget, seed, progress, cancel)
+    make = partial(grow, problem, weighing=_alike)
+    return grow_several(problem, make, budget, seed, progress, cancel)
 
 
 def _alike(
@@ -60,21 +65,22 @@ def _alike(
     return np.zeros(len(poses))
 
 
-def _best(
+def grow_several(
     problem: VillageProblem,
-    weighing: Weighing | None,
+    make: Making,
     budget: Budget,
     seed: int,
     progress: Progress | None,
     cancel: Cancel | None,
 ) -> VillageFound:
+    """Layouts by ``make`` until the budget is spent, the best first."""
     if budget.steps is None and budget.seconds is None:
         budget = budget._replace(steps=LAYOUTS)
     watch = BudgetWatch(budget, progress, cancel)
     rng = np.random.default_rng(seed)
     found: list[VillageLayout] = []
     while True:
-        made = grow(problem, rng, weighing, cancel if found else None)
+        made = make(rng, cancel=cancel if found else None)
         found.append(made._replace(score=rate(problem, made)))
         found.sort(key=lambda layout: layout.score["energy"])
         best = found[0]

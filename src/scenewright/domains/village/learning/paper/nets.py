@@ -11,12 +11,9 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from scenewright.domains.village.learning.paper.views import AREAS, CHANNELS, MATERIALS, SHAPES
+from scenewright.domains.village.paper.views import AREAS, CHANNELS, COUNTED, MATERIALS, SHAPES
 
-COUNTED = MATERIALS + SHAPES + AREAS
-"""How many numbers the count vector has."""
 CLASSES = {"material": MATERIALS, "shape": SHAPES, "area": AREAS}
-ASKED = ("continue", "material", "shape", "area", "location", "orientation")
 
 
 class NetSizes(NamedTuple):

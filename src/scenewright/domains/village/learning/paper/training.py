@@ -13,14 +13,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from scenewright.domains.village.learning.paper.nets import CLASSES, NetSizes, make_nets
-from scenewright.domains.village.learning.paper.samples import (
-    PaperSample,
-    class_planes,
-    sample_of,
-    tell_block,
-)
-from scenewright.domains.village.learning.paper.views import SHAPES
+from scenewright.domains.village.learning.paper.samples import PaperSample, sample_of, tell_block
 from scenewright.domains.village.learning.tables import RealBlock
+from scenewright.domains.village.paper.views import SHAPES, class_planes
 
 RATE = 1e-3
 HIDDEN_LOSS = 0.05
@@ -45,7 +40,11 @@ PRINTED = PaperSchedule(
         "orientation": 400,
     },
 )
-BRIEF = PaperSchedule(dict.fromkeys(PRINTED.batch, 16), dict.fromkeys(PRINTED.epochs, 2))
+BRIEF = PaperSchedule(
+    dict.fromkeys(PRINTED.batch, 16),
+    {"continue": 4, "material": 1, "shape": 2, "area": 2, "location": 6, "orientation": 3},
+)
+"""What the shipped small form had: six minutes of one core."""
 
 
 def train_paper(
@@ -71,7 +70,7 @@ def train_paper(
         size, step = schedule.batch[name], 0
         for _ in range(schedule.epochs[name]):
             for rows in np.array_split(rng.permutation(owner), -(-len(owner) // size)):
-                samples = [sample_of(told[k], rng) for k in rows.tolist()]
+                samples = [sample_of(told[k], rng, name) for k in rows.tolist()]
                 loss = loss_of_net(torch, name, net, samples, device)
                 wheel.zero_grad()
                 loss.backward()
@@ -92,7 +91,7 @@ def loss_of_net(
         return torch.from_numpy(np.asarray(values, np.float32)).to(device)
 
     if name == "continue":
-        found = net(tensor([one.part for one in samples]))[:, 0]
+        found = net(tensor([one.view for one in samples]))[:, 0]
         return functional.binary_cross_entropy_with_logits(
             found, tensor([one.more for one in samples])
         )
@@ -108,6 +107,6 @@ def loss_of_net(
         return functional.cross_entropy(net(tensor(rows)).flatten(1), wanted)
     cosine = tensor([one.cosine for one in samples])
     shape = tensor([np.eye(SHAPES)[one.classes[1]] for one in samples])
-    again, mean, spread = net(tensor([one.near for one in samples]), shape, cosine)
+    again, mean, spread = net(tensor([one.view for one in samples]), shape, cosine)
     hidden = -0.5 * (1 + spread - mean**2 - spread.exp()).sum(1).mean()
     return ((again - cosine) ** 2).mean() + HIDDEN_LOSS * hidden

@@ -16,11 +16,11 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
-from scenewright.domains.village.learning.paper.views import base_and_door
+from scenewright.domains.village.paper.views import base_and_door
 from scenewright.domains.village.standing import Floats, Shapes
 
 ILLEGAL, MOST = -1000.0, 0.9
-TOUCH = 0.05
+TOUCH = 0.005
 """Metres by which footprints may overlap (shared walls)."""
 EARLY, LATE = 0.8, 0.4
 """What category weighs for the first and for the last house."""
@@ -34,20 +34,25 @@ class RetrievedHouse(NamedTuple):
     classes: tuple[int, int, int]
 
 
-class Retrieved(NamedTuple):
-    """The best candidate: its number, its ring and door in the block, and its score."""
+class PlacedHouse(NamedTuple):
+    """A candidate moved: its ring and door in the block, and the pose (3,) of its own frame."""
 
-    number: int
     ring: Points
     door: Floats
+    pose: Floats
+
+
+class Retrieved(NamedTuple):
+    """The best candidate: its number, where it stands, and its score."""
+
+    number: int
+    placed: PlacedHouse
     score: float
 
 
-def turned_to(
-    candidate: RetrievedHouse, base: Floats, angle: float
-) -> tuple[Points, Floats] | None:
-    """Ring and door of a candidate moved so that its base point is at ``base`` and its door at an
-    angle in [0, π] from it; None if no corner of it can be its base then."""
+def turn_to(candidate: RetrievedHouse, base: Floats, angle: float) -> PlacedHouse | None:
+    """A candidate moved so that its base point is at ``base`` and its door at an angle in [0, π]
+    from it; None if no corner of it can be its base then."""
     box = shapely.minimum_rotated_rectangle(shapely.Polygon(candidate.ring))
     best, found = np.inf, None
     for corner in shapely.get_coordinates(box)[:4]:
@@ -58,7 +63,7 @@ def turned_to(
         door = step @ turn + base
         off = float(np.hypot(*(base_and_door(ring, door)[0] - base)))
         if off < best:
-            best, found = off, (ring, door)
+            best, found = off, PlacedHouse(ring, door, np.append(base - corner @ turn, spin))
     return found if best < 1e-6 else None
 
 
@@ -68,26 +73,27 @@ def retrieve(
     base: Floats,
     angle: float,
     floor: shapely.Polygon,
+    free: shapely.Geometry,
     standing: Shapes,
     progress: float,
 ) -> Retrieved | None:
-    """The candidate with the best sum of scores; ``progress`` in [0, 1] shifts their weights. None
-    if none is legal."""
-    placed = [turned_to(one, base, angle) for one in candidates]
+    """The candidate with the best sum of scores; ``progress`` in [0, 1] shifts their weights;
+    ``free`` is the part of the block's ``floor`` that may be built on. None if none is legal."""
+    placed = [turn_to(one, base, angle) for one in candidates]
     rows = [k for k, one in enumerate(placed) if one is not None]
     if not rows:
         return None
     moved = [one for one in placed if one is not None]
-    shapes = np.array([shapely.Polygon(ring) for ring, _ in moved], object)
+    shapes = np.array([shapely.Polygon(one.ring) for one in moved], object)
     category = np.array([_category(candidates[k].classes, asked) for k in rows])
-    legal = legality(shapes, floor, standing)
-    facing = np.array([door_facing(ring, door, floor) for ring, door in moved])
+    legal = legality(shapes, free, standing)
+    facing = np.array([door_facing(one.ring, one.door, floor) for one in moved])
     weight = EARLY + (LATE - EARLY) * progress
     total = weight * _brought(category) + (1 - weight) * _brought(facing) + legal
     best = int(total.argmax())
     if total[best] < 0:
         return None
-    return Retrieved(rows[best], *moved[best], float(total[best]))
+    return Retrieved(rows[best], moved[best], float(total[best]))
 
 
 def _category(classes: tuple[int, int, int], asked: tuple[int, int, int]) -> float:
@@ -105,9 +111,9 @@ def _brought(values: Floats) -> Floats:
     return MOST * (values - low) / (high - low) if high > low else np.full(len(values), MOST)
 
 
-def legality(shapes: Shapes, floor: shapely.Polygon, standing: Shapes) -> Floats:
+def legality(shapes: Shapes, free: shapely.Geometry, standing: Shapes) -> Floats:
     """0 for footprints (k,) that may stand; 1000 less outside, 1000 less on another house."""
-    found = np.where(shapely.covers(floor, shapes), 0.0, ILLEGAL)
+    found = np.where(shapely.covers(free, shapes), 0.0, ILLEGAL)
     if len(standing):
         inner = shapely.buffer(standing, -TOUCH, join_style="mitre")
         hit = shapely.STRtree(inner).query(shapes, predicate="intersects")[0]

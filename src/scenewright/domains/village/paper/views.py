@@ -17,11 +17,11 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
-from scenewright.domains.village.house import class_of_area, class_of_shape
-from scenewright.domains.village.learning.tables import RealBlock
 from scenewright.domains.village.standing import Floats, Indices, Shapes
 
 CHANNELS, MATERIALS, SHAPES, AREAS = 12, 3, 2, 3
+COUNTED = MATERIALS + SHAPES + AREAS
+"""How many numbers the count vector has."""
 MARGIN = 1.05
 """How much larger than the block a view is."""
 
@@ -102,24 +102,6 @@ def paint(frame: ViewFrame, floor: shapely.Polygon, houses: PaperHouses) -> NDAr
     return view.reshape(CHANNELS, frame.size, frame.size)
 
 
-def paper_houses(block: RealBlock) -> PaperHouses:
-    """The houses of a real block, their doors assumed."""
-    rings = list(block.houses)
-    doors = door_points(rings, block.streets)
-    told = [base_and_door(ring, door) for ring, door in zip(rings, doors, strict=True)]
-    shapes = np.empty(len(rings), object)
-    shapes[:] = [shapely.Polygon(ring) for ring in rings]
-    areas = shapely.area(shapes)
-    return PaperHouses(
-        shapes,
-        np.array([base for base, _ in told]).reshape(-1, 2),
-        np.array([angle for _, angle in told]),
-        np.zeros(len(rings), np.int64),
-        np.array([class_of_shape(ring) for ring in rings], np.int64),
-        np.array([class_of_area(float(area)) for area in areas], np.int64),
-    )
-
-
 def door_points(rings: Sequence[Points], streets: Points) -> list[Floats]:
     """The middle of the side of each ring that is nearest to a street."""
     lines = shapely.union_all(shapely.linestrings(streets))
@@ -143,3 +125,19 @@ def base_and_door(ring: Points, door: Floats) -> tuple[Floats, float]:
     base = corners[int(np.argmin(np.round(corners[:, 1], 6)))]
     step = door - base
     return base, float(np.clip(np.arctan2(step[1], step[0]), 0.0, np.pi))
+
+
+def count_vector(houses: PaperHouses) -> Floats:
+    """How many houses of each material, shape and area (COUNTED,), in tens."""
+    parts = [
+        np.bincount(values, minlength=size)
+        for values, size in zip(houses[3:], (MATERIALS, SHAPES, AREAS), strict=True)
+    ]
+    return np.concatenate(parts) / 10.0
+
+
+def class_planes(classes: tuple[int, int, int], size: int) -> NDArray[np.float32]:
+    """The classes of a house as planes (COUNTED, size, size), 1 where it is of one."""
+    planes = np.zeros((COUNTED, size, size), np.float32)
+    planes[[classes[0], MATERIALS + classes[1], MATERIALS + SHAPES + classes[2]]] = 1.0
+    return planes

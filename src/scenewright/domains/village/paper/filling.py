@@ -1,0 +1,178 @@
+"""The loop of Zhu, Jiang and Li (2022): another? which? where? which way? fetch it, repeat.
+
+Where a library has no doors, each longer side of a house may have it: a candidate each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.domains.village.house import House, class_of_shape
+from scenewright.domains.village.paper.passes import (
+    HIDDEN,
+    PIXELS,
+    PaperWeights,
+    draw_cosine,
+    odds_of_another,
+    odds_of_classes,
+    odds_of_places,
+)
+from scenewright.domains.village.paper.retrieval import PlacedHouse, RetrievedHouse, retrieve
+from scenewright.domains.village.paper.views import (
+    SHAPES,
+    PaperHouses,
+    ViewFrame,
+    base_and_door,
+    centre_view,
+    class_planes,
+    count_vector,
+    door_points,
+    frame_of,
+    paint,
+)
+from scenewright.domains.village.problem import VillageProblem
+from scenewright.domains.village.standing import Floats, StandingHouses
+from scenewright.engine.solve import Cancel
+
+MOST, TRIES, SEEN = 150, 12, 160
+"""Houses of a block at most, places tried for one, candidates looked at."""
+DOOR = 2.5
+"""Metres that a side must have for a door, if any has them."""
+
+
+class PaperFilling(NamedTuple):
+    """Houses put on a block: their numbers in the library and poses (3,)."""
+
+    houses: tuple[int, ...]
+    poses: tuple[Floats, ...]
+
+
+class _Candidate(NamedTuple):
+    number: int
+    house: RetrievedHouse
+
+
+def fill_as_paper(
+    nets: PaperWeights,
+    problem: VillageProblem,
+    rng: np.random.Generator,
+    cancel: Cancel | None = None,
+) -> PaperFilling:
+    """The houses put on a block until *continue* says stop, or as many as are asked for."""
+    frame, free = frame_of(problem.floor, PIXELS), problem.floor.difference(problem.kept_free)
+    shapely.prepare(free)
+    candidates = list_candidates(problem.houses)
+    houses = tell_standing(problem.fixed, problem.streets)
+    found = PaperFilling((), ())
+    while len(found.houses) < MOST and not (cancel is not None and cancel()):
+        view = paint(frame, problem.floor, houses)
+        if not _is_another(nets, problem, houses, view):
+            break
+        placed = _place(nets, problem.floor, free, frame, houses, view, candidates, rng)
+        if placed is None:
+            break
+        chosen, at = placed
+        found = PaperFilling((*found.houses, chosen.number), (*found.poses, at.pose))
+        houses = _with(houses, at, chosen.house.classes)
+    return found
+
+
+def _is_another(
+    nets: PaperWeights, problem: VillageProblem, houses: PaperHouses, view: np.ndarray
+) -> bool:
+    """Whether another house follows: by what is asked for, else by *continue*."""
+    if problem.asked is not None:
+        return len(houses.footprints) < problem.asked
+    if problem.coverage is not None:
+        covered = float(shapely.area(houses.footprints).sum())
+        return covered < problem.coverage * problem.floor.area
+    return odds_of_another(nets, view) >= 0.5
+
+
+def list_candidates(houses: Sequence[House]) -> list[_Candidate]:
+    """Every house of a library with each side that may have its door; materials are of one kind."""
+    found = []
+    for number, house in enumerate(houses):
+        ring = house.outline
+        step = np.roll(ring, -1, axis=0) - ring
+        length, middle = np.hypot(step[:, 0], step[:, 1]), ring + step / 2
+        wide = np.flatnonzero(length >= min(DOOR, length.max()))
+        if house.front is not None:
+            ahead = middle @ (np.cos(house.front), np.sin(house.front))
+            wide = np.array([int(np.argmax(np.round(ahead, 6)))])
+        classes = (0, house.shape, house.size)
+        found += [_Candidate(number, RetrievedHouse(ring, middle[k], classes)) for k in wide]
+    return found
+
+
+def tell_standing(standing: StandingHouses, streets: Floats) -> PaperHouses:
+    """Houses that stand as the paper tells them, their doors assumed."""
+    rings = [shapely.get_coordinates(shape.exterior)[:-1] for shape in standing.shapes]
+    doors = door_points(rings, streets)
+    told = [base_and_door(ring, door) for ring, door in zip(rings, doors, strict=True)]
+    return PaperHouses(
+        standing.shapes,
+        np.array([base for base, _ in told]).reshape(-1, 2),
+        np.array([angle for _, angle in told]),
+        np.zeros(len(rings), np.int64),
+        np.array([class_of_shape(ring) for ring in rings], np.int64),
+        standing.sizes,
+    )
+
+
+def _place(
+    nets: PaperWeights,
+    floor: shapely.Polygon,
+    free: shapely.Geometry,
+    frame: ViewFrame,
+    houses: PaperHouses,
+    view: np.ndarray,
+    candidates: Sequence[_Candidate],
+    rng: np.random.Generator,
+) -> tuple[_Candidate, PlacedHouse] | None:
+    """The next house and where it stands; None if no place is found."""
+    counts = count_vector(houses).astype(np.float32)
+    drawn = [
+        _draw(odds_of_classes(nets, name, view, counts), rng)
+        for name in ("material", "shape", "area")
+    ]
+    classes = (drawn[0], drawn[1], drawn[2])
+    where = odds_of_places(nets, np.concatenate([view, class_planes(classes, frame.size)]))
+    where = np.where(view[0] < 0.5, -1e9, where).ravel()
+    progress = min(len(houses.footprints) / 20.0, 1.0)
+    for _ in range(TRIES):
+        pixel = _draw(where, rng)
+        at = np.array([[pixel % frame.size, pixel // frame.size]]) + rng.random((1, 2))
+        base = frame.metres(at)[0]
+        near = paint(centre_view(frame, base), floor, houses)
+        shape = np.eye(SHAPES, dtype=np.float32)[classes[1]]
+        cosine = draw_cosine(nets, near, shape, rng.normal(size=HIDDEN).astype(np.float32))
+        angle = float(np.arccos(np.clip(cosine, -1, 1)))
+        some = rng.choice(len(candidates), min(SEEN, len(candidates)), replace=False)
+        chosen = [candidates[k] for k in some.tolist()]
+        looked = [one.house for one in chosen]
+        standing = houses.footprints
+        found = retrieve(looked, classes, base, angle, floor, free, standing, progress)
+        if found is not None:
+            return chosen[found.number], found.placed
+    return None
+
+
+def _draw(odds: np.ndarray, rng: np.random.Generator) -> int:
+    shares = np.exp(odds.astype(float) - odds.max())
+    return int(rng.choice(len(shares), p=shares / shares.sum()))
+
+
+def _with(houses: PaperHouses, at: PlacedHouse, classes: tuple[int, int, int]) -> PaperHouses:
+    base, angle = base_and_door(at.ring, at.door)
+    shapes = np.empty(len(houses.footprints) + 1, object)
+    shapes[:-1], shapes[-1] = houses.footprints, shapely.Polygon(at.ring)
+    material, shape, area = (
+        np.append(old, new) for old, new in zip(houses[3:], classes, strict=True)
+    )
+    bases = np.concatenate([houses.bases, base[None]])
+    return PaperHouses(shapes, bases, np.append(houses.doors, angle), material, shape, area)

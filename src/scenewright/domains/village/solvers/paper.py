@@ -1,0 +1,34 @@
+"""The method of Zhu, Jiang and Li (2022) in its small form, as a solver of villages."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from scenewright.domains.village.grow import layout_of
+from scenewright.domains.village.paper.filling import fill_as_paper
+from scenewright.domains.village.paper.passes import PaperWeights, read_paper_nets
+from scenewright.domains.village.problem import VillageFound, VillageLayout, VillageProblem
+from scenewright.domains.village.solvers.growing import grow_several
+from scenewright.engine.solve import Budget, Cancel, Progress
+
+
+def fill_by_paper(
+    problem: VillageProblem,
+    budget: Budget,
+    seed: int = 0,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+) -> VillageFound:
+    """Houses by *continue*, *category*, *location*, *orientation* and retrieval, one by one; those
+    that no way leads to are taken away. One step is one layout."""
+    make = partial(_fill, problem, read_paper_nets())
+    return grow_several(problem, make, budget, seed, progress, cancel)
+
+
+def _fill(
+    problem: VillageProblem, nets: PaperWeights, rng: np.random.Generator, cancel: Cancel | None
+) -> VillageLayout:
+    found = fill_as_paper(nets, problem, rng, cancel)
+    return layout_of(problem, found.houses, found.poses)

@@ -1,0 +1,82 @@
+"""How many houses and which: blocks like real ones, classes and coverage as asked for."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+from scenewright.core.brief import Brief
+from scenewright.domains import problems
+from scenewright.domains.village.choosing import choose_houses
+from scenewright.domains.village.enclosures import LOOKS, enclose_block
+from scenewright.domains.village.learned.mix import HouseMix, draw_sizes, fetch_houses
+from scenewright.domains.village.plan import plan_village
+from scenewright.domains.village.problem import VillageProblem
+
+MIX = HouseMix(
+    np.array([[9.0, 0.3, 3.0], [9.0, 0.3, 12.0], [11.0, 0.3, 6.0]]),
+    np.array([[150.0, 1.5]] * 3 + [[18.0, 1.2]] * 12 + [[90.0, 1.1]] * 6),
+)
+
+
+def brief(**more: object) -> Brief:
+    block = {"id": "b", "outline": [[0, 0], [80, 0], [80, 60], [0, 60]], "streets": [0]}
+    return Brief.model_validate({"domain": "village", "blocks": [block | more]})
+
+
+def problem(**more: object) -> VillageProblem:
+    return problems(brief(**more))[0]
+
+
+def test_houses_of_a_block_are_those_of_one_real_block() -> None:
+    for seed in range(20):
+        sizes = draw_sizes(MIX, np.exp(9.0), 0.3, None, np.random.default_rng(seed))
+        assert (len(sizes), sizes[0, 0]) in ((3, 150.0), (12, 18.0))
+
+
+def test_a_count_that_is_asked_for_is_met_by_a_block_that_has_about_as_many() -> None:
+    sizes = [draw_sizes(MIX, np.exp(9.0), 0.3, 11, np.random.default_rng(k)) for k in range(10)]
+    assert all(len(rows) == 11 for rows in sizes)
+    assert np.mean([rows[0, 0] == 18.0 for rows in sizes]) > 0.9
+
+
+def test_sizes_that_are_the_same_are_one_house_and_shares_count_among_alike() -> None:
+    library = np.array([[20.0, 1.2], [20.5, 1.2], [150.0, 1.5]])
+    drawn = np.array([[20.2, 1.2]] * 8)
+    picks = []
+    for seed in range(200):
+        found = fetch_houses(drawn, library, np.array([9.0, 1.0, 1.0]), np.random.default_rng(seed))
+        assert len(set(found)) == 1
+        picks.append(found[0])
+    assert 0.82 < np.mean(np.array(picks) == 0) < 0.97
+    assert 2 not in picks
+
+
+def test_classes_asked_for_are_kept() -> None:
+    one = problem(count=10, classes={"small": 1.0})
+    assert {one.houses[k].size for k in choose_houses(one, np.random.default_rng(0))} == {0}
+    half = problem(count=200, classes={"small": 0.5, "large": 0.5})
+    sizes = [half.houses[k].size for k in choose_houses(half, np.random.default_rng(1))]
+    assert len(sizes) == 200
+    assert np.mean(np.array(sizes) == 0) == pytest.approx(0.5, abs=0.12)
+    assert 1 not in sizes
+
+
+def test_coverage_asked_for_is_reached_by_less_than_a_house() -> None:
+    one = problem(coverage=0.4)
+    areas = [one.houses[k].area for k in choose_houses(one, np.random.default_rng(2))]
+    assert sum(areas) >= 0.4 * 4800
+    assert sum(areas) - max(areas) < 0.4 * 4800
+
+
+@pytest.mark.parametrize("look", LOOKS)
+def test_walls_stand_along_streets_and_leave_walks_open(look: str) -> None:
+    (block,) = plan_village(brief()).detail.blocks
+    walk = shapely.box(30, -1, 32, 20)
+    wall, _ = enclose_block(block, look, walk)
+    assert shapely.Polygon(block.outline).covers(wall)
+    assert wall.distance(shapely.LineString([(0, 0), (80, 0)])) > 0.2
+    assert wall.bounds[3] < 1.0
+    assert not wall.intersection(walk).area
+    assert 76 < sum(np.ptp(shapely.bounds(p)[[0, 2]]) for p in shapely.get_parts(wall)) < 80
