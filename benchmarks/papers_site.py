@@ -15,12 +15,14 @@ from __future__ import annotations
 
 import statistics
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.comparison import ratio
+from benchmarks.kept import open_runs
 from benchmarks.papers_site_raters import SiteRater, SiteTaste, like, make_taste
 from benchmarks.papers_site_search import Generation, Name, search
 from benchmarks.papers_site_tables import markdown_lines
@@ -40,6 +42,15 @@ __all__ = ["markdown_lines", "records"]
 Record = dict[str, Any]
 Floats = NDArray[np.float64]
 Progress = Callable[[float, str], None]
+Part = Callable[[], Iterator[Record]]
+CODE = (
+    "benchmarks/papers_site*.py",
+    "benchmarks/site_scenes.py",
+    "benchmarks/person_raters.py",
+    "src/scenewright/domains/site/**/*.py",
+    "src/scenewright/engine/preference/alleles/*.py",
+)
+"""What the figures are of: parts measured on other code are not kept."""
 PRINTED: dict[Name, tuple[float | None, float | None]] = {
     "vp": (46.5, 195.8),
     "tiga": (63.8, 283.5),
@@ -60,41 +71,49 @@ PARTS = ("use", "shown", "texture", "height", "seen")
 
 
 def records(quick: bool = False, progress: Progress | None = None) -> Iterator[Record]:
-    """All records, part by part."""
-    runs, raters, sizes = (2, 2, SIZES[:2]) if quick else (RUNS, RATERS, SIZES)
-    yield from convergence_records(2 if quick else runs, 15 if quick else SCENE, progress)
-    for k, size in enumerate(sizes):
+    """All records, part by part; parts that are kept are not run again."""
+    kept, parts = open_runs("papers_site", CODE), list(list_parts(quick))
+    for k, (told, make) in enumerate(parts):
         if progress:
-            progress(0.3 + 0.6 * k / len(sizes), f"{size} buildings")
-        yield from liking_records(posed(scene_brief(size)), size, raters, 1 if quick else SEEDS)
-    if progress:
-        progress(0.9, "aims")
-    yield from aim_records(15 if quick else SCENE, raters, 1 if quick else SEEDS)
+            progress(k / len(parts), told)
+        yield from kept.have(f"{told}{', quick' if quick else ''}", partial(_list_records, make))
 
 
-def convergence_records(runs: int, size: int, progress: Progress | None) -> Iterator[Record]:
+def _list_records(make: Part) -> list[Record]:
+    return list(make())
+
+
+def list_parts(quick: bool) -> Iterator[tuple[str, Part]]:
+    """What is measured, in words, and how."""
+    runs, raters, sizes = (2, 2, SIZES[:2]) if quick else (RUNS, RATERS, SIZES)
+    scene, seeds = (15, 1) if quick else (SCENE, SEEDS)
+    for name in PRINTED:
+        yield f"to converge: {name}", partial(convergence_records, name, runs, scene)
+    for size in sizes:
+        yield f"{size} buildings", partial(liking_records, size, raters, seeds)
+    yield "aims", partial(aim_records, scene, raters, seeds)
+
+
+def convergence_records(name: Name, runs: int, size: int) -> Iterator[Record]:
     """Generations, ratings and layouts searched until a run has converged: means."""
     problem = posed(scene_brief(size)).problems["default"]
-    for k, name in enumerate(PRINTED):
-        if progress:
-            progress(0.1 * k, f"to converge: {name}")
-        ended = [
-            converged(search(problem, name, SiteRater(problem, run), run, MOST, MOST_RATINGS))
-            for run in range(runs)
-        ]
-        printed = dict(zip(("generations", "ratings"), PRINTED[name], strict=True))
-        for number, metric in enumerate(("generations", "ratings", "layouts searched")):
-            mean = statistics.fmean(row[number] for row in ended)
-            if name != "sga" or metric != "ratings":
-                yield _record(
-                    f"to converge, {size} buildings",
-                    f"{metric}, {NAMES[name]}",
-                    "1",
-                    mean,
-                    printed.get(metric),
-                    "the paper",
-                    runs,
-                )
+    ended = [
+        converged(search(problem, name, SiteRater(problem, run), run, MOST, MOST_RATINGS))
+        for run in range(runs)
+    ]
+    printed = dict(zip(("generations", "ratings"), PRINTED[name], strict=True))
+    for number, metric in enumerate(("generations", "ratings", "layouts searched")):
+        mean = statistics.fmean(row[number] for row in ended)
+        if name != "sga" or metric != "ratings":
+            yield _record(
+                f"to converge, {size} buildings",
+                f"{metric}, {NAMES[name]}",
+                "1",
+                mean,
+                printed.get(metric),
+                "the paper",
+                runs,
+            )
 
 
 def converged(run: list[Generation]) -> tuple[int, int, int]:
@@ -111,8 +130,9 @@ def converged(run: list[Generation]) -> tuple[int, int, int]:
     return number + 1, run[number].ratings, run[number].searched
 
 
-def liking_records(scene: Scene, size: int, raters: int, seeds: int) -> Iterator[Record]:
+def liking_records(size: int, raters: int, seeds: int) -> Iterator[Record]:
     """How much each method's layouts are liked."""
+    scene = posed(scene_brief(size))
     problem = scene.problems["default"]
     led = {name: [_boxes(run_led(scene, name, seed)) for seed in range(seeds)] for name in LED}
     liked: dict[str, list[float]] = {name: [] for name in ("vp", "tiga", *LED)}

@@ -17,9 +17,11 @@ from statistics import median
 from typing import Any, NamedTuple
 
 from benchmarks import person_genetic, person_methods
+from benchmarks.kept import KeptRuns, open_runs
 from benchmarks.person_methods import SearchStep
 from benchmarks.person_raters import SimulatedPerson
 from benchmarks.person_world import World, home_world, site_world
+from scenewright.engine.preference.trust import TrustRecord
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
@@ -28,10 +30,19 @@ LONG = 60
 """Generations of the search that knows the truth."""
 ACTIONS, LOOKS = 60, 120
 MARKS = (12, 24, 30, 48, 60)
-FULL_SEEDS, SEEDS, QUICK_SEEDS, FIRST_SEED = 20, 4, 2, 1000
+FULL_SEEDS, SEEDS, QUICK_SEEDS, FIRST_SEED = 20, 4, 2, 5000
 """Persons, beginning with a number that was not used for tuning."""
-NOISY = "ours, noise doubled"
+NOISY, CONJUNCTIVE = "ours, noise doubled", "home, conjunctive tastes"
 PROCESSES = 2
+CODE = (
+    "benchmarks/person*.py",
+    "src/scenewright/engine/preference/**/*.py",
+    "src/scenewright/workflow/evolution/*.py",
+    "src/scenewright/domains/home/**/*.py",
+    "src/scenewright/domains/site/**/*.py",
+    "src/scenewright/geometry/composition.py",
+)
+"""What the persons see and are learned by: runs of other code are not theirs."""
 METHODS: dict[str, tuple[Callable[..., Iterator[SearchStep]], int]] = {
     "ours": (person_methods.ours, SCREENS),
     NOISY: (person_methods.ours, SCREENS),
@@ -61,13 +72,36 @@ class PersonRun(NamedTuple):
         """The best ever shown, as satisfaction."""
         return self.steps[-1].best / self.top
 
+    def record(self) -> list[Any]:
+        """Plain values, ready for JSON."""
+        return [[list(step) for step in self.steps], self.liked, self.top]
 
-def run_person(world: World, seed: int) -> dict[str, PersonRun]:
+
+def run_of(record: list[Any]) -> PersonRun:
+    """The run a record holds."""
+    rows, liked, top = record
+    steps = [
+        SearchStep(
+            actions,
+            looks,
+            tuple(champion),
+            best,
+            TrustRecord(trust[0], trust[1], trust[2], tuple(trust[3])),
+        )
+        for actions, looks, champion, best, trust in rows
+    ]
+    return PersonRun(tuple(steps), tuple(liked), top)
+
+
+def run_person(world: World, seed: int, conjunctive: bool = False) -> dict[str, PersonRun]:
     """All methods for one person."""
     found: dict[str, PersonRun] = {}
-    top = person_genetic.find_best(world, SimulatedPerson(world, FIRST_SEED + seed), seed, LONG)
+    number = FIRST_SEED + seed
+    knows = SimulatedPerson(world, number, 1.0, conjunctive)
+    top = person_genetic.find_best(world, knows, seed, LONG)
     for method, (search, much) in METHODS.items():
-        person = SimulatedPerson(world, FIRST_SEED + seed, 2.0 if method == NOISY else 1.0)
+        noise = 2.0 if method == NOISY else 1.0
+        person = SimulatedPerson(world, number, noise, conjunctive)
         steps = tuple(search(world, person, seed, much))
         liked = tuple(person.truth(step.champion) for step in steps)
         top = max(top, steps[-1].best)
@@ -76,42 +110,65 @@ def run_person(world: World, seed: int) -> dict[str, PersonRun]:
 
 
 def records(quick: bool, progress: Progress, *, full: bool = False) -> Iterator[Record]:
-    """Records of all methods on a home and on a site."""
+    """Records of all methods on a home and on a site, and on the home for persons whose taste is
+    of another form than the model's."""
     seeds = QUICK_SEEDS if quick else FULL_SEEDS if full else SEEDS
     worlds: dict[str, Callable[[], World]] = {
         "home": partial(home_world, "home-studio" if quick else "home-flat"),
         "site": partial(site_world, "site-courtyards" if quick else "site-30"),
     }
+    kept = open_runs("person", CODE)
+    worlds[CONJUNCTIVE] = worlds["home"]
     for number, (case, make) in enumerate(worlds.items()):
-        progress(number / 2, f"{case}: layouts")
-        world = make()
+        progress(number / len(worlds), f"{case}: layouts")
         persons = []
-        for one in run_persons(world, range(seeds)):
+        for one in run_persons(make, f"{case}, quick" if quick else case, range(seeds), kept):
             persons.append(one)
-            progress((number + len(persons) / seeds) / 2, f"{case}: {len(persons)} persons")
+            progress(
+                (number + len(persons) / seeds) / len(worlds), f"{case}: {len(persons)} persons"
+            )
         yield from summarise(case, {name: [one[name] for one in persons] for name in METHODS})
 
 
-def run_persons(world: World, seeds: Iterable[int]) -> Iterator[dict[str, PersonRun]]:
-    """All methods for persons, in order, on :data:`PROCESSES` processes that share the world."""
+def run_persons(
+    make: Callable[[], World], case: str, seeds: Iterable[int], kept: KeptRuns
+) -> Iterator[dict[str, PersonRun]]:
+    """All methods for persons, in order, on :data:`PROCESSES` processes that share the world;
+    those that are kept are not run again."""
+    every = list(seeds)
+    left = [seed for seed in every if f"{case}, {seed}" not in kept.values]
+    fresh = iter(_fork_persons(make(), left, case.startswith(CONJUNCTIVE)) if left else ())
+    for seed in every:
+        name = f"{case}, {seed}"
+        if seed in left:
+            kept.keep(name, {method: run.record() for method, run in next(fresh).items()})
+        yield {method: run_of(record) for method, record in kept.values[name].items()}
+
+
+def _fork_persons(
+    world: World, seeds: list[int], conjunctive: bool
+) -> Iterator[dict[str, PersonRun]]:
     forks = get_context("fork")
     lines = [forks.Pipe(duplex=False) for _ in range(PROCESSES)]
-    every = list(seeds)
     running = [
-        forks.Process(target=_send_persons, args=(line[1], world, every[k::PROCESSES]), daemon=True)
+        forks.Process(
+            target=_send_persons,
+            args=(line[1], world, seeds[k::PROCESSES], conjunctive),
+            daemon=True,
+        )
         for k, line in enumerate(lines)
     ]
     for process in running:
         process.start()
-    for number, _ in enumerate(every):
+    for number, _ in enumerate(seeds):
         yield lines[number % PROCESSES][0].recv()
     for process in running:
         process.join()
 
 
-def _send_persons(line: Connection, world: World, seeds: list[int]) -> None:
+def _send_persons(line: Connection, world: World, seeds: list[int], conjunctive: bool) -> None:
     for seed in seeds:
-        line.send(run_person(world, seed))
+        line.send(run_person(world, seed, conjunctive))
 
 
 def summarise(case: str, runs: dict[str, list[PersonRun]]) -> Iterator[Record]:

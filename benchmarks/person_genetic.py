@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,6 +39,8 @@ from scenewright.workflow.evolution.population import draw_genomes
 Floats = NDArray[np.float64]
 Estimate = Callable[..., float]
 POPULATION, CROSSED, MUTATED = 10, 0.75, 0.04
+TRIES = 30
+"""Children of a pair that are tried until one holds all that was asked for."""
 ASKED = 5
 """Individuals of a generation that the paper's method asks for; it estimates the others."""
 
@@ -162,7 +165,15 @@ def estimate_by_models(
 
 
 def _begin(world: World, rng: np.random.Generator) -> list[Genome]:
-    return draw_genomes(world.genes, 99, POPULATION, rng)
+    return list(islice(_draw_sane(world, rng), POPULATION))
+
+
+def _draw_sane(world: World, rng: np.random.Generator) -> Iterator[Genome]:
+    """Genomes by chance that hold all that was asked for: no other layout is shown by ours."""
+    while True:
+        (genome,) = draw_genomes(world.genes, 99, 1, rng)
+        if not world.look(genome).lacking:
+            yield genome
 
 
 def breed(
@@ -173,10 +184,13 @@ def breed(
     elite: Genome | None,
 ) -> list[Genome]:
     """The next generation: two-point crossover of parents by tournament (by roulette without an
-    elite) and single-point mutation."""
+    elite) and single-point mutation. Children that lack what was asked for are not shown, as with
+    ours; where :data:`TRIES` of them do, a parent is shown again."""
     made: list[Genome] = [] if elite is None else [elite]
     wheel = np.maximum(fitness, 1e-9) / np.maximum(fitness, 1e-9).sum()
+    tried = 0
     while len(made) < len(genomes):
+        tried += 1
         if elite is None:
             pair = rng.choice(len(genomes), 2, p=wheel)
         else:
@@ -190,7 +204,9 @@ def breed(
         for k, gene in enumerate(world.genes):
             if rng.random() < MUTATED:
                 child[k] = int(rng.integers(0, gene.alleles))
-        made.append(tuple(child))
+        if not world.look(tuple(child)).lacking or tried > TRIES:
+            made.append(tuple(child) if tried <= TRIES else one)
+            tried = 0
     return made
 
 
@@ -198,11 +214,10 @@ def find_best(world: World, person: SimulatedPerson, seed: int, generations: int
     """What a search that knows the truth finds: the best of so many ``generations`` of a genetic
     algorithm of 60 individuals."""
     rng = np.random.default_rng([seed, 6])
-    genomes = draw_genomes(world.genes, 99, 60, rng)
+    genomes = list(islice(_draw_sane(world, rng), 60))
     best = -np.inf
     for _ in range(generations):
-        sane = np.array([-9.0 * world.look(g).lacking for g in genomes])
-        fitness = np.array([person.truth(g) for g in genomes]) + sane
+        fitness = np.array([person.truth(g) for g in genomes])
         best = max(best, float(fitness.max()))
         genomes = breed(world, genomes, fitness, rng, genomes[int(fitness.argmax())])
     return best

@@ -83,7 +83,8 @@ def _learn(
         champion = numbers[told[0].best]  # type: ignore[union-attr]
         if taste.posterior is not None:
             mean, _ = tastes.judge_each(taste, np.array([known[g].values for g in chosen]))
-            trust = count_hit(trust, mean.tolist(), chosen.index(champion))
+            late = 2 * mix.wide(taste.heard) <= len(chosen)
+            trust = count_hit(trust, mean.tolist(), chosen.index(champion), late)
         events += told
         actions += len(told)
         by_number = {k: known[g].values for k, g in enumerate(numbers)}

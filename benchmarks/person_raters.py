@@ -31,8 +31,9 @@ the same screen before it."""
 
 class Taster(NamedTuple):
     """A hidden taste: ``linear`` and ``bent`` weights (D,) with the best places (D,) of the latter,
-    weights of what is ``unseen`` (3,) with its scale, and mean and spread of the taste over
-    layouts by chance."""
+    weights of what is ``unseen`` (3,) with its scale, mean and spread of the taste over layouts by
+    chance, and whether it is ``conjunctive``: what counts is the worst of the linear parts, which
+    no sum of features says."""
 
     linear: Floats
     bent: Floats
@@ -42,9 +43,10 @@ class Taster(NamedTuple):
     spread: Floats
     middle: float
     unit: float
+    conjunctive: bool = False
 
 
-def make_taster(world: World, seed: int) -> Taster:
+def make_taster(world: World, seed: int, conjunctive: bool = False) -> Taster:
     """A person: a few features liked or disliked, of those that vary."""
     rng = np.random.default_rng([77, seed])
     rows = [world.look(g) for g in draw_genomes(world.genes, 99, FIRST, np.random.default_rng(1))]
@@ -57,7 +59,9 @@ def make_taster(world: World, seed: int) -> Taster:
     bent[chosen[:BENT]] = 0.5
     best[chosen[:BENT]] = rng.uniform(-1.0, 1.0, BENT)
     signs = HIDDEN * rng.choice([-1.0, 1.0], 3)
-    taster = Taster(linear, bent, best, signs, hidden.mean(0), hidden.std(0) + 1e-9, 0.0, 1.0)
+    taster = Taster(
+        linear, bent, best, signs, hidden.mean(0), hidden.std(0) + 1e-9, 0.0, 1.0, conjunctive
+    )
     values = np.array([like(taster, world, row) for row in rows])
     return taster._replace(middle=float(values.mean()), unit=float(values.std()))
 
@@ -66,7 +70,10 @@ def like(taster: Taster, world: World, row: SeenLayout, moved: Floats | None = N
     """How much a person truly likes a layout, 0 on average, 1 a standard deviation; ``moved`` (D,)
     by so many standard deviations of its features."""
     at = standardise(world.scale, row.values) + (0.0 if moved is None else moved)
-    visible = taster.linear @ at - taster.bent @ (at - taster.best) ** 2
+    parts = taster.linear * at
+    visible = parts.sum() - taster.bent @ (at - taster.best) ** 2
+    if taster.conjunctive:
+        visible = parts[taster.linear != 0.0].min()
     hidden = taster.unseen @ ((row.unseen - taster.usual) / taster.spread)
     return (float(visible + hidden) - taster.middle) / taster.unit
 
@@ -74,8 +81,10 @@ def like(taster: Taster, world: World, row: SeenLayout, moved: Floats | None = N
 class SimulatedPerson:
     """Somebody who judges, and tires of it."""
 
-    def __init__(self, world: World, seed: int, noise: float = 1.0) -> None:
-        self.world, self.taster = world, make_taster(world, seed)
+    def __init__(
+        self, world: World, seed: int, noise: float = 1.0, conjunctive: bool = False
+    ) -> None:
+        self.world, self.taster = world, make_taster(world, seed, conjunctive)
         self._rng = np.random.default_rng([78, seed])
         self._noise, self.judged, self._strict = noise * NOISE, 0, 0.0
         self._truth: dict[Genome, float] = {}

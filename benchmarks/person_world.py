@@ -107,18 +107,33 @@ def site_world(sample: str = "site-30") -> World:
     usual = domains.features_of(breeder.develop((0,) * len(breeder.genes)), plan)
     names, known = list(usual), dict[Genome, SeenLayout]()
 
+    drafts: dict[Genome, tuple[SeenLayout | None, int]] = {}
+
+    def describe(solution: Solution) -> SeenLayout:
+        lacking = sum(out.required for out in solution.left_out)
+        told = domains.features_of(solution, plan) | {name: usual[name] for name in DEVELOPED}
+        values = np.array([told[name] for name in names])
+        return SeenLayout(values, measure_unseen(solution), lacking)
+
+    def draft(genome: Genome) -> tuple[SeenLayout | None, int]:
+        if genome not in drafts:
+            solution, lacking = draft_site(ready, genome)
+            drafts[genome] = (None if solution is None else describe(solution), lacking)
+        return drafts[genome]
+
     def look(genome: Genome) -> SeenLayout:
         if genome not in known:
-            solution, _ = draft_site(ready, genome)
-            solution = breeder.develop(genome) if solution is None else solution
-            lacking = sum(out.required for out in solution.left_out)
-            told = domains.features_of(solution, plan) | {name: usual[name] for name in DEVELOPED}
-            values = np.array([told[name] for name in names])
-            known[genome] = SeenLayout(values, measure_unseen(solution), lacking)
+            row, _ = draft(genome)
+            known[genome] = describe(breeder.develop(genome)) if row is None else row
         return known[genome]
+
+    def measure(genome: Genome) -> tuple[dict[str, float], int]:
+        row, lacking = draft(genome)
+        return {} if row is None else dict(zip(names, row.values.tolist(), strict=True)), lacking
 
     drawn = draw_genomes(breeder.genes, 99, FIRST, np.random.default_rng(1))
     scale = measure_scale(names, np.array([look(genome).values for genome in drawn]))
+    breeder = breeder._replace(measure=measure)
     return World(sample, breeder.genes, look, scale, domains.reasons_of("site"), breeder)
 
 

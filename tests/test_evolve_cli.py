@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import re
+import time
 from pathlib import Path
+from threading import Thread
 
 import pytest
 
@@ -59,6 +62,7 @@ def parse(line: str, said: tuple[Event, ...] = (), champion: int | None = None) 
         ("help", Command("help")),
         ("?", Command("help")),
         ("reasons", Command("reasons")),
+        ("best", Command("best")),
         ("auto 3", Command("auto", 3)),
         ("move 2 sofa 1.5,-2", Command("move", 11, "sofa", (1.5, -2.0))),
         ("move 2 sofa 1.5,2,90", Command("move", 11, "sofa", (1.5, 2.0, 90.0))),
@@ -118,6 +122,33 @@ def test_a_conversation_writes_the_champion(
     kinds = [event["event"] for event in document["events"]]
     assert kinds == ["pick", "reason", "prefer", "stars", "keep"]
     assert document["champion"]["candidate"] == document["events"][-1]["candidate"]
+
+
+def test_the_best_so_far_is_drawn_while_the_person_thinks(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At a terminal the picture appears before the next line is typed."""
+    pty = pytest.importorskip("pty")
+    monkeypatch.chdir(tmp_path)
+    leader, follower = pty.openpty()
+    picture = tmp_path / "room-best.png"
+
+    def type_slowly() -> None:
+        os.write(leader, b"2\n1\n")
+        os.write(leader, b"next\n3\n")
+        deadline = time.monotonic() + 60.0
+        while not picture.exists() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        os.write(leader, b"best\nquit\n")
+
+    typist = Thread(target=type_slowly)
+    with os.fdopen(follower) as terminal:
+        monkeypatch.setattr("sys.stdin", terminal)
+        typist.start()
+        assert cli.run(["evolve", HOME, "-o", "room.json"]) == 0
+        typist.join()
+    os.close(leader)
+    assert picture.read_bytes()[:4] == b"\x89PNG"
 
 
 @pytest.mark.parametrize(

@@ -234,13 +234,42 @@ def test_other_peoples_tastes_are_where_one_starts() -> None:
     assert judge_each(fresh, values)[0].argmax() == sunny
 
 
+def test_no_screen_shows_the_same_twice() -> None:
+    """Of two layouts that are alike one is worth a look, also beside a champion it is like."""
+    rng = np.random.default_rng(4)
+    values = np.repeat(rng.standard_normal((20, 5)), 3, axis=0)
+    scale = measure_scale([f"f{k}" for k in range(5)], values)
+    said = [Pick(0, (0, 6, 9, 12)), Worst(12, (6, 9, 12))]
+    taste = learn_taste(scale, said, dict(enumerate(values)), {})
+    shown = np.arange(len(values)) == 0
+    for learning in (2, 45):
+        for screen in range(5):
+            mix = ScreenMix(learning=learning)
+            chosen = choose_screen(taste, values, shown, 0, np.random.default_rng(screen), mix)
+            assert len(np.unique(values[chosen], axis=0)) == len(chosen) == 12
+
+
 def test_trust_is_counted_on_what_was_not_learned() -> None:
     record = TrustRecord()
     for picked in (0, 1, 2, 3, 4, 5, 1, 0):
         record = count_hit(record, [9.0, 8.0, 7.0, 3.0, 2.0, 1.0], picked)
     assert record[:2] == (8, 5)
     assert not record.enough
-    for _ in range(4):
-        record = count_hit(record, [9.0, 8.0, 7.0, 3.0], 0)
+    twelve = list(range(12, 0, -1))
+    for _ in range(30):
+        record = count_hit(record, twelve, 0)
     assert record.enough
-    assert not TrustRecord(3, 3, 0.0).enough
+    assert not count_hit(TrustRecord(), twelve, 0).enough
+
+
+def test_what_is_easily_told_apart_gives_no_trust() -> None:
+    twelve, easy, narrow = list(range(12, 0, -1)), TrustRecord(), TrustRecord()
+    for k in range(10):
+        easy = count_hit(easy, twelve, 0, late=False)  # screens to learn from
+        narrow = count_hit(narrow, twelve[:4], 3 if k < 2 else 0)  # three of four: no feat
+    assert easy.share == 1.0
+    assert narrow.share == 0.8
+    assert not easy.enough
+    assert not narrow.enough
+    shares = [TrustRecord(10, n, 2.5, (10, n, 2.5)).enough for n in (6, 7, 8)]
+    assert shares == [False, False, True]

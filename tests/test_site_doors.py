@@ -187,8 +187,7 @@ def test_stretches_aslant_become_two_legs_over_free_ground(seed: int) -> None:
     path = rng.integers(0, slow.size, 4).astype(np.int32)
     slow.reshape(-1)[path] = 1.0
     found = square_off(path, slow).tolist()
-    rest = iter(found)
-    assert all(cell in rest for cell in path.tolist())  # in this order; a leg may cross one again
+    assert [cell for cell in found if cell in path] == path.tolist() or len(set(path)) < 4
     corners = [k for k, cell in enumerate(found) if cell not in path]
     for k in corners:
         for a, b in ((found[k - 1], found[k]), (found[k], found[k + 1])):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
@@ -118,11 +118,13 @@ def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
 def _converse(evolution: Evolution, request: EvolveRequest, console: Console) -> str:
     """Show sheets and hear lines until ``done`` or ``quit``; which of them. A line that cannot be
     meant is told so, and ends a run that was given its lines beforehand."""
+    from scenewright.cli.evolve_best import name_picture, watch_best
     from scenewright.cli.tables import print_line
 
     screen = evolution.screen or _ask(evolution, console)
     show_screen(screen, evolution, request, console)
-    for line in _lines(request):
+    picture = name_picture(request.sheet)
+    for line in _lines(request, watch_best(evolution, picture, request.views)):
         try:
             ended = _obey(line, evolution, request, console)
         except InputError as error:
@@ -135,8 +137,11 @@ def _converse(evolution: Evolution, request: EvolveRequest, console: Console) ->
     return "quit"
 
 
-def _lines(request: EvolveRequest) -> Iterator[str]:
-    """What is said: the lines given, else those typed or piped in."""
+def _lines(request: EvolveRequest, look: Callable[[], None]) -> Iterator[str]:
+    """What is said: the lines given, else those typed or piped in; ``look`` is taken now and then
+    while the person thinks."""
+    from scenewright.cli.evolve_best import wait_for_line
+
     if request.say is not None:
         yield from (part.strip() for part in request.say.split(";"))
         return
@@ -144,6 +149,7 @@ def _lines(request: EvolveRequest) -> Iterator[str]:
         if sys.stdin.isatty():
             sys.stderr.write("evolve> ")
             sys.stderr.flush()
+        wait_for_line(look)
         line = sys.stdin.readline()
         if not line:
             return
@@ -196,6 +202,13 @@ def _do(
         case words.Command("help"):
             for line in words.HELP.splitlines():
                 print_line(console, line)
+        case words.Command("best"):
+            from scenewright.cli import evolve_best
+
+            picture = evolve_best.name_picture(request.sheet)
+            drawn = evolve_best.draw_best(evolution, picture, request.views)
+            told = evolve_best.tell_best(evolution)
+            print_line(console, told if drawn is None else f"{picture}: {told}", whole=True)
         case words.Command("reasons"):
             print_line(console, ", ".join(evolution.reasons) or "no reasons for this kind of scene")
         case words.Command("auto", rounds):
@@ -233,6 +246,11 @@ def show_screen(
     title = f"{evolution.brief.name}: sheet {screen.number + 1}"
     write_sheet(draw_sheet(entries, title, f"predictions: {screen.trust}"), request.sheet)
     print_line(console, f"sheet {screen.number + 1}: {request.sheet}", whole=True)
+    if request.say is None and sys.stdin.isatty():
+        from scenewright.cli.evolve_best import name_picture
+
+        told = f"best bred so far for the next: {name_picture(request.sheet)}"
+        print_line(console, told, "dim", whole=True)
     if screen.trust.screens:
         print_line(console, str(screen.trust), "dim")
 

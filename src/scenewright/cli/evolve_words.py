@@ -29,15 +29,16 @@ why 3 WORDS  what 3 lacks: too dense …     reasons      the words there are
 lock NAME    keep a piece of the champion  undo         take back what was said last
 keep [3]     the champion, until another   auto 3       let the model rate three rounds
 next, Enter  the next sheet                done         write the champion and end
-move 3 NAME X,Y[,DEGREES]                  quit         end; the log keeps all"""
+best         the best bred so far          quit         end; the log keeps all
+move 3 NAME X,Y[,DEGREES]                  change 3 by hand"""
 FORMS = "3 · 3 > 7 · worst 5 · 3=5 · why 3 too dense · lock sofa · undo · keep · next · done"
-VERBS = ("next", "done", "quit", "undo", "help", "reasons")
+VERBS = ("next", "done", "quit", "undo", "help", "reasons", "best")
 
 
 class Command(NamedTuple):
     """What is to be done besides hearing events: ``next``, ``done``, ``quit``, ``undo``, ``help``,
-    ``reasons``, ``auto`` (``number`` rounds), or ``move`` (candidate ``number``, piece ``name`` to
-    ``place`` in metres and degrees)."""
+    ``reasons``, ``best``, ``auto`` (``number`` rounds), or ``move`` (candidate ``number``, piece
+    ``name`` to ``place`` in metres and degrees)."""
 
     verb: str
     number: int = 0

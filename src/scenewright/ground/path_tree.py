@@ -86,14 +86,15 @@ def straighten(piece: Sequence[int] | Ints, slow: Floats, cell: float) -> Ints:
 def square_off(path: Ints, slow: Floats) -> Ints:
     """Cells (k,) of a straightened piece, with a corner for each stretch aslant to the raster where
     the ground along both legs is free: ways run along rows and across them. Of the two corners
-    the one that goes on straight, else the quicker.
+    the one that goes on straight, else the quicker; never a cell the piece has anyway, which it
+    would pass twice.
 
     >>> square_off(np.array([0, 10], np.int32), np.ones((3, 5))).tolist()
     [0, 10]
     >>> square_off(np.array([0, 14], np.int32), np.ones((3, 5))).tolist()
     [0, 4, 14]
     """
-    columns, kept = slow.shape[1], [int(path[0])]
+    columns, kept, knots = slow.shape[1], [int(path[0])], set(path.tolist())
     for here in path[1:].tolist():
         last = kept[-1]
         (r0, c0), (r1, c1) = divmod(last, columns), divmod(here, columns)
@@ -105,7 +106,7 @@ def square_off(path: Ints, slow: Floats) -> Ints:
             before = kept[-2] if len(kept) > 1 else last
             onward = [k for k in legs if k // columns == before // columns == r0]
             onward += [k for k in legs if k % columns == before % columns == c0]
-            free = [k for k in legs if np.isfinite(legs[k])]
+            free = [k for k in legs if np.isfinite(legs[k]) and k not in knots]
             best = [k for k in onward if k in free and before != last] or free
             kept += sorted(best, key=legs.__getitem__)[:1]
         kept.append(here)

@@ -34,8 +34,10 @@ from scenewright.domains.site.solvers.chosen import (
     ORDERS,
     QUEUES,
     BlockChoice,
+    Fill,
     SiteChoice,
     fill_chosen,
+    remember_fillings,
 )
 from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.solving import Built, assemble_solution, build_site_problem, solve
@@ -65,11 +67,11 @@ class SiteVariation(NamedTuple):
 
 class PreparedGround(NamedTuple):
     """The ground of a variation, made ready to be filled: brief and plan, and of each site what
-    is to stand, with its problem."""
+    is to stand, with its problem and a filling that remembers."""
 
     brief: Brief
     plan: Plan
-    sites: tuple[tuple[list[BuildingDemand], SiteProblem], ...]
+    sites: tuple[tuple[list[BuildingDemand], SiteProblem, Fill], ...]
 
 
 Ready = Callable[[float, int], PreparedGround]
@@ -145,7 +147,10 @@ def draft_site(ready: Ready, genome: Genome) -> tuple[Solution | None, int]:
     for back, spot in dict.fromkeys([(wish.back, wish.spot), (1.0, 0)]):
         with suppress(InputError):
             ground = ready(back, spot)
-            found = [fill_chosen(problem, wish.choice).layouts[0] for _, problem in ground.sites]
+            found = [
+                fill_chosen(problem, wish.choice, fill).layouts[0]
+                for _, problem, fill in ground.sites
+            ]
             least = sum(int((~one.present).sum()) for one in found)
             if not least:
                 return _draft(asked, ground, found), 0
@@ -155,7 +160,9 @@ def draft_site(ready: Ready, genome: Genome) -> tuple[Solution | None, int]:
 def _draft(asked: PreparedGround, ground: PreparedGround, found: list[SiteLayout]) -> Solution:
     """Filled sites as a solution, with buildings alone."""
     catalog, built = catalog_of(asked.brief.catalogs), []
-    for plan, (rows, problem), layout in zip(ground.plan.detail, ground.sites, found, strict=True):
+    for plan, (rows, problem, _), layout in zip(
+        ground.plan.detail, ground.sites, found, strict=True
+    ):
         pieces = (
             *landmarks(plan, catalog),
             *fixed_buildings(plan),
@@ -173,11 +180,12 @@ def _prepare_ground(brief: Brief, plan: Plan, back: float, spot: int) -> Prepare
     varied = brief if same else brief.model_copy(update={"part": part})
     ground, preset = plan if same else plan_sites(varied), PRESETS["default"]
     catalog = catalog_of(brief.catalogs)
-    ready = tuple(
+    ready = [
         build_site_problem(site, one, f"sites[{number}]", catalog, preset, None)
         for number, (site, one) in enumerate(zip(sites, ground.detail, strict=True))
-    )
-    return PreparedGround(varied, ground, ready)
+    ]
+    filled = tuple((rows, problem, remember_fillings(problem)) for rows, problem in ready)
+    return PreparedGround(varied, ground, filled)
 
 
 def _vary_site(site: Site, back: float, spot: int) -> Site:

@@ -17,7 +17,7 @@ class FillSettings(NamedTuple):
     which gaps are widened; how many heights towers of the form ``point`` stand apart."""
 
     tried: int = 8
-    loosest: tuple[float, ...] = (3.0, 1.5, 1.0, 1.0, 1.0)
+    loosest: tuple[float, ...] = (3.0, 1.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
     variety: float = 0.05
     askew: float = 0.5
     unclosed: float = 20.0

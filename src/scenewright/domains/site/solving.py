@@ -29,7 +29,7 @@ from scenewright.domains.site.access import find_reached_buildings
 from scenewright.domains.site.amounts import find_target
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.build_problem import Looks, build_problem
-from scenewright.domains.site.doors import serve_doors
+from scenewright.domains.site.doors import ServedLayout, serve_doors
 from scenewright.domains.site.furnish import buildings, fixed_buildings, landmark_assets, landmarks
 from scenewright.domains.site.holdings import BuildingDemand, collect_buildings
 from scenewright.domains.site.paving import list_missing_areas
@@ -57,6 +57,9 @@ __all__ = ["PRESETS", "problems", "solve"]
 
 CHOOSING = ("vp", "sga")
 """Solvers that choose models of a library while solving."""
+BESIDE = 3.0
+"""Metres between buildings where walks between them lead to doors: tried where the least distance
+asked for leaves doors without one."""
 AS_ASKED = Variant()
 BEGUN = Report(0.0, math.inf, tuple)
 """What is told while nothing is found yet."""
@@ -176,20 +179,34 @@ def _build(
         found: SiteFound = SITE_SOLVERS[solver].run(posed, budget, seed, heard, cancel)
         return found
 
-    if site.sun_required:
-        found, dark = solve_in_sun(run, problem, site.sun_hours)
-    else:
-        found, dark = run(problem), {}
-    layout, lost = _reached_only(site, plan, problem, found.layouts[0])
-    served = serve_doors(site, plan, problem, layout, fixed_buildings(plan))
+    found, served, lost = _run_served(site, plan, problem, run)
+    again = lost and problem.spacing < BESIDE and budget.seconds is None
+    if again and variant.choice is None:
+        wider = _run_served(site, plan, problem._replace(spacing=BESIDE), run)
+        if wider[1].layout.present.sum() > served.layout.present.sum():
+            found, served, lost = wider
     found = found._replace(layouts=(served.layout,))
     works = gather_works(site, plan, served.network.pathways, served.footprints)
     built = furnish_site(site, plan, rows, problem, found, catalog, seed, works)
     if choose:
         left_out = _find_shortfall(plan, problem, served.layout)
     else:
-        left_out = _left_out(plan, rows, served.layout.present, dark | lost | served.lost)
+        left_out = _left_out(plan, rows, served.layout.present, lost)
     return built._replace(left_out=(*left_out, *_find_missing(site, plan)))
+
+
+def _run_served(
+    site: Site, plan: SitePlan, problem: SiteProblem, run: Callable[[SiteProblem], SiteFound]
+) -> tuple[SiteFound, ServedLayout, dict[int, str]]:
+    """What is found, the part of it that ways lead to, and why the rest of it is left out, by
+    the number of each building."""
+    if site.sun_required:
+        found, dark = solve_in_sun(run, problem, site.sun_hours)
+    else:
+        found, dark = run(problem), {}
+    layout, lost = _reached_only(site, plan, problem, found.layouts[0])
+    served = serve_doors(site, plan, problem, layout, fixed_buildings(plan))
+    return found, served, dark | lost | served.lost
 
 
 def _building_rows(rows: list[BuildingDemand], layout: SiteLayout) -> tuple[NamedBox, ...]:

@@ -138,23 +138,25 @@ def _take_unknown(
     if len(taken) < size and len(free):
         _, deviation = judge_each(taste, values[free])
         short = free[np.sort(np.argsort(-deviation, kind="stable")[:SHORT])]
-        taken += [int(short[k]) for k in find_unknown(taste, values[short], size - len(taken))]
+        rows = [*taken, *short.tolist()]
+        more = find_unknown(taste, values[rows], size - len(taken), len(taken))
+        taken += [rows[k] for k in more]
 
 
-def find_unknown(taste: PersonTaste, values: Floats, count: int) -> list[int]:
-    """``count`` rows of ``values`` (n, D) to learn from: always that of which least is known once
-    the worth of those before it is (the pivots of Cholesky's decomposition of the covariance; the
-    entropy of Shewry, Wynn 1987)."""
+def find_unknown(taste: PersonTaste, values: Floats, count: int, beside: int = 0) -> list[int]:
+    """``count`` rows of ``values`` (n, D) to learn from, besides the first few that are shown
+    anyway: always that of which least is known once the worth of those before it is (the pivots
+    of Cholesky's decomposition of the covariance; the entropy of Shewry, Wynn 1987)."""
     rest = judge(taste, values).covariance
     taken: list[int] = []
-    while len(taken) < min(count, len(values)):
+    while len(taken) < min(beside + count, len(values)):
         left = np.diag(rest).copy()
         left[taken] = -1.0
-        best = int(np.argmax(left))
+        best = len(taken) if len(taken) < beside else int(np.argmax(left))
         taken.append(best)
         row = rest[best] / np.sqrt(max(float(rest[best, best]), 1e-12))
         rest = rest - np.outer(row, row)
-    return taken
+    return taken[beside:]
 
 
 def _draw(mean: Floats, covariance: Floats, count: int, rng: np.random.Generator) -> Floats:

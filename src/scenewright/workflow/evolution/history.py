@@ -11,12 +11,13 @@ from scenewright.workflow.evolution.log import Entry
 
 
 class ShownScreen(NamedTuple):
-    """Candidates shown together, what was predicted of each beforehand (none: nothing), and how
-    many events had been said before."""
+    """Candidates shown together, what was predicted of each beforehand (none: nothing), how
+    many events had been said before, and whether most were to learn from."""
 
     shown: tuple[int, ...]
     predicted: tuple[float | None, ...]
     before: int
+    wide: bool = False
 
 
 class History(NamedTuple):
@@ -38,7 +39,8 @@ class History(NamedTuple):
             return grown._replace(events=(*self.events, event), shown=self.shown | more)
         if kind == "auto":
             return grown._replace(autos=self.autos + 1)
-        screen = ShownScreen(tuple(body["shown"]), tuple(body["predicted"]), len(self.events))
+        shown, told = tuple(body["shown"]), tuple(body["predicted"])
+        screen = ShownScreen(shown, told, len(self.events), 2 * body.get("wide", 0) > len(shown))
         return grown._replace(
             screens=(*self.screens, screen), shown=self.shown | frozenset(screen.shown)
         )
@@ -58,7 +60,7 @@ class History(NamedTuple):
             if pick is not None and None not in screen.predicted:
                 place = screen.shown.index(pick.best)
                 told = [value for value in screen.predicted if value is not None]
-                record = count_hit(record, told, place)
+                record = count_hit(record, told, place, not screen.wide)
         return record
 
 

@@ -186,8 +186,22 @@ def breed_further(
     _rank(taste, pool, some, breeder, how)
     mean, _ = judge_each(taste, np.array(list(pool.values())))
     ranked = [list(pool)[k] for k in np.argsort(-mean, kind="stable").tolist()]
-    skipped = known.union(chosen)
-    return (chosen + [genome for genome in ranked if genome not in skipped])[: how.each]
+    return _keep_different(pool, known, chosen + ranked)[: how.each]
+
+
+def _keep_different(
+    pool: dict[Genome, Floats], known: set[Genome], ranked: Sequence[Genome]
+) -> list[Genome]:
+    """Of some genomes those that are not known, nor look like one that is or came before: many a
+    gene has no say."""
+    looks = {pool[genome].round(9).tobytes() for genome in pool if genome in known}
+    found = []
+    for genome in ranked:
+        look = pool[genome].round(9).tobytes()
+        if look not in looks:
+            found.append(genome)
+            looks.add(look)
+    return found
 
 
 def _rank(

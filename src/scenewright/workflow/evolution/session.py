@@ -161,7 +161,8 @@ class Evolution:
         shown = self._choose(taste, epoch, number)
         candidates = self._show(shown, taste)
         predicted = [one.predicted for one in candidates]
-        told = {"screen": number, "shown": shown, "predicted": predicted}
+        wide = self._mix.wide(taste.heard)
+        told = {"screen": number, "shown": shown, "predicted": predicted, "wide": wide}
         self._append("screen", told, shown)
         self._breed(epoch, number + 1, taste)
         return Screen(number, tuple(candidates), champion_of(self._history.events), self.trust)

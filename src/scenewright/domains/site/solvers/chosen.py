@@ -1,14 +1,16 @@
 """Blocks filled as somebody chose, instead of the best of many layouts: what layouts are bred of.
 
 Where what was chosen leaves buildings over, less of it is done; so nearly every choice is a layout
-of all buildings, and like choices are like layouts.
+of all buildings, and like choices are like layouts. Like choices also share blocks, and what they
+fall back to: who fills one site often remembers both (:func:`remember_fillings`).
 """
 
 from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache, partial
 from itertools import chain, zip_longest
 from typing import NamedTuple
 
@@ -26,14 +28,17 @@ from scenewright.domains.site.solvers.fill import list_edges, list_ground, order
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.engine.solve import Found
 
-TURNS = (0.0, math.radians(20.0), math.radians(-20.0), math.pi / 2, -math.pi / 2)
-"""How far fronts may be turned off the preferred heading, in radians."""
+TURNS = (0.0, math.pi / 2, -math.pi / 2)
+"""How far fronts may be turned off the preferred heading, in radians: square to it, for rows aslant
+in a block that is not look like a mistake."""
 AXES = len(TURNS) + 2
 """Headings to choose from: turned ones, and those along the two longest edges of a block."""
 GAPS = (3.0, 2.0, 1.5, 1.2, 1.0)
 """How many times the least distance gaps may be, to choose from."""
 ORDERS = 8
 """Orders in which models are taken."""
+REMEMBERED = 8192
+"""Fillings of a site that are remembered, and as many of its blocks."""
 QUEUES = ("as ranked", "backwards", "alternating", "handsome first")
 """Orders in which the buildings of a block are placed."""
 
@@ -57,20 +62,39 @@ class SiteChoice(NamedTuple):
     first: int = 0
 
 
-def fill_chosen(problem: SiteProblem, choice: SiteChoice) -> SiteFound:
-    """A site filled as chosen; the same choice gives the same layout."""
-    best = _fill(problem, choice, False)
+Fill = Callable[[SiteChoice], SiteLayout]
+LayBlock = Callable[[bytes, tuple[int, ...], float, str, float], BlockLayout]
+
+
+def fill_chosen(problem: SiteProblem, choice: SiteChoice, fill: Fill | None = None) -> SiteFound:
+    """A site filled as chosen; the same choice gives the same layout. ``fill`` is one that
+    remembers (:func:`remember_fillings`), if there is one."""
+    fill = fill or partial(_fill, problem, partial(_lay_block, problem))
+    best = fill(_tighten(choice))
     taken = choice
     for plainer in _list_plainer(choice):
         if best.present.all():
             break
-        found = _fill(problem, plainer, False)
+        found = fill(_tighten(plainer))
         if found.present.sum() > best.present.sum():
             best, taken = found, plainer
-    wide = _fill(problem, taken, True)
+    wide = fill(taken)
     if wide.present.sum() >= best.present.sum():
         best = wide
     return Found((best,), len(problem.ground.block_areas))
+
+
+def remember_fillings(problem: SiteProblem) -> Fill:
+    """How a site is filled as a choice says, step by step of :func:`fill_chosen`, remembering
+    fillings and blocks; several threads may call it, none may change what it gives."""
+    lay = lru_cache(REMEMBERED)(partial(_lay_block, problem))
+    return lru_cache(REMEMBERED)(partial(_fill, problem, lay))
+
+
+def _tighten(choice: SiteChoice) -> SiteChoice:
+    """A choice with the least gaps."""
+    blocks = tuple(one._replace(gaps=len(GAPS) - 1) for one in choice.blocks)
+    return choice._replace(blocks=blocks)
 
 
 def _list_plainer(choice: SiteChoice) -> Iterator[SiteChoice]:
@@ -82,9 +106,9 @@ def _list_plainer(choice: SiteChoice) -> Iterator[SiteChoice]:
             yield choice._replace(blocks=blocks, ranks=(choice.ranks + k) % ORDERS)
 
 
-def _fill(problem: SiteProblem, choice: SiteChoice, wide: bool) -> SiteLayout:
-    """One filling, block by block, with gaps as chosen if ``wide``; what finds no place in its
-    block goes on to the next, in the end to any."""
+def _fill(problem: SiteProblem, lay: LayBlock, choice: SiteChoice) -> SiteLayout:
+    """One filling, block by block; what finds no place in its block goes on to the next, in the
+    end to any."""
     n = len(problem.buildings.sizes)
     boxes, present, forms = np.zeros((n, 5)), np.zeros(n, bool), [""] * n
     order = order_blocks(problem)
@@ -96,8 +120,8 @@ def _fill(problem: SiteProblem, choice: SiteChoice, wide: bool) -> SiteLayout:
                 continue  # what is left would fill the court
             share = left if last else share_out(problem, left, order[count:])
             taken = choice.blocks[min(b, len(choice.blocks) - 1)]
-            taken = taken if wide and not last else taken._replace(gaps=len(GAPS) - 1)
-            found = _fill_block(problem, b, boxes, present, share, taken)
+            taken = taken._replace(gaps=len(GAPS) - 1) if last else taken
+            found = _fill_block(problem, lay, b, boxes, present, share, taken)
             numbers = list(found.numbers)
             boxes[numbers], present[numbers] = found.boxes, True
             for i in numbers:
@@ -108,6 +132,7 @@ def _fill(problem: SiteProblem, choice: SiteChoice, wide: bool) -> SiteLayout:
 
 def _fill_block(
     problem: SiteProblem,
+    lay: LayBlock,
     block: int,
     boxes: Floats,
     present: Flags,
@@ -119,7 +144,16 @@ def _fill_block(
     form = choose_form(problem, share, block, taken.form)
     queue = order_queue(problem, share, QUEUES[taken.queue])
     axis = choose_axis(problem, list_edges(problem, block), taken.axis)
-    return loosen_layout(problem, edges, queue, axis, form, GAPS[taken.gaps])
+    return lay(edges.tobytes(), tuple(queue), axis, form, GAPS[taken.gaps])
+
+
+def _lay_block(
+    problem: SiteProblem, ground: bytes, queue: tuple[int, ...], axis: float, form: str, gaps: float
+) -> BlockLayout:
+    """A layout of the block whose edges (e, 4) are kept in ``ground``, so that equal blocks are
+    known again."""
+    edges = np.frombuffer(ground).reshape(-1, 4).copy()
+    return loosen_layout(problem, edges, list(queue), axis, form, gaps)
 
 
 def choose_form(problem: SiteProblem, share: list[int], block: int, form: int) -> str:

@@ -31,23 +31,33 @@ def blind(problem: SiteProblem, boxes: Floats, far: float = AHEAD) -> Flags:
 def mark_blind(edges: Floats, roads: Floats, boxes: Floats, far: float, found: Flags) -> None:
     """Mark the boxes (k, 5) whose front has no ground of directed ``edges`` (e, 4) ``far`` metres
     ahead, and none of the ``roads`` (r, 5) up to there."""
-    steps = math.ceil(far / PACE - 1e-9) + 1
     for k in range(boxes.shape[0]):
         c, s = math.cos(boxes[k, 2]), math.sin(boxes[k, 2])
         x, y = boxes[k, 0] + 0.5 * boxes[k, 4] * c, boxes[k, 1] + 0.5 * boxes[k, 4] * s
-        found[k] = not lies_inside(edges, x + far * c, y + far * s)
-        for r in range(roads.shape[0]):
-            if not found[k]:
-                break
-            rc, rs = math.cos(roads[r, 2]), math.sin(roads[r, 2])
-            reach = 0.5 * math.hypot(roads[r, 3], roads[r, 4]) + far + PACE
-            if max(abs(roads[r, 0] - x), abs(roads[r, 1] - y)) > reach:
-                continue
-            for step in range(steps):
-                dx, dy = x + PACE * step * c - roads[r, 0], y + PACE * step * s - roads[r, 1]
-                along, aside = abs(dx * rc + dy * rs), abs(dx * rs - dy * rc)
-                if along <= 0.5 * roads[r, 4] and aside <= 0.5 * roads[r, 3]:
-                    found[k] = False
+        found[k] = looks_out(edges, roads, (x, y, c, s), far)
+
+
+@inlined
+def looks_out(
+    edges: Floats, roads: Floats, front: tuple[float, float, float, float], far: float
+) -> bool:
+    """Whether a ``front`` (x, y and the way it looks) has no ground ``far`` metres ahead, and no
+    road up to there."""
+    x, y, c, s = front
+    if lies_inside(edges, x + far * c, y + far * s):
+        return False
+    steps = math.ceil(far / PACE - 1e-9) + 1
+    for r in range(roads.shape[0]):
+        reach = 0.5 * math.hypot(roads[r, 3], roads[r, 4]) + far + PACE
+        if max(abs(roads[r, 0] - x), abs(roads[r, 1] - y)) > reach:
+            continue
+        rc, rs = math.cos(roads[r, 2]), math.sin(roads[r, 2])
+        for step in range(steps):
+            dx, dy = x + PACE * step * c - roads[r, 0], y + PACE * step * s - roads[r, 1]
+            along, aside = abs(dx * rc + dy * rs), abs(dx * rs - dy * rc)
+            if along <= 0.5 * roads[r, 4] and aside <= 0.5 * roads[r, 3]:
+                return False
+    return True
 
 
 @inlined
@@ -74,29 +84,57 @@ def turned_in(problem: SiteProblem, boxes: Floats) -> Floats:
 def list_front_margins(problem: SiteProblem, edges: Floats, heading: float) -> Floats:
     """Edges (4 m, 4), clockwise, of the ground along the border that rows with fronts to some
     ``heading`` leave free for their doors; ``edges`` (e, 4) are those of a block."""
-    along = edges[:, 2:] - edges[:, :2]
-    long = np.maximum(np.hypot(along[:, 0], along[:, 1]), 1e-9)
-    out = np.column_stack([along[:, 1], -along[:, 0]]) / long[:, None]
-    middles = 0.5 * (edges[:, :2] + edges[:, 2:])
-    turn, flat = np.arctan2(out[:, 1], out[:, 0]), np.zeros(len(edges))
-    boxes = np.column_stack([middles, turn, long, flat])
-    facing = out @ (math.cos(heading), math.sin(heading)) > FACING
-    rows = np.flatnonzero(facing & blind(problem, boxes, problem.door_distance))
-    gaps = [_to_border(problem.ground.edges, middles[k]) for k in rows]
-    deep = np.maximum(problem.door_distance - np.array(gaps), 0.0)[:, None]
-    begin, end = edges[rows, :2] + HAIR * out[rows], edges[rows, 2:] + HAIR * out[rows]
-    inward = -(deep + 2.0 * HAIR) * out[rows]
-    ring = np.stack([begin, begin + inward, end + inward, end], 1)
-    found: Floats = np.concatenate([ring, np.roll(ring, -1, axis=1)], axis=2).reshape(-1, 4)
-    return found
+    ground, found = problem.ground, np.empty((4 * len(edges), 4))
+    way = (math.cos(heading), math.sin(heading))
+    if not len(ground.roads):
+        return found[:0]
+    far = problem.door_distance
+    return found[: write_front_margins(edges, ground.edges, ground.roads, way, far, found)]
 
 
-def _to_border(edges: Floats, point: Floats) -> float:
+@compiled
+def write_front_margins(
+    edges: Floats,
+    border: Floats,
+    roads: Floats,
+    way: tuple[float, float],
+    far: float,
+    found: Floats,
+) -> int:
+    """Write :func:`list_front_margins` for fronts that look the ``way`` (x, y) and doors ``far``
+    from the ``border`` (e, 4); how many edges they are."""
+    count = 0
+    for k in range(edges.shape[0]):
+        along, up = edges[k, 2] - edges[k, 0], edges[k, 3] - edges[k, 1]
+        long = max(math.hypot(along, up), 1e-9)
+        ox, oy = up / long, -along / long
+        if ox * way[0] + oy * way[1] <= FACING:
+            continue
+        x, y = 0.5 * (edges[k, 0] + edges[k, 2]), 0.5 * (edges[k, 1] + edges[k, 3])
+        if not looks_out(border, roads, (x, y, ox, oy), far):
+            continue
+        deep = max(far - distance_to(border, x, y), 0.0) + 2.0 * HAIR
+        ax, ay = edges[k, 0] + HAIR * ox, edges[k, 1] + HAIR * oy
+        bx, by = edges[k, 2] + HAIR * ox, edges[k, 3] + HAIR * oy
+        found[count] = (ax, ay, ax - deep * ox, ay - deep * oy)
+        found[count + 1] = (ax - deep * ox, ay - deep * oy, bx - deep * ox, by - deep * oy)
+        found[count + 2] = (bx - deep * ox, by - deep * oy, bx, by)
+        found[count + 3] = (bx, by, ax, ay)
+        count += 4
+    return count
+
+
+@inlined
+def distance_to(edges: Floats, x: float, y: float) -> float:
     """Metres from a point to the nearest of the edges (e, 4)."""
-    along = edges[:, 2:] - edges[:, :2]
-    share = ((point - edges[:, :2]) * along).sum(1) / np.maximum((along**2).sum(1), 1e-12)
-    nearest = edges[:, :2] + np.clip(share, 0.0, 1.0)[:, None] * along
-    return float(np.hypot(*(nearest - point).T).min())
+    nearest = math.inf
+    for k in range(edges.shape[0]):
+        along, up = edges[k, 2] - edges[k, 0], edges[k, 3] - edges[k, 1]
+        share = (x - edges[k, 0]) * along + (y - edges[k, 1]) * up
+        share = min(max(share / max(along**2 + up**2, 1e-12), 0.0), 1.0)
+        off = math.hypot(edges[k, 0] + share * along - x, edges[k, 1] + share * up - y)
+        nearest = min(nearest, off)
+    return nearest
 
 
 def inside(edges: Floats, points: Floats) -> Flags:
