@@ -25,6 +25,9 @@ EVERY = [(domain, name) for domain in SAMPLES for name in solvers(domain)]
 AT_ONCE = 0.2
 """Seconds within which a cancelled run returns, on a machine that does nothing else."""
 
+HALF = 0.5
+"""Share of a processor below which a second says nothing: others had it."""
+
 
 @pytest.fixture(scope="module")
 def planned() -> dict[str, tuple[sw.Brief, Plan]]:
@@ -46,13 +49,16 @@ def test_shares_rise_to_one(
     (domain, name), shares = case, list[float]()
     brief, plan = planned[domain]
     sw.solve(brief, plan=plan, solver=name, steps=50)
+    begun, used = time.perf_counter(), time.process_time()
     sw.solve(
         brief, plan=plan, solver=name, seconds=1.0, progress=lambda share, _: shares.append(share)
     )
+    given = (time.process_time() - used) / (time.perf_counter() - begun)
     assert shares == sorted(shares)
-    assert 0.0 <= shares[0] < 0.6
     assert shares[-1] == 1.0
-    assert len(shares) >= 4
+    if given > HALF:
+        assert 0.0 <= shares[0] < 0.6
+        assert len(shares) >= 4
 
 
 def test_cancelled_at_the_first_report_it_answers_at_once(
