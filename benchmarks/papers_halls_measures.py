@@ -41,6 +41,11 @@ WARM = "sample:hall-irregular"
 """What a method lays out once in each process before it is timed: kernels are loaded then."""
 
 
+LOOSE = "sample:hall-auditorium, lounge seats in rows too"
+"""The auditorium where lounge seats may stand in any pattern of free objects."""
+UNHUNG = "walls not asked"
+
+
 class MeasuredFigure(NamedTuple):
     """The mean of a figure over runs, its standard error, and of how many runs it is."""
 
@@ -51,10 +56,13 @@ class MeasuredFigure(NamedTuple):
 
 def compared(case: str) -> Brief:
     """The brief of a sample as all methods are given it: where it asks for a fan, rows may be
-    straight too, as those of methods that know no patterns always are."""
-    document = read_scene(case).model_dump()
+    straight too, as those of methods that know no patterns always are. In :data:`LOOSE` lounge
+    seats need not stand round low tables, as they usually do."""
+    document = read_scene("sample:hall-auditorium" if case == LOOSE else case).model_dump()
     for room in document["rooms"]:
         for demand in room["demands"]:
+            if case == LOOSE and demand["category"] == "lounge_seat":
+                demand["patterns"] = ["around", "chain", "grid", "radiation"]
             if demand["patterns"] == ["fan"]:
                 demand["patterns"] = ["fan", "chain"]
     return Brief.model_validate(document)
@@ -78,7 +86,8 @@ def run(case: str, method: str, seed: int) -> Row:
 def measured(solution: Solution, seconds: float) -> Row:
     """A solution as a row of the table."""
     row, walls = judged(solution), sum(p.category == "partition" for p in solution.pieces)
-    more = {"excess": row["energy"] - row["least"], "whole": not row["left_out"]}
+    hung = bool(row["valid"]) or row["no_wall"] == row["faults"]
+    more = {"excess": row["energy"] - row["least"], "whole": not row["left_out"], "unhung": hung}
     size = {"objects": row["pieces"] - walls, "walls": walls}
     return row | more | size | {"seconds": seconds, "layouts": solution.evaluations}
 
@@ -99,6 +108,11 @@ def _warm(method: str) -> Row:
 def counted(rows: list[Row]) -> list[Row]:
     """The runs that are valid and place everything: dropping objects raises the first measure."""
     return [row for row in rows if row["valid"] and row["whole"]]
+
+
+def forgiven(rows: list[Row]) -> list[Row]:
+    """The same runs where what hangs needs no wall: those without another fault are valid."""
+    return [row | {"valid": float(row["unhung"])} for row in rows]
 
 
 def figure(rows: list[Row], name: str) -> MeasuredFigure:
@@ -142,15 +156,39 @@ def compare_methods(case: str, rows: list[Row]) -> Iterator[Row]:
         found.setdefault(row["method"], []).append(row)
     for method, theirs in found.items():
         yield from _against(case, method, found[OURS], theirs)
-    rivals = {name: rows for name, rows in found.items() if name != OURS and counted(rows)}
     for name in BETTER:
-        ours = figure(found[OURS], name)
-        beaten = [no_worse(ours, figure(rows, name), name) for rows in rivals.values()]
-        worse = [name for name, good in zip(rivals, beaten, strict=True) if not good]
-        told = make_record(case, f"{name}: no worse than", "1", float(sum(beaten)), len(beaten))
-        rival = "methods with a valid run" + (f", not {', '.join(worse)}" if worse else "")
-        yield told | {"baseline_name": rival, "runs": ours.runs}
+        yield _beaten(case, found, name, "")
     yield from best_of_paper(case, found)
+    lax = {name: forgiven(rows) for name, rows in found.items()}
+    if any(len(counted(lax[name])) > len(counted(rows)) for name, rows in found.items()):
+        yield from _without_walls(case, found, lax)
+
+
+def _beaten(case: str, found: dict[str, list[Row]], name: str, when: str) -> Row:
+    """How many methods with a valid run ours is no worse than, by one measure."""
+    rivals = {name: rows for name, rows in found.items() if name != OURS and counted(rows)}
+    ours = figure(found[OURS], name)
+    beaten = [no_worse(ours, figure(rows, name), name) for rows in rivals.values()]
+    worse = [name for name, good in zip(rivals, beaten, strict=True) if not good]
+    told = make_record(case, f"{name}: no worse than{when}", "1", float(sum(beaten)), len(beaten))
+    rival = "methods with a valid run" + (f", not {', '.join(worse)}" if worse else "")
+    return told | {"baseline_name": rival, "runs": ours.runs}
+
+
+def _without_walls(
+    case: str, found: dict[str, list[Row]], lax: dict[str, list[Row]]
+) -> Iterator[Row]:
+    """The measures of methods that have more valid runs where what hangs needs no wall, and the
+    verdicts over all methods then."""
+    for method, rows in lax.items():
+        number = len(counted(rows))
+        if number > len(counted(found[method])):
+            for name in BETTER:
+                a, b = figure(lax[OURS], name), figure(rows, name)
+                told = make_record(case, f"{name}, {UNHUNG}", "1", a.mean, b.mean)
+                yield told | {"baseline_name": method, "runs": number}
+    for name in BETTER:
+        yield _beaten(case, lax, name, f", {UNHUNG}")
 
 
 def best_of_paper(case: str, found: dict[str, list[Row]]) -> Iterator[Row]:

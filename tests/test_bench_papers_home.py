@@ -32,5 +32,8 @@ def test_quick_form_has_every_method_and_ours_is_at_least_as_good():
             assert row["least"] <= row["baseline"] <= row["most"]
             assert row["ours"] <= row["baseline"]
     table = list(markdown_lines(told))
-    assert len(table) == len(told) + 2
-    assert sum("52.74, 43.2, 75.9" in line for line in table) == 2
+    assert sum(line.startswith("| ") for line in table) == 1 + 2 + 3
+    assert "52.74 (43.2–75.9)" in table[4]
+    verdicts = [line for line in table if line.startswith("* ours below")]
+    assert len(verdicts) == len(METHODS)
+    assert all("in 2 of 2 rooms" in line and "in 2 of 2 in no" in line for line in verdicts)

@@ -114,9 +114,9 @@ def test_a_wall_that_stays_what_it_is_is_no_move() -> None:
     p, s, work, stream = found
     s.partitions[0] = p.host_spans[0]
     build(p, s, 0)
-    hosts = [move_wall(p, s, work, 0.0, stream) for _ in range(50)]
+    hosts = [move_wall(p, s, work, 0.0, stream, problem.settings.moves) for _ in range(50)]
     assert -1 in hosts
     for _ in range(200):
         before = s.partitions[0].copy()
-        host = move_wall(p, s, work, 1.0, stream)
+        host = move_wall(p, s, work, 1.0, stream, problem.settings.moves)
         assert (host < 0) == bool((s.partitions[0] == before).all())

@@ -86,6 +86,38 @@ def test_lines_and_aisles_are_those_of_the_boxes() -> None:
     assert gaps > 0.0
 
 
+def test_what_hangs_back_to_back_counts_as_near_each_other() -> None:
+    """Neighbours of a row at walls, and pairs on both sides of a wall, by the line of middles."""
+    fitted = posed(read("sample:hall-exhibition")).fitted
+    chain = chain_at(fitted.problem, fitted.start)
+    boxes, pairs = boxes_of(chain), 0
+    for u, (first, last) in enumerate(fitted.problem.units.spans):
+        if not fitted.problem.units.choices[u, WALL]:
+            continue
+        lacking = 0.0
+        for i in range(first, last):
+            for j in range(i + 1, last):
+                opposite = np.cos(boxes[i, 2] - boxes[j, 2]) < -0.99
+                gap = gap_along(boxes[i], boxes[j])
+                if (j == i + 1 or opposite) and gap > 0.02:
+                    lacking += max(0.6 - gap, 0.0)
+                    pairs += opposite and gap < 0.6
+        assert chain.s.costs[AISLES, u] == pytest.approx(lacking, abs=1e-6)
+    assert pairs > 0
+
+
+def gap_along(a: np.ndarray, b: np.ndarray) -> float:
+    """Edge to edge of two boxes along the line of their middles, each by its support."""
+    way = b[:2] - a[:2]
+    far = float(np.hypot(*way))
+    reach = 0.0
+    for box in (a, b):
+        ahead = np.array([np.cos(box[2]), np.sin(box[2])])
+        aside = np.array([ahead[1], -ahead[0]])
+        reach += 0.5 * (box[3] * abs(aside @ way) + box[4] * abs(ahead @ way)) / far
+    return far - reach
+
+
 def test_groups_come_into_line_and_gaps_can_be_passed() -> None:
     fitted = posed(read("sample:hall-exhibition")).fitted
     start = chain_at(fitted.problem, fitted.start).s.costs

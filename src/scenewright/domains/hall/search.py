@@ -18,7 +18,7 @@ from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.settings import SearchSettings
 from scenewright.domains.hall.solvers import HALL_SOLVERS
-from scenewright.domains.hall.solvers.chains import MANY, cooled_hall, first_layout
+from scenewright.domains.hall.solvers.chains import cooled_hall, first_layout
 from scenewright.domains.hall.solvers.outcome import (
     HallFound,
     MeasuredLayout,
@@ -76,8 +76,8 @@ def search_layout(
     user states, a part is kept for that; what is left of them in the end improves the answer."""
     again = may_retry(search)
     shared = again and (search.stated or search.budget.seconds is not None)
-    rule = search.preset.settings.search
-    tries = 1 if not again else rule.attempts if len(fitted.units) <= MANY else 2
+    rule, many = search.preset.settings.search, search.preset.settings.chains.many
+    tries = 1 if not again else rule.attempts if len(fitted.units) <= many else 2
     begun, answers = time.perf_counter(), list[Answer]()
     for attempt in range(tries):
         seed = search.seed + 104_729 * attempt

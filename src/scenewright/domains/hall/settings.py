@@ -8,7 +8,9 @@ from typing import NamedTuple
 class ChainSettings(NamedTuple):
     """Annealing of patterns: how many chains, λ at the start (``low``) and the end (``high``) of
     the schedule, the share ``tepid`` of it that is left out where a good layout is improved, the
-    share of moves that energies do not lead (``free``), and the seconds without a budget."""
+    share of moves that energies do not lead (``free``), and the seconds without a budget; how often
+    a place is drawn for each unit of a first layout (``tries``), and of how many units on all
+    chains start alike (``many``)."""
 
     chains: int = 4
     low: float = 0.05
@@ -16,13 +18,41 @@ class ChainSettings(NamedTuple):
     tepid: float = 0.25
     free: float = 0.6
     seconds: float = 0.4
+    tries: int = 600
+    many: int = 64
+
+
+class MoveSettings(NamedTuple):
+    """Moves of annealed chains. Share of the moves that change a partition (``walls``) in halls of
+    up to ``few`` objects, less in larger ones, where everything is measured again; of these the
+    share that makes it as long as it may be (``out``), and the share that moves it off its border
+    where a passage is too narrow, something out of reach or it stands off already (``aside``), and
+    elsewhere (``seldom``). Share of the other moves drawn blindly that go to what is in the way
+    (``called``), of guided ones that change the pattern (``form``), and of slides that go four
+    times as far (``far``). The route is looked at after so many accepted moves (``block``)."""
+
+    walls: float = 0.03
+    few: float = 80.0
+    out: float = 0.98
+    aside: float = 0.5
+    seldom: float = 0.02
+    called: float = 0.3
+    form: float = 0.05
+    far: float = 0.2
+    block: int = 16
 
 
 class GuidedSettings(NamedTuple):
-    """The paper's chain (Cao, Cheng, Zhang 2024): its iterations and its λ."""
+    """The paper's chain (Cao, Cheng, Zhang 2024): its iterations and its λ; moves of a group
+    refused one after the other before it changes its pattern (``stuck``); moves drawn for one
+    iteration at most, lest a layout that cannot move never ends (``draws``); metres below which a
+    wall is removed (``shortest``)."""
 
     steps: int = 1000
     rate: float = 0.1
+    stuck: int = 20
+    draws: int = 200
+    shortest: float = 0.5
 
 
 class SearchSettings(NamedTuple):
@@ -113,12 +143,13 @@ class OtherPlansSettings(NamedTuple):
 
 class HallSettings(NamedTuple):
     """Whether groups stay ``whole``, and whether eqs. 1 and 3 stand as ``printed``; how demands are
-    made to fit, chains anneal, the paper's chain runs, attempts follow one another, borders move,
-    zones are proposed and plans differ."""
+    made to fit, chains anneal and move, the paper's chain runs, attempts follow one another,
+    borders move, zones are proposed and plans differ."""
 
     whole: bool = False
     printed: bool = False
     chains: ChainSettings = ChainSettings()
+    moves: MoveSettings = MoveSettings()
     guided: GuidedSettings = GuidedSettings()
     search: SearchSettings = SearchSettings()
     fit: FitSettings = FitSettings()

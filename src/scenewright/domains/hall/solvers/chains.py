@@ -33,9 +33,6 @@ SLICE, MOST = 256, 512
 """Steps of a chain between two reports: at first, and at most where the steps are stated."""
 BREATH = 0.05
 """Seconds between two reports at most."""
-TRIES = 600
-MANY = 64
-"""Units of a hall from which on all chains start alike."""
 
 
 class HallChain(NamedTuple):
@@ -56,10 +53,12 @@ class HallChain(NamedTuple):
 
 
 def first_layout(
-    problem: HallProblem, walls: Floats, seed: int, tries: int = TRIES
+    problem: HallProblem, walls: Floats, seed: int, tries: int | None = None
 ) -> tuple[Kept, tuple[int, ...]]:
     """A layout without overlap and the units that found no place in it: wall rows first, which
-    can stand nowhere else, then the largest. ``walls`` (p, 2) are the partitions to start with."""
+    can stand nowhere else, then the largest. ``walls`` (p, 2) are the partitions to start with;
+    ``tries`` is how often a place is drawn for each unit (what the settings say)."""
+    tries = problem.settings.chains.tries if tries is None else tries
     p = prepare(problem)
     s, work = make_state(p), make_scratch(p)
     s.partitions[:] = walls
@@ -98,6 +97,7 @@ def advance(chain: HallChain, schedule: Floats, first: int, steps: int) -> None:
         chain.stream,
         chain.tally,
         schedule,
+        chain.problem.settings.moves,
         first,
         steps,
         chain.last,
@@ -132,6 +132,7 @@ def _advance_printed(
         chain.stream,
         chain.tally,
         schedule,
+        chain.problem.settings.guided,
         stuck,
         first,
         steps,
@@ -223,7 +224,7 @@ def _starts(problem: HallProblem, start: Kept, seed: int) -> list[Kept]:
     """A first layout for every chain: the given one, and others where they hold as much; only
     the given one in halls so large that finding one takes longer than improving it."""
     count = problem.settings.chains.chains
-    if len(problem.names) > MANY:
+    if len(problem.names) > problem.settings.chains.many:
         return [start] * count
     found = [start]
     for k in range(1, count):

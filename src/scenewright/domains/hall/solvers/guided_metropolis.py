@@ -11,14 +11,8 @@ from __future__ import annotations
 import math
 
 from scenewright.domains.hall.patterns import SINGLE, WALL
-from scenewright.domains.hall.solvers.moves import (
-    change_pattern,
-    scatter,
-    slide,
-    snap,
-    spread,
-    turn,
-)
+from scenewright.domains.hall.settings import MoveSettings
+from scenewright.domains.hall.solvers.moves import change_form, scatter, slide, snap, spread, turn
 from scenewright.domains.hall.solvers.ordering import line_up, match_pitch
 from scenewright.domains.hall.terms.place import build
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, Scratch, State
@@ -32,19 +26,8 @@ from scenewright.geometry.compiled import compiled, inlined
 from scenewright.geometry.flood import Bits
 from scenewright.geometry.paths import CLEAR, RouteGrid, sweep_box
 
-WALLS = 0.03
-"""Share of the moves that extend or shorten a partition, where there are any."""
-FEW = 80
-"""Objects of a hall from which on that share falls: such a move has everything measured again."""
 KINDS = 9
 """Kinds of moves drawn blindly: the paper's four, five of ours."""
-OUT = 0.98
-"""Share of those that make it as long as it may be: walls are built to be hung on."""
-ASIDE, SELDOM = 0.5, 0.02
-"""Share that moves it off its border: where a passage is too narrow or something out of reach, and
-elsewhere."""
-BLOCK = 16
-"""Accepted moves between two looks at the route."""
 
 
 @compiled
@@ -108,12 +91,15 @@ def drawn_term(p: PreparedHall, s: State, stream: Stream) -> int:
 
 
 @inlined
-def choose_move(p: PreparedHall, s: State, stream: Stream, size: float) -> tuple[int, int, float]:
-    """The paper's choice: unit, kind of move (0 spread, 1 slide, 2 turn, 3 pattern) and step."""
+def choose_move(
+    p: PreparedHall, s: State, stream: Stream, size: float, form: float
+) -> tuple[int, int, float]:
+    """The paper's choice: unit, kind of move (0 spread, 1 slide, 2 turn, 3 pattern) and step;
+    ``form`` is the share of those that change the pattern."""
     term = drawn_term(p, s, stream)
     unit = drawn_unit(p, s, SPACE if term == FILL else term, stream)
     step = uniform(stream) * size
-    if uniform(stream) < 0.05:
+    if uniform(stream) < form:
         return unit, 3, step
     if term == PROPORTION:
         return unit, 0, -step
@@ -148,15 +134,21 @@ def called_for(p: PreparedHall, s: State, stream: Stream) -> int:
 
 @inlined
 def propose(
-    p: PreparedHall, s: State, work: Scratch, stream: Stream, size: float, free: float
+    p: PreparedHall,
+    s: State,
+    work: Scratch,
+    stream: Stream,
+    size: float,
+    free: float,
+    rule: MoveSettings,
 ) -> int:
     """Write a move of one unit; the unit."""
     blind = uniform(stream) < free
-    unit, kind, step = choose_move(p, s, stream, size)
+    unit, kind, step = choose_move(p, s, stream, size, rule.form)
     if blind:
         unit, kind = below(stream, p.spans.shape[0]), below(stream, KINDS)
         step = (uniform(stream) - 0.5) * 2.0 * size
-        called = called_for(p, s, stream) if uniform(stream) < 0.3 else -1
+        called = called_for(p, s, stream) if uniform(stream) < rule.called else -1
         if called >= 0:
             unit, step = called, 2.0 * step
     begin(p, s, work, unit)
@@ -165,11 +157,11 @@ def propose(
     if kind == 0:
         spread(p, s, unit, step, stream)
     elif kind == 1:
-        slide(s, unit, max(abs(step), 0.02) * (4.0 if uniform(stream) < 0.2 else 1.0), stream)
+        slide(s, unit, max(abs(step), 0.02) * (4.0 if uniform(stream) < rule.far else 1.0), stream)
     elif kind == 2 and s.code[unit] != WALL:
         turn(p, s, unit, stream)
     elif kind == 3:
-        change_pattern(p, s, unit, stream)
+        change_form(p, s, unit, stream)
     elif kind == 4 and s.code[unit] != WALL:
         snap(p, s, unit, stream)
     elif kind in (6, 7) and s.code[unit] != WALL:
@@ -211,7 +203,9 @@ def stand_off(p: PreparedHall, s: State, host: int, stream: Stream) -> int:
 
 
 @compiled
-def move_wall(p: PreparedHall, s: State, work: Scratch, size: float, stream: Stream) -> int:
+def move_wall(
+    p: PreparedHall, s: State, work: Scratch, size: float, stream: Stream, rule: MoveSettings
+) -> int:
     """Extend or shorten one end of a partition, most often as far as its border lets it; the
     host, or -1 if it has none or stays what it is."""
     host = below(stream, p.hosts.shape[0])
@@ -219,11 +213,12 @@ def move_wall(p: PreparedHall, s: State, work: Scratch, size: float, stream: Str
     work.pose[0], work.pose[1], work.pose[2] = low, high, s.offsets[host]
     if high <= low:
         return -1
-    if uniform(stream) < (ASIDE if in_the_way(p, s, host) else SELDOM):
+    astray = s.offsets[host] != 0.0 or in_the_way(p, s, host)
+    if uniform(stream) < (rule.aside if astray else rule.seldom):
         return stand_off(p, s, host, stream)
     step = (uniform(stream) - 0.5) * 4.0 * size
     least, most = p.host_spans[host, 0], p.host_spans[host, 1]
-    if uniform(stream) < OUT:
+    if uniform(stream) < rule.out:
         step = most - least
     if uniform(stream) < 0.5:
         s.partitions[host, 0] = min(max(low - step, least), high - 0.5)
@@ -254,20 +249,21 @@ def step_once(
     rate: float,
     size: float,
     free: float,
+    rule: MoveSettings,
 ) -> float:
     """One iteration; the energy without the route after it, infinity if the move was refused."""
     limit = bare - math.log(1.0 - uniform(stream)) / rate
     host = -1
-    share = WALLS * min(FEW / p.unit_of.shape[0], 1.0)
+    share = rule.walls * min(rule.few / p.unit_of.shape[0], 1.0)
     if p.hosts.shape[0] > 0 and uniform(stream) < share:
-        host = move_wall(p, s, work, size, stream)
+        host = move_wall(p, s, work, size, stream, rule)
     if host >= 0:
         after = measure_all(p, s, work)
         if after <= limit:
             return after
         undo_wall(p, s, work, host)
         return math.inf
-    unit = propose(p, s, work, stream, size, free)
+    unit = propose(p, s, work, stream, size, free, rule)
     after = bare + judge(p, s, work, unit)
     if after <= limit:
         settle(p, s, work, unit)
@@ -287,6 +283,7 @@ def run(
     stream: Stream,
     tally: Floats,
     schedule: Floats,
+    rule: MoveSettings,
     first: int,
     steps: int,
     last: Kept,
@@ -297,7 +294,7 @@ def run(
     ``schedule`` (4,): λ at the start and the end, all iterations I, and the share of free moves;
     λ rises geometrically. ``tally`` (5,): energy now, of the route in it, of the best, moves
     accepted, energy of ``last``. The route costs ten times a move, so it is looked at after every
-    :data:`BLOCK` accepted moves, and Metropolis' rule decides on the block as a whole: if it is
+    ``rule.block`` accepted moves, and Metropolis' rule decides on the block as a whole: if it is
     refused, the layout ``last`` kept comes back. Only layouts so looked at become ``best``.
     ``bits`` (3, h, k) is scratch.
     """
@@ -310,10 +307,10 @@ def run(
         rate = schedule[0] * (schedule[1] / schedule[0]) ** share
         size = max(1.0 - share, 0.5 if schedule[3] == 0.0 else 0.05)
         bare = tally[0] - tally[1]
-        after = step_once(p, s, work, stream, bare, rate, size, schedule[3])
+        after = step_once(p, s, work, stream, bare, rate, size, schedule[3], rule)
         if after < math.inf:
             tally[0], tally[3], waiting = after + tally[1], tally[3] + 1.0, waiting + 1
-        if waiting == (BLOCK if weighed else 1) or (waiting > 0 and step + 1 == first + steps):
+        if waiting == (rule.block if weighed else 1) or (waiting > 0 and step + 1 == first + steps):
             waiting = 0
             look_at_route(p, s, work, grid, bits, inset, stream, tally, rate, last, best)
 

@@ -8,7 +8,17 @@ from __future__ import annotations
 
 import math
 
-from scenewright.domains.hall.patterns import AROUND, CHAIN, CIRCULATION, FAN, SINGLE, WALL
+from scenewright.domains.hall.patterns import (
+    ACROSS,
+    ALONG,
+    AROUND,
+    CHAIN,
+    CIRCULATION,
+    FAN,
+    GRID,
+    SINGLE,
+    WALL,
+)
 from scenewright.domains.hall.patterns.chain import seed_chain
 from scenewright.domains.hall.patterns.expand import seed, stretch
 from scenewright.domains.hall.patterns.fan import ROW, STAGE
@@ -178,3 +188,18 @@ def change_pattern(p: PreparedHall, s: State, unit: int, stream: Stream) -> None
     """Another pattern, or another form of the same: few or many rows, rings, sector angles."""
     code = drawn_code(p, unit, stream)
     reseed(p, s, unit, code, uniform(stream), 1.0)
+
+
+@inlined
+def change_form(p: PreparedHall, s: State, unit: int, stream: Stream) -> None:
+    """As :func:`change_pattern`, but rows that stay rows keep their gaps, or leave just enough
+    between rows to pass, where that is more than clearances ask for: more or fewer rows."""
+    row, code = p.layer_spans[unit, 0], s.code[unit]
+    along, across = s.layers[row, ALONG], s.layers[row, ACROSS]
+    change_pattern(p, s, unit, stream)
+    if code == s.code[unit] and code in (CHAIN, GRID):
+        if uniform(stream) < 0.5:
+            across = ROW
+        for k in range(row, row + s.used[unit]):
+            s.layers[k, ALONG] = max(s.layers[k, ALONG], along)
+            s.layers[k, ACROSS] = max(s.layers[k, ACROSS], across)

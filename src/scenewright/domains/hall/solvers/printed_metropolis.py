@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 
 from scenewright.domains.hall.patterns import SINGLE, WALL
+from scenewright.domains.hall.settings import GuidedSettings
 from scenewright.domains.hall.solvers.guided_metropolis import (
     drawn_unit,
     keep,
@@ -28,13 +29,6 @@ from scenewright.engine.draws import Stream, below, uniform
 from scenewright.geometry.compiled import compiled, inlined
 from scenewright.geometry.flood import Bits
 from scenewright.geometry.paths import RouteGrid
-
-STUCK = 20
-"""Moves of a group refused one after the other before it changes its pattern."""
-DRAWS = 200
-"""Moves drawn for one iteration at most, lest a layout that cannot move never ends."""
-SHORTEST = 0.5
-"""A wall shorter than this, in metres, is removed."""
 
 
 @inlined
@@ -136,11 +130,13 @@ def short_of_wall(p: PreparedHall, s: State, stream: Stream) -> int:
 
 
 @inlined
-def cut_wall(p: PreparedHall, s: State, work: Scratch, host: int, step: float, end: bool) -> None:
-    """Shorten a wall at one end; one that would be too short goes."""
+def cut_wall(
+    p: PreparedHall, s: State, work: Scratch, host: int, step: float, end: bool, shortest: float
+) -> None:
+    """Shorten a wall at one end; one that would be shorter than ``shortest`` goes."""
     low, high = s.partitions[host, 0], s.partitions[host, 1]
     work.pose[0], work.pose[1], work.pose[2] = low, high, 0.0
-    if high - low - step < SHORTEST:
+    if high - low - step < shortest:
         s.partitions[host, 0], s.partitions[host, 1] = 0.0, 0.0
     elif end:
         s.partitions[host, 1] = high - step
@@ -166,7 +162,9 @@ def raise_wall(p: PreparedHall, s: State, work: Scratch, host: int, step: float,
 
 
 @inlined
-def wall_move(p: PreparedHall, s: State, work: Scratch, term: int, stream: Stream) -> int:
+def wall_move(
+    p: PreparedHall, s: State, work: Scratch, term: int, stream: Stream, shortest: float
+) -> int:
     """Cut a wall at a narrow passage where E_a leads, or build where a zone lacks wall; the host
     of the wall, -1 if there is nothing to do."""
     step, end = 2.0 * uniform(stream), uniform(stream) < 0.5
@@ -175,7 +173,7 @@ def wall_move(p: PreparedHall, s: State, work: Scratch, term: int, stream: Strea
         zone = int(p.links[link, below(stream, 2)]) if link >= 0 else -1
         host = wall_of(p, s, zone, True, stream)
         if host >= 0:
-            cut_wall(p, s, work, host, step, end)
+            cut_wall(p, s, work, host, step, end, shortest)
         return host
     zone = short_of_wall(p, s, stream)
     host = wall_of(p, s, zone, False, stream) if zone >= 0 else -1
@@ -186,9 +184,17 @@ def wall_move(p: PreparedHall, s: State, work: Scratch, term: int, stream: Strea
 
 @inlined
 def unit_move(
-    p: PreparedHall, s: State, work: Scratch, term: int, stream: Stream, size: float, stuck: Ints
+    p: PreparedHall,
+    s: State,
+    work: Scratch,
+    term: int,
+    stream: Stream,
+    size: float,
+    stuck: Ints,
+    most: int,
 ) -> int:
-    """Write the move of one unit that an energy asks for; the unit."""
+    """Write the move of one unit that an energy asks for, another pattern where it was refused
+    ``most`` times in a row; the unit."""
     step = uniform(stream) * size
     if term == FILL:
         unit = unit_in(p, filled_least(p, s, stream), stream)
@@ -201,7 +207,7 @@ def unit_move(
         unit = drawn_unit(p, s, SPACE, stream)
     begin(p, s, work, unit)
     crowded = s.covered[unit, 1] + s.covered[unit, 2] > s.covered[unit, 0]
-    if stuck[unit] >= STUCK:
+    if stuck[unit] >= most:
         stuck[unit] = 0
         change_pattern(p, s, unit, stream)
     elif term == PROPORTION:
@@ -226,19 +232,20 @@ def draw_once(
     limit: float,
     size: float,
     stuck: Ints,
+    rule: GuidedSettings,
 ) -> tuple[float, bool]:
     """One move drawn and judged: the energy without the route after it, infinity if it is
     refused, and whether it broke no hard rule."""
     term, host = drawn_energy(p, s, stream), -1
     if p.hosts.shape[0] > 0 and (term == ACCESS or uniform(stream) < 0.05):
-        host = wall_move(p, s, work, term, stream)
+        host = wall_move(p, s, work, term, stream, rule.shortest)
     if host >= 0:
         after = measure_all(p, s, work)
         if after <= limit:
             return after, True
         undo_wall(p, s, work, host)
         return math.inf, after < math.inf
-    unit = unit_move(p, s, work, term, stream, size, stuck)
+    unit = unit_move(p, s, work, term, stream, size, stuck, rule.stuck)
     after = bare + judge(p, s, work, unit)
     if after <= limit:
         settle(p, s, work, unit)
@@ -260,6 +267,7 @@ def run_printed(
     stream: Stream,
     tally: Floats,
     schedule: Floats,
+    rule: GuidedSettings,
     stuck: Ints,
     first: int,
     steps: int,
@@ -276,8 +284,8 @@ def run_printed(
         bare = tally[0] - tally[1]
         limit = bare - math.log(1.0 - uniform(stream)) / rate
         after, allowed = math.inf, False
-        for _draw in range(DRAWS):
-            after, allowed = draw_once(p, s, work, stream, bare, limit, size, stuck)
+        for _draw in range(rule.draws):
+            after, allowed = draw_once(p, s, work, stream, bare, limit, size, stuck, rule)
             if allowed:
                 break
         if after < math.inf:

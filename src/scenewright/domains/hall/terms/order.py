@@ -11,9 +11,12 @@ import math
 from scenewright.domains.hall.patterns import FAN, NUMBER, SINGLE, WALL
 from scenewright.domains.hall.terms.measure import gap_between
 from scenewright.domains.hall.terms.state import LINE, Floats, PreparedHall, State
-from scenewright.domains.hall.terms.table import aisle_cost
+from scenewright.domains.hall.terms.table import PASS, aisle_cost
 from scenewright.geometry.boxes import read_frame
 from scenewright.geometry.compiled import inlined
+
+OPPOSED = -0.99
+"""Cosine of the angle between two objects below which they stand back to back or face to face."""
 
 
 @inlined
@@ -47,6 +50,22 @@ def all_lines(p: PreparedHall, s: State) -> float:
 
 
 @inlined
+def back_to_back(s: State, first: int, last: int) -> float:
+    """Metres that gaps lack between objects ``first`` to ``last`` - 1 on both sides of a wall: the
+    less of them, the more hangs on walls that have one side."""
+    total = 0.0
+    for i in range(first, last):
+        for j in range(i + 2, last):
+            dx, dy = s.frames[j, 0] - s.frames[i, 0], s.frames[j, 1] - s.frames[i, 1]
+            near = PASS + s.frames[i, 6] + s.frames[j, 6]
+            turned = s.frames[i, 2] * s.frames[j, 2] + s.frames[i, 3] * s.frames[j, 3]
+            if turned < OPPOSED and dx * dx + dy * dy < near * near:
+                gap = gap_between(read_frame(s.frames, i), read_frame(s.frames, j))
+                total += aisle_cost(gap, 0.0)
+    return total
+
+
+@inlined
 def aisles_of(p: PreparedHall, s: State, unit: int) -> float:
     """Metres that gaps lack: neighbours of each layer, and layers in turn, as often as the layer
     has objects. The seats of a curved row stand side by side though their corners alone meet.
@@ -60,7 +79,7 @@ def aisles_of(p: PreparedHall, s: State, unit: int) -> float:
         for j in range(first, last - 1):
             gap = gap_between(read_frame(s.frames, j), read_frame(s.frames, j + 1))
             total += aisle_cost(gap, wide)
-        return total
+        return total + (back_to_back(s, first, last) if p.hosts.shape[0] > 0 else 0.0)
     for k in range(s.used[unit]):
         number = int(s.layers[row + k, NUMBER])
         beside = 0 if s.code[unit] == FAN else number - 1
