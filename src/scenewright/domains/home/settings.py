@@ -88,10 +88,10 @@ class CompositionCosts(NamedTuple):
     worktop: float = 8.0
     hob_at_sink: float = 8.0
     hob_at_end: float = 8.0
-    wardrobe: float = 8.0
-    nightstand: float = 5.0
-    one_side: float = 5.0
-    adrift: float = 8.0
+    wardrobe: float = 10.0
+    nightstand: float = 8.0
+    one_side: float = 8.0
+    adrift: float = 14.0
     shelves: float = 6.0
     seats: float = 8.0
     screen: float = 6.0
