@@ -113,12 +113,13 @@ def records(quick: bool, progress: Progress, *, full: bool = False) -> Iterator[
     """Records of all methods on a home and on a site, and on the home for persons whose taste is
     of another form than the model's."""
     seeds = QUICK_SEEDS if quick else FULL_SEEDS if full else SEEDS
+    home = partial(home_world, "home-studio" if quick else "home-flat")
     worlds: dict[str, Callable[[], World]] = {
-        "home": partial(home_world, "home-studio" if quick else "home-flat"),
+        "home": home,
+        CONJUNCTIVE: home,
         "site": partial(site_world, "site-courtyards" if quick else "site-30"),
     }
     kept = open_runs("person", CODE)
-    worlds[CONJUNCTIVE] = worlds["home"]
     for number, (case, make) in enumerate(worlds.items()):
         progress(number / len(worlds), f"{case}: layouts")
         persons = []

@@ -40,9 +40,6 @@ STEP, SURE = 1.0, 2.0
 than one moved for any other reason, so much more surely than a choice among what is there."""
 
 
-REPEATED = 0.0
-
-
 class TasteRule(NamedTuple):
     """How a taste is learned: the ``kernel`` one starts from, and in how many ``rounds`` it is
     found which features matter (0: all alike)."""
@@ -169,7 +166,6 @@ def _observe(
     points: list[Floats] = []
     choices: list[Choice] = []
     ratings: list[Rating] = []
-    said: dict[str, int] = {}
 
     def row_of(candidate: int) -> int:
         if candidate not in rows:
@@ -195,10 +191,7 @@ def _observe(
                     moved = range(len(points), len(points) + len(steps))
                     points += [np.clip(points[here] + step, -FAR, FAR) for step in steps.values()]
                     chosen = moved[list(steps).index(reason)]
-                    said[reason] = said.get(reason, 0) + 1
-                    choices.append(
-                        Choice(chosen, (here, *moved), 1.0, SURE / said[reason] ** REPEATED)
-                    )
+                    choices.append(Choice(chosen, (here, *moved), 1.0, SURE))
     made = np.array(points).reshape(-1, len(scale.names))
     return Seen(made, made @ start, tuple(choices), tuple(ratings))
 
