@@ -101,9 +101,10 @@ class Canvas:
             }
         return self._shifts
 
-    def loosen(self, share: float) -> None:
-        """Let any mix of sizes stand, and as near as a share of the sources' least gaps."""
-        self.most = np.full_like(self.most, np.iinfo(np.int64).max)
+    def loosen(self, share: float, least: int = 0) -> None:
+        """Let any number stand of the classes of size from ``least`` on, and as near as a share of
+        the sources' least gaps."""
+        self.most[least:] = np.iinfo(np.int64).max
         self.gaps = GapRules(*(share * gap for gap in self.problem.pattern.gaps))
 
     def room_for(self, origin: int, replaced: float = 0.0) -> bool:

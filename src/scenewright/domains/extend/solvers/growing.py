@@ -25,7 +25,9 @@ BUILDINGS, MOST_LAYOUTS = 60.0, 6
 """Buildings of the layouts of one step together, and layouts of one step at most."""
 STARTS = 6
 """Ways in which a layout begins: with neighbours, edges or a patch, and together."""
-POLISHED = 3
+ANNEALED, MOST_TIMES = 60.0, 8.0
+"""Buildings below which a layout is annealed by more moves, and times as many at most."""
+POLISHED = 2
 """Layouts that are annealed where they are small."""
 ROUNDS = 12
 """Times that growing is taken up again from a patch laid in what is left."""
@@ -113,6 +115,6 @@ def polish(problem: ExtendProblem, layout: GrownLayout, rng: np.random.Generator
     for pose, origin, how in zip(layout.poses, layout.origin.tolist(), layout.how, strict=True):
         canvas.add(pose, origin, how)
     many = max(len(layout.poses), 1)
-    moves = round(problem.settings.polish * np.clip(BUILDINGS / many, 1.0, MOST_LAYOUTS))
+    moves = round(problem.settings.polish * np.clip((ANNEALED / many) ** 1.5, 1.0, MOST_TIMES))
     made = rate_layout(problem, anneal(canvas, rng, moves))
     return made if made.score["energy"] < layout.score["energy"] else layout

@@ -14,42 +14,46 @@ STEP, MOST = 3.0, 240
 """Metres between the places tried, and how many at most."""
 TURNS = 16
 """Buildings of the sources tried at each place, in all."""
-CLOSER = (1.0, 0.7, 0.4)
-"""Shares of the least gaps of the sources that are kept where too little fits."""
+CLOSER = ((1.0, 1), (0.7, 1), (0.4, 0))
+"""Shares of the least gaps of the sources that are kept where too little fits, and the class of
+size from which any number may stand then."""
 ALIGN = 5.0
 """Metres from which a building is drawn into line with the nearest."""
 
 
 def repair_coverage(canvas: Canvas, rng: np.random.Generator) -> int:
-    """Fill free ground; where too little fits, with any mix of sizes, then nearer and nearer
-    together (:data:`CLOSER`); how many buildings were added."""
+    """Fill free ground; where too little fits, with more large buildings, the largest first, then
+    nearer and nearer together (:data:`CLOSER`); how many buildings were added."""
     made = fill_free(canvas, rng)
-    for share in CLOSER:
+    for share, least in CLOSER:
         if canvas.enough():
             break
-        canvas.loosen(share)
-        made += fill_free(canvas, rng)
+        canvas.loosen(share, least)
+        made += fill_free(canvas, rng, large_first=True)
     return made
 
 
-def fill_free(canvas: Canvas, rng: np.random.Generator) -> int:
+def fill_free(canvas: Canvas, rng: np.random.Generator, large_first: bool = False) -> int:
     """Add buildings on free ground, turned as the nearest is and in line with it, while more is
     wanted; how many were added."""
     made, failed = 0, 0
-    while not canvas.full() and failed < 2:
-        added = _fill_once(canvas, rng)
+    while not canvas.full() and failed < 2 - large_first:
+        added = _fill_once(canvas, rng, large_first)
         made += added
         failed = 0 if added else failed + 1
     return made
 
 
-def _fill_once(canvas: Canvas, rng: np.random.Generator) -> int:
+def _fill_once(canvas: Canvas, rng: np.random.Generator, large_first: bool) -> int:
     pattern = canvas.problem.pattern
     places = free_places(canvas, rng)
     if not len(places):
         return 0
     tries = min(TURNS, 4 * len(pattern.boxes))
     chosen = rng.choice(len(pattern.boxes), size=tries, p=_shares(canvas))
+    if large_first:
+        area = -pattern.boxes[chosen, 3] * pattern.boxes[chosen, 4]
+        chosen = chosen[np.argsort(area, kind="stable")]
     made, hopeless = 0, set[int]()
     for origin in chosen.tolist():
         if canvas.full():
