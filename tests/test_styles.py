@@ -24,7 +24,7 @@ from scenewright.core.catalog import Part
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.domains import scene_of, solve
-from scenewright.domains.home.furnishing.look import apply_style
+from scenewright.domains.home.furnishing.look import apply_style, keep_palette, palette_of
 from scenewright.render.items import things
 
 MAIN = [
@@ -136,6 +136,14 @@ def test_what_stands_there_and_what_is_the_users_keeps_its_model() -> None:
     rooms = [{**ROOM, "style": "japanese"}]
     one = apply_style(given[:1], brief_of(style="boho", rooms=rooms), ["a"], shipped(), 0)
     assert one[0].asset == "sofa_japandi"
+
+
+@pytest.mark.parametrize("keys", [{}, {"style": "boho"}, {"colour": "green"}, {"style": "oak"}])
+def test_another_seed_for_a_change_keeps_the_palette(keys: dict[str, str]) -> None:
+    brief = brief_of(**keys)
+    for seed in range(1, 8):
+        kept = keep_palette(brief, 0, seed)
+        assert palette_of(kept, seed) == palette_of(brief, 0)
 
 
 @pytest.fixture(scope="module")

@@ -94,7 +94,7 @@ japandi    matcha   green       c6b08a 75593e c4c4b0 8f9a77 7a8b5a d6c9a0 3d4636
 japandi    indigo   blue        c9b491 6f563f c8c6c0 5b6b86 3c4f78 d1bd95 232f4a 8791a0 f2f1ed
 japandi    ink      black,grey  a68c6a 3f332a a9a49b 6b6862 8b4a3b c4b08a 201f1f 45423e efece5
 japandi    plum     red,pink    c0a684 6b5140 cbbdb4 927680 7d4553 d4bd98 40303a a9958f f3ede9
-japandi    straw    yellow      d6be8e 86683f ddd2b6 b5a67c bb8a3c e6d29a 5b5238 d8c698 f7f2e3
+japandi    straw    yellow      c8b088 7a6040 d9cfba a8a088 a8813f d9c79a 4f4838 cfc2a4 f5f1e7
 retro      teal     blue,green  a8713f 6b3f22 2f7a7a d08a2e d2691e e8b33f 1f4b4e 3e8581 f5efe0
 retro      tangerine orange     b07a45 70431f d9a066 5f7a6a cf5a24 eabf4e 54382a d98b4a f7eedd
 retro      olive    green       a5753f 643c1f 7f7b3e c07a35 c9572e e2b748 3a3a1e 8b8b4f f3eedb

@@ -35,7 +35,7 @@ from scenewright.domains.home.changes.regroup import (
     regroup_pieces,
     settle_group,
 )
-from scenewright.domains.home.furnishing.look import apply_style
+from scenewright.domains.home.furnishing.look import apply_style, keep_palette
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import held_elsewhere
@@ -82,7 +82,8 @@ def adjust(
     rooms = (plan or plan_rooms(solution.brief)).spaces
     change = apply_edits(solution.pieces, solution.patches, rooms, edits)
     brief = _with_moved(solution.brief, rooms, solution.pieces, change)
-    start = replace(solution, brief=brief, seed=solution.seed if seed is None else seed)
+    seed = solution.seed if seed is None else seed
+    start = replace(solution, brief=keep_palette(brief, solution.seed, seed), seed=seed)
     found = {
         room: _revise_room(start, rooms, room, change, edits, steps)
         for room in sorted(change.touched)

@@ -20,6 +20,15 @@ def palette_of(brief: Brief, seed: int) -> Palette:
     return choose_palette(brief.style, brief.colour, brief.name, seed)
 
 
+def keep_palette(brief: Brief, before: int, after: int) -> Brief:
+    """A brief that keeps the palette it had with the seed ``before`` when another is used."""
+    palette = palette_of(brief, before)
+    if palette_of(brief, after) == palette:
+        return brief
+    words = f"{brief.style} {palette.style} {palette.name}".strip()
+    return brief.model_copy(update={"style": words})
+
+
 def apply_style(
     pieces: Iterable[Piece], brief: Brief, spaces: Iterable[str], catalog: Catalog, seed: int
 ) -> tuple[Piece, ...]:
