@@ -19,7 +19,24 @@ from benchmarks.spread import spread
 Record = dict[str, Any]
 HOMES, QUICK, STEPS = 100, 10, 300
 BEFORE = {"different models": 57.0, "palettes": 1.0, "styles": 1.0}
-MAIN = ["sofa", "armchair", "dining_chair", "dining_table", "coffee_table", "double_bed", "single_bed", "nightstand", "wardrobe", "chest_of_drawers", "tv_stand", "base_cabinet", "floor_lamp", "table_lamp", "pendant_lamp", "rug"]
+MAIN = [
+    "sofa",
+    "armchair",
+    "dining_chair",
+    "dining_table",
+    "coffee_table",
+    "double_bed",
+    "single_bed",
+    "nightstand",
+    "wardrobe",
+    "chest_of_drawers",
+    "tv_stand",
+    "base_cabinet",
+    "floor_lamp",
+    "table_lamp",
+    "pendant_lamp",
+    "rug",
+]
 """Kinds of which three models or more are expected."""
 
 

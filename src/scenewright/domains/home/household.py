@@ -163,9 +163,10 @@ def _for_residents(household: Household, room: str, wish: Wish) -> Wish:
     if wish.group == "single" and room in household.bunks:
         return wish._replace(group="bunk")
     many = household.stated and household.residents >= ALL_ROUND
-    if many and wish.group == "dining_wall" and household.areas.get(room, 0.0) >= LEAST_TABLE:
-        return wish._replace(group="dining")
-    return wish
+    if not household.stated or wish.group not in TABLES:
+        return wish
+    large = many and household.areas.get(room, 0.0) >= LEAST_TABLE
+    return wish._replace(group="dining" if large else wish.group, rank=0)
 
 
 def seat_residents(household: Household, room: str, library: Library) -> Library:
@@ -188,7 +189,8 @@ def seat_residents(household: Household, room: str, library: Library) -> Library
         )
         if kept.any() and not kept.all():
             own[group] = subset(known, kept)
-    return library._replace(own=own)
+    seated = frozenset(own.keys() - library.own.keys())
+    return library._replace(own=own, seated=seated)
 
 
 def _places(case: Group) -> int:

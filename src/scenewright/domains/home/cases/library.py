@@ -43,10 +43,12 @@ class Cases(NamedTuple):
 
 class Library(NamedTuple):
     """Cases by function where they are not the shipped ones, and what learned rooms tell of the
-    others' habits."""
+    others' habits; of ``seated`` functions it has the shipped cases that seat enough, and smaller
+    ones are taken only where none of these fits."""
 
     own: Mapping[str, Cases] = MappingProxyType({})
     habits: Habits = NONE
+    seated: frozenset[str] = frozenset()
 
 
 SHIPPED = Library()

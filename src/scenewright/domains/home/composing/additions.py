@@ -8,7 +8,7 @@ import numpy as np
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
-from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.cases.library import cases, shipped_cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import RUNS, Placed
 from scenewright.domains.home.groups.kitchen import short_counters
@@ -25,7 +25,8 @@ def list_additions(
 ) -> Iterator[tuple[Wish, tuple[Missing, ...]]]:
     """Wishes to try beside what is placed, each with what is missing no longer once it stands."""
     for lack in sorted(missing, key=lambda m: m.wish.rank):
-        if lack.wish.rank < 2 and lack.wish.group not in task.library.own:
+        own = task.library.own.keys() - task.library.seated
+        if lack.wish.rank < 2 and lack.wish.group not in own:
             yield lack.wish, (lack,)
             other = FALLBACK.get(lack.wish.group)
             if other == "dining_wall":
@@ -71,7 +72,8 @@ def forms_to_add(task: RoomTask, wish: Wish) -> list[Group]:
     """The forms in which a group is added: the preferred first, then ever smaller ones."""
     if wish.group == "counter":
         return list(short_counters())
-    known = cases(wish.group, task.library)
+    seated = wish.group in task.library.seated
+    known = shipped_cases(wish.group) if seated else cases(wish.group, task.library)
     order = np.argsort(-known.sizes.prod(-1), kind="stable")
     fit = [int(i) for i in order if wish.most is None or (known.sizes[i] <= wish.most).all()]
     return [known.groups[i] for i in fit]
