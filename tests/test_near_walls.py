@@ -11,9 +11,10 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Scene
 from scenewright.domains import plan_of
-from scenewright.formats.png import INDOORS
+from scenewright.formats.png import INDOORS, frame_points
 from scenewright.render.items import things
 from scenewright.render.near_walls import KERB, RAIL, find_near_walls
+from scenewright.render.picture import view_of
 
 BRIEF = Brief.model_validate(
     {
@@ -68,3 +69,14 @@ def test_walls_windows_and_masonry_are_cut_there_and_only_there(scene: Scene) ->
 def test_a_picture_without_a_cut_shows_whole_walls(scene: Scene) -> None:
     shown = things(scene, shipped(), None, INDOORS.towards)
     assert max(p.vertices[:, 2].max() for t in shown if t.kind == "wall" for p in t.parts) > 2.5
+
+
+def test_tall_homes_fill_a_narrow_picture() -> None:
+    points = np.array(list(np.ndindex(2, 2, 2)), float) * [6.0, 18.0, 2.0]
+    camera, shape = frame_points(points)
+    view = view_of(camera, 600, round(600 * shape))
+    away = (points - np.array(camera.eye)) @ view.axes.T.astype(float)
+    x, y = away[:, 0] / away[:, 2] / view.across, away[:, 1] / away[:, 2] / view.across
+    assert 1.2 < shape < 2.5
+    assert 0.85 < np.abs(x).max() < 1.0
+    assert 0.85 * shape < np.abs(y).max() < shape

@@ -43,6 +43,8 @@ OUTDOORS = Look((0.22, 0.80, -0.86), (-0.62, -0.48, 0.80), None, 14.0, 120.0)
 OPEN = {"site", "village", "extend"}
 """Functions of spaces that are open ground."""
 MARGIN = 1.03
+NARROWEST = 0.4
+"""A picture is as narrow as this share of its usual width at most, for homes that are tall."""
 
 Floats = NDArray[np.float64]
 
@@ -60,10 +62,13 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
 
 
 def picture(scene: Scene, catalog: Catalog, width: int = WIDTH) -> Pixels:
-    """The scene as pixels ``(height, width, 3)``; the height follows the scene's shape."""
+    """The scene as pixels ``(height, width, 3)``; the height follows the scene's shape, and where
+    the scene is taller than pictures may be, the width does."""
     look = OUTDOORS if any(OPEN & set(space.functions) for space in scene.spaces) else INDOORS
     stage, camera, shape = _stage_scene(scene, catalog, look)
-    height = int(np.clip(round(width * shape), width // 3, TALLEST * width // WIDTH))
+    tallest = TALLEST * width // WIDTH
+    width = min(width, round(tallest / shape))
+    height = int(np.clip(round(width * shape), width // 3, tallest))
     return render(stage, camera, width, height, look.sun)
 
 
@@ -84,7 +89,7 @@ def frame_points(points: Floats, towards: Direction = INDOORS.towards) -> tuple[
     """
     ahead = np.array(towards) / np.linalg.norm(towards)
     target = (points.min(0) + points.max(0)) / 2
-    away, shape = 10.0, 0.7
+    away, shape, half, across = 10.0, 0.7, 1.0, 1.0
     for _ in range(16):
         view = view_of(Camera(tuple(target - ahead), tuple(target), ANGLE), 1, 1)
         local = (points - target) @ view.axes.T.astype(float)
@@ -93,6 +98,8 @@ def frame_points(points: Floats, towards: Direction = INDOORS.towards) -> tuple[
         middle = np.array([x.min() + x.max(), y.min() + y.max()]) / 2 * away
         target = target + middle @ view.axes[:2].astype(float)
         half = max((x.max() - x.min()) / 2, (y.max() - y.min()) / 2 / (TALLEST / WIDTH)) * MARGIN
-        shape = (y.max() - y.min() + 2 * (MARGIN - 1) * half) / (2 * half)
+        across = max((x.max() - x.min()) / 2 * MARGIN, NARROWEST * half)
+        shape = (y.max() - y.min() + 2 * (MARGIN - 1) * half) / (2 * across)
         away *= half / view.across
-    return Camera(tuple(target - away * ahead), tuple(target), ANGLE), float(shape)
+    angle = float(2 * np.arctan(np.tan(ANGLE / 2) * across / half))
+    return Camera(tuple(target - away * ahead), tuple(target), angle), float(shape)
