@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 import numpy as np
 import pytest
 import shapely
 
+import scenewright as sw
 from scenewright.core.brief import Brief
 from scenewright.domains import problems
 from scenewright.domains.village.choosing import choose_houses
@@ -80,3 +84,28 @@ def test_walls_stand_along_streets_and_leave_walks_open(look: str) -> None:
     assert wall.bounds[3] < 1.0
     assert not wall.intersection(walk).area
     assert 76 < sum(np.ptp(shapely.bounds(p)[[0, 2]]) for p in shapely.get_parts(wall)) < 80
+
+
+def test_a_map_may_bring_its_own_houses_to_choose_from(tmp_path: Path) -> None:
+    def polygon(name: str, points: list[tuple[float, float]], **tags: str) -> dict[str, object]:
+        ring = [[11.0 + x / 72_900, 49.0 + y / 111_200] for x, y in [*points, points[0]]]
+        shape = {"type": "Polygon", "coordinates": [ring]}
+        return {"type": "Feature", "properties": {"name": name} | tags, "geometry": shape}
+
+    features = [
+        polygon("Green", [(0, 0), (80, 0), (80, 60), (0, 60)], block="yes"),
+        polygon(
+            "Mine",
+            [(200, 0), (209, 0), (209, 7), (200, 7)],
+            building="library",
+            **{"roof:shape": "hipped", "building:levels": "1"},
+        ),
+    ]
+    path = tmp_path / "own.geojson"
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+    solution = sw.solve(sw.read(path), steps=1)
+    placed = [piece for piece in solution.pieces if piece.category == "building"]
+    assert placed
+    assert {piece.function for piece in placed} == {"Mine"}
+    assert all("hipped" in piece.asset for piece in placed)
+    assert sw.check(solution).valid

@@ -3,7 +3,8 @@
 Polygons with the tag ``block`` are blocks; lines with ``highway`` lanes as wide as their tag
 ``width``, else as their class. Sides of a block are streets where a line with ``street_side`` names
 it, else along lanes. Houses (``building``) in a block stay where they stand unless the tag is
-``building=proposed``.
+``building=proposed``. Polygons with ``building=library``, wherever they lie, are the houses to
+choose from (``building:levels``, ``roof:shape``, ``height``), their footprints as drawn.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from scenewright.ground.projection import Projection, coordinates_of, metres, pr
 WIDTHS = {"primary": 8.0, "secondary": 7.0, "tertiary": 6.5, "residential": 5.5, "service": 4.0}
 PATHS = ("footway", "path", "steps", "track", "pedestrian", "cycleway")
 LANE, PATH, STOREY, HEIGHT = 5.0, 2.0, 2.7, 7.5
+LIBRARY, ROOFS = "library", ("gabled", "hipped", "flat")
 MOST_BLOCKS = 1000
 NEAR = 0.5
 """Metres within which a side of a block is one named as street."""
@@ -59,6 +61,12 @@ def brief_of(found: Collection, name: str) -> Brief:
         "name": name,
         "blocks": [_block(f, found, map_, bool(lanes)) for f in blocks],
         "lanes": lanes,
+        "houses": [
+            _choice(f, f"{f.tags.get('name') or f.id}", metres(map_, p[0]))
+            for f in found.features
+            for p in f.polygons
+            if f.tags.get("building") == LIBRARY
+        ],
     }
     if map_.turns:
         document["origin"] = coordinates_of(map_, np.zeros((1, 2)))[0].tolist()
@@ -93,7 +101,21 @@ def _block(feature: Feature, found: Collection, map_: Projection, lanes: bool) -
 
 
 def _stays(feature: Feature) -> bool:
-    return feature.tags.get("building", "no") not in ("no", "proposed")
+    return feature.tags.get("building", "no") not in ("no", "proposed", LIBRARY)
+
+
+def _choice(feature: Feature, name: str, corners: Points) -> dict[str, Any]:
+    """A house of the library."""
+    ring = _ring(corners)
+    roof = feature.tags.get("roof:shape", "gabled")
+    made: dict[str, Any] = {
+        "name": name[:80],
+        "footprint": (ring - ring.mean(0)).round(3).tolist(),
+        "levels": int(min(max(_number(feature.tags.get("building:levels"), 2.0), 1), 12)),
+        "roof": roof if roof in ROOFS else "gabled",
+    }
+    height = _number(feature.tags.get("height"), 0.0)
+    return made | ({"height": height} if height else {})
 
 
 def _ring(ring: Points) -> Points:
