@@ -22,10 +22,14 @@ from benchmarks.village_data import SPLITS, split
 from benchmarks.village_foretelling import location_figures, tell_locations, tell_more
 from benchmarks.village_metrics import BlockFigures, classifier_auc, divergences, figures
 from scenewright.domains.village.choosing import choose_houses
+from scenewright.domains.village.grow import layout_of
 from scenewright.domains.village.learned.style import SHIPPED, VillageStyle, read_style
 from scenewright.domains.village.learning.examples import problem_of_block
 from scenewright.domains.village.learning.real_blocks import library_of
 from scenewright.domains.village.learning.tables import RealBlock
+from scenewright.domains.village.paper.filling import fill_as_paper
+from scenewright.domains.village.paper.passes import SHIPPED as PAPER
+from scenewright.domains.village.paper.passes import read_paper_nets
 from scenewright.domains.village.settings import VillageSettings
 from scenewright.domains.village.solvers import VILLAGE_SOLVERS
 from scenewright.domains.village.solvers.growing import standing_of
@@ -33,12 +37,13 @@ from scenewright.engine.solve import Budget
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
-METHODS = ("grow", "tables", "proposals", "annealing", "brief annealing")
+METHODS = ("grow", "paper", "tables", "proposals", "annealing", "brief annealing")
 MOVES = {"annealing": STEPS, "brief annealing": 4000}
 """Moves of a block; the short one takes as long as ours."""
-USUAL = {"grow": 40, "tables": 40, "proposals": 40, "annealing": 4, "brief annealing": 20}
-"""Blocks of a split that are filled: 40,000 moves take four seconds each."""
-HOUSES = 100
+USUAL = {"paper": 40, "tables": 60, "proposals": 60, "annealing": 12, "brief annealing": 40}
+"""Blocks of a split that are filled, the same first ones; ours fills all. 40,000 moves take four
+seconds."""
+HOUSES = 60
 """Houses of a split whose places are foretold."""
 QUICK, QUICK_HOUSES, QUICK_MOVES = 6, 10, 1000
 STYLES = Path(__file__).parent / "styles"
@@ -50,8 +55,9 @@ def records(quick: bool, progress: Progress | None = None, full: bool = False) -
     names = [name for name in SPLITS if path_of_style(name).exists()]
     for name in names[:1] if quick else names:
         jobs: list[Callable[[], Any]] = []
-        for method in METHODS:
-            most = min(QUICK, 2 if method == "annealing" else QUICK) if quick else USUAL[method]
+        for method in methods_of_split(name):
+            usual = 2 if method == "annealing" else QUICK
+            most = usual if quick else USUAL.get(method)
             moves = QUICK_MOVES if quick else MOVES.get(method, 0)
             jobs.append(partial(fill_split, name, method, None if full else most, moves))
         jobs.append(partial(foretell_split, name, QUICK_HOUSES if quick else HOUSES, quick, full))
@@ -64,7 +70,8 @@ def foretell_split(name: str, houses: int, quick: bool, full: bool) -> list[Reco
     train, test = split(name)
     style = style_of_split(name)
     few, told = train[:40] if quick else train, 10**9 if full else houses
-    found = tell_locations(style, few, test, told, 3)
+    nets = read_paper_nets(path_of_paper(name)) if path_of_paper(name).exists() else None
+    found = tell_locations(style, few, test, told, 3, nets)
     runs = min(told, sum(len(block.houses) for block in test))
     rows = list(location_figures(found))
     even = {metric: value for method, metric, value in rows if method == "proposals"}
@@ -80,6 +87,16 @@ def path_of_style(name: str) -> Path:
     return SHIPPED if name == "A" else STYLES / f"village_{name}.npz"
 
 
+def path_of_paper(name: str) -> Path:
+    """The paper's networks learned from the training places of a split, as those of styles."""
+    return PAPER if name == "A" else STYLES / f"paper_{name}.npz"
+
+
+def methods_of_split(name: str) -> list[str]:
+    """The methods that can be measured on a split."""
+    return [m for m in METHODS if m != "paper" or path_of_paper(name).exists()]
+
+
 def style_of_split(name: str) -> VillageStyle:
     """The style of a split."""
     return read_style(path_of_style(name))
@@ -88,33 +105,49 @@ def style_of_split(name: str) -> VillageStyle:
 def fill_split(
     name: str, method: str, most: int | None, steps: int
 ) -> tuple[list[BlockFigures], list[BlockFigures], float, float]:
-    """The held-out blocks of a split as they are and as filled; processor seconds a block, and the
-    median ratio of void to real."""
+    """Held-out blocks of a split as they are and, the same ones, as filled; processor seconds a
+    block, and the median ratio of void to real."""
     train, test = split(name)
     houses = library_of(train)
     style = style_of_split(name)
     order = np.random.default_rng(7).permutation(len(test))[:most]
     chosen = [test[k] for k in order]
     begun = time.process_time()
-    filled = [_fill(block, houses, style, method, k, steps) for k, block in enumerate(chosen)]
+    filled = [_fill(name, block, houses, style, method, k, steps) for k, block in enumerate(chosen)]
     took = (time.process_time() - begun) / len(chosen)
     pairs = zip(chosen, filled, strict=True)
-    made = [figures(block.floor, block.streets, one) for block, one in pairs if len(one.shapes)]
-    real = [figures(block.floor, block.streets, block.standing) for block in test]
-    mine = [real[k] for k in order]
-    ratios = [m.void / r.void for m, r in zip(made, mine, strict=False) if r.void > 0]
-    return real, made, took, float(np.median(ratios))
+    both = [
+        (
+            figures(block.floor, block.streets, block.standing),
+            figures(block.floor, block.streets, one),
+        )
+        for block, one in pairs
+        if len(one.shapes)
+    ]
+    ratios = [made.void / real.void for real, made in both if real.void > 0]
+    return [real for real, _ in both], [made for _, made in both], took, float(np.median(ratios))
 
 
 def _fill(
-    block: RealBlock, houses: Sequence[Any], style: VillageStyle, method: str, seed: int, steps: int
+    name: str,
+    block: RealBlock,
+    houses: Sequence[Any],
+    style: VillageStyle,
+    method: str,
+    seed: int,
+    steps: int,
 ) -> Any:
+    rng = np.random.default_rng(seed)
     problem = problem_of_block(block, houses, style, VillageSettings())
     if method in MOVES:
         counted = problem._replace(asked=len(block.houses))
-        picked = choose_houses(counted, np.random.default_rng(seed))
+        picked = choose_houses(counted, rng)
         return anneal_block(block, [houses[k] for k in picked], seed, steps)
-    layout = VILLAGE_SOLVERS[method].run(problem, Budget(steps=3), seed).layouts[0]
+    if method == "paper":
+        filled = fill_as_paper(read_paper_nets(path_of_paper(name)), problem, rng)
+        layout = layout_of(problem, filled.houses, filled.poses)
+    else:
+        layout = VILLAGE_SOLVERS[method].run(problem, Budget(steps=3), seed).layouts[0]
     return standing_of(problem, layout)
 
 
@@ -124,7 +157,7 @@ def _records(name: str, results: list[Any]) -> Iterator[Record]:
     half = np.random.default_rng(1).permutation(len(real))
     one, other = ([real[k] for k in part] for part in np.array_split(half, 2))
     floor = {**divergences(one, other), "AUC": classifier_auc(one, other)}
-    for method, (truth, made, took, ratio) in zip(METHODS, found, strict=True):
+    for method, (truth, made, took, ratio) in zip(methods_of_split(name), found, strict=True):
         told = {**divergences(truth, made), "AUC": classifier_auc(truth, made)}
         told["void against real"] = ratio
         told["houses against real"] = _mean(made, lambda b: len(b.rows)) / _mean(
@@ -166,7 +199,7 @@ def _record(
 
 
 def _unit(metric: str) -> str:
-    units = {"seconds": "s", "KL": "nats", "nats": "nats", "peaks": "m"}
+    units = {"seconds": "s", "KL": "nats", "nats": "nats", "places": "m"}
     return next((unit for word, unit in units.items() if word in metric), "1")
 
 

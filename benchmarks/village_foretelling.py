@@ -1,5 +1,5 @@
-"""Methods that say where the next house stands, on the same proposals: the shipped net, gradient
-boosting on the same figures, the tables, nothing, and hugging the street."""
+"""Methods that say where the next house stands: on the same proposals the net, gradient boosting on
+the same figures, nothing, and hugging the street; and the paper's *location* network."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+import shapely
 
-from benchmarks.village_location import Foretold, Scoring, foretell_blocks
+from benchmarks.village_location import EVEN, Foretold, Scoring, best_places, foretell_blocks
 from scenewright.domains.village.learned.more import odds_of_figures
 from scenewright.domains.village.learned.pose_net import score_poses
 from scenewright.domains.village.learned.style import VillageStyle
@@ -17,6 +18,9 @@ from scenewright.domains.village.learned.tokens import PoseTokens
 from scenewright.domains.village.learning.examples import Turn, examples_of
 from scenewright.domains.village.learning.more_training import states_of
 from scenewright.domains.village.learning.tables import RealBlock
+from scenewright.domains.village.paper.filling import tell_standing
+from scenewright.domains.village.paper.passes import PIXELS, PaperWeights, odds_of_places
+from scenewright.domains.village.paper.views import base_and_door, class_planes, frame_of, paint
 from scenewright.domains.village.standing import Floats
 
 SETBACK, STEEP = 12, 3.0
@@ -47,7 +51,7 @@ def boost(style: VillageStyle, train: Sequence[RealBlock], seed: int) -> Scoring
     rows = [row.tokens for b in train for row in examples_of(b, style, rng, FALSE + 1)]
     label = np.concatenate([np.arange(len(row.own)) == 0 for row in rows])
     model = HistGradientBoostingClassifier(
-        max_iter=200, learning_rate=0.1, max_leaf_nodes=31, l2_regularization=1.0, random_state=seed
+        max_iter=150, learning_rate=0.1, max_leaf_nodes=31, l2_regularization=1.0, random_state=seed
     )
     model.fit(np.concatenate([flat(row) for row in rows]), label)
     return partial(_by_model, model)
@@ -71,11 +75,35 @@ def tell_locations(
     test: Sequence[RealBlock],
     houses: int,
     seed: int,
+    nets: PaperWeights | None = None,
 ) -> dict[str, list[Foretold]]:
     """What each method foretells of so many held-out houses."""
     methods = methods_of(style, train, seed)
-    found = foretell_blocks(test, style, list(methods.values()), houses, seed)
-    return dict(zip(methods, found, strict=True))
+    direct = {} if nets is None else {"paper's CNN": partial(tell_by_paper, nets)}
+    found = foretell_blocks(
+        test, style, list(methods.values()), houses, seed, list(direct.values())
+    )
+    return dict(zip([*methods, *direct], found, strict=True))
+
+
+def tell_by_paper(nets: PaperWeights, block: RealBlock, turn: Turn, free: Floats) -> Foretold:
+    """What the paper's *location* network, told the real classes, says of the base point."""
+    frame = frame_of(block.floor, PIXELS)
+    view = paint(frame, block.floor, tell_standing(turn.seen.standing, block.streets))
+    classes = (0, turn.house.shape, turn.house.size)
+    odds = odds_of_places(nets, np.concatenate([view, class_planes(classes, PIXELS)])).astype(float)
+    odds = np.where(view[0] < 0.5, 0.0, np.exp(odds - odds[view[0] >= 0.5].max()))
+    odds /= odds.sum()
+    ring = shapely.get_coordinates(turn.shape.exterior)[:-1]
+    base = base_and_door(ring, ring[0])[0]
+    column, row = np.clip(frame.pixels(base[None])[0].astype(int), 0, PIXELS - 1)
+    there = odds[row, column] / frame.pixel**2
+    rows, columns = np.nonzero(odds > 0)
+    places = best_places(
+        frame.metres(np.column_stack([columns, rows]).astype(float) + 0.5), odds[rows, columns]
+    )
+    away = float(np.hypot(*(places - base).T).min())
+    return Foretold(float(np.log((1 - EVEN) * there * len(free) + EVEN)), away)
 
 
 def tell_more(style: VillageStyle, test: Sequence[RealBlock], seed: int) -> tuple[float, float]:
@@ -91,4 +119,8 @@ def location_figures(found: dict[str, list[Foretold]]) -> Iterator[tuple[str, st
     """Method, figure and value: mean nats over even ground, median distance of the best peaks."""
     for name, rows in found.items():
         yield name, "location: nats over even ground", float(np.mean([row.nats for row in rows]))
-        yield name, "location: best of 5 peaks", float(np.median([row.distance for row in rows]))
+        yield (
+            name,
+            "location: nearest of 5 places, median",
+            float(np.median([row.distance for row in rows])),
+        )

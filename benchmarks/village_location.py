@@ -45,6 +45,10 @@ class Foretold(NamedTuple):
     distance: float
 
 
+Foretelling = Callable[[RealBlock, Turn, Floats], Foretold]
+"""What is foretold of a turn of a block whose free middles are given."""
+
+
 class Sampled(NamedTuple):
     """Legal poses (k, 3) of a house and their footprints (k,)."""
 
@@ -120,18 +124,22 @@ def foretell_blocks(
     methods: Sequence[Scoring],
     houses: int,
     seed: int = 3,
+    direct: Sequence[Foretelling] = (),
 ) -> list[list[Foretold]]:
-    """Of each method what it foretells of so many houses of some blocks, the same for all."""
+    """Of each method what it foretells of so many houses of some blocks, the same for all;
+    ``direct`` are methods that need no proposals, last."""
     wide = VillageSettings(GrowSettings(proposed=PROPOSED))
     rng = np.random.default_rng(seed)
     turns = [(b, turn) for b in blocks for turn in turns_of(b, rng)]
-    found: list[list[Foretold]] = [[] for _ in methods]
+    found: list[list[Foretold]] = [[] for _ in (*methods, *direct)]
     for k in rng.permutation(len(turns))[:houses].tolist():
         block, turn = turns[k]
         legal = sample_legal(problem_of_block(block, (), style, wide), turn, rng)
         free = free_middles(block.floor, turn.seen.standing.shapes)
         tokens = tokens_of(turn.seen, turn.house, legal.poses, legal.shapes)
-        for method, row in zip(methods, found, strict=True):
+        for tell, row in zip(direct, found[len(methods) :], strict=True):
+            row.append(tell(block, turn, free))
+        for method, row in zip(methods, found, strict=False):
             weights = method(turn, tokens) if len(legal.poses) else np.zeros(0)
             row.append(foretell(legal, weights, free, turn.pose[:2]))
     return found
