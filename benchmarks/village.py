@@ -40,10 +40,10 @@ Progress = Callable[[float, str], None]
 METHODS = ("grow", "paper", "tables", "proposals", "annealing", "brief annealing")
 MOVES = {"annealing": STEPS, "brief annealing": 4000}
 """Moves of a block; the short one takes as long as ours."""
-USUAL = {"paper": 40, "tables": 60, "proposals": 60, "annealing": 12, "brief annealing": 40}
+USUAL = {"paper": 40, "tables": 40, "proposals": 40, "annealing": 8, "brief annealing": 40}
 """Blocks of a split that are filled, the same first ones; ours fills all. 40,000 moves take four
 seconds."""
-HOUSES = 60
+HOUSES = 40
 """Houses of a split whose places are foretold."""
 QUICK, QUICK_HOUSES, QUICK_MOVES = 6, 10, 1000
 STYLES = Path(__file__).parent / "styles"
