@@ -290,3 +290,12 @@ def test_bodies_that_overlap_are_one_building_and_ground_is_none() -> None:
     bodies = [body(0, 0, 3), body(0, 3, 5), body(30, 0, 4), body(-50, -0.2, 0, 130.0)]
     groups = _join_bodies([_turned(one, 1.0) for one in bodies])
     assert [len(group) for group in groups] == [2, 1]
+
+
+def test_a_source_away_from_its_borders_grows() -> None:
+    """Nothing stands along an edge: nothing is learned of edges, and that is no fault."""
+    far = [[-90, -90], [86, -90], [86, 130], [-90, 130]]
+    source = {"buildings": rows(), "outline": far}
+    solution = sw.solve(extension(source, count=6), steps=2)
+    assert len(new(solution)) == 6
+    assert sw.check(solution).valid

@@ -115,6 +115,8 @@ def learn_rule(problem: ExtendProblem, lines: list[NDArray[np.float64]]) -> Edge
         if near:
             (_, start, one), k = min(near, key=lambda pair: pair[0][0])
             found.append((k, start, one))
+    if not found:
+        return EdgeRule((), 0.0)
     found.sort(key=lambda row: (row[0], row[1]))
     gaps = [max(b[1] - a[1] - a[2].extent, 0.0) for a, b in pairwise(found) if a[0] == b[0]]
     usual = float(np.median(gaps)) if gaps else max(problem.pattern.gaps.side, 3.0)
