@@ -11,12 +11,13 @@ import shapely
 
 import scenewright as sw
 from scenewright.core.brief import Brief
-from scenewright.domains import problems
+from scenewright.domains import problems, solvers
 from scenewright.domains.village.choosing import choose_houses
 from scenewright.domains.village.enclosures import LOOKS, enclose_block
 from scenewright.domains.village.learned.mix import HouseMix, draw_sizes, fetch_houses
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.problem import VillageProblem
+from scenewright.engine.solve import Budget
 
 MIX = HouseMix(
     np.array([[9.0, 0.3, 3.0], [9.0, 0.3, 12.0], [11.0, 0.3, 6.0]]),
@@ -109,3 +110,14 @@ def test_a_map_may_bring_its_own_houses_to_choose_from(tmp_path: Path) -> None:
     assert {piece.function for piece in placed} == {"Mine"}
     assert all("hipped" in piece.asset for piece in placed)
     assert sw.check(solution).valid
+
+
+def test_all_layouts_of_a_block_are_of_the_same_houses() -> None:
+    """Else the best of several would be that with the fewest houses, which lacks least."""
+    one = problem()
+    found = solvers("village")["grow"].run(one, Budget(steps=4), 5).layouts
+    assert {layout.asked for layout in found} == {found[0].asked}
+    whole = [sorted(row.houses.tolist()) for row in found if len(row.houses) == row.asked]
+    assert len(whole) >= 2
+    asked = sorted(choose_houses(one, np.random.default_rng([5, 1])))
+    assert any(row == asked for row in whole)

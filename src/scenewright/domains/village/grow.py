@@ -13,7 +13,6 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
-from scenewright.domains.village.choosing import choose_houses
 from scenewright.domains.village.doors import assign_doors
 from scenewright.domains.village.house import House
 from scenewright.domains.village.learned.pose_net import score_poses
@@ -53,12 +52,13 @@ class Growth(NamedTuple):
 
 def grow(
     problem: VillageProblem,
+    chosen: list[int],
     rng: np.random.Generator,
     weighing: Weighing | None = None,
     cancel: Callable[[], bool] | None = None,
 ) -> VillageLayout:
-    """Fill a block. ``weighing`` tells how likely poses are (left out: by the learned net)."""
-    chosen = choose_houses(problem, rng)
+    """Fill a block with houses of the library by number. ``weighing`` tells how likely poses are
+    (left out: by the learned net)."""
     weighing = weighing or weigh_by_net
     growth = Growth(survey_problem(problem, len(chosen)), (), ())
     grown = _add_all(problem, growth, chosen, rng, weighing, cancel)

@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 import shapely
 
+from scenewright.domains.village.choosing import choose_houses
 from scenewright.domains.village.grow import grow, weigh_by_tables
 from scenewright.domains.village.house import House
 from scenewright.domains.village.learned.surroundings import Surroundings
@@ -30,8 +31,10 @@ def grow_block(
     cancel: Cancel | None = None,
 ) -> VillageFound:
     """Layouts weighed by the learned net; of those the one that lacks fewest houses and
-    leaves the least void beyond the usual. One step is one layout."""
-    return grow_several(problem, partial(grow, problem), budget, seed, progress, cancel)
+    leaves the least void beyond the usual. One step is one layout. All are of the same houses, or
+    the choice would prefer few and large ones, which leave least missing."""
+    make = partial(grow, problem, _choose(problem, seed))
+    return grow_several(problem, make, budget, seed, progress, cancel)
 
 
 def fill_by_tables(
@@ -42,7 +45,7 @@ def fill_by_tables(
     cancel: Cancel | None = None,
 ) -> VillageFound:
     """The same weighed by the tables of single relations."""
-    make = partial(grow, problem, weighing=weigh_by_tables)
+    make = partial(grow, problem, _choose(problem, seed), weighing=weigh_by_tables)
     return grow_several(problem, make, budget, seed, progress, cancel)
 
 
@@ -54,8 +57,12 @@ def fill_unweighed(
     cancel: Cancel | None = None,
 ) -> VillageFound:
     """The same with all legal proposals alike."""
-    make = partial(grow, problem, weighing=_alike)
+    make = partial(grow, problem, _choose(problem, seed), weighing=_alike)
     return grow_several(problem, make, budget, seed, progress, cancel)
+
+
+def _choose(problem: VillageProblem, seed: int) -> list[int]:
+    return choose_houses(problem, np.random.default_rng([seed, 1]))
 
 
 def _alike(
