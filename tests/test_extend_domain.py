@@ -299,3 +299,25 @@ def test_a_source_away_from_its_borders_grows() -> None:
     solution = sw.solve(extension(source, count=6), steps=2)
     assert len(new(solution)) == 6
     assert sw.check(solution).valid
+
+
+def test_models_without_surface_are_left_out_by_name(tmp_path: Path) -> None:
+    kinds = [{"outline": box(24.0 * k, 0.0, 10.0 + k % 2), "height": 7.0} for k in range(6)]
+    sw.write(sw.solve(extension({"buildings": kinds}, count=2), steps=1), tmp_path / "first.glb")
+    content = (tmp_path / "first.glb").read_bytes()
+    end = 20 + int.from_bytes(content[12:16], "little")
+    document = json.loads(content[20:end])
+    node = next(n for n in document["nodes"] if n.get("extras", {}).get("category") == "building")
+    for primitive in document["meshes"][node["mesh"]]["primitives"]:
+        primitive["mode"] = 1
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    whole = b"JSON" + text + content[end:]
+    header = content[:8] + (16 + len(whole)).to_bytes(4, "little")
+    (tmp_path / "bare.glb").write_bytes(header + len(text).to_bytes(4, "little") + whole)
+    bare = [n["name"] for n in document["nodes"] if n.get("mesh") == node["mesh"]]
+    assert 0 < len(bare) < 7
+    outline = [[202, -4], [300, -4], [300, 46], [202, 46]]
+    brief = extension({"path": str(tmp_path / "bare.glb")}, outline=outline, count=3)
+    told = {out.what for out in sw.solve(brief, steps=1).left_out}
+    assert {f"{name}: has no surface" for name in bare} <= told

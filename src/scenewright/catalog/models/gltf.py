@@ -24,6 +24,7 @@ from scenewright.catalog.models.model import (
     MOST_VERTICES,
     ImportOptions,
     RawModel,
+    SkippedModel,
     check_count,
     clean,
     merge_parts,
@@ -61,7 +62,9 @@ class SceneBody(NamedTuple):
     place: Floats
 
 
-def read(content: bytes, stem: str, beside: Beside, options: ImportOptions) -> Iterator[RawModel]:
+def read(
+    content: bytes, stem: str, beside: Beside, options: ImportOptions
+) -> Iterator[RawModel | SkippedModel]:
     """The one model of a glTF file; with ``options.buildings`` every building that stands in it."""
     if options.buildings:
         from scenewright.catalog.models import gltf_scene

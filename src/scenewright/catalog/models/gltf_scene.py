@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scenewright.catalog.models.cityjson import rotate_parts, turn_of
 from scenewright.catalog.models.files import Beside
 from scenewright.catalog.models.gltf import SceneBody, open_scene, read_credits, scene_bodies
-from scenewright.catalog.models.model import RawModel, check_count, merge_parts
+from scenewright.catalog.models.model import RawModel, SkippedModel, check_count, merge_parts
 from scenewright.core.catalog import Part
 from scenewright.core.errors import InputError
 
@@ -32,8 +32,9 @@ MOST_BODIES = 20_000
 
 class SceneBuilding(NamedTuple):
     """A building of a scene: its name, the name of its model, its parts where they stand, in
-    metres, z up, and by what angle in radians it is turned from the first building of its
-    ``model`` (the same meshes at the same scale), whose number is ``like``."""
+    metres, z up (none: it has no surface), and by what angle in radians it is turned from the
+    first building of its ``model`` (the same meshes at the same scale), whose number is
+    ``like``."""
 
     name: str
     model: str
@@ -42,12 +43,15 @@ class SceneBuilding(NamedTuple):
     like: int
 
 
-def read(content: bytes, stem: str, beside: Beside) -> Iterator[RawModel]:
+def read(content: bytes, stem: str, beside: Beside) -> Iterator[RawModel | SkippedModel]:
     """Every building that is not another one's copy as a model, turned until its footprint fills
     its box best, as those of city models are."""
     author, licence, _ = read_credits(content, beside)
     for number, one in enumerate(scene_buildings(content, stem, beside)):
         if one.like != number:
+            continue
+        if not one.parts:
+            yield SkippedModel(one.model, "has no surface")
             continue
         parts = rotate_parts(one.parts, turn_of(one.parts))
         yield RawModel(one.model, one.name, parts, "+z", "-y", author, licence)

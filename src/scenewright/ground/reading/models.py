@@ -54,6 +54,9 @@ def _buildings(file: Path, scale: float, told: list[str]) -> list[BuiltBuilding]
     found = []
     buildings = gltf_scene.scene_buildings(content, stem, beside(file.parent), scale)
     for one in buildings:
+        if not one.parts:
+            told.append(f"{one.name}: has no surface")
+            continue
         built = building_of_parts(one.parts, one.name, "", f"{OWN}{one.model}")
         if built is None:
             told.append(f"{one.name}: has no usable footprint")
