@@ -78,5 +78,6 @@ def test_records_say_that_persons_are_simulated(world: World) -> None:
 
 
 def test_waits_are_measured_from_asking() -> None:
-    ((screen, pictures, _bred),) = measure_waits("home-child", 1)
+    ((screen, busy, pictures, drawn, _bred),) = measure_waits("home-child", 1)
     assert 0.0 < screen < pictures
+    assert 0.0 < busy < drawn

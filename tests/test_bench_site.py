@@ -11,8 +11,10 @@ from benchmarks.site_instances import example_site
 from benchmarks.site_reco import Designed, compounds
 from benchmarks.site_scenes import SIZES, judged, posed, scene_brief
 
+from scenewright.core.brief import Brief
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.solvers.outcome import SiteLayout
+from scenewright.domains.site.solving import solve
 from scenewright.engine.solve import Found
 from scenewright.geometry.saliency import saliency
 
@@ -141,3 +143,15 @@ def test_real_compounds_are_laid_out_anew() -> None:
     assert all(list(record) == KEYS for record in records)
     assert found["overlaps, sum"] == found["outside, sum"] == found["unreached, sum"] == 0
     assert found["valid, mean"] == 1.0
+
+
+@pytest.mark.realdata
+@pytest.mark.usefixtures("real_data")
+def test_a_door_where_its_walk_begins_needs_no_stub() -> None:
+    """In this compound one lies on a point of the raster that ways are found on."""
+    site, designed = compounds(site_compounds.file())[40]
+    ruled = site.model_copy(update=site_compounds.own_rules(site, designed))
+    wishes = site_compounds.asked(ruled, designed, site_compounds.MODEL)
+    asked = wishes.model_copy(update={"form": "peripheral"})
+    solved = solve(Brief.model_validate({"domain": "site", "name": "S", "sites": [asked]}))
+    assert all(len(path.line) > 1 for path in solved.detail[0].pathways)

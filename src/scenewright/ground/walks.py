@@ -82,11 +82,10 @@ def lay_walks(
         if served[k]
     ]
     served[list(outward)] = True
-    return tuple(
-        Pathway("walk", WALK, corners_of_line(shapely.LineString(line)))
-        for line in (*lines, *stubs, *outward.values())
-        if len(line) > 1
-    ), served
+    every = (line for line in (*lines, *stubs, *outward.values()) if len(line) > 1)
+    corners = (corners_of_line(shapely.LineString(line)) for line in every)
+    walks = (Pathway("walk", WALK, line) for line in corners if len(line) > 1)
+    return tuple(walks), served
 
 
 def _find_ways_out(plan: SitePlan, doors: Doors) -> dict[int, Floats]:
