@@ -26,8 +26,8 @@ from scenewright.core.space import Space
 Record = dict[str, Any]
 FLATS, QUICK = 3, 1
 """Flats a brief is put to."""
-FIRST, STEP = 2, 4
-"""Flats are every fourth, those that ``bench composition`` leaves out."""
+COMPOSED = 4
+"""Flats whose number this divides are those of ``bench composition``: they are left out."""
 LARGE, KITCHEN = 8.8, 4.0
 """A bedroom for two, and a kitchen, have so many square metres."""
 
@@ -66,7 +66,7 @@ def answer_briefs(flats: int, progress: stages.Progress | None = None) -> Iterat
 def list_pairs(flats: int) -> list[tuple[int, int]]:
     """Numbers of briefs with those of their flats: each brief begins its search where the one
     before ended, so that few flats are used twice."""
-    numbers = list(range(FIRST, len(raw_plans()), STEP))
+    numbers = [n for n in range(len(raw_plans())) if n % COMPOSED]
     found, start = [], 0
     for k, row in enumerate(BRIEFS):
         turned = (numbers[(start + i) % len(numbers)] for i in range(len(numbers)))

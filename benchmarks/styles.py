@@ -31,10 +31,10 @@ MAIN = [
     "wardrobe",
     "chest_of_drawers",
     "tv_stand",
-    "base_cabinet",
+    "sink_cabinet",
     "floor_lamp",
     "table_lamp",
-    "pendant_lamp",
+    "ceiling_lamp",
     "rug",
 ]
 """Kinds of which three models or more are expected."""

@@ -6,6 +6,8 @@ import json
 
 import numpy as np
 import pytest
+from benchmarks.briefs import state
+from benchmarks.briefs_households import BRIEFS
 
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
@@ -93,3 +95,18 @@ def test_halls_have_no_residents() -> None:
     brief, _ = read_planned("sample:hall-shop")
     with pytest.raises(InputError, match="residents"):
         plan_of(brief.model_copy(update={"residents": 3}))
+
+
+def test_thirty_households_state_what_they_need() -> None:
+    assert len(BRIEFS) == 30
+    assert len({row.words for row in BRIEFS}) == 30
+    assert all(len(row.needs) >= 3 and 1 <= row.residents <= 5 for row in BRIEFS)
+
+
+def test_a_wish_goes_to_the_largest_room_of_its_function() -> None:
+    brief, plan = read_planned("sample:home-flat")
+    row = next(row for row in BRIEFS if row.words == "a couple, one works from home")
+    stated = state(row, brief, plan.spaces)
+    wished = [room.name for room in stated.rooms if any(w.what == "desk" for w in room.wishes)]
+    assert stated.residents == 2
+    assert wished == ["Living and dining"]
