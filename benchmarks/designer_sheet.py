@@ -19,14 +19,24 @@ _NAMES = re.compile(r'(\bid="|href="#|url\(#)')
 def sheet(home: Home) -> str:
     """The SVG text of a home's two plans."""
     plans = [
-        _plan(home.designer, f"{home.name} · designer", "a-"),
-        _plan(home.ours, f"{home.name} · Scenewright", "b-"),
+        draw_plan(home.designer, f"{home.name} · designer", "a-"),
+        draw_plan(home.ours, f"{home.name} · Scenewright", "b-"),
     ]
-    wide, high = sum(w for _, w, _ in plans), max(h for _, _, h in plans)
-    body, left = [], 0.0
-    for text, width, height in plans:
-        body.append(f'<g transform="translate({left:g} {(high - height) / 2:g})">{text}</g>')
-        left += width
+    return place_side_by_side(plans, 2)
+
+
+def place_side_by_side(plans: list[tuple[str, float, float]], columns: int) -> str:
+    """One SVG text of plans with their widths and heights in millimetres, row by row."""
+    rows = [plans[k : k + columns] for k in range(0, len(plans), columns)]
+    wide = max(sum(w for _, w, _ in row) for row in rows)
+    body, high = [], 0.0
+    for row in rows:
+        left, tall = 0.0, max(h for _, _, h in row)
+        for text, width, height in row:
+            down = high + (tall - height) / 2
+            body.append(f'<g transform="translate({left:g} {down:g})">{text}</g>')
+            left += width
+        high += tall
     inside = "\n".join(body)
     return (
         '<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" '
@@ -36,7 +46,7 @@ def sheet(home: Home) -> str:
     )
 
 
-def _plan(solution: Solution, name: str, prefix: str) -> tuple[str, float, float]:
+def draw_plan(solution: Solution, name: str, prefix: str) -> tuple[str, float, float]:
     """A plan to stand within another, names of its own, and its width and height in millimetres."""
     text = write_svg(rooms.plan(replace(scene_of(solution), name=name), shipped()))
     text = text[text.index("<svg ") :]

@@ -10,6 +10,7 @@ import pytest
 import shapely
 from benchmarks import designer_measures as measures
 from benchmarks.designer import NEAR, homes, lines, records, values
+from benchmarks.designer_blind import DESIGNER, OURS, BlindPair, draw_home, open_key, shuffle_pairs
 from benchmarks.designer_guidelines import GUIDELINES
 from benchmarks.designer_rooms import Seen
 from benchmarks.designer_sheet import sheet
@@ -127,10 +128,26 @@ def test_a_home() -> None:
     assert len(values(GUIDELINES[1], pairs)) == 6
     told = "\n".join(lines(pairs))
     assert all(f"| {row.name}: " in told for row in GUIDELINES)
-    drawn = ElementTree.fromstring(sheet(found[0]))
-    names = [mark.get("id") for mark in drawn.iter() if mark.get("id")]
-    assert len(names) == len(set(names))
-    assert len(drawn) == 2
+    blind = shuffle_pairs(found, 0)
+    for text, plans in ((sheet(found[0]), 2), (draw_home(found[0], blind), 12)):
+        drawn = ElementTree.fromstring(text)
+        names = [mark.get("id") for mark in drawn.iter() if mark.get("id")]
+        assert len(names) == len(set(names))
+        assert len(drawn) == plans
+    assert "designer" not in text
+
+
+def test_verdicts_are_told_by_the_key() -> None:
+    """Of three rooms ours is preferred once, the designer's once; a verdict of no room is named."""
+    key = [
+        BlindPair(1, "home", "a", OURS, DESIGNER),
+        BlindPair(2, "home", "b", DESIGNER, OURS),
+        BlindPair(3, "home", "c", OURS, DESIGNER),
+    ]
+    told = open_key(key, {1: "A", 2: "A", 3: "-"})
+    assert told == {OURS: ["home/a"], DESIGNER: ["home/b"], "tie": ["home/c"]}
+    with pytest.raises(ValueError, match="room 3 has no verdict"):
+        open_key(key, {1: "A", 2: "B"})
 
 
 @pytest.mark.realdata

@@ -297,3 +297,9 @@ def test_normals_are_the_mean_of_the_faces_that_meet_within_the_crease() -> None
             near = (faces == corner_).any(1) & (own @ own[face] >= np.cos(np.deg2rad(40)) - 1e-9)
             mean = (own[near] * areas[near, None]).sum(0)
             assert np.allclose(normal, mean / np.linalg.norm(mean))
+
+
+def test_a_balcony_by_itself_has_no_walls() -> None:
+    brief = brief_of({"id": "out", "function": "balcony", "outline": SQUARE})
+    walls, _ = shell(brief, spaces(brief))
+    assert all(prism.top < 2.0 for wall in walls for prism in wall.prisms)
