@@ -169,7 +169,7 @@ def greedy(
     """
     rng, watch = np.random.default_rng(seed), BudgetWatch(budget, progress, cancel)
     n, p, grid = len(problem.items.low), prepare(problem), route_grid(problem, 0.1)
-    area, widest, done = problem.items.high.prod(axis=1), 0, 0
+    area, done = problem.items.high.prod(axis=1), 0
     rule, bounded = problem.settings.greedy, budget.steps or budget.seconds
     whole = min(rule.one, max(rule.first // n, 1))
     least = min(rule.least, whole, max((budget.steps or rule.first) // n, 1))
@@ -177,7 +177,7 @@ def greedy(
     for looks in looks_in_turn(least if bounded else whole, whole):
         if kept and budget.steps and done + looks * n > budget.steps:
             break
-        shake, widest = rule.shake * (looks <= widest), max(widest, looks)
+        shake = rule.shake if kept else 0.0
         order = np.argsort(-area * np.exp(shake * rng.normal(size=n)), kind="stable")
         found = place_all(problem, order.tolist(), looks, rng, watch.cancelled)
         energy = float(energies_of(p, grid, found.boxes[None])[0][0])
