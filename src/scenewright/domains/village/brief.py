@@ -45,7 +45,7 @@ class LibraryHouse(StrictModel):
     """A house to choose: the ``footprint`` it covers in metres, as drawn, with ``levels`` and a
     ``roof`` (built in the style of the brief), or a ``model`` of the brief's ``catalogs`` as large
     as it is. ``height`` in metres (left out: by its levels); ``share`` how often it is chosen
-    among houses of its class."""
+    among houses about as large."""
 
     name: Annotated[str, Field(min_length=1, max_length=80)]
     footprint: FootprintOutline | None = None
