@@ -196,7 +196,7 @@ def test_every_setting_is_listed() -> None:
             assert isinstance(preset, Preset)
             assert set(listed[domain.name, name]) == set(getattr(preset.settings, "_fields", ()))
     assert listed["home", "default"]["chains"]["hot"] == 0.07
-    assert listed["site", "default"]["fill"]["loosest"] == (3.0, 1.5, 1.0, 1.0, 1.0)
+    assert listed["site", "default"]["fill"]["loosest"] == (3.0, 1.5, *(1.0,) * 6)
 
 
 def test_an_unknown_preset_is_refused_with_those_there_are() -> None:
