@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -179,14 +180,18 @@ def test_a_hand_made_change_is_a_candidate(tmp_path: Path) -> None:
 
 
 def test_the_model_rates_only_when_it_may(tmp_path: Path) -> None:
-    with evolve(HOME, tmp_path / "log", breeding=FEW) as evolution:
+    many = FEW._replace(first=24, each=14)
+    with evolve(HOME, tmp_path / "log", breeding=many) as evolution:
         play(evolution, 1)
         with pytest.raises(InputError, match="not good enough yet"):
             evolution.rate_itself(2)
-        for _ in range(6):  # a person who always picks what is predicted
+        for _ in range(8):  # a person who always says what is predicted
             screen = evolution.ask()
-            best = max(screen.candidates, key=lambda one: one.predicted or 0.0)
-            evolution.tell(Pick(best.number, numbers(screen)))
+            told = sorted(screen.candidates, key=lambda one: -(one.predicted or 0.0))
+            order = [one.number for one in told]
+            better = [Prefer(one, other) for one, other in pairwise(order)]
+            evolution.tell(Pick(order[0], numbers(screen)), *better)
+        assert evolution.trust.late[0] < evolution.trust.screens  # the first are to learn from
         assert evolution.trust.enough
         champion, said = evolution.champion, evolution.events
         assert evolution.rate_itself(2) >= 0
