@@ -28,6 +28,7 @@ from scenewright.formats import brief_json, solution_json
 
 SAMPLES = ("exhibition", "shop", "reading-room", "auditorium", "irregular")
 STEPS = 5000
+"""Fewer than ``quick`` takes, the least that a user is offered by name."""
 SEEDS, ENOUGH = 5, 20_000
 """Runs and steps for a median of energies that hardly depends on chance."""
 EVERY = pytest.mark.parametrize(("name", "seed"), [(n, s) for n in SAMPLES for s in (0, 1)])
