@@ -175,18 +175,13 @@ def test_attempts_at_halls_follow_the_preset(
 def test_rooms_are_tried_and_answers_compared_by_the_preset(
     group: str, name: str, value: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    table = presets("home")
+    brief, table = sw.read("sample:home-flat"), presets("home")
     usual = table["quick"]
     changed = getattr(usual.settings, group)._replace(**{name: value})
     tuned = usual._replace(settings=usual.settings._replace(**{group: changed}))
     monkeypatch.setitem(table, "tuned", tuned)  # type: ignore[arg-type]
-
-    def differs(sample: str) -> bool:
-        brief = sw.read(sample)
-        one, other = (sw.solve(brief, preset=each, seed=1) for each in ("quick", "tuned"))
-        return one.pieces != other.pieces or one.evaluations != other.evaluations
-
-    assert any(map(differs, ("sample:home-flat", "sample:home-loft", "sample:home-house")))
+    one, other = (sw.solve(brief, preset=each, seed=1) for each in ("quick", "tuned"))
+    assert one.pieces != other.pieces or one.evaluations != other.evaluations
 
 
 def test_every_setting_is_listed() -> None:
