@@ -12,7 +12,7 @@ import shapely
 
 import scenewright as sw
 from scenewright.catalog.models.gltf import SceneBody
-from scenewright.catalog.models.gltf_scene import TURN, _join_bodies, _turned
+from scenewright.catalog.models.gltf_scene import TURN, _join_bodies, _turn_body
 from scenewright.catalog.models.model import PLAIN
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Part
@@ -288,7 +288,7 @@ def test_bodies_that_overlap_are_one_building_and_ground_is_none() -> None:
         return SceneBody("b", "", (Part(PLAIN, corners, made.faces),), mesh, np.eye(4))
 
     bodies = [body(0, 0, 3), body(0, 3, 5), body(30, 0, 4), body(-50, -0.2, 0, 130.0)]
-    groups = _join_bodies([_turned(one, 1.0) for one in bodies])
+    groups = _join_bodies([_turn_body(one, 1.0) for one in bodies])
     assert [len(group) for group in groups] == [2, 1]
 
 

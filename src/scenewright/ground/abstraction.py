@@ -48,7 +48,7 @@ def symmetry_value(boxes: Floats) -> float:
     built = shapely.union_all(shapes)
     if built.area <= 0:
         return 0.0
-    return max(_mirrored(built, axis) for axis in _axes(boxes))
+    return max(_mirror(built, axis) for axis in _axes(boxes))
 
 
 def _axes(boxes: Floats) -> tuple[float, float]:
@@ -58,7 +58,7 @@ def _axes(boxes: Floats) -> tuple[float, float]:
     return usual, usual + np.pi / 2
 
 
-def _mirrored(built: shapely.Geometry, axis: float) -> float:
+def _mirror(built: shapely.Geometry, axis: float) -> float:
     """The share of some ground that its mirror image across an axis through its middle shares."""
     middle = np.array(built.centroid.coords[0])
     way = np.array([np.cos(axis), np.sin(axis)])

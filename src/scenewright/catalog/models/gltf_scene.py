@@ -62,7 +62,7 @@ def scene_buildings(
 ) -> tuple[SceneBuilding, ...]:
     """The buildings of a scene in the order of its nodes; ``scale`` is metres a unit. InputError
     if there are none."""
-    bodies = [_turned(body, scale) for body in scene_bodies(open_scene(content, beside))]
+    bodies = [_turn_body(body, scale) for body in scene_bodies(open_scene(content, beside))]
     check_count(len(bodies), MOST_BODIES, "bodies")
     told = [body for body in bodies if body.category == "building"]
     groups = [[body] for body in told] if told else _join_bodies(bodies)
@@ -97,7 +97,7 @@ def _heading(body: SceneBody) -> float:
     return float(np.arctan2(-z, x))
 
 
-def _turned(body: SceneBody, scale: float) -> SceneBody:
+def _turn_body(body: SceneBody, scale: float) -> SceneBody:
     parts = tuple(Part(p.material, p.vertices @ TURN.T * scale, p.faces) for p in body.parts)
     return body._replace(parts=parts)
 

@@ -70,7 +70,7 @@ def _head(form: Form, w: float, back: float, z: Interval) -> Stuff:
                 ]
             }
         case "classic":
-            return _tufted(w, back, z)
+            return _make_tufted(w, back, z)
         case "industrial":
             posts = [post(s * (w - 0.02), back + 0.03, (0, high), 0.018) for s in (-1, 1)]
             rails = [
@@ -95,7 +95,7 @@ def _head(form: Form, w: float, back: float, z: Interval) -> Stuff:
     }
 
 
-def _tufted(w: float, back: float, z: Interval) -> Stuff:
+def _make_tufted(w: float, back: float, z: Interval) -> Stuff:
     low, high = z
     pad = cushion((-w + 0.05, w - 0.05), (back + 0.015, back + HEAD), (low, high - 0.05), 0.035)
     rim = frame((-w, w), (back + 0.005, back + 0.06), (low, high), 0.055, 0.1)

@@ -34,7 +34,7 @@ def _rim(tall: float) -> tuple[float, float]:
     return wide, min(0.09, 0.4 * tall)
 
 
-def _padded(w: float, back: float, z: Interval) -> Stuff:
+def _make_padded(w: float, back: float, z: Interval) -> Stuff:
     """An upholstered panel in a wooden frame, on two posts."""
     panel = cushion(
         (-w + 0.03, w - 0.03), (back + 0.01, back + 0.07), (z[0] + 0.1, z[1] - 0.03), 0.028
@@ -53,7 +53,7 @@ def _padded(w: float, back: float, z: Interval) -> Stuff:
     return {FABRIC: [panel], WALNUT: [rim, *posts]}
 
 
-def _strapped(w: float, back: float, z: Interval) -> Stuff:
+def _make_strapped(w: float, back: float, z: Interval) -> Stuff:
     """Leather slung over a steel hoop."""
     hoop = [
         (-w + 0.02, back + 0.07, z[0] - 0.02),
@@ -80,7 +80,7 @@ def _shell(w: float, back: float, z: Interval) -> Stuff:
     return {WALNUT: [bent(w - 0.005, back + 0.09, 0.075, 0.014, (z[0] + 0.02, z[1]), 8, 0.0)]}
 
 
-def _caned(w: float, back: float, z: Interval) -> Stuff:
+def _make_caned(w: float, back: float, z: Interval) -> Stuff:
     """Cane in a rounded wooden frame."""
     low = z[0] + 0.08
     rim = frame((-w + 0.01, w - 0.01), (back + 0.01, back + 0.04), (low, z[1]), *_rim(z[1] - low))
@@ -100,11 +100,11 @@ def _caned(w: float, back: float, z: Interval) -> Stuff:
 
 SEATS: dict[str, tuple[Rest, Material, Material]] = {
     "nordic": (_spindles, OAK, OAK),
-    "classic": (_padded, WALNUT, FABRIC),
-    "industrial": (_strapped, BLACK, LEATHER),
+    "classic": (_make_padded, WALNUT, FABRIC),
+    "industrial": (_make_strapped, BLACK, LEATHER),
     "japandi": (_low, OAK, RATTAN),
     "retro": (_shell, WALNUT, FABRIC),
-    "boho": (_caned, OAK, FABRIC),
+    "boho": (_make_caned, OAK, FABRIC),
 }
 """The back of a style's chairs, what the legs are of and what one sits on."""
 

@@ -115,7 +115,7 @@ def stand(form: Form, w: float, d: float, high: float, wood: Material = OAK) -> 
         case "turned":
             return {wood: _turned_legs(w, d, high, 1.5 * thick)}
         case "sled":
-            return {BLACK: _sled(w, d, high, 0.5 * thick)}
+            return {BLACK: _make_sled(w, d, high, 0.5 * thick)}
         case "board":
             return {wood: _boards(w, d, high)}
     if high < 0.3:
@@ -139,7 +139,7 @@ def _turned_legs(w: float, d: float, high: float, thick: float) -> list[Mesh]:
     ]
 
 
-def _sled(w: float, d: float, high: float, half: float) -> list[Mesh]:
+def _make_sled(w: float, d: float, high: float, half: float) -> list[Mesh]:
     """A closed frame of square steel at each end."""
     found = []
     for sign in (-1, 1):
