@@ -18,7 +18,7 @@ DEFAULTS = {
 }
 PACKAGES = {"extension": "extend"}
 """Domains that are not named by the heading of their page."""
-SHARED = ("engine/", "geometry/")
+SHARED = ("engine/", "geometry/", "ground/")
 NUMBERED = {
     HALL: [f"eq. {number}" for number in range(1, 10)],
     HOME: [f"C{number}" for number in range(1, 8)],

@@ -240,7 +240,7 @@ def _sample(name: str) -> Brief:
 
     if name not in samples():
         stems = [sample.removeprefix(SAMPLE) for sample in samples()]
-        near = get_close_matches(name.removeprefix(SAMPLE), stems, 6, 0.4)
+        near = get_close_matches(name.removeprefix(SAMPLE), stems, 6, 0.5)
         some = ", ".join(SAMPLE + stem for stem in near or stems[:: len(stems) // 6])
         raise InputError(
             "there is no such sample", f"use one of: {some}; all: scenewright list samples"

@@ -19,8 +19,8 @@ def assets_of(kind: Kind) -> Iterator[Asset]:
     """The assets that draw a kind, in the order of its modules and their tables.
 
     >>> from scenewright.catalog.kinds import KINDS
-    >>> [asset.id for asset in assets_of(KINDS["wardrobe"])]
-    ['wardrobe', 'wardrobe_sliding']
+    >>> [asset.id for asset in assets_of(KINDS["wardrobe"])][:3]
+    ['wardrobe', 'wardrobe_sliding', 'wardrobe_nordic']
     """
     for module in kind.drawn_by:
         for drawing in import_module(module, __name__).ASSETS:

@@ -49,31 +49,28 @@ def _layout(
     houses: Sequence[House], given: Sequence[NamedBox], block: str, free: shapely.Geometry
 ) -> VillageLayout:
     """Houses, poses and doors of boxes; InputError for a box that no house fits. Of several ways a
-    house fits its box, as one with a corner cut out does, that which keeps most to ``free`` ground.
+    house fits its box, as one with a corner cut out does, that which keeps most to ``free`` ground
+    and off the houses that fit theirs in one way.
     """
     names = {house.name: number for number, house in enumerate(houses)}
-    numbers, poses, doors = [], [], []
+    numbers, fitting = [], []
     for k, one in enumerate(given):
         place = f"{block}[{k}] '{one.name}'"
         if one.name not in names:
             known = ", ".join(sorted(names))
             raise InputError("is no house of the library", f"use one of: {known}", place=place)
         house = houses[names[one.name]]
-        ways = [
-            (side, _pose_in(house, front, one.box))
-            for side, front in _find_fronts(house, one.box, place)
-        ]
-        side, pose = min(ways, key=lambda way: _measure_outside(house, way[1], free))
-        poses.append(pose)
+        fronts = _find_fronts(house, one.box, place)
+        fitting.append([(side, _pose_in(house, front, one.box)) for side, front in fronts])
         numbers.append(names[one.name])
-        doors.append(side)
-    return VillageLayout(
-        np.array(numbers, np.int64),
-        np.array(poses, float).reshape(-1, 3),
-        np.array(doors, np.int64),
-        len(numbers),
-        {},
-    )
+    doors, poses = np.zeros(len(given), np.int64), np.zeros((len(given), 3))
+    for k in sorted(range(len(given)), key=lambda k: len(fitting[k])):
+        house = houses[numbers[k]]
+        shapes = [_stand(house, pose) for _, pose in fitting[k]]
+        best = int(np.argmin([round(shapely.difference(s, free).area, 2) for s in shapes]))
+        doors[k], poses[k] = fitting[k][best]
+        free = shapely.difference(free, shapes[best])
+    return VillageLayout(np.array(numbers, np.int64), poses, doors, len(numbers), {})
 
 
 def _pose_in(house: House, front: float, box: tuple[float, ...]) -> tuple[float, float, float]:
@@ -84,13 +81,10 @@ def _pose_in(house: House, front: float, box: tuple[float, ...]) -> tuple[float,
     return box[0] - cos * x + sin * y, box[1] - sin * x - cos * y, turn
 
 
-def _measure_outside(
-    house: House, pose: tuple[float, float, float], free: shapely.Geometry
-) -> float:
-    """Square metres of a house that lie outside some ground, to a hundredth."""
+def _stand(house: House, pose: tuple[float, float, float]) -> shapely.Polygon:
+    """The ground a house stands on."""
     cos, sin = math.cos(pose[2]), math.sin(pose[2])
-    stands = house.outline @ np.array([[cos, sin], [-sin, cos]]) + np.array(pose[:2])
-    return round(float(shapely.area(shapely.difference(shapely.Polygon(stands), free))), 2)
+    return shapely.Polygon(house.outline @ np.array([[cos, sin], [-sin, cos]]) + np.array(pose[:2]))
 
 
 def _find_fronts(house: House, box: tuple[float, ...], place: str) -> list[tuple[int, float]]:

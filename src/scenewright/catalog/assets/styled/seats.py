@@ -71,7 +71,7 @@ def _arm(row: Upholstery, x: Interval, y: Interval, z: tuple[float, float]) -> S
         case "puffy":
             return {row.cloth: [cushion(x, y, (low, seat + 0.18), 0.09, 2)]}
         case "rolled":
-            roll = rod((middle, y[0], seat + 0.14), (middle, y[1], seat + 0.14), 0.1, sides=8)
+            roll = rod((middle, y[0], seat + 0.14), (middle, y[1], seat + 0.14), 0.1, sides=7)
             return {
                 row.cloth: [
                     cushion((middle - 0.075, middle + 0.075), y, (low, seat + 0.14), 0.02),
