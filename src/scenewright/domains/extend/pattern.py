@@ -10,6 +10,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
+from scenewright.domains.extend.repeats import repeat_steps
 from scenewright.ground.built import (
     BuiltBuilding,
     BuiltFrames,
@@ -63,7 +64,7 @@ class SourcePattern(NamedTuple):
     (n,), neighbours ``near`` (n, k), -1 for none, with poses ``relative`` (n, k, 3) in the frame
     of each, the buildings ``alike`` (n, a) that may stand in for each, ``reach``: metres within
     which neighbours count; gaps, the share of ground covered, and the share in which each is
-    followed, ``weight`` (n,)."""
+    followed, ``weight`` (n,); of each source the ``steps`` (m, 2) at which it repeats itself."""
 
     kinds: tuple[BuildingKind, ...]
     boxes: Floats
@@ -77,6 +78,7 @@ class SourcePattern(NamedTuple):
     gaps: GapRules
     coverage: float
     weight: Floats
+    steps: tuple[Floats, ...]
 
 
 def learn_pattern(scenes: Sequence[BuiltScene], shares: Sequence[float]) -> SourcePattern:
@@ -109,6 +111,7 @@ def learn_pattern(scenes: Sequence[BuiltScene], shares: Sequence[float]) -> Sour
         _gap_rules(boxes, shapes, source),
         min(float(np.average(covered, weights=shares)), 0.75),
         weight,
+        tuple(repeat_steps(one.boxes) for one in frames),
     )
 
 

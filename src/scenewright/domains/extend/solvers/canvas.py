@@ -15,7 +15,7 @@ from scenewright.domains.extend.problem import (
     boxes_at,
     shapes_at,
 )
-from scenewright.domains.extend.solvers.lattice import lattice_shifts
+from scenewright.domains.extend.repeats import lattice_shifts
 
 Flags = NDArray[np.bool_]
 EDGE = 1e-3
@@ -95,8 +95,9 @@ class Canvas:
         if self._shifts is None:
             pattern, standing = self.problem.pattern, self.problem.standing
             known = np.unique(pattern.source[standing.origin[~standing.inside]]).tolist()
+            bounds = self.problem.floor.bounds
             self._shifts = {
-                s: lattice_shifts(pattern.boxes[pattern.source == s], self.problem.floor.bounds)
+                s: lattice_shifts(pattern.boxes[pattern.source == s], pattern.steps[s], bounds)
                 for s in known
             }
         return self._shifts
