@@ -21,10 +21,12 @@ from scenewright.catalog.assets.materials import LEAF, OAK
 from scenewright.catalog.assets.styled.forms import FORMS
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Part
+from scenewright.core.errors import InputError
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
-from scenewright.domains import scene_of, solve
+from scenewright.domains import check, scene_of, solution_of, solve
 from scenewright.domains.home.furnishing.look import apply_style, keep_palette, palette_of
+from scenewright.formats import read_planned
 from scenewright.render.items import things
 
 MAIN = [
@@ -162,3 +164,20 @@ def test_two_seeds_are_two_families(homes: tuple[Solution, Solution]) -> None:
         style, name = scene.palette.split("/")
         assert f"wall plaster, {style} {name}" in names
     assert styles[0] != styles[1]
+
+
+def test_a_style_that_means_nothing_is_refused_as_an_option_and_noted_in_a_brief() -> None:
+    with pytest.raises(InputError, match=r"'baroque' is no style of homes; use one of: modern"):
+        read_planned("sample:home-room", style="baroque")
+    assert read_planned("sample:home-room", style="zen")[0].style == "zen"
+
+    def told(style: str, room: str) -> list[str]:
+        brief = brief_of(style=style, rooms=[{**ROOM, "style": room}])
+        report = check(solution_of(brief, {}))
+        return [note.message for note in report.notes if note.missing == "style"]
+
+    assert told("retro teal", "fjord") == []
+    assert [text[:25] for text in told("baroque", "gothic")] == [
+        "style 'baroque' means not",
+        "style 'gothic' means noth",
+    ]

@@ -207,6 +207,17 @@ def style_of(words: str) -> str:
     return next((k for k, also in STYLES.items() if asked & {k, *also.split()}), "")
 
 
+def answers(words: str) -> bool:
+    """Whether some words name a style, a palette or its hue.
+
+    >>> answers("Scandinavian, light"), answers("fjord"), answers("cosy")
+    (True, True, False)
+    """
+    asked = set(words.casefold().replace(",", " ").replace("/", " ").split())
+    hues = {word for row in PALETTES.values() for word in (row.name, *row.hues.split(","))}
+    return bool(style_of(words) or asked & hues)
+
+
 def choose_palette(style: str, colour: str, name: str, seed: int) -> Palette:
     """The palette of a home: of the style and hue its words ask for, among those by its name and
     seed. A style may name its palette (``nordic fjord``).

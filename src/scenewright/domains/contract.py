@@ -44,6 +44,7 @@ Verb = Literal[
     "groups",
     "learn",
     "learn_style",
+    "refuse_style",
     "floors",
     "programme",
     "detail_document",
@@ -52,7 +53,8 @@ Verb = Literal[
     "breeder",
 ]
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged;
-of the others ``validate``, ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups``,
+of the others ``validate``, ``refuse_style`` (a style named on the command line that it does not
+know), ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups``,
 ``floors`` (the least the energy of each space could be), ``programme`` (what was decided for the
 whole, in words), ``features``, ``breeder`` and the two of
 the detail are passed over where a domain has none, the rest refused by name."""

@@ -70,8 +70,8 @@ def read_planned(
     further catalogues of models and ``groups`` files of learned groups, below the working folder.
     ``scale`` multiplies every length in plan, for a plan drawn too small or too large;
     ``hidden_levels`` includes the levels that are hidden in a Sweet Home 3D file; ``style`` takes
-    the place of the brief's. Anything that cannot be used raises :class:`InputError`, one line that
-    names the file.
+    the place of the brief's and must be known. Anything that
+    cannot be used raises :class:`InputError`, one line that names the file.
 
     >>> brief, plan = read_planned("sample:home-flat")
     >>> brief.rooms[1].name, plan.spaces[1].name
@@ -89,6 +89,8 @@ def read_planned(
         brief = with_more(_read(source, keep, hidden_levels), catalogs, groups, style)
         brief = _to_scale(brief, scale)
         plan, domain = plan_of(brief), domain_of(brief.domain)
+        if style and domain.has("refuse_style"):
+            domain.verb("refuse_style")(brief)
         if domain.has("validate"):
             domain.verb("validate")(brief, plan)
     except InputError as error:

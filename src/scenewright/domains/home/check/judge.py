@@ -20,6 +20,7 @@ from scenewright.domains.home.check.complete import (
     find_unmet_asks,
 )
 from scenewright.domains.home.check.wishes import wishes_told
+from scenewright.domains.home.furnishing.style_words import note_styles
 
 
 def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
@@ -34,6 +35,7 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     notes = (
         *note_reading(brief),
         *note_small_doors(rooms.spaces),
+        *note_styles(brief, kinds),
         *find_doorless(bodies, rooms),
         *find_cut_off(brief, bodies, rooms),
         *find_incomplete(bodies, rooms),

@@ -6,13 +6,16 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
 
-from scenewright.building.palettes import Palette, choose_palette, style_of
+from scenewright.building.palettes import STYLES, Palette, choose_palette, style_of
 from scenewright.building.shell import scene_of_rooms
+from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
+from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece, Scene
 from scenewright.core.solution import Solution
+from scenewright.domains.home.furnishing.style_words import knows_style
 
 
 def palette_of(brief: Brief, seed: int) -> Palette:
@@ -27,6 +30,16 @@ def keep_palette(brief: Brief, before: int, after: int) -> Brief:
         return brief
     words = f"{brief.style} {palette.style} {palette.name}".strip()
     return brief.model_copy(update={"style": words})
+
+
+def refuse_style(brief: Brief) -> None:
+    """InputError where the style of a home means nothing: the seed would draw another."""
+    if not knows_style(brief.style, catalog_of(brief.catalogs)):
+        raise InputError(
+            f"'{brief.style[:40]}' is no style of homes",
+            f"use one of: {', '.join(STYLES)}, or none: then the seed draws one",
+            place="style",
+        )
 
 
 def apply_style(

@@ -1,0 +1,39 @@
+"""Words for the style of a home that mean nothing: told of, not passed over."""
+
+from __future__ import annotations
+
+from scenewright.building.palettes import STYLES, answers
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import Catalog
+from scenewright.core.report import Note
+from scenewright.domains.home.cases.furnishing import Taste, misses, stock_of
+
+
+def knows_style(words: str, catalog: Catalog) -> bool:
+    """Whether some words name a style or palette, or a model of the user's own answers to them.
+
+    >>> from scenewright.catalog.assets import shipped
+    >>> [knows_style(words, shipped()) for words in ("", "zen", "nordic fjord", "baroque")]
+    [True, True, True, False]
+    """
+    own = (asset for assets in stock_of(catalog).values() for asset in assets)
+    return (
+        not words.strip()
+        or answers(words)
+        or any(not misses(asset, Taste(style=words)) for asset in own)
+    )
+
+
+def note_styles(brief: Brief, catalog: Catalog) -> list[Note]:
+    """A note for each style of a brief, of the home or a room, that means nothing."""
+    named = dict.fromkeys((brief.style, *(room.style for room in brief.rooms)))
+    return [
+        Note(
+            "",
+            "plan",
+            "style",
+            f"style '{words[:40]}' means nothing here; known are {', '.join(STYLES)}",
+        )
+        for words in named
+        if not knows_style(words, catalog)
+    ]
