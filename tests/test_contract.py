@@ -14,8 +14,9 @@ import pytest
 
 import scenewright as sw
 from scenewright.core.errors import InputError
-from scenewright.domains import adjust, domain_of, plan_of, problems
+from scenewright.domains import adjust, domain_of, draw_plan, plan_of, problems
 from scenewright.domains.contract import NEEDED, Domain, Table, Verb
+from scenewright.drawing.svg import write_svg
 from scenewright.formats import solution_json
 
 SAMPLES = {
@@ -103,6 +104,14 @@ def test_the_same_seed_gives_the_same_bytes_and_they_read_back(solved: sw.Soluti
     text = solution_json.dumps(solved)
     assert solution_json.dumps(again) == text
     assert solution_json.dumps(solution_json.loads(text)) == text
+
+
+def test_the_number_and_date_of_a_sheet_are_printed_on_every_plan(solved: sw.Solution) -> None:
+    stated = solved.brief.model_copy(update={"sheet": "A-101", "date": "2026-11-22"})
+    for brief, number, dates in ((solved.brief, "Sheet 1", 0), (stated, "Sheet A-101", 1)):
+        drawn = write_svg(draw_plan(replace(solved, brief=brief)))
+        assert f">{number}<" in drawn
+        assert re.findall(r">(20\d\d-\d\d-\d\d)<", drawn) == ["2026-11-22"] * dates
 
 
 def test_locks_by_hand_solve_nothing_again(solved: sw.Solution) -> None:

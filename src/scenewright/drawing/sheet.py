@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from scenewright._version import __version__
+from scenewright.core.brief import Brief
 from scenewright.drawing.marks import (
     FINE,
     GREY,
@@ -50,6 +51,16 @@ class TitleBlock(NamedTuple):
 
 
 UNDATED = TitleBlock()
+
+
+def title_of(brief: Brief) -> TitleBlock:
+    """What a brief states of the sheet its plan is drawn on.
+
+    >>> room = {"outline": [[0, 0], [3, 0], [3, 4], [0, 4]]}
+    >>> title_of(Brief(rooms=[room], sheet="A-101", date="2026-11-22"))
+    TitleBlock(number='A-101', date='2026-11-22')
+    """
+    return TitleBlock(brief.sheet or "1", brief.date)
 
 
 def choose(width: float, height: float, extra_width: float, extra_height: float) -> PaperSheet:

@@ -28,7 +28,7 @@ from scenewright.drawing.labels import area_words, polygon_of
 from scenewright.drawing.layers import PlanDrawing
 from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.rooms import Overlay, Storey, count_words, plan
-from scenewright.drawing.sheet import TitleBlock
+from scenewright.drawing.sheet import title_of
 
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
@@ -36,9 +36,8 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDra
     del judge
     scene = scene_of_rooms(solution, made)
     catalog, halls = catalog_of(solution.brief.catalogs), halls_of(solution)
-    title = TitleBlock(solution.brief.sheet or "1", solution.brief.date)
     added = overlay_of(halls, catalog) if halls else Overlay()
-    return plan(scene, catalog, added._replace(title=title))
+    return plan(scene, catalog, added._replace(title=title_of(solution.brief)))
 
 
 def overlay_of(halls: Halls, catalog: Catalog) -> Overlay:

@@ -17,7 +17,7 @@ from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.marks import PaperView
 from scenewright.drawing.rooms import Overlay, Storey, plan
-from scenewright.drawing.sheet import TitleBlock
+from scenewright.drawing.sheet import title_of
 
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
@@ -25,8 +25,7 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDra
     scene = scene_of_rooms(solution, made)
     turns = turning_of(judge()) if solution.brief.accessible else {}
     catalog = catalog_of(solution.brief.catalogs)
-    title = TitleBlock(solution.brief.sheet or "1", solution.brief.date)
-    return plan(scene, catalog, overlay_of(turns, catalog)._replace(title=title))
+    return plan(scene, catalog, overlay_of(turns, catalog)._replace(title=title_of(solution.brief)))
 
 
 def overlay_of(turns: Turns, catalog: Catalog) -> Overlay:

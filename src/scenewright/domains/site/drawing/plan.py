@@ -72,7 +72,8 @@ def plan(
     sheet, (room_wide, room_high) = arranged.sheet, arranged.room
     scale = 1000 / sheet.scale
     spare = (room_wide - wide * scale) / (len(drawings) + 1)
-    title_strip = sheets.sheet_mark(sheet, solution.brief.name, _summary(drawings, views))
+    summary, title = _summary(drawings, views), sheets.title_of(solution.brief)
+    title_strip = sheets.sheet_mark(sheet, solution.brief.name, summary, title)
     left, parts = sheets.EDGE, [[PlanLayer("Sheet", title_strip)]]
     for drawing in drawings:
         west, south, east, north = drawing.bounds

@@ -44,7 +44,8 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDra
     left = sheets.EDGE + (wide - (east - west) * scale) / 2
     bottom = sheets.EDGE + (high + (north - south) * scale) / 2
     view = sheets.view_at(sheet, west, south, left, bottom)
-    strip = sheets.sheet_mark(sheet, solution.brief.name, _summary(village, houses, report))
+    summary, title = _summary(village, houses, report), sheets.title_of(solution.brief)
+    strip = sheets.sheet_mark(sheet, solution.brief.name, summary, title)
     layers = [
         [PlanLayer("Sheet", strip)],
         _layers(view, solution, village, houses, numbers, report),
