@@ -21,7 +21,7 @@ from benchmarks.shapely_site import shapely_site, site_terms
 from benchmarks.site_instances import example_site
 from scenewright.domains.site.problem import Floats, SiteProblem
 from scenewright.domains.site.solvers.anneal import run_site_chain
-from scenewright.domains.site.solvers.random_search import TRIES, drop_buildings, lines_of
+from scenewright.domains.site.solvers.random_search import drop_buildings, lines_of
 from scenewright.domains.site.terms.measure import (
     energy_of,
     evaluate,
@@ -56,7 +56,8 @@ def start_of(problem: SiteProblem) -> Floats:
         np.zeros((len(problem.names), 5)),
     )
     order = np.arange(len(boxes), dtype=np.int64)
-    drop_buildings(p, s, order, TRIES, lines_of(problem), streams(0, 1)[0], boxes)
+    tries, stream = problem.settings.random.tries, streams(0, 1)[0]
+    drop_buildings(p, s, order, tries, lines_of(problem), stream, boxes)
     return boxes
 
 
@@ -67,7 +68,7 @@ def bench_steps(size: int, runs: int, steps: int = 50_000) -> Row:
     lay(p, s, start)
     best, lines, stream = s.frames.copy(), lines_of(problem), streams(0, 1)[0]
     tally = np.full(2, energy_of(p, s))
-    schedule = np.array([1.0, 0.1, 0.0, 1.0])
+    schedule = np.array([1.0, 0.1, 0.0, 1.0, 0.0, *problem.settings.chain.drawn])
 
     def ours() -> None:
         run_site_chain(p, s, lines, schedule, steps, stream, best, tally)

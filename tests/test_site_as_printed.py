@@ -13,8 +13,6 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.domains import check, plan_of
 from scenewright.domains.site.encodings.cell_moves import (
-    CROSSOVER,
-    MUTATION,
     cross,
     mutate,
     random_genes,
@@ -29,13 +27,7 @@ from scenewright.domains.site.encodings.refill import (
     refill,
 )
 from scenewright.domains.site.presets import PRESETS
-from scenewright.domains.site.solvers.genetic import (
-    GENERATIONS,
-    POPULATION,
-    MatrixGenetic,
-    make_judge,
-    viewpoint_site,
-)
+from scenewright.domains.site.solvers.genetic import MatrixGenetic, make_judge, viewpoint_site
 from scenewright.domains.site.solvers.lattice import make_cells
 from scenewright.domains.site.solving import build_site_problem, problems
 from scenewright.domains.site.terms.value import OMEGA
@@ -50,13 +42,14 @@ AMOUNT = make_amount((0.0, 0.0), CELLS, PROBLEM.buildings.floors)
 
 
 def test_coefficients():
-    assert (POPULATION, GENERATIONS, CROSSOVER, MUTATION) == (10, 200, 0.75, 0.04)
+    rule = PRESETS["paper"].settings.matrix
+    assert rule[:4] == (10, 200, 0.75, 0.04)
     solver = MatrixGenetic(CELLS, PROBLEM.buildings.quality)
     assert (solver.selection, solver.points) == ("tournament", 2)
     assert sum(OMEGA) == pytest.approx(1.0)
     assert max(OMEGA) == OMEGA[1]
     assert min(OMEGA) == OMEGA[2]
-    assert PRESETS["paper"].steps == POPULATION * GENERATIONS
+    assert PRESETS["paper"].steps == rule.population * rule.generations
     assert PRESETS["paper"].settings.measure == "printed"
     assert PRESETS["paper-repaired"].settings.measure == "relief"
 

@@ -14,7 +14,8 @@ import scenewright as sw
 from scenewright.catalog.appearance import shipped_facts
 from scenewright.cli.commands import app
 from scenewright.domains.site.presets import PRESETS
-from scenewright.domains.site.solvers.anneal import E_MAX, anneal_site
+from scenewright.domains.site.settings import ChainSettings
+from scenewright.domains.site.solvers.anneal import anneal_site
 from scenewright.domains.site.solvers.answer import make_measure, score
 from scenewright.domains.site.solvers.genetic import MatrixGenetic, make_judge, viewpoint_site
 from scenewright.domains.site.solvers.lattice import make_cells
@@ -129,7 +130,7 @@ def test_annealing_as_printed_lowers_the_ratio_and_pays_nothing_for_what_it_leav
     budgets = Budget(steps=1), Budget(steps=200_000)
     ends = [anneal_site(problem, budget, 0).layouts[0] for budget in budgets]
     ratios = [score(problem, end.boxes, end.present)["ratio"] for end in ends]
-    assert ratios[1] < ratios[0] < E_MAX
+    assert ratios[1] < ratios[0] < ChainSettings().most
     other = problem._replace(form="repaired")
     assert anneal_site(other, budgets[1], 0).layouts[0].present.all()
     assert not ends[1].present.all()

@@ -20,8 +20,19 @@ from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Report
 from scenewright.formats import solution_json
 
-SAMPLES = {"home": "home-flat", "hall": "hall-shop", "site": "site-30"}
+SAMPLES = {
+    "home": "home-flat",
+    "hall": "hall-shop",
+    "site": "site-30",
+    "village": "village-hamlet",
+    "extend": "extend-terrace",
+}
+WARM, STEPS = {"village": 1, "extend": 1}, {"village": 2, "extend": 2}
+"""Steps of a first run that compiles what there is to compile (else 50), and of a whole one (else
+300): where one makes a whole layout."""
 EVERY = [(domain, name) for domain in SAMPLES for name in solvers(domain)]
+STOOD = {"source"}
+"""Where pieces stand that no solver places."""
 AT_ONCE = 0.2
 """Seconds within which a cancelled run returns, on a machine that does nothing else."""
 
@@ -48,7 +59,7 @@ def test_shares_rise_to_one(
 ) -> None:
     (domain, name), shares = case, list[float]()
     brief, plan = planned[domain]
-    sw.solve(brief, plan=plan, solver=name, steps=50)
+    sw.solve(brief, plan=plan, solver=name, steps=WARM.get(domain, 50))
     begun, used = time.perf_counter(), time.process_time()
     sw.solve(
         brief, plan=plan, solver=name, seconds=1.0, progress=lambda share, _: shares.append(share)
@@ -66,7 +77,7 @@ def test_cancelled_at_the_first_report_it_answers_at_once(
 ) -> None:
     domain, name = case
     brief, plan = planned[domain]
-    sw.solve(brief, plan=plan, solver=name, steps=50)
+    sw.solve(brief, plan=plan, solver=name, steps=WARM.get(domain, 50))
     took = []
     for seed in range(3):
         told: list[float] = []
@@ -102,15 +113,16 @@ def test_the_best_layout_so_far_is_streamed_and_makes_a_solution(
         heard.append((best.space, best.energy))
         rows[best.space] = best.rows()
 
-    found = sw.solve(brief, plan=plan, solver=name, steps=300, threads=1, watch=watch)
-    assert {piece.space for piece in found.pieces} <= set(rows)
+    steps = STEPS.get(domain, 300)
+    found = sw.solve(brief, plan=plan, solver=name, steps=steps, threads=1, watch=watch)
+    assert {piece.space for piece in found.pieces} - STOOD <= set(rows)
     assert len(heard) > len(rows), "heard of more than once"
     drawn = sw.solution_of(brief, rows, plan=plan)
     assert len(drawn.pieces) > len(brief.rooms)
     assert not any(
         "the layout has no place" in out.reason for out in drawn.left_out if domain == "hall"
     )
-    again = sw.solve(brief, plan=plan, solver=name, steps=300, threads=1)
+    again = sw.solve(brief, plan=plan, solver=name, steps=steps, threads=1)
     assert again.pieces == found.pieces, "who watches changes nothing"
 
 

@@ -28,7 +28,7 @@ WAYS = {
 
 def reasons(problem: ExtendProblem, layout: GrownLayout) -> tuple[TermValue, ...]:
     """What is said of an area: the terms, whose costs add up to its energy, then figures."""
-    values = measure_layout(problem, layout)
+    values = layout.score or measure_layout(problem, layout)
     rows = [
         TermValue(problem.name, "", n, values[n], WEIGHTS[n], WEIGHTS[n] * max(values[n], 0.0))
         for n in RATED

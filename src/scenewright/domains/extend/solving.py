@@ -10,11 +10,13 @@ import hashlib
 import math
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 from scenewright._version import __version__
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
+from scenewright.core.layout import NamedBox, Watch
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
@@ -30,6 +32,7 @@ from scenewright.domains.extend.settings import GrowthSettings
 from scenewright.domains.extend.solvers import EXTEND_SOLVERS
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
+from scenewright.engine.watched import add_watch
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -57,11 +60,13 @@ def solve(
     threads: int | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
+    watch: Watch | None = None,
 ) -> Solution:
     """Fill every area of a brief.
 
     ``steps`` are layouts of each area, ``seconds`` are for each; the same seed and steps give the
-    same answer. ``plan`` is that of the brief (made unless given).
+    same answer. ``plan`` is that of the brief (made unless given). ``watch`` is told the best
+    layout of each area, as boxes by the names of kinds.
     """
     started = time.perf_counter()
     chosen, made = preset_named(PRESETS, preset), (plan or plan_extend(brief)).detail
@@ -71,12 +76,23 @@ def solve(
     for k, area in enumerate(made.areas):
         problem = pose_problem(made, area, chosen.settings, catalog)
         heard = None if progress is None else _share(progress, k, len(made.areas), area.name)
+        heard = add_watch(heard, watch, area.id, partial(_boxes, problem))
         budget = Budget(seconds, given, threads=threads)
         answer = EXTEND_SOLVERS[named].run(problem, budget, seed + 7919 * k, heard, cancel)
         layout, tried = answer.layouts[0], answer.evaluations
-        found.append(furnish_area(brief, area, problem, layout, catalog, tried))
+        stopped = cancel is not None and cancel()
+        found.append(furnish_area(brief, area, problem, layout, catalog, tried, stopped=stopped))
     spent = time.perf_counter() - started
     return assemble_solution(brief, made, found, catalog, preset, named, seed, spent)
+
+
+def _boxes(problem: ExtendProblem, layout: GrownLayout) -> tuple[NamedBox, ...]:
+    """A layout as boxes by the names of kinds, as ``solution_of`` takes them."""
+    kinds = [problem.pattern.kinds[k] for k in problem.pattern.kind[layout.origin].tolist()]
+    return tuple(
+        NamedBox(kind.name, (*pose, *kind.size[:2]))
+        for kind, pose in zip(kinds, layout.poses.tolist(), strict=True)
+    )
 
 
 def problems(
@@ -106,8 +122,11 @@ def furnish_area(
     layout: GrownLayout,
     catalog: Catalog,
     evaluations: int,
+    *,
+    stopped: bool = False,
 ) -> FilledArea:
-    """A layout as pieces, with its figures and what it lacks."""
+    """A layout as pieces, with its figures and what it lacks, be it because the run was
+    ``stopped``."""
     pieces = (
         *standing_pieces(area),
         *new_pieces(area, problem.pattern, layout, brief.style, catalog),
@@ -116,7 +135,8 @@ def furnish_area(
     left_out = []
     if missing > 0:
         told = f"{missing} of {layout.asked} buildings"
-        reason = f"no place left on {area.outline.area:.0f} m² at the distances of the source"
+        full = f"no place left on {area.outline.area:.0f} m² at the distances of the source"
+        reason = "stopped before they were placed" if stopped else full
         left_out.append(LeftOut(area.id, told, reason, True))
     rows = reasons(problem, layout)
     return FilledArea(area.id, pieces, rows, tuple(left_out), evaluations)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.domains.site.settings import SiteSettings
+from scenewright.domains.site.settings import MatrixSettings, SiteSettings
 from scenewright.domains.site.terms.table import SITE_TERMS
 from scenewright.engine.rows import Preset
 
@@ -11,6 +11,8 @@ SitePreset = Preset[SiteSettings]
 it does not state have their default weight."""
 
 OURS = SiteSettings()
+PRINTED = MatrixSettings(population=10, generations=200, crossover=0.75, mutation=0.04)
+"""Sizes and chances of Zhang, Yang 2023, IV-A."""
 AIMLESS = {"seen": 0.0, "sun": 0.0, "even": 0.0}
 
 PRESETS: dict[str, SitePreset] = {
@@ -24,7 +26,7 @@ PRESETS: dict[str, SitePreset] = {
         "vp",
         2000,
         {row.name: 0.0 for row in SITE_TERMS if row.data},
-        SiteSettings("printed", "printed"),
+        SiteSettings("printed", "printed", matrix=PRINTED),
     ),
     "paper-repaired": Preset(
         "the same with position costs, operators that lose no building and what walkers see",

@@ -51,11 +51,16 @@ class InterlockSettings(NamedTuple):
 
 
 class MatrixSettings(NamedTuple):
-    """The matrix-coded genetic algorithm: δ of (12); what a mean position cost of (5) takes off
-    the value of (22) where repaired; first layouts made of local templates; eyes and rays by which
-    M is measured; generations of local search without gain, and without anything new, that end a
-    run."""
+    """The matrix-coded genetic algorithm: layouts of a generation, generations without a budget,
+    chances of a chromosome to be crossed and mutated; δ of (12); what a mean position cost of (5)
+    takes off the value of (22) where repaired; first layouts made of local templates; eyes and rays
+    by which M is measured; generations of local search without gain, and without anything new,
+    that end a run."""
 
+    population: int = 10
+    generations: int = 200
+    crossover: float = 0.75
+    mutation: float = 0.04
     alike: float = 0.002
     position: float = 0.1
     templates: int = 5
@@ -81,12 +86,59 @@ class ExchangeSettings(NamedTuple):
     beside: float = 40.0
 
 
+class MoveSettings(NamedTuple):
+    """Moves of annealed buildings: up to where in [0, 1) a nudge, a turn, a place beside another
+    and a jump are drawn (beyond them a building is left out); metres of a nudge, at last and more
+    while hot; radians of a turn by a little while hot."""
+
+    nudge: float = 0.45
+    turn: float = 0.55
+    beside: float = 0.8
+    jump: float = 0.98
+    least: float = 0.05
+    far: float = 15.0
+    little: float = 0.3
+
+
 class ChainSettings(NamedTuple):
-    """Annealing of boxes: temperatures, and moves a building without a budget."""
+    """Annealing of boxes: temperatures, and moves a building without a budget; costs of (6) beyond
+    ``most`` are all alike; moves of a local template in the matrix-coded algorithm, and from 0 hot
+    to 1 cold where its schedule starts."""
 
     hot: float = 10.0
     cold: float = 1e-3
     moves: int = 4000
+    most: float = 10.0
+    template: int = 1500
+    cool: float = 0.4
+    drawn: MoveSettings = MoveSettings()
+
+
+class RandomSettings(NamedTuple):
+    """Buildings dropped where there is room: layouts without a budget, and places tried for each
+    building."""
+
+    layouts: int = 1000
+    tries: int = 60
+
+
+class SwarmSettings(NamedTuple):
+    """The swarm of poses: particles, rounds without a budget, and how many of the best are looked
+    at in the end for what can stand."""
+
+    particles: int = 40
+    rounds: int = 250
+    looked: int = 40
+
+
+class CourtSettings(NamedTuple):
+    """Closing courts: fewest buildings round one; metres by which the sides of its rectangle are
+    drawn in each time; most lengths of a side tried, and the least in shares of the whole."""
+
+    fewest: int = 4
+    drawn_in: float = 2.0
+    tried: int = 24
+    least: float = 0.35
 
 
 class SiteVarietySettings(NamedTuple):
@@ -103,7 +155,7 @@ class SiteVarietySettings(NamedTuple):
 class SiteSettings(NamedTuple):
     """The measure of visual quality (our ``relief`` or as ``printed``), the form of the paper's
     measures, and how blocks are filled and looked at, buildings set into corners and exchanged,
-    matrices bred, boxes annealed and plans chosen."""
+    courts closed, matrices bred, boxes annealed, dropped and flown, and plans chosen."""
 
     measure: Measure = "relief"
     form: Literal["printed", "repaired"] = "repaired"
@@ -113,4 +165,7 @@ class SiteSettings(NamedTuple):
     matrix: MatrixSettings = MatrixSettings()
     exchange: ExchangeSettings = ExchangeSettings()
     chain: ChainSettings = ChainSettings()
+    random: RandomSettings = RandomSettings()
+    swarm: SwarmSettings = SwarmSettings()
+    courts: CourtSettings = CourtSettings()
     variety: SiteVarietySettings = SiteVarietySettings()

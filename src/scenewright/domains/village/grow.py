@@ -7,6 +7,7 @@ weighed, and one is drawn. What no way can lead to is taken away and tried again
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -28,6 +29,7 @@ from scenewright.domains.village.proposals import is_legal, propose, shapes_at, 
 from scenewright.domains.village.relations import relate
 from scenewright.domains.village.standing import Flags, Floats, Shapes, StandingHouses, add, place
 from scenewright.domains.village.weights import weigh
+from scenewright.engine.growing import Told
 
 SLIT = (0.01, 0.3)
 """Metres between walls that nobody leaves."""
@@ -55,16 +57,17 @@ def grow(
     chosen: list[int],
     rng: np.random.Generator,
     weighing: Weighing | None = None,
-    cancel: Callable[[], bool] | None = None,
+    told: Told | None = None,
 ) -> VillageLayout:
     """Fill a block with houses of the library by number. ``weighing`` tells how likely poses are
-    (left out: by the learned net)."""
+    (left out: by the learned net); ``told`` hears of every house and may end it."""
     weighing = weighing or weigh_by_net
     growth = Growth(survey_problem(problem, len(chosen)), (), ())
-    grown = _add_all(problem, growth, chosen, rng, weighing, cancel)
+    goes_on = partial(_goes_on, problem, len(chosen), told)
+    grown = _add_all(problem, growth, chosen, rng, weighing, goes_on)
     grown, doors, lost = _keep_reached(problem, grown)
     if lost:
-        grown = _add_all(problem, grown, lost, rng, weighing, cancel)
+        grown = _add_all(problem, grown, lost, rng, weighing, goes_on)
         grown, doors, _ = _keep_reached(problem, grown)
     return _layout(grown, doors, len(chosen))
 
@@ -79,6 +82,18 @@ def layout_of(
     grown, doors, _ = _keep_reached(problem, growth)
     given = problem.asked
     asked = len(houses) if given is None else max(given - len(problem.fixed.shapes), 0)
+    return _layout(grown, doors, asked)
+
+
+def _goes_on(problem: VillageProblem, asked: int, told: Told | None, growth: Growth) -> bool:
+    """Tell how far a block is; whether it is to be filled further."""
+    if told is None:
+        return True
+    return not told(len(growth.houses) / max(asked, 1), partial(_as_grown, problem, growth, asked))
+
+
+def _as_grown(problem: VillageProblem, growth: Growth, asked: int) -> VillageLayout:
+    grown, doors, _ = _keep_reached(problem, growth)
     return _layout(grown, doors, asked)
 
 
@@ -115,12 +130,12 @@ def _add_all(
     chosen: list[int],
     rng: np.random.Generator,
     weighing: Weighing,
-    cancel: Callable[[], bool] | None,
+    goes_on: Callable[[Growth], bool],
 ) -> Growth:
     """Place houses one by one; one without a place is tried again, then a smaller one of its
     class in its stead."""
     for number in chosen:
-        if cancel is not None and cancel():
+        if not goes_on(growth):
             break
         for candidate in [number] * problem.settings.grow.retries + _smaller(problem, number):
             pose = draw_pose(problem, growth.seen, problem.houses[candidate], rng, weighing)

@@ -85,7 +85,16 @@ def solve(
         answer = VILLAGE_SOLVERS[named].run(problem, budget, seed + 7919 * k, heard, cancel)
         layout = answer.layouts[0]
         found.append(
-            furnish_block(block, one, village, problem, layout, answer.evaluations, seed + 7919 * k)
+            furnish_block(
+                block,
+                one,
+                village,
+                problem,
+                layout,
+                answer.evaluations,
+                seed + 7919 * k,
+                stopped=cancel is not None and cancel(),
+            )
         )
     return assemble_solution(brief, found, preset, named, seed, time.perf_counter() - started)
 
@@ -118,8 +127,11 @@ def furnish_block(
     layout: VillageLayout,
     evaluations: int,
     seed: int,
+    *,
+    stopped: bool = False,
 ) -> FilledBlock:
-    """A layout as pieces, with trees by ``seed``, its figures and what it lacks."""
+    """A layout as pieces, with trees by ``seed``, its figures and what it lacks, be it because the
+    run was ``stopped``."""
     houses = (*standing_pieces(plan), *pieces_of(plan, village.houses, layout))
     square = find_square(block, plan)
     patches = () if square is None else (square_patch(plan, square),)
@@ -130,7 +142,7 @@ def furnish_block(
         (*houses, *trees),
         patches,
         reasons(problem, standing_of(problem, layout), missing),
-        tuple(_left_out(block, plan, layout, square is None)),
+        tuple(_left_out(block, plan, layout, square is None, stopped)),
         evaluations,
     )
 
@@ -157,14 +169,15 @@ def assemble_solution(
 
 
 def _left_out(
-    block: VillageBlock, plan: BlockPlan, layout: VillageLayout, no_square: bool
+    block: VillageBlock, plan: BlockPlan, layout: VillageLayout, no_square: bool, stopped: bool
 ) -> list[LeftOut]:
     """Houses and squares without a place."""
     found = []
     missing = layout.asked - len(layout.houses)
     if missing > 0:
         told = f"{missing} of {layout.asked} houses"
-        reason = f"no place left on {plan.area:.0f} m² that a way from the street leads to"
+        full = f"no place left on {plan.area:.0f} m² that a way from the street leads to"
+        reason = "stopped before they were placed" if stopped else full
         found.append(LeftOut(plan.id, told, reason, block.count is not None))
     if block.square is not None and no_square:
         side = math.sqrt(block.square)

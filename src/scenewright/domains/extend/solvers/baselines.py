@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -12,6 +13,7 @@ from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, Grown
 from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.patches import patch_turns, turn_poses
+from scenewright.engine.growing import Told, tell_growth
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 MOST_TRIES = 400
@@ -28,8 +30,8 @@ def scatter_area(
 ) -> ExtendFound:
     """Buildings of the sources at random places where they overlap nothing, turned as some
     building of the sources is."""
-    made = _scatter(problem, seed, cancel, GapRules(0.0, 0.0, 0.0))
-    return _one(problem, made, budget, progress, cancel)
+    make = partial(_scatter, problem, seed, GapRules(0.0, 0.0, 0.0))
+    return _one(problem, make, budget, progress, cancel)
 
 
 def space_area(
@@ -40,8 +42,8 @@ def space_area(
     cancel: Cancel | None = None,
 ) -> ExtendFound:
     """The same, as far apart as buildings of the sources are at least."""
-    made = _scatter(problem, seed, cancel, problem.pattern.gaps)
-    return _one(problem, made, budget, progress, cancel)
+    make = partial(_scatter, problem, seed, problem.pattern.gaps)
+    return _one(problem, make, budget, progress, cancel)
 
 
 def tile_area(
@@ -52,18 +54,18 @@ def tile_area(
     cancel: Cancel | None = None,
 ) -> ExtendFound:
     """The first source copied in a grid of its own width and depth."""
-    return _one(problem, _tile(problem, seed), budget, progress, cancel)
+    return _one(problem, partial(_tile, problem, seed), budget, progress, cancel)
 
 
 def _one(
     problem: ExtendProblem,
-    made: GrownLayout,
+    make: Callable[[Told], GrownLayout],
     budget: Budget,
     progress: Progress | None,
     cancel: Cancel | None,
 ) -> ExtendFound:
-    found = rate_layout(problem, made)
     watch = BudgetWatch(budget._replace(steps=1), progress, cancel)
+    found = rate_layout(problem, make(tell_growth(watch, 0, 1)))
     watch.over(1, found.score["energy"], partial(_same, found))
     return Found((found,), 1)
 
@@ -72,14 +74,12 @@ def _same(found: GrownLayout) -> GrownLayout:
     return found
 
 
-def _scatter(
-    problem: ExtendProblem, seed: int, cancel: Cancel | None, gaps: GapRules
-) -> GrownLayout:
-    canvas, pattern = Canvas(problem), problem.pattern
+def _scatter(problem: ExtendProblem, seed: int, gaps: GapRules, told: Told) -> GrownLayout:
+    canvas, pattern = Canvas(problem, told), problem.pattern
     rng = np.random.default_rng(seed)
     west, south, east, north = problem.floor.bounds
     failed = 0
-    while not canvas.full() and failed < MOST_TRIES and not (cancel is not None and cancel()):
+    while not canvas.full() and failed < MOST_TRIES:
         origin = rng.choice(len(pattern.boxes), BATCH, p=pattern.weight / pattern.weight.sum())
         at = rng.uniform((west, south), (east, north), (BATCH, 2))
         heading = pattern.boxes[rng.choice(len(pattern.boxes), BATCH), 2]
@@ -95,8 +95,8 @@ def _scatter(
     return canvas.layout()
 
 
-def _tile(problem: ExtendProblem, seed: int) -> GrownLayout:
-    canvas, pattern = Canvas(problem), problem.pattern
+def _tile(problem: ExtendProblem, seed: int, told: Told) -> GrownLayout:
+    canvas, pattern = Canvas(problem, told), problem.pattern
     rng = np.random.default_rng(seed)
     turn = float(patch_turns(canvas)[0])
     rows = np.flatnonzero(pattern.source == 0)

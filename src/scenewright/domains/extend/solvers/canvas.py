@@ -16,6 +16,7 @@ from scenewright.domains.extend.problem import (
     shapes_at,
 )
 from scenewright.domains.extend.repeats import lattice_shifts
+from scenewright.engine.growing import Told
 
 Flags = NDArray[np.bool_]
 EDGE = 1e-3
@@ -29,10 +30,11 @@ TOUCH = 0.005
 
 class Canvas:
     """Buildings as they are added: those that stood first, then copies of buildings of the
-    sources. ``boxes`` (n, 5), ``shapes`` (n,) and ``origin`` (n,) are views of what is there."""
+    sources. ``boxes`` (n, 5), ``shapes`` (n,) and ``origin`` (n,) are views of what is there.
+    ``told`` hears of every building added; where it says so, the area counts as full."""
 
-    def __init__(self, problem: ExtendProblem) -> None:
-        self.problem = problem
+    def __init__(self, problem: ExtendProblem, told: Told | None = None) -> None:
+        self.problem, self._told, self.stopped = problem, told, False
         standing = problem.standing
         self.first = len(standing.boxes)
         self.count = self.first
@@ -79,13 +81,17 @@ class Canvas:
         return self.alive[: self.count]
 
     def full(self) -> bool:
-        """Whether as much is built as is wanted."""
+        """Whether as much is built as is wanted, or nobody waits for more."""
+        if self.stopped:
+            return True
         if self.problem.number is not None:
             return self.held >= self.problem.number
         return self.covered >= self.wanted * (1 - self.problem.settings.slack)
 
     def enough(self) -> bool:
         """Whether so much is built that what lacks is no fault: within :data:`SHORT`."""
+        if self.stopped:
+            return True
         if self.problem.number is not None:
             return self.held >= self.problem.number
         return self.covered >= self.wanted * (1 - SHORT)
@@ -112,7 +118,8 @@ class Canvas:
         """Whether a copy of a building of the sources is still wanted: the area is not full, and
         holds no more of its size than the sources' mix has. ``replaced`` are square metres that
         go in its place."""
-        if self.problem.number is not None and self.held >= self.problem.number:
+        enough = self.problem.number is not None and self.held >= self.problem.number
+        if self.stopped or enough:
             return False
         size = self.sizes[origin]
         if self.made[size] >= self.most[size]:
@@ -181,7 +188,19 @@ class Canvas:
         self.made[self.sizes[origin]] += 1
         self._put(number, pose, origin)
         self.covered += float(self._shapes[number].area)
+        self.tell()
         return number
+
+    def tell(self) -> None:
+        """Tell who listens how far it is, and hear whether to go on."""
+        if self._told is not None:
+            self.stopped = self._told(self.share(), self.layout)
+
+    def share(self) -> float:
+        """The share of what is wanted that is built, 0 to 1."""
+        number = self.problem.number
+        there, wanted = (self.covered, self.wanted) if number is None else (self.held, number)
+        return float(min(there / max(wanted, 1e-9), 1.0))
 
     def _put(self, number: int, pose: Floats, origin: int) -> None:
         pattern, many = self.problem.pattern, np.array([origin])

@@ -17,6 +17,7 @@ from scenewright.domains.extend.solvers.laid_rows import lay_rows
 from scenewright.domains.extend.solvers.neighbours import grow_neighbours
 from scenewright.domains.extend.solvers.patches import lay_patch
 from scenewright.domains.extend.solvers.repair import repair_coverage, take_away
+from scenewright.engine.growing import Told, tell_growth
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 LAYOUTS = 4
@@ -47,16 +48,19 @@ def grow_area(
     watch = BudgetWatch(budget, progress, cancel)
     found: list[GrownLayout] = []
     steps, each = 0, layouts_of_step(problem)
+    whole = None if budget.steps is None else budget.steps * each
     while True:
         for number in range(steps * each, (steps + 1) * each):
             if found and cancel is not None and cancel():
                 break
             rng = np.random.default_rng([seed, number])
-            made = grow_once(problem, rng, number, cancel if found else None)
+            made = grow_once(problem, rng, number, tell_growth(watch, len(found), whole))
             found.append(rate_layout(problem, made))
         found.sort(key=lambda layout: layout.score["energy"])
         steps += 1
         if watch.over(steps, found[0].score["energy"], partial(_first, found)):
+            if watch.cancelled():
+                return Found(tuple(found), len(found))
             best = [
                 polish(problem, layout, np.random.default_rng([seed, 1, 1 + k]))
                 for k, layout in enumerate(found[: 1 if each == 1 else POLISHED])
@@ -84,26 +88,27 @@ def _first(found: list[GrownLayout]) -> GrownLayout:
 
 
 def grow_once(
-    problem: ExtendProblem, rng: np.random.Generator, number: int = 0, cancel: Cancel | None = None
+    problem: ExtendProblem, rng: np.random.Generator, number: int = 0, told: Told | None = None
 ) -> GrownLayout:
     """One layout: rows of the brief and of the sources, neighbours, then patches and their
     neighbours until enough is built, then coverage repaired. Every other ``number`` begins with
-    the buildings along edges, every third with a patch."""
-    canvas = Canvas(problem)
+    the buildings along edges, every third with a patch. ``told`` hears of every building."""
+    canvas = Canvas(problem, told)
     lay_rows(canvas)
     if number % 2 and problem.settings.edges:
         lay_edges(canvas, rng)
     continue_rows(canvas, rng)
     if number % 3 == 2 and not canvas.full():
         lay_patch(canvas, rng, problem.settings.patches)
-    grow_neighbours(canvas, rng, cancel)
+    grow_neighbours(canvas, rng)
     for _ in range(ROUNDS):
         if canvas.full() or not lay_patch(canvas, rng, problem.settings.patches):
             break
-        grow_neighbours(canvas, rng, cancel)
-    if problem.settings.relaxed:
+        grow_neighbours(canvas, rng)
+    if problem.settings.relaxed and not canvas.stopped:
         repair_coverage(canvas, rng)
-    take_away(canvas)
+    if not canvas.stopped:
+        take_away(canvas)
     return canvas.layout()
 
 

@@ -10,7 +10,6 @@ elements, Ma, Wei and Tong 2011).
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable
 
 import numpy as np
 
@@ -22,13 +21,13 @@ Proposal = tuple[float, int, int, tuple[float, float, float]]
 """What it is worth (negative), a ticket, the building of the sources, and the pose."""
 SAME = 0.2
 """Metres within which two proposals of one building are one."""
+OFTEN = 50
+"""Proposals looked at between two words on how far it is."""
 LEAST_WORTH = -0.2
 """What a proposal must be worth to be built."""
 
 
-def grow_neighbours(
-    canvas: Canvas, rng: np.random.Generator, cancel: Callable[[], bool] | None = None
-) -> int:
+def grow_neighbours(canvas: Canvas, rng: np.random.Generator) -> int:
     """Add what neighbours propose until enough is built or nothing more fits; how many were
     added."""
     heap: list[Proposal] = []
@@ -37,8 +36,12 @@ def grow_neighbours(
     for number in np.flatnonzero(canvas.there & (canvas.origin >= 0)).tolist():
         ticket = _propose(canvas, number, rng, heap, ticket, seen)
     made = 0
-    while heap and not canvas.full() and not (cancel is not None and cancel()):
+    popped = 0
+    while heap and not canvas.full():
         worth, _, origin, at = heapq.heappop(heap)
+        popped += 1
+        if popped % OFTEN == 0:
+            canvas.tell()
         pose = np.array(at)
         if not canvas.room_for(origin):
             continue

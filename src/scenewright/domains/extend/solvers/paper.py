@@ -12,6 +12,7 @@ from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, Grown
 from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.colony import ColonySettings, breed, run_ants
+from scenewright.engine.growing import tell_growth
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 WEIGHTS = np.full(4, 0.25)
@@ -77,13 +78,19 @@ def _grow(
 ) -> ExtendFound:
     grid, rng = grid_of(problem), np.random.default_rng(seed)
     most = budget.steps or EVALUATIONS
+    watch = BudgetWatch(budget._replace(steps=most), progress, cancel)
+    tell = tell_growth(watch, 0, 1)
+
+    def told(begun: float, share: float, best: np.ndarray) -> bool:
+        return tell(begun + share / 2, partial(_build, problem, grid, best))
+
     genes = np.zeros(grid.free.shape, np.int64)
     if grid.free.any():
-        ants = run_ants(grid, WEIGHTS, max(most // 2, 1), rng, settings)
-        bred = breed(grid, WEIGHTS, max(most - most // 2, 1), rng, settings)
+        ants = run_ants(grid, WEIGHTS, max(most // 2, 1), rng, settings, partial(told, 0.0))
+        rest = max(most - most // 2, 1)
+        bred = breed(grid, WEIGHTS, rest, rng, settings, told=partial(told, 0.5))
         genes = max(ants, bred, key=lambda one: one.value).genes
     found = rate_layout(problem, _build(problem, grid, genes))
-    watch = BudgetWatch(budget._replace(steps=most), progress, cancel)
     watch.over(most, found.score["energy"], partial(_same, found))
     return Found((found,), most)
 

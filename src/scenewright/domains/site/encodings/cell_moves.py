@@ -22,7 +22,6 @@ from scenewright.domains.site.encodings.cells import (
 )
 
 Floats = NDArray[np.float64]
-CROSSOVER, MUTATION = 0.75, 0.04
 TRIES = 40
 TURNS = 0.5
 """Share of mutations of a building that only turn it."""

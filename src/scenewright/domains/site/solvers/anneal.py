@@ -14,10 +14,11 @@ from itertools import pairwise
 import numpy as np
 
 from scenewright.domains.site.problem import Floats, SiteProblem
+from scenewright.domains.site.settings import MoveSettings
 from scenewright.domains.site.solvers.answer import Measure, answer, make_measure, stand
 from scenewright.domains.site.solvers.moves import propose
 from scenewright.domains.site.solvers.outcome import SiteFound
-from scenewright.domains.site.solvers.random_search import TRIES, drop_buildings, lines_of
+from scenewright.domains.site.solvers.random_search import drop_buildings, lines_of
 from scenewright.domains.site.terms.measure import (
     SitePrepared,
     SiteState,
@@ -35,8 +36,6 @@ from scenewright.geometry.compiled import compiled
 
 SLICE = 20_000
 PILOT = 500
-E_MAX = 10.0
-"""E_max of (6): costs beyond it are all alike."""
 
 
 @compiled
@@ -51,9 +50,9 @@ def run_site_chain(
     tally: Floats,
 ) -> None:
     """Anneal the layout a state holds by ``steps`` moves. Temperature falls geometrically over a
-    schedule (5,): hot and cold end, where this part starts and stops (0 to 1), and E_max of (6) if
-    the energy is -f_cost as printed (0: our sum). ``tally`` (2,) energy now and of the best, whose
-    frames are kept in ``best`` (n, 8)."""
+    schedule (12,): hot and cold end, where this part starts and stops (0 to 1), E_max of (6) if
+    the energy is -f_cost as printed (0: our sum), and how moves are drawn. ``tally`` (2,) energy
+    now and of the best, whose frames are kept in ``best`` (n, 8)."""
     n, temperature, heat = s.frames.shape[0], schedule[0], 1.0
     for step in range(steps):
         if step % 32 == 0:
@@ -61,7 +60,7 @@ def run_site_chain(
             temperature = schedule[0] * (schedule[1] / schedule[0]) ** share
             heat = 1.0 - share
         i = below(stream, n)
-        frame = propose(p, s, i, heat, lines, stream)
+        frame = propose(p, s, i, heat, lines, schedule[5:], stream)
         if schedule[4] > 0.0:
             more = change_of_fitness(p, s, i, frame, schedule[4])
         else:
@@ -96,7 +95,7 @@ def anneal_from(
     ``first`` is where its schedule starts, from 0 hot to 1 cold."""
     measure, stream, rule = make_measure(problem), streams(seed, 1)[0], problem.settings.chain
     lay(measure.p, measure.s, np.ascontiguousarray(start))
-    most_cost = E_MAX if problem.form == "printed" else 0.0
+    most_cost = rule.most if problem.form == "printed" else 0.0
     energy = energy_of(measure.p, measure.s)
     if most_cost:
         energy = -fitness(measure.p, measure.s, most_cost, 0.0)
@@ -105,7 +104,7 @@ def anneal_from(
         return start, 1
     most = budget.steps or (10**12 if budget.seconds else rule.moves * len(start))
     if budget.seconds:
-        rate = _rate(measure, lines, stream, best)
+        rate = _rate(measure, lines, rule.drawn, stream, best)
         pace = pace_by_clock(max(budget.seconds - watch.seconds(), 0.01), rate)
     else:
         pace = pace_by_steps(most, SLICE)
@@ -115,7 +114,8 @@ def anneal_from(
         ends = np.append(np.arange(0, wanted, SLICE), wanted)
         for begin, end in pairwise(ends.tolist()):
             part = before + (share - before) * np.array([begin, end]) / steps
-            schedule = np.array([rule.hot, rule.cold, *(first + (1.0 - first) * part), most_cost])
+            ways = *(first + (1.0 - first) * part), most_cost, *rule.drawn
+            schedule = np.array([rule.hot, rule.cold, *ways])
             run_site_chain(measure.p, measure.s, lines, schedule, end - begin, stream, best, tally)
             done += end - begin
             if watch.over(done, float(tally[1]), lambda: stand(problem, boxes_of_frames(best))):
@@ -124,9 +124,11 @@ def anneal_from(
     return boxes_of_frames(best), done
 
 
-def _rate(measure: Measure, lines: Floats, stream: Stream, best: Floats) -> float:
+def _rate(
+    measure: Measure, lines: Floats, drawn: MoveSettings, stream: Stream, best: Floats
+) -> float:
     """Moves a second, by making a few that cannot be accepted."""
-    schedule, tally = np.array([1e-300, 1e-300, 0.0, 0.0, 0.0]), np.array([0.0, -math.inf])
+    schedule, tally = np.array([1e-300, 1e-300, 0.0, 0.0, 0.0, *drawn]), np.array([0.0, -math.inf])
     run_site_chain(measure.p, measure.s, lines, schedule, 1, stream, best, tally)
     begun = time.perf_counter()
     run_site_chain(measure.p, measure.s, lines, schedule, PILOT, stream, best, tally)
@@ -145,7 +147,7 @@ def _anneal(
     measure, stream = make_measure(problem), streams(seed, 2)[1]
     boxes = np.zeros((len(problem.buildings.sizes), 5))
     order = np.argsort(-problem.buildings.sizes[:, :2].prod(1), kind="stable")
-    drop_buildings(measure.p, measure.s, order, TRIES, lines, stream, boxes)
+    drop_buildings(measure.p, measure.s, order, problem.settings.random.tries, lines, stream, boxes)
     boxes, done = anneal_from(problem, boxes, budget, seed, watch, lines)
     return answer(problem, boxes, done, 0)
 

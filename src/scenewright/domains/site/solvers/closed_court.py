@@ -15,15 +15,14 @@ import shapely
 
 from scenewright.core.layout import corners
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
+from scenewright.domains.site.settings import CourtSettings
 from scenewright.domains.site.solvers.distances import mark_shaded, noon
 from scenewright.domains.site.solvers.perimeter_block import rim
 from scenewright.domains.site.solvers.strips import back, rotate_block
 from scenewright.geometry.rectangles import largest_rectangle
 
-CELL, DRAWN_IN, MOST, LEAST = 1.0, 2.0, 24, 0.35
-"""Side of the cells in which the largest rectangle is looked for, and metres by which its sides are
-drawn in each time; how many lengths are tried for each, and the least in shares of the whole."""
-FEWEST = 4
+CELL = 1.0
+"""Side of the cells in which the largest rectangle is looked for, in metres."""
 
 
 class ClosedCourt(NamedTuple):
@@ -39,19 +38,19 @@ def close_court(
 ) -> ClosedCourt | None:
     """Buildings of a queue round a court in a block of ``edges`` (e, 4), ``gap`` metres apart at
     least and ``court_gap`` at most; ``None`` if they close none."""
-    whole = find_rectangle(edges)
-    if whole is None or len(queue) < FEWEST:
+    whole, rule = find_rectangle(edges), problem.settings.courts
+    if whole is None or len(queue) < rule.fewest:
         return None
     middle, sides, heading = whole
     best, most, sizes = None, (0.0, 0.0), problem.buildings.sizes
     wide = sorted(queue, key=lambda i: (-sizes[i, 0], i))
     orders = list(dict.fromkeys((tuple(queue), tuple(wide), tuple(wide[::-1]))))
-    for share in _list_shares(sides):
+    for share in _list_shares(sides, rule):
         ring = _ring(middle, sides * share, heading)
         rows = np.hstack([ring, np.roll(ring, -1, axis=0)])
         for order in orders:
             numbers, boxes = rim(rows, sizes, [*order], gap, 1.0)
-            floor = float(boxes[:, 3] @ boxes[:, 4]) if len(numbers) >= FEWEST else 0.0
+            floor = float(boxes[:, 3] @ boxes[:, 4]) if len(numbers) >= rule.fewest else 0.0
             worth = (round(floor, 3), float((sides * share).prod()))
             if floor and worth > most and _closes(problem, numbers, boxes):
                 best, most = ClosedCourt(numbers, boxes, ring), worth
@@ -93,10 +92,12 @@ def _lie_inside(edges: Floats, points: Floats) -> Flags:
     return turns
 
 
-def _list_shares(sides: Floats) -> Floats:
+def _list_shares(sides: Floats, rule: CourtSettings) -> Floats:
     """Shares (n, 2) of both sides of a rectangle to be tried."""
     rows = [
-        np.linspace(1.0, LEAST, min(MOST, int(side * (1.0 - LEAST) / DRAWN_IN) + 2))
+        np.linspace(
+            1.0, rule.least, min(rule.tried, int(side * (1.0 - rule.least) / rule.drawn_in) + 2)
+        )
         for side in sides
     ]
     return np.stack(np.meshgrid(*rows), -1).reshape(-1, 2)

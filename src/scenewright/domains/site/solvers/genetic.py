@@ -14,8 +14,6 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from scenewright.domains.site.encodings.cell_moves import (
-    CROSSOVER,
-    MUTATION,
     cross,
     mutate,
     random_genes,
@@ -38,7 +36,7 @@ from scenewright.domains.site.terms.value import FULL, OMEGA, Worth, make_worth,
 from scenewright.engine.asked import Asked, join
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
 
-POPULATION, GENERATIONS = 10, 200
+USUAL = MatrixSettings()
 
 
 class Bred(NamedTuple):
@@ -87,9 +85,9 @@ class MatrixGenetic(NamedTuple):
 
     cells: SiteLattice
     quality: Floats
-    population: int = POPULATION
-    crossover: float = CROSSOVER
-    mutation: float = MUTATION
+    population: int = USUAL.population
+    crossover: float = USUAL.crossover
+    mutation: float = USUAL.mutation
     selection: Literal["tournament", "roulette"] = "tournament"
     points: int = 2
     keep: int = 1
@@ -97,8 +95,8 @@ class MatrixGenetic(NamedTuple):
     local: bool = True
     amount: Amount | None = None
     parents: Floats | None = None
-    alike: float = MatrixSettings().alike
-    known: int = MatrixSettings().known
+    alike: float = USUAL.alike
+    known: int = USUAL.known
 
     def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Bred:  # noqa: ARG002
         """Nothing judged yet."""
@@ -282,7 +280,7 @@ def evolve(
         first = int(energies.argmin())
         if energies[first] < least:
             best, least = genes[first].copy(), float(energies[first])
-        spent = not bounded and (state.age >= GENERATIONS or state.stalled > rule.stalled)
+        spent = not bounded and (state.age >= rule.generations or state.stalled > rule.stalled)
         full = budget.steps is not None and done + solver.population > budget.steps
         if watch.over(done, least, layout) or spent or full:
             break
@@ -306,6 +304,9 @@ def viewpoint_site(
     solver = MatrixGenetic(
         cells,
         problem.buildings.quality,
+        rule.population,
+        rule.crossover,
+        rule.mutation,
         amount=amount if not printed or amount.covered > 0.0 else None,
         parents=seed_layouts(problem, cells, rule.templates, seed),
         alike=rule.alike,
@@ -324,10 +325,13 @@ def simple_site(
 ) -> SiteFound:
     """The simple genetic algorithm (Goldberg 1989) over the same code and measure: selection in
     proportion to fitness, one-point crossover, nobody kept, no local search."""
-    cells = make_cells(problem)
+    cells, rule = make_cells(problem), problem.settings.matrix
     solver = MatrixGenetic(
         cells,
         problem.buildings.quality,
+        rule.population,
+        rule.crossover,
+        rule.mutation,
         selection="roulette",
         points=1,
         keep=0,

@@ -9,8 +9,6 @@ from scenewright.engine.draws import Stream, bell, below, uniform
 from scenewright.geometry.boxes import Floats, Frame, make_frame, part_of, read_frame
 from scenewright.geometry.compiled import inlined
 
-NUDGE, TURN, BESIDE, JUMP = 0.45, 0.55, 0.8, 0.98
-"""Up to where in [0, 1) each move is drawn; beyond them a building is left out."""
 QUARTER = 0.5 * math.pi
 
 
@@ -49,29 +47,29 @@ def beside(p: SitePrepared, frame: Frame, other: Frame, stream: Stream) -> Frame
 
 @inlined
 def propose(
-    p: SitePrepared, s: SiteState, i: int, heat: float, lines: Floats, stream: Stream
+    p: SitePrepared, s: SiteState, i: int, heat: float, lines: Floats, drawn: Floats, stream: Stream
 ) -> Frame:
     """A move of building ``i``; ``heat`` from 1 to 0 sets how far small moves go, ``lines`` (2,)
-    are as in :func:`drawn_heading`."""
+    are as in :func:`drawn_heading`, ``drawn`` (7,) a :class:`MoveSettings`."""
     frame, n, kind = read_frame(s.frames, i), s.frames.shape[0], uniform(stream)
     if frame[4] <= 0.0:
         frame = in_block(p, i, lines, stream)
-        if kind < TURN or kind >= BESIDE:
+        if kind < drawn[1] or kind >= drawn[2]:
             return frame
-    if kind < NUDGE:
-        far, only = 0.05 + 15.0 * heat * heat, uniform(stream)
+    if kind < drawn[0]:
+        far, only = drawn[4] + drawn[5] * heat * heat, uniform(stream)
         u = far * bell(stream) if only < 0.7 else 0.0
         v = far * bell(stream) if only > 0.3 else 0.0
         return part_of(frame, u, v, frame[4], frame[5])
-    if kind < TURN:
+    if kind < drawn[1]:
         heading = drawn_heading(lines, stream)
         if lines[1] > 0.5 and uniform(stream) < 0.5:
-            heading = frame[7] + 0.3 * heat * bell(stream)
+            heading = frame[7] + drawn[6] * heat * bell(stream)
         return make_frame(frame[0], frame[1], heading, 2.0 * frame[4], 2.0 * frame[5])
-    if kind < BESIDE and n > 1:
+    if kind < drawn[2] and n > 1:
         other = read_frame(s.frames, (i + 1 + below(stream, n - 1)) % n)
         if other[4] > 0.0:
             return beside(p, frame, other, stream)
-    if kind < JUMP:
+    if kind < drawn[3]:
         return in_block(p, i, lines, stream)
     return make_frame(0.0, 0.0, 0.0, 0.0, 0.0)

@@ -18,8 +18,6 @@ from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
 from scenewright.geometry.buckets import remove
 from scenewright.geometry.compiled import compiled
 
-LAYOUTS, TRIES = 1000, 60
-
 
 def lines_of(problem: SiteProblem, free: bool = False) -> Floats:
     """Base heading, the one along or across the main direction nearest to the preferred heading,
@@ -67,14 +65,15 @@ def random_site(
     """The best of random layouts by the repaired sum, of 1000 without a budget; a step is a
     layout."""
     watch, stream = BudgetWatch(budget, progress, cancel), streams(seed, 1)[0]
+    rule = problem.settings.random
     rng = np.random.default_rng(seed)
     measure, lines = make_measure(problem), lines_of(problem)
     boxes = np.zeros((len(problem.buildings.sizes), 5))
     best, least, done = boxes.copy(), math.inf, 0
-    rounds = budget.steps or (math.inf if budget.seconds else LAYOUTS)
+    rounds = budget.steps or (math.inf if budget.seconds else rule.layouts)
     while done < rounds:
         order = rng.permutation(len(boxes)).astype(np.int64)
-        drop_buildings(measure.p, measure.s, order, TRIES, lines, stream, boxes)
+        drop_buildings(measure.p, measure.s, order, rule.tries, lines, stream, boxes)
         energy = float(measure.energies(boxes[None])[0])
         done += 1
         if energy < least:

@@ -18,9 +18,6 @@ from scenewright.domains.site.solvers.front import inside
 from scenewright.domains.site.solvers.templates import make_template
 from scenewright.geometry.rectangles import largest_rectangle
 
-STEPS = 1500
-"""Moves of annealing a template."""
-
 
 def seed_layouts(problem: SiteProblem, cells: SiteLattice, count: int, seed: int) -> Floats:
     """Genes (count, cells · 3) of layouts whose blocks are templates."""
@@ -58,7 +55,8 @@ def _seed_layout(
             problem.fire_access,
             problem.sun_spacing,
             seed + number,
-            STEPS,
+            problem.settings.chain.template,
+            problem.settings,
         )
         turn = cells.lattice[5] - FRONT
         boxes[own] = rotate_boxes(made.boxes, float(turn), float(middle[0]), float(middle[1]))

@@ -13,14 +13,10 @@ import numpy as np
 from scenewright.domains.site.problem import Floats, SiteProblem
 from scenewright.domains.site.solvers.answer import answer, make_measure, stand, standing
 from scenewright.domains.site.solvers.outcome import SiteFound
-from scenewright.domains.site.solvers.random_search import TRIES, drop_buildings, lines_of
+from scenewright.domains.site.solvers.random_search import drop_buildings, lines_of
 from scenewright.engine.draws import streams
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress, run_population
 from scenewright.engine.swarm import Swarm
-
-PARTICLES, ROUNDS = 40, 250
-LOOKED = 40
-"""How many of the best are looked at for what can stand."""
 
 
 def swarm_site(
@@ -33,6 +29,7 @@ def swarm_site(
     """Fly 40 particles, 250 rounds without a budget; a step is a layout."""
     watch, measure = BudgetWatch(budget, progress, cancel), make_measure(problem)
     n, lines, rng = len(problem.buildings.sizes), lines_of(problem), np.random.default_rng(seed)
+    rule = problem.settings.swarm
     low = np.tile([*problem.ground.bounds[:2], 0.0], n)
     high = np.tile([*problem.ground.bounds[2:], 4.0], n)
 
@@ -43,8 +40,10 @@ def swarm_site(
         boxes[..., 3:] = problem.buildings.sizes[:, :2]
         return boxes
 
-    count = min(PARTICLES, budget.steps) if budget.steps else PARTICLES
-    rounds = max(budget.steps // count, 1) if budget.steps else None if budget.seconds else ROUNDS
+    count, rounds = rule.particles, None if budget.seconds else rule.rounds
+    if budget.steps:
+        count = min(count, budget.steps)
+        rounds = max(budget.steps // count, 1)
     genes, _, done = run_population(
         Swarm(_first(problem, count, seed, low, high)),
         lambda rows: measure.energies(poses(rows)),
@@ -55,7 +54,7 @@ def swarm_site(
         lambda row: stand(problem, poses(row[None])[0]),
         rounds,
     )
-    ended = poses(genes[:LOOKED])
+    ended = poses(genes[: rule.looked])
     for boxes in ended:
         boxes[~standing(measure, boxes), 3:] = 0.0
     best = int(measure.energies(ended).argmin())
@@ -66,10 +65,11 @@ def _first(problem: SiteProblem, count: int, seed: int, low: Floats, high: Float
     """Random layouts (count, m): dropped where there is room, else anywhere."""
     measure, lines, rng = make_measure(problem), lines_of(problem), np.random.default_rng(seed + 1)
     boxes, stream = np.zeros((len(problem.buildings.sizes), 5)), streams(seed, 1)[0]
+    tries = problem.settings.random.tries
     first = rng.uniform(low, high, (count, len(low))).reshape(count, -1, 3)
     for k in range(count):
         order = rng.permutation(len(boxes)).astype(np.int64)
-        drop_buildings(measure.p, measure.s, order, TRIES, lines, stream, boxes)
+        drop_buildings(measure.p, measure.s, order, tries, lines, stream, boxes)
         stood = boxes[:, 3] > 0.0
         first[k, stood, :2] = boxes[stood, :2]
         first[k, stood, 2] = np.rint((boxes[stood, 2] - lines[0]) / (0.5 * math.pi)) % 4 + 0.5

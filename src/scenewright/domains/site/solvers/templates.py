@@ -14,14 +14,16 @@ import numpy as np
 from scenewright.core.errors import InputError
 from scenewright.domains.site.encodings.forms import FORMS, FRONT, Target
 from scenewright.domains.site.problem import Buildings, Flags, SiteGround, SiteProblem
-from scenewright.domains.site.solvers.anneal import E_MAX, anneal_from
+from scenewright.domains.site.settings import SiteSettings
+from scenewright.domains.site.solvers.anneal import anneal_from
 from scenewright.domains.site.solvers.answer import make_measure, score, standing
 from scenewright.domains.site.terms.table import fitness_of_cost, utilisation
 from scenewright.engine.solve import Budget, BudgetWatch
 from scenewright.geometry.boxes import Floats
 
+AS_USUAL = SiteSettings()
 STEPS = 20_000
-COOL = 0.4
+"""Moves of annealing a template by itself."""
 
 
 class Template(NamedTuple):
@@ -34,7 +36,11 @@ class Template(NamedTuple):
 
 
 def rectangle_problem(
-    buildings: Buildings, target: Target, spacing: float, fire_access: float
+    buildings: Buildings,
+    target: Target,
+    spacing: float,
+    fire_access: float,
+    settings: SiteSettings = AS_USUAL,
 ) -> SiteProblem:
     """A site that is one rectangular block about the origin; fronts may look anywhere."""
     w, d = 0.5 * target[0], 0.5 * target[1]
@@ -67,6 +73,7 @@ def rectangle_problem(
         fire_access,
         0.0,
         1,
+        settings=settings,
     )
 
 
@@ -79,19 +86,21 @@ def make_template(
     behind: float = 0.0,
     seed: int = 0,
     steps: int = STEPS,
+    settings: SiteSettings = AS_USUAL,
 ) -> Template:
     """A group of buildings laid out by a form in a rectangle, annealed if the form leaves some
     out; see :mod:`scenewright.domains.site.encodings.forms`."""
     if form not in FORMS:
         raise InputError(f"no form is called {form!r}", f"the forms are {', '.join(FORMS)}")
-    problem = rectangle_problem(buildings, target, spacing, fire_access)
+    problem = rectangle_problem(buildings, target, spacing, fire_access, settings)
+    chain = settings.chain
     boxes = FORMS[form].place(buildings.sizes, spacing, target, behind)
     present = standing(make_measure(problem), boxes)
     if not present.all() and steps > 0:
         budget = Budget(steps=steps)
         watch, lines = BudgetWatch(budget, None, None), np.array([FRONT, 0.0])
         start = np.where(present[:, None], boxes, 0.0)
-        tried, _ = anneal_from(problem, start, budget, seed, watch, lines, COOL)
+        tried, _ = anneal_from(problem, start, budget, seed, watch, lines, chain.cool)
         stands = standing(make_measure(problem), tried)
         if stands.sum() > present.sum():
             boxes, present = tried, stands
@@ -99,5 +108,5 @@ def make_template(
     sizes = buildings.sizes[present]
     tall = float(sizes[:, 2].max(initial=1e-9))
     found["fit"] = utilisation(sizes, (spacing, spacing), (*target, tall))
-    found["fitness"] = float(fitness_of_cost(np.array(found["ratio"]), E_MAX))
+    found["fitness"] = float(fitness_of_cost(np.array(found["ratio"]), chain.most))
     return Template(np.where(present[:, None], boxes, 0.0), present, found)

@@ -5,7 +5,7 @@ Where a library has no doors, each longer side of a house may have it: a candida
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -36,7 +36,6 @@ from scenewright.domains.village.paper.views import (
 )
 from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.standing import Floats, StandingHouses
-from scenewright.engine.solve import Cancel
 
 MOST, TRIES, SEEN = 150, 12, 160
 """Houses of a block at most, places tried for one, candidates looked at."""
@@ -60,15 +59,16 @@ def fill_as_paper(
     nets: PaperWeights,
     problem: VillageProblem,
     rng: np.random.Generator,
-    cancel: Cancel | None = None,
+    goes_on: Callable[[PaperFilling], bool] | None = None,
 ) -> PaperFilling:
-    """The houses put on a block until *continue* says stop, or as many as are asked for."""
+    """The houses put on a block until *continue* says stop, or as many as are asked for;
+    ``goes_on`` hears what stands and may end it."""
     frame, free = frame_of(problem.floor, PIXELS), problem.floor.difference(problem.kept_free)
     shapely.prepare(free)
     candidates = list_candidates(problem.houses)
     houses = tell_standing(problem.fixed, problem.streets)
     found = PaperFilling((), ())
-    while len(found.houses) < MOST and not (cancel is not None and cancel()):
+    while len(found.houses) < MOST and (goes_on is None or goes_on(found)):
         view = paint(frame, problem.floor, houses)
         if not _is_another(nets, problem, houses, view):
             break

@@ -15,10 +15,11 @@ from scenewright.domains.village.learned.surroundings import Surroundings
 from scenewright.domains.village.measures import excess_void
 from scenewright.domains.village.problem import VillageFound, VillageLayout, VillageProblem
 from scenewright.domains.village.standing import Floats, Shapes, StandingHouses, add, place
+from scenewright.engine.growing import tell_growth
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 Making = Callable[..., VillageLayout]
-"""Makes a layout of random numbers, asking ``cancel`` whether to stop."""
+"""Makes a layout of random numbers; ``told`` hears how far it is, and may end it."""
 LAYOUTS = 3
 """Layouts grown where no budget is given."""
 
@@ -87,7 +88,7 @@ def grow_several(
     rng = np.random.default_rng(seed)
     found: list[VillageLayout] = []
     while True:
-        made = make(rng, cancel=cancel if found else None)
+        made = make(rng, told=tell_growth(watch, len(found), budget.steps))
         found.append(made._replace(score=rate(problem, made)))
         found.sort(key=lambda layout: layout.score["energy"])
         best = found[0]

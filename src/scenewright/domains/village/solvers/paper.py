@@ -7,10 +7,11 @@ from functools import partial
 import numpy as np
 
 from scenewright.domains.village.grow import layout_of
-from scenewright.domains.village.paper.filling import fill_as_paper
+from scenewright.domains.village.paper.filling import MOST, PaperFilling, fill_as_paper
 from scenewright.domains.village.paper.passes import PaperWeights, read_paper_nets
 from scenewright.domains.village.problem import VillageFound, VillageLayout, VillageProblem
 from scenewright.domains.village.solvers.growing import grow_several
+from scenewright.engine.growing import Told
 from scenewright.engine.solve import Budget, Cancel, Progress
 
 
@@ -28,7 +29,11 @@ def fill_by_paper(
 
 
 def _fill(
-    problem: VillageProblem, nets: PaperWeights, rng: np.random.Generator, cancel: Cancel | None
+    problem: VillageProblem, nets: PaperWeights, rng: np.random.Generator, told: Told
 ) -> VillageLayout:
-    found = fill_as_paper(nets, problem, rng, cancel)
+    def goes_on(filled: PaperFilling) -> bool:
+        share = len(filled.houses) / max(problem.asked or MOST, 1)
+        return not told(share, partial(layout_of, problem, filled.houses, filled.poses))
+
+    found = fill_as_paper(nets, problem, rng, goes_on)
     return layout_of(problem, found.houses, found.poses)

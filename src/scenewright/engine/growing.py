@@ -1,0 +1,36 @@
+"""Runs that make whole layouts one after the other: what is told from within the first of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from scenewright.engine.solve import BudgetWatch, Report
+
+Told = Callable[[float, Callable[[], Any]], bool]
+"""Hears the share of a layout that stands and what makes it as far as it is; whether to stop."""
+
+
+def tell_growth(watch: BudgetWatch, done: int, steps: int | None) -> Told:
+    """What a layout tells while it is made, ``done`` others being whole of so many ``steps`` (left
+    out: nobody knows). Only the first is told to who listens, with an energy of infinity: later
+    ones compete with one that is whole. Shares only rise; whether to stop is whether nobody waits.
+
+    >>> from scenewright.engine.solve import Budget
+    >>> heard = []
+    >>> watch = BudgetWatch(Budget(steps=2), lambda one: heard.append(one.share), None)
+    >>> tell = tell_growth(watch, 0, 2)
+    >>> tell(0.5, tuple), tell(0.4, tuple), heard
+    (False, False, [0.25, 0.25])
+    """
+    most = 0.0
+
+    def tell(share: float, best: Callable[[], Any]) -> bool:
+        nonlocal most
+        if done == 0 and watch.progress is not None:
+            most = max(most, min(share, 1.0) / steps if steps else 0.0, watch.share(0))
+            watch.progress(Report(most, math.inf, best))
+        return watch.cancelled()
+
+    return tell
