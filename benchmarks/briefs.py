@@ -130,15 +130,19 @@ def answer_brief(brief_number: int, flat: int) -> Answer:
 
 
 def state(row: FunctionalBrief, brief: Brief, spaces: tuple[Space, ...]) -> Brief:
-    """A flat's brief with what a household says: residents, and each wish in the largest room of
-    its function."""
+    """A flat's brief with what a household says: residents, and what it needs in the largest room
+    of its function, the same again in the next."""
     rooms = list(brief.rooms)
     document = [room.model_dump(mode="json", exclude_unset=True) for room in rooms]
     sizes = {r.space.id: r.floor.area for r in list_rooms(spaces, ())}
+    placed: list[tuple[int, dict[str, Any]]] = []
     for function, wish in row.wishes:
         of = [k for k, space in enumerate(spaces) if function in space.functions]
-        best = max(of, key=lambda k: sizes[spaces[k].id])
-        document[best].setdefault("wishes", []).append(wish)
+        others = [k for k in of if (k, wish) not in placed]
+        best = max(others or of, key=lambda k: sizes[spaces[k].id])
+        placed.append((best, wish))
+        asked = wish if wish.get("forbid") else wish | {"required": True}
+        document[best].setdefault("wishes", []).append(asked)
     whole = brief.model_dump(mode="json", exclude_unset=True)
     return Brief.model_validate(whole | {"rooms": document, "residents": row.residents})
 

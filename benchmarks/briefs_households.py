@@ -179,7 +179,7 @@ BRIEFS = (
         2,
         12,
         (sleeps(2), eats(2), works(2), cooks),
-        (DESK,),
+        (DESK, DESK),
     ),
     FunctionalBrief("three who share a flat", 3, 3, 12, (sleeps(3), eats(3), cooks)),
     FunctionalBrief("a student", 1, 1, 9, (sleeps(1), works(1), cooks), (DESK,)),

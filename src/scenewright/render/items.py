@@ -26,6 +26,7 @@ from scenewright.core.scene import STAIRS, GroundSurface, Piece, Prism, Scene, S
 from scenewright.core.space import Level, Opening, Space
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box, face_normals, prism, sheet
+from scenewright.render.hiding import find_hiding, make_clear
 from scenewright.render.near_walls import (
     NearWalls,
     cut_of_opening,
@@ -71,7 +72,8 @@ def things(
 
     ``cut`` (metres above each floor) leaves out what walls, openings and pieces that hang on
     them have above it, and all that hangs from the ceiling; of walls that stand before a room for
-    an eye that looks ``towards`` a direction, more (:mod:`scenewright.render.near_walls`).
+    an eye that looks ``towards`` a direction, more (:mod:`scenewright.render.near_walls`), and what
+    hides other pieces from it is as if of glass (:mod:`scenewright.render.hiding`).
     """
     level_of = {space.id: space.level for space in scene.spaces}
     first = scene.levels[0].id if scene.levels else ""
@@ -97,16 +99,17 @@ def things(
             if o.level == level.id
         ]
         found += _stairs(scene, level, cut)
-        pieces = (
+        pieces = [
             p
             for p in scene.pieces
             if level_of.get(p.space, first) == level.id and p.function != STAIRS
-        )
-        staged = (
-            _piece(piece, level.id, catalog, cut and cut_of_piece(piece, near, cut))
-            for piece in pieces
-        )
-        found += [piece for piece in staged if piece.parts or cut is None]
+        ]
+        hiding = find_hiding(pieces, towards) if cut is not None and towards else frozenset()
+        for piece in pieces:
+            one = _piece(piece, level.id, catalog, cut and cut_of_piece(piece, near, cut))
+            if piece.id in hiding:
+                one = one._replace(key=(one.key, "clear"), parts=make_clear(one.parts))
+            found += [one] if one.parts or cut is None else []
     if scene.palette:
         found = [one._replace(parts=paint(one.parts, scene.palette)) for one in found]
     return tuple(_make_names_unique(found))
