@@ -23,6 +23,7 @@ from scenewright.domains.home.cases.library import (
     nearest_first,
 )
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.household import FURTHER
 from scenewright.domains.home.programme import ALSO, FALLBACK, PROGRAMME, programme
 
 
@@ -44,9 +45,14 @@ def may_meet(first: Member, second: Member, group: Group) -> bool:
     return low > high - 1e-9
 
 
+def list_forms(function: str) -> list[Group]:
+    """The cases of a function, and the forms for households that say how many they are."""
+    return [*cases(function).groups, *(FURTHER[function]() if function in FURTHER else ())]
+
+
 @pytest.mark.parametrize("function", GROUPS)
 def test_members_stay_inside_the_footprint(function: str) -> None:
-    for group in cases(function).groups:
+    for group in list_forms(function):
         outline = Polygon(
             np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * [group.width / 2, group.depth / 2]
         ).buffer(1e-6)
@@ -56,7 +62,7 @@ def test_members_stay_inside_the_footprint(function: str) -> None:
 
 @pytest.mark.parametrize("function", GROUPS)
 def test_members_do_not_run_into_each_other(function: str) -> None:
-    for group in cases(function).groups:
+    for group in list_forms(function):
         for first, second in itertools.combinations(group.members, 2):
             if not may_meet(first, second, group):
                 common = footprint(first).buffer(-0.003).intersection(footprint(second))

@@ -12,10 +12,12 @@ from benchmarks.briefs_households import BRIEFS
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.space import Space
-from scenewright.domains import plan_of, solve
+from scenewright.domains import check, plan_of, solve
 from scenewright.domains.home.cases.library import SHIPPED, cases
 from scenewright.domains.home.household import (
+    BEDS,
     SEATED,
+    count_places,
     decide_household,
     seat_residents,
     share_out,
@@ -110,3 +112,39 @@ def test_a_wish_goes_to_the_largest_room_of_its_function() -> None:
     wished = [room.name for room in stated.rooms if any(w.what == "desk" for w in room.wishes)]
     assert stated.residents == 2
     assert wished == ["Living and dining"]
+
+
+def flat(**keys: object) -> Brief:
+    """A flat for four: 18 m² to live and cook in, two small bedrooms."""
+
+    def room(name: str, use: object, x0: float, y0: float, x1: float, y1: float, **more: object):
+        outline = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
+        return {"id": name, "function": use, "outline": outline, **more}
+
+    living = {"doors": [{"at": [1, 0]}], "windows": [{"at": [3, 4], "width": 1.6}]}
+    living |= {"wishes": [{"what": "piano", "required": True}]} if keys.pop("piano", 0) else {}
+    rooms = [
+        room("live", ["living", "kitchen"], 0, 0, 5, 4, **living),
+        room("a", "bedroom", 5.1, 0, 8.5, 2.7, doors=[{"at": [5.05, 0.6]}]),
+        room("b", "bedroom", 5.1, 2.8, 8.3, 5.6, doors=[{"at": [5.05, 3.4]}]),
+    ]
+    return Brief.model_validate({"name": "flat", "rooms": rooms, **keys})
+
+
+@pytest.mark.parametrize("piano", [False, True])
+def test_what_is_stated_stands_before_what_is_welcome(piano: bool) -> None:
+    brief = flat(residents=4, piano=piano)
+    solution = solve(brief, threads=1)
+    held = [piece.category for piece in solution.pieces]
+    assert sum(BEDS.get(category, 0) for category in held) >= 4
+    assert held.count("dining_chair") >= 4
+    assert ("piano" in held) is piano
+    assert not check(solution).findings
+
+
+def test_a_table_is_chosen_that_seats_all() -> None:
+    household = decide_household((space("live", "living", 4, 4),), 5)
+    (wish,) = share_out(household, "live", (Wish("dining", 1),), frozenset(("dining",)))
+    kept = cases(wish.group, seat_residents(household, "live", SHIPPED)).groups
+    assert wish.group == "dining_wall"
+    assert min(count_places(case.members) for case in kept) >= 5

@@ -9,7 +9,7 @@ and sofas with a place for each.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -17,12 +17,21 @@ import numpy as np
 import shapely
 
 from scenewright.building.ceiling import living_area, planes
-from scenewright.core.catalog import Group
+from scenewright.core.catalog import Group, Member
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
-from scenewright.domains.home.cases.library import Library, cases, subset
+from scenewright.domains.home.cases.library import (
+    SHIPPED,
+    Cases,
+    Library,
+    cases,
+    index_cases,
+    subset,
+)
+from scenewright.domains.home.groups.dining import tables_for_many
+from scenewright.domains.home.groups.living import seats_for_many
 from scenewright.domains.home.programme import Wish, resolve_bedrooms
 
 SLEEPERS = {"double_bedroom": 2, "single_bedroom": 1, "child_bedroom": 1}
@@ -33,11 +42,13 @@ LEAST_BUNK = 7.0  # a room of less has no bunk beds, square metres
 ALL_ROUND, LEAST_TABLE = 4, 14.0  # residents and square metres from which a table stands free
 SEATED: dict[str, tuple[float, int]] = {
     "dining": (0.3, 8),
-    "dining_wall": (0.2, 3),
+    "dining_wall": (0.25, 6),
     "seating": (0.45, 5),
 }
 """Groups with a place for each resident: the share of its room's floor it takes at most, and how
 many it seats at most."""
+FURTHER = {"dining_wall": tables_for_many, "seating": seats_for_many}
+"""Forms beside the usual ones, so that there are such with enough places."""
 SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
 BEDS = {"double_bed": 2, "single_bed": 1, "bunk_bed": 2}
 SOFAS = {"sofa": 3, "loveseat": 2, "corner_sofa": 4, "armchair": 1}
@@ -153,6 +164,8 @@ def share_out(
         racks = [wish._replace(group="coats") for wish in away]
         found = [w for w in found if w not in away and not (racks and w.group == "coats")]
         found += racks
+    if any(wish.group in TABLES and wish.required for wish in found):
+        found = [wish for wish in found if wish.group not in TABLES or wish.required]
     if room == household.eats_in and not others & TABLES:
         found.append(Wish("dining_wall", 1))
     return tuple(_for_residents(household, room, wish) for wish in found)
@@ -162,11 +175,30 @@ def _for_residents(household: Household, room: str, wish: Wish) -> Wish:
     """A wish as the stated residents need it: a bunk for a single bed, a table all round."""
     if wish.group == "single" and room in household.bunks:
         return wish._replace(group="bunk")
-    many = household.stated and household.residents >= ALL_ROUND
     if not household.stated or wish.group not in TABLES:
         return wish
-    large = many and household.areas.get(room, 0.0) >= LEAST_TABLE
-    return wish._replace(group="dining" if large else wish.group, rank=0)
+    area, people = household.areas.get(room, 0.0), household.residents
+    many = people >= ALL_ROUND and area >= LEAST_TABLE
+    places = {group: min(_most_places(group, area), people) for group in sorted(TABLES)}
+    usual = "dining" if many else wish.group
+    group = "dining_wall" if places["dining_wall"] > places["dining"] else usual
+    here = household.eats_in in ("", room)
+    return wish._replace(group=group, rank=0 if here else wish.rank)
+
+
+def _most_places(group: str, area: float) -> int:
+    """How many the largest case of a group seats that leaves a room of an area its floor."""
+    share, most = SEATED[group]
+    fits = (c for c in _every_case(group, SHIPPED).groups if c.width * c.depth <= share * area)
+    return min(max(map(_places, fits), default=0), most)
+
+
+def _every_case(group: str, library: Library) -> Cases:
+    """The cases of a group, with further forms unless they are the user's own."""
+    known = cases(group, library)
+    if group not in FURTHER or group in library.own:
+        return known
+    return index_cases((*known.groups, *FURTHER[group]()))
 
 
 def seat_residents(household: Household, room: str, library: Library) -> Library:
@@ -176,7 +208,7 @@ def seat_residents(household: Household, room: str, library: Library) -> Library
         return library
     own = dict(library.own)
     for group, (share, most) in SEATED.items():
-        known = cases(group, library)
+        known = _every_case(group, library)
         room_for = share * household.areas[room]
         fits = [c.width * c.depth <= room_for for c in known.groups]
         least = min(household.residents, most)
@@ -193,11 +225,18 @@ def seat_residents(household: Household, room: str, library: Library) -> Library
     return library._replace(own=own, seated=seated)
 
 
-def _places(case: Group) -> int:
-    """How many sit in a case: on chairs, or on sofas by their width."""
+def count_places(parts: Iterable[Member | Piece]) -> int:
+    """How many sit on the parts of a case, or on pieces: on chairs, or on sofas by their width."""
     places = {"dining_chair": 1, "armchair": 1, "loveseat": 2, "sofa": 3, "corner_sofa": 4}
-    small = sum(m.category == "sofa" and m.size.width < SOFA_OF_THREE for m in case.members)
-    return sum(places.get(m.category, 0) for m in case.members) - small
+    return sum(
+        places.get(part.category, 0) - (part.category == "sofa" and part.size.width < SOFA_OF_THREE)
+        for part in parts
+    )
+
+
+def _places(case: Group) -> int:
+    """How many sit in a case."""
+    return count_places(case.members)
 
 
 def tell_programme(solution: Solution, plan: Plan) -> str:

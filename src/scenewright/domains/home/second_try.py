@@ -106,6 +106,20 @@ def _essential(answers: Sequence[RoomAnswer], costs: FaultCosts) -> float:
     return sum(_lacks(answer, costs) for answer in answers)
 
 
+def lacks_essentials(answer: RoomAnswer, costs: FaultCosts) -> float:
+    """What it costs that essentials are missing that nobody required by name."""
+    return sum(
+        penalty(m.wish, costs)
+        for m in answer.missing
+        if is_essential(m.wish) and not m.wish.required
+    )
+
+
+def try_otherwise(task: RoomTask, number: int) -> RoomTask:
+    """A room to be furnished from other random numbers, the same for the same ``number``."""
+    return _otherwise(task, number, 0.0)
+
+
 def _lacks(answer: RoomAnswer, costs: FaultCosts) -> float:
     """What it costs that some of what is essential is missing."""
     return sum(penalty(m.wish, costs) for m in answer.missing if is_essential(m.wish))

@@ -45,6 +45,7 @@ from scenewright.domains.home.remove_blockers import remove_blockers
 from scenewright.domains.home.requests import check_asks, check_possible
 from scenewright.domains.home.second_try import tried_again
 from scenewright.domains.home.shortfall import complete_account
+from scenewright.domains.home.stated_needs import Rooms, meet_stated_needs
 from scenewright.domains.home.tasks import add_lamps_and_curtains, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, vary_task
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
@@ -116,19 +117,36 @@ def solve(
     shared = None if progress is None else SharedProgress(progress, [*work, LAST * sum(work)])
     answers = _run(turned, wishes, budgets, pool, shared)
     if chosen.settings.exact:
-        standing = [task.fixed for task in tasks]
-        opened = partial(
-            remove_blockers,
-            standing,
-            rooms=rooms,
-            catalog=catalog,
-            width=brief.route_width,
-            settings=chosen.settings,
-        )
-        answers = tried_again(turned, wishes, budgets, answers, opened)
+        every = Rooms(turned, wishes, budgets)
+        answers = _walk_home(brief, every, answers, rooms, catalog, again=seconds is None)
     if shared is not None:
         shared.ended(len(work), "routes")
     return assemble_solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
+
+
+def _walk_home(
+    brief: Brief,
+    every: Rooms,
+    answers: list[RoomAnswer],
+    rooms: tuple[Space, ...],
+    catalog: Catalog,
+    again: bool,
+) -> list[RoomAnswer]:
+    """The answers with the ways of the whole home open, rooms tried again that lose something
+    essential to that, and ``again`` those that lack what the household states it needs."""
+    opened = partial(
+        remove_blockers,
+        [task.fixed for task in every.tasks],
+        rooms=rooms,
+        catalog=catalog,
+        width=brief.route_width,
+        settings=every.tasks[0].preset.settings,
+    )
+    found = tried_again(every.tasks, every.wishes, every.budgets, answers, opened)
+    if not again:
+        return found
+    household = decide_household(rooms, brief.residents)
+    return meet_stated_needs(household, every, found, opened)
 
 
 def problems(

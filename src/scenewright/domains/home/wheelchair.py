@@ -36,6 +36,8 @@ SPARE = 0.03  # what is reserved more than needed, metres
 BEDS = ("double_bed", "single_bed")
 WIDENED = {"sleeping": "double_bed", "single": "single_bed", "toilet": "toilet"}
 INSTEAD = {"bunk": "single", "bath": "shower"}
+NARROWEST = 0.002  # the same where there is no room for that, metres
+SPARED = frozenset(("washer",))  # what a room without space to turn gives up before that
 APART = frozenset(("storage", "balcony", "other"))
 
 
@@ -100,18 +102,31 @@ def furnish_by_use(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> 
 
 def for_wheelchairs(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
     """The best answer for a room with room to turn in it, if there is any place for that."""
-    wishes = _prefer_accessible(wishes)
+    wishes, turns = _prefer_accessible(wishes), spots(task)
+    if not turns and _opens_on_others(task):
+        wishes = tuple(wish for wish in wishes if wish.rank == 0 or wish.required)
     answers = [
         _clear_approaches(task, furnish(_reserve_turning_circle(task, spot), wishes, budget))
-        for spot in spots(task)
+        for spot in turns
     ]
-    if not answers or any(m.wish.core for m in min(answers, key=_score).missing):
+    if not answers or any(map(_is_needed, min(answers, key=_score).missing)):
         plain = _clear_approaches(task, furnish(task, wishes, budget))
         more = task.costs.no_turn if answers else 0.0
         answers.append(plain._replace(score=plain.score + more))
     best = min(answers, key=_score)
     missing = tuple(m._replace(reason=_reword_reason(m.reason)) for m in best.missing)
     return best._replace(missing=missing, evaluations=sum(a.evaluations for a in answers))
+
+
+def _opens_on_others(task: RoomTask) -> bool:
+    """Whether a hall is open to another space, so that a wheelchair turns in both together."""
+    passage = any(opening.kind == "passage" for opening in task.space.openings)
+    return passage and "hall" in task.space.functions
+
+
+def _is_needed(lack: Missing) -> bool:
+    """Whether a room is of no use without what is missing, so that it may lack space to turn."""
+    return lack.wish.core and lack.wish.group not in SPARED
 
 
 def _prefer_accessible(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
@@ -142,8 +157,10 @@ def spots(task: RoomTask) -> list[tuple[float, float]]:
     shape = shapely.Polygon(space.outline, list(space.holes))
     low = low_floor(ground.slopes, TURN, ground.bounds)
     solid = shapely.union_all(shapely.polygons(corners(np.concatenate([ground.obstacles, low]))))
-    free = shape.buffer(-TURN / 2 - SPARE / 2).difference(solid.buffer(TURN / 2 + SPARE / 2))
-    if free.is_empty:
+    radii = ((TURN + spare) / 2 for spare in (SPARE, NARROWEST))
+    freely = (shape.buffer(-radius).difference(solid.buffer(radius)) for radius in radii)
+    free = next((found for found in freely if not found.is_empty), None)
+    if free is None:
         return []
     middle = shapely.Point(free.centroid)
     door = shapely.Point(ground.doors[0, :2]) if len(ground.doors) else middle
@@ -193,6 +210,12 @@ def _clear_approaches(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
             missing=(*answer.missing, Missing(gone.wish, text)),
             score=answer.score + penalty(gone.wish, task.costs),
         )
+
+
+def count_shut(task: RoomTask, answer: RoomAnswer) -> int:
+    """How many beds and toilets of an accessible home one does not get to from a wheelchair."""
+    main = (piece for piece in _pieces(answer) if task.accessible and _main(piece))
+    return sum(_in_strips(task, answer, piece) is not None for piece in main)
 
 
 def _main(piece: Piece) -> bool:

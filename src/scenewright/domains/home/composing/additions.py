@@ -27,10 +27,11 @@ def list_additions(
     for lack in sorted(missing, key=lambda m: m.wish.rank):
         own = task.library.own.keys() - task.library.seated
         if lack.wish.rank < 2 and lack.wish.group not in own:
-            yield lack.wish, (lack,)
             other = FALLBACK.get(lack.wish.group)
-            if other == "dining_wall":
-                yield lack.wish._replace(group=other, small=True), (lack,)
+            named = (lack.wish.group, *((other,) if other == "dining_wall" else ()))
+            for small in (False, True) if task.library.seated else (True,):
+                for group in named:
+                    yield lack.wish._replace(group=group, small=small), (lack,)
     if task.asked is not None and task.asked.ask is not None:
         return
     if any(_is_short(p) for p in placed) and "counter" not in task.forbidden:
@@ -69,11 +70,15 @@ def _covered_by(placed: Placed) -> float:
 
 
 def forms_to_add(task: RoomTask, wish: Wish) -> list[Group]:
-    """The forms in which a group is added: the preferred first, then ever smaller ones."""
+    """The forms in which a group is added: the preferred first, then ever smaller ones;
+    with too few places for the residents only if it may be small."""
     if wish.group == "counter":
         return list(short_counters())
     seated = wish.group in task.library.seated
-    known = shipped_cases(wish.group) if seated else cases(wish.group, task.library)
-    order = np.argsort(-known.sizes.prod(-1), kind="stable")
-    fit = [int(i) for i in order if wish.most is None or (known.sizes[i] <= wish.most).all()]
-    return [known.groups[i] for i in fit]
+    own = cases(wish.group, task.library)
+    found = []
+    for known in (own, shipped_cases(wish.group)) if seated and wish.small else (own,):
+        order = np.argsort(-known.sizes.prod(-1), kind="stable")
+        fit = [int(i) for i in order if wish.most is None or (known.sizes[i] <= wish.most).all()]
+        found += [known.groups[i] for i in fit]
+    return list(dict.fromkeys(found))

@@ -9,7 +9,6 @@ stays if it costs less, counting energy and faults (:mod:`.placed_faults`), and 
 from __future__ import annotations
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
-from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.habitual import keep_habits
@@ -40,7 +39,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     learned = bool(habits.clearances or habits.shares)
     if task.accessible or not answer.placed or not task.preset.settings.exact:
         return answer
-    if task.library is not SHIPPED and not learned:
+    if task.library.own.keys() - task.library.seated and not learned:
         return answer
     barred = frozenset(find_blocked(with_margin(task), answer.placed))
     if learned:

@@ -10,6 +10,7 @@ from scenewright.core.scene import Size
 
 CHAIR = Size(0.46, 0.5, 0.85)
 SEAT = 0.5  # free depth a chair and its sitter take beyond the table's edge
+PLACE = 0.5  # of a table's edge, for each who sits there, at least
 TUCK = 0.2  # how far a chair stands under the table
 
 
@@ -35,8 +36,43 @@ def dining_wall() -> Iterator[Group]:
             yield _wall_table(length, deep, front=1, ends=1)
 
 
+def tables_for_many() -> Iterator[Group]:
+    """Tables at a wall for four to six, for households that say how many they are: a short side
+    at the wall and chairs along both long ones, or a long side at the wall."""
+    for length, deep, sides, end in (
+        (1.2, 0.75, 2, 0),
+        (1.3, 0.8, 2, 0),
+        (1.2, 0.75, 2, 1),
+        (1.7, 0.8, 3, 0),
+    ):
+        yield _head_table(length, deep, sides, end)
+    for length, front in ((1.5, 2), (2.0, 3)):
+        yield _wall_table(length, 0.75, front, ends=1)
+
+
+def _head_table(length: float, deep: float, sides: int, end: int) -> Group:
+    """A table with a short side at the wall."""
+    width, depth = deep + 2 * SEAT, length + SEAT * end
+    y = -depth / 2 + length / 2
+    x = deep / 2 + CHAIR.depth / 2 - TUCK
+    step = PLACE if end else length / sides  # a chair at the end has the corners to itself
+    rows = [-depth / 2 + (i + 0.5) * step for i in range(sides)]
+    members = [
+        Member("dining_table", 0, y, 0, pi / 2, Size(length, deep, 0.74)),
+        Member("vase", 0, y, 0.74, 0, Size(0.14, 0.14, 0.26), on=0),
+        *(
+            Member("dining_chair", side * x, at, 0, side * pi / 2, CHAIR)
+            for side in (1, -1)
+            for at in rows
+        ),
+        *_chairs_along(deep, end, y + length / 2 + CHAIR.depth / 2 - TUCK, pi),
+    ]
+    name = f"{length:.1f} m table from the wall for {2 * sides + end}"
+    return Group("dining_wall", name, width, depth, tuple(members))
+
+
 def _chairs_along(length: float, count: int, y: float, heading: float) -> list[Member]:
-    step = length / count
+    step = length / max(count, 1)
     return [
         Member("dining_chair", (i - (count - 1) / 2) * step, y, 0, heading, CHAIR)
         for i in range(count)

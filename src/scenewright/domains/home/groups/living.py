@@ -56,6 +56,38 @@ def more_seats() -> Iterator[Group]:
         yield _alone(sofa)
 
 
+def seats_for_many() -> Iterator[Group]:
+    """What seats three to five on little floor: those of :func:`more_seats`, armchairs in line with
+    a sofa, a corner sofa with a side table."""
+    yield from more_seats()
+    for sofa, chairs in ((1.9, 1), (2.0, 2)):
+        yield _in_line(sofa, chairs)
+    for wide, deep in ((2.1, 1.45), (2.3, 1.6)):
+        members = (
+            Member("corner_sofa", -0.21, 0, 0, 0, Size(wide, deep, SOFA_HEIGHT)),
+            Member("side_table", wide / 2, 0.2 - deep / 2, 0, 0, Size(0.4, 0.4, 0.5)),
+        )
+        name = f"{wide:.1f} m corner sofa, side table"
+        yield Group("seating", name, wide + 0.42, deep, members)
+
+
+def _in_line(sofa: float, chairs: int) -> Group:
+    """A sofa, a side table and one or two armchairs along one wall."""
+    armchair, table = Size(0.78, 0.8, 0.85), Size(0.4, 0.4, 0.5)
+    parts = [("sofa", Size(sofa, 0.8, SOFA_HEIGHT)), ("side_table", table)]
+    parts += [("armchair", armchair)]
+    if chairs > 1:
+        parts = [("armchair", armchair), ("side_table", table), *parts]
+    width = sum(size.width + 0.04 for _, size in parts)
+    members, left = [], -width / 2
+    for name, size in parts:
+        at = left + 0.02 + size.width / 2
+        members.append(Member(name, at, size.depth / 2 - 0.42, 0, 0, size))
+        left += size.width + 0.04
+    told = "an armchair" if chairs == 1 else "two armchairs"
+    return Group("seating", f"{sofa:.1f} m sofa, {told} in line", width, 0.84, tuple(members))
+
+
 def _sofa(width: float, depth: float, x: float = 0.0) -> Member:
     category = "sofa" if width >= 1.7 else "loveseat"
     return Member(category, x, -depth / 2 + 0.45, 0, 0, Size(width, SOFA_DEPTH, SOFA_HEIGHT))
