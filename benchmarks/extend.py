@@ -22,7 +22,7 @@ from benchmarks.real_data import skipped
 from scenewright.core.errors import InputError
 from scenewright.ground.built import BuiltScene
 from scenewright.ground.likeness.excess import Excess, find_excess
-from scenewright.ground.likeness.features import measure_scene
+from scenewright.ground.likeness.features import join_measures, measure_scene
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
@@ -64,9 +64,7 @@ def telling_records() -> Iterator[Record]:
 
 def _joined(scenes: list[BuiltScene]) -> dict[str, np.ndarray]:
     """The features of several blocks, each measured by itself."""
-    rows = [measure_scene(scene) for scene in scenes]
-    names = set.intersection(*(set(row) for row in rows))
-    return {name: np.concatenate([row[name] for row in rows]) for name in sorted(names)}
+    return join_measures([measure_scene(scene) for scene in scenes])
 
 
 def _pairs(

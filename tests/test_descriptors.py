@@ -13,6 +13,7 @@ from scipy.special import sph_harm_y
 
 from scenewright import cli
 from scenewright.catalog.descriptors.compact import compact_descriptor
+from scenewright.catalog.descriptors.depth_maps import SIDES, depth_maps, light_field_ways
 from scenewright.catalog.descriptors.printed import printed_descriptor
 from scenewright.core.catalog import Material, Part
 from scenewright.engine.clustering.agreement import (
@@ -115,12 +116,47 @@ def test_ours_is_blind_to_turns_about_the_vertical_alone() -> None:
 
     mesh = chair()
     quarter = Mesh(mesh.vertices[:, [1, 0, 2]] * (-1, 1, 1), mesh.faces)
+    cosine, sine = np.cos(0.6), np.sin(0.6)
+    aslant = Mesh(mesh.vertices @ [[cosine, sine, 0], [-sine, cosine, 0], [0, 0, 1]], mesh.faces)
     lying = Mesh(mesh.vertices[:, [0, 2, 1]] * (1, -1, 1), mesh.faces)
     large = Mesh(mesh.vertices * 3, mesh.faces)
     whole = compact_descriptor(part(mesh))
     assert compact_descriptor(part(quarter)) == pytest.approx(whole, abs=0.02)
+    assert np.abs(compact_descriptor(part(aslant)) - whole).max() < 0.1
     assert np.abs(compact_descriptor(part(lying)) - whole).max() > 0.2
     assert np.abs(compact_descriptor(part(large)) - whole).max() > 0.3
+
+
+def test_green_with_brown_is_not_olive() -> None:
+    green, brown, olive = ((0.2, 0.7, 0.2), (0.6, 0.3, 0.1), (0.4, 0.5, 0.15))
+
+    def tree(low: tuple[float, float, float], high: tuple[float, float, float]) -> list[Part]:
+        trunk, crown = block((0, 1), (0, 1), (0, 1)), block((0, 1), (0, 1), (1, 2))
+        paints = (Material("low", low), Material("high", high))
+        return [
+            Part(paint, mesh.vertices, mesh.faces)
+            for paint, mesh in zip(paints, (trunk, crown), strict=True)
+        ]
+
+    mixed, plain = compact_descriptor(tree(brown, green)), compact_descriptor(tree(olive, olive))
+    assert np.linalg.norm(mixed - plain) > 0.5
+    assert compact_descriptor(tree(green, brown)) == pytest.approx(mixed)
+
+
+def test_depth_maps_are_those_of_solids_one_knows() -> None:
+    step = merge([block((0, 1), (0, 1), (0, 1)), block((0, 1), (1, 2), (0, 2))])
+    front, back = depth_maps(step, np.array([[0.0, -1, 0], [0, 1, 0]]), 8)
+    assert np.unique(front[:4]).tolist() == pytest.approx([0.0], abs=1e-5)
+    assert np.unique(front[4:]).tolist() == pytest.approx(
+        [0.5] * len(np.unique(front[4:])), abs=1e-5
+    )
+    assert back == pytest.approx(np.zeros((8, 8)), abs=1e-5)
+    table = merge([block((0, 1), (0, 1), (0.8, 1)), block((0.4, 0.6), (0.4, 0.6), (0, 0.8))])
+    seen = np.isfinite(depth_maps(table, SIDES, 20))
+    assert seen.mean() == pytest.approx(0.2 + 0.8 * 0.2, abs=0.01)
+    ways = light_field_ways()
+    angles = np.rad2deg(np.arccos(np.clip(ways @ ways.T, -1, 1) - 2 * np.eye(10)))
+    assert np.sort(angles.min(1)) == pytest.approx(41.81, abs=0.01)
 
 
 @pytest.mark.parametrize("count", [2, 3, 6])
@@ -148,6 +184,25 @@ def test_online_sorting_finds_classes_that_are_apart() -> None:
         assert adjusted_mutual_information(found, known[order]) > 0.95
     assert nearest_share(vectors, known) == 1.0
     assert k_entropy(vectors, known) == 0.0
+
+
+def test_the_leader_hardly_minds_the_order() -> None:
+    rng = np.random.default_rng(5)
+    vectors = rng.normal(size=(9, 4))[rng.integers(0, 9, 90)] * 3 + 0.45 * rng.normal(size=(90, 4))
+    labels = []
+    for _ in range(4):
+        order = rng.permutation(90)
+        label = np.zeros(90, np.int64)
+        label[order] = leader(vectors[order], 1.9)
+        labels.append(label)
+    pairs = [adjusted_mutual_information(a, b) for k, a in enumerate(labels) for b in labels[:k]]
+    assert min(pairs) > 0.9
+    away = np.linalg.norm(vectors[:, None] - vectors[None], axis=2)
+    mean = np.stack([(away * (labels[0] == c)).sum(1) for c in range(labels[0].max() + 1)], 1)
+    others = np.bincount(labels[0]) - np.eye(labels[0].max() + 1)[labels[0]]
+    mean = np.where(others > 0, mean / np.maximum(others, 1), np.inf)
+    content = mean[np.arange(90), labels[0]] <= np.minimum(mean.min(1), 1.9) + 1e-9
+    assert content.mean() > 0.95
 
 
 @pytest.mark.realdata

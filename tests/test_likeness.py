@@ -101,8 +101,18 @@ def test_copies_are_found_turned_and_mirrored() -> None:
 def test_street_distances_count_where_there_are_streets() -> None:
     road = BuiltRoad(np.array([[0.0, -5.0], [120.0, -5.0]]), 6.0)
     found = measure_scene(rows()._replace(roads=(road,)))
-    assert found["street"].min() == pytest.approx(5.0, abs=1.0)
+    assert np.nanmin(found["street"]) == pytest.approx(5.0, abs=1.0)
     assert "street" not in measure_scene(rows())
+
+
+def test_only_the_front_row_has_a_street() -> None:
+    road = BuiltRoad(np.array([[0.0, -5.0], [120.0, -5.0]]), 6.0)
+    scene = rows()._replace(roads=(road,))
+    front = np.array([one.id.endswith("-0") for one in scene.buildings])
+    assert (np.isfinite(measure_scene(scene)["street"]) == front).all()
+    wider = rows()._replace(roads=(road._replace(line=road.line - (0.0, 6.0)),))
+    shifts = {f.name: f.shift for f in find_excess(*map(measure_scene, (scene, wider))).features}
+    assert shifts["street"] == pytest.approx(6.0, abs=0.01)
 
 
 def test_compare_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -14,7 +14,7 @@ from scenewright.domains.extend.problem import (
 )
 from scenewright.ground.built import BuiltFrames
 from scenewright.ground.likeness.excess import Excess, find_excess, wasserstein
-from scenewright.ground.likeness.features import ROWS, measure_buildings
+from scenewright.ground.likeness.features import ROWS, join_measures, measure_buildings
 
 MEANINGS: dict[str, str] = {
     "missing": "buildings asked for without a place",
@@ -66,12 +66,12 @@ def measure_grown(problem: ExtendProblem, layout: GrownLayout) -> dict[str, Floa
 def misfit_of(source: dict[str, Floats], measured: dict[str, Floats]) -> float:
     """The mean W₁ between the features of sources and of what was grown, in spreads of the
     sources: what annealing lowers, without the null that hardly changes from move to move."""
-    found = [
-        float(wasserstein(source[row.name], measured[row.name]))
-        / max(float(source[row.name].std()), row.scale)
-        for row in ROWS
-        if row.name in source and row.name in measured
-    ]
+    found = []
+    for row in ROWS:
+        if row.name in source and row.name in measured:
+            a, b = (side[row.name][np.isfinite(side[row.name])] for side in (source, measured))
+            if len(a) and len(b):
+                found.append(float(wasserstein(a, b)) / max(float(a.std()), row.scale))
     return float(np.mean(found)) if found else 0.0
 
 
@@ -91,5 +91,4 @@ def measure_sources(problem: ExtendProblem) -> dict[str, Floats]:
         mine = pattern.source == number
         frames = BuiltFrames(pattern.boxes[mine], pattern.shapes[mine], heights[mine])
         rows.append(measure_buildings(frames, roads))
-    names = set.intersection(*(set(row) for row in rows))
-    return {name: np.concatenate([row[name] for row in rows]) for name in sorted(names)}
+    return join_measures(rows)

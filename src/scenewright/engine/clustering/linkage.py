@@ -2,8 +2,8 @@
 
 Ward 1963 by the recurrence of Lance and Williams 1967; Lloyd 1982 with the seeding of Arthur and
 Vassilvitskii 2007. The leader puts a vector into the class whose members are nearest on average, if
-nearer than the threshold, else founds one: unlike a leader by first member it hardly depends on the
-order.
+nearer than the threshold, else founds one, and asks those before again: so the result hardly depends
+on the order.
 """
 
 from __future__ import annotations
@@ -81,18 +81,66 @@ def _lloyd(vectors: Floats, centres: Floats) -> tuple[Indices, float]:
 
 
 def leader(vectors: Floats, threshold: float) -> Indices:
-    """The class (n,) of each vector (n, d), taken one after the other.
+    """The class (n,) of each vector (n, d), taken one after the other. After each, those taken
+    before are asked again: who is nearer on average to another class goes over to it, who is
+    farther than the threshold from all leaves.
 
     >>> leader(np.array([[0.0], [4.0], [0.3], [4.1]]), 1.0).tolist()
     [0, 1, 0, 1]
+
+    A first member that lies between two classes does not keep them together:
+
+    >>> leader(np.array([[1.0], [0.0], [2.0], [2.1], [-0.2]]), 1.2).tolist()
+    [0, 1, 0, 0, 1]
     """
-    found = np.zeros(len(vectors), np.int64)
-    for k, row in enumerate(vectors):
-        away = np.linalg.norm(vectors[:k] - row, axis=1)
-        mean = np.bincount(found[:k], away) / np.maximum(np.bincount(found[:k]), 1)
-        near = int(np.argmin(mean)) if k else -1
-        found[k] = near if k and mean[near] < threshold else len(mean) if k else 0
-    return found
+    count = len(vectors)
+    gaps = np.linalg.norm(vectors[:, None] - vectors[None], axis=2)
+    label = np.full(count, -1)
+    sums, sizes = np.zeros((count, count)), np.zeros(count)
+    for k in range(count):
+        _join(k, _choose(k, label, sums, sizes, threshold), label, gaps, sums, sizes)
+        for member in _unhappy(k + 1, label, sums, sizes, threshold):
+            wanted = _choose(member, label, sums, sizes, threshold)
+            if wanted != label[member]:
+                _join(member, wanted, label, gaps, sums, sizes)
+    return _by_occurrence(label)
+
+
+def _join(k: int, to: int, label: Indices, gaps: Floats, sums: Floats, sizes: Floats) -> None:
+    """Move a vector to a class; ``sums`` (n, c) are the distances of all to each class."""
+    if label[k] >= 0:
+        sums[:, label[k]] -= gaps[k]
+        sizes[label[k]] -= 1
+    label[k] = to
+    sums[:, to] += gaps[k]
+    sizes[to] += 1
+
+
+def _means(rows: Indices, label: Indices, sums: Floats, sizes: Floats) -> Floats:
+    """The mean distance (r, c) of vectors to the others of each class; infinite for none."""
+    others = sizes - (label[rows, None] == np.arange(len(sizes)))
+    return np.where(others > 0, sums[rows] / np.maximum(others, 1), np.inf)
+
+
+def _choose(k: int, label: Indices, sums: Floats, sizes: Floats, threshold: float) -> int:
+    """The nearest class if it is near enough, else one of its own."""
+    mean = _means(np.array([k]), label, sums, sizes)[0]
+    near = int(mean.argmin())
+    if mean[near] < threshold:
+        return near
+    alone = label[k] >= 0 and sizes[label[k]] == 1
+    return int(label[k]) if alone else int(np.argmin(sizes))
+
+
+def _unhappy(
+    count: int, label: Indices, sums: Floats, sizes: Floats, threshold: float
+) -> list[int]:
+    """Which of the first vectors would be in another class."""
+    rows = np.arange(count)
+    mean = _means(rows, label, sums, sizes)
+    own, best = mean[rows, label[:count]], mean.min(1)
+    moved = (best < own) & (best < threshold) | (own >= threshold) & np.isfinite(own)
+    return np.flatnonzero(moved).tolist()
 
 
 def _by_occurrence(label: Indices) -> Indices:

@@ -23,6 +23,8 @@ from scenewright.ground.likeness.features import ROWS
 Floats = NDArray[np.float64]
 SHUFFLES = 60
 """Permutations by which chance is estimated."""
+FEW = 2
+"""Fewer values have no distribution."""
 
 
 class FeatureExcess(NamedTuple):
@@ -64,9 +66,15 @@ def wasserstein(a: Floats, b: Floats) -> Floats:
     return np.asarray((np.abs(above[..., :-1]) * np.diff(values, axis=-1)).sum(-1))
 
 
+def _shuffle(total: int, seed: int) -> NDArray[np.int64]:
+    rng = np.random.default_rng(seed)
+    return rng.permuted(np.tile(np.arange(total), (SHUFFLES, 1)), axis=1)
+
+
 def find_excess(one: Mapping[str, Floats], other: Mapping[str, Floats], seed: int = 0) -> Excess:
     """The excess of two places measured by
-    :func:`~scenewright.ground.likeness.features.measure_buildings`.
+    :func:`~scenewright.ground.likeness.features.measure_buildings`. Buildings without a feature (nan)
+    do not count for it; what fewer than :data:`FEW` of either place have does not count at all.
 
     >>> rng = np.random.default_rng(0)
     >>> same = find_excess({"height": rng.normal(size=40)}, {"height": rng.normal(size=40)})
@@ -75,16 +83,18 @@ def find_excess(one: Mapping[str, Floats], other: Mapping[str, Floats], seed: in
     True
     """
     names = [row for row in ROWS if row.name in one and row.name in other]
-    count = len(next(iter(one.values())))
-    total = count + len(next(iter(other.values())))
-    rng = np.random.default_rng(seed)
-    shuffles = rng.permuted(np.tile(np.arange(total), (SHUFFLES, 1)), axis=1)
+    drawn: dict[int, NDArray[np.int64]] = {}
     found, sides = [], {"what": list[float](), "how": list[float]()}
     for row in names:
-        a, b = one[row.name], other[row.name]
+        a, b = (side[row.name][np.isfinite(side[row.name])] for side in (one, other))
+        count, total = len(a), len(a) + len(b)
+        if min(count, total - count) < FEW:
+            continue
+        if total not in drawn:
+            drawn[total] = _shuffle(total, seed)
         both = np.concatenate([a, b])
         distance = float(wasserstein(a, b))
-        mixed = both[shuffles]
+        mixed = both[drawn[total]]
         chance = float(wasserstein(mixed[:, :count], mixed[:, count:]).mean())
         excess = (distance - chance) / max(float(both.std()), row.scale)
         shift = float(np.median(b) - np.median(a))

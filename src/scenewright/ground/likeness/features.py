@@ -1,10 +1,12 @@
 """What is measured of every building: what it is, and how it stands to those around it.
 
-*What*: floor area, height, length, depth, how much of its box it fills. *How*: distance to the
-nearest building, gaps to the sides and ahead or behind, by how much the next building ahead or
+*What*: floor area, height, length, depth, their ratio, how much of its box it fills, its outline by
+the root of its area, its corners. *How*: distance to the nearest building, how much larger or
+smaller that is, gaps to the sides and ahead or behind, by how much the next building ahead or
 behind is shifted aside, where the four nearest stand in its own frame, the angle to the nearest,
-its direction, the share of ground built on around it, distance and angle to the nearest street.
-Gaps are in metres up to :data:`FAR`; what has no neighbour that way has :data:`FAR`.
+its direction, the share of ground built on around it, distance and angle to the street of what
+stands in its front row. Gaps are in metres up to :data:`FAR`; what has no neighbour that way has
+:data:`FAR`; what a building has not, as the street of one in the second row, is nan.
 """
 
 from __future__ import annotations
@@ -24,6 +26,11 @@ FAR = 60.0
 NEAREST = 4
 AROUND = 45.0
 """Metres within which the share of built ground counts."""
+FRONT = 15.0
+"""Metres to the middle of a street within which a building that nothing parts from it is of its
+front row. Farther off, sheds and second rows say nothing of the street."""
+SMOOTH = 0.5
+"""Metres by which outlines are simplified before corners are counted."""
 FACING = 0.2
 """The share of the shorter side by which boxes must overlap to stand beside or before."""
 
@@ -45,7 +52,11 @@ ROWS = (
     FeatureRow("length", "what", 1.5, "m", "lengths"),
     FeatureRow("depth", "what", 1.0, "m", "depths"),
     FeatureRow("fill", "what", 0.05, "share", "footprints filling their boxes"),
+    FeatureRow("ratio", "what", 0.05, "", "how long buildings are for their depth"),
+    FeatureRow("ragged", "what", 0.1, "", "how ragged outlines are"),
+    FeatureRow("corners", "what", 0.5, "", "corners of outlines"),
     FeatureRow("nearest", "how", 1.5, "m", "distances to the nearest building"),
+    FeatureRow("contrast", "how", 0.15, "", "sizes beside each other"),
     FeatureRow("side_gap", "how", 2.0, "m", "side gaps"),
     FeatureRow("front_gap", "how", 3.0, "m", "front gaps"),
     FeatureRow("offset", "how", 2.0, "m", "lateral offsets"),
@@ -70,6 +81,21 @@ def measure_buildings(frames: BuiltFrames, roads: Sequence[BuiltRoad] = ()) -> d
     return found
 
 
+def join_measures(rows: Sequence[dict[str, Floats]]) -> dict[str, Floats]:
+    """The features of several scenes together, each measured by itself; nan where one of them has
+    not what another has (streets).
+
+    >>> one, two = {"area": np.ones(1), "street": np.zeros(1)}, {"area": np.ones(2)}
+    >>> {name: values.tolist() for name, values in join_measures([one, two]).items()}
+    {'area': [1.0, 1.0, 1.0], 'street': [0.0, nan, nan]}
+    """
+    names = sorted(set().union(*rows))
+    return {
+        name: np.concatenate([row.get(name, np.full(len(row["area"]), np.nan)) for row in rows])
+        for name in names
+    }
+
+
 def measure_scene(scene: BuiltScene) -> dict[str, Floats]:
     """The features of the buildings of a scene, measured among its context."""
     frames = frames_of([*scene.buildings, *scene.context], scene.roads)
@@ -87,6 +113,11 @@ def _what(frames: BuiltFrames) -> dict[str, Floats]:
         "length": sides[:, 1],
         "depth": sides[:, 0],
         "fill": area / np.maximum(sides.prod(1), 1e-6),
+        "ratio": sides[:, 0] / np.maximum(sides[:, 1], 1e-6),
+        "ragged": np.asarray(shapely.length(frames.shapes)) / np.sqrt(np.maximum(area, 1.0)),
+        "corners": np.asarray(
+            shapely.get_num_coordinates(shapely.simplify(frames.shapes, SMOOTH)) - 1.0
+        ),
     }
 
 
@@ -97,11 +128,13 @@ def _how(frames: BuiltFrames) -> dict[str, Floats]:
         name: np.full(count, FAR)
         for name in ("nearest", "side_gap", "front_gap", "offset", "beside", "ahead")
     }
-    found["turn"] = np.zeros(count)
+    found["turn"], found["contrast"] = np.zeros(count), np.zeros(count)
+    size = np.log(np.maximum(np.asarray(shapely.area(frames.shapes)), 1.0))
     for k in range(count):
         others, gaps = near[k], away[k]
         if len(others):
             _relate(frames.boxes, k, others, gaps, found)
+            found["contrast"][k] = abs(size[k] - size[others[0]])
     quadruple = 4.0 * frames.boxes[:, 2]
     found["north"], found["east"] = np.cos(quadruple), np.sin(quadruple)
     found["density"] = _density(frames)
@@ -155,15 +188,19 @@ def _density(frames: BuiltFrames) -> Floats:
 
 
 def _streets(frames: BuiltFrames, lines: list[shapely.LineString]) -> dict[str, Floats]:
-    tree = shapely.STRtree(lines)
-    nearest = tree.nearest(frames.shapes)
-    away = np.asarray(shapely.distance(frames.shapes, np.array(lines, object)[nearest]))
-    turn = np.zeros(len(away))
-    for k, n in enumerate(nearest.tolist()):
-        line = lines[n]
+    """Distance and angle to the nearest street of the front row; nan of the others."""
+    every = np.array(lines, object)
+    nearest = every[shapely.STRtree(lines).nearest(frames.shapes)]
+    way = shapely.shortest_line(frames.shapes, nearest)
+    away = np.asarray(shapely.length(way))
+    i, j = shapely.STRtree(frames.shapes).query(way, predicate="intersects")
+    behind = np.bincount(i[i != j], minlength=len(away)) > 0
+    turn = np.full(len(away), np.nan)
+    for k in np.flatnonzero((away <= FRONT) & ~behind).tolist():
+        line = nearest[k]
         at = line.project(shapely.Point(frames.boxes[k, :2]))
         ends = [line.interpolate(max(at - 1.0, 0.0)), line.interpolate(at + 1.0)]
         step = np.diff(shapely.get_coordinates(ends), axis=0)[0]
         angle = float(np.arctan2(step[1], step[0])) - frames.boxes[k, 2]
         turn[k] = abs((angle + np.pi / 4) % (np.pi / 2) - np.pi / 4)
-    return {"street": np.minimum(away, FAR), "street_turn": turn}
+    return {"street": np.where(np.isfinite(turn), away, np.nan), "street_turn": turn}

@@ -18,12 +18,12 @@ from scenewright.ground.likeness.excess import Excess, find_excess
 from scenewright.ground.likeness.features import FAR, ROWS, measure_scene
 
 Floats = NDArray[np.float64]
-SAME_PLACE, OTHER_PLACE = 0.18, 0.43
+SAME_PLACE, OTHER_PLACE = 0.18, 0.39
 """The excess that three quarters of the halves of one real compound stay below, and the median of
 two compounds (``scenewright bench extend``; 46 compounds of 16 buildings and more)."""
 FEWEST = 4
 """Fewer buildings say nothing of a place."""
-TOLD = 5
+TOLD = 6
 CONGRUENT, LEVEL = 0.97, 0.3
 """The share of two footprints, and the metres of height, from which one copies the other."""
 RESTS = 8
@@ -175,7 +175,7 @@ def tell_differences(
     found = sorted(excess.features, key=lambda one: -one.excess)
     told = []
     for one in (f for f in found[:TOLD] if f.excess > SAME_PLACE):
-        a, b = (float(np.median(measured[one.name])) for measured in (first, second))
+        a, b = (float(np.nanmedian(measured[one.name])) for measured in (first, second))
         told.append(_line(rows[one.name].words, rows[one.name].unit, a, b))
     return tuple(told)
 
