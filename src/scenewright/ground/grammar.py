@@ -71,7 +71,7 @@ def parse_scene(frames: BuiltFrames, letters: Sequence[str]) -> LayoutConstructi
     >>> show_layout(parse_scene(frames_of(row), "AABA"))[-1]
     'A0 → {A B A A}'
     """
-    rows = _features(frames)
+    rows = find_features(frames)
     node = abstract_boxes(np.array([_box_about(frames, members) for members, _ in rows]))
     groups = []
     for part in leaves_of(node):
@@ -84,7 +84,7 @@ def parse_scene(frames: BuiltFrames, letters: Sequence[str]) -> LayoutConstructi
 FeatureMembers = tuple[tuple[int, ...], BuildingRow | None]
 
 
-def _features(frames: BuiltFrames) -> list[FeatureMembers]:
+def find_features(frames: BuiltFrames) -> list[FeatureMembers]:
     """The members of every row, each building in one at most, and of what stands by itself."""
     found, seen = list[FeatureMembers](), set[int]()
     for row in find_rows(frames):

@@ -36,7 +36,7 @@ WEIGHTS = {
 file has an odd CRC-32: the mean of the forty best of 1,500 drawn, by 1-NN less a quarter of the
 impurity among these, every set by the root of its size."""
 PAINTS = np.array(
-    [(l, a, b) for l in (0.2, 0.5, 0.8) for a in (-0.15, 0.1, 0.3) for b in (-0.15, 0.1, 0.3)]
+    [(v, a, b) for v in (0.2, 0.5, 0.8) for a in (-0.15, 0.1, 0.3) for b in (-0.15, 0.1, 0.3)]
 )
 """Paints (27, 3) that a palette counts: lightness, red less green, yellow less blue."""
 BLUR = 0.15

@@ -35,6 +35,13 @@ PRESETS: dict[str, ExtendPreset] = {
         WEIGHTS,
         GrowthSettings(polish=0),
     ),
+    "grammar": Preset(
+        "the sources' grammar unfolded: rows by their folded strings, the layout repeated across",
+        "grammar",
+        1,
+        WEIGHTS,
+        GrowthSettings(polish=0),
+    ),
     "strict": Preset(
         "buildings stand only where neighbours of the source would: ground may stay free",
         "grow",

@@ -18,7 +18,7 @@ FIGURES: dict[str, str] = {
 }
 MEANINGS: dict[str, str] = {**RATED, **FIGURES}
 WAYS = {
-    "rows": ("continued", "row"),
+    "rows": ("continued", "row", "unfolded"),
     "neighbours": ("neighbour",),
     "edges": ("edge",),
     "patches": ("patch",),

@@ -2,8 +2,8 @@
 
 Ward 1963 by the recurrence of Lance and Williams 1967; Lloyd 1982 with the seeding of Arthur and
 Vassilvitskii 2007. The leader puts a vector into the class whose members are nearest on average, if
-nearer than the threshold, else founds one, and asks those before again: so the result hardly depends
-on the order.
+nearer than the threshold, else founds one, and asks those before again: so the result hardly
+depends on the order.
 """
 
 from __future__ import annotations

@@ -73,8 +73,9 @@ def _shuffle(total: int, seed: int) -> NDArray[np.int64]:
 
 def find_excess(one: Mapping[str, Floats], other: Mapping[str, Floats], seed: int = 0) -> Excess:
     """The excess of two places measured by
-    :func:`~scenewright.ground.likeness.features.measure_buildings`. Buildings without a feature (nan)
-    do not count for it; what fewer than :data:`FEW` of either place have does not count at all.
+    :func:`~scenewright.ground.likeness.features.measure_buildings`. Buildings without a feature
+    (nan) do not count for it; what fewer than :data:`FEW` of either place have does not count at
+    all.
 
     >>> rng = np.random.default_rng(0)
     >>> same = find_excess({"height": rng.normal(size=40)}, {"height": rng.normal(size=40)})

@@ -13,6 +13,13 @@ ROWS = (
         "buildings",
     ),
     SolverRow(
+        "grammar",
+        "the sources' grammar unfolded: arrays run on sideways, the layout is repeated across",
+        "ours, after Zhang and Fei 2017",
+        f"{__name__}.unfolding:unfold_area",
+        "buildings",
+    ),
+    SolverRow(
         "colony",
         "ants and a genetic algorithm over a grid of plots, as printed",
         "Zhang and Fei 2017",

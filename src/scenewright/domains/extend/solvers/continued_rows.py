@@ -7,6 +7,7 @@ chance, from behind one of its passages.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ import shapely
 
 from scenewright.domains.extend.problem import Floats
 from scenewright.domains.extend.solvers.canvas import Canvas
-from scenewright.ground.built import BuiltFrames, from_frames, to_frames
+from scenewright.ground.built import BuiltFrames, BuiltRoad, from_frames, to_frames
 from scenewright.ground.rows import WIDE, BuildingRow, find_rows
 
 NEAR, STEP, MOST = 30.0, 1.0, 400
@@ -73,13 +74,13 @@ def _string(canvas: Canvas, known: np.ndarray, row: BuildingRow, side: float) ->
         tuple((fronts - line).tolist()),
         frame,
         side,
-        tuple(setback_of(box, _streets(canvas)) for box in boxes),
+        tuple(setback_of(box, union_streets(canvas.problem.roads)) for box in boxes),
     )
 
 
-def _streets(canvas: Canvas) -> shapely.Geometry:
-    lines = [shapely.LineString(r.line) for r in canvas.problem.roads if r.kind == "road"]
-    return shapely.union_all(lines)
+def union_streets(roads: Sequence[BuiltRoad]) -> shapely.Geometry:
+    """The middle lines of those roads that are streets."""
+    return shapely.union_all([shapely.LineString(r.line) for r in roads if r.kind == "road"])
 
 
 def setback_of(box: Floats, streets: shapely.Geometry) -> float:
@@ -122,7 +123,7 @@ def _go_on(canvas: Canvas, row: RowString, rng: np.random.Generator) -> int:
         return 0
     at, k, made, moved = row.gaps[-1], _begin(row, rng), 0, 0.0
     reach = float(np.hypot(*np.subtract(outline.bounds[2:], outline.bounds[:2]))) + NEAR
-    pattern, streets = canvas.problem.pattern, _streets(canvas)
+    pattern, streets = canvas.problem.pattern, union_streets(canvas.problem.roads)
     while at < reach and made < MOST and not canvas.full():
         origin = row.origins[k]
         width, deep = pattern.boxes[origin, 3:]
