@@ -1,16 +1,21 @@
-"""One half of every real compound hidden and grown from the other, by every method."""
+"""One half of every real compound hidden and grown from the other, by every method.
+
+Runs are kept: one that was cut short goes on where it ended.
+"""
 
 from __future__ import annotations
 
 import time
 from collections import defaultdict
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
 
 from benchmarks.extend_data import CutPlace, cut_compounds
+from benchmarks.kept import open_runs
 from scenewright.domains.extend.pattern import learn_pattern
 from scenewright.domains.extend.problem import (
     ExtendProblem,
@@ -29,6 +34,13 @@ from scenewright.ground.likeness.features import measure_buildings, measure_scen
 Record = dict[str, Any]
 Heard = Callable[[float, str], None]
 METHODS = tuple(EXTEND_SOLVERS)
+CODE = (
+    "benchmarks/extend_data.py",
+    "src/scenewright/domains/extend/**/*.py",
+    "src/scenewright/ground/likeness/*.py",
+    "src/scenewright/ground/built.py",
+)
+"""What grows and judges: runs of other code are not theirs."""
 
 
 class GrownFigures(NamedTuple):
@@ -79,12 +91,15 @@ def growth_records(most: int | None, seeds: int, heard: Heard) -> Iterator[Recor
     places = cut_compounds()
     chosen = places if most is None else [p for p in places if p.held][:most]
     found: dict[tuple[str, bool], list[GrownFigures]] = defaultdict(list)
+    kept = open_runs("extend_growth", CODE)
     for number, place in enumerate(chosen):
         problem = problem_of(place)
         found["real", place.held].append(real_figures(place))
         for method in METHODS:
             for seed in range(seeds):
-                found[method, place.held].append(grown_figures(place, problem, method, seed))
+                make = partial(grown_figures, place, problem, method, seed)
+                figures = GrownFigures(*kept.have(f"{place.name} {method} {seed}", make))
+                found[method, place.held].append(figures)
         heard(0.1 + 0.85 * (number + 1) / len(chosen), place.name)
     for held, words in ((True, "held out"), (False, "looked at")):
         if found["real", held]:
