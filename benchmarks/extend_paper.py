@@ -2,10 +2,7 @@
 
 *Searches*: F (22) on the plots of the terrace sample's area after 1,000 evaluations, five seeds
 (3,000 and ten with ``--full``).
-*Raters*: a person with hidden weights and noise rates layouts; a standard interactive genetic
-algorithm (SGA) has every layout rated, SIGA every other one and guesses the rest from the nearest
-rated, the paper's has the elite share rated and values the rest by alleles (23). How many ratings
-and generations until the person's own score is within 10 % of the best annealing finds.
+*Raters*: :mod:`benchmarks.extend_raters`.
 """
 
 from __future__ import annotations
@@ -17,18 +14,15 @@ from typing import Any
 import numpy as np
 
 import scenewright as sw
+from benchmarks.extend_raters import rater_records
 from scenewright.domains import problems
-from scenewright.domains.extend.printed import PlotGrid, allele_values, fitness, fitness_of_alleles
 from scenewright.domains.extend.solvers.colony import (
     BredPlots,
-    ColonySettings,
     anneal_plots,
     breed,
     climb_plots,
     draw_plots,
-    mutate,
     run_ants,
-    swap_blocks,
 )
 from scenewright.domains.extend.solvers.paper import PRINTED, REPAIRED, WEIGHTS, grid_of
 
@@ -36,8 +30,6 @@ Record = dict[str, Any]
 EVALUATIONS, SEEDS = 3000, 10
 USUAL = (1000, 5)
 """Evaluations and seeds unless ``full``."""
-GENERATIONS, POPULATION = 30, 8
-NEAR = 0.9
 SEARCHES: dict[str, Callable[..., BredPlots]] = {
     "ants, printed": partial(run_ants, settings=PRINTED),
     "ants, elite deposit": partial(run_ants, settings=REPAIRED),
@@ -47,7 +39,6 @@ SEARCHES: dict[str, Callable[..., BredPlots]] = {
     "greedy": climb_plots,
     "random": draw_plots,
 }
-METHODS = ("SGA", "SIGA", "the paper's")
 
 
 def records(
@@ -69,101 +60,6 @@ def records(
         case = f"F after {evaluations} evaluations, {grid.free.sum()} plots"
         yield _record(case, name, value, found["random"], "random", seeds)
     yield from rater_records(grid, seeds)
-
-
-def rater_records(grid: PlotGrid, seeds: int) -> Iterator[Record]:
-    """Ratings and generations of the three interactive methods; those that never come near count
-    as 30 generations."""
-    told: dict[str, list[tuple[int, int, bool]]] = {name: [] for name in METHODS}
-    for seed in range(seeds):
-        rng = np.random.default_rng([seed, 7])
-        weights = rng.dirichlet(np.full(4, 2.0))
-        best = anneal_plots(grid, weights, 2000, rng).value
-        for name in METHODS:
-            told[name].append(rate_with(grid, weights, best, name, np.random.default_rng(seed)))
-    for name in METHODS:
-        ratings, generations, near = zip(*told[name], strict=True)
-        case = f"{name} with simulated raters, until {NEAR:.0%} of the best"
-        base = [row[0] for row in told["SGA"]]
-        yield _record(case, "ratings", float(np.mean(ratings)), float(np.mean(base)), "SGA", seeds)
-        base = [row[1] for row in told["SGA"]]
-        mean = float(np.mean(generations))
-        yield _record(case, "generations", mean, float(np.mean(base)), "SGA", seeds)
-        yield _record(case, "converged", float(np.mean(near)), None, "", seeds)
-
-
-def rate_with(
-    grid: PlotGrid, weights: np.ndarray, best: float, method: str, rng: np.random.Generator
-) -> tuple[int, int, bool]:
-    """Ratings, generations and whether a method comes near the best a rater could be shown."""
-    kinds, settings = len(grid.areas), ColonySettings(printed=False)
-    people = [_some(grid, kinds, rng) for _ in range(POPULATION)]
-    elites: list[tuple[float, np.ndarray]] = []
-    ratings = 0
-    for generation in range(1, GENERATIONS + 1):
-        shown = _shown(method, people, elites, kinds)
-        rated = {k: fitness(grid, people[k], weights) + float(rng.normal(0, 0.03)) for k in shown}
-        ratings += len(rated)
-        values = [_value(k, rated, people, elites, kinds, method) for k in range(POPULATION)]
-        order = np.argsort(values)[::-1]
-        if max(fitness(grid, people[k], weights) for k in shown) >= NEAR * best:
-            return ratings, generation, True
-        elites = [*((values[k], people[k]) for k in order[:3].tolist()), *elites][:20]
-        worth = allele_values(
-            np.array([g for _, g in elites]), np.array([v for v, _ in elites]), kinds
-        )
-        flat = worth if method == "the paper's" else np.ones_like(worth)
-        parents = [people[k] for k in order[: POPULATION // 2].tolist()]
-        children: list[np.ndarray] = []
-        while len(children) < POPULATION - 2:
-            a, b = rng.integers(len(parents), size=2)
-            child = swap_blocks(parents[a], parents[b], settings.crossover, rng)
-            child = mutate(child, flat, settings.mutation, rng)
-            children.append(np.where(grid.free, child, 0))
-        people = [*parents[:2], *children]
-    return ratings, GENERATIONS, False
-
-
-def _shown(
-    method: str, people: list[np.ndarray], elites: list[tuple[float, np.ndarray]], kinds: int
-) -> list[int]:
-    """Which layouts the person rates."""
-    if method == "SGA" or not elites:
-        return list(range(POPULATION))
-    if method == "SIGA":
-        return list(range(0, POPULATION, 2))
-    guesses = [_by_alleles(genes, elites, kinds) for genes in people]
-    count = max(round(0.4 * POPULATION), 1)
-    return np.argsort(guesses)[::-1][:count].tolist()
-
-
-def _value(
-    k: int,
-    rated: dict[int, float],
-    people: list[np.ndarray],
-    elites: list[tuple[float, np.ndarray]],
-    kinds: int,
-    method: str,
-) -> float:
-    if k in rated:
-        return rated[k]
-    if method == "SIGA":
-        near = max(rated, key=lambda n: float((people[n] == people[k]).mean()))
-        return rated[near] - 0.01
-    return _by_alleles(people[k], elites, kinds)
-
-
-def _by_alleles(genes: np.ndarray, elites: list[tuple[float, np.ndarray]], kinds: int) -> float:
-    worth = allele_values(np.array([g for _, g in elites]), np.array([v for v, _ in elites]), kinds)
-    return fitness_of_alleles(genes, worth, np.full(genes.shape, 1.0 / genes.size))
-
-
-def _some(grid: PlotGrid, kinds: int, rng: np.random.Generator) -> np.ndarray:
-    share = grid.wanted / max(float(grid.areas.mean()) * float(grid.free.sum()), 1e-9)
-    genes = np.where(
-        rng.random(grid.free.shape) < share, rng.integers(1, kinds + 1, grid.free.shape), 0
-    )
-    return np.where(grid.free, genes, 0)
 
 
 def _record(case: str, metric: str, ours: float, base: float | None, by: str, runs: int) -> Record:
