@@ -1,8 +1,8 @@
 """Real compounds laid out anew: the designer's buildings on the designer's ground, side by side.
 
 The 91 compounds of :mod:`.site_reco` (CC BY-NC-SA 4.0: measured here, never shipped). Both layouts
-are looked at by the same exact tests on the footprints as they were drawn; ours is solved with
-their least rectangles, and the footprints are put into these afterwards.
+are looked at by the same exact tests on the footprints as they were drawn. Ours is solved with the
+least rectangles of those that nearly fill them, and with the footprints of all others.
 The rules are the designer's own: setback and spacing as the nearest pair keeps them, at most the
 usual 3 m and 6 m, so that nothing is asked of ours that was not possible there.
 """
@@ -23,10 +23,11 @@ from shapely import affinity
 
 from benchmarks.comparison import ratio
 from benchmarks.real_data import data_set, skipped
-from benchmarks.site_reco import STOREY, Designed, asked, compounds, sizes_of
+from benchmarks.site_reco import STOREY, Designed, asked, compounds, find_bent, name_bent, sizes_of
 from benchmarks.site_rules import measure_rules
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.core.footprint import read_footprint
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import Site
@@ -178,9 +179,18 @@ def own_rules(site: Site, designed: Designed) -> dict[str, float]:
 
 
 def pieces_of(site: Site, designed: Designed) -> list[Piece]:
-    """The designer's buildings as boxes."""
+    """The designer's buildings as boxes, those that are no rectangles with their footprints."""
+    bent = find_bent(designed)
     return [
-        Piece(f"b{k}", "building", MODEL, site.id, Pose(x, y, 0.0, heading), Size(w, d, height))
+        Piece(
+            f"b{k}",
+            "building",
+            MODEL,
+            site.id,
+            Pose(x, y, 0.0, heading),
+            Size(w, d, height),
+            footprint=read_footprint(bent[k], w, d) if k in bent else (),
+        )
         for k, ((x, y, heading, w, d), height) in enumerate(
             zip(designed.boxes.tolist(), designed.heights.tolist(), strict=True)
         )
@@ -190,12 +200,15 @@ def pieces_of(site: Site, designed: Designed) -> list[Piece]:
 def moved_footprints(designed: Designed, placed: list[Piece]) -> tuple[shapely.Geometry, ...]:
     """The designer's footprints where ours stand: each moved with the box about it."""
     free: dict[tuple[float, float, int], list[int]] = defaultdict(list)
+    named = {name_bent(number): number for number in find_bent(designed)}
     for number, size in enumerate(sizes_of(designed)):
-        free[size].append(number)
+        if name_bent(number) not in named:
+            free[size].append(number)
     found = []
     for piece in placed:
         floors = round(piece.size.height / STOREY)
-        number = free[round(piece.size.width, 1), round(piece.size.depth, 1), floors].pop()
+        size = round(piece.size.width, 1), round(piece.size.depth, 1), floors
+        number = named[piece.function] if piece.function in named else free[size].pop()
         x, y, heading = designed.boxes[number, :3]
         shape = affinity.rotate(
             designed.footprints[number], piece.pose.heading - heading, (x, y), use_radians=True

@@ -34,6 +34,11 @@ STOREY, TOUCH, LEAST, LONGEST, TILT = 3.0, 0.02, 1.0, 400.0, 0.01
 because it would be longer; how much of its length a cut may run aside."""
 
 
+BENT, ROUGH = 0.9, 0.005
+"""Share of its rectangle below which a building's own footprint is told, and metres by which it is
+told more simply."""
+
+
 class Designed(NamedTuple):
     """What the designer built: boxes (n, 5) x, y, heading, width, depth; storeys (n,), heights
     (n,); the true footprints; how many buildings of the file lie outside the boundary."""
@@ -51,13 +56,42 @@ def compounds(path: Path, **more: Any) -> list[tuple[Site, Designed]]:
 
 
 def asked(site: Site, designed: Designed, model: str) -> Site:
-    """The site with the designer's buildings as wishes: one for every size, all of one model."""
-    counted = Counter(sizes_of(designed))
-    buildings = [
+    """The site with the designer's buildings as wishes, all of one model: one for every size, and
+    one for each building that is no rectangle (:func:`find_bent`), with its footprint."""
+    sizes, bent = sizes_of(designed), find_bent(designed)
+    counted = Counter(size for number, size in enumerate(sizes) if number not in bent)
+    rows: list[dict[str, Any]] = [
         {"model": model, "count": count, "floors": floors, "size": (width, depth, STOREY * floors)}
         for (width, depth, floors), count in counted.items()
     ]
-    return Site.model_validate(site.model_dump() | {"buildings": buildings})
+    for number, footprint in bent.items():
+        floors = int(designed.floors[number])
+        size = (*np.round(designed.boxes[number, 3:], 6).tolist(), STOREY * floors)
+        row = {"name": name_bent(number), "footprint": footprint.tolist(), "size": size}
+        rows.append({"model": model, "floors": floors, **row})
+    return Site.model_validate(site.model_dump() | {"buildings": rows})
+
+
+def name_bent(number: int) -> str:
+    """What a building that is no rectangle is called.
+
+    >>> name_bent(3)
+    'building 3'
+    """
+    return f"building {number}"
+
+
+def find_bent(designed: Designed) -> dict[int, Floats]:
+    """The buildings that fill less than :data:`BENT` of their rectangle, by number, with their
+    outlines (k, 2) in the frame of that."""
+    found = {}
+    for number, (shape, box) in enumerate(zip(designed.footprints, designed.boxes, strict=True)):
+        if shape.geom_type == "Polygon" and shape.area < BENT * box[3] * box[4]:
+            drawn = shapely.simplify(shapely.Polygon(shape.exterior), ROUGH)
+            s, c = np.sin(box[2]), np.cos(box[2])
+            turn = np.array([[s, c], [-c, s]])
+            found[number] = (shapely.get_coordinates(drawn)[:-1] - box[:2]) @ turn
+    return found
 
 
 def sizes_of(designed: Designed) -> list[tuple[float, float, int]]:

@@ -31,6 +31,8 @@ SLACK, WITHIN = 0.008, 0.05
 nearer than it must be."""
 NEAR, FAR, RINGS, ROUND = 0.6, 10.0, 4, 8
 """Metres from a wall within which a lane ends, distances tried, segments of a quarter circle."""
+EASE, ROUND_OF = 14.0, 4
+"""Metres before a bend at which a lane begins to turn, and pieces of half of the bend."""
 TIGHT = 1.5
 """How much more a metre costs right beside a wall."""
 
@@ -208,4 +210,32 @@ def _lay_lane(
     else:
         moved[-2:] = dense[-2:]
         moved = moved if plan.entrances else lead_out(plan, moved, 4.0 * raster.cell + radius)
-    return shapely.simplify(shapely.LineString(moved), 0.02)
+    return round_bends(shapely.simplify(shapely.LineString(moved), 0.02), centres)
+
+
+def round_bends(line: shapely.LineString, centres: shapely.Geometry) -> shapely.LineString:
+    """A line whose bends are drawn round as far as it stays where it may lie: a parabola that
+    begins :data:`EASE` metres before each bend, or half as many and again half, but no farther
+    than half-way to the next.
+
+    >>> bent = shapely.LineString([(0, 0), (40, 0), (40, 40)])
+    >>> free = shapely.box(-9, -9, 90, 90)
+    >>> [len(shapely.get_coordinates(round_bends(bent, ground))) for ground in (free, bent)]
+    [11, 3]
+    """
+    rows = shapely.get_coordinates(line)
+    steps = np.hypot(*np.diff(rows, axis=0).T)
+    found = [rows[:1]]
+    for k in range(1, len(rows) - 1):
+        bend = rows[k : k + 1]
+        for ease in (EASE, EASE / 2, EASE / 4):
+            room = np.minimum(ease, 0.5 * steps[k - 1 : k + 1])
+            first = rows[k] + (rows[k - 1] - rows[k]) * (room[0] / max(steps[k - 1], 1e-9))
+            last = rows[k] + (rows[k + 1] - rows[k]) * (room[1] / max(steps[k], 1e-9))
+            at = np.linspace(0.0, 1.0, 2 * ROUND_OF + 1)[:, None]
+            curve = (1 - at) ** 2 * first + 2 * at * (1 - at) * rows[k] + at**2 * last
+            if shapely.covers(centres, shapely.LineString(curve)):
+                bend = curve
+                break
+        found.append(bend)
+    return shapely.LineString(np.vstack([*found, rows[-1:]]))

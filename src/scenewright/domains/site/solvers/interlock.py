@@ -28,6 +28,9 @@ HAIR = 1e-3
 SLACK = 4e-4
 """Metres by which a polygon is drawn in, so that what just fits does."""
 MITRE = 2.0
+LOOKED, NEAR = 4, math.radians(2.0)
+"""Longest edges of a block that buildings may stand along where they fit no other way, and radians
+within which two headings are one."""
 
 
 FreeRegions = dict[tuple[bytes, float], tuple[shapely.Geometry, int]]
@@ -114,11 +117,14 @@ def _best_place(
     corner: int,
     free: FreeRegions,
 ) -> Floats | None:
-    """The box of a building where it fits and takes least ground; None if it fits nowhere.
-    ``free`` keeps what was found for buildings alike: only what was set since is cut out of it."""
+    """The box of a building where it fits and takes least ground, its front to the preferred
+    heading or a quarter off it, else along an edge of the block; None if it fits nowhere. ``free``
+    keeps what was found for buildings alike: only what was set since is cut out of it."""
     best, least = None, math.inf
-    for quarter in range(4):
-        heading = wrap_angle(problem.facing + quarter * math.pi / 2)
+    usual = [wrap_angle(problem.facing + quarter * math.pi / 2) for quarter in range(4)]
+    for number, heading in enumerate([*usual, *_headings_along(block, usual)]):
+        if number == len(usual) and best is not None:
+            break
         turned = place_outline(outline, 0.0, 0.0, heading)
         key = (turned.tobytes(), float(size[2]))
         region, known = free.get(key) or (places_in(block, turned), 0)
@@ -134,6 +140,20 @@ def _best_place(
         if costs[k] < least - 1e-9:
             best, least = np.array([*points[k], heading, size[0], size[1]]), float(costs[k])
     return best
+
+
+def _headings_along(block: shapely.Polygon, usual: Sequence[float]) -> list[float]:
+    """Headings, by quarters, along the longest edges of a block, which none of the usual ones is
+    near to."""
+    corners = shapely.get_coordinates(block.exterior)
+    along = np.diff(corners, axis=0)
+    found: list[float] = []
+    for k in np.argsort(-np.hypot(*along.T), kind="stable")[:LOOKED]:
+        heading = math.atan2(along[k, 1], along[k, 0])
+        off = [abs(wrap_angle(4.0 * (heading - other))) for other in (*usual, *found)]
+        if min(off) > 4.0 * NEAR:
+            found += [wrap_angle(heading + quarter * math.pi / 2) for quarter in range(4)]
+    return found
 
 
 def _costs(
