@@ -28,6 +28,7 @@ from scenewright.engine.preference.events import (
 )
 from scenewright.formats import solution_json
 from scenewright.workflow.evolution.candidate import Screen
+from scenewright.workflow.evolution.history import History
 from scenewright.workflow.evolution.log import EvolutionLog
 from scenewright.workflow.evolution.population import BreedingPlan
 from scenewright.workflow.evolve import Evolution, evolve, resume_evolution
@@ -199,6 +200,20 @@ def test_the_model_rates_only_when_it_may(tmp_path: Path) -> None:
         assert evolution.champion is not None
         assert evolution.champion.number == champion.number  # type: ignore[union-attr]
         assert evolution.ask().champion == champion.number  # type: ignore[union-attr]
+
+
+def test_taking_back_a_worst_leaves_the_pick_in_the_count_of_hits() -> None:
+    shown = {"screen": 0, "shown": [0, 1, 2, 3], "predicted": [0.9, 0.1, 0.2, 0.3]}
+    said = [
+        {"event": "pick", "best": 0, "among": [0, 1, 2, 3]},
+        {"event": "worst", "worst": 1, "among": [1, 2, 3]},
+        {"event": "undo"},
+    ]
+    history = History().after("screen", shown)
+    for body in said:
+        history = history.after("event", body)
+    assert (history.trust.screens, history.trust.hits) == (1, 1)
+    assert history.after("event", {"event": "undo"}).trust.screens == 0
 
 
 def test_nonsense_is_refused_in_one_line_and_not_kept(tmp_path: Path) -> None:

@@ -63,6 +63,7 @@ def parse(line: str, said: tuple[Event, ...] = (), champion: int | None = None) 
         ("?", Command("help")),
         ("reasons", Command("reasons")),
         ("best", Command("best")),
+        ("names", Command("names")),
         ("auto 3", Command("auto", 3)),
         ("move 2 sofa 1.5,-2", Command("move", 11, "sofa", (1.5, -2.0))),
         ("move 2 sofa 1.5,2,90", Command("move", 11, "sofa", (1.5, 2.0, 90.0))),

@@ -209,6 +209,9 @@ def _do(
             drawn = evolve_best.draw_best(evolution, picture, request.views)
             told = evolve_best.tell_best(evolution)
             print_line(console, told if drawn is None else f"{picture}: {told}", whole=True)
+        case words.Command("names"):
+            for told in tell_names(evolution, shown[0]):
+                print_line(console, told, whole=True)
         case words.Command("reasons"):
             print_line(console, ", ".join(evolution.reasons) or "no reasons for this kind of scene")
         case words.Command("auto", rounds):
@@ -253,6 +256,22 @@ def show_screen(
         print_line(console, told, "dim", whole=True)
     if screen.trust.screens:
         print_line(console, str(screen.trust), "dim")
+
+
+def tell_names(evolution: Evolution, first: int) -> list[str]:
+    """What of the champion, or of the first candidate while there is none, can be locked or moved:
+    a line a space, each piece by the end of its name with where it stands in metres."""
+    from scenewright.engine.preference.features import stands_on_floor
+
+    champion = evolution.champion
+    solution = evolution.solution_of(first) if champion is None else champion.solution
+    found: dict[str, list[str]] = {}
+    for piece in solution.pieces:
+        if stands_on_floor(piece) and piece.function not in ("landmark", "trees"):
+            short = piece.id.rpartition("/")[2]
+            told = f"{short} {piece.pose.x:.1f},{piece.pose.y:.1f}"
+            found.setdefault(piece.space, []).append(told)
+    return [f"{space}: {' · '.join(told)}" for space, told in found.items()]
 
 
 def describe_event(event: Event, shown: list[int]) -> str:

@@ -30,15 +30,16 @@ lock NAME    keep a piece of the champion  undo         take back what was said 
 keep [3]     the champion, until another   auto 3       let the model rate three rounds
 next, Enter  the next sheet                done         write the champion and end
 best         the best bred so far          quit         end; the log keeps all
-move 3 NAME X,Y[,DEGREES]                  change 3 by hand"""
+move 3 NAME X,Y[,DEGREES]                  change 3 by hand
+names        what of the champion can be locked or moved, and where it stands"""
 FORMS = "3 · 3 > 7 · worst 5 · 3=5 · why 3 too dense · lock sofa · undo · keep · next · done"
-VERBS = ("next", "done", "quit", "undo", "help", "reasons", "best")
+VERBS = ("next", "done", "quit", "undo", "help", "reasons", "best", "names")
 
 
 class Command(NamedTuple):
     """What is to be done besides hearing events: ``next``, ``done``, ``quit``, ``undo``, ``help``,
-    ``reasons``, ``best``, ``auto`` (``number`` rounds), or ``move`` (candidate ``number``, piece
-    ``name`` to ``place`` in metres and degrees)."""
+    ``reasons``, ``best``, ``names``, ``auto`` (``number`` rounds), or ``move`` (candidate
+    ``number``, piece ``name`` to ``place`` in metres and degrees)."""
 
     verb: str
     number: int = 0

@@ -61,7 +61,7 @@ class TrustRecord(NamedTuple):
         'top 3 held your pick on 6 of 8 sheets (guessing: 25 %), on 2 of 3 of the predicted best'
         """
         if not self.screens:
-            return "nothing predicted yet"
+            return "none tested by a pick yet"
         late, hits, _ = self.late
         guessed = 100 * self.chance / self.screens
         told = f"top {TOP} held your pick on {self.hits} of {self.screens} sheets"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from scenewright.engine.preference.events import Edit, Event, Pick, Undo, counting, event_of
+from scenewright.engine.preference.events import Edit, Event, Pick, counting, event_of
 from scenewright.engine.preference.trust import TrustRecord, count_hit
 from scenewright.workflow.evolution.log import Entry
 
@@ -66,8 +66,8 @@ class History(NamedTuple):
 
 def _first_pick(events: Sequence[Event], shown: Sequence[int]) -> Pick | None:
     """The first pick among all of a screen that was not taken back on it."""
-    kept = counting(event for event in events if isinstance(event, Pick | Undo))
-    return next((e for e in kept if isinstance(e, Pick) and set(e.among) == set(shown)), None)
+    picks = [event for event in counting(events) if isinstance(event, Pick)]
+    return next((pick for pick in picks if set(pick.among) == set(shown)), None)
 
 
 def read_history(entries: Sequence[Entry]) -> History:
