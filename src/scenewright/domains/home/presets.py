@@ -46,7 +46,7 @@ HOME = {
 OURS = HomeSettings()
 PRESETS: dict[str, HomePreset] = {
     "default": Preset(
-        "our terms in repaired form, every piece checked", "anneal", 7_000, HOME, OURS
+        "our terms in repaired form, every piece checked", "anneal", 6_000, HOME, OURS
     ),
     "quick": Preset("the default with some half of the work", "anneal", 4_000, HOME, OURS),
     "fine": Preset("the default with fourteen times the work", "anneal", 96_000, HOME, OURS),

@@ -81,22 +81,24 @@ class CompositionCosts(NamedTuple):
     """What faults of composition cost, beside those of :class:`FaultCosts`: too little worktop in
     one piece, a hob beside the sink or at the end of its run, half a wardrobe, a bed for two with
     one nightstand or one side to get in, a single bed away from walls, too few shelves, too few
-    seats, a screen too small for its distance, something before a window or a wide door; a unit by
-    which the furnished share of a floor is off what was learned (``share``), and by which the free
-    floor beside a group falls short of it (``floor``)."""
+    seats, a screen too small for its distance, something before a window or a wide door, a group
+    small for its room (``modest``); a unit by which the furnished share of a floor is off what was
+    learned (``share``), and by which the free floor beside a group falls short of it
+    (``floor``)."""
 
-    worktop: float = 8.0
-    hob_at_sink: float = 8.0
-    hob_at_end: float = 8.0
-    wardrobe: float = 10.0
-    nightstand: float = 8.0
-    one_side: float = 8.0
-    adrift: float = 14.0
-    shelves: float = 6.0
-    seats: float = 8.0
-    screen: float = 6.0
-    window: float = 6.0
-    opening: float = 6.0
+    worktop: float = 18.0
+    hob_at_sink: float = 18.0
+    hob_at_end: float = 18.0
+    wardrobe: float = 18.0
+    nightstand: float = 14.0
+    one_side: float = 14.0
+    adrift: float = 20.0
+    shelves: float = 10.0
+    seats: float = 24.0
+    screen: float = 18.0
+    window: float = 15.0
+    opening: float = 10.0
+    modest: float = 10.0
     share: float = 300.0
     floor: float = 20.0
 
@@ -104,9 +106,9 @@ class CompositionCosts(NamedTuple):
 class ComposingSettings(NamedTuple):
     """Groups of a furnished room tried in better forms and places: ``rounds`` over all of them;
     of each group ``forms``, of each form the best ``places``, looked at every ``step`` metres, that
-    are ``apart`` metres from one another; in rooms of a ``few`` groups also at the best ``moved``
-    places as if each of so many ``others``, the largest, were not there, which is then taken
-    elsewhere in ``other_forms``; what may be paid for something ``lacking``, and for an
+    are ``apart`` metres from one another; rooms of a ``few`` groups are composed ``anew`` for so
+    many faulty ones, from so many places of each (``starts``), all others in ``other_forms``; what
+    may be paid for something ``lacking``, and for an
     ``addition`` nobody asked for; by how much the room is to cost less (``least``), and how much
     ``wider`` its ways stay on the grid, metres. ``costs`` are those of faults."""
 
@@ -117,12 +119,12 @@ class ComposingSettings(NamedTuple):
     apart: float = 0.4
     least: float = 0.5
     wider: float = 0.02
-    few: int = 6
-    others: int = 2
-    other_forms: int = 2
-    moved: int = 2
-    lacking: float = 25.0
-    addition: float = 6.0
+    few: int = 7
+    anew: int = 2
+    starts: int = 4
+    other_forms: int = 3
+    lacking: float = 60.0
+    addition: float = 8.0
     costs: CompositionCosts = CompositionCosts()
 
 

@@ -45,7 +45,7 @@ def free_boxes(
     needed = tuple(case.members[i] for i in needed_of(case))
     if whole:
         needed = tuple(m for m in case.members if m.on < 0 and m.z < RAISED)
-    return boxes[_stands_free(boxes, case, needed, ground, standing, catalog, height)]
+    return boxes[stand_free(boxes, case, needed, ground, standing, catalog, height)]
 
 
 def along_walls(case: Group, ground: Ground, step: float = STEP) -> Floats:
@@ -79,7 +79,7 @@ def along_walls(case: Group, ground: Ground, step: float = STEP) -> Floats:
     return boxes
 
 
-def _stands_free(
+def stand_free(
     boxes: Floats,
     case: Group,
     members: tuple[Member, ...],

@@ -2,11 +2,26 @@
 
 from __future__ import annotations
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from collections.abc import Iterator
+from math import cos, hypot, sin
+
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import (
+    FurnishedGroup,
+    Missing,
+    RoomAnswer,
+    RoomTask,
+    find_blocked,
+)
 from scenewright.domains.home.composing.additions import forms_to_add, is_wanted, list_additions
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.moving import make_unplaced, try_forms, with_margin
-from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.domains.home.programme import WELCOME, Wish
+
+TALK = 2.5
+"""People talk at most so many metres from seat to seat (Panero, Zelnik 1979)."""
+AHEAD = 0.9  # where those on a sofa look at one another, metres before its middle
 
 
 def add_groups(
@@ -21,11 +36,27 @@ def add_groups(
         if not still or not is_wanted(task, answer.placed, wish, lacks) or task.cancelled():
             continue
         worth = rule.lacking if lacks else rule.addition
-        added = _best_added(task, answer.placed, wish, worth, barred)
-        if added is not None:
-            missing = tuple(m for m in answer.missing if m not in lacks)
-            answer = answer._replace(placed=(*answer.placed, added), missing=missing)
+        if wish.group == "reading":
+            worth = rule.costs.seats
+        for rest, gone in _list_rooms(answer.placed, lacks):
+            added = _best_added(task, rest, wish, worth, barred)
+            if added is not None:
+                missing = (*(m for m in answer.missing if m not in lacks), *gone)
+                answer = answer._replace(placed=(*rest, added), missing=missing)
+                break
     return answer
+
+
+def _list_rooms(
+    placed: Placed, lacks: tuple[Missing, ...]
+) -> Iterator[tuple[Placed, tuple[Missing, ...]]]:
+    """What a group is added beside, and what that costs: all that stands; for something lacking
+    also all but one thing that is merely welcome."""
+    yield placed, ()
+    for other in placed if lacks else ():
+        if other.wish.rank == WELCOME and not other.wish.required:
+            gone = Missing(other.wish, f"it makes room for the {lacks[0].wish.group}")
+            yield tuple(p for p in placed if p is not other), (gone,)
 
 
 def _best_added(
@@ -41,8 +72,24 @@ def _best_added(
         if judged.cost > alone + worth:
             break
         added = judged.placed[-1]
+        if wish.group == "reading" and not _joins(added, placed):
+            continue
         if not added.dressed.lost and barred.issuperset(
             find_blocked(with_margin(task), judged.placed)
         ):
             return added
     return None
+
+
+def _joins(added: FurnishedGroup, placed: Placed) -> bool:
+    """Whether an armchair is near enough to a sofa to talk, and not turned away from it."""
+    chair = next(p for p in added.pieces if p.category == "armchair")
+    sofas = [p for g in placed for p in g.pieces if p.category in SOFAS]
+    return any(_talks(chair, sofa) for sofa in sofas)
+
+
+def _talks(chair: Piece, sofa: Piece) -> bool:
+    """Within :data:`TALK` metres, with what the sofa looks at before the armchair's sides."""
+    (x, y, _, turn), (a, b, _, way) = sofa.pose, chair.pose
+    x, y = x + AHEAD * cos(turn) - a, y + AHEAD * sin(turn) - b
+    return hypot(sofa.pose.x - a, sofa.pose.y - b) <= TALK and x * cos(way) + y * sin(way) >= 0.0

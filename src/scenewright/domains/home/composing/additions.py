@@ -10,6 +10,7 @@ from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
 from scenewright.domains.home.cases.library import cases, shipped_cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.forms import ROOMY
 from scenewright.domains.home.composing.judging import RUNS, Placed
 from scenewright.domains.home.groups.kitchen import short_counters
 from scenewright.domains.home.programme import FALLBACK, Wish
@@ -38,6 +39,8 @@ def list_additions(
         yield Wish("counter", 2), ()
     shared = task.elsewhere or task.instead
     if "living" in task.space.functions and task.welcome is None and not shared:
+        if task.ground.area >= ROOMY and "reading" not in task.elsewhere:
+            yield Wish("reading", 2), ()
         for group, least in FULLER:
             if task.ground.area >= least and group not in task.elsewhere:
                 yield Wish(group, 2), ()
@@ -48,6 +51,8 @@ def is_wanted(task: RoomTask, placed: Placed, wish: Wish, lacks: tuple[Missing, 
     there = [p.wish.group for p in placed]
     if lacks:
         return True
+    if wish.group == "reading":
+        return "reading" not in there and any(_has_few_seats(p) for p in placed)
     if wish.group == "counter":
         return "counter" not in there and any(_is_short(p) for p in placed)
     twice = wish.group == "shelf" and task.ground.area >= 14.0
@@ -61,6 +66,11 @@ def _is_short(group: FurnishedGroup) -> bool:
     """Whether a kitchen run has too little worktop in one piece."""
     names = {name for name, _ in find_case_faults(group.dressed.case)}
     return group.wish.group in RUNS and "worktop" in names
+
+
+def _has_few_seats(group: FurnishedGroup) -> bool:
+    """Whether a seating group seats two."""
+    return "seats" in {name for name, _ in find_case_faults(group.dressed.case)}
 
 
 def _covered_by(placed: Placed) -> float:

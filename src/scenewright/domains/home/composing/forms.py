@@ -12,14 +12,18 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.build_problem import select_allowed
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.groups.corner_kitchen import corner_kitchens
+from scenewright.domains.home.composing.modest import find_shortage
+from scenewright.domains.home.groups.corner_kitchen import corner_kitchenettes, corner_kitchens
+from scenewright.domains.home.groups.dining import tables_for_many
 from scenewright.domains.home.groups.entry import fitted_storage
 from scenewright.domains.home.groups.living import more_seats
 from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes
 from scenewright.domains.home.settings import ComposingSettings
 
 FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
+    "dining_wall": tables_for_many,
     "kitchen": corner_kitchens,
+    "kitchenette": corner_kitchenettes,
     "seating": more_seats,
     "single": along_wall,
     "storage": fitted_storage,
@@ -38,12 +42,14 @@ ROOMY = 14.0
 
 def cost_of_case(case: Group, area: float, rule: ComposingSettings) -> float:
     """What is wrong with a case wherever it stands in a room of ``area`` square metres: each fault
-    half for being there, half by its degree."""
-    return sum(
+    half for being there, half by its degree; what it falls short of its room's size by its
+    degree."""
+    faults = sum(
         float(getattr(rule.costs, name)) * (1.0 + degree) / 2
         for name, degree in find_case_faults(case)
         if name != "seats" or area >= ROOMY
     )
+    return faults + rule.costs.modest * find_shortage(case, area)
 
 
 def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.adding import add_groups
+from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.habitual import keep_habits
 from scenewright.domains.home.composing.judging import (
@@ -37,6 +38,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     """
     habits = task.library.habits
     learned = bool(habits.clearances or habits.shares)
+    rule = task.preset.settings.composing
     if task.accessible or not answer.placed or not task.preset.settings.exact:
         return answer
     if task.library.own.keys() - task.library.seated and not learned:
@@ -49,7 +51,10 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     if _worst_first(task, placed):
         judge = judge_of(task, placed)
         best = _improve_all(judge, judge.cost_of(placed), barred)
-        placed = reform_kitchen(task, best, barred).placed
+        best = reform_kitchen(task, best, barred)
+        if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
+            best = compose_anew(task, best, barred, _worst_first(task, best.placed))
+        placed = best.placed
     better = add_groups(task, before._replace(placed=placed), barred)
     return (
         better if count_unmet(task, better.placed) <= count_unmet(task, answer.placed) else answer
@@ -66,10 +71,6 @@ def _improve_all(judge: RoomJudge, best: JudgedRoom, barred: frozenset[str]) -> 
                 best = _improve(judge, best, name, barred)
         if best.cost > before - rule.least:
             break
-    pairs = len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0
-    for name in _worst_first(task, best.placed) if pairs else ():
-        if not task.cancelled():
-            best = _improve_two(judge, best, name, barred)
     return best
 
 
@@ -94,24 +95,6 @@ def _improve(judge: RoomJudge, best: JudgedRoom, name: str, barred: frozenset[st
     rule = judge.task.preset.settings.composing
     found = _elsewhere(judge, best.placed, _number_of(best.placed, name), rule.forms)
     return take_best(judge.task, best, found, barred)
-
-
-def _improve_two(
-    judge: RoomJudge, best: JudgedRoom, name: str, barred: frozenset[str]
-) -> JudgedRoom:
-    """The same as if one of the largest others were not there, which is then taken elsewhere."""
-    task, rule = judge.task, judge.task.preset.settings.composing
-    placed, at = best.placed, _number_of(best.placed, name)
-    others = [i for i in range(len(placed)) if i != at]
-    others.sort(key=lambda i: -float(placed[i].dressed.box[3:].prod()))
-    found: list[JudgedRoom] = []
-    for other in others[: rule.others]:
-        rest = (*placed[:other], *placed[other + 1 :])
-        alone = judge_of(task, rest)
-        for judged in _elsewhere(alone, rest, _number_of(rest, name), rule.forms)[: rule.moved]:
-            whole = (*judged.placed[:other], placed[other], *judged.placed[other:])
-            found += _elsewhere(judge, whole, other, rule.other_forms)[:1]
-    return take_best(task, best, found, barred)
 
 
 def _number_of(placed: Placed, name: str) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isnan, nan
 from typing import NamedTuple
 
 import numpy as np
@@ -33,6 +34,9 @@ RUNS = ("kitchen", "kitchenette")
 REWEIGHED = {"route": 0.0, "wish": 0.0, "daylight_kept": 3.0, "openings_kept": 2.0}
 """By how much more terms count while composing. Two do not: ways are walked, and sizes are what is
 looked for."""
+REACHED_IN = 1.5
+"""A room of less floor, square metres, is used through its door: nobody stands before what is in
+it."""
 
 
 class JudgedRoom(NamedTuple):
@@ -53,20 +57,34 @@ class RoomJudge(NamedTuple):
         """Energies ``(P,)`` of boxes ``(P, n, 5)`` of the groups in their order."""
         return energies_of(self.prepared, self.grid, layouts)[0]
 
-    def cost_of(self, placed: Placed) -> JudgedRoom:
-        """The groups with what they cost: energy, lost pieces, and faults of composition."""
+    def cost_of(self, placed: Placed, known: tuple[float, ...] = ()) -> JudgedRoom:
+        """The groups with what they cost: energy, lost pieces, and faults of composition; ``known``
+        is what each group costs by itself, NaN where that is to be found."""
         task, rule = self.task, self.task.preset.settings.composing
         energy = float(self.energies_of(np.array([[p.dressed.box for p in placed]]))[0])
-        each = sum(cost_of_group(p, task.ground, rule) for p in placed)
         lost = task.costs.piece * sum(p.dressed.lost for p in placed)
-        shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
-        unmet = task.costs.unmet * count_unmet(task, placed)
-        room = lost + shelves + cost_of_screen(placed, rule.costs.screen) + unmet
+        room = lost + sum_faults(task, placed, known) + task.costs.unmet * count_unmet(task, placed)
         if task.share is not None:
             room += rule.costs.share * abs(share_of(task, placed) - task.share)
         if task.library.habits.clearances:
             room += rule.costs.floor * short_of_floor(task, placed)
-        return JudgedRoom(placed, task.costs.energy * energy + each + room)
+        return JudgedRoom(placed, task.costs.energy * energy + room)
+
+
+def cost_each(task: RoomTask, placed: Placed) -> tuple[float, ...]:
+    """What is wrong with each group by itself."""
+    rule = task.preset.settings.composing
+    return tuple(cost_of_group(p, task.ground, rule) for p in placed)
+
+
+def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) -> float:
+    """What the faults of composition cost of groups as they stand; ``known`` as in
+    :meth:`RoomJudge.cost_of`."""
+    rule = task.preset.settings.composing
+    pairs = zip(placed, known or (nan,) * len(placed), strict=True)
+    each = sum(cost_of_group(p, task.ground, rule) if isnan(c) else c for p, c in pairs)
+    shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
+    return each + shelves + cost_of_screen(placed, rule.costs.screen)
 
 
 def share_of(task: RoomTask, placed: Placed) -> float:
@@ -104,6 +122,7 @@ def count_unmet(task: RoomTask, placed: Placed) -> int:
 def judge_of(task: RoomTask, placed: Placed) -> RoomJudge:
     """The judge of groups of these wishes, in this order."""
     problem = build_task_problem(task, tuple(p.wish for p in placed), task.ground)
-    weights = {name: w * REWEIGHED.get(name, 1.0) for name, w in problem.weights.items()}
+    counts = REWEIGHED | ({"clear_room": 0.0} if task.ground.area < REACHED_IN else {})
+    weights = {name: w * counts.get(name, 1.0) for name, w in problem.weights.items()}
     problem = problem._replace(weights=weights)
     return RoomJudge(task, prepare(problem), route_grid(problem, 0.1))

@@ -28,29 +28,12 @@ def reform_kitchen(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> 
     rest = tuple(p for p in best.placed if p.wish.group not in (*RUNS, "fridge"))
     if len(best.placed) - len(rest) > 2:
         return best
-    better = take_best(task, best, _reform(task, rest, run), barred)
-    run = next(p for p in better.placed if p.wish.group in RUNS)
-    if not cost_of_case(run.dressed.case, 0.0, rule):
-        return better
-    rest = tuple(p for p in better.placed if p.wish.group not in (*RUNS, "fridge"))
-    return take_best(task, better, list(_reform_through(task, rest, run)), barred)
+    return take_best(task, best, _reform(task, rest, run), barred)
 
 
 def _reform(task: RoomTask, rest: Placed, run: FurnishedGroup) -> list[JudgedRoom]:
     """The kitchen put together either way beside the ``rest``."""
     return [*_whole(task, rest, run), *_apart(task, rest, run)]
-
-
-def _reform_through(task: RoomTask, rest: Placed, run: FurnishedGroup) -> Iterator[JudgedRoom]:
-    """The same as if one of the smallest others were not there, which is then taken elsewhere."""
-    rule = task.preset.settings.composing
-    small = sorted(rest, key=lambda p: float(p.dressed.box[3:].prod()))
-    for other in [p for p in small if not p.wish.core][: rule.others]:
-        less = tuple(p for p in rest if p is not other)
-        for judged in sorted(_reform(task, less, run), key=lambda j: j.cost)[:KEPT]:
-            placed = (*judged.placed, other)
-            judge, forms = judge_of(task, placed), list_forms(task, other)
-            yield from try_forms(judge, placed, len(placed) - 1, forms, rule.other_forms)[:1]
 
 
 def _whole(task: RoomTask, rest: Placed, run: FurnishedGroup) -> Iterator[JudgedRoom]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import count, islice
-from math import hypot
+from math import hypot, nan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,17 +12,26 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
-from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, Placed, RoomJudge
+from scenewright.domains.home.composing.judging import (
+    RUNS,
+    JudgedRoom,
+    Placed,
+    RoomJudge,
+    cost_each,
+)
 from scenewright.domains.home.composing.placed_faults import are_adrift
 from scenewright.domains.home.composing.stretches import Reach, longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
+from scenewright.domains.home.furnishing.whole import RAISED
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.wall_places import free_boxes
+from scenewright.domains.home.wall_places import free_boxes, stand_free
 from scenewright.geometry.fit import is_backed, side_gaps
 
 Floats = NDArray[np.float64]
 
+NOWHERE: Floats = np.empty((0, 5))
+AMID = 0.3  # what is farther from the wall behind it stands free in the room, metres
 BACKED = 0.04  # a unit nearer than this is at its wall, metres
 
 
@@ -53,27 +62,48 @@ def try_forms(
     rest = (p for i, p in enumerate(placed) if i != at)
     others = (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces))
     standing = standing_of(others, flat)
-    tried = _with_places(task, cases, standing)
+    tried = _with_places(task, cases, standing, group)
+    known = tuple(nan if i == at else c for i, c in enumerate(cost_each(task, placed)))
     found = []
     for case, free in islice(tried, forms):
         for box in _least_cost(judge, case, free, placed, at):
             dressed = _dress(task, group, case, box, standing)
             if dressed is not None:
-                found.append(judge.cost_of((*placed[:at], dressed, *placed[at + 1 :])))
+                found.append(judge.cost_of((*placed[:at], dressed, *placed[at + 1 :]), known))
     return sorted(found, key=lambda j: j.cost)
 
 
 def _with_places(
-    task: RoomTask, cases: Iterable[Group], standing: StandingObstacles
+    task: RoomTask, cases: Iterable[Group], standing: StandingObstacles, group: FurnishedGroup
 ) -> Iterator[tuple[Group, Floats]]:
-    """The cases that stand free somewhere along a wall, each with its boxes ``(n, 5)``."""
+    """The cases that stand free somewhere along a wall, or where the group stands now if that is
+    away from walls, each with its boxes ``(n, 5)``."""
     longest: dict[Reach, float] = {}
+    amid = bool(group.pieces) and not is_backed(group.dressed.box, task.ground.walls, AMID)
     for case in cases:
         reach = reach_of(case)
         if reach not in longest:
             longest[reach] = longest_stretch(task.ground, standing, reach)
-        if case.width <= longest[reach] and len(free := _free(task, case, standing)):
+        free = _free(task, case, standing) if case.width <= longest[reach] else NOWHERE
+        if amid:
+            there = _in_place(task, case, standing, group.dressed.box)
+            free = np.concatenate([free, there])
+        if len(free):
             yield case, free
+
+
+def _in_place(task: RoomTask, case: Group, standing: StandingObstacles, box: Floats) -> Floats:
+    """Of the boxes of a case with the middle, the back or the front where ``box`` has it those on
+    which it stands free, ``(n, 5)``."""
+    ahead = (box[4] - case.depth) / 2 * np.array([0.0, -1.0, 1.0])
+    boxes = np.repeat(box[None], 3, axis=0)
+    boxes[:, 0] += ahead * np.cos(box[2])
+    boxes[:, 1] += ahead * np.sin(box[2])
+    boxes[:, 3:] = case.width, case.depth
+    members = tuple(m for m in case.members if m.on < 0 and m.z < RAISED)
+    height = task.space.height
+    free = stand_free(boxes, case, members, task.ground, standing, task.catalog, height)
+    return boxes[free]
 
 
 def _free(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:

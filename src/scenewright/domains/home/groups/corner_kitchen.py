@@ -39,6 +39,15 @@ def corner_kitchens() -> Iterator[Group]:
                 yield _corner(run, wing, mirrored)
 
 
+def corner_kitchenettes() -> Iterator[Group]:
+    """The same without a fridge, 1.6 to 2.8 m by 1.45 to 2.4 m."""
+    for (hob, sink), end, more in product(PAIRS, (BEYOND, 0.6), (0.0, 0.6)):
+        run = [("hob_cabinet", hob), *fill(end)]
+        for mirrored in (False, True):
+            wing = [("sink_cabinet", sink), *fill(more)]
+            yield _corner(run, wing, mirrored)._replace(function="kitchenette")
+
+
 def _corner(run: list[Unit], wing: list[Unit], mirrored: bool) -> Group:
     """One with its corner on the left, or its mirror image."""
     width = CORNER + sum(wide for _, wide in run)

@@ -1,0 +1,80 @@
+"""Groups that are small for their room: few seats, a short kitchen, a narrow shelf.
+
+What a group measures is compared with what rooms of its area hold in practice. Kitchen planners ask
+for 3.4 m of worktop and appliances in a kitchen below 14 m² and 4 m from there (NKBA, Planning
+Guidelines, 2012, 24); a table seats two from the smallest eat-in kitchen on and four where a
+household eats; storage is planned by the metre.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from typing import NamedTuple
+
+from scenewright.core.catalog import Group
+
+RUN = frozenset(
+    ("base_cabinet", "drawer_cabinet", "dishwasher", "sink_cabinet", "hob_cabinet", "fridge")
+)
+CORNER_RUN = 1.4
+"""Metres of front that a cabinet round a corner stands for."""
+RAISED = 0.3  # what begins so high stands on something, metres
+
+
+class Expected(NamedTuple):
+    """What is measured of a group, and how much of it rooms from so many square metres on have:
+    rows (area, least), the smallest room first."""
+
+    measure: Callable[[Group], float]
+    rows: tuple[tuple[float, float], ...]
+
+
+def _count(*categories: str) -> Callable[[Group], float]:
+    return lambda case: float(sum(m.category in categories for m in case.members))
+
+
+def _metres(*categories: str) -> Callable[[Group], float]:
+    return lambda case: sum(m.size.width for m in case.members if m.category in categories)
+
+
+def _run(case: Group) -> float:
+    low = [m for m in case.members if m.z < RAISED]
+    corners = sum(m.category == "corner_cabinet" for m in low)
+    return sum(m.size.width for m in low if m.category in RUN) + CORNER_RUN * corners
+
+
+EXPECTED: dict[str, Expected] = {
+    "kitchen": Expected(_run, ((8.0, 3.0), (10.0, 3.4), (14.0, 4.0))),
+    "kitchenette": Expected(_run, ((8.0, 2.4), (10.0, 2.8), (14.0, 3.4))),
+    "dining": Expected(_count("dining_chair"), ((9.0, 4.0), (26.0, 6.0))),
+    "dining_wall": Expected(_count("dining_chair"), ((7.0, 2.0), (10.0, 3.0), (13.0, 4.0))),
+    "seating": Expected(_metres("sofa", "loveseat", "armchair"), ((16.0, 2.0), (22.0, 2.6))),
+    "wardrobe": Expected(_metres("wardrobe"), ((10.0, 1.4), (13.0, 1.8))),
+    "single": Expected(_metres("single_bed"), ((8.0, 0.9), (10.5, 1.2))),
+    "sleeping": Expected(_metres("double_bed"), ((11.0, 1.6), (14.0, 1.8))),
+    "desk": Expected(_metres("desk"), ((8.0, 1.0), (11.0, 1.2))),
+    "kids_desk": Expected(_metres("kids_desk"), ((8.0, 1.0),)),
+    "chest": Expected(_metres("chest_of_drawers"), ((9.0, 0.8), (13.0, 1.0))),
+    "shelf": Expected(_metres("bookcase"), ((10.0, 0.8), (15.0, 1.2), (22.0, 1.6))),
+    "sideboard": Expected(_metres("sideboard"), ((14.0, 1.4), (22.0, 1.8))),
+    "storage": Expected(_metres("storage_shelf"), ((4.0, 1.0), (8.0, 1.6))),
+}
+"""By group."""
+
+
+@lru_cache(maxsize=8192)
+def find_shortage(case: Group, area: float) -> float:
+    """How far a case falls short of what a room of ``area`` square metres has, from 0 (it does
+    not) to 1.
+
+    >>> from scenewright.domains.home.cases.library import cases
+    >>> narrow = cases("wardrobe").groups[0]
+    >>> find_shortage(narrow, 5.0), round(find_shortage(narrow, 14.0), 2)
+    (0.0, 0.67)
+    """
+    expected = EXPECTED.get(case.function)
+    if expected is None:
+        return 0.0
+    least = max((value for start, value in expected.rows if area >= start), default=0.0)
+    return max(0.0, 1.0 - expected.measure(case) / least - 1e-6) if least else 0.0
