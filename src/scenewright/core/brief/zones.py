@@ -18,6 +18,7 @@ from scenewright.core.brief.fields import (
     StrictModel,
     Switch,
     Whole,
+    is_left_out,
 )
 
 PatternName = Annotated[str, Field(min_length=1, max_length=40)]
@@ -54,7 +55,9 @@ class Demand(StrictModel):
     """A group of like objects to be laid out: 24 showcases, 300 m of shelving, 80 seats.
 
     ``category`` is a kind of the catalog (``scenewright list assets``). How many: ``count``, or
-    ``length``, metres of front side by side. How large: ``size`` (width, depth, height), or
+    ``length``, metres of front side by side; with ``most`` up to so many where there is room, with
+    ``fill`` as many as bring what stands in its zones, with the free depth around each, to that
+    share of their floor. How large: ``size`` (width, depth, height), or
     ``sizes``, one for each of unequal objects; left out, the usual size of the category.
     ``clearance`` is the free depth wished for at all sides, or front, left, back, right.
     ``place`` tells whether they stand at a wall; ``patterns`` which patterns may lay them out;
@@ -68,6 +71,8 @@ class Demand(StrictModel):
     category: Annotated[str, Field(min_length=1, max_length=200)]
     count: Annotated[Whole, Field(ge=1, le=20_000)] | None = None
     length: Annotated[Number, Field(gt=0, le=100_000)] | None = None
+    most: Annotated[Whole | None, Field(ge=1, le=20_000, exclude_if=is_left_out)] = None
+    fill: Annotated[Number | None, Field(ge=0.05, le=0.8, exclude_if=is_left_out)] = None
     size: Sizes | None = None
     sizes: Annotated[list[Sizes], Field(max_length=20_000)] = []
     clearance: Clearance | tuple[Clearance, Clearance, Clearance, Clearance] | None = None

@@ -31,7 +31,7 @@ def sizes_of(demand: Demand) -> tuple[Sizes, ...]:
     if demand.sizes:
         return tuple(demand.sizes)
     width, depth, height = usual_size(demand)
-    count = demand.count or 1
+    count = demand.most or demand.count or 1
     if demand.length is not None:
         count = int(demand.length / width + 1e-9)
     return ((width, depth, height),) * count
@@ -130,8 +130,19 @@ def _check_number(demand: Demand, told: str) -> None:
             "leave out count, or list a size for every object",
             place=told,
         )
+    for key in ("most", "fill"):
+        if getattr(demand, key) is not None and demand.sizes:
+            raise InputError(f"has both sizes and {key}", "leave out one of them", place=told)
+    if demand.most is not None and demand.most < (demand.count or 1):
+        raise InputError(
+            f"most is {demand.most}, but count {demand.count}",
+            "give a greater most: count is the least",
+            place=told,
+        )
     if demand.length is None:
         return
+    if demand.most is not None:
+        raise InputError("has both length and most", "leave out one of them", place=told)
     if demand.count is not None:
         raise InputError("has both count and length", "leave out one of them", place=told)
     width = usual_size(demand)[0]

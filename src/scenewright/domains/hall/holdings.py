@@ -27,7 +27,8 @@ class HallDemand(NamedTuple):
     the id of the demand it looks at (empty: none) and whether leaving it out is a failure.
 
     Tables that bring chairs are placed with them: ``sizes`` are those of the floor they take
-    together, ``chairs`` metres of it before and behind each table."""
+    together, ``chairs`` metres of it before and behind each table. Once ``least`` stand nothing is
+    missing (0: all are wanted)."""
 
     id: str
     name: str
@@ -39,6 +40,7 @@ class HallDemand(NamedTuple):
     facing: str
     required: bool
     chairs: float = 0.0
+    least: int = 0
 
     @property
     def at_wall(self) -> bool:
@@ -55,11 +57,12 @@ def collect_demands(
     asked = {demand.category for demand in room.demands}
     found = []
     for demand, name in zip(room.demands, ids, strict=True):
-        filled = _fill_defaults(demand, name)
+        filled = fill_defaults(demand, name)
         sizes = _less(filled.sizes, [piece.size for piece in locked if piece.function == name])
         if sizes:
             chairs = out_of_table(demand.category, asked, catalog)
-            found.append(_with_chairs(filled._replace(sizes=sizes), chairs))
+            least = filled.least and max(filled.least - len(filled.sizes) + len(sizes), 1)
+            found.append(_with_chairs(filled._replace(sizes=sizes, least=least), chairs))
     shows = [wish.id for wish in found if wish.category in SHOWS]
     return [
         wish._replace(facing=wish.facing or shows[0])
@@ -101,7 +104,8 @@ def restrict_patterns(wishes: list[HallDemand], lean: int) -> list[HallDemand]:
     ]
 
 
-def _fill_defaults(demand: Demand, name: str) -> HallDemand:
+def fill_defaults(demand: Demand, name: str) -> HallDemand:
+    """A demand called ``name`` with all that follows from its category."""
     use = hall_use(demand.category)
     zones = (demand.zone,) if isinstance(demand.zone, str) else tuple(demand.zone or ())
     sizes = tuple(Size(*size) for size in sizes_of(demand))
@@ -116,6 +120,7 @@ def _fill_defaults(demand: Demand, name: str) -> HallDemand:
         zones=zones,
         facing=demand.facing or "",
         required=demand.required,
+        least=0 if demand.most is None else demand.count or 1,
     )
 
 

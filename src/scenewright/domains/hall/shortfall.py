@@ -102,7 +102,7 @@ def left_out(
     found = []
     for number, (wish, there) in enumerate(zip(wishes, placed, strict=True)):
         absent = [size for k, size in enumerate(wish.sizes) if k not in there]
-        if absent:
+        if absent and not 0 < wish.least <= len(there):
             many = len(wish.sizes) > 1
             told = f"{len(absent)} of {len(wish.sizes)} {wish.name}" if many else wish.name
             reason = f"no route {hall.route:.2f} m wide would reach everything with it"

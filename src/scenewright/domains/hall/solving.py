@@ -31,6 +31,7 @@ from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import grow_table, with_chairs
 from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.energy import parts_of
+from scenewright.domains.hall.filling import fill_halls, settle_counts
 from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
 from scenewright.domains.hall.hall_layout import HallLayout
@@ -101,6 +102,7 @@ def solve(
     threads = min(threads or os.cpu_count() or 1, 16)
     zoning = chosen.settings.zoning
     halls = hall_contexts(brief, rooms, catalog, seed, variant, zoning)
+    brief = fill_halls(brief, halls)
     busy = [k for k, room in enumerate(brief.rooms) if room.demands]
     each = Budget(threads=threads if len(busy) == 1 else 1)
     share = min(threads, max(len(busy), 1)) / max(len(busy), 1)
@@ -111,6 +113,8 @@ def solve(
         for k, stream in ((k, _stream(seed, rooms[k])) for k in busy)
     }
     laid = _run(brief, tasks, catalog, threads, progress, cancel, watch)
+    stand = {k: (*halls[k].fixed, *answer.pieces) for k, answer in laid.items()}
+    brief = settle_counts(brief, stand)
     return assemble_solution(brief, halls, laid, preset, named, seed, time.perf_counter() - started)
 
 
@@ -128,9 +132,9 @@ def problems(
     chosen, rooms = preset_named(PRESETS, preset), (plan or plan_rooms(brief)).spaces
     catalog, whole = catalog_of(brief.catalogs), chosen.settings.whole
     found = []
-    for number, one in enumerate(
-        hall_contexts(brief, rooms, catalog, 0, 0, chosen.settings.zoning)
-    ):
+    halls = hall_contexts(brief, rooms, catalog, 0, 0, chosen.settings.zoning)
+    brief = fill_halls(brief, halls)
+    for number, one in enumerate(halls):
         hall = one._replace(settings=chosen.settings)
         asked = collect_demands(brief, number, _locked_of(hall), catalog)
         wishes, _ = split_carried(asked, hall.fixed)

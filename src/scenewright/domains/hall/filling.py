@@ -1,0 +1,89 @@
+"""How many of a demand a hall takes, where the brief leaves that to the floor.
+
+A demand with ``fill`` is to bring what stands in its zones, with the free floor around each, to
+that share of them. In practice a third to a little over half: of a shop's floor fixtures with
+their aisles of 1.2 m take half (:mod:`scenewright.domains.hall.programme`, after Neufert 2012);
+shelves 0.6 m deep at 1.5 to 1.7 m from middle to middle, as libraries have them, 35 to 40 per cent
+without their aisles (Neufert 2012). Exhibits want 0.75 m around each, so that a wheelchair passes
+between two, which lets them stand on 15 to 20 per cent at most.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from scenewright.core.brief import Brief, Room
+from scenewright.core.brief.zones import Demand
+from scenewright.core.scene import Piece
+from scenewright.domains.hall.build_problem import HallContext, wall_lengths, zone_areas
+from scenewright.domains.hall.demands import floor_needed, ids_of, sizes_of
+from scenewright.domains.hall.holdings import fill_defaults
+
+WALL_SHARE = 0.8
+"""Share of the walls of a zone that things may fill; the rest is corners."""
+
+
+def fill_halls(brief: Brief, halls: Sequence[HallContext]) -> Brief:
+    """A brief whose demands with ``fill`` say how many there may be at ``most``; the brief itself
+    where there are none."""
+    rooms = [_fill(room, hall) for room, hall in zip(brief.rooms, halls, strict=True)]
+    same = all(new is old for new, old in zip(rooms, brief.rooms, strict=True))
+    return brief if same else brief.model_copy(update={"rooms": rooms})
+
+
+def _fill(room: Room, hall: HallContext) -> Room:
+    if all(demand.fill is None for demand in room.demands):
+        return room
+    demands = [
+        demand if demand.fill is None else _grow(demand, room.demands, hall)
+        for demand in room.demands
+    ]
+    return room.model_copy(update={"demands": demands})
+
+
+def _grow(demand: Demand, every: Sequence[Demand], hall: HallContext) -> Demand:
+    """A demand with the number its zones take; those that fill the same zones share alike."""
+    areas, mine = zone_areas(hall), _zones_of(demand, hall)
+    used = sum(floor_needed(other) * _overlap(other, mine, areas, hall) for other in every)
+    others = [d for d in every if d.fill is not None and (_zones_of(d, hall) * mine).any()]
+    left = float((demand.fill or 0.0) * (areas * mine).sum()) - used
+    least = len(sizes_of(demand))
+    each = floor_needed(demand) / least
+    count = least + max(int(left / len(others) / max(each, 1e-9)), 0)
+    if fill_defaults(demand, "").at_wall:
+        width = float(np.mean([size[0] for size in sizes_of(demand)]))
+        count = min(count, int(WALL_SHARE * float((wall_lengths(hall) * mine).sum()) / width))
+    return demand.model_copy(update={"count": least, "length": None, "most": max(count, least)})
+
+
+def _zones_of(demand: Demand, hall: HallContext) -> np.ndarray:
+    """Which zones (z,) a demand may go to, 1 or 0."""
+    named = (demand.zone,) if isinstance(demand.zone, str) else tuple(demand.zone or hall.names)
+    return np.array([float(name in named) for name in hall.names])
+
+
+def _overlap(demand: Demand, mine: np.ndarray, areas: np.ndarray, hall: HallContext) -> float:
+    """The share of a demand that stands in some zones, by floor."""
+    where = _zones_of(demand, hall) * areas
+    return float((where * mine).sum() / max(float(where.sum()), 1e-9))
+
+
+def settle_counts(brief: Brief, pieces: Mapping[int, Sequence[Piece]]) -> Brief:
+    """The brief with the numbers that stand, by the pieces of each hall, in the place of ``fill``
+    and ``most``."""
+    rooms = [_settle(room, pieces.get(k, ())) for k, room in enumerate(brief.rooms)]
+    same = all(new is old for new, old in zip(rooms, brief.rooms, strict=True))
+    return brief if same else brief.model_copy(update={"rooms": rooms})
+
+
+def _settle(room: Room, pieces: Sequence[Piece]) -> Room:
+    if all(demand.most is None for demand in room.demands):
+        return room
+    demands = []
+    for demand, name in zip(room.demands, ids_of(room.demands), strict=True):
+        held = sum(p.function == name and p.category == demand.category for p in pieces)
+        stated = {"count": max(held, demand.count or 1), "most": None, "fill": None}
+        demands.append(demand if demand.most is None else demand.model_copy(update=stated))
+    return room.model_copy(update={"demands": demands})
