@@ -77,3 +77,11 @@ def test_what_contradicts_itself_is_refused(keys: dict[str, object], told: str) 
     brief = hall({**CASES, **keys})
     with pytest.raises(InputError, match=told):
         check_halls(brief, plan_of(brief))
+
+
+@pytest.mark.parametrize(("called", "hung"), [("old paintings", True), ("finds", False)])
+def test_what_is_called_a_painting_hangs_on_its_wall(called: str, hung: bool) -> None:
+    solution = solve(hall({**PICTURES, "name": called, "id": "w"}), steps=500, threads=1)
+    models = {piece.asset for piece in solution.pieces if piece.category == "wall_exhibit"}
+    assert len(models) == (2 if hung else 1)
+    assert all(("painting" in model) is hung for model in models)

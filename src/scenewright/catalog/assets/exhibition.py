@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from math import cos, pi, sin
 
 import numpy as np
@@ -244,6 +245,48 @@ def _wall_exhibit(size: Size) -> Parts:
     return parts(size, merge_by_material(found, below, above))
 
 
+def _painting(size: Size, turn: int = 0) -> Parts:
+    """A framed painting on the wall, lit from a bar above it, behind a low rail; another for each
+    ``turn`` from 0 to 3."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    low, high, back = (0.42 + 0.04 * (turn % 2)) * h, 0.93 * h, -d
+    x = (-(0.92 - 0.14 * turn) * w, (0.92 - 0.14 * turn) * w)
+    tall, wide = high - low, x[1] - x[0]
+    rail = min(d - 0.02, back + 0.4)
+    shapes = (
+        (MUSTARD, 0.06, 0.94, 0.06, 0.45),
+        (TERRACOTTA, 0.12, 0.5, 0.35, 0.85),
+        (SLATE, 0.55, 0.85, 0.3, 0.7),
+        (ACCENT, 0.35, 0.62, 0.6, 0.9),
+    )
+    found: Stuff = {
+        CHARCOAL: [frame(x, (back, back + 0.05), (low, high), 0.05)],
+        PAPER: [block((x[0] + 0.05, x[1] - 0.05), (back, back + 0.03), (low + 0.05, high - 0.05))],
+        GLOW: [block((-0.4 * w, 0.4 * w), (back + 0.12, back + 0.15), (high + 0.03, high + 0.05))],
+        BLACK: [
+            block(
+                (side * 0.92 * w - 0.012, side * 0.92 * w + 0.012), (rail - 0.024, rail), (0, 0.45)
+            )
+            for side in (-1, 1)
+        ],
+        BRONZE: [block((-0.92 * w, 0.92 * w), (rail - 0.018, rail - 0.006), (0.43, 0.45))],
+    }
+    colours = [row[0] for row in shapes]
+    turned = (*colours[turn:], *colours[:turn])
+    for k, (material, (_, x0, x1, z0, z1)) in enumerate(zip(turned, shapes, strict=True)):
+        face = back + 0.031 + 0.001 * k
+        spot = (x[0] + 0.05 + x0 * (wide - 0.1), x[0] + 0.05 + x1 * (wide - 0.1))
+        found.setdefault(material, []).append(
+            block(spot, (back + 0.03, face), (low + z0 * tall, low + z1 * tall))
+        )
+    return parts(size, found)
+
+
+def _painting_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    return rectangle(size, 0, 0), path((-0.92 * w, -d + 0.05), (0.92 * w, -d + 0.05))
+
+
 def _interactive_table(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     foot = block((-0.55 * w, 0.55 * w), (-0.45 * d, 0.45 * d), (0.02, h - 0.1))
@@ -302,6 +345,8 @@ _TALL = (Size(0.4, 0.4, 1.5), Size(1.2, 0.6, 2.1), Size(4.0, 1.5, 3.0))
 _VASE = (Size(0.25, 0.25, 0.9), Size(0.6, 0.6, 1.4), Size(1.5, 1.5, 3.2))
 _BUST = (Size(0.25, 0.25, 0.9), Size(0.4, 0.4, 1.7), Size(1.5, 1.5, 3.2))
 
+_PAINTING = (Size(0.4, 0.1, 1.4), Size(1.2, 0.15, 2.2), Size(4.0, 0.7, 3.2))
+
 ASSETS = (
     Drawing("showcase", _showcase, _case_symbol),
     Drawing(
@@ -331,5 +376,16 @@ ASSETS = (
     ),
     Drawing("exhibit_panel", _panel, _panel_symbol),
     Drawing("wall_exhibit", _wall_exhibit, _wall_case_symbol),
+    *(
+        Drawing(
+            "wall_exhibit",
+            partial(_painting, turn=turn),
+            _painting_symbol,
+            id=f"wall_exhibit_painting_{turn + 1}",
+            name=f"Painting on a wall, {turn + 1}",
+            sizes=_PAINTING,
+        )
+        for turn in range(4)
+    ),
     Drawing("interactive_table", _interactive_table, _touch_symbol),
 )

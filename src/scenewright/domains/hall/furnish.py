@@ -7,7 +7,7 @@ import math
 import numpy as np
 import shapely
 
-from scenewright.core.catalog import Catalog, footprint_of
+from scenewright.core.catalog import Asset, Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext
@@ -22,6 +22,10 @@ NAMES = tuple(PATTERNS)
 CEILING = 0.3
 """A partition stays this far below the ceiling, and under four metres, in metres."""
 TALLEST = 4.0
+HANGING = "wall_exhibit"
+PAINTINGS = tuple(f"{HANGING}_painting_{k}" for k in (1, 2, 3, 4))
+PICTURES = ("painting", "picture", "photo", "drawing", "print", "canvas", "portrait")
+"""Words by which exhibits at walls are hung instead of standing in cases."""
 
 
 def furnish_hall(
@@ -43,7 +47,7 @@ def furnish_hall(
         for number, size in enumerate(wish.sizes[unit.first : unit.last], 1):
             low = min(size.height, hall.space.height)
             fitted = Size(size.width, round(size.depth - 2 * wish.chairs, 9), low)
-            asset = catalog.choose(wish.category, fitted)
+            asset = _model_of(wish, number, fitted, catalog)
             x, y, heading = (float(v) for v in boxes[row, :3])
             pieces.append(
                 Piece(
@@ -60,6 +64,16 @@ def furnish_hall(
             )
             row += 1
     return tuple(pieces)
+
+
+def _model_of(wish: HallDemand, number: int, size: Size, catalog: Catalog) -> Asset | None:
+    """The model that draws an object: what is called a painting hangs on its wall, one unlike the
+    next."""
+    called = f"{wish.id} {wish.name}".casefold()
+    if wish.category == HANGING and any(word in called for word in PICTURES):
+        hung = catalog.assets.get(PAINTINGS[number % len(PAINTINGS)])
+        return hung or catalog.choose(wish.category, size)
+    return catalog.choose(wish.category, size)
 
 
 def partitions(
