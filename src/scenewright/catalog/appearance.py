@@ -96,8 +96,8 @@ def table(rows: dict[str, Facts]) -> str:
     return "\n".join([head, *lines, ""])
 
 
-def facts(assets: Iterable[Asset], heard: Heard | None = None) -> dict[str, Facts]:
-    """The facts of some assets by id: looked up, or computed and kept; ``heard`` is told the
+def facts(assets: Iterable[Asset], on_progress: Heard | None = None) -> dict[str, Facts]:
+    """The facts of some assets by id: looked up, or computed and kept; ``on_progress`` is told the
     share done and the name of what is computed."""
     every = {asset.id: asset for asset in assets}
     known = shipped_facts()
@@ -105,8 +105,8 @@ def facts(assets: Iterable[Asset], heard: Heard | None = None) -> dict[str, Fact
     others = [name for name in every if name not in ours]
     found = {name: known[name] for name in ours}
     for number, name in enumerate(others):
-        if heard is not None:
-            heard(number / len(others), every[name].name)
+        if on_progress is not None:
+            on_progress(number / len(others), every[name].name)
         found[name] = _load_or_compute(every[name].mesh(every[name].usual))
     return found
 

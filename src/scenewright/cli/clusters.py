@@ -99,5 +99,5 @@ def _draw(
         picture = draw_thumbnail(models[k].model.parts)
         first = seen[labels[k]] == 1
         entries.append(SheetEntry(picture, str(labels[k] + 1), str(name)[:20], first))
-    told = f"{len(models)} models, {max(labels) + 1} classes ({method}); the first of each framed"
-    write_sheet(draw_sheet(entries, "Models by what they look like", told), output)
+    title = f"{len(models)} models, {max(labels) + 1} classes ({method}); the first of each framed"
+    write_sheet(draw_sheet(entries, "Models by what they look like", title), output)

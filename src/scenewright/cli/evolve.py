@@ -110,8 +110,8 @@ def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
         if as_json:
             tables.print_json(document(evolution, request, ended, code))
         elif ended != "done":
-            told = f"nothing written; go on with --from {request.log}"
-            tables.print_line(console, told, "dim", whole=True)
+            advice = f"nothing written; go on with --from {request.log}"
+            tables.print_line(console, advice, "dim", whole=True)
     return code
 
 
@@ -243,8 +243,8 @@ def show_screen(
     for place, one in enumerate(screen.candidates, 1):
         picture = one.view() if request.views else one.picture()
         champion = one.number == screen.champion
-        told = "" if one.chance is None else f"predicted: picked {100 * one.chance:.0f} %"
-        text = " · ".join(filter(None, ["champion" if champion else "", told]))
+        note = "" if one.chance is None else f"predicted: picked {100 * one.chance:.0f} %"
+        text = " · ".join(filter(None, ["champion" if champion else "", note]))
         entries.append(SheetEntry(picture, str(place), text, champion))
     title = f"{evolution.brief.name}: sheet {screen.number + 1}"
     write_sheet(draw_sheet(entries, title, f"predictions: {screen.trust}"), request.sheet)
@@ -252,8 +252,8 @@ def show_screen(
     if request.say is None and sys.stdin.isatty():
         from scenewright.cli.evolve_best import name_picture
 
-        told = f"best bred so far for the next: {name_picture(request.sheet)}"
-        print_line(console, told, "dim", whole=True)
+        note = f"best bred so far for the next: {name_picture(request.sheet)}"
+        print_line(console, note, "dim", whole=True)
     if screen.trust.screens:
         print_line(console, str(screen.trust), "dim")
 

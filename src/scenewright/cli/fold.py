@@ -77,8 +77,8 @@ def _layout_lines(source: str, suffix: str, axis: str, to: int | None) -> list[s
         arrays = [a for g in layout.groups for f in g.features for a in f.arrays]
         count = sum(len(unfold(array.elements)) for array in arrays)
         layout = grow_layout(layout, to / max(count, 1))
-    told = [f"symmetry value {layout.symmetry:.2f}"] if layout.symmetry else []
-    return [*show_layout(layout), *told]
+    lines = [f"symmetry value {layout.symmetry:.2f}"] if layout.symmetry else []
+    return [*show_layout(layout), *lines]
 
 
 def _scene_layout(path: Path) -> Any:

@@ -123,9 +123,9 @@ def _usability(console: Console, figures: Mapping[str, Any]) -> None:
         "acc": "{:.0%} of sides to use clear",
         "mcw": "narrowest way {:.2f} m",
     }
-    told = [words[key].format(figures[key]) for key in words if figures.get(key) is not None]
-    if told:
-        print_line(console, f"usability: {', '.join(told)}", "dim")
+    parts = [words[key].format(figures[key]) for key in words if figures.get(key) is not None]
+    if parts:
+        print_line(console, f"usability: {', '.join(parts)}", "dim")
 
 
 def _wishes(console: Console, report: Report) -> None:
@@ -265,7 +265,7 @@ def explained_document(solution: Solution, plan: Plan | None = None) -> dict[str
     return {
         "energies": dict(solution.energies),
         **({"floors": floors} if (floors := _floors(solution)) else {}),
-        **({"programme": told} if (told := _programme(solution, plan)) else {}),
+        **({"programme": programme} if (programme := _programme(solution, plan)) else {}),
         "terms": [term._asdict() for term in solution.terms],
         "left_out": [entry._asdict() for entry in solution.left_out],
         "wishes": figures.get("wishes", []),

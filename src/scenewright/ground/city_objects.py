@@ -24,10 +24,10 @@ Vertices = dict[tuple[int, int, int], int]
 
 
 def prism_object(
-    footprint: Points, low: float, high: float, told: dict[str, Any], vertices: Vertices
+    footprint: Points, low: float, high: float, attributes: dict[str, Any], vertices: Vertices
 ) -> dict[str, Any]:
     """A building as a prism between two heights: its underside looks down, its walls out, its top
-    up; ``told`` are its attributes.
+    up; ``attributes`` are its attributes.
 
     >>> made = prism_object(np.array([[0, 0], [4, 0], [4, 3.0]]), 0.0, 6.0, {}, {})
     >>> len(made["geometry"][0]["boundaries"][0])
@@ -48,11 +48,11 @@ def prism_object(
         "boundaries": [[[floor[::-1]], [top], *walls]],
         "semantics": {"surfaces": SURFACES, "values": [[GROUND, ROOF, *[WALL] * count]]},
     }
-    return {"type": "Building", "attributes": told, "geometry": [geometry]}
+    return {"type": "Building", "attributes": attributes, "geometry": [geometry]}
 
 
 def flat_object(
-    kind: str, areas: Sequence[tuple[Points, ...]], told: dict[str, Any], vertices: Vertices
+    kind: str, areas: Sequence[tuple[Points, ...]], attributes: dict[str, Any], vertices: Vertices
 ) -> dict[str, Any]:
     """Areas at height 0, each an outline and holes, as an object of a kind (``Road`` …)."""
     boundaries = [
@@ -63,7 +63,7 @@ def flat_object(
         for area in areas
     ]
     geometry = {"type": "MultiSurface", "lod": "1", "boundaries": boundaries}
-    return {"type": kind, "attributes": told, "geometry": [geometry]}
+    return {"type": kind, "attributes": attributes, "geometry": [geometry]}
 
 
 def free_key(wish: str, taken: dict[str, Any]) -> str:

@@ -29,8 +29,8 @@ def assign_ids(rows: Sequence[Named], word: str, key: str, place: str = "") -> t
     taken, found = set(given), []
     for number, row in enumerate(rows):
         if row.id and given[row.id] > 1:
-            told = f"{place} {key}[{number}]".strip()
-            raise InputError(f"the id '{row.id}' is used twice", "give each its own", place=told)
+            where = f"{place} {key}[{number}]".strip()
+            raise InputError(f"the id '{row.id}' is used twice", "give each its own", place=where)
         wish = re.sub(r"[\W_]+", "-", row.name.casefold()).strip("-") or f"{word}-{number + 1}"
         fresh = (wish if k == 1 else f"{wish}-{k}" for k in range(1, len(taken) + 2))
         found.append(row.id or next(name for name in fresh if name not in taken))

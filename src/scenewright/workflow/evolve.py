@@ -47,8 +47,8 @@ def evolve(
     about = book.about()
     if not about:
         name = "" if isinstance(source, Brief) else os.fspath(source)
-        told = {"brief": brief.model_dump_json(), "seed": str(seed), "source": name}
-        book.begin(told | {"breeding": json.dumps(breeding or BreedingPlan())})
+        header = {"brief": brief.model_dump_json(), "seed": str(seed), "source": name}
+        book.begin(header | {"breeding": json.dumps(breeding or BreedingPlan())})
     elif about["brief"] != brief.model_dump_json():
         book.close()
         raise InputError("is the log of another brief", "choose another name", file=os.fspath(log))

@@ -64,8 +64,8 @@ def scene_buildings(
     if there are none."""
     bodies = [_turn_body(body, scale) for body in scene_bodies(open_scene(content, beside))]
     check_count(len(bodies), MOST_BODIES, "bodies")
-    told = [body for body in bodies if body.category == "building"]
-    groups = [[body] for body in told] if told else _join_bodies(bodies)
+    buildings = [body for body in bodies if body.category == "building"]
+    groups = [[body] for body in buildings] if buildings else _join_bodies(bodies)
     if not groups:
         raise InputError("holds no building", "give a scene whose buildings stand on the ground")
     found, seen = list[SceneBuilding](), dict[str, int]()

@@ -79,56 +79,56 @@ def check_demands(brief: Brief, number: int, space: Space) -> None:
     ids = ids_of(demands)
     total, seen = 0, set[str]()
     for index, demand in enumerate(demands):
-        told = place(brief, number, f"demands[{index}] '{demand.id or demand.category}'")
+        where = place(brief, number, f"demands[{index}] '{demand.id or demand.category}'")
         if demand.id and demand.id in seen:
-            raise InputError("the id is used twice", "give every demand its own id", place=told)
+            raise InputError("the id is used twice", "give every demand its own id", place=where)
         seen.add(demand.id)
-        _check_category(demand, told)
-        _check_number(demand, told)
-        _check_sizes(demand, space, told)
-        _check_patterns(demand, told)
-        _check_place(demand, told)
-        _check_facing(demand, ids[index], ids, told)
-        _check_clearance(demand, space, told)
+        _check_category(demand, where)
+        _check_number(demand, where)
+        _check_sizes(demand, space, where)
+        _check_patterns(demand, where)
+        _check_place(demand, where)
+        _check_facing(demand, ids[index], ids, where)
+        _check_clearance(demand, space, where)
         total += len(sizes_of(demand))
         if total > MOST_OBJECTS:
             raise InputError(
                 f"brings the objects of this hall to {total}",
                 f"at most {MOST_OBJECTS} can be laid out at once: divide the hall",
-                place=told,
+                place=where,
             )
 
 
-def _check_category(demand: Demand, told: str) -> None:
+def _check_category(demand: Demand, where: str) -> None:
     kinds = shipped().kinds
     if demand.category not in kinds:
         near = difflib.get_close_matches(demand.category, kinds, 4)
         remedy = f"use one of: {', '.join(near)}" if near else "see: scenewright list assets"
-        raise InputError(f"'{demand.category}' is not a kind of the catalog", remedy, place=told)
+        raise InputError(f"'{demand.category}' is not a kind of the catalog", remedy, place=where)
     if kinds[demand.category].support != "floor":
         raise InputError(
             f"a {name_of(demand.category)} does not stand on the floor",
             "ask for things that do",
-            place=told,
+            place=where,
         )
     if demand.size is None and not demand.sizes and demand.category not in SIZES:
         raise InputError(
             f"the usual size of a {name_of(demand.category)} is not known",
             "give its size",
-            place=told,
+            place=where,
         )
 
 
-def _check_number(demand: Demand, told: str) -> None:
+def _check_number(demand: Demand, where: str) -> None:
     if demand.sizes and demand.size is not None:
-        raise InputError("has both size and sizes", "leave out one of them", place=told)
+        raise InputError("has both size and sizes", "leave out one of them", place=where)
     if demand.sizes and demand.length is not None:
-        raise InputError("has both sizes and length", "leave out one of them", place=told)
+        raise InputError("has both sizes and length", "leave out one of them", place=where)
     if demand.sizes and demand.count not in (None, len(demand.sizes)):
         raise InputError(
             f"count is {demand.count}, but {len(demand.sizes)} sizes are listed",
             "leave out count, or list a size for every object",
-            place=told,
+            place=where,
         )
     for key in ("most", "fill"):
         if getattr(demand, key) is not None and demand.sizes:
@@ -144,81 +144,83 @@ def _check_number(demand: Demand, told: str) -> None:
     if demand.most is not None:
         raise InputError("has both length and most", "leave out one of them", place=told)
     if demand.count is not None:
-        raise InputError("has both count and length", "leave out one of them", place=told)
+        raise InputError("has both count and length", "leave out one of them", place=where)
     width = usual_size(demand)[0]
     if demand.length < width:
         raise InputError(
             f"one {name_of(demand.category)} is {width:g} m wide, more than the length of "
             f"{demand.length:g} m",
             "give a greater length, a smaller size, or a count",
-            place=told,
+            place=where,
         )
     if demand.length / width > MOST_OBJECTS:
         raise InputError(
             f"{demand.length:g} m are {demand.length / width:.0f} objects of {width:g} m",
             "lengths are metres: give a smaller length or a larger size",
-            place=told,
+            place=where,
         )
 
 
-def _check_sizes(demand: Demand, space: Space, told: str) -> None:
+def _check_sizes(demand: Demand, space: Space, where: str) -> None:
     stated = np.array(demand.sizes or [demand.size or (1.0, 1.0, 0.0)], float)
     width, depth, _ = stated[int((stated[:, 0] * stated[:, 1]).argmin())]
     if width * depth < LEAST_FOOTPRINT:
         raise InputError(
-            f"one is only {width:g} by {depth:g} m", "lengths are metres: give its size", place=told
+            f"one is only {width:g} by {depth:g} m",
+            "lengths are metres: give its size",
+            place=where,
         )
     tallest = stated[:, 2].max()
     if tallest > space.height + 1e-6:
         raise InputError(
             f"one is {tallest:g} m tall, {tallest - space.height:.2f} m more than the hall",
             "give a lower one, or the hall its height",
-            place=told,
+            place=where,
         )
 
 
-def _check_patterns(demand: Demand, told: str) -> None:
+def _check_patterns(demand: Demand, where: str) -> None:
     for name in demand.patterns:
         if name not in PATTERNS:
             remedy = f"use one of: {', '.join(PATTERNS)}"
-            raise InputError(f"'{name}' is not a pattern", remedy, place=told)
+            raise InputError(f"'{name}' is not a pattern", remedy, place=where)
 
 
-def _check_place(demand: Demand, told: str) -> None:
+def _check_place(demand: Demand, where: str) -> None:
     if demand.place is None or not demand.patterns:
         return
     if demand.place == "free" and demand.patterns == ["wall"]:
         raise InputError(
-            "is to stand free, but in the pattern of walls", "leave out one of them", place=told
+            "is to stand free, but in the pattern of walls", "leave out one of them", place=where
         )
     if demand.place == "wall" and "wall" not in demand.patterns:
         raise InputError(
             f"is to stand at a wall, but in the pattern {' or '.join(demand.patterns)}",
             "leave out place or patterns",
-            place=told,
+            place=where,
         )
 
 
-def _check_facing(demand: Demand, own: str, ids: tuple[str, ...], told: str) -> None:
+def _check_facing(demand: Demand, own: str, ids: tuple[str, ...], where: str) -> None:
     if demand.facing is None:
         return
     others = [name for name in ids if name != own]
     if demand.facing == own:
-        raise InputError("is to face itself", "name another demand in facing", place=told)
+        raise InputError("is to face itself", "name another demand in facing", place=where)
     if demand.facing not in others:
         near = difflib.get_close_matches(demand.facing, others, 3) or others[:12]
         remedy = f"use one of: {', '.join(near)}" if near else "leave it out"
         raise InputError(
-            f"'{demand.facing}' in facing is not a demand of the hall", remedy, place=told
+            f"'{demand.facing}' in facing is not a demand of the hall", remedy, place=where
         )
 
 
-def _check_clearance(demand: Demand, space: Space, told: str) -> None:
+def _check_clearance(demand: Demand, space: Space, where: str) -> None:
     extent = float(np.ptp(space.outline, axis=0).max())
     clear = demand.clearance if isinstance(demand.clearance, tuple) else (demand.clearance or 0.0,)
     if max(clear) > extent:
         raise InputError(
             f"asks for {max(clear):g} m free, but the hall is only {extent:.2f} m long",
             "clearances are metres: give a smaller one",
-            place=told,
+            place=where,
         )

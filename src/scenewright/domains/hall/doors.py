@@ -36,8 +36,8 @@ def _rank_doors(space: Space, use: str, other: str) -> list[Opening]:
     doors = [door for door in space.openings if door.kind != "window"]
     uses = [door.use if door.spaces[:1] in ((), (space.id,)) else "both" for door in doors]
     rows = [
-        (told != use, len(door.spaces) > 1, -door.width, k)
-        for k, (door, told) in enumerate(zip(doors, uses, strict=True))
-        if told != other
+        (mark != use, len(door.spaces) > 1, -door.width, k)
+        for k, (door, mark) in enumerate(zip(doors, uses, strict=True))
+        if mark != other
     ]
     return [doors[row[-1]] for row in sorted(rows)]

@@ -87,11 +87,11 @@ def search_layout(
             fitted = add_walls(search, fitted, seed)
         share = rule.again if attempt else rule.first
         budget = take_share(search.budget, share) if shared else search.budget
-        heard = _make_progress_reporter(progress, attempt, shared, rule)
-        heard = _watch_objects(search, fitted, heard)
+        on_progress = _make_progress_reporter(progress, attempt, shared, rule)
+        on_progress = _watch_objects(search, fitted, on_progress)
         run = HALL_SOLVERS[search.solver].run
         problem = _heavy(fitted.problem) if shared and attempt else fitted.problem
-        found = run(StartedHall(problem, fitted.start), budget, seed, heard, cancel)
+        found = run(StartedHall(problem, fitted.start), budget, seed, on_progress, cancel)
         answers.append(_answer(fitted, found))
         if _suffices(answers, rule) or (cancel is not None and cancel()):
             break
@@ -99,9 +99,9 @@ def search_layout(
     best = min(answers, key=lambda answer: answer.rank)
     if shared and not (cancel is not None and cancel()):
         rest = _rest(search.budget, seen, time.perf_counter() - begun)
-        heard = _make_progress_reporter(progress, rule.attempts, shared, rule)
-        heard = _watch_objects(search, best.fitted, heard)
-        found = _improve_answer(best, rest, search.seed, heard, cancel)
+        on_progress = _make_progress_reporter(progress, rule.attempts, shared, rule)
+        on_progress = _watch_objects(search, best.fitted, on_progress)
+        found = _improve_answer(best, rest, search.seed, on_progress, cancel)
         seen, best = seen + found.evaluations - best.found.evaluations, best._replace(found=found)
     return best.fitted, best.found._replace(evaluations=seen)
 
@@ -194,7 +194,7 @@ def _make_progress_reporter(
     return pass_on
 
 
-def _watch_objects(search: HallSearch, fitted: Fitted, heard: Heard | None) -> Heard | None:
+def _watch_objects(search: HallSearch, fitted: Fitted, on_progress: Heard | None) -> Heard | None:
     """A listener that tells who watches of the objects, by the ids of their demands and without
     the chairs at them."""
     each = [search.wishes[unit.demand] for unit in fitted.units for _ in range(*unit[2:4])]
@@ -205,7 +205,7 @@ def _watch_objects(search: HallSearch, fitted: Fitted, heard: Heard | None) -> H
         boxes[:, 4] -= chairs
         return name_rows([wish.id for wish in each], boxes)
 
-    return add_watch(heard, search.watch, search.hall.space.id, rows)
+    return add_watch(on_progress, search.watch, search.hall.space.id, rows)
 
 
 def halve_groups(search: HallSearch, fitted: Fitted, seed: int) -> Fitted:

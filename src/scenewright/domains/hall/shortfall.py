@@ -104,11 +104,11 @@ def left_out(
         absent = [size for k, size in enumerate(wish.sizes) if k not in there]
         if absent and not 0 < wish.least <= len(there):
             many = len(wish.sizes) > 1
-            told = f"{len(absent)} of {len(wish.sizes)} {wish.name}" if many else wish.name
+            what = f"{len(absent)} of {len(wish.sizes)} {wish.name}" if many else wish.name
             reason = f"no route {hall.route:.2f} m wide would reach everything with it"
             if number not in unreached:
                 reason = _reason(hall, wish, absent, areas, used)
-            found.append(LeftOut(hall.space.id, told, reason, wish.required))
+            found.append(LeftOut(hall.space.id, what, reason, wish.required))
     return tuple(found)
 
 

@@ -88,8 +88,8 @@ def _match_boxes(
     for number, row in enumerate(rows):
         place = f"{hall.space.id}[{number}] '{row.name}'"
         if row.name not in known:
-            told = ", ".join(known) or "nothing is left to place"
-            raise InputError("is not a demand of the hall", f"use one of: {told}", place=place)
+            rest = ", ".join(known) or "nothing is left to place"
+            raise InputError("is not a demand of the hall", f"use one of: {rest}", place=place)
         k = known[row.name]
         grown = np.array([*row.box[:4], row.box[4] + 2 * asked[k].chairs])
         taken[k].append((_zone_at(hall, row), _take_size(left[k], grown, place), grown))

@@ -193,10 +193,10 @@ def _run(
     def lay(task: HallTask) -> Laid | None:
         if cancel is not None and cancel():
             return None
-        heard = progress
+        on_progress = progress
         if shared is not None and not alone:
-            heard = partial(shared.hear, task.number)
-        return _lay(brief, task, catalog, heard, cancel, watch)
+            on_progress = partial(shared.hear, task.number)
+        return _lay(brief, task, catalog, on_progress, cancel, watch)
 
     answers: dict[int, Laid] = {}
     with ThreadPoolExecutor(max(min(threads, len(tasks)), 1)) as pool:

@@ -114,7 +114,7 @@ def _turn_by_turn(costs: Floats, turns: Cells) -> Cells:
     """
     order = [0]
     for turn in np.unique(turns[1:]):
-        mine, later = (np.flatnonzero(told) for told in (turns == turn, turns > turn))
+        mine, later = (np.flatnonzero(marked) for marked in (turns == turn, turns > turn))
         ends = later if len(later) else np.array([len(turns)])
         here = np.array([order[-1], *mine])
         block = np.zeros((len(here) + 1, len(here) + 1))

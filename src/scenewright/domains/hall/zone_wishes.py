@@ -40,31 +40,33 @@ def check_names(brief: Brief, number: int, space: Space) -> None:
         )
     doors = [opening.id for opening in space.openings if opening.kind != "window"]
     for index, zone in enumerate(room.zones):
-        told = place(brief, number, f"zones[{index}] '{zone.id}'")
+        where = place(brief, number, f"zones[{index}] '{zone.id}'")
         if zone.id in [earlier.id for earlier in room.zones[:index]]:
-            raise InputError("the id is used twice", "give every zone its own id", place=told)
+            raise InputError("the id is used twice", "give every zone its own id", place=where)
         for name in zone.beside:
-            _check_known(name, names, f"{told} beside", "zone")
+            _check_known(name, names, f"{where} beside", "zone")
             if name == zone.id:
-                raise InputError("is to lie beside itself", "name another zone", place=told)
+                raise InputError("is to lie beside itself", "name another zone", place=where)
         if zone.area is not None and zone.area < LEAST_ZONE:
             raise InputError(
                 f"is to have only {zone.area:g} m²",
                 f"a zone needs at least {LEAST_ZONE:g} m²",
-                place=told,
+                place=where,
             )
         if zone.door is not None:
-            _check_known(zone.door, doors, f"{told} door", "door of the hall")
+            _check_known(zone.door, doors, f"{where} door", "door of the hall")
     for index, link in enumerate(room.links):
-        told = place(brief, number, f"links[{index}]")
+        where = place(brief, number, f"links[{index}]")
         for name in link.between:
-            _check_known(name, names, told, "zone")
+            _check_known(name, names, where, "zone")
         if link.between[0] == link.between[1]:
-            raise InputError(f"links '{link.between[0]}' with itself", "name two zones", place=told)
+            raise InputError(
+                f"links '{link.between[0]}' with itself", "name two zones", place=where
+            )
     for index, demand in enumerate(room.demands):
-        told = place(brief, number, f"demands[{index}] '{demand.id or demand.category}' zone")
+        where = place(brief, number, f"demands[{index}] '{demand.id or demand.category}' zone")
         for name in _names(demand.zone):
-            _check_known(name, names, told, "zone")
+            _check_known(name, names, where, "zone")
 
 
 def wishes_of(
@@ -113,8 +115,8 @@ def wishes_of(
 
 
 def _format_list(names: list[str]) -> str:
-    told = ", ".join(f"'{name}'" for name in names[:5])
-    return told + f" and {len(names) - 5} more" * (len(names) > 5)
+    names_listed = ", ".join(f"'{name}'" for name in names[:5])
+    return names_listed + f" and {len(names) - 5} more" * (len(names) > 5)
 
 
 def _needs(room: Room, names: list[str]) -> dict[str, float]:
@@ -134,10 +136,10 @@ def _names(zone: str | list[str] | None) -> list[str]:
     return [zone] if isinstance(zone, str) else list(zone or ())
 
 
-def _check_known(name: str, known: Iterable[str], told: str, what: str) -> None:
+def _check_known(name: str, known: Iterable[str], where: str, what: str) -> None:
     listed = list(known)
     if name in listed:
         return
     near = difflib.get_close_matches(name, listed, 3) or listed[:12]
     remedy = f"use one of: {', '.join(near)}" if near else f"there is no {what}: leave it out"
-    raise InputError(f"'{name}' is not a {what}", remedy, place=told)
+    raise InputError(f"'{name}' is not a {what}", remedy, place=where)

@@ -113,7 +113,7 @@ def given_zones(brief: Brief, number: int, space: Space) -> dict[str, Zone]:
     for index, wish in enumerate(brief.rooms[number].zones):
         if wish.outline is None:
             continue
-        told = place(brief, number, f"zones[{index}] '{wish.id}'")
+        where = place(brief, number, f"zones[{index}] '{wish.id}'")
         try:
             shape = outlines.polygon(wish.outline)
             _check_inside(shape, shell, reach)
@@ -126,7 +126,7 @@ def given_zones(brief: Brief, number: int, space: Space) -> dict[str, Zone]:
                 part = _one_piece(shapely.set_precision(part, 2 * outlines.SAME_POINT))
                 made = zone_of(part, (wish.id, wish.name), space)
         except InputError as error:
-            raise error.located(place=told) from None
+            raise error.located(place=where) from None
         found[wish.id] = part
         zones[wish.id] = made
     return zones
@@ -237,8 +237,8 @@ def _given_links(
         first, second = sorted(order[name] for name in link.between)
         length = lengths.get((first, second), 0.0)
         if length < width - OUTSIDE:
-            told = place(brief, number, f"links[{index}]")
-            raise InputError(_no_passage(link.between, length, width), _WIDEN, place=told)
+            where = place(brief, number, f"links[{index}]")
+            raise InputError(_no_passage(link.between, length, width), _WIDEN, place=where)
         widest[first, second] = max(width, widest.get((first, second), 0.0))
     return tuple(
         ZoneLink(space.id, zones[i].id, zones[j].id, width)

@@ -135,8 +135,8 @@ def _measure(ready: Ready, genome: Genome) -> tuple[dict[str, float], int]:
     asked, (found, lacking) = ready(1.0, 0), draft_site(ready, genome)
     if found is None:
         return {}, lacking
-    told = measure_features(found, asked.plan)
-    return told | dict.fromkeys(DEVELOPED, math.nan), 0
+    features = measure_features(found, asked.plan)
+    return features | dict.fromkeys(DEVELOPED, math.nan), 0
 
 
 def draft_site(ready: Ready, genome: Genome) -> tuple[Solution | None, int]:

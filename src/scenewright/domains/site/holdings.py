@@ -74,13 +74,13 @@ def _list_demands(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> l
     found: list[BuildingDemand] = []
     for number, (row, model) in enumerate(zip(site.buildings, plan.models, strict=True)):
         asset = catalog.assets[model]
-        told = f"{place} buildings[{number}] '{row.name or row.model}'"
-        size = _size(row, asset, told)
+        where = f"{place} buildings[{number}] '{row.name or row.model}'"
+        size = _size(row, asset, where)
         if site.height_limit is not None and size.height > site.height_limit + 1e-6:
             raise InputError(
                 f"is {size.height:g} m high, the limit of the site is {site.height_limit:g} m",
                 "give it a lower size or raise height_limit",
-                place=told,
+                place=where,
             )
         floors = row.floors or max(round(size.height / STOREY), 1)
         one = BuildingDemand(
@@ -105,9 +105,9 @@ def _list_library(
     """Candidates of every model of a library, or numbers that bring the target."""
     kinds = []
     for number, (row, model) in enumerate(zip(site.library, plan.models, strict=True)):
-        asset, told = catalog.assets[model], f"{place} library[{number}] '{row.name or row.model}'"
+        asset, where = catalog.assets[model], f"{place} library[{number}] '{row.name or row.model}'"
         one = Building(model=row.model, name=row.name, size=row.size, floors=row.floors)
-        size = _size(one, asset, told)
+        size = _size(one, asset, where)
         floors = row.floors or max(round(size.height / STOREY), 1)
         covered = footprint_of(None, asset, size)
         name = row.name or asset.name

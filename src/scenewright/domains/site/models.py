@@ -56,17 +56,17 @@ def landmarks_of(
     """The landmarks of a site under their names: inside its ground, and apart."""
     found: list[Standing] = []
     for number, name in enumerate(names):
-        told = f"{place} landmarks[{number}]"
+        where = f"{place} landmarks[{number}]"
         try:
             found.append(_landmark(rows[number], name, catalog))
         except InputError as error:
-            raise error.located(place=told) from None
+            raise error.located(place=where) from None
         out = shapely.difference(shapely.Polygon(found[-1].footprint), floor)
         if out.area > OVERLAP:
             raise InputError(
                 f"stands with {out.area:.2f} m² outside the site",
                 "move it in or leave it out",
-                place=told,
+                place=where,
             )
     footprints = np.array([shapely.Polygon(row.footprint) for row in found], object)
     pairs = shapely.STRtree(footprints).query(footprints, predicate="intersects").T if found else ()
@@ -87,11 +87,11 @@ def fixed_of(
     """The buildings of a site that stay where they stand, on its ground each."""
     found = []
     for number, row in enumerate(rows):
-        told = f"{place} fixed[{number}]"
+        where = f"{place} fixed[{number}]"
         try:
             model = find_asset(catalog, row.model)
         except InputError as error:
-            raise error.located(place=told) from None
+            raise error.located(place=where) from None
         width, depth, height = row.size
         box = (*row.at, row.heading, width, depth)
         local = footprint_of(row.footprint, model, Size(*row.size))
@@ -99,7 +99,7 @@ def fixed_of(
             place_outline(np.array(local), *row.at, row.heading) if local else corners_of(box)
         )
         if not shapely.Polygon(footprint).intersects(floor):
-            raise InputError("stands outside the site", "move it in or let it go", place=told)
+            raise InputError("stands outside the site", "move it in or let it go", place=where)
         found.append(Standing(row.id, row.name, model.id, footprint, box, height, local))
     name, count = Counter(row.id for row in rows).most_common(1)[0] if rows else ("", 1)
     if count > 1:

@@ -53,9 +53,9 @@ def site_plans(sites: Sequence[Site], catalog: Catalog | None = None) -> tuple[S
     Raises InputError, with the place in the brief, for anything that cannot be built on.
     """
     models = catalog_of(()) if catalog is None else catalog
-    told = assign_ids(sites, "site", "sites")
+    ids = assign_ids(sites, "site", "sites")
     return tuple(
-        _plan(site, told[number], f"sites[{number}] '{site.name or told[number]}'", models)
+        _plan(site, ids[number], f"sites[{number}] '{site.name or ids[number]}'", models)
         for number, site in enumerate(sites)
     )
 
@@ -180,14 +180,14 @@ def _roads(site: Site, floor: shapely.Polygon, place: str) -> tuple[Way, ...]:
         )
     shapely.prepare(floor)
     for number, name in enumerate(assign_ids(site.roads, "road", "roads", place)):
-        road, told = site.roads[number], f"{place} roads[{number}]"
+        road, where = site.roads[number], f"{place} roads[{number}]"
         try:
             line, area = shapes.way(road.line, road.width)
         except InputError as error:
-            raise error.located(place=told) from None
+            raise error.located(place=where) from None
         away = shapely.distance(floor, area)
         if away > shapes.TOUCH:
-            raise InputError(f"lies {away:.2f} m outside the site", "leave it out", place=told)
+            raise InputError(f"lies {away:.2f} m outside the site", "leave it out", place=where)
         inside = shapes.lines(shapely.intersection(shapely.LineString(line), floor))
         covered = shapes.polygons(shapely.intersection(area, floor, grid_size=shapes.GRID))
         parts = tuple(_area(part) for part in covered)

@@ -40,6 +40,6 @@ def reasons(problem: SiteProblem, found: SiteLayout, site: str) -> tuple[TermVal
     for aim, weight in zip(SITE_AIMS, read_site_aims(problem.weights).tolist(), strict=True):
         cost = weight * max(lacking[aim.name], 0.0)
         rows.append(TermValue(site, "", aim.name, known[aim.name], weight, cost))
-    told = {name: known[name] for name in SITE_FIGURES if isfinite(known[name])}  # of none: inf
-    rows += [TermValue(site, "", name, value, 0.0, 0.0) for name, value in told.items()]
+    figures = {name: known[name] for name in SITE_FIGURES if isfinite(known[name])}  # of none: inf
+    rows += [TermValue(site, "", name, value, 0.0, 0.0) for name, value in figures.items()]
     return tuple(rows)

@@ -42,13 +42,13 @@ def standing(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[StandingB
     sites = {
         plan.id: (site, plan) for site, plan in zip(solution.brief.part.sites, plans, strict=True)
     }
-    found, told = [], set()
+    found, seen = [], set()
     for piece in solution.pieces:
         if piece.category != "building" or piece.space not in sites:
             continue
         row = marks.get(piece.id)
         if row is not None:
-            told.add(id(row))
+            seen.add(id(row))
         floors = storeys(*sites[piece.space], piece)
         found.append(
             StandingBuilding(
@@ -66,7 +66,7 @@ def standing(solution: Solution, plans: tuple[SitePlan, ...]) -> tuple[StandingB
         )
     for plan in plans:
         for mark in plan.landmarks:
-            if id(mark) not in told:
+            if id(mark) not in seen:
                 floors = max(1, round(mark.height / STOREY))
                 found.append(
                     StandingBuilding(

@@ -105,7 +105,9 @@ def solve(
     grounds = plan.detail if plan else site_plans(brief.part.sites, catalog)
     for number, (site, ground) in enumerate(zip(brief.part.sites, grounds, strict=True)):
         place = f"sites[{number}]"
-        heard = None if progress is None else _part(progress, number, len(grounds), ground.name)
+        on_progress = (
+            None if progress is None else _part(progress, number, len(grounds), ground.name)
+        )
         rng_seed = seed + 7919 * number
         found.append(
             _build(
@@ -117,7 +119,7 @@ def solve(
                 named,
                 budget,
                 rng_seed,
-                heard,
+                on_progress,
                 cancel,
                 watch,
                 variant,
@@ -171,12 +173,12 @@ def _build(
     problem = vary(problem, variant)
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
-    heard = add_watch(progress, watch, plan.id, partial(_building_rows, rows))
+    on_progress = add_watch(progress, watch, plan.id, partial(_building_rows, rows))
 
     def run(posed: SiteProblem) -> SiteFound:
         if variant.choice is not None:
             return fill_chosen(posed, variant.choice)
-        found: SiteFound = SITE_SOLVERS[solver].run(posed, budget, seed, heard, cancel)
+        found: SiteFound = SITE_SOLVERS[solver].run(posed, budget, seed, on_progress, cancel)
         return found
 
     found, served, lost = _run_served(site, plan, problem, run)
@@ -286,8 +288,8 @@ def _looks(
     """How all models of a site look."""
     stay = (catalog.assets[row.model] for row in plan.fixed)
     marks = (*landmark_assets(plan, catalog), *stay)
-    heard = None if progress is None else lambda _share, _name: progress(BEGUN)
-    found = facts([*(row.asset for row in rows), *(mark for mark in marks if mark)], heard)
+    on_progress = None if progress is None else lambda _share, _name: progress(BEGUN)
+    found = facts([*(row.asset for row in rows), *(mark for mark in marks if mark)], on_progress)
     return Looks(found, tuple(mark.id if mark else "" for mark in marks), preset.settings.measure)
 
 
@@ -304,8 +306,8 @@ def _reached_only(
         return found, {}
     present = found.present.copy()
     present[here[~got]] = False
-    told = f"no way {site.fire_access:g} m wide leads to where there is room for it"
-    return found._replace(present=present, score={}), {int(i): told for i in here[~got]}
+    reason = f"no way {site.fire_access:g} m wide leads to where there is room for it"
+    return found._replace(present=present, score={}), {int(i): reason for i in here[~got]}
 
 
 def _find_shortfall(plan: SitePlan, problem: SiteProblem, found: SiteLayout) -> tuple[LeftOut, ...]:
@@ -313,8 +315,8 @@ def _find_shortfall(plan: SitePlan, problem: SiteProblem, found: SiteLayout) -> 
     covered = float(problem.buildings.sizes[found.present, :2].prod(1).sum())
     if covered >= 0.9 * problem.target[0]:
         return ()
-    told = f"{covered:.0f} m² of the {problem.target[0]:.0f} m² to be covered found a place"
-    return (LeftOut(plan.id, "ground covered by buildings", told, False),)
+    what = f"{covered:.0f} m² of the {problem.target[0]:.0f} m² to be covered found a place"
+    return (LeftOut(plan.id, "ground covered by buildings", what, False),)
 
 
 def _find_missing(site: Site, plan: SitePlan) -> tuple[LeftOut, ...]:
@@ -341,8 +343,8 @@ def _left_out(
         LeftOut(
             plan.id,
             f"{count} of {asked[row]} {row.name}" if asked[row] > 1 else row.name,
-            told,
+            what,
             row.required,
         )
-        for (row, told), count in missing.items()
+        for (row, what), count in missing.items()
     )

@@ -28,11 +28,11 @@ def fit_relevance(seen: Seen, kernel: Kernel, rounds: int) -> Posterior:
     first = [np.broadcast_to(part, count) for part in (kernel.linear, kernel.bent)]
     found = fit_posterior(seen, kernel)
     for _ in range(rounds):
-        now, told = found.kernel, (seen.points, bend(seen.points))
+        now, given = found.kernel, (seen.points, bend(seen.points))
         parts = [np.broadcast_to(part, count) for part in (now.linear, now.bent)]
         linear, bent = (
             (FREEDOM * begun + _second_moment(found, values, part)) / (FREEDOM + 1.0)
-            for begun, values, part in zip(first, told, parts, strict=True)
+            for begun, values, part in zip(first, given, parts, strict=True)
         )
         found = fit_posterior(seen, now._replace(linear=linear, bent=bent), found.slope)
     return found

@@ -64,9 +64,9 @@ class TrustRecord(NamedTuple):
             return "none tested by a pick yet"
         late, hits, _ = self.late
         guessed = 100 * self.chance / self.screens
-        told = f"top {TOP} held your pick on {self.hits} of {self.screens} sheets"
+        words = f"top {TOP} held your pick on {self.hits} of {self.screens} sheets"
         of_best = f", on {hits} of {late} of the predicted best" if late else ""
-        return f"{told} (guessing: {guessed:.0f} %){of_best}"
+        return f"{words} (guessing: {guessed:.0f} %){of_best}"
 
 
 def count_hit(
@@ -85,5 +85,5 @@ def count_hit(
     hit = int((values >= values[picked]).sum()) - 1 < TOP
     chance = min(TOP / len(values), 1.0)
     screens, hits, guessed = record.late
-    told = (screens + 1, hits + hit, guessed + chance) if late else record.late
-    return TrustRecord(record.screens + 1, record.hits + hit, record.chance + chance, told)
+    late_record = (screens + 1, hits + hit, guessed + chance) if late else record.late
+    return TrustRecord(record.screens + 1, record.hits + hit, record.chance + chance, late_record)

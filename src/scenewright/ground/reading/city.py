@@ -25,27 +25,27 @@ def city_scene(document: dict[str, Any], path: Path) -> BuiltScene:
     city = city_of(document)
     if any(sign in city.system for sign in DEGREES):
         raise InputError("its coordinates are degrees", "export it in a system of metres")
-    stem, seen, told = clean(path.stem, "model"), Counter[str](), list[str]()
+    stem, seen, left = clean(path.stem, "model"), Counter[str](), list[str]()
     found = []
     for key in roots_of(city):
         short = clean(key, "unnamed")
         try:
             parts = parts_at(city, key)
         except InputError as error:
-            told.append(f"{short}: {error.fault}")
+            left.append(f"{short}: {error.fault}")
             continue
         seen[short] += 1
         name = f"{stem}/{short}" + (f"-{seen[short]}" if seen[short] > 1 else "")
         built = _building(city, key, short, f"{OWN}{name}", parts)
         if built is None:
-            told.append(f"{short}: has no usable footprint")
+            left.append(f"{short}: has no usable footprint")
         else:
             found.append(built)
     kept, overlapping = drop_overlaps(found)
     return BuiltScene(
         path.stem.removesuffix(".city"),
         kept,
-        left_out=(*told, *overlapping),
+        left_out=(*left, *overlapping),
         catalog=str(path.absolute()),
     )
 
@@ -53,8 +53,8 @@ def city_scene(document: dict[str, Any], path: Path) -> BuiltScene:
 def _building(
     city: City, key: str, short: str, model: str, parts: tuple[Part, ...]
 ) -> BuiltBuilding | None:
-    told = city.objects[key].get("attributes")
-    name = clean(told.get("name")) if isinstance(told, dict) else ""
+    attributes = city.objects[key].get("attributes")
+    name = clean(attributes.get("name")) if isinstance(attributes, dict) else ""
     return building_of_parts(parts, short, name, model)
 
 

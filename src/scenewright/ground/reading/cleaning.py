@@ -56,5 +56,5 @@ def drop_overlaps(
         small, large = (a, b) if (area[a], a) < (area[b], b) else (b, a)
         if a < b and common > SHARED * area[small] and not {small, large} & gone:
             gone.add(small)
-    told = tuple(f"{buildings[k].id}: overlaps another building" for k in sorted(gone))
-    return tuple(one for k, one in enumerate(buildings) if k not in gone), told
+    left_out = tuple(f"{buildings[k].id}: overlaps another building" for k in sorted(gone))
+    return tuple(one for k, one in enumerate(buildings) if k not in gone), left_out

@@ -34,14 +34,14 @@ def scene_of_features(
     if not corners:
         raise InputError("holds no buildings", "give a map with building polygons")
     map_ = projection_about(np.vstack(corners), found.crs, origin)
-    told: list[str] = [f"{row.feature}: {row.reason}" for row in found.skipped]
-    buildings = list(buildings_of(found.features, map_, told))
+    left_out: list[str] = [f"{row.feature}: {row.reason}" for row in found.skipped]
+    buildings = list(buildings_of(found.features, map_, left_out))
     if len(buildings) > MOST_BUILDINGS:
         raise InputError(f"holds {len(buildings):,} buildings", f"{MOST_BUILDINGS:,} are read")
     kept, overlapping = drop_overlaps(buildings)
     roads = tuple(road for f in found.features for road in roads_of(f, map_))
     where = (float(map_.origin[0]), float(map_.origin[1])) if map_.turns else None
-    return BuiltScene(name, kept, roads, None, (*told, *overlapping), where)
+    return BuiltScene(name, kept, roads, None, (*left_out, *overlapping), where)
 
 
 def projection_about(corners: Points, crs: str, origin: tuple[float, float] | None) -> Projection:
@@ -53,9 +53,9 @@ def projection_about(corners: Points, crs: str, origin: tuple[float, float] | No
 
 
 def buildings_of(
-    features: tuple[Feature, ...], map_: Projection, told: list[str]
+    features: tuple[Feature, ...], map_: Projection, left_out: list[str]
 ) -> Iterator[BuiltBuilding]:
-    """The buildings of features; what has no usable footprint is ``told``."""
+    """The buildings of features; what has no usable footprint is ``left_out``."""
     for feature in features:
         if not feature.polygons or feature.tags.get("building", "no") in ("no", "proposed"):
             continue
@@ -63,7 +63,7 @@ def buildings_of(
             outline = clean_outline(metres(map_, rings[0]))
             label = feature.id if len(feature.polygons) == 1 else f"{feature.id}.{number + 1}"
             if outline is None:
-                told.append(f"{label}: has no usable footprint")
+                left_out.append(f"{label}: has no usable footprint")
                 continue
             tags = feature.tags
             levels = number_of(tags.get("building:levels"), 0.0)

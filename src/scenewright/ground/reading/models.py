@@ -25,16 +25,18 @@ MOST_FILES = 500
 def model_scene(path: Path, scale: float = 1.0) -> BuiltScene:
     """The scene of a .glb or .gltf, or of all in a folder, in metres where they stand; ``scale``
     is metres a unit."""
-    found, told = list[BuiltBuilding](), list[str]()
+    found, left_out = list[BuiltBuilding](), list[str]()
     for file in _files(path):
         try:
-            found += _buildings(file, scale, told)
+            found += _buildings(file, scale, left_out)
         except InputError as error:
             if not path.is_dir():
                 raise
-            told.append(f"{clean(file.name, 'unnamed')}: {error.fault}")
+            left_out.append(f"{clean(file.name, 'unnamed')}: {error.fault}")
     kept, overlapping = drop_overlaps(found) if found else ((), ())
-    return BuiltScene(path.stem, kept, left_out=(*told, *overlapping), catalog=str(path.absolute()))
+    return BuiltScene(
+        path.stem, kept, left_out=(*left_out, *overlapping), catalog=str(path.absolute())
+    )
 
 
 def _files(path: Path) -> list[Path]:
@@ -48,18 +50,18 @@ def _files(path: Path) -> list[Path]:
     return found
 
 
-def _buildings(file: Path, scale: float, told: list[str]) -> list[BuiltBuilding]:
+def _buildings(file: Path, scale: float, left_out: list[str]) -> list[BuiltBuilding]:
     note_read(file)
     content, stem = whole(file, MOST_BYTES), clean(file.stem, "model")
     found = []
     buildings = gltf_scene.scene_buildings(content, stem, beside(file.parent), scale)
     for one in buildings:
         if not one.parts:
-            told.append(f"{one.name}: has no surface")
+            left_out.append(f"{one.name}: has no surface")
             continue
         built = building_of_parts(one.parts, one.name, "", f"{OWN}{one.model}")
         if built is None:
-            told.append(f"{one.name}: has no usable footprint")
+            left_out.append(f"{one.name}: has no usable footprint")
         else:
             front = turn_of(buildings[one.like].parts) - np.pi / 2 + one.turn
             found.append(built._replace(heading=front))

@@ -24,14 +24,14 @@ def saved_scene(document: dict[str, Any]) -> BuiltScene:
     out by name."""
     brief = document.get("brief")
     brief = brief if isinstance(brief, dict) else {}
-    found, told = list[BuiltBuilding](), list[str]()
+    found, left_out = list[BuiltBuilding](), list[str]()
     for piece in document["pieces"]:
         if isinstance(piece, dict) and piece.get("category") == "building":
             name = str(piece.get("id", ""))[:120]
             try:
                 found.append(_building(piece, name))
             except (KeyError, TypeError, ValueError, InputError):
-                told.append(f"{name}: has no usable pose, size or footprint")
+                left_out.append(f"{name}: has no usable pose, size or footprint")
     kept, overlapping = drop_overlaps(found)
     grounds = [row for key in GROUNDS for row in _rows(brief, key)]
     outline = _ring(grounds[0].get("outline")) if len(grounds) == 1 else None
@@ -41,7 +41,7 @@ def saved_scene(document: dict[str, Any]) -> BuiltScene:
         kept,
         (*_roads(brief), *_roads({"lanes": document.get("continued")})),
         outline if outline is not None and len(outline) > 2 else None,
-        (*told, *overlapping),
+        (*left_out, *overlapping),
         (float(origin[0]), float(origin[1])) if isinstance(origin, list) else None,
     )
 
@@ -76,8 +76,8 @@ def _building(piece: dict[str, Any], name: str) -> BuiltBuilding:
     cleaned = clean_outline(outline)
     if cleaned is None or not np.isfinite([heading, height]).all():
         raise ValueError(name)
-    told = str(piece.get("function") or "")
-    return BuiltBuilding(name, told, cleaned, height, heading, str(piece.get("asset") or ""))
+    kind = str(piece.get("function") or "")
+    return BuiltBuilding(name, kind, cleaned, height, heading, str(piece.get("asset") or ""))
 
 
 def _rows(brief: dict[str, Any], key: str) -> list[dict[str, Any]]:

@@ -37,16 +37,16 @@ class ShownCandidate(NamedTuple):
     def figures(self) -> dict[str, Any]:
         """What can be said of it in numbers; ``predicted`` is what the model expects, no more."""
         solution = self.solution
-        told: dict[str, Any] = {
+        figures: dict[str, Any] = {
             "candidate": self.number,
             "pieces": len(solution.pieces),
             "not placed": len(solution.left_out),
         }
         if self.predicted is not None and self.deviation is not None and self.chance is not None:
-            told["predicted"] = round(self.predicted, 3)
-            told["predicted deviation"] = round(self.deviation, 3)
-            told["predicted chance"] = round(self.chance, 3)
-        return told | domains.features_of(solution, self.plan)
+            figures["predicted"] = round(self.predicted, 3)
+            figures["predicted deviation"] = round(self.deviation, 3)
+            figures["predicted chance"] = round(self.chance, 3)
+        return figures | domains.features_of(solution, self.plan)
 
     def picture(self, side: int = SIDE) -> Pixels:
         """The plan as a small picture, ``side`` pixels across."""

@@ -39,8 +39,10 @@ class History(NamedTuple):
             return grown._replace(events=(*self.events, event), shown=self.shown | more)
         if kind == "auto":
             return grown._replace(autos=self.autos + 1)
-        shown, told = tuple(body["shown"]), tuple(body["predicted"])
-        screen = ShownScreen(shown, told, len(self.events), 2 * body.get("wide", 0) > len(shown))
+        shown, predicted = tuple(body["shown"]), tuple(body["predicted"])
+        screen = ShownScreen(
+            shown, predicted, len(self.events), 2 * body.get("wide", 0) > len(shown)
+        )
         return grown._replace(
             screens=(*self.screens, screen), shown=self.shown | frozenset(screen.shown)
         )
@@ -59,8 +61,8 @@ class History(NamedTuple):
             pick = _first_pick(self.events[screen.before : end], screen.shown)
             if pick is not None and None not in screen.predicted:
                 place = screen.shown.index(pick.best)
-                told = [value for value in screen.predicted if value is not None]
-                record = count_hit(record, told, place, not screen.wide)
+                predicted = [value for value in screen.predicted if value is not None]
+                record = count_hit(record, predicted, place, not screen.wide)
         return record
 
 

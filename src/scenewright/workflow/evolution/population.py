@@ -174,8 +174,8 @@ def breed_further(
     drawn = draw_genomes(breeder.genes, open_, how.brood, rng)
     _measure_into(pool, breeder, drawn, taste.scale.middle)
     unseen = [genome for genome in pool if genome not in known]
-    told = np.array([pool[genome] for genome in unseen])
-    chosen = [unseen[k] for k in find_unknown(taste, told, wide)] if wide and unseen else []
+    measured = np.array([pool[genome] for genome in unseen])
+    chosen = [unseen[k] for k in find_unknown(taste, measured, wide)] if wide and unseen else []
     parents = _rank(taste, pool, list(begun), breeder, how)
     for _ in range(how.rounds):
         brood = how._replace(each=how.brood)
@@ -225,10 +225,10 @@ def _measure_into(
     """Measure genomes and add those to a ``pool`` that lack no more than the others; what cannot
     be measured is as ``usual`` (D,)."""
     assert breeder.measure is not None
-    told = {genome: breeder.measure(genome) for genome in genomes if genome not in pool}
-    known = [lacking for values, lacking in told.values() if values]
+    measured = {genome: breeder.measure(genome) for genome in genomes if genome not in pool}
+    known = [lacking for values, lacking in measured.values() if values]
     least = 0 if pool else min(known, default=0)
-    for genome, (values, lacking) in told.items():
+    for genome, (values, lacking) in measured.items():
         if values and lacking <= least:
             row = np.array(list(values.values()))
             pool[genome] = np.where(np.isnan(row), usual, row)

@@ -162,8 +162,8 @@ class Evolution:
         candidates = self._show(shown, taste)
         predicted = [one.predicted for one in candidates]
         wide = self._mix.wide(taste.heard)
-        told = {"screen": number, "shown": shown, "predicted": predicted, "wide": wide}
-        self._append("screen", told, shown)
+        body = {"screen": number, "shown": shown, "predicted": predicted, "wide": wide}
+        self._append("screen", body, shown)
         self._breed(epoch, number + 1, taste)
         return Screen(number, tuple(candidates), champion_of(self._history.events), self.trust)
 

@@ -148,13 +148,19 @@ def escape_notes(hall: JudgedHall, figures: dict[str, Any]) -> list[Note]:
     name, notes, people = hall.space.id, [], figures["people"] or 0
     if figures["distance"] is not None and figures["distance"] > FARTHEST:
         x, y = figures["at"]
-        told = f"{name}: from ({x:.1f}, {y:.1f}) it is {figures['distance']:.0f} m to the nearest"
-        notes.append(Note(name, "long_escape", "a nearer exit", f"{told} exit, over {FARTHEST:g}"))
+        message = (
+            f"{name}: from ({x:.1f}, {y:.1f}) it is {figures['distance']:.0f} m to the nearest"
+        )
+        notes.append(
+            Note(name, "long_escape", "a nearer exit", f"{message} exit, over {FARTHEST:g}")
+        )
     if people > FEW_PEOPLE and figures["exits"] < 2:
-        told = f"{name} has {figures['exits']} exit for {people} people; two are usual above 50"
-        notes.append(Note(name, "narrow_exits", "a second exit", told))
+        message = f"{name} has {figures['exits']} exit for {people} people; two are usual above 50"
+        notes.append(Note(name, "narrow_exits", "a second exit", message))
     if people and figures["exit_width"] < figures["exit_width_needed"]:
-        told = f"{name} has exits {figures['exit_width']:.2f} m wide in all; {people} people need"
-        told += f" {figures['exit_width_needed']:.2f}"
-        notes.append(Note(name, "narrow_exits", "wider exits", told))
+        message = (
+            f"{name} has exits {figures['exit_width']:.2f} m wide in all; {people} people need"
+        )
+        message += f" {figures['exit_width_needed']:.2f}"
+        notes.append(Note(name, "narrow_exits", "wider exits", message))
     return notes

@@ -74,11 +74,13 @@ def halls_of(
     ]
     for hall, placed in ((hall, groups.get(hall.space.id, [])) for hall in halls):
         faults += [
-            (hall.space.id, f"group {told} is said to be in zone {zone}, which is not there")
-            for told, zone, _ in placed
+            (hall.space.id, f"group {message} is said to be in zone {zone}, which is not there")
+            for message, zone, _ in placed
             if zone not in hall.zones
         ]
-    return halls, [Finding("malformed", level.get(s, ""), s, "", "", told) for s, told in faults]
+    return halls, [
+        Finding("malformed", level.get(s, ""), s, "", "", message) for s, message in faults
+    ]
 
 
 _Zones = dict[str, dict[str, Shape]]
@@ -125,13 +127,13 @@ def _groups(
     for group in graph.groups:
         missing = [name for name in group.objects if name not in rows]
         if group.space not in groups:
-            told = f"group {group.id} stands in {group.space!r}, which is not a room"
-            faults.append((group.space, told))
+            message = f"group {group.id} stands in {group.space!r}, which is not a room"
+            faults.append((group.space, message))
             continue
         if missing:
-            told = f"group {group.id} names {missing[0]}"
-            told += f" and {len(missing) - 1} more" if len(missing) > 1 else ""
-            faults.append((group.space, f"{told}, not among the valid pieces"))
+            message = f"group {group.id} names {missing[0]}"
+            message += f" and {len(missing) - 1} more" if len(missing) > 1 else ""
+            faults.append((group.space, f"{message}, not among the valid pieces"))
         held = [rows[name] for name in dict.fromkeys(group.objects) if name in rows]
         groups[group.space].append((group.id, group.zone, np.array(held, np.int64)))
     return groups

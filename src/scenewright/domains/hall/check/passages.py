@@ -182,9 +182,9 @@ def _finding(bodies: Bodies, hall: JudgedHall, passage: MeasuredPassage) -> Find
     a, b = hall.zones[link.first], hall.zones[link.second]
     how = f"{wide:.2f} m wide" if wide > 0 else "closed"
     where = describe_neighbours(bodies, passage.between)
-    told = f"the passage from {a} to {b} is {how}, not {link.width:.2f} m"
-    told += f": {where}" if where else ""
-    told += " at ({:.2f}, {:.2f})".format(*passage.at) if passage.at else ""
+    message = f"the passage from {a} to {b} is {how}, not {link.width:.2f} m"
+    message += f": {where}" if where else ""
+    message += " at ({:.2f}, {:.2f})".format(*passage.at) if passage.at else ""
     fixed = np.array([bodies.pieces[row].fixed for row in hall.solids], bool)
     alone = _pair(bodies, hall, link, hall.solids[fixed])
     drawn = hall.given[link.first] and hall.given[link.second]
@@ -196,7 +196,7 @@ def _finding(bodies: Bodies, hall: JudgedHall, passage: MeasuredPassage) -> Find
         hall.space.id,
         "",
         others,
-        told,
+        message,
         round(link.width - wide, 4),
         given=given,
     )

@@ -127,9 +127,9 @@ def _describe_bottleneck(bodies: Bodies, hall: JudgedHall, line: Line, k: int) -
     x, y = (round(float(v), 2) for v in line.points[k])
     rows = _both_sides(bodies, hall, line, k)
     width = float(line.widths[k])
-    told = f"{width:.2f} m {describe_neighbours(bodies, rows)} at ({x:.2f}, {y:.2f})"
+    words = f"{width:.2f} m {describe_neighbours(bodies, rows)} at ({x:.2f}, {y:.2f})"
     between = [bodies.pieces[row].id if row >= 0 else "" for row in rows]
-    return {"width": round(width, 3), "at": [x, y], "between": between, "message": told}
+    return {"width": round(width, 3), "at": [x, y], "between": between, "message": words}
 
 
 def _both_sides(bodies: Bodies, hall: JudgedHall, line: Line, k: int) -> tuple[int, ...]:

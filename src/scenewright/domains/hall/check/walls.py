@@ -45,6 +45,6 @@ def wants_wall(demand: Demand) -> bool:
 
 def _finding(bodies: Bodies, hall: JudgedHall, row: int, gap: float) -> Finding:
     piece = bodies.pieces[row]
-    told = f"{piece.id} is to stand at a wall, but the nearest is {gap:.2f} m behind it"
+    message = f"{piece.id} is to stand at a wall, but the nearest is {gap:.2f} m behind it"
     place = hall.space.level, hall.space.id, piece.id, ""
-    return Finding("no_wall", *place, told, round(gap, 4), 0.0, piece.fixed)
+    return Finding("no_wall", *place, message, round(gap, 4), 0.0, piece.fixed)

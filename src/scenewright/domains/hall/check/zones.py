@@ -39,14 +39,16 @@ def _finding(bodies: Bodies, hall: JudgedHall, zone: int, row: int) -> Finding:
     rest = shapely.difference(bodies.footprints[row], hall.areas[zone])
     edge = shapely.points(shapely.get_coordinates(shapely.segmentize(rest, 0.02)))
     depth = float(shapely.distance(edge, hall.areas[zone]).max(initial=0.0))
-    told = f"{piece.id} is {depth:.2f} m ({rest.area:.2f} m²) outside its zone {hall.zones[zone]}"
+    message = (
+        f"{piece.id} is {depth:.2f} m ({rest.area:.2f} m²) outside its zone {hall.zones[zone]}"
+    )
     return Finding(
         "outside_zone",
         hall.space.level,
         hall.space.id,
         piece.id,
         hall.zones[zone],
-        told,
+        message,
         round(depth, 4),
         round(float(rest.area), 4),
         piece.fixed,

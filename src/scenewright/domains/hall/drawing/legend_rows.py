@@ -108,9 +108,9 @@ def _route_rows(
         count = len(tour.stops)
         stops = f", {count} stop{'s' * (count != 1)}" if count else ""
         wanted = f"{halls.passage:.2f} m"
-        told = f"{narrow[0].width:.2f} m (required {wanted})" if narrow else f"{wanted} or more"
+        width = f"{narrow[0].width:.2f} m (required {wanted})" if narrow else f"{wanted} or more"
         rows.append(LegendRow("route", f"{lead}{length(tour):.0f} m{stops}"))
-        rows.append(LegendRow("plain", "Narrowest gap", told))
+        rows.append(LegendRow("plain", "Narrowest gap", width))
     return rows
 
 

@@ -134,7 +134,7 @@ def with_points(
 ) -> list[IndoorFloor]:
     """Floors with the tags of the one shop that is marked by a point in a room without a use."""
     tree = shapely.STRtree([point for _, point in points])
-    told = []
+    pairs = []
     for floor in floors:
         inside = [points[i][0] for i in tree.query(floor.polygon, predicate="contains").tolist()]
         here = [f for f in inside if floor.level in (levels_or_ground(f.tags))]
@@ -142,8 +142,8 @@ def with_points(
         if bare and len(here) == 1:
             tags = here[0].tags | floor.tags
             floor = floor._replace(tags=tags, role="unit", kind=shop_kind(tags))
-        told.append(floor)
-    return told
+        pairs.append(floor)
+    return pairs
 
 
 def levels_or_ground(tags: dict[str, str]) -> tuple[float, ...]:

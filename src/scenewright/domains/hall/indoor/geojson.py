@@ -112,14 +112,14 @@ def report(found: Collection, name: str) -> IndoorReport:
     if not floors:
         first = " ".join(skipped[0])
         raise InputError(f"none of its {len(drawn)} rooms can be used: {first}", "correct the map")
-    told = _assign_room_ids(with_points(floors, _shops(found.features, map_)))
-    openings = _openings(told, found.features, map_, name)
+    named = _assign_room_ids(with_points(floors, _shops(found.features, map_)))
+    openings = _openings(named, found.features, map_, name)
     placed = [*openings.found, *openings.fronts, *openings.open_borders]
     return IndoorReport(
-        _brief(name, told, placed),
+        _brief(name, named, placed),
         len(found.features) + len(found.skipped),
-        sum(floor.role == "unit" for _, floor in told),
-        sum(bool(floor.demands) for _, floor in told),
+        sum(floor.role == "unit" for _, floor in named),
+        sum(bool(floor.demands) for _, floor in named),
         len(openings.found),
         len(openings.fronts),
         len(openings.open_borders),
@@ -137,7 +137,7 @@ def _assign_room_ids(floors: Iterable[IndoorFloor]) -> list[tuple[str, IndoorFlo
         f: len({o.level for o in listed if o.feature == f}) for f, n in several.items() if n > 1
     }
     taken: Counter[str] = Counter()
-    told = []
+    pairs = []
     for floor in listed:
         wish = floor.feature
         if on_levels.get(wish, 1) > 1:
@@ -145,8 +145,8 @@ def _assign_room_ids(floors: Iterable[IndoorFloor]) -> list[tuple[str, IndoorFlo
         while taken[wish]:
             wish = f"{wish}-part"
         taken[wish] += 1
-        told.append((wish, floor))
-    return told
+        pairs.append((wish, floor))
+    return pairs
 
 
 def _shops(features: Iterable[Feature], map_: Projection) -> list[tuple[Feature, shapely.Point]]:
@@ -167,10 +167,10 @@ def _levels(feature: Feature) -> tuple[float, ...]:
 
 
 def _openings(
-    told: list[tuple[str, IndoorFloor]], features: Iterable[Feature], map_: Projection, name: str
+    floors: list[tuple[str, IndoorFloor]], features: Iterable[Feature], map_: Projection, name: str
 ) -> Openings:
     """Doors of all levels: marked ones first; then, where the plan shows none, assumed ones."""
-    walls = walls_of([floor for _, floor in told])
+    walls = walls_of([floor for _, floor in floors])
     doors = [f for f in features if f.point is not None and {"door", "entrance"} & f.tags.keys()]
     lost = [
         SkippedFeature(f.id, "a door on a level that is not a number")
@@ -180,17 +180,17 @@ def _openings(
     result = Openings([], [], [], [], lost)
     if len(doors) > MOST_DOORS:
         raise InputError(f"holds {len(doors)} doors", f"at most {MOST_DOORS} are read")
-    levels = sorted({floor.level for _, floor in told})
+    levels = sorted({floor.level for _, floor in floors})
     for level in levels:
-        numbers = [i for i, (_, floor) in enumerate(told) if floor.level == level]
+        numbers = [i for i, (_, floor) in enumerate(floors) if floor.level == level]
         here = [_point(f, level, map_) for f in doors if level in _levels(f)]
         placed, off = place_marked_doors([walls[i] for i in numbers], here)
         result.found.extend(p._replace(number=numbers[p.number]) for p in placed)
         result.lost.extend(SkippedFeature(*row) for row in off)
-    joined = _find_joined_floors(told, result.found, name)
+    joined = _find_joined_floors(floors, result.found, name)
     for level in levels:
-        numbers = [i for i, (_, floor) in enumerate(told) if floor.level == level]
-        _assume(told, walls, numbers, joined, result)
+        numbers = [i for i, (_, floor) in enumerate(floors) if floor.level == level]
+        _assume(floors, walls, numbers, joined, result)
     return result
 
 
@@ -202,7 +202,7 @@ def _point(feature: Feature, level: float, map_: Projection) -> tuple[str, dict[
 
 
 def _assume(
-    told: list[tuple[str, IndoorFloor]],
+    floors: list[tuple[str, IndoorFloor]],
     walls: list[FloorWalls],
     numbers: list[int],
     joined: set[tuple[int, int]],
@@ -219,7 +219,7 @@ def _assume(
             continue
         entry = front(here, tree, i, placed)
         if entry is None:
-            result.doorless.append(told[numbers[i]][0])
+            result.doorless.append(floors[numbers[i]][0])
             continue
         placed.append(entry)
         result.fronts.append(entry._replace(number=numbers[i]))
@@ -229,22 +229,22 @@ def _assume(
 
 
 def _find_joined_floors(
-    told: list[tuple[str, IndoorFloor]], placed: list[PlacedDoor], name: str
+    floors: list[tuple[str, IndoorFloor]], placed: list[PlacedDoor], name: str
 ) -> set[tuple[int, int]]:
     """Pairs of floors joined by doors, lower number first; a floor with itself: to the outside."""
-    index = {room: i for i, (room, _) in enumerate(told)}
+    index = {room: i for i, (room, _) in enumerate(floors)}
     pairs = set()
-    for space in plan.spaces(_brief(name, told, placed)):
+    for space in plan.spaces(_brief(name, floors, placed)):
         for opening in space.openings:
             ends = sorted(index[s] for s in opening.spaces)
             pairs.add((ends[0], ends[-1]))
     return pairs
 
 
-def _brief(name: str, told: list[tuple[str, IndoorFloor]], placed: list[PlacedDoor]) -> Brief:
-    levels = sorted({floor.level for _, floor in told})
+def _brief(name: str, floors: list[tuple[str, IndoorFloor]], placed: list[PlacedDoor]) -> Brief:
+    levels = sorted({floor.level for _, floor in floors})
     rooms: list[dict[str, Any]] = []
-    for room, floor in told:
+    for room, floor in floors:
         outline, holes = rings(floor.polygon)
         rooms.append(
             {

@@ -175,9 +175,9 @@ def cut_blocks(
         status = solver.solve(model)
     if status not in (cp.OPTIMAL, cp.FEASIBLE):
         return None
-    told = [[solver.value(row[name]) for name in ("x", "y", "w", "h", "k")] for row in rows]
+    cut = [[solver.value(row[name]) for name in ("x", "y", "w", "h", "k")] for row in rows]
     return [
-        GroupBlock(x, y, w, h, one[k]) for (x, y, w, h, k), one in zip(told, options, strict=True)
+        GroupBlock(x, y, w, h, one[k]) for (x, y, w, h, k), one in zip(cut, options, strict=True)
     ]
 
 

@@ -96,8 +96,8 @@ def by_objects(
     boxes = np.zeros((len(p.sizes), 5))
     copy_frames(s, boxes)
 
-    heard = None if progress is None else _hear_boxes(given, progress)
-    found = solve(given.problem, budget, seed, heard, cancel, boxes)
+    on_progress = None if progress is None else _hear_boxes(given, progress)
+    found = solve(given.problem, budget, seed, on_progress, cancel, boxes)
     return Found((measure_objects(given, found.boxes),), found.evaluations)
 
 

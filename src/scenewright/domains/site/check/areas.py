@@ -72,8 +72,8 @@ def _find_spoilt(
             for k in np.flatnonzero(~bodies.landmark)
             if _reach_into(bodies.footprints[k], shapes[number]) > TOLERANCE
         ]
-        told = f"{', '.join(over[:3])} stands on {named}" if over else f"{named} leaves the site"
-        found.append(_site_finding("blocked_area", grounds, told, over[0] if over else ""))
+        message = f"{', '.join(over[:3])} stands on {named}" if over else f"{named} leaves the site"
+        found.append(_site_finding("blocked_area", grounds, message, over[0] if over else ""))
     return found
 
 
@@ -99,9 +99,9 @@ def _find_lack_of_parking(
         unjoined += 0 if reached else row.bays
     if count >= asked:
         return []
-    told = f"{count} of {asked} parking bays are laid out"
-    told += f", {unjoined} more without a drive from a road" if unjoined else ""
-    return [_site_finding("lack_of_parking", grounds, told, amount=asked - count)]
+    message = f"{count} of {asked} parking bays are laid out"
+    message += f", {unjoined} more without a drive from a road" if unjoined else ""
+    return [_site_finding("lack_of_parking", grounds, message, amount=asked - count)]
 
 
 def _bays_asked(grounds: JudgedSite) -> int:
@@ -134,8 +134,8 @@ def _find_lack_of_squares(
         if left and left[0].area >= SHARE * asked.area:
             left.pop(0)
             continue
-        told = f"no square {asked.name} of {asked.area:g} m² beside a way is laid out"
-        found.append(_site_finding("lack_of_square", grounds, told.replace("  ", " ")))
+        message = f"no square {asked.name} of {asked.area:g} m² beside a way is laid out"
+        found.append(_site_finding("lack_of_square", grounds, message.replace("  ", " ")))
     return found
 
 
@@ -158,9 +158,9 @@ def _find_blocked_forecourts(
         laid_out = shapely.intersection(shapely.union_all(mine), asked).area if mine else 0.0
         built = bool(len(own)) and max(_reach_into(shape, asked) for shape in own) > TOLERANCE
         if built or laid_out < 0.9 * asked.area:
-            told = f"the forecourt of {there.id}, {row.forecourt:g} m deep, is "
-            told += "built on" if built else "not laid out"
-            found.append(_site_finding("blocked_forecourt", grounds, told, there.id))
+            message = f"the forecourt of {there.id}, {row.forecourt:g} m deep, is "
+            message += "built on" if built else "not laid out"
+            found.append(_site_finding("blocked_forecourt", grounds, message, there.id))
     return found
 
 
@@ -179,8 +179,8 @@ def _find_blocked_views(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding
         if len(hidden):
             share = len(np.unique(hidden)) / len(points)
             name = bodies.ids[own[np.bincount(by).argmax()]]
-            told = f"{name} hides {there.id} from {share:.0%} of the street before it"
-            found.append(_site_finding("blocked_view", grounds, told, name, share))
+            message = f"{name} hides {there.id} from {share:.0%} of the street before it"
+            found.append(_site_finding("blocked_view", grounds, message, name, share))
     return found
 
 
@@ -211,8 +211,8 @@ def _find_open_courts(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
     for rows in _court_blocks(grounds, bodies):
         if not _holes(grounds, bodies, rows):
             names = ", ".join(bodies.ids[row] for row in rows[:3])
-            told = f"the court of {names} … is open: no opening may be wider than {gap:g} m"
-            found.append(_site_finding("open_court", grounds, told, bodies.ids[rows[0]]))
+            message = f"the court of {names} … is open: no opening may be wider than {gap:g} m"
+            found.append(_site_finding("open_court", grounds, message, bodies.ids[rows[0]]))
     return found
 
 
@@ -272,6 +272,6 @@ def _radius(shape: Shape) -> float:
 
 
 def _site_finding(
-    kind: str, grounds: JudgedSite, told: str, piece: str = "", amount: float = 0.0
+    kind: str, grounds: JudgedSite, message: str, piece: str = "", amount: float = 0.0
 ) -> Finding:
-    return Finding(kind, "", grounds.plan.id, piece, "", told, amount)
+    return Finding(kind, "", grounds.plan.id, piece, "", message, amount)

@@ -79,8 +79,8 @@ def bodies_of(grounds: JudgedSite, pieces: Sequence[Piece]) -> tuple[SiteBodies,
     """The buildings among sound pieces of a site and its landmarks, and what is wrong with these.
     Pieces of other categories (trees) are not judged."""
     marks = grounds.plan.landmarks
-    told = _match_landmarks(grounds.plan, pieces)
-    mine = {id(piece) for piece in told.values()}
+    matched = _match_landmarks(grounds.plan, pieces)
+    mine = {id(piece) for piece in matched.values()}
     own = tuple(p for p in pieces if p.category == "building" and id(p) not in mine)
     rows = [
         (*p.pose[:2], p.pose.heading, *p.size[:2], p.pose.z, p.pose.z + p.size.height) for p in own
@@ -94,11 +94,11 @@ def bodies_of(grounds: JudgedSite, pieces: Sequence[Piece]) -> tuple[SiteBodies,
         shapes[len(own) + number] = shapely.Polygon(row.footprint)
     landmark = np.arange(len(rows)) >= len(own)
     given = landmark | np.array([p.fixed for p in own] + [True] * len(marks), bool)
-    ids = (*(p.id for p in own), *(told[m.id].id if m.id in told else m.id for m in marks))
+    ids = (*(p.id for p in own), *(matched[m.id].id if m.id in matched else m.id for m in marks))
     bodies = SiteBodies(
         own, ids, shapes, corners, values[:, 5], values[:, 6], values[:, 2], given, landmark
     )
-    return bodies, _find_changed_landmarks(grounds.plan, told)
+    return bodies, _find_changed_landmarks(grounds.plan, matched)
 
 
 def _match_landmarks(plan: SitePlan, pieces: Sequence[Piece]) -> dict[str, Piece]:
@@ -107,11 +107,11 @@ def _match_landmarks(plan: SitePlan, pieces: Sequence[Piece]) -> dict[str, Piece
     return {names[piece.id]: piece for piece in reversed(pieces) if piece.id in names}
 
 
-def _find_changed_landmarks(plan: SitePlan, told: dict[str, Piece]) -> list[Finding]:
+def _find_changed_landmarks(plan: SitePlan, matched: dict[str, Piece]) -> list[Finding]:
     """Landmarks that are missing, moved, turned or of another size than in the brief."""
     found = []
     for row in plan.landmarks:
-        piece = told.get(row.id)
+        piece = matched.get(row.id)
         if piece is None:
             message, by = f"{row.id} is missing", 0.0
         else:

@@ -33,16 +33,16 @@ def find_unserved_doors(
     served, near = find_served(grounds, bodies, works)
     site, found = grounds.site, []
     for row in own[~served[own]]:
-        told = f"no walk, path or road leads to the door of {bodies.ids[row]}"
-        found.append(_finding("unserved_door", grounds, bodies, row, told))
+        message = f"no walk, path or road leads to the door of {bodies.ids[row]}"
+        found.append(_finding("unserved_door", grounds, bodies, row, message))
     for row in own[find_at_border(grounds, bodies)[own]]:
-        told = f"the door of {bodies.ids[row]} is less than {site.door_distance:g} m from the "
-        told += "border, with no way before it"
-        found.append(_finding("door_at_border", grounds, bodies, row, told, site.door_distance))
+        message = f"the door of {bodies.ids[row]} is less than {site.door_distance:g} m from the "
+        message += "border, with no way before it"
+        found.append(_finding("door_at_border", grounds, bodies, row, message, site.door_distance))
     for row in own[~near[own]]:
-        told = f"no lane or road {site.fire_access:g} m wide comes within {site.fire_reach:g} m "
-        told += f"of {bodies.ids[row]}"
-        found.append(_finding("far_from_lane", grounds, bodies, row, told, site.fire_reach))
+        message = f"no lane or road {site.fire_access:g} m wide comes within {site.fire_reach:g} m "
+        message += f"of {bodies.ids[row]}"
+        found.append(_finding("far_from_lane", grounds, bodies, row, message, site.fire_reach))
     return found + _find_built_over(grounds, bodies, works.pathways)
 
 
@@ -145,13 +145,13 @@ def _find_built_over(
     ]
     wider = shapely.buffer(grounds.floor, 0.5 + ROUGH)
     out = np.flatnonzero(~shapely.covers(wider, lines)).tolist()
-    told = "a {0} leaves the site at ({1:.1f}, {2:.1f})"
-    words = [told.format(rows[n].kind, *rows[n].line[0]) for n in out]
+    message = "a {0} leaves the site at ({1:.1f}, {2:.1f})"
+    words = [message.format(rows[n].kind, *rows[n].line[0]) for n in out]
     return found + [Finding("out_of_bounds", "", grounds.plan.id, "", "", w) for w in words]
 
 
 def _finding(
-    kind: str, grounds: JudgedSite, bodies: SiteBodies, row: int, told: str, amount: float = 0.0
+    kind: str, grounds: JudgedSite, bodies: SiteBodies, row: int, message: str, amount: float = 0.0
 ) -> Finding:
     given = bool(bodies.given[row])
-    return Finding(kind, "", grounds.plan.id, bodies.ids[row], "", told, amount, 0.0, given)
+    return Finding(kind, "", grounds.plan.id, bodies.ids[row], "", message, amount, 0.0, given)

@@ -20,6 +20,8 @@ def find_small(sites: Sequence[Site], plans: Sequence[SitePlan]) -> Iterator[Not
             sides = (row.box[3], row.box[4], row.height)
             if row.model.startswith(OWN) and asked.size is None and max(sides) < SMALL:
                 width, depth, height = sides
-                told = f"{row.id} is only {width:.3g} x {depth:.3g} m, {height:.3g} m high by its "
-                told += "file: give its size, or its catalogue a scale"
-                yield Note(plan.id, "landmark", "", told)
+                message = (
+                    f"{row.id} is only {width:.3g} x {depth:.3g} m, {height:.3g} m high by its "
+                )
+                message += "file: give its size, or its catalogue a scale"
+                yield Note(plan.id, "landmark", "", message)

@@ -26,8 +26,10 @@ def find_overlaps(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
     found = []
     for row in np.flatnonzero((depth > TOLERANCE) & (tall > TOLERANCE)):
         a, b, deep = int(i[row]), int(j[row]), float(min(depth[row], tall[row]))
-        told = f"{bodies.ids[a]} and {bodies.ids[b]} overlap by {deep:.2f} m ({area[row]:.2f} m²)"
-        found.append(_pair("collision", grounds, bodies, a, b, told, deep, float(area[row])))
+        message = (
+            f"{bodies.ids[a]} and {bodies.ids[b]} overlap by {deep:.2f} m ({area[row]:.2f} m²)"
+        )
+        found.append(_pair("collision", grounds, bodies, a, b, message, deep, float(area[row])))
     return found
 
 
@@ -42,16 +44,20 @@ def find_outside(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
         rest = shapely.difference(bodies.footprints[row], grounds.floor)
         points = shapely.points(shapely.get_coordinates(shapely.segmentize(rest, 0.1)))
         depth = float(shapely.distance(points, grounds.floor).max(initial=0.0))
-        told = f"{bodies.ids[row]} is {depth:.2f} m ({rest.area:.2f} m²) outside {grounds.plan.id}"
-        found.append(_one("out_of_bounds", grounds, bodies, row, told, depth, float(rest.area)))
+        message = (
+            f"{bodies.ids[row]} is {depth:.2f} m ({rest.area:.2f} m²) outside {grounds.plan.id}"
+        )
+        found.append(_one("out_of_bounds", grounds, bodies, row, message, depth, float(rest.area)))
     for row in own[np.abs(bodies.low[own]) > SUPPORT_GAP]:
         kind = "floating" if bodies.low[row] > 0 else "sunk"
-        told = f"{bodies.ids[row]} stands {bodies.low[row]:+.2f} m off the ground"
-        found.append(_one(kind, grounds, bodies, row, told, abs(float(bodies.low[row]))))
+        message = f"{bodies.ids[row]} stands {bodies.low[row]:+.2f} m off the ground"
+        found.append(_one(kind, grounds, bodies, row, message, abs(float(bodies.low[row]))))
     limit = grounds.site.height_limit or np.inf
     for row in own[bodies.high[own] > limit + TOLERANCE]:
-        told = f"{bodies.ids[row]} is {bodies.high[row]:.2f} m high, the limit is {limit:g} m"
-        found.append(_one("too_high", grounds, bodies, row, told, float(bodies.high[row]) - limit))
+        message = f"{bodies.ids[row]} is {bodies.high[row]:.2f} m high, the limit is {limit:g} m"
+        found.append(
+            _one("too_high", grounds, bodies, row, message, float(bodies.high[row]) - limit)
+        )
     return found
 
 
@@ -65,9 +71,9 @@ def find_near_edges(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
     near = own[shapely.dwithin(grounds.border, bodies.footprints[own], least) & (least > 0.0)]
     for row in near[shapely.covers(grounds.floor, bodies.footprints[near])]:
         gap = float(shapely.distance(bodies.footprints[row], grounds.border))
-        told = f"{bodies.ids[row]} stands {gap:.2f} m from the border of the site, "
-        told += f"{setback:g} m are required"
-        found.append(_one("setback", grounds, bodies, row, told, setback - gap))
+        message = f"{bodies.ids[row]} stands {gap:.2f} m from the border of the site, "
+        message += f"{setback:g} m are required"
+        found.append(_one("setback", grounds, bodies, row, message, setback - gap))
     return found + _near_ways(grounds, bodies, own)
 
 
@@ -85,14 +91,14 @@ def _near_ways(grounds: JudgedSite, bodies: SiteBodies, own: Indices) -> list[Fi
         number, way = int(own[i[row]]), grounds.way_ids[k[row]]
         name, on = bodies.ids[number], depth[row] > TOLERANCE
         missing = float(depth[row] if on else asked - gap[row])
-        told = f"{name} stands on {way} by {missing:.2f} m ({area[row]:.2f} m²)"
+        message = f"{name} stands on {way} by {missing:.2f} m ({area[row]:.2f} m²)"
         if not on:
-            told = f"{name} stands {gap[row]:.2f} m from {way}, {asked:g} m are required"
+            message = f"{name} stands {gap[row]:.2f} m from {way}, {asked:g} m are required"
         kind = "blocked_path" if on else "setback"
         seen = worst.get((number, way))
         if seen is None or (kind == "blocked_path", missing) > (seen.kind == kind, seen.amount):
             worst[number, way] = _one(
-                kind, grounds, bodies, number, told, missing, float(area[row]), way
+                kind, grounds, bodies, number, message, missing, float(area[row]), way
             )
     return list(worst.values())
 
@@ -110,8 +116,8 @@ def find_too_close(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
     found = []
     for row in np.flatnonzero(close):
         a, b, apart = int(i[row]), int(j[row]), float(gap[row])
-        told = f"{bodies.ids[a]} and {bodies.ids[b]} are {apart:.2f} m apart, {asked:g} m are "
-        found.append(_pair("spacing", grounds, bodies, a, b, told + "required", asked - apart))
+        message = f"{bodies.ids[a]} and {bodies.ids[b]} are {apart:.2f} m apart, {asked:g} m are "
+        found.append(_pair("spacing", grounds, bodies, a, b, message + "required", asked - apart))
     return found + _sunless(grounds, bodies)
 
 
@@ -186,7 +192,7 @@ def _one(
     grounds: JudgedSite,
     bodies: SiteBodies,
     row: int,
-    told: str,
+    message: str,
     amount: float,
     area: float = 0.0,
     other: str = "",
@@ -197,7 +203,7 @@ def _one(
         grounds.plan.id,
         bodies.ids[row],
         other,
-        told,
+        message,
         round(amount, 4),
         round(area, 4),
         bool(bodies.given[row]),
@@ -210,7 +216,7 @@ def _pair(
     bodies: SiteBodies,
     a: int,
     b: int,
-    told: str,
+    message: str,
     amount: float,
     area: float = 0.0,
 ) -> Finding:
@@ -221,7 +227,7 @@ def _pair(
         grounds.plan.id,
         bodies.ids[a],
         bodies.ids[b],
-        told,
+        message,
         round(amount, 4),
         round(area, 4),
         given,

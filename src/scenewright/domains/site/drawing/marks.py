@@ -173,10 +173,10 @@ def labels_mark(
     height of landmarks, where there is room."""
     marks = []
     for row in rows:
-        told = [row.name, f"{row.high - row.low:.0f} m"]
+        words = [row.name, f"{row.high - row.low:.0f} m"]
         if not row.landmark:
-            told = [letters.get(model_of(row), ""), f"{row.floors} st"]
-        marks.append(_label(view, row.footprint, told))
+            words = [letters.get(model_of(row), ""), f"{row.floors} st"]
+        marks.append(_label(view, row.footprint, words))
     return group(marks, fill=INK)
 
 
@@ -208,9 +208,11 @@ def areas_mark(view: PaperView, works: GroundWorks) -> Mark:
     shapes, words = [], []
     for area in sorted(works.areas, key=lambda row: row.kind != "court"):
         ring = np.array(area.outline)
-        told = f"{area.kind} {area.about}".strip()
-        told += f" · {area.bays} bays" if area.bays else f" · {shapely.Polygon(ring).area:.0f} m²"
-        shapes.append(group([title(told), shape([to_paper(view, ring)], fill=fills[area.kind])]))
+        caption = f"{area.kind} {area.about}".strip()
+        caption += (
+            f" · {area.bays} bays" if area.bays else f" · {shapely.Polygon(ring).area:.0f} m²"
+        )
+        shapes.append(group([title(caption), shape([to_paper(view, ring)], fill=fills[area.kind])]))
         shapes += [line(to_paper(view, ends)) for ends in list_bay_lines(area)]
         if area.kind in ("square", "parking"):
             name = f"P {area.bays}" if area.kind == "parking" else area.about or "Square"

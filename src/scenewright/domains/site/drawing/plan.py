@@ -177,8 +177,8 @@ def legend(
     used = {marks.tint(r.floors) for d in drawings for r in d.rows if not r.landmark}
     least = 1
     for most, colour in marks.STOREYS:
-        told = f"{least}–{most} storeys" if most < 1000 else f"{least} storeys and more"
-        rows += [LegendRow("swatch", told, value=colour)] if colour in used else []
+        storeys = f"{least}–{most} storeys" if most < 1000 else f"{least} storeys and more"
+        rows += [LegendRow("swatch", storeys, value=colour)] if colour in used else []
         least = most + 1
     ways = {way.kind for d in drawings for way in d.plan.roads}
     laid = {path.kind for d in drawings for path in d.works.pathways}
@@ -232,7 +232,7 @@ def _figures(
 ) -> list[LegendRow]:
     found, site = drawing.figures, drawing.site
     least, sun = found["least_spacing"], found["sun_mean"]
-    told = [
+    figures = [
         ("Ground", f"{found['area']:,.0f} m²"),
         ("Buildings", f"{found['buildings']}"),
         ("Coverage", _against(f"{found['coverage']:.1%}", site.coverage, ".0%")),
@@ -260,7 +260,7 @@ def _figures(
     ]
     return [
         LegendRow("heading", clean(heading, 40)),
-        *(LegendRow("", w, right) for w, right in told if w),
+        *(LegendRow("", w, right) for w, right in figures if w),
     ]
 
 
@@ -272,14 +272,14 @@ def _summary(drawings: Sequence[SiteSheet], views: Views) -> str:
     buildings = sum(d.figures["buildings"] for d in drawings)
     area = sum(d.plan.area for d in drawings)
     faults = sum(f.is_blamed for d in drawings for f in d.findings)
-    told = [f"{area / 1e4:.2f} ha", f"{buildings} buildings"]
+    parts = [f"{area / 1e4:.2f} ha", f"{buildings} buildings"]
     hours = [d.figures["sun_mean"] for d in drawings if d.figures["sun_mean"] is not None]
-    told += [f"{float(np.mean(hours)):.1f} h of winter sun"] if hours else []
-    told += (
+    parts += [f"{float(np.mean(hours)):.1f} h of winter sun"] if hours else []
+    parts += (
         [f"visual quality {np.concatenate([v for _, v in views.values()]).mean():.3f}"]
         if views
         else []
     )
     return " · ".join(
-        ["Site plan", *told, *([f"{faults} violation{'s' * (faults != 1)}"] if faults else [])]
+        ["Site plan", *parts, *([f"{faults} violation{'s' * (faults != 1)}"] if faults else [])]
     )

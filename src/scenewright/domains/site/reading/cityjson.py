@@ -86,8 +86,8 @@ def report(document: dict[str, Any], path: Path) -> CityReport:
     roads = shapely.union_all([_area(city, key) for key in _keys(city, ROADS)], grid_size=GRID)
     water = shapely.union_all([_area(city, key) for key in _keys(city, ("WaterBody",))])
     sites = [
-        _site(told or name, ground, city, buildings, roads, water, skipped)
-        for told, ground in grounds
+        _site(named or name, ground, city, buildings, roads, water, skipped)
+        for named, ground in grounds
     ]
     brief = Brief.model_validate(
         {
@@ -160,8 +160,8 @@ def _landmarks(
             rest = shapely.difference(rest, shapely.union_all(near), grid_size=GRID)
         parts = polygons(rest)
         if not parts or parts[0].area < 0.5 * row.footprint.area:
-            told = "less than half of it is free on the ground"
-            skipped.append(SkippedModel(row.model.partition("/")[2], told))
+            why = "less than half of it is free on the ground"
+            skipped.append(SkippedModel(row.model.partition("/")[2], why))
             continue
         kept[number] = shapely.Polygon(parts[0].exterior)
         yield {
@@ -196,8 +196,8 @@ def _buildings(city: City, stem: str, skipped: list[SkippedModel]) -> Iterator[C
         back = np.array([[cos, -sin], [sin, cos]])
         local = points[:, :2] @ back
         x, y = (back @ ((local.min(0) + local.max(0)) / 2)).tolist()
-        told = city.objects[key].get("attributes")
-        name = clean(told.get("name")) if isinstance(told, dict) else ""
+        attributes = city.objects[key].get("attributes")
+        name = clean(attributes.get("name")) if isinstance(attributes, dict) else ""
         yield CityBuilding(name or f"building {number}", model, shape, (x, y), angle - np.pi / 2)
 
 
@@ -220,10 +220,10 @@ def _sites(city: City) -> list[tuple[str, shapely.Polygon]]:
     """The grounds that a file draws as sites."""
     found = []
     for key in _keys(city, ("LandUse",)):
-        told = city.objects[key].get("attributes")
-        if isinstance(told, dict) and told.get("class") == "site":
+        attributes = city.objects[key].get("attributes")
+        if isinstance(attributes, dict) and attributes.get("class") == "site":
             found += [
-                (clean(told.get("name")) or clean(key), part)
+                (clean(attributes.get("name")) or clean(key), part)
                 for part in polygons(_area(city, key))[:1]
             ]
     return found

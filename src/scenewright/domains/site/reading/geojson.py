@@ -103,10 +103,10 @@ def report(found: Collection, name: str) -> SiteReport:
 def _outlines(features: tuple[Feature, ...]) -> list[Feature]:
     """The features drawn as sites, else the largest polygon that is no building nor water."""
     areas = [f for f in features if f.polygons and not is_water(f.tags)]
-    told = [f for f in areas if f.tags.get("site", "no") != "no"]
+    tagged = [f for f in areas if f.tags.get("site", "no") != "no"]
     plain = [f for f in areas if not {"building", "highway", "building:part"} & f.tags.keys()]
     largest = sorted(plain, key=lambda f: _extent(f), reverse=True)[:1]
-    return told or largest
+    return tagged or largest
 
 
 def _extent(feature: Feature) -> float:
@@ -172,11 +172,11 @@ def _check(feature: Feature, floor: shapely.Polygon, map_: Projection) -> None:
     """A site must have ground, and be of a size that its coordinates are told rightly."""
     west, south, east, north = floor.bounds if not floor.is_empty else (0.0, 0.0, 0.0, 0.0)
     if floor.area < LEAST_SITE:
-        told = f"holds only {floor.area:.2g} m²"
+        fault = f"holds only {floor.area:.2g} m²"
         remedy = "its coordinates may be in another reference system: export it as longitude and "
         remedy += "latitude (WGS 84)"
         flat = "draw it in metres; of a map in degrees cut out at most 10 km"
-        raise InputError(told, remedy if map_.turns else flat, place=feature.id)
+        raise InputError(fault, remedy if map_.turns else flat, place=feature.id)
     if max(east - west, north - south) > LARGEST_EXTENT:
         raise InputError(
             f"is {max(east - west, north - south) / 1000:.0f} km long",
@@ -192,9 +192,9 @@ def _roads(
     near = shapely.buffer(floor, BEYOND)
     found: list[dict[str, Any]] = []
     for feature in features:
-        told = width_of(feature.tags)
-        for line in (row for row in feature.lines if told and len(row) > 1):
-            kind, width = told or ("", 0.0)
+        way = width_of(feature.tags)
+        for line in (row for row in feature.lines if way and len(row) > 1):
+            kind, width = way or ("", 0.0)
             whole = shapely.LineString(metres(map_, line))
             parts = shapely.get_parts(shapely.line_merge(shapely.intersection(whole, near)))
             for part in parts:

@@ -161,8 +161,8 @@ def views_of(
 def answer(problem: SiteProblem, boxes: Floats, evaluations: int, generations: int) -> SiteFound:
     """The answer for a layout (n, 5) of a search: what cannot stand is left out."""
     layout = stand(problem, boxes)
-    told = score(problem, layout.boxes, layout.present)
-    return Found((layout._replace(score=told, generations=generations),), evaluations)
+    scored = score(problem, layout.boxes, layout.present)
+    return Found((layout._replace(score=scored, generations=generations),), evaluations)
 
 
 def stand(problem: SiteProblem, boxes: Floats) -> SiteLayout:

@@ -54,13 +54,15 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     objects: dict[str, Any] = {}
     for plan in plans:
         name = free_key(plan.id, objects)
-        told: dict[str, Any] = {"name": plan.name, "class": "site", "credits": credited}
-        objects[name] = flat_object("LandUse", [(plan.outline, *plan.holes)], told, vertices)
+        attributes: dict[str, Any] = {"name": plan.name, "class": "site", "credits": credited}
+        objects[name] = flat_object("LandUse", [(plan.outline, *plan.holes)], attributes, vertices)
         for way in plan.roads:
             areas = [(area.outline, *area.holes) for area in way.areas]
             if areas:
-                told = {"name": way.name or way.id, "class": way.kind, "width": way.width}
-                objects[free_key(way.id, objects)] = flat_object("Road", areas, told, vertices)
+                attributes = {"name": way.name or way.id, "class": way.kind, "width": way.width}
+                objects[free_key(way.id, objects)] = flat_object(
+                    "Road", areas, attributes, vertices
+                )
     for works in solution.detail or ():
         for name, made_of in _laid_out(works, vertices):
             objects[free_key(name, objects)] = made_of
@@ -73,18 +75,18 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
 def _laid_out(works: GroundWorks, vertices: Vertices) -> Iterator[tuple[str, dict[str, Any]]]:
     """Names and objects of what a solution lays out on the ground of a site."""
     for k, path in enumerate(works.pathways, 1):
-        told: dict[str, Any] = {"name": path.kind, "class": path.kind, "width": path.width}
+        attributes: dict[str, Any] = {"name": path.kind, "class": path.kind, "width": path.width}
         parts = shapely.get_parts(pave([path], path.kind))
         yield (
             f"{works.site}/{path.kind}_{k}",
-            flat_object("Road", [rings_of(part) for part in parts], told, vertices),
+            flat_object("Road", [rings_of(part) for part in parts], attributes, vertices),
         )
     for k, area in enumerate(works.areas, 1):
-        told = {"name": area.about or area.kind, "class": area.kind}
-        told |= {"bays": area.bays} if area.bays else {}
+        attributes = {"name": area.about or area.kind, "class": area.kind}
+        attributes |= {"bays": area.bays} if area.bays else {}
         kind = "LandUse" if area.kind == "court" else "TransportSquare"
         ring = [(np.array(area.outline),)]
-        yield f"{works.site}/{area.kind}_{k}", flat_object(kind, ring, told, vertices)
+        yield f"{works.site}/{area.kind}_{k}", flat_object(kind, ring, attributes, vertices)
 
 
 def rings_of(part: shapely.Polygon) -> tuple[Points, ...]:
@@ -102,7 +104,7 @@ def _frame(brief: Brief) -> tuple[float, float, str]:
 
 def _building(row: StandingBuilding, vertices: Vertices) -> dict[str, Any]:
     """A prism over the footprint."""
-    told = {
+    attributes = {
         "name": row.name,
         "measuredHeight": round(row.high - row.low, 3),
         "model": row.model,
@@ -110,4 +112,4 @@ def _building(row: StandingBuilding, vertices: Vertices) -> dict[str, Any]:
         "landmark": row.landmark,
         "heading": round(float(np.rad2deg(row.heading)), 3),
     }
-    return prism_object(row.footprint, row.low, row.high, told, vertices)
+    return prism_object(row.footprint, row.low, row.high, attributes, vertices)

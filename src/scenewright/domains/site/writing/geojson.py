@@ -118,27 +118,27 @@ def _site(site: Site, plan: SitePlan, map_: Projection) -> dict[str, Any]:
 
 def _way(way: Way, map_: Projection) -> dict[str, Any]:
     kind = "residential" if way.kind == "road" else "footway"
-    told = {"highway": kind, "name": way.name, "width": way.width}
-    return write_feature(way.id, "LineString", write_points(way.line, map_), told)
+    tags = {"highway": kind, "name": way.name, "width": way.width}
+    return write_feature(way.id, "LineString", write_points(way.line, map_), tags)
 
 
 def _path(path: Pathway, site: str, number: int, map_: Projection) -> dict[str, Any]:
     """A lane, drive or walk that the solution lays out."""
-    told = PATH_TAGS[path.kind] | {"laid_out": path.kind, "width": path.width}
+    tags = PATH_TAGS[path.kind] | {"laid_out": path.kind, "width": path.width}
     points = write_points(np.array(path.line), map_)
-    return write_feature(f"{site}/{path.kind}_{number}", "LineString", points, told)
+    return write_feature(f"{site}/{path.kind}_{number}", "LineString", points, tags)
 
 
 def _area(area: PavedArea, site: str, number: int, map_: Projection) -> dict[str, Any]:
     """A square, forecourt, car park or court."""
-    told: dict[str, Any] = AREA_TAGS[area.kind] | {"laid_out": area.kind, "name": area.about}
-    told |= {"capacity": area.bays} if area.bays else {}
+    tags: dict[str, Any] = AREA_TAGS[area.kind] | {"laid_out": area.kind, "name": area.about}
+    tags |= {"capacity": area.bays} if area.bays else {}
     ring = [write_ring(np.array(area.outline), map_)]
-    return write_feature(f"{site}/{area.kind}_{number}", "Polygon", ring, told)
+    return write_feature(f"{site}/{area.kind}_{number}", "Polygon", ring, tags)
 
 
 def _building(row: StandingBuilding, map_: Projection) -> dict[str, Any]:
-    told: dict[str, Any] = {
+    tags: dict[str, Any] = {
         "building": "yes",
         "name": row.name,
         "height": round(row.high - row.low, 3),
@@ -147,4 +147,4 @@ def _building(row: StandingBuilding, map_: Projection) -> dict[str, Any]:
         "direction": bearing_of(row.heading),
         "landmark": "yes" if row.landmark else "no",
     }
-    return write_feature(row.id, "Polygon", [write_ring(row.footprint, map_)], told)
+    return write_feature(row.id, "Polygon", [write_ring(row.footprint, map_)], tags)

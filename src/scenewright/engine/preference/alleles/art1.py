@@ -115,22 +115,22 @@ def encode_alleles(genomes: Ints, alleles: Sequence[int]) -> Floats:
     return np.hstack([np.eye(count)[genomes[:, gene]] for gene, count in enumerate(alleles)])
 
 
-def measure_rmse(truth: Floats, told: Floats) -> float:
+def measure_rmse(truth: Floats, predicted: Floats) -> float:
     """σ of (24): the root mean square error on ratings (n,) that were not learned from.
 
     >>> measure_rmse(np.array([1.0, 3.0]), np.array([2.0, 3.0]))
     0.7071067811865476
     """
-    return float(np.sqrt(np.mean((truth - told) ** 2)))
+    return float(np.sqrt(np.mean((truth - predicted) ** 2)))
 
 
-def measure_error(truth: Floats, told: Floats) -> float:
+def measure_error(truth: Floats, predicted: Floats) -> float:
     """ξ of (25): the sum of absolute errors of ratings (n,).
 
     >>> measure_error(np.array([1.0, 3.0]), np.array([2.0, 3.0]))
     1.0
     """
-    return float(np.abs(truth - told).sum())
+    return float(np.abs(truth - predicted).sum())
 
 
 class TakeoverStage(NamedTuple):
@@ -148,7 +148,7 @@ gives no values). ξ of (25) as printed grows with the number of test ratings, s
 told a rating."""
 
 
-def may_take_over(truth: Floats, told: Floats, stage: TakeoverStage) -> bool:
+def may_take_over(truth: Floats, predicted: Floats, stage: TakeoverStage) -> bool:
     """Whether a network may rate in the person's place, by test ratings (n,) it has not learned
     from; not without any.
 
@@ -157,5 +157,5 @@ def may_take_over(truth: Floats, told: Floats, stage: TakeoverStage) -> bool:
     """
     if not len(truth):
         return False
-    near = measure_rmse(truth, told) <= stage.rmse
-    return near and measure_error(truth, told) <= stage.error * len(truth)
+    near = measure_rmse(truth, predicted) <= stage.rmse
+    return near and measure_error(truth, predicted) <= stage.error * len(truth)

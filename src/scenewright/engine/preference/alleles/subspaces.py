@@ -71,8 +71,8 @@ def choose_split(points: Floats, ratings: Floats, form: Form = "repaired") -> in
     >>> choose_split(np.array([[0.0, 1.0], [1.0, 0.0], [2.0, 0.5]]), np.array([3.0, 2.0, 1.0]))
     0
     """
-    told = np.array([correlate_variable(column, ratings, form) for column in points.T])
-    return int(np.argmax(told if form == "printed" else np.abs(told)))
+    correlations = np.array([correlate_variable(column, ratings, form) for column in points.T])
+    return int(np.argmax(correlations if form == "printed" else np.abs(correlations)))
 
 
 def divide_space(points: Floats, along: int, parts: int) -> Ints:
@@ -185,7 +185,7 @@ def estimate_locally(
     if not usable:
         return usual
     models = [fit_plane(points[split == part], ratings[split == part]) for part in usable]
-    told = [mean + float(slopes @ (point - middle)) for mean, middle, slopes in models]
+    estimates = [mean + float(slopes @ (point - middle)) for mean, middle, slopes in models]
     far = [measure_distances(point, points[split == part]) for part in usable]
-    found = combine_models(told, [one[0] for one in far], [one[1] for one in far], form)
+    found = combine_models(estimates, [one[0] for one in far], [one[1] for one in far], form)
     return found if form == "printed" else float(np.clip(found, 1.0, 5.0))
