@@ -70,7 +70,7 @@ def _learn(
     for screen in range(screens):
         before = taste
         breeding = np.random.default_rng([seed, 2, screen])
-        _breed(world, before, known, numbers, screen, breeding, how, mix.wide(before.heard))
+        _breed(world, before, known, numbers, screen, breeding, how, mix.wide(before.statements))
         rows = [g for g in numbers if known[g].lacking == 0]
         values = np.array([known[g].values for g in rows])
         seen = np.array([g in shown for g in rows])
@@ -83,7 +83,7 @@ def _learn(
         champion = numbers[told[0].best]  # type: ignore[union-attr]
         if taste.posterior is not None:
             mean, _ = tastes.judge_each(taste, np.array([known[g].values for g in chosen]))
-            late = 2 * mix.wide(taste.heard) <= len(chosen)
+            late = 2 * mix.wide(taste.statements) <= len(chosen)
             trust = count_hit(trust, mean.tolist(), chosen.index(champion), late)
         events += told
         actions += len(told)

@@ -137,7 +137,7 @@ def _tell(progress: Told | None, row: ResultRow, done: int, total: int, before: 
 
 
 def _check_limits(limits: Limits, options: BatchOptions) -> Limits:
-    """Limits and options that can be used; whatever cannot is told before anything starts."""
+    """Limits and options that can be used; whatever cannot is reported before anything starts."""
     from scenewright import domains
     from scenewright.formats import writer
 

@@ -54,7 +54,7 @@ class Ledger:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        with suppress(OSError):  # what a full disk did not take was told when it was written
+        with suppress(OSError):  # what a full disk did not take was reported when it was written
             self._file.close()
         shutil.rmtree(self.parts, ignore_errors=True)
 

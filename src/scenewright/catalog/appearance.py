@@ -97,7 +97,7 @@ def table(rows: dict[str, Facts]) -> str:
 
 
 def facts(assets: Iterable[Asset], on_progress: Heard | None = None) -> dict[str, Facts]:
-    """The facts of some assets by id: looked up, or computed and kept; ``on_progress`` is told the
+    """The facts of some assets by id: looked up, or computed and kept; ``on_progress`` gets the
     share done and the name of what is computed."""
     every = {asset.id: asset for asset in assets}
     known = shipped_facts()

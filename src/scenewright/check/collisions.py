@@ -39,7 +39,7 @@ def penetration(first: Floats, second: Floats) -> Floats:
 
 
 def find_collisions(bodies: Bodies, names: tuple[str, ...]) -> list[Finding]:
-    """Every colliding pair once, deepest overlap told; ``names`` are those of the levels.
+    """Every colliding pair once, with its deepest overlap; ``names`` are those of the levels.
 
     Allowed: flat things (rugs), curtains, a piece and the one it stands on, and a piece under
     or in another as its kind says (a chair under its table, its back staying outside), and

@@ -60,7 +60,7 @@ def find_unreachable(
     even empty is not judged. A piece with using sides (its kind's ``access``) is reached if the
     centre comes within half the route width and :data:`REACH` of one of them, straight before
     it (:data:`BENDING` further where a slope makes one bend down). Pieces of a room that is not
-    reached are not told one by one, nor those of a group none of whose pieces is reached (objects
+    reached are not listed one by one, nor those of a group none of whose pieces is reached (objects
     of a group whose kind names no side are reached from any).
     Seats that go under tables are pushed aside.
 
@@ -222,7 +222,7 @@ def _blockers(walk: Walk, missed: list[Target]) -> list[tuple[list[int], str]]:
 
 def _together(walk: Walk, targets: list[Target], suspects: NDArray[np.int64]) -> list[list[int]]:
     """For each target rows of a least set of suspects that opens the way to it; empty if none
-    does. A set found for one target is told for all others it opens the way to."""
+    does. A set found for one target is named for all others it opens the way to."""
     found: list[list[int]] = [[] for _ in targets]
     shapes: Shapes = np.array([target.shape for target in targets], object)
     own = np.array([target.piece for target in targets], np.int64)

@@ -20,7 +20,7 @@ from scenewright.check.ceilings import HEADROOM, SHOULDERS, lower_than
 from scenewright.core.space import Opening, StairEnd
 
 ROBOT_RADIUS = 0.2
-"""Radius of the robot whose navigable share is told (SceneEval), and of a person sideways."""
+"""Radius of the robot whose navigable share is given (SceneEval), and of a person sideways."""
 
 TURNING = 1.5
 """Diameter of the circle a wheelchair turns in, in metres."""

@@ -33,7 +33,7 @@ STANDING = 0.5
 NEAR_DOOR = 0.6
 """Metres from a way in within which ways begin."""
 WIDE = 3.0
-"""Ways wider than this many metres are told as so wide."""
+"""Ways wider than this many metres are given as so wide."""
 
 
 class FloorGrid(NamedTuple):

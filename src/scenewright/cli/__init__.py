@@ -1,6 +1,6 @@
 """The command line: thin commands over the library, a file each where they are not small.
 
-Nothing is imported here: :func:`main` first makes sure that Ctrl-C is heard, then loads the rest.
+Nothing is imported here: :func:`main` first makes sure that Ctrl-C is obeyed, then loads the rest.
 """
 
 from __future__ import annotations

@@ -39,11 +39,11 @@ LimitOption = Annotated[
     float | None, typer.Option(help="With --batch: seconds a file may take (600).")
 ]
 MOST = 25
-"""Files told one by one at the end."""
+"""Files listed one by one at the end."""
 
 
 class BatchTerms(NamedTuple):
-    """What only a batch is told: formats, workers, memory of each in GiB, seconds for a file."""
+    """Options of batches alone: formats, workers, memory of each in GiB, seconds for a file."""
 
     formats: str | None
     jobs: int | None

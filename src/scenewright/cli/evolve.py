@@ -193,12 +193,12 @@ def _do(
             show_screen(_ask(evolution, console), evolution, request, console)
         case words.Command("undo"):
             event = evolution.undo()
-            told = (
+            note = (
                 "nothing to take back"
                 if event is None
                 else "taken back: " + describe_event(event, shown)
             )
-            print_line(console, told, "dim")
+            print_line(console, note, "dim")
         case words.Command("help"):
             for line in words.HELP.splitlines():
                 print_line(console, line)
@@ -207,11 +207,11 @@ def _do(
 
             picture = evolve_best.name_picture(request.sheet)
             drawn = evolve_best.draw_best(evolution, picture, request.views)
-            told = evolve_best.tell_best(evolution)
-            print_line(console, told if drawn is None else f"{picture}: {told}", whole=True)
+            best = evolve_best.tell_best(evolution)
+            print_line(console, best if drawn is None else f"{picture}: {best}", whole=True)
         case words.Command("names"):
-            for told in tell_names(evolution, shown[0]):
-                print_line(console, told, whole=True)
+            for line in list_names(evolution, shown[0]):
+                print_line(console, line, whole=True)
         case words.Command("reasons"):
             print_line(console, ", ".join(evolution.reasons) or "no reasons for this kind of scene")
         case words.Command("auto", rounds):
@@ -258,7 +258,7 @@ def show_screen(
         print_line(console, str(screen.trust), "dim")
 
 
-def tell_names(evolution: Evolution, first: int) -> list[str]:
+def list_names(evolution: Evolution, first: int) -> list[str]:
     """What of the champion, or of the first candidate while there is none, can be locked or moved:
     a line a space, each piece by the end of its name with where it stands in metres."""
     from scenewright.engine.preference.features import stands_on_floor
@@ -269,13 +269,13 @@ def tell_names(evolution: Evolution, first: int) -> list[str]:
     for piece in solution.pieces:
         if stands_on_floor(piece) and piece.function not in ("landmark", "trees"):
             short = piece.id.rpartition("/")[2]
-            told = f"{short} {piece.pose.x:.1f},{piece.pose.y:.1f}"
-            found.setdefault(piece.space, []).append(told)
-    return [f"{space}: {' · '.join(told)}" for space, told in found.items()]
+            place = f"{short} {piece.pose.x:.1f},{piece.pose.y:.1f}"
+            found.setdefault(piece.space, []).append(place)
+    return [f"{space}: {' · '.join(places)}" for space, places in found.items()]
 
 
 def describe_event(event: Event, shown: list[int]) -> str:
-    """What was heard, in words, by places on the sheet (candidates of earlier sheets by number)."""
+    """What was understood, by places on the sheet (candidates of earlier sheets by number)."""
     from scenewright.engine.preference import events as said
 
     def place(number: int) -> str:

@@ -13,7 +13,7 @@ from scenewright.core.errors import InputError
 
 SCENES = (".geojson", ".json", ".cityjson")
 MOST_ROWS = 12
-"""Rows told."""
+"""Rows shown."""
 
 
 def fold(

@@ -114,7 +114,7 @@ def tell_if_cold(console: Console) -> None:
 
 @contextmanager
 def compiling_noticed(console: Console, bar: Callable[[str], None] | None = None) -> Iterator[None]:
-    """Say when something is compiled in the block, and how long that took; ``bar`` is told how
+    """Say when something is compiled in the block, and how long that took; ``bar`` gets how
     far it is."""
     from scenewright.geometry.compile_clock import CompileClock, compile_clock
 

@@ -64,7 +64,7 @@ class Asset:
 
     ``mesh(size)`` gives parts that fill exactly ``[-w/2, w/2] x [-d/2, d/2] x [0, h]``;
     ``symbol(size)`` polylines ``(k, 2)`` in the same frame seen from above (closed ones repeat
-    their first point). ``style`` and ``colour`` are words, where somebody told or they show.
+    their first point). ``style`` and ``colour`` are words, where somebody stated them or they show.
     ``footprint(size)`` is the polygon it covers, empty where that is its box; ``over(size,
     footprint)``, if there is one, draws it over any other.
     """

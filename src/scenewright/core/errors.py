@@ -5,7 +5,7 @@ from __future__ import annotations
 from scenewright.text import printable
 
 MOST = 400
-"""Letters of a place or a fault that are told."""
+"""Letters of a place or a fault that are shown."""
 
 
 class CancelledError(Exception):

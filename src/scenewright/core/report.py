@@ -54,7 +54,7 @@ class Finding:
     it, several ids joined by commas; outside a zone, the zone). ``amount`` is the size of the
     fault in metres (depth of an overlap, distance outside, gap beneath, width missing) and
     ``area`` in square metres. ``given`` findings concern only pieces that came fixed with the
-    brief: they are told, but the answer is not to blame for them; nor for those ``accepted`` by
+    brief: they are reported, but the answer is not to blame for them; nor for those ``accepted`` by
     the user, for the reason stated there (empty: not accepted).
     """
 

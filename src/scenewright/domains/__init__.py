@@ -141,7 +141,7 @@ def solution_of(
     ``layouts`` holds, by the id of each room, hall or site, rows of a name and a box (x, y,
     heading, width, depth) in metres and radians: patches of furniture groups in homes, objects by
     the id of their demand in halls, buildings by name or model on sites. The solution is furnished
-    and told about as one of :func:`solve`; ``check`` judges it. Raises :class:`InputError` for a
+    and explained like one of :func:`solve`; ``check`` judges it. Raises :class:`InputError` for a
     space, name or size there is not.
     """
     solution: Solution = domain_of(brief.domain).verb("solution")(

@@ -89,7 +89,7 @@ class DiscMark(NamedTuple):
 
 class TextMark(NamedTuple):
     """Words ``size`` high with their middle height at a point, turned by degrees
-    counter-clockwise; where they are anchored is in the style (``middle`` unless told)."""
+    counter-clockwise; where they are anchored is in the style (``middle`` unless stated)."""
 
     words: str
     x: float

@@ -1,4 +1,4 @@
-"""What ask / tell solvers remember: what was asked, and what was told of it.
+"""What ask / tell solvers remember: what was asked, and how it was rated.
 
 Whoever rates layouts, a person perhaps, is asked of each but once, and what nobody rated never
 passes for good.
@@ -19,9 +19,9 @@ Flags = NDArray[np.bool_]
 
 
 class Asked(NamedTuple):
-    """Energies told of genes, by a digest of them; infinite where nobody rated them.
+    """Energies of genes, by a digest of them; infinite where nobody rated them.
 
-    >>> asked = Asked().told(np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([5.0, np.nan]))
+    >>> asked = Asked().record(np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([5.0, np.nan]))
     >>> asked.is_known(np.array([[1.0, 2.0], [9.0, 9.0]])).tolist()
     [True, False]
     >>> asked.energies(np.array([[3.0, 4.0], [1.0, 2.0]])).tolist()
@@ -30,7 +30,7 @@ class Asked(NamedTuple):
 
     known: Mapping[bytes, float] = {}
 
-    def told(self, genes: Floats, energies: Floats) -> Asked:
+    def record(self, genes: Floats, energies: Floats) -> Asked:
         """With the energies (P,) of genes (P, m) added."""
         rated = rate_unrated(energies).tolist()
         return Asked({**self.known, **dict(zip(_digests(genes), rated, strict=True))})
@@ -40,7 +40,7 @@ class Asked(NamedTuple):
         return np.array([digest in self.known for digest in _digests(genes)], np.bool_)
 
     def energies(self, genes: Floats) -> Floats:
-        """What was told of genes (P, m); infinity for those of which nothing was."""
+        """The energies of genes (P, m); infinity for those that have none."""
         return np.array([self.known.get(digest, math.inf) for digest in _digests(genes)])
 
     def new_among(self, genes: Floats) -> Floats:
@@ -56,7 +56,7 @@ def join(waiting: Floats, genes: Floats) -> Floats:
     >>> join(np.array([[1.0], [2.0]]), np.array([[2.0], [3.0]])).ravel().tolist()
     [1.0, 2.0, 3.0]
     """
-    there = Asked().told(waiting, np.zeros(len(waiting)))
+    there = Asked().record(waiting, np.zeros(len(waiting)))
     return np.concatenate([waiting, genes[~there.is_known(genes)]])
 
 

@@ -111,8 +111,8 @@ class PaperGenetic(NamedTuple):
         return genes
 
     def tell(self, state: Generation, genes: Floats, energies: Floats) -> Generation:
-        """The next generation's parents: what is told, and what was known."""
-        asked = state.asked.told(genes, energies)
+        """The next generation's parents: what is rated now, and what was known."""
+        asked = state.asked.record(genes, energies)
         every = join(state.waiting, genes)
         return state._replace(
             genes=every, energies=asked.energies(every), age=state.age + 1, asked=asked

@@ -1,4 +1,4 @@
-"""Runs that make whole layouts one after the other: what is told from within the first of them."""
+"""Runs that make whole layouts one after the other: reports from within the first."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ Told = Callable[[float, Callable[[], Any]], bool]
 
 def tell_growth(watch: BudgetWatch, done: int, steps: int | None) -> Told:
     """What a layout tells while it is made, ``done`` others being whole of so many ``steps`` (left
-    out: nobody knows). Only the first is told to who listens, with an energy of infinity: later
+    out: nobody knows). Only the first is reported, with an energy of infinity: later
     ones compete with one that is whole. Shares only rise; whether to stop is whether nobody waits.
 
     >>> from scenewright.engine.solve import Budget
-    >>> heard = []
-    >>> watch = BudgetWatch(Budget(steps=2), lambda one: heard.append(one.share), None)
+    >>> shares = []
+    >>> watch = BudgetWatch(Budget(steps=2), lambda one: shares.append(one.share), None)
     >>> tell = tell_growth(watch, 0, 2)
-    >>> tell(0.5, tuple), tell(0.4, tuple), heard
+    >>> tell(0.5, tuple), tell(0.4, tuple), shares
     (False, False, [0.25, 0.25])
     """
     most = 0.0

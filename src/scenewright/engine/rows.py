@@ -83,7 +83,7 @@ def load_function(reference: str) -> Any:
 
 
 class RisingShare:
-    """Passes reports on, with no share below one told before."""
+    """Passes reports on, with no share below one reported before."""
 
     def __init__(self, progress: Progress | None) -> None:
         self.progress, self.last = progress, Report(0.0, 0.0, tuple)

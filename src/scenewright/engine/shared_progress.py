@@ -8,7 +8,7 @@ from threading import Lock
 from scenewright.engine.solve import Progress, Report
 
 STEP = 0.002
-"""How much a share must have risen to be told again."""
+"""How much a share must have risen to be reported again."""
 
 
 class SharedProgress:
@@ -18,12 +18,12 @@ class SharedProgress:
     A part may run solvers one after another without knowing how many there will be: the first
     takes half of it, the next half of the rest, and so on, until the part has :meth:`ended`.
 
-    >>> told = []
-    >>> both = SharedProgress(lambda share, name: told.append((share, name)), [1.0, 3.0])
+    >>> reported = []
+    >>> both = SharedProgress(lambda share, name: reported.append((share, name)), [1.0, 3.0])
     >>> both.part(1, "hall")(Report(1.0, 0.0, tuple))
     >>> both.part(0, "bath")(Report(0.5, 0.0, tuple))
     >>> both.ended(1, "hall")
-    >>> told
+    >>> reported
     [(0.375, 'hall'), (0.4375, 'bath'), (0.8125, 'hall')]
     """
 
@@ -31,7 +31,7 @@ class SharedProgress:
         whole = sum(work) or 1.0
         self.progress, self.work = progress, [part / whole for part in work]
         self.begun, self.last = [0.0 for _ in work], [0.0 for _ in work]
-        self.told, self.lock = 0.0, Lock()
+        self.reported, self.lock = 0.0, Lock()
 
     def part(self, number: int, name: str) -> Progress:
         """The listener to the solvers of a part."""
@@ -64,6 +64,6 @@ class SharedProgress:
         ]
         share = min(sum(w * d for w, d in zip(self.work, done, strict=True)), 1.0)
         share = 1.0 if min(done, default=0.0) >= 1.0 else share  # whatever the shares add up to
-        if share >= self.told + step:
-            self.told = share
+        if share >= self.reported + step:
+            self.reported = share
             self.progress(share, name)

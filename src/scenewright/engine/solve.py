@@ -98,8 +98,8 @@ class BudgetWatch:
         return self.cancelled() or share >= 1.0 or energy <= self.budget.target
 
     def reached(self, share: float, best: Callable[[], Any]) -> bool:
-        """Report a share of the work of a run that knows no energy (0 is told); true if it should
-        end."""
+        """Report a share of the work of a run that knows no energy (0 is reported); true if it
+        should end."""
         spent = self.share(0)
         if self.progress is not None:
             self.progress(Report(max(share, spent), 0.0, best))
@@ -109,7 +109,7 @@ class BudgetWatch:
 class PopulationSolver(Protocol):
     """Ask / tell over genes ``(P, m)`` within bounds. State is a value; nothing else is kept.
 
-    What was asked once is not asked again; what is told as infinity or NaN is not rated, and never
+    What was asked once is not asked again; what gets infinity or NaN is not rated, and never
     wins. Nothing to be asked means that there is nothing left to try.
     """
 

@@ -21,7 +21,7 @@ PARTICLES, ROUNDS = 40, 100
 
 class ParticleSwarm(NamedTuple):
     """Positions and velocities (P, m), the best of each particle with its energy (P,), bounds, and
-    whether anything was told."""
+    whether anything was rated."""
 
     places: Floats
     speeds: Floats
@@ -29,7 +29,7 @@ class ParticleSwarm(NamedTuple):
     energies: Floats
     low: Floats
     high: Floats
-    told: bool = False
+    rated: bool = False
 
 
 class Swarm(NamedTuple):
@@ -47,7 +47,7 @@ class Swarm(NamedTuple):
     def ask(self, state: ParticleSwarm, rng: np.random.Generator) -> tuple[Floats, ParticleSwarm]:
         """Where the particles are; after the first round each flies on, pulled to its own best
         and to the best of all, and stays within the bounds. While none is rated, anywhere."""
-        if not state.told:
+        if not state.rated:
             return state.places, state
         if not np.isfinite(state.energies).any():
             places = rng.uniform(state.low, state.high, state.places.shape)
@@ -64,4 +64,4 @@ class Swarm(NamedTuple):
         better = rate_unrated(energies) < state.energies
         bests = np.where(better[:, None], genes, state.bests)
         least = np.where(better, energies, state.energies)
-        return state._replace(bests=bests, energies=least, told=True)
+        return state._replace(bests=bests, energies=least, rated=True)

@@ -13,7 +13,7 @@ from scenewright.core.errors import InputError
 def vector_of(
     weights: Mapping[str, float], places: Mapping[str, int], vector: NDArray[np.float64], what: str
 ) -> NDArray[np.float64]:
-    """``vector`` with the named weights at their ``places``; a name that has none is told as no
+    """``vector`` with the named weights at their ``places``; a name that has none is reported as no
     ``what``.
 
     ``vector`` (k,).

@@ -199,7 +199,7 @@ def formats() -> tuple[Format, ...]:
 
 def _read_row(suffix: str, module: str) -> Format:
     """The row of a module of another package, which may only read or only write. One that cannot
-    be imported is said to do both, so that its fault is told when it is used."""
+    be imported is said to do both, so that its fault is reported when it is used."""
     try:
         found: ModuleType | None = import_module(module)
     except ImportError:

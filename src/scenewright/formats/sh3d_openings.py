@@ -159,7 +159,7 @@ def _window(piece: HomePiece, spot: OpeningSpot) -> Window:
 
 
 def _leaf(piece: HomePiece, spot: OpeningSpot) -> tuple[Swing, Literal["left", "right"]]:
-    """Swing and hinge as seen from inside the room. Two leaves take little room and are told as
+    """Swing and hinge as seen from inside the room. Two leaves take little room and are read as
     sliding; so are garage doors. A frame without a leaf is an open passage."""
     name = f"{piece.catalog} {piece.name}".casefold()
     if re.search(r"slid|coulissant|schiebe|garage|推拉|移门|引き戸", name) or len(piece.sashes) > 1:

@@ -1,4 +1,4 @@
-"""What a compiled function is made of, told from its code: not from files, lines or dates.
+"""What a compiled function is made of, read from its code: not from files, lines or dates.
 
 The compiler copies into a kernel the functions it calls and the constants it names. So the digest
 of a kernel is that of its own instructions and of all they name, to the end. Comments, line

@@ -1,6 +1,6 @@
 """Objects of a CityJSON 2.0 document: prisms over footprints, flat areas, vertices listed once.
 
-Vertices are whole millimetres; solids are of level of detail 1.2, every surface told as ground,
+Vertices are whole millimetres; solids are of level of detail 1.2, every surface marked as ground,
 wall or roof.
 """
 

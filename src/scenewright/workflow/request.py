@@ -17,7 +17,7 @@ from scenewright.formats import SWEET_HOME, check_output, read_planned, writer
 from scenewright.workflow.events import Notice, Planned
 
 HEAVY = 50_000
-"""Faces of a model above which it is told."""
+"""Faces of a model above which it is reported."""
 
 
 class ArrangeRequest(NamedTuple):

@@ -74,7 +74,7 @@ def library(path: str | os.PathLike[str], options: ImportOptions = USUAL) -> tup
 
 
 def report(path: str | os.PathLike[str], options: ImportOptions = USUAL) -> LibraryReport:
-    """Every model of a file, or of a folder and those below it; broken ones are told.
+    """Every model of a file, or of a folder and those below it; broken ones are listed.
 
     Links are not followed. Of models of the same name the later ones get a number.
     """

@@ -53,7 +53,7 @@ class City(NamedTuple):
 
 
 def read(content: bytes, stem: str, *_: object) -> Iterator[RawModel | SkippedModel]:
-    """One model a building, in the order of the file; the others are told."""
+    """One model a building, in the order of the file; the others are listed."""
     city = city_of(json_of(content, "CityJSON"))
     for key in roots_of(city):
         name = clean(key, "unnamed")

@@ -108,7 +108,7 @@ def json_of(content: bytes, what: str) -> dict[str, Any]:
 
 
 def check_json(content: bytes, most: int = MOST_PARSED) -> None:
-    """InputError if the values of a JSON document would take more memory than ``most`` bytes: told
+    """InputError if the values of a JSON document would take more memory than ``most`` bytes: known
     by its signs, before it is parsed.
 
     >>> check_json(b'{"rooms": [[0, 1], [2, 3]]}', 1000)

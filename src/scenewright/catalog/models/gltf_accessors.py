@@ -88,7 +88,7 @@ def pick_row(rows: Sequence[Row], number: int, what: str) -> Row:
 
 
 def view(held: Store, number: int) -> tuple[bytes, int, int, int]:
-    """Bytes of a buffer, start and length of a view of them, and its stride (0: none told)."""
+    """Bytes of a buffer, start and length of a view of them, and its stride (0: none stated)."""
     found = pick_row(held.document.bufferViews, number, "bufferViews")
     buffer = pick_row(held.buffers, found.buffer, "buffers")
     if found.byteOffset + found.byteLength > len(buffer):

@@ -1,4 +1,4 @@
-"""Wavefront OBJ: polygons with materials and textures; y up, front to +z unless told.
+"""Wavefront OBJ: polygons with materials and textures; y up, front to +z unless stated.
 
 Wavefront Technologies, *Object files* (1995). Points, lines and curves are passed over.
 """

@@ -2,7 +2,7 @@
 
 ``PluginFurnitureCatalog.properties`` lists pieces by number: model, size in centimetres, names,
 who made them. A model has y up and its front to +z; ``modelRotation`` (three rows) turns it
-first, then it is stretched to its size. Pieces of kinds of model that are not read are told.
+first, then it is stretched to its size. Pieces of kinds of model that are not read are listed.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ READERS = {".obj": "obj", ".glb": "gltf", ".gltf": "gltf", ".stl": "stl"}
 def read(
     content: bytes, stem: str, _: Beside, options: ImportOptions
 ) -> Iterator[RawModel | SkippedModel]:
-    """One model a piece of the catalogue, in its order; the others are told."""
+    """One model a piece of the catalogue, in its order; the others are listed."""
     with open_archive(io.BytesIO(content)) as archive:
         words = catalogue(archive, options.language)
         numbers = sorted(int(key[6:]) for key in words if re.fullmatch(r"model#\d{1,6}", key))

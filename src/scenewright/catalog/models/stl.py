@@ -1,4 +1,4 @@
-"""STL, binary or text: bare triangles; z up, front to -y unless told.
+"""STL, binary or text: bare triangles; z up, front to -y unless stated.
 
 3D Systems, *StereoLithography interface specification* (1989). Normals are those of the corners.
 """

@@ -16,7 +16,7 @@ class OutletBrief(StrictModel):
     ``antenna`` or ``data`` socket, a tap with a drain (``water``).
 
     Where a room lists outlets of a kind, what needs one is drawn to within reach of it. That it
-    stands farther off is told; if any outlet of the kind is ``required`` it is a failure.
+    stands farther off is reported; if any outlet of the kind is ``required`` it is a failure.
     """
 
     at: Point

@@ -300,7 +300,7 @@ def kept_of(s: State) -> Kept:
 
 
 def parts_of(problem: HallProblem, p: PreparedHall, s: State, missed: float) -> tuple[Part, ...]:
-    """Every part of the energy of a measured state, told of groups, zones and links by number
+    """Every part of the energy of a measured state, of groups, zones and links by number
     where they have no name; their costs sum to the energy."""
     found = []
     for row in HALL_TERMS:

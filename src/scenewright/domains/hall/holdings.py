@@ -18,7 +18,7 @@ from scenewright.domains.hall.patterns import PATTERNS
 SEATWAY = 0.45
 """Free floor to get to a chair from behind, in metres (Neufert)."""
 SPECTATORS, SHOWS = ("auditorium_seat",), ("stage", "screen", "lectern")
-"""What looks, unless told otherwise, at what."""
+"""What looks, unless stated otherwise, at what."""
 
 
 class HallDemand(NamedTuple):

@@ -38,7 +38,7 @@ WAYS = ("access", "reach")
 
 
 class HallSearch(NamedTuple):
-    """A hall to solve, and how; ``stated`` if a user said how many steps; ``watch`` is told the
+    """A hall to solve, and how; ``stated`` if a user said how many steps; ``watch`` gets the
     best layouts of objects."""
 
     hall: HallContext

@@ -62,7 +62,7 @@ BESIDE = 3.0
 asked for leaves doors without one."""
 AS_ASKED = Variant()
 BEGUN = Report(0.0, math.inf, tuple)
-"""What is told while nothing is found yet."""
+"""What is reported while nothing is found yet."""
 
 
 class Built(NamedTuple):

@@ -34,7 +34,7 @@ def boxes_of(pieces: Sequence[Piece]) -> Floats:
 
 
 def term_features(solution: Solution, names: Iterable[str]) -> dict[str, float]:
-    """What each term costs in all, by ``term <name>``; 0 for those not told of."""
+    """What each term costs in all, by ``term <name>``; 0 for those not reported."""
     found = dict.fromkeys(names, 0.0)
     for row in solution.terms:
         if row.term in found and np.isfinite(row.value):

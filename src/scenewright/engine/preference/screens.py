@@ -24,8 +24,8 @@ from."""
 
 
 class ScreenMix(NamedTuple):
-    """How many candidates a screen has. ``learning`` is how many choices and ratings have to be
-    heard until no more than ``least`` of a screen are there to learn from, ``greedy`` the share of
+    """How many candidates a screen has. ``learning`` is how many choices and ratings it
+    takes until no more than ``least`` of a screen are there to learn from, ``greedy`` the share of
     the others that are the predicted best; the rest is drawn by Thompson sampling. ``apart`` is
     how much more two of a screen differ at least, as a share of the mean distance of the
     archive."""
@@ -36,13 +36,13 @@ class ScreenMix(NamedTuple):
     greedy: float = 0.5
     apart: float = 0.35
 
-    def wide(self, heard: int) -> int:
-        """How many of a screen are there to learn from, after so much was heard.
+    def wide(self, statements: int) -> int:
+        """How many of a screen are there to learn from, after so many statements.
 
-        >>> [ScreenMix().wide(heard) for heard in (0, 12, 24, 36)]
+        >>> [ScreenMix().wide(count) for count in (0, 12, 24, 36)]
         [11, 8, 5, 4]
         """
-        left = 1.0 - heard / max(self.learning, 1)
+        left = 1.0 - statements / max(self.learning, 1)
         return max(round((self.size - 1) * left), self.least)
 
 
@@ -88,7 +88,7 @@ def choose_screen(
     taken = [] if champion is None else [champion]
     open_ = ~shown
     open_[taken] = False
-    liked = mix.size - len(taken) - mix.wide(taste.heard)
+    liked = mix.size - len(taken) - mix.wide(taste.statements)
     for value in _rank_by_draws(taste, values, open_, rng, liked, round(mix.greedy * liked)):
         _take_best(value, open_, far, least, taken)
     _take_unknown(taste, values, open_, mix.size, taken)

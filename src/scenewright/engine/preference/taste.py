@@ -66,7 +66,7 @@ class PersonTaste(NamedTuple):
     scale: FeatureScale
     posterior: Posterior | None
     start: Floats
-    heard: int = 0
+    statements: int = 0
 
 
 class Liking(NamedTuple):
@@ -109,8 +109,8 @@ def learn_taste(
     seen = _observe(scale, counting(events), values, reasons, origin)
     if not (seen.choices or seen.ratings):
         return PersonTaste(scale, None, origin)
-    heard = len(seen.choices) + len(seen.ratings)
-    return PersonTaste(scale, fit_relevance(seen, rule.kernel, rule.rounds), origin, heard)
+    statements = len(seen.choices) + len(seen.ratings)
+    return PersonTaste(scale, fit_relevance(seen, rule.kernel, rule.rounds), origin, statements)
 
 
 def judge(taste: PersonTaste, values: Floats) -> Liking:

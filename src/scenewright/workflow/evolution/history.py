@@ -75,9 +75,9 @@ def _first_pick(events: Sequence[Event], shown: Sequence[int]) -> Pick | None:
 def read_history(entries: Sequence[Entry]) -> History:
     """The history of all entries of a log.
 
-    >>> told = {"screen": 0, "shown": [0, 1], "predicted": [None, None]}
+    >>> shown = {"screen": 0, "shown": [0, 1], "predicted": [None, None]}
     >>> said = {"event": "pick", "best": 1, "among": [0, 1]}
-    >>> read_history([Entry(0, "screen", told), Entry(1, "event", said)]).events
+    >>> read_history([Entry(0, "screen", shown), Entry(1, "event", said)]).events
     (Pick(best=1, among=(0, 1)),)
     """
     history = History()

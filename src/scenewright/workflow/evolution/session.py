@@ -161,7 +161,7 @@ class Evolution:
         shown = self._choose(taste, epoch, number)
         candidates = self._show(shown, taste)
         predicted = [one.predicted for one in candidates]
-        wide = self._mix.wide(taste.heard)
+        wide = self._mix.wide(taste.statements)
         body = {"screen": number, "shown": shown, "predicted": predicted, "wide": wide}
         self._append("screen", body, shown)
         self._breed(epoch, number + 1, taste)
@@ -253,7 +253,7 @@ class Evolution:
             begun = breed_genomes(breeder.genes, parents, known, age, rng, how)
             if taste is None or not rows:
                 return begun
-            wide = self._mix.wide(taste.heard)
+            wide = self._mix.wide(taste.statements)
             return breed_further(breeder, taste, [*parents, *begun], known, age, rng, how, wide)
 
         self._nursery.begin(epoch, screen, choose)

@@ -2,7 +2,7 @@
 
 The walking distance is measured on a square raster over where a person 0.4 m wide can be, moving
 to the 16 nearest cells, so it is at most 2.8 % longer than the shortest way (and a cell more).
-Doors and outline come with the brief, so what is found is told as a note. The limits follow
+Doors and outline come with the brief, so what is found is a note. The limits follow
 common fire codes (NFPA 101: 45 m to an exit in shops without sprinklers, 5 mm of exit width a
 person on the level, two exits for more than 50 people); they are no substitute for the local one.
 """

@@ -22,7 +22,7 @@ from scenewright.core.report import Finding
 from scenewright.domains.hall.check.halls import JudgedHall, JudgedLink
 
 MOST = 3.0
-"""Widths above this, or above half as much again as was asked for, are told as that, in metres."""
+"""Widths above this, or above 1.5 times what was asked for, are reported as that, in metres."""
 
 _SEAM = 0.005  # zones that share a border may be written a hair apart
 _LEAST = 0.02

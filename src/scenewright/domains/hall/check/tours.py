@@ -110,7 +110,7 @@ def bottlenecks(
     """Where the tour is narrower than ``wanted`` metres: the narrowest place of each stretch, what
     stands on both sides, the narrowest first.
 
-    Near the doors, where the width is that of the opening, nothing is told.
+    Near the doors, where the width is that of the opening, nothing is reported.
     """
     narrow = line.widths < wanted
     for opening in hall.space.openings:

@@ -115,7 +115,7 @@ def _route_rows(
 
 
 def _key_rows(halls: Halls, scene: Scene, narrow: bool) -> list[LegendRow]:
-    """The signs that occur on the sheet, told once."""
+    """The signs that occur on the sheet, each once."""
     doors = [o for o in scene.openings if o.kind != "window" and len(o.spaces) == 1]
     uses = {door.use for door in doors}
     offered = (

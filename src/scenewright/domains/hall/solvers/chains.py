@@ -1,7 +1,7 @@
 """Solvers of halls by chains: the paper's GD-MH, and ours: several annealed chains, best kept.
 
 A run starts from a layout in which every unit found a place (:func:`begin_chain`); units that
-find none are told, for the domain to split or leave out.
+find none are named, for the domain to split or leave out.
 """
 
 from __future__ import annotations

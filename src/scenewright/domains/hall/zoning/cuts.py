@@ -72,11 +72,11 @@ def _weights(space: Space, doors: list[Opening]) -> Callable[[Frame], tuple[floa
     floor = shapely.Polygon(space.outline, space.holes)
     points = np.array([floor.centroid.coords[0], *((door.x, door.y) for door in doors)])
 
-    def told(frame: Frame) -> tuple[float, ...]:
+    def measure(frame: Frame) -> tuple[float, ...]:
         moved = into(frame, points)
         return tuple(np.round(np.concatenate([moved[0], moved[1:].sum(0)]), 4).tolist())
 
-    return told
+    return measure
 
 
 def into(frame: Frame, points: Points) -> Points:

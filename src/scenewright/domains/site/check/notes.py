@@ -10,7 +10,7 @@ from scenewright.domains.site.brief import Site
 from scenewright.ground.plan import SitePlan
 
 SMALL = 2.0
-"""Greatest side, in metres, of a landmark that is told to be small."""
+"""Greatest side, in metres, of a landmark that is reported as small."""
 
 
 def find_small(sites: Sequence[Site], plans: Sequence[SitePlan]) -> Iterator[Note]:

@@ -169,7 +169,7 @@ def _site(
 
 
 def _check(feature: Feature, floor: shapely.Polygon, map_: Projection) -> None:
-    """A site must have ground, and be of a size that its coordinates are told rightly."""
+    """A site must have ground, and be of a size that its coordinates can be right."""
     west, south, east, north = floor.bounds if not floor.is_empty else (0.0, 0.0, 0.0, 0.0)
     if floor.area < LEAST_SITE:
         fault = f"holds only {floor.area:.2g} m²"

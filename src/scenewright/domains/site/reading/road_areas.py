@@ -1,4 +1,4 @@
-"""Roads told as areas, as straight pieces: boxes round an area that is cut while they fit badly."""
+"""Roads drawn as areas, in straight pieces: boxes round an area cut while they fit badly."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Genetic algorithms over the matrix code of sites (Zhang, Yang 2023): theirs, and a simple one.
 
-Ask / tell, so what is told may come from a measure or from a person who rates layouts: an energy
+Ask / tell, so ratings may come from a measure or from a person who rates layouts: an energy
 is a rating with its sign turned. Chromosomes travel as rows (cells · 3,) of whole numbers.
 """
 
@@ -62,7 +62,7 @@ class MatrixGenetic(NamedTuple):
     are repaired (left out: as printed); ``alike`` δ of (12), and ``known`` generations without
     anything new after which there is nothing left to ask.
 
-    Ratings may come from anybody who looks at the layouts: told with their sign turned, the best
+    Ratings may come from anybody who looks at the layouts: with their sign turned, the best
     rated breed. Here somebody likes buildings in the west.
 
     >>> from scenewright import read
@@ -181,9 +181,9 @@ class MatrixGenetic(NamedTuple):
         return children
 
     def tell(self, state: Bred, genes: Floats, energies: Floats) -> Bred:
-        """The next generation's parents, what is told and what was known; whether they are alike
-        by (12)."""
-        asked = state.asked.told(genes, energies)
+        """The next generation's parents, what is rated now and what was known; whether they are
+        alike by (12)."""
+        asked = state.asked.record(genes, energies)
         genes = join(state.waiting, genes)
         energies = asked.energies(genes)
         settled, before = state.settled, state.energies.min(initial=math.inf)

@@ -109,7 +109,7 @@ SITE_FIGURES: dict[str, str] = {
     "ratio": "the paper's energy, position costs over visual quality (eq. 5); lower is better",
     "generations": "generations until the layouts were alike (eq. 12), or all there were",
 }
-"""Figures of a site that are told beside its terms."""
+"""Figures of a site that are shown beside its terms."""
 PRINTED = ("insert", "overlap", "road", "facing", "quality")
 
 

@@ -1,7 +1,7 @@
 """A solved site as CityJSON 2.0: buildings as solids of level of detail 1.2, ground, roads, and
 what is laid out (lanes, drives, walks; squares and parking; courts).
 
-Prisms over the footprints, every surface told as ground, wall or roof; vertices are whole
+Prisms over the footprints, every surface marked as ground, wall or roof; vertices are whole
 millimetres, each listed once. Coordinates are those of the city model that the site came from,
 else the local metres of the brief. Credits are attributes of the ground: extra properties of the
 whole would need an extension of the schema.

@@ -145,7 +145,7 @@ class TakeoverStage(NamedTuple):
 STAGES = (TakeoverStage(1.0, 0.8, 3), TakeoverStage(0.7, 0.5, 200))
 """Coarse first, then back to the person, then fine and to the end; ratings are 1 to 5 (the paper
 gives no values). ξ of (25) as printed grows with the number of test ratings, so its threshold is
-told a rating."""
+given a rating."""
 
 
 def may_take_over(truth: Floats, predicted: Floats, stage: TakeoverStage) -> bool:

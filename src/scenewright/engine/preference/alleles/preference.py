@@ -89,8 +89,8 @@ def estimate_fitness(
     Repaired: the mean of F(X) with the weights p (τ + p) / τ, and ``middle`` of the ratings where
     no allele has a preference.
 
-    >>> told = [AlleleRecord(0.5, 0.5, 4.0), AlleleRecord(0.5, 0.5, 2.0)]
-    >>> estimate_fitness(told, 3.0, "printed"), estimate_fitness(told, 3.0)
+    >>> rated = [AlleleRecord(0.5, 0.5, 4.0), AlleleRecord(0.5, 0.5, 2.0)]
+    >>> estimate_fitness(rated, 3.0, "printed"), estimate_fitness(rated, 3.0)
     (6.0, 3.0)
     """
     weights = [p * (tau + p) / tau for p, tau, _ in alleles]
@@ -110,8 +110,8 @@ def estimate_unknown(
     As printed it grows with the number of genes. Repaired: the mean over the genes, added to the
     mean of the bounds as a share of what is left to the upper.
 
-    >>> told = [AlleleRecord(1.0, 1.0, 0.0)] * 4
-    >>> estimate_unknown(told, 1.0, 5.0, "printed"), estimate_unknown(told, 1.0, 5.0)
+    >>> rated = [AlleleRecord(1.0, 1.0, 0.0)] * 4
+    >>> estimate_unknown(rated, 1.0, 5.0, "printed"), estimate_unknown(rated, 1.0, 5.0)
     (12.0, 5.0)
     """
     shares = [p * (tau + p) / (tau + 1.0) for p, tau, _ in alleles]
@@ -138,8 +138,8 @@ def estimate_allele(
 
     >>> rated, ratings = np.array([[7], [7], [2]]), np.array([4.0, 2.0, 9.0])
     >>> quality = np.array([0.9, 0.1, 0.5])
-    >>> told = (rated, ratings, quality, 0, 7, 0.5)
-    >>> [estimate_allele(*told, form) for form in ("printed", "repaired")]
+    >>> given = (rated, ratings, quality, 0, 7, 0.5)
+    >>> [estimate_allele(*given, form) for form in ("printed", "repaired")]
     [2.0, 4.0]
     """
     there = rated[:, gene] == allele
