@@ -132,17 +132,17 @@ def _check_number(demand: Demand, where: str) -> None:
         )
     for key in ("most", "fill"):
         if getattr(demand, key) is not None and demand.sizes:
-            raise InputError(f"has both sizes and {key}", "leave out one of them", place=told)
+            raise InputError(f"has both sizes and {key}", "leave out one of them", place=where)
     if demand.most is not None and demand.most < (demand.count or 1):
         raise InputError(
             f"most is {demand.most}, but count {demand.count}",
             "give a greater most: count is the least",
-            place=told,
+            place=where,
         )
     if demand.length is None:
         return
     if demand.most is not None:
-        raise InputError("has both length and most", "leave out one of them", place=told)
+        raise InputError("has both length and most", "leave out one of them", place=where)
     if demand.count is not None:
         raise InputError("has both count and length", "leave out one of them", place=where)
     width = usual_size(demand)[0]
