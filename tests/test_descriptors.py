@@ -223,4 +223,7 @@ def test_classes_are_shown(method: str, tmp_path: Path) -> None:
     assert cli.run([*words, "-o", str(tmp_path / "sheet.png"), "--classes", "4"]) == 0
     assert (tmp_path / "sheet.png").stat().st_size > 2000
     assert cli.run([*words, "--json"]) == 0
+    assert cli.run([*words, "--depths"]) == 2
+    assert cli.run([*words, "--depths", "-o", str(tmp_path / "depths.png")]) == 0
+    assert (tmp_path / "depths.png").stat().st_size > 2000
     assert cli.run(["catalog", "cluster", str(folder), "-o", str(tmp_path / "a.gif")]) == 2

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -29,14 +29,20 @@ def cluster(
         int | None, typer.Option(min=1, max=200, help="How many; by default by their number.")
     ] = None,
     method: Annotated[str, typer.Option(help="ward, k-means, leader or art.")] = "ward",
+    depths: Annotated[
+        bool, typer.Option("--depths", help="Show the first of each class with its depth maps.")
+    ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
 ) -> int:
-    """Sort models into classes by shape, size and colour; show them as a sheet of pictures."""
+    """Sort models into classes by shape, size and colour; show them as a sheet of pictures, or the
+    first of each class as seen from ten sides (a light field)."""
     from scenewright.catalog.loading import read_entry
     from scenewright.core.brief.catalog import entry_of
 
     if method not in METHODS:
         raise InputError(f"unknown method '{method}'", f"use one of: {', '.join(METHODS)}")
+    if depths and output is None:
+        raise InputError("depth maps are shown on a sheet", "add -o OUT.png", place="--depths")
     if output is not None:
         if output.suffix.lower() != ".png":
             raise InputError("sheets are written as .png", "choose such a name", file=str(output))
@@ -48,7 +54,7 @@ def cluster(
     order = sorted(range(len(models)), key=lambda k: (labels[k], models[k].model.id))
     rows = [{"class": labels[k] + 1, "model": models[k].model.id} for k in order]
     if output is not None:
-        _draw(models, labels, order, output, method)
+        _draw(models, labels, order, output, method, depths)
     if as_json:
         tables.print_json(rows)
         return 0
@@ -86,18 +92,25 @@ def sort_models(models: tuple[Listed, ...], method: str, classes: int | None) ->
 
 
 def _draw(
-    models: tuple[Listed, ...], labels: list[int], order: list[int], output: Path, method: str
+    models: tuple[Listed, ...],
+    labels: list[int],
+    order: list[int],
+    output: Path,
+    method: str,
+    depths: bool,
 ) -> None:
     from scenewright.render.contact_sheet import SheetEntry, draw_sheet, write_sheet
+    from scenewright.render.depth_strip import draw_depth_strip
     from scenewright.render.thumbnail import draw_thumbnail
 
-    entries: list[SheetEntry] = []
-    seen: Counter[int] = Counter()
-    for k in order[:MOST]:
+    draw, entries, seen = draw_depth_strip if depths else draw_thumbnail, [], Counter[int]()
+    for k in order:
         seen[labels[k]] += 1
-        name: Any = models[k].model.name
-        picture = draw_thumbnail(models[k].model.parts)
         first = seen[labels[k]] == 1
-        entries.append(SheetEntry(picture, str(labels[k] + 1), str(name)[:20], first))
-    title = f"{len(models)} models, {max(labels) + 1} classes ({method}); the first of each framed"
+        if len(entries) < MOST and (first or not depths):
+            label, name = str(labels[k] + 1), str(models[k].model.name)[:20]
+            picture = draw(models[k].model.parts)
+            entries.append(SheetEntry(picture, label, name, first and not depths))
+    said = "the first of each from ten sides" if depths else "the first of each framed"
+    title = f"{len(models)} models, {max(labels) + 1} classes ({method}); {said}"
     write_sheet(draw_sheet(entries, "Models by what they look like", title), output)
