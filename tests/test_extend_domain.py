@@ -321,3 +321,12 @@ def test_models_without_surface_are_left_out_by_name(tmp_path: Path) -> None:
     brief = extension({"path": str(tmp_path / "bare.glb")}, outline=outline, count=3)
     told = {out.what for out in sw.solve(brief, steps=1).left_out}
     assert {f"{name}: has no surface" for name in bare} <= told
+
+
+def test_an_area_too_small_for_any_building_says_so() -> None:
+    rings = [[[x, 0], [x + 8, 0], [x + 8, 9], [x, 9]] for x in (0, 12, 24)]
+    source = {"buildings": [{"outline": ring} for ring in rings]}
+    outline = [(40, 0), (43, 0), (43, 3), (40, 3)]
+    solution = sw.solve(extension(source, outline=outline), preset="quick")
+    assert [(one.what, one.required) for one in solution.left_out] == [("all buildings", False)]
+    assert "none fits on 9 m²" in solution.left_out[0].reason

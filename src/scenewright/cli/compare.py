@@ -100,4 +100,4 @@ def _show(found: PlaceComparison) -> None:
 
 
 def _row(one: Any) -> dict[str, float]:
-    return {"what": round(one.what, 2), "how": round(one.how, 2), "whole": round(one.whole, 2)}
+    return {side: round(getattr(one, side), 2) + 0.0 for side in ("what", "how", "whole")}

@@ -207,7 +207,10 @@ def print_explanation(console: Console, solution: Solution, plan: Plan | None = 
         for term in sorted(felt, key=lambda t: -t.cost)
     ]
     print_line(console, _programme(solution, plan))
-    table(console, why, "why", right=("value", "weight", "cost"))
+    if why:
+        table(console, why, "why", right=("value", "weight", "cost"))
+    else:
+        print_line(console, "no term costs anything")
     _print_excess(console, solution, rooms)
     domain = solution.brief.domain
     figures = [t for t in solution.terms if t.weight == 0.0]

@@ -133,6 +133,9 @@ def furnish_area(
     )
     missing = layout.asked - len(layout.poses)
     left_out = []
+    if not layout.asked and not len(layout.poses) and not area.fixed:
+        reason = f"none fits on {area.outline.area:.0f} m² at the distances of the source"
+        left_out.append(LeftOut(area.id, "all buildings", reason, False))
     if missing > 0:
         told = f"{missing} of {layout.asked} buildings"
         full = f"no place left on {area.outline.area:.0f} m² at the distances of the source"

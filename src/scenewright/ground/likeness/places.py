@@ -191,5 +191,7 @@ def _line(words: str, unit: str, a: float, b: float) -> str:
     if unit == "share":
         return f"{words} {'more' if b > a else 'less'} ({a:.0%} → {b:.0%})"
     if unit == "rad":
+        if round(np.rad2deg(a)) == round(np.rad2deg(b)):
+            return f"{words} spread differently (median {np.rad2deg(a):.0f}° in both)"
         return f"{words} differ ({np.rad2deg(a):.0f}° → {np.rad2deg(b):.0f}°)"
     return f"{words} differ"

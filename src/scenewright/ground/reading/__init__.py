@@ -56,7 +56,10 @@ def _read(path: Path, origin: tuple[float, float] | None, scale: float) -> Built
     elif isinstance(document.get("pieces"), list):
         found = saved_scene(document)
     else:
-        raise InputError("is no map, city model or solution", "give .geojson or .city.json")
+        raise InputError(
+            "is no map, city model or solution",
+            "give .geojson, .city.json, or what arrange wrote as .json",
+        )
     return _with_buildings(found)
 
 
