@@ -103,7 +103,8 @@ def _draw(
     from scenewright.render.depth_strip import draw_depth_strip
     from scenewright.render.thumbnail import draw_thumbnail
 
-    draw, entries, seen = draw_depth_strip if depths else draw_thumbnail, [], Counter[int]()
+    draw = draw_depth_strip if depths else draw_thumbnail
+    entries, seen = list[SheetEntry](), Counter[int]()
     for k in order:
         seen[labels[k]] += 1
         first = seen[labels[k]] == 1
