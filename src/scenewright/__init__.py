@@ -10,9 +10,14 @@ Names are loaded when first used, so importing the package is quick.
 
 from __future__ import annotations
 
+import os
 import sys
 
 from scenewright._version import __version__
+
+# Before numpy is loaded: products of a few hundred rows gain nothing from threads that wait for
+# each other, and on a busy machine take twenty times as long.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 TYPE_CHECKING = False  # that of typing, whose import takes longer than all of this
 if TYPE_CHECKING:
