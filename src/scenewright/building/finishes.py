@@ -31,9 +31,12 @@ SURFACES: dict[str, Material] = {
     "white_wall": Material("garden wall, white", (0.93, 0.92, 0.89), roughness=0.95),
     "stone_wall": Material("garden wall, stone", (0.74, 0.69, 0.60), roughness=0.95),
     "coping": Material("tile coping", (0.27, 0.28, 0.30), roughness=0.9),
+    "carpet_grey": Material("carpet, grey", (0.49, 0.50, 0.52), roughness=1.0),
+    "carpet_sand": Material("carpet, sand", (0.64, 0.59, 0.53), roughness=1.0),
+    "carpet_sage": Material("carpet, sage", (0.50, 0.53, 0.48), roughness=1.0),
     "marking": Material("road marking", (0.93, 0.93, 0.91), roughness=0.9),
 }
-"""What lies on open ground, by kind."""
+"""What lies on the ground or on the floor of a hall, by kind."""
 
 FLOORS: dict[str, Material] = {
     "kitchen": STONE_FLOOR,

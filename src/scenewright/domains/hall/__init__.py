@@ -19,7 +19,7 @@ DOMAIN = Domain(
         "solve": ".solving:solve",
         "solution": ".solution:solution_of",
         "check": ".check.judge:check",
-        "scene": "scenewright.building.shell:scene_of_rooms",
+        "scene": ".islands:scene_of_hall",
         "draw": ".drawing.overlay:draw",
         "alternatives": ".alternatives:alternatives",
         "compare": ".alternatives:compare",

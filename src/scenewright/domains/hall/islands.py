@@ -1,0 +1,107 @@
+"""Islands: what stands together in a hall on a carpet of its own, lit from the ceiling.
+
+Only drawn: carpets and spots belong to the scene of a hall, not to its solution, and bar nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import shapely
+from shapely import Geometry
+
+from scenewright.building.masonry import polygons
+from scenewright.building.shell import scene_of_rooms
+from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.plan import Plan
+from scenewright.core.scene import GroundSurface, Piece, Pose, Scene, Size
+from scenewright.core.solution import Solution
+from scenewright.core.space import Space
+from scenewright.domains.hall.hall_layout import HallLayout, PlacedGroup, Zone
+
+EXHIBITS = frozenset(("showcase", "plinth", "exhibit_island", "exhibit_panel", "interactive_table"))
+SEATS = frozenset(("lounge_seat", "bench", "auditorium_seat", "reading_table"))
+CARPETS = ("carpet_grey", "carpet_sand", "carpet_sage")
+BEYOND, APART, SEAM = 0.7, 1.3, 0.15
+"""How far a carpet reaches beyond what stands on it, up to which gap two share one, and how far it
+keeps from the border of its zone, metres."""
+LEAST = 3.0
+"""Square metres of a carpet, at least."""
+PILE = 0.008
+SPOT = Size(0.3, 0.3, 0.14)
+MOST_SPOTS = 400
+
+
+def scene_of_hall(solution: Solution, plan: Plan) -> Scene:
+    """The scene of halls, with a carpet under what stands free together and a spot over each of
+    its exhibits."""
+    scene = scene_of_rooms(solution, plan)
+    layout: HallLayout = solution.detail.layout
+    pieces = {piece.id: piece for piece in solution.pieces}
+    free = [group for group in layout.groups if group.pattern != "wall"]
+    laid = (_lay_carpet(zone, k, free, pieces) for k, zone in enumerate(layout.zones))
+    carpets = [carpet for carpet in laid if carpet is not None]
+    lit = [pieces[o] for group in free for o in group.objects if o in pieces]
+    spots = _hang_spots([p for p in lit if p.category in EXHIBITS][:MOST_SPOTS], plan.spaces)
+    return replace(scene, surfaces=tuple(carpets), pieces=(*scene.pieces, *spots))
+
+
+def _lay_carpet(
+    zone: Zone, number: int, groups: Sequence[PlacedGroup], pieces: dict[str, Piece]
+) -> GroundSurface | None:
+    """The carpets of a zone, in its colour, a seam off its border; ``None`` where nothing in it
+    stands on one."""
+    held = [
+        tuple(pieces[o] for o in group.objects if o in pieces)
+        for group in groups
+        if (group.space, group.zone) == (zone.space, zone.id)
+    ]
+    standing = [some for some in held if any(p.category in EXHIBITS | SEATS for p in some)]
+    if not standing:
+        return None
+    whole = shapely.union_all([_surround(some) for some in standing])
+    joined = _close(whole, APART / 2).simplify(0.05)
+    floor = shapely.Polygon(zone.outline, zone.holes).buffer(-SEAM, join_style="mitre")
+    parts = [p for p in polygons(joined.intersection(floor)) if p.area >= LEAST]
+    colour = CARPETS[number % len(CARPETS)]
+    name = f"{zone.space}/{zone.id}/carpet"
+    rings = tuple(map(_rings, parts))
+    return GroundSurface(name, zone.space, colour, rings, 0.0, PILE) if parts else None
+
+
+def _surround(held: tuple[Piece, ...]) -> Geometry:
+    """The floor round pieces, with square corners, gaps between neighbours closed."""
+    grown = shapely.buffer(polygons_of(held), BEYOND, join_style="mitre")
+    return _close(shapely.union_all(grown), APART / 2)
+
+
+def _close(shape: Geometry, by: float) -> Geometry:
+    """A shape whose gaps up to twice as wide are closed."""
+    return shape.buffer(by, join_style="mitre").buffer(-by, join_style="mitre")
+
+
+def _rings(part: shapely.Polygon) -> tuple[np.ndarray, tuple[np.ndarray, ...]]:
+    whole = shapely.orient_polygons(part)
+    inner = tuple(np.asarray(ring.coords)[:-1] for ring in whole.interiors)
+    return np.asarray(whole.exterior.coords)[:-1], inner
+
+
+def _hang_spots(exhibits: Sequence[Piece], spaces: Sequence[Space]) -> list[Piece]:
+    """A spot at the ceiling over each exhibit."""
+    heights = {space.id: space.height for space in spaces}
+    return [
+        Piece(
+            id=f"{piece.id}/spot",
+            category="ceiling_lamp",
+            asset="ceiling_lamp",
+            space=piece.space,
+            pose=Pose(piece.pose.x, piece.pose.y, heights[piece.space] - SPOT.height, 0.0),
+            size=SPOT,
+            group=piece.group,
+            function="light",
+        )
+        for piece in exhibits
+        if piece.space in heights
+    ]
