@@ -11,12 +11,15 @@ from benchmarks import composition_kitchen
 
 from rooms import full_problem, random_layouts
 from scenewright.cli.show import explained_document
-from scenewright.core.brief import Brief, Room
+from scenewright.core.brief import Ask, Brief, Room
 from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
 from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.beds import wants_double_bed
 from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.forms import list_further
 from scenewright.domains.home.composing.improve import compose
+from scenewright.domains.home.composing.modest import EXPECTED, find_shortage
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.groups.corner_kitchen import corner_kitchens
 from scenewright.domains.home.groups.sleeping import along_wall
@@ -192,3 +195,83 @@ def test_explain_tells_the_programme(composed):
     told = explained_document(solution)["programme"]
     assert told.endswith("m of storage.")
     assert "\n" not in told
+
+
+@pytest.mark.parametrize("function", EXPECTED)
+def test_the_shortage_of_a_group_grows_with_its_room_and_none_is_without_remedy(function):
+    known = [*cases(function).groups, *list_further(function)]
+    for case in known[::7]:
+        degrees = [find_shortage(case, area) for area in np.arange(4.0, 40.0, 0.5)]
+        assert degrees == sorted(degrees)
+        assert 0.0 <= degrees[0] <= degrees[-1] <= 1.0
+    assert min(find_shortage(case, 40.0) for case in known) == 0.0
+
+
+def test_shelves_of_a_closet_stand_behind_its_sliding_door():
+    """A closet 0.55 m deep is used through its door: nobody needs floor before its shelves."""
+    closet = {
+        "id": "closet",
+        "function": "storage",
+        "outline": [[0, 0], [1.6, 0], [1.6, 0.55], [0, 0.55]],
+        "doors": [{"at": [0.8, 0.0], "width": 1.5, "swing": "slide"}],
+    }
+    solution = solve(Brief(rooms=[Room.model_validate(closet)]), seed=1, steps=2000)
+    shelves = [p for p in solution.pieces if p.category == "storage_shelf"]
+    assert sum(p.size.width for p in shelves) >= 0.6 * 1.6
+    assert all(p.pose.y - p.size.depth / 2 >= 0.3 for p in shelves)
+    assert check(solution).valid
+
+
+def test_groups_that_are_asked_for_are_as_large_as_their_room():
+    rooms = {
+        "kitchen": ([[0, 0], [4.2, 0], [4.2, 4], [0, 4]], ["kitchenette", "fridge", "dining_wall"]),
+        "living": ([[0, 0], [6, 0], [6, 5], [0, 5]], ["seating", "media"]),
+        "bedroom": ([[0, 0], [3.6, 0], [3.6, 3.4], [0, 3.4]], ["sleeping", "wardrobe"]),
+    }
+    for name, (outline, groups) in rooms.items():
+        room = {
+            "id": name,
+            "function": name,
+            "outline": outline,
+            "doors": [{"at": [0.0, 0.6], "width": 0.8}],
+            "ask": [{"group": group, "required": True} for group in groups],
+        }
+        solution = solve(Brief(rooms=[Room.model_validate(room)]), seed=2, steps=2000)
+        held = [p.category for p in solution.pieces]
+        assert check(solution).valid
+        assert held.count("fridge") == ("fridge" in groups)
+        if name == "kitchen":
+            assert held.count("dining_chair") >= 4
+            fronts = ("hob_cabinet", "sink_cabinet", "base_cabinet", "drawer_cabinet")
+            wide = sum(p.size.width for p in solution.pieces if p.category in fronts)
+            assert wide + 1.4 * held.count("corner_cabinet") >= 2.8 - 1e-6
+        if name == "living":
+            sofa = next(p for p in solution.pieces if p.category == "sofa")
+            assert sofa.size.width >= 2.0
+        if name == "bedroom":
+            assert (held.count("double_bed"), held.count("nightstand")) == (1, 2)
+
+
+def test_a_room_for_two_gets_its_double_bed_back():
+    from scenewright.building.plan import spaces
+    from scenewright.catalog.loading import catalog_of
+    from scenewright.domains.home.wheelchair import furnish_by_use
+    from scenewright.engine.solve import Budget
+
+    room = {
+        "id": "bedroom",
+        "function": "bedroom",
+        "outline": [[0, 0], [3.6, 0], [3.6, 3.2], [0, 3.2]],
+        "doors": [{"at": [0.0, 0.6], "width": 0.8}],
+    }
+    brief = Brief(rooms=[Room.model_validate(room)])
+    preset, rooms = PRESETS["default"], spaces(brief)
+    (task,), _ = prepare_rooms(brief, rooms, catalog_of(()), preset, preset.solver, 5)
+    single = (Wish("single", 0, core=True), Wish("wardrobe", 0))
+    before = furnish_by_use(task, single, Budget(steps=6000, threads=1))
+    assert "single" in {p.wish.group for p in before.placed}
+    assert {p.wish.group for p in compose(task, before).placed} >= {"sleeping", "wardrobe"}
+    assert wants_double_bed(task)
+    asked = task.asked.model_copy(update={"ask": [Ask(group="single")]})
+    assert not wants_double_bed(task._replace(asked=asked))
+    assert not wants_double_bed(task._replace(forbidden=frozenset({"double_bed"})))

@@ -60,6 +60,9 @@ def test_a_rug_grows_no_further_than_walls_and_furniture_let_it(living):
     for piece in grown:
         if piece.group != rug.group and piece.pose.z < 0.01:
             assert found.intersection(shapely.Polygon(outline_of(piece))).area < 0.01
+    wall = replace(sofa, id="wall", size=sofa.size._replace(width=9.0), group="")
+    boxed = enlarge_pieces(pieces, [replace(wall, pose=rug.pose)], ground, space.height, shipped())
+    assert "rug" not in {p.category for p in boxed if p.group == rug.group}, "no mat"
     fixed = [replace(p, fixed=True) for p in pieces]
     assert enlarge_pieces(fixed, (), ground, space.height, shipped()) == fixed
 

@@ -303,7 +303,9 @@ def instead_of(wish: Wish, others: Mapping[str, str] = FALLBACK) -> tuple[Wish, 
 
     >>> [wish.group for wish in instead_of(Wish("kitchen", 0))]
     ['kitchenette', 'fridge']
+    >>> [wish.group for wish in instead_of(Wish("kitchenette", 0))]
+    ['kitchenette']
     """
     other = others.get(wish.group, wish.group)
-    also = [ALSO[other]] if other in ALSO else []
+    also = [ALSO[other]] if other in ALSO and other != wish.group else []
     return tuple(wish._replace(group=group, small=True) for group in (other, *also))

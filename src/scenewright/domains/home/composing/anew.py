@@ -46,9 +46,9 @@ def _lay_out_anew(
     most = sum_faults(task, best.placed) - least
     own = sum_faults(task, tuple(p for p in best.placed if p.name == name)) - least
     for first, *others in _list_orders(task, best.placed, name):
-        for start in _list_starts(task, first):
+        for start in list_starts(task, first):
             better = sum_faults(task, start.placed) < own
-            whole = _follow(task, start, others, barred, most) if better else None
+            whole = follow(task, start, others, barred, most) if better else None
             if whole is not None:
                 yield whole
 
@@ -71,7 +71,7 @@ def _list_orders(task: RoomTask, placed: Placed, name: str) -> Iterator[Placed]:
     yield run._replace(wish=run.wish._replace(group="kitchen"), name="kitchen"), *rest
 
 
-def _list_starts(task: RoomTask, first: FurnishedGroup) -> list[JudgedRoom]:
+def list_starts(task: RoomTask, first: FurnishedGroup) -> list[JudgedRoom]:
     """One group by itself at its best places, those near to a better one left out."""
     rule = task.preset.settings.composing
     found = try_forms(judge_of(task, (first,)), (first,), 0, list_forms(task, first), rule.forms)
@@ -86,7 +86,7 @@ def _list_starts(task: RoomTask, first: FurnishedGroup) -> list[JudgedRoom]:
     return kept
 
 
-def _follow(
+def follow(
     task: RoomTask,
     start: JudgedRoom,
     others: Sequence[FurnishedGroup],

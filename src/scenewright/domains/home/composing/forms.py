@@ -64,7 +64,8 @@ def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
 
     known, fits = cases(group.wish.group, task.library), select_allowed(group.wish, task.library)
     usual = [form for form, fit in zip(known.groups, fits, strict=True) if fit]
-    further = _further(group.wish.group) if group.wish.most is None else []
+    given = group.wish.most is not None or group.wish.group in task.library.seated
+    further = [] if given else list_further(group.wish.group)
     if group.wish.group not in IN_TURN:
         yield from sorted([*usual, *further], key=worth)
         return
@@ -81,5 +82,6 @@ def _off_goal(form: Group, area: float) -> float:
 
 
 @cache
-def _further(function: str) -> list[Group]:
+def list_further(function: str) -> list[Group]:
+    """The forms of a group beside its cases."""
     return list(FURTHER[function]()) if function in FURTHER else []

@@ -11,6 +11,7 @@ from __future__ import annotations
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.anew import compose_anew
+from scenewright.domains.home.composing.beds import restore_double_bed
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.habitual import keep_habits
 from scenewright.domains.home.composing.judging import (
@@ -48,14 +49,14 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         return keep_habits(task, answer, barred)
     before = add_groups(task, answer, barred, lacking=True)
     placed = before.placed
-    if _worst_first(task, placed):
-        judge = judge_of(task, placed)
-        best = _improve_all(judge, judge.cost_of(placed), barred)
+    judge = judge_of(task, placed)
+    best = restore_double_bed(task, judge.cost_of(placed), barred)
+    if _worst_first(task, best.placed):
+        best = _improve_all(judge_of(task, best.placed), best, barred)
         best = reform_kitchen(task, best, barred)
         if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
-        placed = best.placed
-    better = add_groups(task, before._replace(placed=placed), barred)
+    better = add_groups(task, before._replace(placed=best.placed), barred)
     return (
         better if count_unmet(task, better.placed) <= count_unmet(task, answer.placed) else answer
     )

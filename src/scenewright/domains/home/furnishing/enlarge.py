@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import chain, product
 from math import cos, hypot, sin
 
 import numpy as np
@@ -39,10 +39,11 @@ def enlarge_pieces(
 ) -> list[Piece]:
     """The pieces placed in a room, rugs and screens as large as they should be and can be.
 
-    ``others`` stand in the room as well, whose flat ceiling is at ``height`` metres. A fixed piece
-    stays as it is, and so does a model of a user's own.
+    ``others`` stand in the room as well, whose flat ceiling is at ``height`` metres. A rug that can
+    nowhere reach beyond its sofa is left out. A fixed piece stays as it is, and so does a model of
+    a user's own.
     """
-    found = list(placed)
+    found, mats = list(placed), set()
     flat = frozenset(name for name, kind in catalog.kinds.items() if kind.flat)
     for i, piece in enumerate(found):
         forms = FORMS.get(piece.category)
@@ -56,7 +57,16 @@ def enlarge_pieces(
                 asset = catalog.choose(form.category, form.size)
                 found[i] = replace(form, asset=asset.id if asset else "")
                 break
-    return found
+        else:
+            if piece.category == "rug" and _is_mat(piece, found):
+                mats.add(piece.id)
+    return [piece for piece in found if piece.id not in mats]
+
+
+def _is_mat(rug: Piece, pieces: Sequence[Piece]) -> bool:
+    """Whether a rug ends with the sofa it lies before."""
+    sofas = (p for p in pieces if p.group == rug.group and p.category in SOFAS)
+    return any(rug.size.width <= sofa.size.width for sofa in sofas)
 
 
 def _rugs(rug: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
@@ -71,7 +81,8 @@ def _rugs(rug: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
     reach = c * (table.pose.x - sofa.pose.x) + s * (table.pose.y - sofa.pose.y)
     back, front = ahead - rug.size.depth / 2, ahead + rug.size.depth / 2
     edge = reach + table.size.depth / 2
-    for beyond, frame, side in product(BEYOND, (*FRAME, None), (0, 1, -1)):
+    framed = product(BEYOND, FRAME, (0, 1, -1))
+    for beyond, frame, side in chain(framed, product(BEYOND, (None,), (0, 1, -1))):
         far = front if frame is None else max(front, edge + frame)
         size = Size(max(rug.size.width, sofa.size.width + beyond), far - back, rug.size.height)
         middle, beside = (far + back) / 2, side * beyond / 2

@@ -13,6 +13,7 @@ from scenewright.domains.home.cases.furnishing import nearest_own
 from scenewright.domains.home.furnishing.wall_art import fill_walls
 from scenewright.domains.home.furnishing.window_dressing import dress_windows
 from scenewright.domains.home.problem import Ground
+from scenewright.geometry.boxes import common_area, make_frame
 
 DARK = frozenset(("balcony", "other", "storage"))
 TABLES = ("dining_table", "round_table")
@@ -47,7 +48,7 @@ def _lamps(
         _hung("pendant_lamp", space, ground, catalog, *t.pose[:2], t.pose.heading, pendant, i)
         for i, t in enumerate(tables)
     ]
-    found = [p for p in hung if p.pose.z > TABLE_ROOM]
+    found = [p for p in hung if p.pose.z > TABLE_ROOM and not _is_before_window(p, ground)]
     shape = _shape(space)
     high = shape.difference(below(shape, ground.slopes, space.height, HEAD_ROOM + lamp.height))
     x, y = _middle(high) if high.area > LEAST_LIT else (np.nan, np.nan)
@@ -59,6 +60,13 @@ def _lamps(
     if far and not tall and space.height - lamp.height > HEAD_ROOM:
         found.append(_hung("ceiling_lamp", space, ground, catalog, x, y, 0.0, lamp, 0))
     return found
+
+
+def _is_before_window(lamp: Piece, ground: Ground) -> bool:
+    """Whether a lamp hangs in the floor before a window, higher than its sill."""
+    box = make_frame(lamp.pose.x, lamp.pose.y, lamp.pose.heading, *lamp.size[:2])
+    top = lamp.pose.z + lamp.size.height
+    return any(top > w[5] and common_area(box, make_frame(*w[:5])) > 0.0 for w in ground.windows)
 
 
 def _real(category: str, usual: Size, catalog: Catalog) -> Size:

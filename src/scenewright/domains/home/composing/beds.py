@@ -1,0 +1,47 @@
+"""Rooms for two that were given a single bed for want of room, and have it once composed."""
+
+from __future__ import annotations
+
+from math import inf
+
+from scenewright.domains.home.attempt import RoomTask, floor_of
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.anew import follow, list_starts
+from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.judging import JudgedRoom, judge_of
+from scenewright.domains.home.composing.moving import make_unplaced, take_best, try_forms
+from scenewright.domains.home.programme import BEDS, resolve_bedrooms
+
+DOUBLE, SINGLE = "sleeping", "single"
+
+
+def restore_double_bed(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
+    """The groups with a double bed for the single one, where the room is for two and holds it."""
+    beds = [p for p in best.placed if p.wish.group in BEDS]
+    if [p.wish.group for p in beds] != [SINGLE] or not wants_double_bed(task):
+        return best
+    rest = tuple(p for p in best.placed if p is not beds[0])
+    case = cases(DOUBLE, task.library).groups[0]
+    wish = beds[0].wish._replace(group=DOUBLE, small=False)
+    bed = make_unplaced(task, rest, wish, case)
+    whole, rule = (*rest, bed), task.preset.settings.composing
+    forms = list_forms(task, bed)
+    found = try_forms(judge_of(task, whole), whole, len(rest), forms, rule.forms)
+    worth = best._replace(cost=best.cost + task.costs.fallback)
+    better = take_best(task, worth, found, barred)
+    if better is worth:
+        others = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
+        anew = (follow(task, start, others, barred, inf) for start in list_starts(task, bed))
+        better = take_best(task, worth, [judged for judged in anew if judged], barred)
+    return best if better is worth else better
+
+
+def wants_double_bed(task: RoomTask) -> bool:
+    """Whether two are to sleep in a room: by what is asked for in it, else by its size."""
+    ask = task.asked.ask if task.asked else None
+    if "double_bed" in task.forbidden:
+        return False
+    if ask is not None:
+        asked = {one.group for one in ask if one.count}
+        return DOUBLE in asked and SINGLE not in asked
+    return "double_bedroom" in resolve_bedrooms(task.space.functions, floor_of(task.ground))
