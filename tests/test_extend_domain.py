@@ -11,6 +11,7 @@ import pytest
 import shapely
 
 import scenewright as sw
+from scenewright import cli
 from scenewright.catalog.models.gltf import SceneBody
 from scenewright.catalog.models.gltf_scene import TURN, _join_bodies, _turn_body
 from scenewright.catalog.models.model import PLAIN
@@ -330,3 +331,11 @@ def test_an_area_too_small_for_any_building_says_so() -> None:
     solution = sw.solve(extension(source, outline=outline), preset="quick")
     assert [(one.what, one.required) for one in solution.left_out] == [("all buildings", False)]
     assert "none fits on 9 m²" in solution.left_out[0].reason
+
+
+def test_alternatives_say_what_they_are(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["arrange", "sample:extend-village", "--preset", "quick", "--alternatives", "2"]
+    assert cli.run([*words, "-o", str(tmp_path / "edge.json")]) == 0
+    told = capsys.readouterr().out
+    assert "plan 1: New edge: 20 buildings, " in told
+    assert "% in patches" in told or "% in rows" in told

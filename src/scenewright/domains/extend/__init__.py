@@ -25,6 +25,7 @@ DOMAIN = Domain(
         "check": ".check.judge:check",
         "scene": ".furnish:scene_of_extension",
         "draw": ".drawing.plan:draw",
+        "describe": ".reasons:describe_extension",
         "adjust": ".adjust:adjust",
         "locked": ".locks:lock_extension",
         "features": ".features:measure_features",
