@@ -7,6 +7,7 @@ from collections import Counter
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution, TermValue
 from scenewright.domains.extend.features import is_new
+from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
 from scenewright.domains.extend.rating import MEANINGS as RATED
 from scenewright.domains.extend.rating import WEIGHTS, measure_layout
@@ -46,15 +47,14 @@ def reasons(problem: ExtendProblem, layout: GrownLayout) -> tuple[TermValue, ...
 def describe_extension(solution: Solution, plan: Plan | None = None) -> str:
     """How the new buildings of each area came to stand, the two main ways: ``New edge: 20
     buildings, 40 % in patches, 30 % in rows``."""
-    del plan
     counts = Counter(piece.space for piece in solution.pieces if is_new(piece))
     words = []
-    for area in solution.brief.part.areas:
+    for area in (plan or plan_extend(solution.brief)).detail.areas:
         mine = [(t.value, t.term) for t in solution.terms if t.space == area.id and t.term in WAYS]
         main = sorted((row for row in mine if row[0] > 0), key=lambda row: -row[0])[:2]
         told = [f"{counts[area.id]} buildings"]
         told += [f"{share:.0%} {_NAMED[name]}" for share, name in main]
-        words.append(f"{area.name or area.id}: {', '.join(told)}")
+        words.append(f"{area.name}: {', '.join(told)}")
     return "; ".join(words)
 
 
