@@ -23,6 +23,8 @@ from scenewright.engine.solve import Budget
 
 RANKS = (WELCOME, 1, 1)
 """Further tries of a room hold what ranks before this, and what is required."""
+FEWER_SEATS = 3
+"""Tries of a room in which sofas may seat fewer than there are residents."""
 SLEEPING_PLACES = 2
 """The most that sleep in a room."""
 REQUIRED, BED = 6, 4
@@ -46,10 +48,9 @@ def meet_stated_needs(
     """The answers after further tries of the rooms in which stated needs are not met; an answer
     is taken where less is short and no room loses what makes it."""
     found = answers
-    for change in (_list_beds, _list_fewer):
+    for change, short in ((_list_beds, _lack_beds), (_list_fewer, measure_shortage)):
         for room, task, wishes in change(household, rooms, found):
-            before = measure_shortage(household, found)
-            if not before or task.cancelled():
+            if not short(household, found) or task.cancelled():
                 break
             trial = opened(_furnish_again(room, task, wishes, rooms, found))
             if _worth(household, trial, rooms) < _worth(household, found, rooms):
@@ -77,7 +78,7 @@ def measure_shortage(household: Household, answers: Sequence[RoomAnswer]) -> int
     short = sum(REQUIRED * m.wish.required for answer in answers for m in answer.missing)
     if not household.stated:
         return short
-    short += BED * max(household.residents - _count_beds(answers), 0)
+    short += BED * _lack_beds(household, answers)
     for groups, weight in PLACES:
         asked = [w for answer in answers for w in _wishes_of(answer) if w.group in groups]
         most = max((SEATED[w.group][1] for w in asked if w.group in SEATED), default=0)
@@ -107,17 +108,19 @@ def _furnish_again(
         Missing(w, "no room is left beside the rest") for w in later if w.group not in SLEEPING
     )
     composed = compose(task, answer._replace(missing=(*answer.missing, *gone)))
-    return [composed if k == room else other for k, other in enumerate(found)]
+    stand = {group.wish.group for group in composed.placed}
+    still = tuple(m for m in composed.missing if m.wish.required or m.wish.group not in stand)
+    answer = composed._replace(missing=still)
+    return [answer if k == room else other for k, other in enumerate(found)]
 
 
 Change = Iterator[tuple[int, RoomTask, tuple[Wish, ...]]]
 
 
 def _list_beds(household: Household, rooms: Rooms, found: Sequence[RoomAnswer]) -> Change:
-    """Rooms with fewer beds than they were to have or could, the largest first, while beds are
-    short: with the bed before all else, then with bunks."""
-    if not household.stated or _count_beds(found) >= household.residents:
-        return
+    """Rooms with fewer beds than they were to have or could, the largest first: with the bed before
+    all else, then with bunks."""
+    del household
     for room in sorted(range(len(found)), key=lambda k: -rooms.tasks[k].ground.area):
         task, wishes = rooms.tasks[room], rooms.wishes[room]
         bed = next((w for w in wishes if w.group in SLEEPING), None)
@@ -131,6 +134,11 @@ def _list_beds(household: Household, rooms: Rooms, found: Sequence[RoomAnswer]) 
         bunks = tuple(w._replace(group="bunk") if w == bed else w for w in wishes)
         yield room, task, bunks
         yield room, task, tuple(w for w in bunks if w.group == "bunk" or w.required)
+
+
+def _lack_beds(household: Household, answers: Sequence[RoomAnswer]) -> int:
+    """How many of the stated residents have no bed."""
+    return max(household.residents - _count_beds(answers), 0) if household.stated else 0
 
 
 def _count_beds(answers: Sequence[RoomAnswer]) -> int:
@@ -153,7 +161,9 @@ def _list_fewer(household: Household, rooms: Rooms, found: Sequence[RoomAnswer])
         own = {name: known for name, known in task.library.own.items() if name != "seating"}
         if "seating" in task.library.seated and any(w.group == "seating" for w in wishes):
             fewer = tuple(w for w in wishes if w.rank < 1 or w.required)
-            yield room, task._replace(library=task.library._replace(own=own)), fewer
+            alone = task._replace(library=task.library._replace(own=own))
+            for number in range(FEWER_SEATS):
+                yield room, try_otherwise(alone, number), fewer
 
 
 def _falls_short(household: Household, answer: RoomAnswer) -> bool:
