@@ -1,9 +1,9 @@
 """Villages against real ones: blocks of places held out, filled by every method.
 
-Three splits by place (those whose style has been learned); tables, net and library are of the
-training places only; outlines are treated alike. ``real`` is the other half of the real blocks
-against the one half, the floor of every figure. Annealing knows the real density and near-road
-values and the real number of houses; ours draws its own number. Time is the processor's.
+Three splits by place; tables, net and library are of the training places only; outlines are
+treated alike; every method is told the region of a block. ``real`` is the other half of the real
+blocks against the one half, the floor of every figure. Annealing knows the real density and
+near-road values and the real number of houses; ours draws its own number. Time is the processor's.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.kept import KeptRuns, open_runs
 from benchmarks.spread import SpreadTable, spread_tables
 from benchmarks.village_annealing import STEPS, anneal_block
 from benchmarks.village_data import SPLITS, split
@@ -40,26 +41,53 @@ Progress = Callable[[float, str], None]
 METHODS = ("grow", "paper", "tables", "proposals", "annealing", "brief annealing")
 MOVES = {"annealing": STEPS, "brief annealing": 4000}
 """Moves of a block; the short one takes as long as ours."""
-USUAL = {"paper": 40, "tables": 40, "proposals": 40, "annealing": 8, "brief annealing": 40}
+USUAL = {"paper": 24, "tables": 40, "proposals": 40, "annealing": 6, "brief annealing": 24}
 """Blocks of a split that are filled, the same first ones; ours fills all. 40,000 moves take four
 seconds."""
-HOUSES = 40
+HOUSES = 70
 """Houses of a split whose places are foretold."""
 QUICK, QUICK_HOUSES, QUICK_MOVES = 6, 10, 1000
+ROOT = Path(__file__).parent.parent
 STYLES = Path(__file__).parent / "styles"
+CODE = (
+    "benchmarks/village*.py",
+    *(
+        f"src/scenewright/domains/village/{name}.py"
+        for name in (
+            "choosing",
+            "doors",
+            "grow",
+            "house",
+            "measures",
+            "proposals",
+            "relations",
+            "settings",
+            "standing",
+            "weights",
+            "learned/*",
+            "learning/examples",
+            "learning/more_training",
+            "learning/real_blocks",
+            "learning/tables",
+            "paper/*",
+            "solvers/*",
+        )
+    ),
+)
+"""What blocks are filled and measured by: what is kept of other code is not measured again."""
 
 
 def records(quick: bool, progress: Progress | None = None, full: bool = False) -> Iterator[Record]:
-    """A record for every split, method and measure; ``full`` takes every block and house."""
+    """A record for every split, method and measure; ``full`` takes every block and house. Blocks
+    and houses once done are kept."""
     tables = []
-    names = [name for name in SPLITS if path_of_style(name).exists()]
-    for name in names[:1] if quick else names:
+    for name in list(SPLITS)[:1] if quick else SPLITS:
         jobs: list[Callable[[], Any]] = []
         for method in methods_of_split(name):
             usual = 2 if method == "annealing" else QUICK
             most = usual if quick else USUAL.get(method)
             moves = QUICK_MOVES if quick else MOVES.get(method, 0)
-            jobs.append(partial(fill_split, name, method, None if full else most, moves))
+            jobs.append(partial(fill_split, name, method, None if full else most, moves, True))
         jobs.append(partial(foretell_split, name, QUICK_HOUSES if quick else HOUSES, quick, full))
         tables.append(SpreadTable(name, jobs, partial(_records, name)))
     yield from spread_tables(tables, progress)
@@ -71,19 +99,20 @@ def foretell_split(name: str, houses: int, quick: bool, full: bool) -> list[Reco
     style = style_of_split(name)
     few, told = train[:40] if quick else train, 10**9 if full else houses
     nets = read_paper_nets(path_of_paper(name)) if path_of_paper(name).exists() else None
-    found = tell_locations(style, few, test, told, 3, nets)
-    runs = min(told, sum(len(block.houses) for block in test))
+    kept = open_runs(f"village-{name}-places{'-quick' * quick}", (*CODE, *_files(name, "places")))
+    found = tell_locations(style, few, test, told, 3, nets, kept)
     rows = list(location_figures(found))
     even = {metric: value for method, metric, value in rows if method == "proposals"}
-    made = [_record(name, m, f, v, even[f], runs, "proposals") for m, f, v in rows]
+    runs = len(found["net"])
+    made = [_record(name, m, f, v, even.get(f), runs, "proposals") for m, f, v in rows]
     law, number = tell_more(style, test, 3)
     made.append(_record(name, "law of more", "continue AUC", law, number, 4 * len(test), "number"))
     return made
 
 
 def path_of_style(name: str) -> Path:
-    """The style learned from the training places of a split: that of A ships; those of the others
-    lie beside the benchmark once they are learned, and are left out until then."""
+    """The style learned from the training places of a split: that of A ships, those of the others
+    lie beside the benchmark."""
     return SHIPPED if name == "A" else STYLES / f"village_{name}.npz"
 
 
@@ -103,7 +132,7 @@ def style_of_split(name: str) -> VillageStyle:
 
 
 def fill_split(
-    name: str, method: str, most: int | None, steps: int
+    name: str, method: str, most: int | None, steps: int, keep: bool = False
 ) -> tuple[list[BlockFigures], list[BlockFigures], float, float]:
     """Held-out blocks of a split as they are and, the same ones, as filled; processor seconds a
     block, and the median ratio of void to real."""
@@ -111,21 +140,51 @@ def fill_split(
     houses = library_of(train)
     style = style_of_split(name)
     order = np.random.default_rng(7).permutation(len(test))[:most]
-    chosen = [test[k] for k in order]
-    begun = time.process_time()
-    filled = [_fill(name, block, houses, style, method, k, steps) for k, block in enumerate(chosen)]
-    took = (time.process_time() - begun) / len(chosen)
-    pairs = zip(chosen, filled, strict=True)
-    both = [
-        (
-            figures(block.floor, block.streets, block.standing),
-            figures(block.floor, block.streets, one),
-        )
-        for block, one in pairs
-        if len(one.shapes)
-    ]
+    kept = KeptRuns(Path(), {})
+    if keep:
+        kept = open_runs(f"village-{name}-{method}-{steps}", (*CODE, *_files(name, method)))
+    both, took = [], []
+    for k, number in enumerate(order.tolist()):
+        make = partial(_fill_and_measure, name, test[number], houses, style, method, k, steps)
+        real, made, seconds = kept.have(f"{k}", make) if keep else make()
+        took.append(seconds)
+        if len(made[0]):
+            both.append((_figures_of(real), _figures_of(made)))
     ratios = [made.void / real.void for real, made in both if real.void > 0]
-    return [real for real, _ in both], [made for _, made in both], took, float(np.median(ratios))
+    every = [real for real, _ in both], [made for _, made in both]
+    return *every, float(np.mean(took)), float(np.median(ratios))
+
+
+def _figures_of(row: Sequence[Any]) -> BlockFigures:
+    return BlockFigures(np.array(row[0]), *row[1:])
+
+
+def _fill_and_measure(
+    name: str,
+    block: RealBlock,
+    houses: Sequence[Any],
+    style: VillageStyle,
+    method: str,
+    seed: int,
+    steps: int,
+) -> tuple[list[Any], list[Any], float]:
+    """The figures of a block as it is and as filled, as plain lists, and processor seconds."""
+    begun = time.process_time()
+    filled = _fill(name, block, houses, style, method, seed, steps)
+    took = time.process_time() - begun
+    rows: list[list[Any]] = []
+    for standing in (block.standing, filled):
+        told = figures(block.floor, block.streets, standing) if len(standing.shapes) else None
+        rows.append([[], 0.0, 0.0, 0.0] if told is None else [told.rows.tolist(), *told[1:]])
+    return rows[0], rows[1], took
+
+
+def _files(name: str, method: str) -> list[str]:
+    """What else than code a method is read from, relative to the checkout: a trained net. (The
+    tables and houses of a style follow from the code and the training places.)"""
+    nets = {"grow": [path_of_style(name)], "paper": [path_of_paper(name)]}
+    nets["places"] = [*nets["grow"], *nets["paper"]]
+    return [str(path.relative_to(ROOT)) for path in nets.get(method, []) if path.exists()]
 
 
 def _fill(

@@ -8,9 +8,19 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-import shapely
 
-from benchmarks.village_location import EVEN, Foretold, Scoring, best_places, foretell_blocks
+from benchmarks.kept import KeptRuns
+from benchmarks.village_location import (
+    EVEN,
+    Foretelling,
+    Foretold,
+    Scoring,
+    best_places,
+    foretell_house,
+    missing_houses,
+    nearest_of,
+    turns_drawn,
+)
 from scenewright.domains.village.learned.more import odds_of_figures
 from scenewright.domains.village.learned.pose_net import score_poses
 from scenewright.domains.village.learned.style import VillageStyle
@@ -25,6 +35,8 @@ from scenewright.domains.village.standing import Floats
 
 SETBACK, STEEP = 12, 3.0
 """Where in what is told of a house its distance to the street is, and how hard it is hugged."""
+CHUNK = 256
+"""Poses weighed at a time."""
 FALSE = 12
 """Proposals beside each real pose that boosting learns from."""
 
@@ -32,12 +44,20 @@ FALSE = 12
 def methods_of(style: VillageStyle, train: Sequence[RealBlock], seed: int) -> dict[str, Scoring]:
     """Methods by name; boosting only where scikit-learn is installed."""
     found: dict[str, Scoring] = {
-        "net": lambda _turn, tokens: score_poses(style.poses, tokens),
+        "net": partial(_by_net, style),
         "proposals": lambda _turn, tokens: np.zeros(len(tokens.own)),
         "hug the street": lambda _turn, tokens: -STEEP * tokens.own[:, SETBACK],
     }
     boosted = boost(style, train, seed)
     return found if boosted is None else {"boosting": boosted, **found}
+
+
+def _by_net(style: VillageStyle, turn: Turn, tokens: PoseTokens) -> Floats:
+    del turn
+    parts = (
+        PoseTokens(*(v[k : k + CHUNK] for v in tokens)) for k in range(0, len(tokens.own), CHUNK)
+    )
+    return np.concatenate([score_poses(style.poses, part) for part in parts])
 
 
 def boost(style: VillageStyle, train: Sequence[RealBlock], seed: int) -> Scoring | None:
@@ -75,15 +95,25 @@ def tell_locations(
     test: Sequence[RealBlock],
     houses: int,
     seed: int,
-    nets: PaperWeights | None = None,
+    nets: PaperWeights | None,
+    kept: KeptRuns,
 ) -> dict[str, list[Foretold]]:
-    """What each method foretells of so many held-out houses."""
-    methods = methods_of(style, train, seed)
-    direct = {} if nets is None else {"paper's CNN": partial(tell_by_paper, nets)}
-    found = foretell_blocks(
-        test, style, list(methods.values()), houses, seed, list(direct.values())
-    )
-    return dict(zip([*methods, *direct], found, strict=True))
+    """What each method foretells of so many held-out houses; ``nets`` are the paper's."""
+    ready: dict[str, Scoring | Foretelling] = {}
+
+    def tell(number: int, block: RealBlock, turn: Turn) -> dict[str, Foretold]:
+        if not ready:
+            ready.update(methods_of(style, train, seed))
+            if nets is not None:
+                ready["paper's CNN"] = Foretelling(partial(tell_by_paper, nets))
+        return foretell_house(block, turn, style, ready, np.random.default_rng([seed, number]))
+
+    found: dict[str, list[Foretold]] = {}
+    for number, (block, turn) in enumerate(turns_drawn(test, houses, seed)):
+        told = kept.have(f"house {number}", partial(tell, number, block, turn))
+        for name, row in told.items():
+            found.setdefault(name, []).append(Foretold(*row))
+    return found
 
 
 def tell_by_paper(nets: PaperWeights, block: RealBlock, turn: Turn, free: Floats) -> Foretold:
@@ -94,33 +124,35 @@ def tell_by_paper(nets: PaperWeights, block: RealBlock, turn: Turn, free: Floats
     odds = odds_of_places(nets, np.concatenate([view, class_planes(classes, PIXELS)])).astype(float)
     odds = np.where(view[0] < 0.5, 0.0, np.exp(odds - odds[view[0] >= 0.5].max()))
     odds /= odds.sum()
-    ring = shapely.get_coordinates(turn.shape.exterior)[:-1]
-    base = base_and_door(ring, ring[0])[0]
+    rings = [block.houses[k] for k in missing_houses(block, turn)]
+    bases = np.array([base_and_door(ring, ring[0])[0] for ring in rings])
+    base = bases[0]
     column, row = np.clip(frame.pixels(base[None])[0].astype(int), 0, PIXELS - 1)
     there = odds[row, column] / frame.pixel**2
     rows, columns = np.nonzero(odds > 0)
     places = best_places(
         frame.metres(np.column_stack([columns, rows]).astype(float) + 0.5), odds[rows, columns]
     )
-    away = float(np.hypot(*(places - base).T).min())
-    return Foretold(float(np.log((1 - EVEN) * there * len(free) + EVEN)), away)
+    nats = float(np.log((1 - EVEN) * there * len(free) + EVEN))
+    return Foretold(nats, *nearest_of(places, bases))
 
 
 def tell_more(style: VillageStyle, test: Sequence[RealBlock], seed: int) -> tuple[float, float]:
     """How well full held-out blocks are told from those that lack half their houses (area under
     the curve): by the law, and by the number of houses alone."""
-    rows, label = states_of(test, style.manner, seed, 2)
+    rows, label = states_of(test, style, seed, 2)
     by = odds_of_figures(style.more, rows), rows[:, 1]
     one, two = (float((v[label > 0][:, None] > v[label == 0][None]).mean()) for v in by)
     return one, two
 
 
 def location_figures(found: dict[str, list[Foretold]]) -> Iterator[tuple[str, str, float]]:
-    """Method, figure and value: mean nats over even ground, median distance of the best peaks."""
+    """Method, figure and value: mean nats over even ground and its standard error, medians of the
+    distances."""
     for name, rows in found.items():
-        yield name, "location: nats over even ground", float(np.mean([row.nats for row in rows]))
-        yield (
-            name,
-            "location: nearest of 5 places, median",
-            float(np.median([row.distance for row in rows])),
-        )
+        values = np.array(rows)
+        yield name, "location: nats over even ground", float(values[:, 0].mean())
+        yield name, "location: standard error of nats", float(values[:, 0].std() / len(rows) ** 0.5)
+        for column, what in ((1, "the house"), (2, "any missing house")):
+            metric = f"location: metres from the nearest of 5 places to {what}, median"
+            yield name, metric, float(np.median(values[:, column]))

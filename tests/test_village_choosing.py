@@ -10,6 +10,8 @@ import pytest
 import shapely
 
 import scenewright as sw
+from model_files import glb_of, gltf_of
+from scenewright.catalog.loading import catalog_of, find_asset
 from scenewright.core.brief import Brief
 from scenewright.domains import problems, solvers
 from scenewright.domains.village.choosing import choose_houses
@@ -121,3 +123,44 @@ def test_all_layouts_of_a_block_are_of_the_same_houses() -> None:
     assert len(whole) >= 2
     asked = sorted(choose_houses(one, np.random.default_rng([5, 1])))
     assert any(row == asked for row in whole)
+
+
+def test_a_folder_of_glb_is_a_library(tmp_path: Path) -> None:
+    """An L and a shed as binary glTF (y is up there): their own footprints stand on the block."""
+    folder = tmp_path / "stock"
+    folder.mkdir()
+    angle = [(0, 0), (14, 0), (14, 6), (6, 6), (6, 12), (0, 12)]
+    for name, ring, high in (("angle", angle, 6.0), ("shed", [(0, 0), (5, 0), (5, 4), (0, 4)], 3)):
+        (folder / f"{name}.glb").write_bytes(glb_of(gltf_of(*_prism(ring, high))))
+    block = {"id": "b", "outline": [[0, 0], [90, 0], [90, 60], [0, 60]], "streets": [0], "count": 5}
+    brief = Brief.model_validate(
+        {"domain": "village", "catalogs": [str(folder)], "blocks": [block]}
+    )
+    library = {house.name: house for house in problems(brief)[0].houses}
+    assert {name: house.area for name, house in library.items()} == {
+        "angle": pytest.approx(14 * 6 + 6 * 6, abs=0.01),
+        "shed": pytest.approx(20.0),
+    }
+    assert library["angle"].shape == 1
+    solution = sw.solve(brief, seed=1, steps=1)
+    assert sw.check(solution).valid
+    placed = [piece.asset for piece in solution.pieces if piece.category == "building"]
+    assert set(placed) <= {"model:angle", "model:shed"}
+    assert len(placed) == 5
+    # The model itself is drawn over its own plan, and over no other.
+    asset = find_asset(catalog_of([str(folder)]), "angle")
+    own = [piece.footprint for piece in solution.pieces if piece.asset == asset.id]
+    assert asset.over is not None
+    assert own == [] or asset.over(asset.usual, own[0])
+    assert not asset.over(asset.usual, ((-7.0, -6.0), (7.0, -6.0), (7.0, 6.0), (-7.0, 6.0)))
+
+
+def _prism(ring: list[tuple[int, int]], high: float) -> tuple[np.ndarray, np.ndarray]:
+    """Walls and lids over a ring whose corner 0 sees all others."""
+    count = len(ring)
+    points = [(x, level, -y) for level in (0.0, high) for x, y in ring]
+    walls = [(k, (k + 1) % count, k + count) for k in range(count)]
+    walls += [((k + 1) % count, (k + 1) % count + count, k + count) for k in range(count)]
+    fan = [(0, k, k + 1) for k in range(1, count - 1)]
+    lids = [tuple(n + count for n in row) for row in fan] + [row[::-1] for row in fan]
+    return np.array(points), np.array([*walls, *lids])

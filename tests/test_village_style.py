@@ -13,11 +13,15 @@ import pytest
 import shapely
 
 from scenewright.cli.commands import run
+from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.domains import problems
+from scenewright.domains.village.choosing import choose_houses
 from scenewright.domains.village.house import House, to_own_frame
 from scenewright.domains.village.learned.more import odds_of_more
 from scenewright.domains.village.learned.pose_net import score_poses, shapes_of_net
 from scenewright.domains.village.learned.style import (
+    FORMAT,
     SHIPPED,
     arrays_of,
     read_style,
@@ -155,6 +159,10 @@ def test_a_style_is_written_and_read_back(tmp_path: Path) -> None:
     write_style(path, shipped_style())
     again = read_style(path)
     assert again.manner == shipped_style().manner
+    assert again.regions.keys() == shipped_style().regions.keys()
+    for name, region in shipped_style().regions.items():
+        assert again.regions[name].manner == region.manner
+        assert (again.regions[name].mix.houses == region.mix.houses).all()
     assert all((again.poses[n] == shipped_style().poses[n]).all() for n in shapes_of_net())
     write_style(tmp_path / "again.npz", again)
     assert path.read_bytes() == (tmp_path / "again.npz").read_bytes()
@@ -188,6 +196,13 @@ HOSTILE = {
     "card": lambda: _changed("card", np.frombuffer(b"[" * 90_000, np.uint8)),
     "mix": lambda: _changed("mix/blocks", np.full((1, 3), 1e5)),
     "no mix": lambda: _changed("mix/houses", np.zeros((1, 2))),
+    "regions": lambda: _changed(
+        "card",
+        np.frombuffer(json.dumps({"format": FORMAT, "regions": ["nowhere"]}).encode(), np.uint8),
+    ),
+    "names": lambda: _changed(
+        "card", np.frombuffer(json.dumps({"format": FORMAT, "regions": [[1]]}).encode(), np.uint8)
+    ),
     "format": lambda: _changed("card", np.frombuffer(json.dumps({"format": 9}).encode(), np.uint8)),
 }
 
@@ -217,6 +232,28 @@ def test_a_village_is_filled_in_a_style_of_ones_own(tmp_path: Path) -> None:
     assert saved["brief"]["style"] == str(path)
     assert any("riviera" in piece["asset"] for piece in saved["pieces"])
     assert run(["check", str(out), "-q"]) == 0
+
+
+def test_a_region_has_its_own_houses_and_one_that_is_not_known_is_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of the Riviera half of the houses are small, of the upper Rhine valley one in ten."""
+    block = {"outline": [[0, 0], [100, 0], [100, 70], [0, 70]], "streets": [0]}
+    brief = {"domain": "village", "blocks": [block]}
+    small = {}
+    for region in ("monaco_hills", "liechtenstein"):
+        one = Brief.model_validate(brief | {"region": region})
+        (problem, *_) = problems(one)
+        drawn = [choose_houses(problem, np.random.default_rng(k)) for k in range(40)]
+        small[region] = np.mean([problem.houses[n].size == 0 for row in drawn for n in row])
+    assert small["monaco_hills"] > 2 * small["liechtenstein"]
+    path = tmp_path / "far.json"
+    path.write_text(json.dumps(brief | {"region": "atlantis"}))
+    assert run(["arrange", str(path), "-o", str(tmp_path / "out.json")]) == 2
+    told = capsys.readouterr().err
+    assert told.count("\n") == 1
+    assert "atlantis" in told
+    assert "liechtenstein" in told
 
 
 def test_a_style_that_is_not_there_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:

@@ -66,7 +66,7 @@ class Asset:
     ``symbol(size)`` polylines ``(k, 2)`` in the same frame seen from above (closed ones repeat
     their first point). ``style`` and ``colour`` are words, where somebody stated them or they show.
     ``footprint(size)`` is the polygon it covers, empty where that is its box; ``over(size,
-    footprint)``, if there is one, draws it over any other.
+    footprint)``, if there is one, draws it over any other (nothing: it cannot).
     """
 
     id: str

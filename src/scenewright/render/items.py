@@ -349,8 +349,8 @@ def _mesh_outline(
     piece: Piece, size: Size, asset: Asset | None, parts: tuple[Part, ...]
 ) -> tuple[Part, ...]:
     """What a piece looks like over a footprint that is not its model's."""
-    if asset is not None and asset.over is not None:
-        return _shape_outline(asset, size, piece.footprint)
+    if asset is not None and (found := _shape_outline(asset, size, piece.footprint)):
+        return found
     w, d = size.width / 2, size.depth / 2
     outline = piece.footprint or ((-w, -d), (w, -d), (w, d), (-w, d))
     return extrude_model(outline, size, parts, piece.category == "building")

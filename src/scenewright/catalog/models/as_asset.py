@@ -13,6 +13,7 @@ from scenewright.catalog.models.categories import BUILDING
 from scenewright.catalog.models.decimation import decimate
 from scenewright.catalog.models.model import Model
 from scenewright.core.catalog import Asset, Part
+from scenewright.core.footprint import Footprint
 from scenewright.core.scene import Size
 
 Floats = NDArray[np.float64]
@@ -23,6 +24,9 @@ HEAVY, LIGHT, LEAST = 25_000, 15_000, 12
 """Triangles above which furniture is drawn with fewer, how many these are, and least of a part."""
 SQUARE = 0.85
 """Furniture that covers more of its box than this is drawn in plan by the symbol of its kind."""
+ALIKE = 0.9
+"""The share of a footprint and a building's plan together that both cover, where that building is
+what stands on the footprint."""
 GRID = 1e-4
 """To what share of the model's size an outline is drawn."""
 
@@ -32,6 +36,7 @@ def asset_of(model: Model, category: str = "building", style: str = "", colour: 
 
     Its smallest, usual and largest size are the model's own, so that a catalog prefers the model
     that needs no stretching. Furniture of more than :data:`HEAVY` triangles is drawn with fewer.
+    A building also stands on a footprint that is its own plan, rounded.
     """
 
     @cache
@@ -53,6 +58,10 @@ def asset_of(model: Model, category: str = "building", style: str = "", colour: 
         scale = np.array([size.width / model.size.width, size.depth / model.size.depth])
         return tuple(line * scale for line in lines())
 
+    def over(size: Size, footprint: Footprint) -> tuple[Part, ...]:
+        plan = shapely.Polygon(symbol(size)[0])
+        return mesh(size) if _are_alike(shapely.Polygon(footprint), plan) else ()
+
     return Asset(
         f"model:{model.id}",
         category,
@@ -66,7 +75,14 @@ def asset_of(model: Model, category: str = "building", style: str = "", colour: 
         model.author,
         style,
         colour,
+        over=over if category == BUILDING else None,
     )
+
+
+def _are_alike(one: shapely.Polygon, other: shapely.Polygon) -> bool:
+    if not (one.is_valid and other.is_valid):
+        return False
+    return bool(one.intersection(other).area > ALIKE * one.union(other).area)
 
 
 def _area(lines: tuple[Floats, ...]) -> float:

@@ -11,6 +11,7 @@ import shapely
 from scenewright.catalog.loading import BUILDING, find_asset
 from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
+from scenewright.core.footprint import Footprint, read_footprint
 from scenewright.core.space import Points
 from scenewright.domains.village.brief import LibraryHouse
 from scenewright.domains.village.house import House, class_of_area, class_of_shape, to_own_frame
@@ -21,6 +22,9 @@ PITCH = {"rural": 0.85, "riviera": 0.42, "hui": 0.55}
 """Rise of a roof by half its span, by style."""
 FLAT = 0.5
 """Height of a parapet, in metres."""
+COARSE, FILLED, MOST_CORNERS = 0.2, 0.95, 40
+"""Of the plan of a model: metres of its corners that are left out, the share of its sides that one
+outline has, and its corners at most."""
 LOOKS = ("rural", "riviera", "hui")
 
 _OURS: tuple[tuple[str, float, float, float, float, int, str, float], ...] = (
@@ -117,11 +121,28 @@ def _of_row(row: LibraryHouse, look: str, catalog: Catalog) -> House:
 def _of_model(name: str, asset: Asset, share: float, levels: int) -> House:
     width, depth, height = asset.usual
     box = ((-width / 2, -depth / 2), (width / 2, -depth / 2), (width / 2, depth / 2))
-    outline = list(asset.footprint(asset.usual) or (*box, (-width / 2, depth / 2)))
+    outline = list(_footprint_of_model(asset) or (*box, (-width / 2, depth / 2)))
     local, turn = to_own_frame(np.array(outline, float))
     return classify_house(name, local, levels, height, asset.id, share)._replace(
         front=np.pi / 2 - turn
     )
+
+
+def _footprint_of_model(asset: Asset) -> Footprint:
+    """What a model covers in plan, small corners left out; empty where that is its box, or where
+    one outline does not tell it."""
+    width, depth, _ = asset.usual
+    own = asset.footprint(asset.usual)
+    lines = [] if own else asset.symbol(asset.usual)
+    if not lines:
+        return own
+    shape = shapely.Polygon(lines[0]).simplify(COARSE)
+    low, high = np.array(shape.bounds).reshape(2, 2) if shape.is_valid else np.zeros((2, 2))
+    fills = ((high - low) > FILLED * np.array((width, depth))).all()
+    corners = shapely.get_coordinates(shape.exterior)[:-1]
+    if not fills or len(corners) > MOST_CORNERS:
+        return ()
+    return read_footprint(corners.tolist(), width, depth)
 
 
 def _house(

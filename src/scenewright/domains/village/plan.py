@@ -22,7 +22,12 @@ from scenewright.core.space import Level, Points, Space
 from scenewright.domains.village.blocks import BlockPlan, StandingHouse, VillagePlan
 from scenewright.domains.village.brief import LockedHouse, VillageBlock
 from scenewright.domains.village.house import House
-from scenewright.domains.village.learned.style import is_file, style_named
+from scenewright.domains.village.learned.style import (
+    VillageStyle,
+    is_file,
+    style_in_region,
+    style_named,
+)
 from scenewright.domains.village.library import LOOKS, houses_of
 from scenewright.ground import outlines as shapes
 from scenewright.ground.names import assign_ids
@@ -38,6 +43,8 @@ VERGE = 1.2
 """Metres before a street side that belong to the street."""
 CRACKS = (0.0, 0.02, 0.1, 0.4)
 """Widths of cracks closed one after the other, in metres."""
+HOME = {"riviera": "monaco_hills"}
+"""The region of the shipped style in which houses of a look stand."""
 OVERLAP = 1.0
 """Square metres that two blocks may share."""
 
@@ -47,7 +54,7 @@ def plan_village(brief: Brief) -> Plan:
 
     Raises InputError, with the place in the brief, for anything that cannot be built on.
     """
-    style = style_named(brief.style)
+    style = _in_region(style_named(brief.style), brief.part.region, HOME.get(brief.style, ""))
     look = str(style.card.get("look", "")) if is_file(brief.style) else _look(brief.style)
     look = look if look in LOOKS else LOOKS[0]
     houses = houses_of(brief.part.houses, look, catalog_of(brief.catalogs))
@@ -87,6 +94,19 @@ def _look(style: str) -> str:
             place="style",
         )
     return style or LOOKS[0]
+
+
+def _in_region(style: VillageStyle, region: str | None, usual: str) -> VillageStyle:
+    """The style as in a region, or, where none is named, in the usual one of a look; InputError
+    for one it does not know."""
+    if region and region not in style.regions:
+        known = ", ".join(style.regions)
+        raise InputError(
+            f"the style knows no region '{region[:40]}'",
+            f"use one of: {known}" if known else "leave it out",
+            place="region",
+        )
+    return style_in_region(style, region or usual)
 
 
 def _floor(block: VillageBlock, place: str, houses: Sequence[House]) -> shapely.Polygon:

@@ -19,8 +19,6 @@ TOUCH = 0.005
 """Metres by which footprints may overlap unseen."""
 SKEW = 0.02
 """Spread in radians of a house that stands parallel to a street."""
-ASKEW = (0.004, 0.14)
-"""Least and greatest spread in radians of a house that stands beside another."""
 INSIDE = 1e-3
 
 
@@ -33,7 +31,7 @@ def propose(
     gap = problem.style.manner.gap
     return np.concatenate(
         [
-            beside(standing, house, gap, int(counts[0]), rng),
+            beside(standing, house, gap, settings.askew, int(counts[0]), rng),
             along_streets(problem, house, int(counts[1]), rng),
             anywhere(problem, standing, int(counts[2]), rng),
         ]
@@ -46,7 +44,12 @@ def _shares(shares: tuple[float, float, float], houses: int) -> Floats:
 
 
 def beside(
-    standing: StandingHouses, house: House, gap: Relations, count: int, rng: np.random.Generator
+    standing: StandingHouses,
+    house: House,
+    gap: Relations,
+    askew: tuple[float, float],
+    count: int,
+    rng: np.random.Generator,
 ) -> Floats:
     """Poses beside houses that stand: a wall along a wall of one, a gap away, flush with an end of
     it or anywhere along it; what does not touch is as askew as real neighbours are. Longer walls
@@ -68,7 +71,7 @@ def beside(
     cos, sin = np.cos(turn), np.sin(turn)
     x = corner[:, 0] - cos * ring[own, 0] + sin * ring[own, 1]
     y = corner[:, 1] - sin * ring[own, 0] - cos * ring[own, 1]
-    return np.stack([x, y, turn + draw_skew(count, rng) * (away > 0)], 1)
+    return np.stack([x, y, turn + draw_skew(askew, count, rng) * (away > 0)], 1)
 
 
 def _draw_walls(
@@ -89,10 +92,10 @@ def _draw_walls(
     return points[real[pick]], way, length[pick]
 
 
-def draw_skew(count: int, rng: np.random.Generator) -> Floats:
+def draw_skew(askew: tuple[float, float], count: int, rng: np.random.Generator) -> Floats:
     """Angles (k,) in radians by which neighbours are askew: none is quite parallel, a few are by
     far."""
-    low, high = np.log(ASKEW)
+    low, high = np.log(askew)
     spread = np.exp(rng.uniform(low, high, count))
     return np.asarray(rng.normal(0.0, 1.0, count) * spread)
 
@@ -144,7 +147,9 @@ def anywhere(
         turn = np.where(rng.random(count) < 0.6, theirs, turn)
     turn = np.where(rng.random(count) < 0.2, rng.uniform(0, np.pi / 2, count), turn)
     quarter = rng.integers(4, size=count) * np.pi / 2
-    return np.column_stack([at, turn + quarter + draw_skew(count, rng)])
+    return np.column_stack(
+        [at, turn + quarter + draw_skew(problem.settings.grow.askew, count, rng)]
+    )
 
 
 def draw_values(

@@ -132,13 +132,14 @@ class GrowSettings(NamedTuple):
     """Filling: poses proposed for each house, legal ones looked at, the shares of those beside a
     house, along a street and anywhere; how much chance has a say (0: the best pose is taken, 1:
     poses are drawn as often as their weight says); how often a house may find no place before
-    another is tried."""
+    another is tried; least and greatest spread in radians of a house that stands beside another."""
 
     proposed: int = 320
     judged: int = 72
     shares: tuple[float, float, float] = (0.5, 0.25, 0.25)
     temperature: float = 0.8
     retries: int = 3
+    askew: tuple[float, float] = (0.02, 0.14)
 
 
 class VillageSettings(NamedTuple):

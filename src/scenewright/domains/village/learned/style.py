@@ -11,6 +11,7 @@ import zipfile
 from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -25,6 +26,7 @@ FORMAT = 2
 SUFFIX = ".npz"
 LARGEST = 16_000_000
 """Bytes of a file of a style at most, once unpacked."""
+MOST_REGIONS = 100
 SHIPPED = Path(__file__).parent / "europe.npz"
 TABLES = ("gap", "turn", "street", "street_turn")
 REMEDY = "give a file that scenewright learn village has written"
@@ -32,16 +34,25 @@ REMEDY = "give a file that scenewright learn village has written"
 Arrays = Mapping[str, np.ndarray]
 
 
+class Region(NamedTuple):
+    """What differs between regions: how houses stand to each other and to the street, and which
+    stand together."""
+
+    manner: Manner
+    mix: HouseMix
+
+
 class VillageStyle(NamedTuple):
     """How houses of a region stand: tables of single relations and the law of counts, the weights
-    of the net of poses, the law that tells full blocks, which houses stand together; and its card
-    (data, licence, split, figures)."""
+    of the net of poses, the law that tells full blocks, which houses stand together; its card
+    (data, licence, split, figures); and the same tables and houses of single ``regions``."""
 
     manner: Manner
     poses: Weights
     more: MoreLaw
     card: dict[str, Any]
     mix: HouseMix
+    regions: Mapping[str, Region] = MappingProxyType({})
 
 
 def is_file(style: str) -> bool:
@@ -56,6 +67,16 @@ def is_file(style: str) -> bool:
 def style_named(style: str) -> VillageStyle:
     """The style of a file, else the one that ships."""
     return read_style(Path(style)) if is_file(style) else shipped_style()
+
+
+def style_in_region(style: VillageStyle, region: str) -> VillageStyle:
+    """The style as it is in one of its regions; itself for a region it does not know.
+
+    >>> sorted(shipped_style().regions)
+    ['bayreuth', 'liechtenstein', 'monaco_hills']
+    """
+    own = style.regions.get(region)
+    return style if own is None else style._replace(manner=own.manner, mix=own.mix)
 
 
 def bare_style(manner: Manner) -> VillageStyle:
@@ -86,16 +107,26 @@ def arrays_of(style: VillageStyle) -> dict[str, np.ndarray]:
     found: dict[str, np.ndarray] = {
         f"poses/{name}": np.asarray(value) for name, value in style.poses.items()
     }
-    for name in TABLES:
-        table: Relations = getattr(style.manner, name)
-        found[f"manner/{name}"] = np.array([table.small, table.large])
-    found["manner/count_law"] = np.array(style.manner.count_law)
-    found["manner/sizes"] = np.array(style.manner.sizes)
+    found |= _arrays_of_manner(style.manner, "manner")
     found["more/law"] = np.stack([style.more.mean, style.more.spread, style.more.weights])
     found["more/constant"] = np.array([style.more.constant])
     found["mix/blocks"], found["mix/houses"] = style.mix
-    told = json.dumps({"format": FORMAT, **style.card}, sort_keys=True, ensure_ascii=False)
+    for name, region in style.regions.items():
+        found |= _arrays_of_manner(region.manner, f"region/{name}")
+        found[f"region/{name}/blocks"], found[f"region/{name}/houses"] = region.mix
+    card = {"format": FORMAT, **style.card, "regions": list(style.regions)}
+    told = json.dumps(card, sort_keys=True, ensure_ascii=False)
     return found | {"card": np.frombuffer(told.encode(), np.uint8)}
+
+
+def _arrays_of_manner(manner: Manner, at: str) -> dict[str, np.ndarray]:
+    found = {}
+    for name in TABLES:
+        table: Relations = getattr(manner, name)
+        found[f"{at}/{name}"] = np.array([table.small, table.large])
+    found[f"{at}/count_law"] = np.array(manner.count_law)
+    found[f"{at}/sizes"] = np.array(manner.sizes)
+    return found
 
 
 def read_style(path: Path) -> VillageStyle:
@@ -129,7 +160,18 @@ def style_of(arrays: Arrays) -> VillageStyle:
     rows = _array(arrays, "more/law", (3, FIGURES))
     constant = float(_array(arrays, "more/constant", (1,))[0])
     more = MoreLaw(rows[0], np.maximum(rows[1], 1e-6), rows[2], constant)
-    return VillageStyle(_manner(arrays), weights, more, card, _mix(arrays))
+    regions = {
+        name: Region(_manner(arrays, f"region/{name}"), _mix(arrays, f"region/{name}"))
+        for name in _regions_told(card)
+    }
+    return VillageStyle(_manner(arrays), weights, more, card, _mix(arrays), regions)
+
+
+def _regions_told(card: dict[str, Any]) -> list[str]:
+    told = card.get("regions", [])
+    if not isinstance(told, list) or not all(isinstance(name, str) for name in told):
+        raise InputError("is no style file: its regions are no names", REMEDY)
+    return told[:MOST_REGIONS]
 
 
 def _card(arrays: Arrays) -> dict[str, Any]:
@@ -145,25 +187,25 @@ def _card(arrays: Arrays) -> dict[str, Any]:
     return card
 
 
-def _manner(arrays: Arrays) -> Manner:
+def _manner(arrays: Arrays, at: str = "manner") -> Manner:
     tables = []
     for name in TABLES:
         ours: Relations = getattr(OURS, name)
-        rows = _shares(_array(arrays, f"manner/{name}", (2, len(ours.small))), name)
+        rows = _shares(_array(arrays, f"{at}/{name}", (2, len(ours.small))), name)
         tables.append(Relations(ours.edges, tuple(rows[0].tolist()), tuple(rows[1].tolist())))
-    a, b, c, spread = _array(arrays, "manner/count_law", (4,)).tolist()
-    small, medium, large = _shares(_array(arrays, "manner/sizes", (3,)), "sizes").tolist()
+    a, b, c, spread = _array(arrays, f"{at}/count_law", (4,)).tolist()
+    small, medium, large = _shares(_array(arrays, f"{at}/sizes", (3,)), "sizes").tolist()
     gap, turn, street, street_turn = tables
     law = (a, b, c, abs(spread))
     return Manner(gap, turn, street, street_turn, law, (small, medium, large))
 
 
-def _mix(arrays: Arrays) -> HouseMix:
-    told = arrays.get("mix/blocks", np.zeros(0))
+def _mix(arrays: Arrays, at: str = "mix") -> HouseMix:
+    told = arrays.get(f"{at}/blocks", np.zeros(0))
     count = len(told) if told.ndim else 0
-    blocks = _array(arrays, "mix/blocks", (max(count, 1), 3))
+    blocks = _array(arrays, f"{at}/blocks", (max(count, 1), 3))
     held = np.clip(blocks[:, 2], 1, 1e6).round()
-    houses = _array(arrays, "mix/houses", (int(held.sum()), 2))
+    houses = _array(arrays, f"{at}/houses", (int(held.sum()), 2))
     if (held != blocks[:, 2]).any() or (houses[:, 0] <= 0).any() or (houses[:, 1] < 1).any():
         raise InputError("is no style file: its lists of houses are none", REMEDY)
     return HouseMix(blocks, houses)

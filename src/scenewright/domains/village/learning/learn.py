@@ -36,7 +36,12 @@ from scenewright.domains.village.learning.pose_training import (
     train_poses,
 )
 from scenewright.domains.village.learning.real_blocks import blocks_of_plan, read_blocks
-from scenewright.domains.village.learning.tables import RealBlock, learn_manner, learn_mix
+from scenewright.domains.village.learning.tables import (
+    RealBlock,
+    learn_manner,
+    learn_mix,
+    learn_regions,
+)
 from scenewright.domains.village.library import LOOKS
 
 FEWEST = 12
@@ -91,19 +96,26 @@ def learn_style(
     blocks = [block for path in sources for block in _blocks(path, options.kinds, read_plan)]
     train, test = split_by_place(blocks, options.held, options.seed)
     tell(0.0, f"{len(train)} blocks to learn from, {len(test)} held out")
-    manner = learn_manner(train)
-    more = learn_more(train, manner, options.seed)
-    bare = bare_style(manner)._replace(more=more, mix=learn_mix(train))
+    bare = bare_style(learn_manner(train))
     state, seconds, whole = _train(train, bare, output, options, tell, cancel)
     if not whole:
         return LearnedStyle({"rounds": state.rounds}, seconds, False)
     tell(0.99, "looking at what was held out")
-    style = bare._replace(poses=state.weights)
+    style = tell_blocks(bare._replace(poses=state.weights), train, options.seed)
     style = style._replace(card=_card(style, train, test, state, options))
     with atomic_write(output) as partial:
         write_style(partial, style)
     checkpoint_path(output).unlink(missing_ok=True)
     return LearnedStyle(style.card, seconds, True)
+
+
+def tell_blocks(style: VillageStyle, train: Sequence[RealBlock], seed: int) -> VillageStyle:
+    """The style with what is learned of whole blocks: which houses stand together, what differs
+    between regions, and when a block is full. (The net is of all regions: among proposals of one
+    it prefers what it would among all.)"""
+    regions = learn_regions(train, style.manner)
+    style = style._replace(mix=learn_mix(train), regions=regions)
+    return style._replace(more=learn_more(train, style, seed))
 
 
 def _check(output: Path, options: LearnOptions) -> None:
@@ -217,6 +229,7 @@ def _card(
         "blocks": len(train),
         "houses": sum(len(block.houses) for block in train),
         "places": sorted({block.place for block in train}),
+        "regions": sorted(style.regions),
         "held_out": sorted({block.place for block in test}),
         "rounds": state.rounds,
         "steps": state.steps,
@@ -230,7 +243,7 @@ def _figures(style: VillageStyle, test: Sequence[RealBlock], seed: int) -> dict[
     """Figures of what was held out: the mean log odds of the real pose among legal proposals, by
     the net and by chance, and how well full blocks are told (area under the curve)."""
     loss, even = mean_loss(style, test, seed)
-    rows, label = states_of(test, style.manner, seed, 1)
+    rows, label = states_of(test, style, seed, 1)
     odds = odds_of_figures(style.more, rows)
     wins = (odds[label > 0][:, None] > odds[label == 0][None]).mean()
     return {

@@ -29,15 +29,16 @@ GROWN, SIMPLE, ACROSS = (3.0, 12.0), 2.5, 20.0
 beyond streets nothing grows."""
 OUTSIDE = 0.02
 """The share of a house that may lie outside the rebuilt outline."""
-CORNERS = 60
+CORNERS, LONGEST = 60, 80
+"""Corners of a footprint and letters of the name of a region, at most."""
 REMEDY = "give a list of blocks: place, outline, outline_on_street, houses with polygon"
 
 
 def read_blocks(path: Path, kinds: Sequence[str] = ()) -> tuple[RealBlock, ...]:
     """The blocks of a file that are left after cleaning; ``kinds`` are kinds of places (empty:
     all). A file is a JSON list of blocks: ``id``, ``place``, ``outline`` in metres,
-    ``outline_on_street`` (a flag for each corner), ``houses`` with their ``polygon``. InputError
-    for another one."""
+    ``outline_on_street`` (a flag for each corner), ``houses`` with their ``polygon``, if known the
+    ``region`` (or ``source``) it is of. InputError for another one."""
     try:
         rows = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -93,7 +94,8 @@ def rebuild(row: dict[str, Any]) -> RealBlock | None:
     )
     if len(kept) < FEWEST:
         return None
-    return RealBlock(str(row["id"]), str(row["place"]), floor, sides[street], kept)
+    region = str(row.get("region") or row.get("source") or "")[:LONGEST]
+    return RealBlock(str(row["id"]), str(row["place"]), floor, sides[street], kept, region)
 
 
 def grow_outline(

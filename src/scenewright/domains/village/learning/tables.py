@@ -15,6 +15,7 @@ import shapely
 from scenewright.core.space import Points
 from scenewright.domains.village.house import class_of_area
 from scenewright.domains.village.learned.mix import HouseMix
+from scenewright.domains.village.learned.style import Region
 from scenewright.domains.village.relations import relate
 from scenewright.domains.village.settings import OURS, Manner, Relations
 from scenewright.domains.village.standing import Floats, StandingHouses, stand
@@ -22,18 +23,21 @@ from scenewright.domains.village.weights import bin_of
 
 PRIOR = 2.0
 """Houses that each bin of a table is taken to hold besides those seen, spread as in ours."""
-FEWEST = 8
-"""Blocks from which the law of counts is fitted; with fewer ours is kept."""
+FEWEST, FEWEST_OF_REGION = 8, 24
+"""Blocks from which the law of counts is fitted (with fewer ours is kept), and blocks of a region
+that has a manner of its own."""
 
 
 class RealBlock(NamedTuple):
-    """A real block: its ground, street sides (s, 2, 2), and the footprints (n, 2) of its houses."""
+    """A real block: its ground, street sides (s, 2, 2), the footprints (n, 2) of its houses, and
+    the region it lies in."""
 
     name: str
     place: str
     floor: shapely.Polygon
     streets: Points
     houses: tuple[Points, ...]
+    region: str = ""
 
     @property
     def street_share(self) -> float:
@@ -48,12 +52,24 @@ class RealBlock(NamedTuple):
         return stand(list(self.houses), [class_of_area(area) for area in areas])
 
 
-def learn_manner(blocks: Sequence[RealBlock]) -> Manner:
-    """The manner of some blocks: tables of relations, the law of counts, shares of classes."""
+def learn_regions(blocks: Sequence[RealBlock], manner: Manner) -> dict[str, Region]:
+    """Regions with enough blocks, if there are several; their tables begin with those of all."""
+    found = {}
+    names = sorted({block.region for block in blocks if block.region})
+    for name in names if len(names) > 1 else []:
+        own = [block for block in blocks if block.region == name]
+        if len(own) >= FEWEST_OF_REGION:
+            found[name] = Region(learn_manner(own, manner), learn_mix(own))
+    return found
+
+
+def learn_manner(blocks: Sequence[RealBlock], known: Manner = OURS) -> Manner:
+    """The manner of some blocks, of which another is ``known``: tables of relations, the law of
+    counts, shares of classes."""
     rows = np.concatenate([relate_in_order(block) for block in blocks])
     small = rows[:, 4] == 0
     tables = []
-    for column, table in enumerate((OURS.gap, OURS.turn, OURS.street, OURS.street_turn)):
+    for column, table in enumerate((known.gap, known.turn, known.street, known.street_turn)):
         known = np.isfinite(rows[:, column])
         tables.append(
             Relations(
