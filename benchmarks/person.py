@@ -9,10 +9,10 @@ the person has chosen so far. Four persons a case, ``--full`` twenty, on two pro
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from functools import partial
 from multiprocessing import get_context
-from multiprocessing.connection import Connection
+from multiprocessing.connection import Connection, wait
 from statistics import median
 from typing import Any, NamedTuple
 
@@ -30,19 +30,20 @@ LONG = 60
 """Generations of the search that knows the truth."""
 ACTIONS, LOOKS = 60, 120
 MARKS = (12, 24, 30, 48, 60)
-FULL_SEEDS, SEEDS, QUICK_SEEDS, FIRST_SEED = 20, 4, 2, 5000
-"""Persons, beginning with a number that was not used for tuning."""
-NOISY, CONJUNCTIVE = "ours, noise doubled", "home, conjunctive tastes"
+FULL_SEEDS, SEEDS, QUICK_SEEDS = 20, 4, 2
+CONJUNCTIVE, NOISY = "home, conjunctive tastes", "ours, noise doubled"
+FIRST_SEEDS = {"home": 7000, "site": 5000, CONJUNCTIVE: 5000}
+"""The first person of each case; nothing was tuned on those that follow."""
 PROCESSES = 2
 CODE = (
-    "benchmarks/person*.py",
+    *(f"benchmarks/person{part}.py" for part in ("_genetic", "_methods", "_raters", "_world")),
     "src/scenewright/engine/preference/**/*.py",
-    "src/scenewright/workflow/evolution/*.py",
-    "src/scenewright/domains/home/**/*.py",
-    "src/scenewright/domains/site/**/*.py",
+    "src/scenewright/workflow/evolution/population.py",
     "src/scenewright/geometry/composition.py",
 )
-"""What the persons see and are learned by: runs of other code are not theirs."""
+"""What the persons see and are learned by, beside their domain: runs of other code are not
+theirs."""
+TOP = "the best"
 METHODS: dict[str, tuple[Callable[..., Iterator[SearchStep]], int]] = {
     "ours": (person_methods.ours, SCREENS),
     NOISY: (person_methods.ours, SCREENS),
@@ -93,20 +94,38 @@ def run_of(record: list[Any]) -> PersonRun:
     return PersonRun(tuple(steps), tuple(liked), top)
 
 
-def run_person(world: World, seed: int, conjunctive: bool = False) -> dict[str, PersonRun]:
-    """All methods for one person."""
-    found: dict[str, PersonRun] = {}
-    number = FIRST_SEED + seed
-    knows = SimulatedPerson(world, number, 1.0, conjunctive)
-    top = person_genetic.find_best(world, knows, seed, LONG)
+def run_person(
+    world: World, case: str, seed: int, have: Collection[str]
+) -> Iterator[tuple[str, Any]]:
+    """What is kept of one person, by name: what the search that knows the truth finds, and the run
+    of each method; less what there is already."""
+    number, conjunctive = FIRST_SEEDS[name_kind(case)] + seed, name_kind(case) == CONJUNCTIVE
+    if TOP not in have:
+        knows = SimulatedPerson(world, number, 1.0, conjunctive)
+        yield TOP, person_genetic.find_best(world, knows, seed, LONG)
     for method, (search, much) in METHODS.items():
-        noise = 2.0 if method == NOISY else 1.0
-        person = SimulatedPerson(world, number, noise, conjunctive)
-        steps = tuple(search(world, person, seed, much))
-        liked = tuple(person.truth(step.champion) for step in steps)
-        top = max(top, steps[-1].best)
-        found[method] = PersonRun(steps, liked, 0.0)
-    return {method: one._replace(top=top) for method, one in found.items()}
+        if method not in have:
+            noise = 2.0 if method == NOISY else 1.0
+            person = SimulatedPerson(world, number, noise, conjunctive)
+            steps = tuple(search(world, person, seed, much))
+            liked = tuple(person.truth(step.champion) for step in steps)
+            yield method, PersonRun(steps, liked, 0.0).record()
+
+
+def name_kind(case: str) -> str:
+    """The case that a quick one is of.
+
+    >>> name_kind("site, quick")
+    'site'
+    """
+    return case.removesuffix(", quick")
+
+
+def join_runs(kept: dict[str, Any]) -> dict[str, PersonRun]:
+    """The runs of a person of which all is kept, with the best there was for any of them."""
+    runs = {method: run_of(kept[method]) for method in METHODS}
+    top = max(kept[TOP], *(run.steps[-1].best for run in runs.values()))
+    return {method: run._replace(top=top) for method, run in runs.items()}
 
 
 def records(quick: bool, progress: Progress, *, full: bool = False) -> Iterator[Record]:
@@ -119,10 +138,12 @@ def records(quick: bool, progress: Progress, *, full: bool = False) -> Iterator[
         CONJUNCTIVE: home,
         "site": partial(site_world, "site-courtyards" if quick else "site-30"),
     }
-    kept = open_runs("person", CODE)
     for number, (case, make) in enumerate(worlds.items()):
         progress(number / len(worlds), f"{case}: layouts")
         persons = []
+        domain = case[:4]
+        code = (*CODE, f"src/scenewright/domains/{domain}/**/*.py")
+        kept = open_runs(f"person-{domain}", code)
         for one in run_persons(make, f"{case}, quick" if quick else case, range(seeds), kept):
             persons.append(one)
             progress(
@@ -134,42 +155,55 @@ def records(quick: bool, progress: Progress, *, full: bool = False) -> Iterator[
 def run_persons(
     make: Callable[[], World], case: str, seeds: Iterable[int], kept: KeptRuns
 ) -> Iterator[dict[str, PersonRun]]:
-    """All methods for persons, in order, on :data:`PROCESSES` processes that share the world;
-    those that are kept are not run again."""
-    every = list(seeds)
-    left = [seed for seed in every if f"{case}, {seed}" not in kept.values]
-    fresh = iter(_fork_persons(make(), left, case.startswith(CONJUNCTIVE)) if left else ())
-    for seed in every:
-        name = f"{case}, {seed}"
-        if seed in left:
-            kept.keep(name, {method: run.record() for method, run in next(fresh).items()})
-        yield {method: run_of(record) for method, record in kept.values[name].items()}
+    """All methods for persons on :data:`PROCESSES` processes that share the world, as they are
+    done; what is kept is not run again."""
+    wanted = {TOP, *METHODS}
+    have = {seed: {n for n in wanted if f"{case}, {seed}, {n}" in kept.values} for seed in seeds}
+    left = [seed for seed, names in have.items() if names != wanted]
+    for seed in have.keys() - left:
+        yield join_runs({name: kept.values[f"{case}, {seed}, {name}"] for name in wanted})
+    for seed, name, value in _fork_persons(make(), case, left, have) if left else ():
+        kept.keep(f"{case}, {seed}, {name}", value)
+        have[seed].add(name)
+        if have[seed] == wanted:
+            yield join_runs({name: kept.values[f"{case}, {seed}, {name}"] for name in wanted})
 
 
 def _fork_persons(
-    world: World, seeds: list[int], conjunctive: bool
-) -> Iterator[dict[str, PersonRun]]:
+    world: World, case: str, seeds: list[int], have: dict[int, set[str]]
+) -> Iterator[tuple[int, str, Any]]:
     forks = get_context("fork")
     lines = [forks.Pipe(duplex=False) for _ in range(PROCESSES)]
     running = [
         forks.Process(
             target=_send_persons,
-            args=(line[1], world, seeds[k::PROCESSES], conjunctive),
+            args=(line[1], world, case, seeds[k::PROCESSES], have),
             daemon=True,
         )
         for k, line in enumerate(lines)
     ]
     for process in running:
         process.start()
-    for number, _ in enumerate(seeds):
-        yield lines[number % PROCESSES][0].recv()
+    open_ = [line[0] for line in lines]
+    for line in lines:
+        line[1].close()
+    while open_:
+        wait(open_)
+        for told in [line for line in open_ if line.poll()]:
+            try:
+                yield told.recv()
+            except EOFError:
+                open_.remove(told)
     for process in running:
         process.join()
 
 
-def _send_persons(line: Connection, world: World, seeds: list[int], conjunctive: bool) -> None:
+def _send_persons(
+    line: Connection, world: World, case: str, seeds: list[int], have: dict[int, set[str]]
+) -> None:
     for seed in seeds:
-        line.send(run_person(world, seed, conjunctive))
+        for name, value in run_person(world, case, seed, have[seed]):
+            line.send((seed, name, value))
 
 
 def summarise(case: str, runs: dict[str, list[PersonRun]]) -> Iterator[Record]:

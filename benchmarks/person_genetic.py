@@ -13,7 +13,7 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.person_methods import SearchStep
+from benchmarks.person_methods import SearchStep, draw_sane
 from benchmarks.person_raters import SimulatedPerson
 from benchmarks.person_world import World
 from scenewright.core.breeding import Gene, Genome
@@ -34,7 +34,6 @@ from scenewright.engine.preference.alleles.preference import (
     prefer_allele,
 )
 from scenewright.engine.preference.alleles.subspaces import estimate_locally
-from scenewright.workflow.evolution.population import draw_genomes
 
 Floats = NDArray[np.float64]
 Estimate = Callable[..., float]
@@ -165,15 +164,7 @@ def estimate_by_models(
 
 
 def _begin(world: World, rng: np.random.Generator) -> list[Genome]:
-    return list(islice(_draw_sane(world, rng), POPULATION))
-
-
-def _draw_sane(world: World, rng: np.random.Generator) -> Iterator[Genome]:
-    """Genomes by chance that hold all that was asked for: no other layout is shown by ours."""
-    while True:
-        (genome,) = draw_genomes(world.genes, 99, 1, rng)
-        if not world.look(genome).lacking:
-            yield genome
+    return list(islice(draw_sane(world, rng), POPULATION))
 
 
 def breed(
@@ -214,7 +205,7 @@ def find_best(world: World, person: SimulatedPerson, seed: int, generations: int
     """What a search that knows the truth finds: the best of so many ``generations`` of a genetic
     algorithm of 60 individuals."""
     rng = np.random.default_rng([seed, 6])
-    genomes = list(islice(_draw_sane(world, rng), 60))
+    genomes = list(islice(draw_sane(world, rng), 60))
     best = -np.inf
     for _ in range(generations):
         fitness = np.array([person.truth(g) for g in genomes])

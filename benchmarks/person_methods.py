@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import islice
 from typing import NamedTuple
 
 import numpy as np
@@ -125,15 +126,23 @@ def _mark(
     return told
 
 
+def draw_sane(world: World, rng: np.random.Generator) -> Iterator[Genome]:
+    """Genomes by chance that hold all that was asked for: no other layout is shown by ours."""
+    while True:
+        (genome,) = draw_genomes(world.genes, 99, 1, rng)
+        if not world.look(genome).lacking:
+            yield genome
+
+
 def random_search(
     world: World, person: SimulatedPerson, seed: int, screens: int
 ) -> Iterator[SearchStep]:
     """Layouts by chance, twelve at a time with the champion; one pick a screen."""
-    rng, shown = np.random.default_rng([seed, 3]), set[Genome]()
+    drawing, shown = draw_sane(world, np.random.default_rng([seed, 3])), set[Genome]()
     champion: Genome | None = None
     best = -np.inf
     for screen in range(screens):
-        drawn = draw_genomes(world.genes, 99, 12, rng)
+        drawn = list(islice(drawing, 12))
         chosen = drawn if champion is None else [champion, *drawn[:11]]
         shown |= set(chosen)
         best = max(best, *(person.truth(g) for g in chosen))

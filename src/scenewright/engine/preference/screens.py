@@ -33,7 +33,7 @@ class ScreenMix(NamedTuple):
     size: int = 12
     learning: int = 45
     least: int = 4
-    greedy: float = 0.5
+    greedy: float = 0.8
     apart: float = 0.35
 
     def wide(self, statements: int) -> int:
