@@ -115,9 +115,10 @@ def lacks_essentials(answer: RoomAnswer, costs: FaultCosts) -> float:
     )
 
 
-def try_otherwise(task: RoomTask, number: int) -> RoomTask:
-    """A room to be furnished from other random numbers, the same for the same ``number``."""
-    return _otherwise(task, number, 0.0)
+def try_otherwise(task: RoomTask, number: int, wider: float) -> RoomTask:
+    """A room to be furnished from other random numbers, the same for the same ``number``, with ways
+    that are ``wider`` by so many metres."""
+    return _otherwise(task, number, wider)
 
 
 def _lacks(answer: RoomAnswer, costs: FaultCosts) -> float:

@@ -16,13 +16,14 @@ from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.household import BEDS, LEAST_BUNK, SEATED, Household, count_places
 from scenewright.domains.home.programme import BEDS as SLEEPING
-from scenewright.domains.home.programme import WELCOME, Wish
+from scenewright.domains.home.programme import FALLBACK, WELCOME, Wish
 from scenewright.domains.home.second_try import Opened, lacks_essentials, try_otherwise
 from scenewright.domains.home.wheelchair import count_shut, furnish_by_use
 from scenewright.engine.solve import Budget
 
-RANKS = (WELCOME, 1, 1)
-"""Further tries of a room hold what ranks before this, and what is required."""
+RANKS = ((WELCOME, 0.0), (WELCOME, 0.08), (1, 0.02), (1, 0.08))
+"""Further tries of a room hold what ranks before this, and what is required, with ways so much
+wider on the grid, metres: chairs in the way of an exact walk give way."""
 FEWER_SEATS = 3
 """Tries of a room in which sofas may seat fewer than there are residents."""
 SLEEPING_PLACES = 2
@@ -76,6 +77,7 @@ def _worth(
 def measure_shortage(household: Household, answers: Sequence[RoomAnswer]) -> int:
     """What is short in a furnished home: things required, beds, chairs at a table, sofa seats."""
     short = sum(REQUIRED * m.wish.required for answer in answers for m in answer.missing)
+    short += sum(REQUIRED * _is_substitute(g.wish) for answer in answers for g in answer.placed)
     if not household.stated:
         return short
     short += BED * _lack_beds(household, answers)
@@ -85,6 +87,11 @@ def measure_shortage(household: Household, answers: Sequence[RoomAnswer]) -> int
         best = max(_seat(answer, groups) for answer in answers)
         short += weight * max(min(household.residents, most) - best, 0)
     return short
+
+
+def _is_substitute(wish: Wish) -> bool:
+    """Whether only something smaller of its use stands in for what is required."""
+    return wish.required and wish.small and wish.group in FALLBACK.values()
 
 
 def _wishes_of(answer: RoomAnswer) -> list[Wish]:
@@ -154,21 +161,23 @@ def _list_fewer(household: Household, rooms: Rooms, found: Sequence[RoomAnswer])
         if not _falls_short(household, answer):
             continue
         task, wishes = rooms.tasks[room], rooms.wishes[room]
-        for number, rank in enumerate(RANKS, 1):
+        for number, (rank, wider) in enumerate(RANKS, 1):
             fewer = tuple(w for w in wishes if w.rank < rank or w.required)
             if fewer:
-                yield room, try_otherwise(task, number), fewer
+                yield room, try_otherwise(task, number, wider), fewer
         own = {name: known for name, known in task.library.own.items() if name != "seating"}
         if "seating" in task.library.seated and any(w.group == "seating" for w in wishes):
             fewer = tuple(w for w in wishes if w.rank < 1 or w.required)
             alone = task._replace(library=task.library._replace(own=own))
             for number in range(FEWER_SEATS):
-                yield room, try_otherwise(alone, number), fewer
+                yield room, try_otherwise(alone, number, RANKS[number][1]), fewer
 
 
 def _falls_short(household: Household, answer: RoomAnswer) -> bool:
     """Whether something required is missing in a room, or it seats too few."""
     if any(m.wish.required for m in answer.missing):
+        return True
+    if any(_is_substitute(group.wish) for group in answer.placed):
         return True
     wished = {w.group for w in _wishes_of(answer)}
     return household.stated and any(
