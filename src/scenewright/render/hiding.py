@@ -29,7 +29,7 @@ WIDE = 0.8
 """So do only those as wide as this, metres: one looks past a plant."""
 HIDDEN = 0.35
 """Share of a piece's footprint that is hidden when it counts."""
-CLEAR = 0.4
+CLEAR = 0.6
 """How opaque what hides others is drawn."""
 WALL = "partition"
 SLIGHT = 0.04
