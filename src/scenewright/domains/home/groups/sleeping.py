@@ -68,7 +68,7 @@ def _bed(
     back = -depth / 2
     x = left + bed / 2 - width / 2
     members = [Member(category, x, back + length / 2, 0, 0, Size(bed, length, 0.9))]
-    if min(left, right) >= 0.5:
+    if min(left, right) >= 0.45:
         members.append(Member("rug", x, depth / 2 - 0.7, 0, 0, Size(width - 0.1, 1.4, 0.012)))
     for sign, wing in ((-1, left), (1, right)):
         members += _nightstand(x + sign * (bed / 2 + 0.23), back, len(members)) if wing else []
