@@ -27,7 +27,7 @@ MEMORY = 4.0
 """Memory a worker may take, GiB."""
 TIME = 600.0
 """Seconds a file may take."""
-Told = Callable[[ResultRow, int, int, bool], None]
+OnResult = Callable[[ResultRow, int, int, bool], None]
 
 
 def batch(
@@ -50,7 +50,7 @@ def batch(
     style: str = "",
     memory: float = MEMORY,
     limit: float = TIME,
-    progress: Told | None = None,
+    progress: OnResult | None = None,
     cancel: Callable[[], bool] | None = None,
 ) -> tuple[ResultRow, ...]:
     """Lay out every file of ``sources`` (files, folders, samples) into ``folder``.
@@ -89,7 +89,7 @@ def _batch(
     out: Path,
     options: BatchOptions,
     limits: Limits,
-    progress: Told | None,
+    progress: OnResult | None,
     cancel: Callable[[], bool] | None,
     run: RunFiles,
 ) -> tuple[ResultRow, ...]:
@@ -116,7 +116,7 @@ def _work(
     ledger: Ledger,
     found: dict[str, ResultRow],
     total: int,
-    progress: Told | None,
+    progress: OnResult | None,
     cancel: Callable[[], bool] | None,
     protected: Iterable[Identity],
 ) -> None:
@@ -131,7 +131,7 @@ def _work(
             _tell(progress, row, len(found), total, False)
 
 
-def _tell(progress: Told | None, row: ResultRow, done: int, total: int, before: bool) -> None:
+def _tell(progress: OnResult | None, row: ResultRow, done: int, total: int, before: bool) -> None:
     if progress is not None:
         progress(row, done, total, before)
 

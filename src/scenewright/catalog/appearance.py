@@ -32,7 +32,7 @@ from scenewright.geometry.walker_meshes import SaliencyModel, side_densities
 
 Floats = NDArray[np.float64]
 Measure = Literal["relief", "printed"]
-Heard = Callable[[float, str], None]
+OnProgress = Callable[[float, str], None]
 
 VERSION = b"2"
 """Facts kept by another version of what is measured are not used."""
@@ -96,7 +96,7 @@ def table(rows: dict[str, Facts]) -> str:
     return "\n".join([head, *lines, ""])
 
 
-def facts(assets: Iterable[Asset], on_progress: Heard | None = None) -> dict[str, Facts]:
+def facts(assets: Iterable[Asset], on_progress: OnProgress | None = None) -> dict[str, Facts]:
     """The facts of some assets by id: looked up, or computed and kept; ``on_progress`` gets the
     share done and the name of what is computed."""
     every = {asset.id: asset for asset in assets}

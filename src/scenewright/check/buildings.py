@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Shape, Shapes
+from scenewright.check.shared_ground import intersect_footprints
 from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 
@@ -52,7 +53,7 @@ def find_collisions(pieces: Sequence[Piece], shapes: Shapes) -> list[Finding]:
     footprints of ``pieces``."""
     found: list[Finding] = []
     for a, b in _find_pairs(shapes):
-        depth, area = measure_shared(shapely.intersection(shapes[a], shapes[b]))
+        depth, area = measure_shared(intersect_footprints(shapes[a], shapes[b]))
         one, other = pieces[a], pieces[b]
         if depth > TOLERANCE:
             text = f"{one.id} and {other.id} overlap by {depth:.2f} m ({area:.2f} m²)"

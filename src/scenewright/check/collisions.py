@@ -13,6 +13,7 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import PARTITION, TOLERANCE, Bodies, Flags, Floats, Indices, Shape
+from scenewright.check.shared_ground import intersect_footprints
 from scenewright.core.report import Finding
 
 _BACKREST = 0.05
@@ -57,7 +58,7 @@ def find_collisions(bodies: Bodies, names: tuple[str, ...]) -> list[Finding]:
     hit = (depth > TOLERANCE) & (tall > TOLERANCE) & ~waived
     hit[hit] &= ~_belong(bodies, i[hit], j[hit])
     i, j, depth, tall = i[hit], j[hit], depth[hit], tall[hit]
-    area = shapely.area(shapely.intersection(bodies.footprints[i], bodies.footprints[j]))
+    area = shapely.area(intersect_footprints(bodies.footprints[i], bodies.footprints[j]))
     rows = zip(i, j, np.minimum(depth, tall), area, strict=True)
     return [_finding(bodies, names, int(a), int(b), float(d), float(s)) for a, b, d, s in rows]
 
@@ -67,7 +68,7 @@ def _overlap(bodies: Bodies, i: Indices, j: Indices) -> Floats:
     depth = penetration(bodies.corners[i], bodies.corners[j])
     shaped = np.array([bool(piece.footprint) for piece in bodies.pieces], bool)
     rows = np.flatnonzero((shaped[i] | shaped[j]) & (depth > TOLERANCE))
-    shared = shapely.intersection(bodies.footprints[i[rows]], bodies.footprints[j[rows]])
+    shared = intersect_footprints(bodies.footprints[i[rows]], bodies.footprints[j[rows]])
     depth[rows] = [thickness(shape) for shape in shared]
     return depth
 

@@ -8,11 +8,11 @@ from typing import Any
 
 from scenewright.engine.solve import BudgetWatch, Report
 
-Told = Callable[[float, Callable[[], Any]], bool]
-"""Hears the share of a layout that stands and what makes it as far as it is; whether to stop."""
+OnGrowth = Callable[[float, Callable[[], Any]], bool]
+"""Gets the share of a layout that stands and what makes it as far as it is; whether to stop."""
 
 
-def tell_growth(watch: BudgetWatch, done: int, steps: int | None) -> Told:
+def tell_growth(watch: BudgetWatch, done: int, steps: int | None) -> OnGrowth:
     """What a layout tells while it is made, ``done`` others being whole of so many ``steps`` (left
     out: nobody knows). Only the first is reported, with an energy of infinity: later
     ones compete with one that is whole. Shares only rise; whether to stop is whether nobody waits.

@@ -66,9 +66,9 @@ def plan_extend(brief: Brief) -> Plan:
         _area(row, name, floor, old, f"areas[{number}]")
         for number, (row, name, floor) in enumerate(zip(part.areas, names, outlines, strict=True))
     )
-    told = tuple(f"{s.name or 'source'}: {line}" for s in sources for line in s.left_out)
+    notes = tuple(f"{s.name or 'source'}: {line}" for s in sources for line in s.left_out)
     ground = _ground(brief.name, old, areas)
-    detail = ExtendPlan(tuple(sources), shares, stands, pattern, areas, ground, told)
+    detail = ExtendPlan(tuple(sources), shares, stands, pattern, areas, ground, notes)
     spaces = _spaces(old, areas)
     return Plan((LEVEL,), spaces, {space.id: space.name for space in spaces}, detail)
 
@@ -77,8 +77,8 @@ def _source(row: SourceScene, number: int, origin: tuple[float, float] | None) -
     """One source, read and cleaned."""
     place = f"sources[{number}]"
     if (row.path is None) == (not row.buildings):
-        told = "names a file and draws buildings" if row.path else "has no buildings"
-        raise InputError(told, 'give either "path" or "buildings"', place=place)
+        fault = "names a file and draws buildings" if row.path else "has no buildings"
+        raise InputError(fault, 'give either "path" or "buildings"', place=place)
     try:
         scene = (
             _build_source(row)
@@ -102,17 +102,17 @@ def _source(row: SourceScene, number: int, origin: tuple[float, float] | None) -
 
 
 def _build_source(row: SourceScene) -> BuiltScene:
-    found, told = [], list[str]()
+    found, left_out = [], list[str]()
     for number, one in enumerate(row.buildings):
         name = one.id or f"building-{number + 1}"
         outline = clean_outline(np.array(one.outline, float))
         if outline is None:
-            told.append(f"{name}: has no usable footprint")
+            left_out.append(f"{name}: has no usable footprint")
             continue
         found.append(BuiltBuilding(name, one.name, outline, one.height, one.heading, one.model))
     kept, overlapping = drop_overlaps(found) if found else ((), ())
     roads = tuple(_road(one, "") for one in row.roads)
-    return BuiltScene(row.name, kept, roads, None, (*told, *overlapping))
+    return BuiltScene(row.name, kept, roads, None, (*left_out, *overlapping))
 
 
 def _road(row: StreetLine, place: str) -> BuiltRoad:

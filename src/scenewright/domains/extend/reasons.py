@@ -52,9 +52,9 @@ def describe_extension(solution: Solution, plan: Plan | None = None) -> str:
     for area in (plan or plan_extend(solution.brief)).detail.areas:
         mine = [(t.value, t.term) for t in solution.terms if t.space == area.id and t.term in WAYS]
         main = sorted((row for row in mine if row[0] > 0), key=lambda row: -row[0])[:2]
-        told = [f"{counts[area.id]} buildings"]
-        told += [f"{share:.0%} {_NAMED[name]}" for share, name in main]
-        words.append(f"{area.name}: {', '.join(told)}")
+        parts = [f"{counts[area.id]} buildings"]
+        parts += [f"{share:.0%} {_NAMED[name]}" for share, name in main]
+        words.append(f"{area.name}: {', '.join(parts)}")
     return "; ".join(words)
 
 

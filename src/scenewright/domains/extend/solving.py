@@ -75,10 +75,10 @@ def solve(
     catalog, found = check_models(brief, made), []
     for k, area in enumerate(made.areas):
         problem = pose_problem(made, area, chosen.settings, catalog)
-        heard = None if progress is None else _share(progress, k, len(made.areas), area.name)
-        heard = add_watch(heard, watch, area.id, partial(_boxes, problem))
+        on_progress = None if progress is None else _share(progress, k, len(made.areas), area.name)
+        on_progress = add_watch(on_progress, watch, area.id, partial(_boxes, problem))
         budget = Budget(seconds, given, threads=threads)
-        answer = EXTEND_SOLVERS[named].run(problem, budget, seed + 7919 * k, heard, cancel)
+        answer = EXTEND_SOLVERS[named].run(problem, budget, seed + 7919 * k, on_progress, cancel)
         layout, tried = answer.layouts[0], answer.evaluations
         stopped = cancel is not None and cancel()
         found.append(furnish_area(brief, area, problem, layout, catalog, tried, stopped=stopped))
@@ -137,10 +137,10 @@ def furnish_area(
         reason = f"none fits on {area.outline.area:.0f} m² at the distances of the source"
         left_out.append(LeftOut(area.id, "all buildings", reason, False))
     if missing > 0:
-        told = f"{missing} of {layout.asked} buildings"
+        what = f"{missing} of {layout.asked} buildings"
         full = f"no place left on {area.outline.area:.0f} m² at the distances of the source"
         reason = "stopped before they were placed" if stopped else full
-        left_out.append(LeftOut(area.id, told, reason, True))
+        left_out.append(LeftOut(area.id, what, reason, True))
     rows = reasons(problem, layout)
     return FilledArea(area.id, pieces, rows, tuple(left_out), evaluations)
 

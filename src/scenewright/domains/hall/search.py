@@ -31,7 +31,7 @@ from scenewright.engine.watched import add_watch
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
-Heard = Callable[[Report], None]
+OnReport = Callable[[Report], None]
 
 WAYS = ("access", "reach")
 """What is wrong where it costs anything."""
@@ -154,7 +154,7 @@ def _rest(budget: Budget, steps: int, seconds: float) -> Budget:
 
 
 def _improve_answer(
-    answer: Answer, rest: Budget, seed: int, progress: Heard | None, cancel: Cancel | None
+    answer: Answer, rest: Budget, seed: int, progress: OnReport | None, cancel: Cancel | None
 ) -> HallFound:
     """What was found, cooled again for as long as there is; never worse. While something is
     wrong, that weighs more than all else."""
@@ -176,7 +176,7 @@ def _heavy(problem: HallProblem) -> HallProblem:
 
 def _make_progress_reporter(
     progress: Progress | None, attempt: int, shared: bool, rule: SearchSettings
-) -> Heard | None:
+) -> OnReport | None:
     """Tells how far a search is, and never goes back. Attempts that share a budget have their
     parts of it, the improvement (after the last) the rest; else all is done but for the attempts
     after the first."""
@@ -194,7 +194,9 @@ def _make_progress_reporter(
     return pass_on
 
 
-def _watch_objects(search: HallSearch, fitted: Fitted, on_progress: Heard | None) -> Heard | None:
+def _watch_objects(
+    search: HallSearch, fitted: Fitted, on_progress: OnReport | None
+) -> OnReport | None:
     """A listener that tells who watches of the objects, by the ids of their demands and without
     the chairs at them."""
     each = [search.wishes[unit.demand] for unit in fitted.units for _ in range(*unit[2:4])]

@@ -96,8 +96,8 @@ def combine_rooms(rooms: Sequence[RoomFeatures]) -> dict[str, float]:
     found = dict(zip((f"term {name}" for name in TERM_NAMES), terms.tolist(), strict=True))
     found |= zip(NAMES, composition.tolist(), strict=True)
     for name in PLACE_NAMES:
-        told = [room.places[name] for room in rooms if name in room.places]
-        found[name] = sum(told) / len(told) if told else 0.0
+        values = [room.places[name] for room in rooms if name in room.places]
+        found[name] = sum(values) / len(values) if values else 0.0
     return found
 
 

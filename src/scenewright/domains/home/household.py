@@ -262,12 +262,12 @@ def tell_programme(solution: Solution, plan: Plan) -> str:
 
 def _tell_places(pieces: Sequence[Piece], people: int) -> str:
     """Beds and seats for the stated residents, and how many are short."""
-    told = []
+    parts = []
     for what, places in (("beds", BEDS), ("sofa seats", SOFAS)):
         count = sum(places.get(p.category, 0) for p in pieces)
         short = f" ({people - count} short)" if count < people else ""
-        told.append(f"{what} for {count}{short}")
-    return ", ".join(told)
+        parts.append(f"{what} for {count}{short}")
+    return ", ".join(parts)
 
 
 def _count(number: int, what: str) -> str:

@@ -29,7 +29,7 @@ from scenewright.domains.village.proposals import is_legal, propose, shapes_at, 
 from scenewright.domains.village.relations import relate
 from scenewright.domains.village.standing import Flags, Floats, Shapes, StandingHouses, add, place
 from scenewright.domains.village.weights import weigh
-from scenewright.engine.growing import Told
+from scenewright.engine.growing import OnGrowth
 
 SLIT = (0.01, 0.3)
 """Metres between walls that nobody leaves."""
@@ -57,13 +57,13 @@ def grow(
     chosen: list[int],
     rng: np.random.Generator,
     weighing: Weighing | None = None,
-    told: Told | None = None,
+    on_growth: OnGrowth | None = None,
 ) -> VillageLayout:
     """Fill a block with houses of the library by number. ``weighing`` tells how likely poses are
-    (left out: by the learned net); ``told`` hears of every house and may end it."""
+    (left out: by the learned net); ``on_growth`` is called for every house and may end it."""
     weighing = weighing or weigh_by_net
     growth = Growth(survey_problem(problem, len(chosen)), (), ())
-    goes_on = partial(_goes_on, problem, len(chosen), told)
+    goes_on = partial(_goes_on, problem, len(chosen), on_growth)
     grown = _add_all(problem, growth, chosen, rng, weighing, goes_on)
     grown, doors, lost = _keep_reached(problem, grown)
     if lost:
@@ -85,11 +85,15 @@ def layout_of(
     return _layout(grown, doors, asked)
 
 
-def _goes_on(problem: VillageProblem, asked: int, told: Told | None, growth: Growth) -> bool:
+def _goes_on(
+    problem: VillageProblem, asked: int, on_growth: OnGrowth | None, growth: Growth
+) -> bool:
     """Tell how far a block is; whether it is to be filled further."""
-    if told is None:
+    if on_growth is None:
         return True
-    return not told(len(growth.houses) / max(asked, 1), partial(_as_grown, problem, growth, asked))
+    return not on_growth(
+        len(growth.houses) / max(asked, 1), partial(_as_grown, problem, growth, asked)
+    )
 
 
 def _as_grown(problem: VillageProblem, growth: Growth, asked: int) -> VillageLayout:

@@ -73,8 +73,8 @@ def houses_of(rows: Sequence[LibraryHouse], look: str, catalog: Catalog) -> tupl
     names = [house.name for house in found]
     for number, name in enumerate(names):
         if name in names[:number]:
-            told = f"houses[{number}]"
-            raise InputError(f"the name '{name}' is used twice", "give each its own", place=told)
+            where = f"houses[{number}]"
+            raise InputError(f"the name '{name}' is used twice", "give each its own", place=where)
     return tuple(found)
 
 

@@ -151,10 +151,10 @@ def _lanes(brief: Brief) -> tuple[Way, ...]:
 
 
 def _way(
-    name: str, told: str, kind: str, width: float, line: Points, area: shapely.Geometry
+    name: str, label: str, kind: str, width: float, line: Points, area: shapely.Geometry
 ) -> Way:
     parts = [Area(*rings(part), part.area) for part in shapes.polygons(area)]
-    return Way(name, told, kind, width, line, (line,), tuple(parts))
+    return Way(name, label, kind, width, line, (line,), tuple(parts))
 
 
 def _streets(block: VillageBlock, lanes: Sequence[Way], place: str) -> Points:
@@ -228,21 +228,21 @@ def _block(
     outline, _ = rings(floor)
     length = float(np.hypot(*(streets[:, 1] - streets[:, 0]).T).sum())
     fixed = tuple(_standing(row, floor, f"{place} fixed[{k}]") for k, row in enumerate(block.fixed))
-    told = block.name or name
+    label = block.name or name
     return BlockPlan(
         name,
-        told,
+        label,
         outline,
         floor.area,
         streets,
         length / floor.exterior.length,
         fixed,
-        _ground(name, told, floor, streets, lanes),
+        _ground(name, label, floor, streets, lanes),
     )
 
 
 def _ground(
-    name: str, told: str, floor: shapely.Polygon, streets: Points, lanes: Sequence[Way]
+    name: str, label: str, floor: shapely.Polygon, streets: Points, lanes: Sequence[Way]
 ) -> SitePlan:
     """The block, its verge and the lanes beside it as one piece of open ground."""
     near = shapely.buffer(floor, BESIDE + LANE)
@@ -269,7 +269,7 @@ def _ground(
         )
         for way in beside
     )
-    return SitePlan(name, told, outline, holes, floor.area, floor.area, (), ways, (), ())
+    return SitePlan(name, label, outline, holes, floor.area, floor.area, (), ways, (), ())
 
 
 def _sound_rings(shape: shapely.Polygon) -> tuple[Points, tuple[Points, ...]]:

@@ -79,10 +79,12 @@ def solve(
     found = []
     for k, (block, one) in enumerate(zip(brief.part.blocks, village.blocks, strict=True)):
         problem = build_problem(block, one, village, chosen.settings)
-        heard = None if progress is None else _share(progress, k, len(village.blocks), one.name)
-        heard = add_watch(heard, watch, one.id, partial(_boxes, one, village.houses))
+        on_progress = (
+            None if progress is None else _share(progress, k, len(village.blocks), one.name)
+        )
+        on_progress = add_watch(on_progress, watch, one.id, partial(_boxes, one, village.houses))
         budget = Budget(seconds, given, threads=threads)
-        answer = VILLAGE_SOLVERS[named].run(problem, budget, seed + 7919 * k, heard, cancel)
+        answer = VILLAGE_SOLVERS[named].run(problem, budget, seed + 7919 * k, on_progress, cancel)
         layout = answer.layouts[0]
         found.append(
             furnish_block(
@@ -175,10 +177,10 @@ def _left_out(
     found = []
     missing = layout.asked - len(layout.houses)
     if missing > 0:
-        told = f"{missing} of {layout.asked} houses"
+        what = f"{missing} of {layout.asked} houses"
         full = f"no place left on {plan.area:.0f} m² that a way from the street leads to"
         reason = "stopped before they were placed" if stopped else full
-        found.append(LeftOut(plan.id, told, reason, block.count is not None))
+        found.append(LeftOut(plan.id, what, reason, block.count is not None))
     if block.square is not None and no_square:
         side = math.sqrt(block.square)
         reason = f"no street side has {side:.1f} x {side:.1f} m free behind it"

@@ -173,11 +173,11 @@ def tell_differences(
     """What differs most beyond chance, in words with medians."""
     rows = {row.name: row for row in ROWS}
     found = sorted(excess.features, key=lambda one: -one.excess)
-    told = []
+    lines = []
     for one in (f for f in found[:TOLD] if f.excess > SAME_PLACE):
         a, b = (float(np.nanmedian(measured[one.name])) for measured in (first, second))
-        told.append(_line(rows[one.name].words, rows[one.name].unit, a, b))
-    return tuple(told)
+        lines.append(_line(rows[one.name].words, rows[one.name].unit, a, b))
+    return tuple(lines)
 
 
 def _line(words: str, unit: str, a: float, b: float) -> str:

@@ -13,7 +13,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.workflow.evolution.population import BredLayout, BreedingGround, develop_all
 
-Told = Callable[[float, str], None]
+OnProgress = Callable[[float, str], None]
 Developed = tuple[BredLayout, Solution]
 WORKERS = 2
 """Threads that breed."""
@@ -80,7 +80,7 @@ class Nursery:
             found += [(first + n, one) for n, one in enumerate(parts[k].result())]
         return found
 
-    def collect(self, progress: Told | None) -> list[Developed]:
+    def collect(self, progress: OnProgress | None) -> list[Developed]:
         """What was bred, when all is; ``progress`` hears how much is."""
         found: list[Developed] = []
         parts = self.batch.parts if self.batch else ()

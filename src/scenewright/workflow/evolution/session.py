@@ -41,7 +41,7 @@ from scenewright.workflow.evolution.candidate import Screen, ShownCandidate, pre
 from scenewright.workflow.evolution.history import read_history
 from scenewright.workflow.evolution.locking import lock_brief, name_epoch
 from scenewright.workflow.evolution.log import EvolutionLog
-from scenewright.workflow.evolution.nursery import Nursery, Told
+from scenewright.workflow.evolution.nursery import Nursery, OnProgress
 from scenewright.workflow.evolution.population import (
     BreedingPlan,
     breed_further,
@@ -152,7 +152,7 @@ class Evolution:
         predicted = float(mean[best]), float(deviation[best])
         return ShownCandidate(number, found[best][2], plan.plan, *predicted)
 
-    def ask(self, progress: Told | None = None) -> Screen:
+    def ask(self, progress: OnProgress | None = None) -> Screen:
         """The next screen: the champion, the predicted best, draws and the farthest. ``progress``
         hears the share bred and what is done, where the screen has to wait for it."""
         epoch, number = name_epoch(self.events), len(self._history.screens)
@@ -196,7 +196,7 @@ class Evolution:
         self._append("event", record_of(Edit(number, made)), [made])
         return self._show([made])[0]
 
-    def rate_itself(self, rounds: int, progress: Told | None = None) -> int:
+    def rate_itself(self, rounds: int, progress: OnProgress | None = None) -> int:
         """Breed on for so many rounds without asking, the model rating in the person's place; only
         where it may be trusted. Nothing is learned from that and the champion stays; the next
         screen is the person's again. How many candidates were bred."""
@@ -231,7 +231,7 @@ class Evolution:
         chosen = choose_screen(taste, values, seen, place, rng, self._mix)
         return [rows[k] for k in chosen]
 
-    def _adopt(self, epoch: str, screen: int, progress: Told | None) -> None:
+    def _adopt(self, epoch: str, screen: int, progress: OnProgress | None) -> None:
         """Take in what was bred for a screen, breeding it now if nobody has."""
         if not self._nursery.is_breeding(epoch, screen):
             before = self._history.before_screen(screen - 1)

@@ -62,13 +62,13 @@ def find_outside(area: AreaPlan, pieces: Sequence[Piece], shapes: Shapes) -> lis
             continue
         if not shapely.covers(wider, shape):
             depth, size = measure_shared(shapely.difference(shape, area.outline))
-            told = f"{piece.id} is {depth:.2f} m ({size:.2f} m²) outside {area.id}"
+            message = f"{piece.id} is {depth:.2f} m ({size:.2f} m²) outside {area.id}"
             if depth > TOLERANCE:
-                found.append(state_fault("out_of_bounds", piece, told, depth, size))
+                found.append(state_fault("out_of_bounds", piece, message, depth, size))
         depth, size = measure_shared(shapely.intersection(shape, streets))
         if depth > TOLERANCE:
-            told = f"{piece.id} stands in a street by {depth:.2f} m ({size:.2f} m²)"
-            found.append(state_fault("blocked_path", piece, told, depth, size))
+            message = f"{piece.id} stands in a street by {depth:.2f} m ({size:.2f} m²)"
+            found.append(state_fault("blocked_path", piece, message, depth, size))
         found += find_off_ground(piece)
     return found
 

@@ -107,12 +107,12 @@ def _kinds(houses: Sequence[Piece]) -> list[LegendRow]:
     old = Counter(p.function for p in houses if p.space == OLD)
     new = Counter(p.function for p in houses if p.space != OLD)
     names = sorted({*old, *new}, key=lambda name: (-old[name] - new[name], len(name), name))
-    told = [LegendRow("heading", "Kinds, old + new")]
+    rows = [LegendRow("heading", "Kinds, old + new")]
     for name in names[:LISTED]:
-        told.append(LegendRow("letter", _size(houses, name), f"{old[name]} + {new[name]}", name))
+        rows.append(LegendRow("letter", _size(houses, name), f"{old[name]} + {new[name]}", name))
     if len(names) > LISTED:
-        told.append(LegendRow("", f"{len(names) - LISTED} more kinds"))
-    return told
+        rows.append(LegendRow("", f"{len(names) - LISTED} more kinds"))
+    return rows
 
 
 def _strings(plan: ExtendPlan) -> list[LegendRow]:
@@ -134,7 +134,7 @@ def _size(houses: Sequence[Piece], name: str) -> str:
 
 def _figures(heading: str, found: dict[str, Any]) -> list[LegendRow]:
     gap = found["median_gap"]
-    told = [
+    figures = [
         ("Ground", f"{found['area']:,.0f} m²"),
         ("Buildings", f"{found['buildings']}"),
         ("Coverage", f"{found['coverage']:.0%}"),
@@ -142,13 +142,13 @@ def _figures(heading: str, found: dict[str, Any]) -> list[LegendRow]:
         ("Distance to the nearest, median", "–" if gap is None else f"{gap:.1f} m"),
         ("Streets continued", f"{found['streets_continued']}"),
     ]
-    return [LegendRow("heading", heading), *(LegendRow("", w, right) for w, right in told)]
+    return [LegendRow("heading", heading), *(LegendRow("", w, right) for w, right in figures)]
 
 
 def _summary(plan: ExtendPlan, houses: Sequence[Piece], report: Report) -> str:
     area = sum(one.outline.area for one in plan.areas)
     old = sum(piece.space == OLD for piece in houses)
     faults = sum(found.is_blamed for found in report.findings)
-    told = [f"{area / 1e4:.2f} ha", f"{len(houses) - old} new buildings", f"{old} old"]
-    told += [f"{faults} violation{'s' * (faults != 1)}"] if faults else []
-    return " · ".join(["Extension plan", *told])
+    parts = [f"{area / 1e4:.2f} ha", f"{len(houses) - old} new buildings", f"{old} old"]
+    parts += [f"{faults} violation{'s' * (faults != 1)}"] if faults else []
+    return " · ".join(["Extension plan", *parts])

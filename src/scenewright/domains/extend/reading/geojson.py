@@ -41,8 +41,8 @@ def brief_of(found: Collection, name: str) -> Brief:
             "holds no area to fill", 'draw a polygon with the property "extend": "yes"'
         )
     map_ = projection(np.vstack(corners), found.crs)
-    told: list[str] = []
-    buildings = list(buildings_of(found.features, map_, told))
+    notes: list[str] = []
+    buildings = list(buildings_of(found.features, map_, notes))
     if not buildings:
         raise InputError("holds no building to go by", 'tag footprints with "building": "yes"')
     source = {
@@ -66,7 +66,7 @@ def brief_of(found: Collection, name: str) -> Brief:
         "name": name,
         "sources": [source],
         "areas": [_area(feature, map_) for feature in areas],
-        "notes": [line[:400] for line in told[:100]],
+        "notes": [line[:400] for line in notes[:100]],
     }
     if map_.turns:
         document["origin"] = [float(map_.origin[0]), float(map_.origin[1])]

@@ -13,7 +13,7 @@ from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, Grown
 from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.patches import patch_turns, turn_poses
-from scenewright.engine.growing import Told, tell_growth
+from scenewright.engine.growing import OnGrowth, tell_growth
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 MOST_TRIES = 400
@@ -59,7 +59,7 @@ def tile_area(
 
 def _one(
     problem: ExtendProblem,
-    make: Callable[[Told], GrownLayout],
+    make: Callable[[OnGrowth], GrownLayout],
     budget: Budget,
     progress: Progress | None,
     cancel: Cancel | None,
@@ -74,8 +74,8 @@ def _same(found: GrownLayout) -> GrownLayout:
     return found
 
 
-def _scatter(problem: ExtendProblem, seed: int, gaps: GapRules, told: Told) -> GrownLayout:
-    canvas, pattern = Canvas(problem, told), problem.pattern
+def _scatter(problem: ExtendProblem, seed: int, gaps: GapRules, on_growth: OnGrowth) -> GrownLayout:
+    canvas, pattern = Canvas(problem, on_growth), problem.pattern
     rng = np.random.default_rng(seed)
     west, south, east, north = problem.floor.bounds
     failed = 0
@@ -95,8 +95,8 @@ def _scatter(problem: ExtendProblem, seed: int, gaps: GapRules, told: Told) -> G
     return canvas.layout()
 
 
-def _tile(problem: ExtendProblem, seed: int, told: Told) -> GrownLayout:
-    canvas, pattern = Canvas(problem, told), problem.pattern
+def _tile(problem: ExtendProblem, seed: int, on_growth: OnGrowth) -> GrownLayout:
+    canvas, pattern = Canvas(problem, on_growth), problem.pattern
     rng = np.random.default_rng(seed)
     turn = float(patch_turns(canvas)[0])
     rows = np.flatnonzero(pattern.source == 0)

@@ -16,7 +16,7 @@ from scenewright.domains.extend.problem import (
     shapes_at,
 )
 from scenewright.domains.extend.repeats import lattice_shifts
-from scenewright.engine.growing import Told
+from scenewright.engine.growing import OnGrowth
 
 Flags = NDArray[np.bool_]
 EDGE = 1e-3
@@ -31,10 +31,10 @@ TOUCH = 0.005
 class Canvas:
     """Buildings as they are added: those that stood first, then copies of buildings of the
     sources. ``boxes`` (n, 5), ``shapes`` (n,) and ``origin`` (n,) are views of what is there.
-    ``told`` hears of every building added; where it says so, the area counts as full."""
+    ``on_growth`` is called for every building added; where it says so, the area counts as full."""
 
-    def __init__(self, problem: ExtendProblem, told: Told | None = None) -> None:
-        self.problem, self._told, self.stopped = problem, told, False
+    def __init__(self, problem: ExtendProblem, on_growth: OnGrowth | None = None) -> None:
+        self.problem, self._on_growth, self.stopped = problem, on_growth, False
         standing = problem.standing
         self.first = len(standing.boxes)
         self.count = self.first
@@ -193,8 +193,8 @@ class Canvas:
 
     def tell(self) -> None:
         """Tell who listens how far it is, and hear whether to go on."""
-        if self._told is not None:
-            self.stopped = self._told(self.share(), self.layout)
+        if self._on_growth is not None:
+            self.stopped = self._on_growth(self.share(), self.layout)
 
     def share(self) -> float:
         """The share of what is wanted that is built, 0 to 1."""

@@ -65,19 +65,19 @@ class BredPlots(NamedTuple):
     history: tuple[float, ...]
 
 
-ToldOfPlots = Callable[[float, Genes], bool]
-"""Hears the share of the evaluations made and the best matrix; whether to stop."""
+OnPlots = Callable[[float, Genes], bool]
+"""Gets the share of the evaluations made and the best matrix; whether to stop."""
 
 
 class PlotJudge:
-    """Counts and keeps the best of what is looked at, up to a number of evaluations; ``told`` hears
-    how far it is and of the best, and may end it."""
+    """Counts and keeps the best of what is looked at, up to a number of evaluations; ``on_plots``
+    gets how far it is and the best, and may end it."""
 
     def __init__(
-        self, grid: PlotGrid, weights: Floats, most: int, told: ToldOfPlots | None = None
+        self, grid: PlotGrid, weights: Floats, most: int, on_plots: OnPlots | None = None
     ) -> None:
         self.grid, self.weights, self.most = grid, weights, most
-        self.told, self.stopped = told, False
+        self.on_plots, self.stopped = on_plots, False
         self.best = np.zeros(grid.free.shape, np.int64)
         self.value, self.history = -1.0, list[float]()
 
@@ -91,8 +91,8 @@ class PlotJudge:
         if value > self.value:
             self.best, self.value = genes.copy(), value
         self.history.append(self.value)
-        if self.told is not None:
-            self.stopped = self.told(len(self.history) / self.most, self.best)
+        if self.on_plots is not None:
+            self.stopped = self.on_plots(len(self.history) / self.most, self.best)
         return value
 
     def found(self) -> BredPlots:
@@ -106,12 +106,12 @@ def run_ants(
     evaluations: int,
     rng: np.random.Generator,
     settings: ColonySettings | None = None,
-    told: ToldOfPlots | None = None,
+    on_plots: OnPlots | None = None,
 ) -> BredPlots:
     """Ant colony (13) to (19): each ant walks from plot to plot and builds on those it visits,
     until enough is built."""
     chosen = settings or ColonySettings()
-    judge = PlotJudge(grid, weights, evaluations, told)
+    judge = PlotJudge(grid, weights, evaluations, on_plots)
     plots = grid.middles.reshape(-1, 2)[grid.free.ravel()]
     count = len(plots)
     trails = np.full((count, count), chosen.start)
@@ -213,13 +213,13 @@ def breed(
     rng: np.random.Generator,
     settings: ColonySettings | None = None,
     score: Callable[[Genes], float] | None = None,
-    told: ToldOfPlots | None = None,
+    on_plots: OnPlots | None = None,
 ) -> BredPlots:
     """The genetic algorithm of section 5: blocks of matrices are swapped with chance φ, single
     genes mutate, drawn by their allele value (23); the best replaces the worst; local search once
     the genes of the population hardly differ. ``score`` rates in place of F (a person)."""
     chosen = settings or ColonySettings()
-    judge = PlotJudge(grid, weights, evaluations, told)
+    judge = PlotJudge(grid, weights, evaluations, on_plots)
     rate = judge.rate if score is None else _both(judge, score)
     kinds = len(grid.areas)
     people = [_random(grid, kinds, rng) for _ in range(chosen.population)]

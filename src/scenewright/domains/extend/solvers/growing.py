@@ -17,7 +17,7 @@ from scenewright.domains.extend.solvers.laid_rows import lay_rows
 from scenewright.domains.extend.solvers.neighbours import grow_neighbours
 from scenewright.domains.extend.solvers.patches import lay_patch
 from scenewright.domains.extend.solvers.repair import repair_coverage, take_away
-from scenewright.engine.growing import Told, tell_growth
+from scenewright.engine.growing import OnGrowth, tell_growth
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 LAYOUTS = 4
@@ -88,12 +88,15 @@ def _first(found: list[GrownLayout]) -> GrownLayout:
 
 
 def grow_once(
-    problem: ExtendProblem, rng: np.random.Generator, number: int = 0, told: Told | None = None
+    problem: ExtendProblem,
+    rng: np.random.Generator,
+    number: int = 0,
+    on_growth: OnGrowth | None = None,
 ) -> GrownLayout:
     """One layout: rows of the brief and of the sources, neighbours, then patches and their
     neighbours until enough is built, then coverage repaired. Every other ``number`` begins with
-    the buildings along edges, every third with a patch. ``told`` hears of every building."""
-    canvas = Canvas(problem, told)
+    the buildings along edges, every third with a patch. ``on_growth`` is called for each."""
+    canvas = Canvas(problem, on_growth)
     lay_rows(canvas)
     if number % 2 and problem.settings.edges:
         lay_edges(canvas, rng)

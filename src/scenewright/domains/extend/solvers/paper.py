@@ -81,14 +81,14 @@ def _grow(
     watch = BudgetWatch(budget._replace(steps=most), progress, cancel)
     tell = tell_growth(watch, 0, 1)
 
-    def told(begun: float, share: float, best: np.ndarray) -> bool:
+    def on_plots(begun: float, share: float, best: np.ndarray) -> bool:
         return tell(begun + share / 2, partial(_build, problem, grid, best))
 
     genes = np.zeros(grid.free.shape, np.int64)
     if grid.free.any():
-        ants = run_ants(grid, WEIGHTS, max(most // 2, 1), rng, settings, partial(told, 0.0))
+        ants = run_ants(grid, WEIGHTS, max(most // 2, 1), rng, settings, partial(on_plots, 0.0))
         rest = max(most - most // 2, 1)
-        bred = breed(grid, WEIGHTS, rest, rng, settings, told=partial(told, 0.5))
+        bred = breed(grid, WEIGHTS, rest, rng, settings, on_plots=partial(on_plots, 0.5))
         genes = max(ants, bred, key=lambda one: one.value).genes
     found = rate_layout(problem, _build(problem, grid, genes))
     watch.over(most, found.score["energy"], partial(_same, found))

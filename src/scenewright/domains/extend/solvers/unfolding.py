@@ -24,7 +24,7 @@ from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.continued_rows import face_street, union_streets
 from scenewright.domains.extend.solvers.repair import repair_coverage, take_away
 from scenewright.domains.extend.solvers.scene_grammar import SceneGrammar, UnfoldedRow, read_grammar
-from scenewright.engine.growing import Told, tell_growth
+from scenewright.engine.growing import OnGrowth, tell_growth
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 from scenewright.geometry.folding import stretch, unfold
 from scenewright.ground.built import from_frames, to_frames
@@ -55,8 +55,8 @@ def _same(found: GrownLayout) -> GrownLayout:
     return found
 
 
-def _unfold(problem: ExtendProblem, rng: np.random.Generator, told: Told) -> GrownLayout:
-    canvas, pattern = Canvas(problem, told), problem.pattern
+def _unfold(problem: ExtendProblem, rng: np.random.Generator, on_growth: OnGrowth) -> GrownLayout:
+    canvas, pattern = Canvas(problem, on_growth), problem.pattern
     streets = union_streets(problem.roads)
     sources = np.unique(pattern.source).tolist()
     grammars = [read_grammar(problem, source) for source in sources]

@@ -47,14 +47,14 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     objects: dict[str, Any] = {}
     for area in plan.areas:
         outline, holes = rings(area.outline)
-        told: dict[str, Any] = {"name": area.name, "class": "extension", "credits": credited}
+        attributes: dict[str, Any] = {"name": area.name, "class": "extension", "credits": credited}
         key = free_key(area.id, objects)
-        objects[key] = flat_object("LandUse", [(outline, *holes)], told, vertices)
+        objects[key] = flat_object("LandUse", [(outline, *holes)], attributes, vertices)
     for way in plan.ground.roads:
         parts = [(part.outline, *part.holes) for part in way.areas]
         if parts:
-            told = {"name": way.name or way.id, "class": way.kind, "width": way.width}
-            objects[free_key(way.id, objects)] = flat_object("Road", parts, told, vertices)
+            attributes = {"name": way.name or way.id, "class": way.kind, "width": way.width}
+            objects[free_key(way.id, objects)] = flat_object("Road", parts, attributes, vertices)
     for piece in solution.pieces:
         if piece.category == "building":
             objects[free_key(piece.id, objects)] = _building(piece, vertices)
@@ -62,7 +62,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
 
 
 def _building(piece: Piece, vertices: Vertices) -> dict[str, Any]:
-    told = {
+    attributes = {
         "name": piece.function,
         "measuredHeight": round(piece.size.height, 3),
         "model": piece.asset,
@@ -71,4 +71,4 @@ def _building(piece: Piece, vertices: Vertices) -> dict[str, Any]:
         "heading": round(float(np.rad2deg(piece.pose.heading)), 3),
     }
     low = piece.pose.z
-    return prism_object(outline_of(piece), low, low + piece.size.height, told, vertices)
+    return prism_object(outline_of(piece), low, low + piece.size.height, attributes, vertices)

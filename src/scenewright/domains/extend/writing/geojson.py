@@ -57,14 +57,14 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         )
     for way in plan.ground.roads:
         kind = "residential" if way.kind == "road" else "footway"
-        told = {"highway": kind, "name": way.name, "width": way.width}
-        features.append(write_feature(way.id, "LineString", write_points(way.line, map_), told))
+        tags = {"highway": kind, "name": way.name, "width": way.width}
+        features.append(write_feature(way.id, "LineString", write_points(way.line, map_), tags))
     features += [_building(p, map_) for p in solution.pieces if p.category == "building"]
     return {"type": "FeatureCollection", "name": solution.brief.name, "features": features}
 
 
 def _building(piece: Piece, map_: Projection) -> dict[str, Any]:
-    told = {
+    tags = {
         "building": "yes",
         "name": piece.function,
         "height": round(piece.size.height, 3),
@@ -73,4 +73,4 @@ def _building(piece: Piece, map_: Projection) -> dict[str, Any]:
         "direction": bearing_of(piece.pose.heading),
         "new": "" if piece.space == OLD else "yes",
     }
-    return write_feature(piece.id, "Polygon", [write_ring(outline_of(piece), map_)], told)
+    return write_feature(piece.id, "Polygon", [write_ring(outline_of(piece), map_)], tags)

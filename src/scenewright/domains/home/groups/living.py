@@ -84,8 +84,8 @@ def _in_line(sofa: float, chairs: int) -> Group:
         at = left + 0.02 + size.width / 2
         members.append(Member(name, at, size.depth / 2 - 0.42, 0, 0, size))
         left += size.width + 0.04
-    told = "an armchair" if chairs == 1 else "two armchairs"
-    return Group("seating", f"{sofa:.1f} m sofa, {told} in line", width, 0.84, tuple(members))
+    words = "an armchair" if chairs == 1 else "two armchairs"
+    return Group("seating", f"{sofa:.1f} m sofa, {words} in line", width, 0.84, tuple(members))
 
 
 def _sofa(width: float, depth: float, x: float = 0.0) -> Member:

@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Floats, Indices, Shape, Shapes
+from scenewright.check.shared_ground import intersect_footprints
 from scenewright.core.report import Finding
 from scenewright.domains.site.check.bodies import JudgedSite, SiteBodies
 
@@ -21,7 +22,7 @@ def find_overlaps(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
     count. The depth is the short side of the least rectangle about what they share."""
     i, j = pairs(bodies, 0.0)
     tall = np.minimum(bodies.high[i], bodies.high[j]) - np.maximum(bodies.low[i], bodies.low[j])
-    shared = shapely.intersection(bodies.footprints[i], bodies.footprints[j])
+    shared = intersect_footprints(bodies.footprints[i], bodies.footprints[j])
     depth, area = thickness(shared), shapely.area(shared)
     found = []
     for row in np.flatnonzero((depth > TOLERANCE) & (tall > TOLERANCE)):
@@ -110,7 +111,7 @@ def find_too_close(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
     gap = np.asarray(shapely.distance(bodies.footprints[i], bodies.footprints[j]))
     close = gap < asked - TOLERANCE
     close[close] &= (
-        thickness(shapely.intersection(bodies.footprints[i[close]], bodies.footprints[j[close]]))
+        thickness(intersect_footprints(bodies.footprints[i[close]], bodies.footprints[j[close]]))
         <= TOLERANCE
     )
     found = []

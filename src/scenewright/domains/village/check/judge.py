@@ -21,6 +21,7 @@ from scenewright.check.buildings import (
     state_fault,
 )
 from scenewright.check.rooms import count_findings
+from scenewright.check.shared_ground import intersect_footprints
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import outline_of, polygons_of
@@ -57,8 +58,8 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     ``kinds``."""
     del kinds
     findings, figures = judge_blocks(solution.pieces, solution.patches, plan.detail.blocks)
-    told = {**count_findings(solution.pieces, findings), "blocks": figures}
-    return Report(tuple(findings), (), told)
+    totals = {**count_findings(solution.pieces, findings), "blocks": figures}
+    return Report(tuple(findings), (), totals)
 
 
 def judge_blocks(
@@ -119,8 +120,8 @@ def find_overlaps(judged: JudgedBlock) -> list[Finding]:
     for piece, shape in zip(judged.houses, judged.shapes, strict=True):
         depth, area = measure_shared(shapely.intersection(shape, judged.square))
         if depth > TOLERANCE:
-            told = f"{piece.id} stands on the square by {depth:.2f} m ({area:.2f} m²)"
-            found.append(state_fault("blocked_path", piece, told, depth, area, "square"))
+            message = f"{piece.id} stands on the square by {depth:.2f} m ({area:.2f} m²)"
+            found.append(state_fault("blocked_path", piece, message, depth, area, "square"))
     return found
 
 
@@ -134,8 +135,8 @@ def find_outside(judged: JudgedBlock) -> list[Finding]:
             rest = shapely.difference(shape, judged.floor)
             points = shapely.points(shapely.get_coordinates(shapely.segmentize(rest, 0.1)))
             depth = float(shapely.distance(points, judged.floor).max(initial=0.0))
-            told = f"{piece.id} is {depth:.2f} m ({rest.area:.2f} m²) outside {judged.plan.id}"
-            found.append(state_fault("out_of_bounds", piece, told, depth, float(rest.area)))
+            message = f"{piece.id} is {depth:.2f} m ({rest.area:.2f} m²) outside {judged.plan.id}"
+            found.append(state_fault("out_of_bounds", piece, message, depth, float(rest.area)))
         found += find_off_ground(piece)
     return found
 
@@ -154,16 +155,16 @@ def find_blocked_doors(judged: JudgedBlock) -> list[Finding]:
     for k, (piece, court) in enumerate(zip(judged.houses, courts, strict=True)):
         near = [int(n) for n in tree.query(court, predicate="intersects") if n != k]
         for n in near:
-            depth, area = measure_shared(shapely.intersection(court, judged.shapes[n]))
+            depth, area = measure_shared(intersect_footprints(court, judged.shapes[n]))
             if depth > TOLERANCE:
-                told = f"the door of {piece.id} is blocked by {judged.houses[n].id}"
+                message = f"the door of {piece.id} is blocked by {judged.houses[n].id}"
                 other = judged.houses[n].id
-                found.append(state_fault("blocked_door", piece, told, depth, area, other))
+                found.append(state_fault("blocked_door", piece, message, depth, area, other))
         out = shapely.difference(court, judged.walkable)
         depth, area = measure_shared(out)
         if depth > TOLERANCE:
-            told = f"the door of {piece.id} opens on ground beyond the block that is no street"
-            found.append(state_fault("blocked_door", piece, told, depth, area))
+            message = f"the door of {piece.id} opens on ground beyond the block that is no street"
+            found.append(state_fault("blocked_door", piece, message, depth, area))
     return found
 
 

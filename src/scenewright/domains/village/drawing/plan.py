@@ -133,7 +133,7 @@ def legend(
 
 
 def _figures(heading: str, found: dict[str, Any]) -> list[LegendRow]:
-    told = [
+    figures = [
         ("Ground", f"{found['area']:,.0f} m²"),
         ("Houses", f"{found['houses']}"),
         ("Coverage", f"{found['coverage']:.0%}"),
@@ -141,7 +141,7 @@ def _figures(heading: str, found: dict[str, Any]) -> list[LegendRow]:
         ("Distance to the street, median", _metres(found["median_setback"])),
         ("Reached from a street", f"{found['reached_share']:.0%}"),
     ]
-    return [LegendRow("heading", heading), *(LegendRow("", w, right) for w, right in told)]
+    return [LegendRow("heading", heading), *(LegendRow("", w, right) for w, right in figures)]
 
 
 def _metres(value: float | None) -> str:
@@ -151,7 +151,7 @@ def _metres(value: float | None) -> str:
 def _summary(village: VillagePlan, houses: Sequence[Piece], report: Report) -> str:
     area = sum(block.area for block in village.blocks)
     faults = sum(found.is_blamed for found in report.findings)
-    told = [f"{area / 1e4:.2f} ha", f"{len(houses)} houses"]
-    told += [f"{len(village.blocks)} blocks"] if len(village.blocks) > 1 else []
-    told += [f"{faults} violation{'s' * (faults != 1)}"] if faults else []
-    return " · ".join(["Village plan", *told])
+    parts = [f"{area / 1e4:.2f} ha", f"{len(houses)} houses"]
+    parts += [f"{len(village.blocks)} blocks"] if len(village.blocks) > 1 else []
+    parts += [f"{faults} violation{'s' * (faults != 1)}"] if faults else []
+    return " · ".join(["Village plan", *parts])

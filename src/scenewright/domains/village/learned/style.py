@@ -115,8 +115,8 @@ def arrays_of(style: VillageStyle) -> dict[str, np.ndarray]:
         found |= _arrays_of_manner(region.manner, f"region/{name}")
         found[f"region/{name}/blocks"], found[f"region/{name}/houses"] = region.mix
     card = {"format": FORMAT, **style.card, "regions": list(style.regions)}
-    told = json.dumps(card, sort_keys=True, ensure_ascii=False)
-    return found | {"card": np.frombuffer(told.encode(), np.uint8)}
+    document = json.dumps(card, sort_keys=True, ensure_ascii=False)
+    return found | {"card": np.frombuffer(document.encode(), np.uint8)}
 
 
 def _arrays_of_manner(manner: Manner, at: str) -> dict[str, np.ndarray]:
@@ -168,16 +168,16 @@ def style_of(arrays: Arrays) -> VillageStyle:
 
 
 def _regions_told(card: dict[str, Any]) -> list[str]:
-    told = card.get("regions", [])
-    if not isinstance(told, list) or not all(isinstance(name, str) for name in told):
+    named = card.get("regions", [])
+    if not isinstance(named, list) or not all(isinstance(name, str) for name in named):
         raise InputError("is no style file: its regions are no names", REMEDY)
-    return told[:MOST_REGIONS]
+    return named[:MOST_REGIONS]
 
 
 def _card(arrays: Arrays) -> dict[str, Any]:
-    told = arrays.get("card", np.zeros(0))
+    text = arrays.get("card", np.zeros(0))
     try:
-        card = json.loads(bytes(told.astype(np.uint8)).decode()) if told.ndim == 1 else None
+        card = json.loads(bytes(text.astype(np.uint8)).decode()) if text.ndim == 1 else None
     except (ValueError, RecursionError):
         card = None
     if not isinstance(card, dict):
@@ -201,8 +201,8 @@ def _manner(arrays: Arrays, at: str = "manner") -> Manner:
 
 
 def _mix(arrays: Arrays, at: str = "mix") -> HouseMix:
-    told = arrays.get(f"{at}/blocks", np.zeros(0))
-    count = len(told) if told.ndim else 0
+    blocks = arrays.get(f"{at}/blocks", np.zeros(0))
+    count = len(blocks) if blocks.ndim else 0
     blocks = _array(arrays, f"{at}/blocks", (max(count, 1), 3))
     held = np.clip(blocks[:, 2], 1, 1e6).round()
     houses = _array(arrays, f"{at}/houses", (int(held.sum()), 2))
@@ -223,8 +223,8 @@ def _array(arrays: Arrays, name: str, shape: tuple[int, ...]) -> np.ndarray:
     if value is None:
         raise InputError(f"is no style file: the array '{name}' is missing", REMEDY)
     if value.shape != shape or value.dtype.kind != "f":
-        told = "x".join(map(str, shape))
-        raise InputError(f"is no style file: the array '{name}' is not {told} numbers", REMEDY)
+        form = "x".join(map(str, shape))
+        raise InputError(f"is no style file: the array '{name}' is not {form} numbers", REMEDY)
     if not np.isfinite(value).all() or np.abs(value).max() > 1e6:
         raise InputError(f"is no style file: the array '{name}' holds no usable numbers", REMEDY)
     return np.asarray(value)

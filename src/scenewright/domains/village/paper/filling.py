@@ -62,7 +62,7 @@ def fill_as_paper(
     goes_on: Callable[[PaperFilling], bool] | None = None,
 ) -> PaperFilling:
     """The houses put on a block until *continue* says stop, or as many as are asked for;
-    ``goes_on`` hears what stands and may end it."""
+    ``goes_on`` gets what stands and may end it."""
     frame, free = frame_of(problem.floor, PIXELS), problem.floor.difference(problem.kept_free)
     shapely.prepare(free)
     candidates = list_candidates(problem.houses)
@@ -113,11 +113,11 @@ def tell_standing(standing: StandingHouses, streets: Floats) -> PaperHouses:
     """Houses that stand as the paper tells them, their doors assumed."""
     rings = [shapely.get_coordinates(shape.exterior)[:-1] for shape in standing.shapes]
     doors = door_points(rings, streets)
-    told = [base_and_door(ring, door) for ring, door in zip(rings, doors, strict=True)]
+    ends = [base_and_door(ring, door) for ring, door in zip(rings, doors, strict=True)]
     return PaperHouses(
         standing.shapes,
-        np.array([base for base, _ in told]).reshape(-1, 2),
-        np.array([angle for _, angle in told]),
+        np.array([base for base, _ in ends]).reshape(-1, 2),
+        np.array([angle for _, angle in ends]),
         np.zeros(len(rings), np.int64),
         np.array([class_of_shape(ring) for ring in rings], np.int64),
         standing.sizes,

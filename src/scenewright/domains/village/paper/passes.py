@@ -59,8 +59,8 @@ def odds_of_another(nets: PaperWeights, view: Values) -> float:
 
 def odds_of_classes(nets: PaperWeights, name: str, view: Values, counts: Values) -> Values:
     """Log odds of the classes of the next house, by the *category* network ``name``."""
-    told = np.concatenate([_encode(nets, f"{name}/seen", view), counts])
-    return _linear(nets, f"{name}/head.2", np.maximum(_linear(nets, f"{name}/head.0", told), 0))
+    seen = np.concatenate([_encode(nets, f"{name}/seen", view), counts])
+    return _linear(nets, f"{name}/head.2", np.maximum(_linear(nets, f"{name}/head.0", seen), 0))
 
 
 def odds_of_places(nets: PaperWeights, planes: Values) -> Values:
@@ -76,8 +76,8 @@ def odds_of_places(nets: PaperWeights, planes: Values) -> Values:
 
 def draw_cosine(nets: PaperWeights, view: Values, shape: Values, hidden: Values) -> float:
     """The cosine of the door angle, by *orientation*, for hidden values (HIDDEN,)."""
-    told = np.concatenate([_encode(nets, "orientation/seen", view), shape, hidden])
-    inner = np.maximum(_linear(nets, "orientation/outer.0", told), 0)
+    seen = np.concatenate([_encode(nets, "orientation/seen", view), shape, hidden])
+    inner = np.maximum(_linear(nets, "orientation/outer.0", seen), 0)
     return float(np.tanh(_linear(nets, "orientation/outer.2", inner)[0]))
 
 

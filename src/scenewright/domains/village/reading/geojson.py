@@ -154,8 +154,8 @@ def _lanes(feature: Feature, map_: Projection) -> list[dict[str, Any]]:
 def _house(feature: Feature, ring: Points) -> dict[str, Any]:
     """A house that stands, its front as the tag ``direction`` says, else along its longer side."""
     angle, _, _ = rectangle_about(ring)
-    told = feature.tags.get("direction")
-    heading = np.pi / 2 - np.deg2rad(_number(told, 0.0)) if told else angle + np.pi / 2
+    direction = feature.tags.get("direction")
+    heading = np.pi / 2 - np.deg2rad(_number(direction, 0.0)) if direction else angle + np.pi / 2
     cos, sin = np.cos(np.pi / 2 - heading), np.sin(np.pi / 2 - heading)
     local = ring @ np.array([[cos, sin], [-sin, cos]])
     low, high = local.min(0), local.max(0)

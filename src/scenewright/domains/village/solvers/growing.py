@@ -19,7 +19,7 @@ from scenewright.engine.growing import tell_growth
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 Making = Callable[..., VillageLayout]
-"""Makes a layout of random numbers; ``told`` hears how far it is, and may end it."""
+"""Makes a layout of random numbers; ``on_growth`` gets how far it is, and may end it."""
 LAYOUTS = 3
 """Layouts grown where no budget is given."""
 
@@ -88,7 +88,7 @@ def grow_several(
     rng = np.random.default_rng(seed)
     found: list[VillageLayout] = []
     while True:
-        made = make(rng, told=tell_growth(watch, len(found), budget.steps))
+        made = make(rng, on_growth=tell_growth(watch, len(found), budget.steps))
         found.append(made._replace(score=rate(problem, made)))
         found.sort(key=lambda layout: layout.score["energy"])
         best = found[0]

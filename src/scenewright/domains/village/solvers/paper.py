@@ -11,7 +11,7 @@ from scenewright.domains.village.paper.filling import MOST, PaperFilling, fill_a
 from scenewright.domains.village.paper.passes import PaperWeights, read_paper_nets
 from scenewright.domains.village.problem import VillageFound, VillageLayout, VillageProblem
 from scenewright.domains.village.solvers.growing import grow_several
-from scenewright.engine.growing import Told
+from scenewright.engine.growing import OnGrowth
 from scenewright.engine.solve import Budget, Cancel, Progress
 
 
@@ -29,11 +29,11 @@ def fill_by_paper(
 
 
 def _fill(
-    problem: VillageProblem, nets: PaperWeights, rng: np.random.Generator, told: Told
+    problem: VillageProblem, nets: PaperWeights, rng: np.random.Generator, on_growth: OnGrowth
 ) -> VillageLayout:
     def goes_on(filled: PaperFilling) -> bool:
         share = len(filled.houses) / max(problem.asked or MOST, 1)
-        return not told(share, partial(layout_of, problem, filled.houses, filled.poses))
+        return not on_growth(share, partial(layout_of, problem, filled.houses, filled.poses))
 
     found = fill_as_paper(nets, problem, rng, goes_on)
     return layout_of(problem, found.houses, found.poses)

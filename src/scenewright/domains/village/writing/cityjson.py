@@ -40,7 +40,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     objects = _grounds(solution, plan, vertices)
     for piece in solution.pieces:
         if piece.category == "building" and np.isfinite([*piece.pose, *piece.size]).all():
-            told = {
+            attributes = {
                 "name": piece.function,
                 "measuredHeight": round(piece.size[2], 3),
                 "block": piece.space,
@@ -50,7 +50,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
             }
             low = piece.pose.z
             shape = outline_of(piece)
-            built = prism_object(shape, low, low + piece.size[2], told, vertices)
+            built = prism_object(shape, low, low + piece.size[2], attributes, vertices)
             objects[free_key(piece.id, objects)] = built
     return city_document(solution.brief.name, objects, vertices)
 
@@ -62,17 +62,19 @@ def _grounds(solution: Solution, plan: VillagePlan, vertices: Vertices) -> dict[
     )
     found: dict[str, Any] = {}
     for block in plan.blocks:
-        told: dict[str, Any] = {"name": block.name, "class": "block", "credits": credited}
+        attributes: dict[str, Any] = {"name": block.name, "class": "block", "credits": credited}
         found[free_key(block.id, found)] = flat_object(
-            "LandUse", [(block.outline,)], told, vertices
+            "LandUse", [(block.outline,)], attributes, vertices
         )
     for way in plan.lanes:
         areas = [(area.outline, *area.holes) for area in way.areas]
         if areas:
-            told = {"name": way.name or way.id, "class": way.kind, "width": way.width}
-            found[free_key(way.id, found)] = flat_object("Road", areas, told, vertices)
+            attributes = {"name": way.name or way.id, "class": way.kind, "width": way.width}
+            found[free_key(way.id, found)] = flat_object("Road", areas, attributes, vertices)
     for patch in solution.patches:
         ring = corners(np.array([patch.box]))[0]
-        told = {"name": patch.id, "class": "square"}
-        found[free_key(patch.id, found)] = flat_object("TransportSquare", [(ring,)], told, vertices)
+        attributes = {"name": patch.id, "class": "square"}
+        found[free_key(patch.id, found)] = flat_object(
+            "TransportSquare", [(ring,)], attributes, vertices
+        )
     return found

@@ -43,8 +43,8 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         features.append(write_feature(block.id, "Polygon", [write_ring(block.outline, map_)], tags))
         for k, side in enumerate(block.streets, 1):
             name = f"{block.id}/street-{k}"
-            told = {"street_side": block.id}
-            features.append(write_feature(name, "LineString", write_points(side, map_), told))
+            tags = {"street_side": block.id}
+            features.append(write_feature(name, "LineString", write_points(side, map_), tags))
     for way in village.lanes:
         kind = "residential" if way.kind == "road" else "footway"
         tags_ = {"highway": kind, "name": way.name, "width": way.width}
@@ -63,7 +63,7 @@ def check(brief: Brief) -> None:
 
 
 def _house(piece: Piece, map_: Projection) -> dict[str, Any]:
-    told = {
+    tags = {
         "building": "yes",
         "name": piece.function,
         "height": round(piece.size.height, 3),
@@ -71,4 +71,4 @@ def _house(piece: Piece, map_: Projection) -> dict[str, Any]:
         "model": piece.asset,
         "direction": bearing_of(piece.pose.heading),
     }
-    return write_feature(piece.id, "Polygon", [write_ring(outline_of(piece), map_)], told)
+    return write_feature(piece.id, "Polygon", [write_ring(outline_of(piece), map_)], tags)

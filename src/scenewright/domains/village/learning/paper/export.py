@@ -20,7 +20,7 @@ def write_paper_nets(path: Path, nets: Mapping[str, Any], card: Mapping[str, Any
         for layer, value in net.state_dict().items()
         if not layer.endswith("num_batches_tracked")
     }
-    told = json.dumps({"licence": LICENCE, **card}, sort_keys=True, ensure_ascii=False)
-    found["card"] = np.frombuffer(told.encode(), np.uint8)
+    document = json.dumps({"licence": LICENCE, **card}, sort_keys=True, ensure_ascii=False)
+    found["card"] = np.frombuffer(document.encode(), np.uint8)
     with path.open("wb") as file:
         np.savez(file, allow_pickle=False, **found)

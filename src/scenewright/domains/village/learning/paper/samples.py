@@ -70,15 +70,15 @@ def _rows(pixels: Indices, size: int) -> Indices:
     return np.column_stack(np.divmod(pixels, size))
 
 
-def paint_told(told: PaperBlock, kept: Indices, shift: tuple[int, int]) -> NDArray[np.float32]:
+def paint_told(block: PaperBlock, kept: Indices, shift: tuple[int, int]) -> NDArray[np.float32]:
     """The twelve channels of some houses of a block, all moved by whole pixels (rows, columns)."""
-    size = told.frame.size
+    size = block.frame.size
     view = np.zeros((CHANNELS, size, size), np.float32)
-    _put(view, (0,), told.ground, shift, 1.0)
-    doors = told.houses.doors
+    _put(view, (0,), block.ground, shift, 1.0)
+    doors = block.houses.doors
     for k in kept.tolist():
-        material, shape, area = (int(v[k]) for v in told.houses[3:])
-        cells = told.cells[k]
+        material, shape, area = (int(v[k]) for v in block.houses[3:])
+        cells = block.cells[k]
         _put(view, (1, 4 + material, 7 + shape, 9 + area), cells, shift, 1.0)
         _put(view, (2,), cells, shift, float(np.sin(doors[k])))
         _put(view, (3,), cells, shift, float(np.cos(doors[k])))
@@ -98,9 +98,9 @@ def _put(
         view[channel, at[:, 0], at[:, 1]] = value
 
 
-def sample_of(told: PaperBlock, rng: np.random.Generator, asked: str) -> PaperSample:
+def sample_of(block: PaperBlock, rng: np.random.Generator, asked: str) -> PaperSample:
     """One sample of a block for the network ``asked``, drawn afresh."""
-    houses, size = told.houses, told.frame.size
+    houses, size = block.houses, block.frame.size
     count = len(houses.footprints)
     order = rng.permutation(count)
     placed = int(rng.integers(count))
@@ -108,12 +108,12 @@ def sample_of(told: PaperBlock, rng: np.random.Generator, asked: str) -> PaperSa
     if asked == "continue":
         full = rng.random() < 0.5
         kept = np.arange(count) if full else np.flatnonzero(rng.random(count) >= REMOVED)
-    pixel = pixel_of(told.frame, houses.bases[next_])
+    pixel = pixel_of(block.frame, houses.bases[next_])
     row, column = divmod(pixel, size)
     shift = (size // 2 - row, size // 2 - column) if asked == "orientation" else (0, 0)
     classes = tuple(int(v[next_]) for v in houses[3:])
     return PaperSample(
-        paint_told(told, kept, shift),
+        paint_told(block, kept, shift),
         count_vector(houses.take(kept)),
         (classes[0], classes[1], classes[2]),
         pixel,
@@ -132,14 +132,14 @@ def paper_houses(block: RealBlock) -> PaperHouses:
     """The houses of a real block, their doors assumed."""
     rings = list(block.houses)
     doors = door_points(rings, block.streets)
-    told = [base_and_door(ring, door) for ring, door in zip(rings, doors, strict=True)]
+    ends = [base_and_door(ring, door) for ring, door in zip(rings, doors, strict=True)]
     shapes = np.empty(len(rings), object)
     shapes[:] = [shapely.Polygon(ring) for ring in rings]
     areas = shapely.area(shapes)
     return PaperHouses(
         shapes,
-        np.array([base for base, _ in told]).reshape(-1, 2),
-        np.array([angle for _, angle in told]),
+        np.array([base for base, _ in ends]).reshape(-1, 2),
+        np.array([angle for _, angle in ends]),
         np.zeros(len(rings), np.int64),
         np.array([class_of_shape(ring) for ring in rings], np.int64),
         np.array([class_of_area(float(area)) for area in areas], np.int64),

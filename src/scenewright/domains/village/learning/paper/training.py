@@ -61,8 +61,8 @@ def train_paper(
 
     torch.manual_seed(seed)
     nets = {name: net.to(device) for name, net in make_nets(torch, sizes).items() if name in names}
-    told = [tell_block(block, sizes.pixels) for block in blocks]
-    owner = np.repeat(np.arange(len(told)), [len(one.houses.footprints) for one in told])
+    prepared = [tell_block(block, sizes.pixels) for block in blocks]
+    owner = np.repeat(np.arange(len(prepared)), [len(one.houses.footprints) for one in prepared])
     for number, (name, net) in enumerate(nets.items()):
         rng = np.random.default_rng([seed, number])
         wheel = torch.optim.Adam(net.parameters(), lr=RATE)
@@ -70,7 +70,7 @@ def train_paper(
         size, step = schedule.batch[name], 0
         for _ in range(schedule.epochs[name]):
             for rows in np.array_split(rng.permutation(owner), -(-len(owner) // size)):
-                samples = [sample_of(told[k], rng, name) for k in rows.tolist()]
+                samples = [sample_of(prepared[k], rng, name) for k in rows.tolist()]
                 loss = loss_of_net(torch, name, net, samples, device)
                 wheel.zero_grad()
                 loss.backward()
