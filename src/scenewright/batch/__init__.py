@@ -58,7 +58,7 @@ def batch(
     A row for each, in the order of the sources, is returned and written to ``summary.csv`` and
     ``summary.json``. ``jobs`` workers (one for each processor, if not stated) may take ``memory``
     GiB each and ``limit`` seconds a file; the other options are those of
-    :func:`scenewright.arrange`. ``progress`` hears every row as
+    :func:`scenewright.arrange`. ``progress`` gets every row as
     it comes, how many are done, of how many, and whether the row was there before; when ``cancel``
     answers true the workers are stopped and the rows so far returned.
     """

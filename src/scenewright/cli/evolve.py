@@ -117,7 +117,7 @@ def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
 
 def _converse(evolution: Evolution, request: EvolveRequest, console: Console) -> str:
     """Show sheets and hear lines until ``done`` or ``quit``; which of them. A line that cannot be
-    meant is told so, and ends a run that was given its lines beforehand."""
+    meant gets a line that says so, and ends a run that was given its lines beforehand."""
     from scenewright.cli.evolve_best import name_picture, watch_best
     from scenewright.cli.tables import print_line
 

@@ -1,6 +1,6 @@
 """How solvers are asked: budgets, progress, cancelling, and the two contracts they may follow.
 
-*Populations* (genetic, random …) are ask / tell: the solver proposes genes and hears energies, it
+*Populations* (genetic, random …) are ask / tell: the solver proposes genes and gets energies, it
 never sees the objective. *Chains* (annealing) run compiled inside, re-evaluating only what moved,
 and are driven in slices (:mod:`scenewright.engine.pace`). Either way a solver is one function of
 :data:`Run`, a row (:class:`scenewright.engine.rows.SolverRow`) of the table of its domain.

@@ -1,6 +1,6 @@
 """A function that calls back while it works, as a generator of what it calls back with.
 
-The work runs in a thread of its own, so that the one who listens hears of it at once. A listener
+The work runs in a thread of its own, so that the one who listens gets it at once. A listener
 that goes away (Ctrl-C, or a generator closed early) asks the work to stop and does not wait.
 """
 

@@ -39,7 +39,7 @@ def _check_footprint(points: list[tuple[float, float]]) -> list[tuple[float, flo
         read_footprint(points, 1.0, 1.0)
     except InputError as error:
         raise PydanticCustomError(
-            "footprint", "give a simple polygon: this {told}", {"told": str(error)}
+            "footprint", "give a simple polygon: this {error}", {"error": str(error)}
         ) from None
     return points
 

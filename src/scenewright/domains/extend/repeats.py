@@ -18,7 +18,7 @@ MOST, TRIED = 6, 2000
 MANY = 400
 """Of a larger source so many buildings in its middle tell how it repeats."""
 SHORTEST = 2 * SAME
-"""Shorter steps, in metres, cannot be told from none."""
+"""Shorter steps, in metres, are as good as none."""
 FARTHEST = 40
 """Steps in one direction."""
 

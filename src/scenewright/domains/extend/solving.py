@@ -65,7 +65,7 @@ def solve(
     """Fill every area of a brief.
 
     ``steps`` are layouts of each area, ``seconds`` are for each; the same seed and steps give the
-    same answer. ``plan`` is that of the brief (made unless given). ``watch`` is told the best
+    same answer. ``plan`` is that of the brief (made unless given). ``watch`` gets the best
     layout of each area, as boxes by the names of kinds.
     """
     started = time.perf_counter()

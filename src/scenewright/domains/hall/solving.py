@@ -91,7 +91,7 @@ def solve(
     preset says. The same seed and steps give the same answer on any number of ``threads``.
     ``plan`` is that of the brief (made unless given).
     ``variant`` takes another proposal of zones where the brief leaves them open; ``lean`` above 0
-    narrows every demand to one of its patterns, another for another number. ``progress`` hears
+    narrows every demand to one of its patterns, another for another number. ``progress`` gets
     the share done and what is done, ``watch`` the best layouts of objects; when ``cancel`` answers
     true, what was found so far is returned.
     """

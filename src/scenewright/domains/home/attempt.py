@@ -57,7 +57,7 @@ class RoomTask(NamedTuple):
     ``welcome`` the welcome groups (none: the usual); ``asked`` is the room of the brief;
     ``beside`` is what stands in other rooms and reaches into this one. In an
     open space groups may stand ``elsewhere``, in another room of it, and this one has others
-    ``instead``. ``entered`` are the doors one comes in by (none: any). ``progress`` is told what
+    ``instead``. ``entered`` are the doors one comes in by (none: any). ``progress`` gets what
     the solvers report, ``watch`` the best layouts of groups."""
 
     space: Space

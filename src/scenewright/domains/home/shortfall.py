@@ -114,7 +114,7 @@ def groups_serving(categories: frozenset[str]) -> tuple[str, ...]:
 def _leave_out(
     need: Essential, serving: tuple[str, ...], task: RoomTask, answer: RoomAnswer
 ) -> LeftOut:
-    """A need that nothing told of: with its reason if a piece that serves it gave way."""
+    """A need that nothing reported: with its reason if a piece that serves it gave way."""
     placed = [p.wish.group for p in answer.placed if p.wish.group in serving]
     why = next(
         (gone.reason for gone in answer.gone if gone.category in kinds_serving(need.name)),

@@ -1,4 +1,4 @@
-"""Homes: every room posed, solved, dressed and told about.
+"""Homes: every room posed, solved, dressed and explained.
 
 The composite model of Liu, Jiang, Mao, Wang (2017): functional areas (patches) are laid out first,
 furniture groups are fitted into them second.
@@ -91,10 +91,10 @@ def solve(
     what the preset says, else what the solver does of itself. The same seed and steps give the
     same answer, whatever the number of ``threads`` (one for each processor, if not stated); each
     room has its own stream of random numbers.
-    ``plan`` is that of the brief (made unless given). ``progress`` hears the share done and the
+    ``plan`` is that of the brief (made unless given). ``progress`` gets the share done and the
     room's name, ``watch`` the best layouts of groups in each room; when ``cancel`` answers true,
     what was found so far is returned. A ``variant`` above 0 arranges rooms around other walls and
-    takes other groups for the same use; its energies are told as those of the usual problem.
+    takes other groups for the same use; its energies are reported as those of the usual problem.
     """
     started = time.perf_counter()
     chosen = preset_named(PRESETS, preset)

@@ -95,7 +95,7 @@ def solve(
 
     ``steps`` are layouts looked at (of each block, by the default solver); the same seed and
     steps give the same answer. ``plan`` is that of the brief (made unless given). ``progress``
-    hears the share done; when ``cancel`` answers true, what was found so far is returned.
+    gets the share done; when ``cancel`` answers true, what was found so far is returned.
     """
     started = time.perf_counter()
     chosen, catalog = preset_named(PRESETS, preset), catalog_of(brief.catalogs)

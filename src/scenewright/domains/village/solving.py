@@ -69,7 +69,7 @@ def solve(
     """Fill every block of a brief.
 
     ``steps`` are layouts of each block, ``seconds`` are for each; the same seed and steps give the
-    same answer. ``plan`` is that of the brief (made unless given). ``watch`` is told the best
+    same answer. ``plan`` is that of the brief (made unless given). ``watch`` gets the best
     layout of each block, as boxes by the names of houses.
     """
     started = time.perf_counter()

@@ -81,7 +81,7 @@ class Nursery:
         return found
 
     def collect(self, progress: OnProgress | None) -> list[Developed]:
-        """What was bred, when all is; ``progress`` hears how much is."""
+        """What was bred, when all is; ``progress`` gets how much is."""
         found: list[Developed] = []
         parts = self.batch.parts if self.batch else ()
         for k, part in enumerate(parts):

@@ -1,6 +1,6 @@
 """An evolution: candidates are shown, a person says what she thinks of them, better ones come.
 
-:meth:`Evolution.ask` gives the next screen, :meth:`Evolution.tell` hears what was said. While she
+:meth:`Evolution.ask` gives the next screen, :meth:`Evolution.tell` takes what was said. While she
 looks, the next candidates are bred on what was known when the screen was chosen; so the next
 screen is there at once, and the same log and seed give the same screens however fast she is.
 """
@@ -154,7 +154,7 @@ class Evolution:
 
     def ask(self, progress: OnProgress | None = None) -> Screen:
         """The next screen: the champion, the predicted best, draws and the farthest. ``progress``
-        hears the share bred and what is done, where the screen has to wait for it."""
+        gets the share bred and what is done, where the screen has to wait for it."""
         epoch, number = name_epoch(self.events), len(self._history.screens)
         self._adopt(epoch, number, progress)
         taste = self.taste

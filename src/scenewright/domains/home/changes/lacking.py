@@ -14,7 +14,7 @@ from scenewright.domains.home.tasks import wishes_of
 
 
 def still_missing(solution: Solution, space: str, answer: RoomAnswer) -> list[LeftOut]:
-    """Groups that were left out before and still are: neither placed nor told anew."""
+    """Groups that were left out before and still are: neither placed nor reported anew."""
     now = {p.wish.group for p in answer.placed} | {m.wish.group for m in answer.missing}
     lacking = GROUPS.keys() - now
     return [out for out in solution.left_out if out.space == space and out.what in lacking]

@@ -277,7 +277,7 @@ def _below(members: tuple[Member, ...]) -> tuple[int, ...]:
 
 
 def why_not(member: Member, code: int, offender: int, standing: StandingObstacles) -> str:
-    """What is told of a member that cannot stand, by the code of its fault."""
+    """What is said of a member that cannot stand, by the code of its fault."""
     what = name_of(member.category)
     if code == OUTSIDE:
         size = member.size

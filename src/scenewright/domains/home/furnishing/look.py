@@ -1,4 +1,4 @@
-"""How a home looks: one style and one palette, told by the brief or drawn by the seed."""
+"""How a home looks: one style and one palette, stated by the brief or drawn by the seed."""
 
 from __future__ import annotations
 

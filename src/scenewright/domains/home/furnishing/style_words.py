@@ -1,4 +1,4 @@
-"""Words for the style of a home that mean nothing: told of, not passed over."""
+"""Words for the style of a home that mean nothing: reported, not passed over."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ Count = Annotated[int, Field(strict=True, ge=0, le=1_000_000)]
 Beside = Literal["front", "beside", "back"]
 
 SIDES: tuple[Beside, ...] = ("front", "beside", "back", "beside")
-"""How the sides of a group are told, counter-clockwise from its front."""
+"""How the sides of a group are named, counter-clockwise from its front."""
 
 
 class Distance(NamedTuple):

@@ -1,7 +1,7 @@
 """The default solver: many short annealing chains, then longer ones from the best.
 
 Chains run compiled in :mod:`scenewright.domains.home.solvers.metropolis`, in slices so that the
-clock, the caller's progress and cancelling are heard. Budgets go by successive halving (Jamieson
+clock, the caller's progress and cancelling are served. Budgets go by successive halving (Jamieson
 and Talwalkar 2016): restarts win in small rooms, length in big ones.
 """
 
@@ -140,7 +140,7 @@ def _advance(setup: Setup, chains: Chains, steps: int, first: float, last: float
 
 
 def _cut(part: slice, steps: int) -> Iterator[tuple[slice, tuple[int, int]]]:
-    """The steps of some chains cut into calls so short that cancelling is heard at once: chains,
+    """The steps of some chains cut into calls so short that cancelling works at once: chains,
     and the steps (from, to). Sums are renewed where calls begin, so the cuts change nothing."""
     count = max(CALL // min(steps, REFRESH), 1)
     for begin in range(0, steps, REFRESH):

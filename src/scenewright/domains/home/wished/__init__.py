@@ -1,1 +1,1 @@
-"""What a household wishes: things, places, outlets within reach; whether it was heard."""
+"""What a household wishes: things, places, outlets within reach; whether it is met."""

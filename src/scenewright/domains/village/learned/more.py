@@ -49,7 +49,7 @@ def odds_of_figures(law: MoreLaw, rows: Floats) -> Floats:
 
 
 def figures_of_state(seen: Surroundings, count_law: tuple[float, float, float, float]) -> Floats:
-    """What is told of a block with some houses (FIGURES,): how many against how many such blocks
+    """Features of a block with some houses (FIGURES,): how many against how many such blocks
     have, coverage, voids over the ground and along the street, gaps, sizes."""
     shapes, a, b, c = seen.standing.shapes, *count_law[:3]
     count, area = len(shapes), np.log(seen.area)

@@ -1,8 +1,8 @@
-"""What the net is told of a pose: the house itself, the six nearest houses, the four nearest sides.
+"""What the net sees of a pose: the house itself, the six nearest houses, the four nearest sides.
 
 Everything is seen from the pose: x along the longer side of the house, mirrored so that the nearest
 house lies ahead and to the right. So turning, moving or mirroring a block changes nothing.
-Distances are told as exp(-d / s) at several scales s, angles modulo 90° by their cosine, sine and
+Distances are given as exp(-d / s) at several scales s, angles modulo 90° by their cosine, sine and
 how near they are to 0. What is smaller than the errors of a map counts as 0 (:data:`HAIR`,
 :data:`ASKEW`): proposals stand exactly parallel and wall to wall, mapped houses never quite, and a
 net that saw the difference would tell them by it.
@@ -29,11 +29,11 @@ RINGS = (15.0, 30.0, 60.0)
 HAIR, ASKEW = 0.2, float(np.deg2rad(1.0))
 """Metres and radians that count as nothing."""
 SELF, HOUSE, SIDE = 28, 31, 20
-"""Numbers told of the house itself, of each house near, and of each side."""
+"""Numbers about the house itself, of each house near, and of each side."""
 
 
 class PoseTokens(NamedTuple):
-    """What is told of poses (k,): ``own`` (k, SELF), ``houses`` (k, HOUSES, HOUSE) nearest first,
+    """Features of poses (k,): ``own`` (k, SELF), ``houses`` (k, HOUSES, HOUSE) nearest first,
     ``sides`` (k, SIDES, SIDE), streets first, and which rows ``known`` (k, HOUSES + SIDES) are
     there."""
 
@@ -44,7 +44,7 @@ class PoseTokens(NamedTuple):
 
 
 def tokens_of(seen: Surroundings, house: House, poses: Floats, shapes: Shapes) -> PoseTokens:
-    """What is told of a house at poses (k, 3) with their footprints (k,)."""
+    """Features of a house at poses (k, 3) with their footprints (k,)."""
     near, gaps = _nearest_houses(seen, poses, shapes)
     street = _sides(seen.streets, seen.street_lines, poses, shapes)
     other = _sides(seen.others, seen.other_lines, poses, shapes)
@@ -181,7 +181,7 @@ def _house_rows(
     mirror: Floats,
     setback: Floats,
 ) -> Floats:
-    """What is told of the nearest houses (k, HOUSES, HOUSE)."""
+    """Features of the nearest houses (k, HOUSES, HOUSE)."""
     rows = np.zeros((*near.shape, HOUSE))
     if not len(seen.standing.frames):
         return rows
@@ -218,7 +218,7 @@ def _house_rows(
 
 
 def _side_rows(poses: Floats, side: _NearSides, mirror: Floats, street: float) -> Floats:
-    """What is told of sides (k, m, SIDE)."""
+    """Features of sides (k, m, SIDE)."""
     at = _turn(side.toward, poses) * mirror[:, None]
     turn = (side.angle - poses[:, None, 2]) * mirror.prod(1)[:, None]
     reach = np.hypot(at[..., 0], at[..., 1])
@@ -239,7 +239,7 @@ def _side_rows(poses: Floats, side: _NearSides, mirror: Floats, street: float) -
 def _own_rows(
     seen: Surroundings, house: House, poses: Floats, setback: Floats, gap: Floats
 ) -> Floats:
-    """What is told of the house itself and of the block about it (k, SELF)."""
+    """Features of the house itself and of the block about it (k, SELF)."""
     count, standing = len(poses), len(seen.standing.shapes)
     whole = np.array(
         [

@@ -30,11 +30,11 @@ LEARNED = (0.004, 0.14)
 by what was learned. The net, which takes 1° for nothing, cannot tell quite parallel from nearly so,
 and would make too many of the one."""
 CHOICES = 32
-"""The real pose and the legal proposals it is told from, at most."""
+"""The real pose and the legal proposals beside it, at most."""
 
 
 class PoseExample(NamedTuple):
-    """What is told of the real pose (row 0) and of legal proposals, in single precision."""
+    """Features of the real pose (row 0) and of legal proposals, in single precision."""
 
     tokens: PoseTokens
 

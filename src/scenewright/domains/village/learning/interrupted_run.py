@@ -30,7 +30,7 @@ def save_training(path: Path, key: str, state: TrainingState, seconds: float) ->
         for group, values in zip(GROUPS, state[:3], strict=True)
         for name, value in values.items()
     }
-    told = json.dumps(
+    record = json.dumps(
         {
             "key": key,
             "steps": state.steps,
@@ -39,7 +39,7 @@ def save_training(path: Path, key: str, state: TrainingState, seconds: float) ->
             "seconds": seconds,
         }
     )
-    arrays["told"] = np.frombuffer(told.encode(), np.uint8)
+    arrays["told"] = np.frombuffer(record.encode(), np.uint8)
     with atomic_write(path) as partial, partial.open("wb") as file:
         np.savez(file, allow_pickle=False, **arrays)
 
@@ -48,14 +48,14 @@ def resume_training(path: Path, key: str, fresh: TrainingState) -> tuple[Trainin
     """The state kept of this very training and the seconds it took; else a fresh one."""
     try:
         with np.load(path, allow_pickle=False) as file:
-            told = json.loads(bytes(file["told"]).decode())
-            if told["key"] != key:
+            record = json.loads(bytes(file["told"]).decode())
+            if record["key"] != key:
                 return fresh, 0.0
             groups = [{name: file[f"{group}/{name}"] for name in fresh.weights} for group in GROUPS]
     except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile):
         return fresh, 0.0
-    losses = tuple(float(v) for v in told["losses"])
+    losses = tuple(float(v) for v in record["losses"])
     state = TrainingState(
-        groups[0], groups[1], groups[2], int(told["steps"]), int(told["rounds"]), losses
+        groups[0], groups[1], groups[2], int(record["steps"]), int(record["rounds"]), losses
     )
-    return state, float(told["seconds"])
+    return state, float(record["seconds"])

@@ -241,7 +241,7 @@ def _card(
 
 def _figures(style: VillageStyle, test: Sequence[RealBlock], seed: int) -> dict[str, float]:
     """Figures of what was held out: the mean log odds of the real pose among legal proposals, by
-    the net and by chance, and how well full blocks are told (area under the curve)."""
+    the net and by chance, and how well full blocks are recognized (area under the curve)."""
     loss, even = mean_loss(style, test, seed)
     rows, label = states_of(test, style, seed, 1)
     odds = odds_of_figures(style.more, rows)

@@ -79,7 +79,7 @@ def train_poses(
     total: int,
     done: Callable[[TrainingState], bool],
 ) -> TrainingState:
-    """Go on from a state to ``total`` rounds; ``done`` hears of every round and may end it."""
+    """Go on from a state to ``total`` rounds; ``done`` follows every round and may end it."""
     import torch
 
     torch.set_num_threads(1)
@@ -179,7 +179,7 @@ def mean_loss(style: VillageStyle, blocks: Sequence[RealBlock], seed: int) -> tu
 
 
 def to_tensors(torch: Any, tokens: PoseTokens) -> tuple[Any, ...]:
-    """What is told of poses (b, k, …) as tensors (b k, …)."""
+    """Features of poses (b, k, …) as tensors (b k, …)."""
     return tuple(torch.from_numpy(part.reshape(-1, *part.shape[2:])) for part in tokens)
 
 

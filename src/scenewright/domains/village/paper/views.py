@@ -1,7 +1,7 @@
 """What the networks of Zhu, Jiang and Li (2022) see: a block from above in twelve channels.
 
 Channels: the block; all houses; sine and cosine of the door angle painted over each house; three
-of material; two of shape; three of area. A house is told by its *base point*, the corner of its
+of material; two of shape; three of area. A house is given by its *base point*, the corner of its
 least rectangle that is lowest in the picture, and its *door angle* in [0, π], from that corner to
 the door. Doors that no map tells stand in the middle of the most street-ward side, and materials
 are all of the first kind (both assumed).

@@ -1,7 +1,7 @@
 """The networks of Zhu, Jiang and Li (2022) in PyTorch, at their printed sizes and in a small form.
 
 *Continue* is ResNet34 (He and others 2016) with an MLP of 128; the three *category* networks are
-small CNNs with an MLP of 128 that is also told how many houses of each class stand; *location* is
+small CNNs with an MLP of 128 that also gets how many houses of each class stand; *location* is
 fully convolutional (its text is lost; after Ritchie, Wang and Lin 2019) and gives the log odds of
 the base point at every pixel; *orientation* is a conditional variational autoencoder of the cosine
 of the door angle, with 40 hidden values.
@@ -147,24 +147,24 @@ def orientation_net(torch: Any, sizes: NetSizes) -> Any:
         def __init__(self) -> None:
             super().__init__()
             self.seen, width = _encoder(torch, sizes)
-            told = width + SHAPES
-            self.inner = nn.Sequential(nn.Linear(told + 1, sizes.mlp), nn.ReLU())
+            known = width + SHAPES
+            self.inner = nn.Sequential(nn.Linear(known + 1, sizes.mlp), nn.ReLU())
             self.mean = nn.Linear(sizes.mlp, sizes.hidden)
             self.spread = nn.Linear(sizes.mlp, sizes.hidden)
             self.outer = nn.Sequential(
-                nn.Linear(told + sizes.hidden, sizes.mlp), nn.ReLU(), nn.Linear(sizes.mlp, 1)
+                nn.Linear(known + sizes.hidden, sizes.mlp), nn.ReLU(), nn.Linear(sizes.mlp, 1)
             )
 
         def draw(self, view: Any, shape: Any, hidden: Any) -> Any:
-            told = torch.cat([self.seen(view), shape, hidden], 1)
-            return torch.tanh(self.outer(told))[:, 0]
+            known = torch.cat([self.seen(view), shape, hidden], 1)
+            return torch.tanh(self.outer(known))[:, 0]
 
         def forward(self, view: Any, shape: Any, cosine: Any) -> Any:
-            told = torch.cat([self.seen(view), shape], 1)
-            inner = self.inner(torch.cat([told, cosine[:, None]], 1))
+            known = torch.cat([self.seen(view), shape], 1)
+            inner = self.inner(torch.cat([known, cosine[:, None]], 1))
             mean, spread = self.mean(inner), self.spread(inner)
             hidden = mean + torch.randn_like(mean) * torch.exp(spread / 2)
-            again = torch.tanh(self.outer(torch.cat([told, hidden], 1)))[:, 0]
+            again = torch.tanh(self.outer(torch.cat([known, hidden], 1)))[:, 0]
             return again, mean, spread
 
     return Orientation()

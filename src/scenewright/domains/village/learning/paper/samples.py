@@ -1,7 +1,7 @@
 """Samples that the networks of Zhu, Jiang and Li (2022) learn from.
 
 For each sample the houses of a block are shuffled. *Continue* keeps each with probability 0.5 or
-all, and says whether houses are missing. The others are told some houses and the next one.
+all, and says whether houses are missing. The others get some houses and the next one.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ REMOVED = 0.5
 
 
 class PaperBlock(NamedTuple):
-    """A block as the networks are told: the real one, its houses, its view, the pixels of its
+    """A block as the networks see it: the real one, its houses, its view, the pixels of its
     ground (k, 2) as row and column, and of each house."""
 
     block: RealBlock
