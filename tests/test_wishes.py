@@ -242,7 +242,7 @@ def test_layouts_that_meet_a_wish_score_better(x: float, deaf: int) -> None:
 def test_a_fixed_piece_draws_too() -> None:
     piano = {"category": "piano", "at": [5.6, 3.4], "heading": math.pi, "size": [1.5, 0.6, 1.2]}
     near, far = 0, 0
-    for seed in range(4):
+    for seed in range(6):
         asked, plain = (
             Brief.model_validate(
                 {"rooms": [room("living", wish).rooms[0].model_dump() | {"fixed": [piano]}]}
@@ -251,7 +251,7 @@ def test_a_fixed_piece_draws_too() -> None:
         )
         near += told(solved(asked, seed))[0]
         far += told(replace(solved(plain, seed), brief=asked))[0]
-    assert near >= 3
+    assert near >= 5
     assert near > far
 
 
