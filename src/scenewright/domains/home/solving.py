@@ -45,7 +45,7 @@ from scenewright.domains.home.remove_blockers import remove_blockers
 from scenewright.domains.home.requests import check_asks, check_possible
 from scenewright.domains.home.second_try import tried_again
 from scenewright.domains.home.shortfall import complete_account
-from scenewright.domains.home.stated_needs import Rooms, meet_stated_needs
+from scenewright.domains.home.stated_needs import AskedRooms, meet_stated_needs
 from scenewright.domains.home.tasks import add_lamps_and_curtains, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, vary_task
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
@@ -117,7 +117,7 @@ def solve(
     shared = None if progress is None else SharedProgress(progress, [*work, LAST * sum(work)])
     answers = _run(turned, wishes, budgets, pool, shared)
     if chosen.settings.exact:
-        every = Rooms(turned, wishes, budgets)
+        every = AskedRooms(turned, wishes, budgets)
         answers = _walk_home(brief, every, answers, rooms, catalog, again=seconds is None)
     if shared is not None:
         shared.ended(len(work), "routes")
@@ -126,7 +126,7 @@ def solve(
 
 def _walk_home(
     brief: Brief,
-    every: Rooms,
+    every: AskedRooms,
     answers: list[RoomAnswer],
     rooms: tuple[Space, ...],
     catalog: Catalog,

@@ -34,7 +34,7 @@ PLACES = ((("dining", "dining_wall"), 2), (("seating", "reading"), 1))
 """What is sat on, and what a place there weighs."""
 
 
-class Rooms(NamedTuple):
+class AskedRooms(NamedTuple):
     """The rooms of a home as they were to be furnished: tasks, wishes and budgets of equal
     length."""
 
@@ -44,7 +44,7 @@ class Rooms(NamedTuple):
 
 
 def meet_stated_needs(
-    household: Household, rooms: Rooms, answers: list[RoomAnswer], opened: Opened
+    household: Household, rooms: AskedRooms, answers: list[RoomAnswer], opened: Opened
 ) -> list[RoomAnswer]:
     """The answers after further tries of the rooms in which stated needs are not met; an answer
     is taken where less is short and no room loses what makes it."""
@@ -60,7 +60,7 @@ def meet_stated_needs(
 
 
 def _worth(
-    household: Household, answers: Sequence[RoomAnswer], rooms: Rooms
+    household: Household, answers: Sequence[RoomAnswer], rooms: AskedRooms
 ) -> tuple[int, int, float, float]:
     """What makes rooms what they are and is missing, or out of a wheelchair's reach; what is
     short; other essentials that are missing; the scores of all rooms. The less the better, in this
@@ -106,7 +106,7 @@ def _seat(answer: RoomAnswer, groups: tuple[str, ...]) -> int:
 
 
 def _furnish_again(
-    room: int, task: RoomTask, wishes: tuple[Wish, ...], rooms: Rooms, found: list[RoomAnswer]
+    room: int, task: RoomTask, wishes: tuple[Wish, ...], rooms: AskedRooms, found: list[RoomAnswer]
 ) -> list[RoomAnswer]:
     """The answers with one room furnished anew from some of its wishes; the others come after."""
     answer = furnish_by_use(task, wishes, rooms.budgets[room])
@@ -124,7 +124,7 @@ def _furnish_again(
 Change = Iterator[tuple[int, RoomTask, tuple[Wish, ...]]]
 
 
-def _list_beds(household: Household, rooms: Rooms, found: Sequence[RoomAnswer]) -> Change:
+def _list_beds(household: Household, rooms: AskedRooms, found: Sequence[RoomAnswer]) -> Change:
     """Rooms with fewer beds than they were to have or could, the largest first: with the bed before
     all else, then with bunks."""
     del household
@@ -154,7 +154,7 @@ def _count_beds(answers: Sequence[RoomAnswer]) -> int:
     return sum(BEDS.get(piece.category, 0) for piece in pieces)
 
 
-def _list_fewer(household: Household, rooms: Rooms, found: Sequence[RoomAnswer]) -> Change:
+def _list_fewer(household: Household, rooms: AskedRooms, found: Sequence[RoomAnswer]) -> Change:
     """Rooms in which something is short, with ever fewer of their wishes and other numbers, at
     last with fewer seats on sofas than residents."""
     for room, answer in enumerate(found):

@@ -86,7 +86,7 @@ class ExchangeSettings(NamedTuple):
     beside: float = 40.0
 
 
-class MoveSettings(NamedTuple):
+class BuildingMoveSettings(NamedTuple):
     """Moves of annealed buildings: up to where in [0, 1) a nudge, a turn, a place beside another
     and a jump are drawn (beyond them a building is left out); metres of a nudge, at last and more
     while hot; radians of a turn by a little while hot."""
@@ -111,7 +111,7 @@ class ChainSettings(NamedTuple):
     most: float = 10.0
     template: int = 1500
     cool: float = 0.4
-    drawn: MoveSettings = MoveSettings()
+    drawn: BuildingMoveSettings = BuildingMoveSettings()
 
 
 class RandomSettings(NamedTuple):

@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from scenewright.domains.site.problem import Floats, SiteProblem
-from scenewright.domains.site.settings import MoveSettings
+from scenewright.domains.site.settings import BuildingMoveSettings
 from scenewright.domains.site.solvers.answer import Measure, answer, make_measure, stand
 from scenewright.domains.site.solvers.moves import propose
 from scenewright.domains.site.solvers.outcome import SiteFound
@@ -125,7 +125,7 @@ def anneal_from(
 
 
 def _rate(
-    measure: Measure, lines: Floats, drawn: MoveSettings, stream: Stream, best: Floats
+    measure: Measure, lines: Floats, drawn: BuildingMoveSettings, stream: Stream, best: Floats
 ) -> float:
     """Moves a second, by making a few that cannot be accepted."""
     schedule, tally = np.array([1e-300, 1e-300, 0.0, 0.0, 0.0, *drawn]), np.array([0.0, -math.inf])

@@ -50,7 +50,7 @@ def propose(
     p: SitePrepared, s: SiteState, i: int, heat: float, lines: Floats, drawn: Floats, stream: Stream
 ) -> Frame:
     """A move of building ``i``; ``heat`` from 1 to 0 sets how far small moves go, ``lines`` (2,)
-    are as in :func:`drawn_heading`, ``drawn`` (7,) a :class:`MoveSettings`."""
+    are as in :func:`drawn_heading`, ``drawn`` (7,) a :class:`BuildingMoveSettings`."""
     frame, n, kind = read_frame(s.frames, i), s.frames.shape[0], uniform(stream)
     if frame[4] <= 0.0:
         frame = in_block(p, i, lines, stream)
