@@ -34,5 +34,6 @@ BEFORE: dict[str, float] = {
     "pieces": 32.0556,
     "valid flats": 1.0,
     "flats a minute and core": 281.48,
+    "flats a reference work": 0.0501,
 }
 """By the record's case."""

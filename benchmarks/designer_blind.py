@@ -76,7 +76,8 @@ def only_room(solution: Solution, pair: Pair) -> Solution:
 
 
 def _is_shown(piece: Piece) -> bool:
-    return shipped().kinds[piece.category].support in ("floor", "top") and piece.function != "light"
+    kind = shipped().kinds[piece.category]
+    return kind.support in ("floor", "top") and (kind.flat or piece.function != "light")
 
 
 def _plain(piece: Piece, space: str) -> Piece:

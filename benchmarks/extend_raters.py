@@ -74,12 +74,13 @@ def plots_world(grid: PlotGrid) -> PlotsWorld:
     drawn = draw_genomes(genes, 99, FIRST, np.random.default_rng(1))
     values = np.array([look(genome).values for genome in drawn])
     names = [f"feature {k}" for k in range(values.shape[1])]
-    world = World("plots", genes, look, measure_scale(names, values), {}, Breeder(genes, _none))
+    world = World("plots", genes, look, measure_scale(names, values), {}, Breeder(genes, _refuse))
     return PlotsWorld(world, grid)
 
 
-def _none(genome: Genome) -> Any:
-    raise NotImplementedError
+def _refuse(genome: Genome) -> Any:
+    """Plots are judged as matrices: no method that is compared on them asks for a scene."""
+    raise TypeError(f"plots are not developed into scenes: {genome}")
 
 
 def matrix_of(grid: PlotGrid, genome: Genome) -> NDArray[np.int64]:

@@ -53,6 +53,7 @@ def full_problem(printed: bool = False) -> Problem:
         daylight=np.array([0.0, 0.0, 1.0, 0.5]),
         nestle=np.array([0.0, 0.0, 1.0, 0.0]),
         shades=np.array([1.0, 0.5, 1.0, 0.0]),
+        symmetry=np.array([0.0, 0.0, 1.0, 0.5]),
         pairs=np.array([[0, 1], [0, 3], [2, 3]], np.int64),
         pair_targets=np.array([[2.5, np.pi, 0.0], [1.2, np.nan, np.nan], [np.nan, np.pi / 2, 1.0]]),
         pair_weights=np.array([1.0, 0.5, 2.0]),

@@ -119,7 +119,10 @@ def test_nothing_that_could_stay_is_changed(home: str) -> None:
         and p.on is None
         and p.pose.z == 0
     )
-    x, y = (main.pose.x + other.pose.x) / 2, (main.pose.y + other.pose.y) / 2
+    outline = next(r for r in spaces(before.brief) if r.id == main.space).outline
+    off = float(np.hypot(*main.size[:2])) / 2
+    middle = np.array([main.pose.x + other.pose.x, main.pose.y + other.pose.y]) / 2
+    x, y = np.clip(middle, outline.min(0) + off, outline.max(0) - off).tolist()
     after, changes = adjust(before, move={main.id: (x, y)})
     own = {p.id for p in after.pieces if p.group == main.group}
     moved = {c.piece for c in changes if c.change == "moved"} - own

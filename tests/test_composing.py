@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
 import shapely
@@ -17,11 +15,11 @@ from scenewright.domains import check
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.beds import wants_double_bed
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import list_further
+from scenewright.domains.home.composing.forms import FURTHER, list_further
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.modest import EXPECTED, find_shortage
 from scenewright.domains.home.energy import evaluate
-from scenewright.domains.home.groups.corner_kitchen import corner_kitchens
+from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.groups.sleeping import along_wall
 from scenewright.domains.home.household import decide_household, share_out
 from scenewright.domains.home.presets import PRESETS
@@ -29,7 +27,7 @@ from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms, solve
 from scenewright.domains.home.terms.openings import FIRST
 
-KITCHENS = (*cases("kitchen").groups, *corner_kitchens())
+KITCHENS = (*cases("kitchen").groups, *cases("kitchenette").groups)
 ROOMS = {
     "bedroom": {
         "function": "single_bedroom",
@@ -68,33 +66,6 @@ def test_faults_of_runs_are_those_the_benchmark_counts(case):
         "hob_at_end": composition_kitchen.hob_at_end,
     }
     assert {name for name, fault in counted.items() if fault(pieces_of(case))} <= found
-
-
-@pytest.mark.parametrize("case", list(corner_kitchens()), ids=lambda case: case.name)
-def test_a_kitchen_round_a_corner_is_one_worktop_without_faults(case):
-    assert find_case_faults(case) == ()
-    floor = [m for m in case.members if m.z < 0.3]
-    boxes = [_shape(m) for m in floor]
-    for k, one in enumerate(boxes):
-        assert all(one.intersection(other).area < 1e-9 for other in boxes[:k])
-    assert shapely.union_all([b.buffer(0.01) for b in boxes]).geom_type == "Polygon"
-    names = [m.category for m in floor]
-    assert {"hob_cabinet", "sink_cabinet", "fridge", "corner_cabinet"} <= set(names)
-
-
-def _shape(member):
-    turned = abs(np.sin(member.heading)) > 0.5
-    w, d = member.size[:2][::-1] if turned else member.size[:2]
-    return shapely.box(member.x - w / 2, member.y - d / 2, member.x + w / 2, member.y + d / 2)
-
-
-def test_kitchens_round_a_corner_come_with_their_mirror_images():
-    for one, other in list(pairwise(corner_kitchens()))[::2]:
-        assert one.name == other.name
-        for a, b in zip(one.members, other.members, strict=True):
-            assert (a.x, a.y, *a.size) == pytest.approx((-b.x, b.y, *b.size))
-            if a.category != "corner_cabinet":
-                assert np.sin(a.heading) == pytest.approx(-np.sin(b.heading))
 
 
 def test_beds_along_the_wall_have_their_pillow_by_the_nightstand():
@@ -246,7 +217,7 @@ def test_groups_that_are_asked_for_are_as_large_as_their_room():
             wide = sum(p.size.width for p in solution.pieces if p.category in fronts)
             assert wide + 1.4 * held.count("corner_cabinet") >= 2.8 - 1e-6
         if name == "living":
-            sofa = next(p for p in solution.pieces if p.category == "sofa")
+            sofa = next(p for p in solution.pieces if p.category in ("sofa", "corner_sofa"))
             assert sofa.size.width >= 2.0
         if name == "bedroom":
             assert (held.count("double_bed"), held.count("nightstand")) == (1, 2)
@@ -275,3 +246,10 @@ def test_a_room_for_two_gets_its_double_bed_back():
     asked = task.asked.model_copy(update={"ask": [Ask(group="single")]})
     assert not wants_double_bed(task._replace(asked=asked))
     assert not wants_double_bed(task._replace(forbidden=frozenset({"double_bed"})))
+
+
+@pytest.mark.parametrize("name", sorted(GROUPS))
+def test_every_form_of_a_group_holds_what_makes_it_the_group(name: str) -> None:
+    """What is moved by hand is carried by that piece; a form without it would be taken apart."""
+    forms = [*GROUPS[name].cases(), *FURTHER.get(name, lambda: ())()]
+    assert all(any(m.category in GROUPS[name].essential for m in form.members) for form in forms)

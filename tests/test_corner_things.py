@@ -15,7 +15,18 @@ from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece
 
-CORNERS = ("corner_desk", "corner_desk_right", "corner_counter", "corner_house")
+CORNERS = (
+    "corner_desk",
+    "corner_desk_right",
+    "corner_counter",
+    "corner_house",
+    "corner_sofa",
+    "corner_sofa_right",
+    "corner_sofa_nordic",
+    "corner_sofa_right_boho",
+    "corner_desk_classic",
+    "corner_desk_right_industrial",
+)
 
 
 def polygon(piece: Piece) -> shapely.Polygon:

@@ -154,7 +154,7 @@ def test_what_is_locked_stands_in_all_that_comes(tmp_path: Path) -> None:
     with evolve("sample:home-studio", tmp_path / "log", breeding=FEW) as evolution:
         shown = numbers(evolution.ask())
         pieces = evolution.solution_of(shown[0]).pieces
-        seat = next(p for p in pieces if p.category in ("sofa", "loveseat"))
+        seat = next(p for p in pieces if p.category in ("sofa", "corner_sofa", "loveseat"))
         evolution.tell(Pick(shown[0], shown), Lock(seat.id))
         second = evolution.ask()
         for one in second.candidates[1:]:
@@ -182,7 +182,7 @@ def test_a_hand_made_change_is_a_candidate(tmp_path: Path) -> None:
 
 def test_the_model_rates_only_when_it_may(tmp_path: Path) -> None:
     many = FEW._replace(first=24, each=14)
-    with evolve(HOME, tmp_path / "log", breeding=many) as evolution:
+    with evolve("sample:home-room", tmp_path / "log", breeding=many) as evolution:
         play(evolution, 1)
         with pytest.raises(InputError, match="not good enough yet"):
             evolution.rate_itself(2)

@@ -103,3 +103,20 @@ def test_tables_stand_alone_where_chairs_are_asked_for() -> None:
     table = collect_demands(brief, 0, (), shipped())[0]
     assert table.chairs == 0.0
     assert {size.depth for size in table.sizes} == {0.9}
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_chairs_stand_on_all_sides_of_round_tables_and_look_at_them(seed: int) -> None:
+    brief = cafe(tables=6, category="round_table", size=[0.9, 0.9, 0.74])
+    found = scenewright.solve(brief, seed=seed, steps=1000, threads=1)
+    tables = {p.id: p for p in found.pieces if p.category == "round_table"}
+    assert len(tables) == 6
+    assert len(chairs_of(found)) == 24
+    for chair in chairs_of(found):
+        table = tables[chair.id.rpartition("/")[0]]
+        far = np.subtract(table.pose[:2], chair.pose[:2])
+        ahead = np.cos(chair.pose.heading), np.sin(chair.pose.heading)
+        assert np.hypot(*far) == pytest.approx(0.45 + 0.25 - 0.1)
+        assert far @ ahead == pytest.approx(np.hypot(*far))
+    report = scenewright.check(found)
+    assert report.valid, report.findings

@@ -148,3 +148,11 @@ def test_a_table_is_chosen_that_seats_all() -> None:
     kept = cases(wish.group, seat_residents(household, "live", SHIPPED)).groups
     assert wish.group == "dining_wall"
     assert min(count_places(case.members) for case in kept) >= 5
+
+
+def test_beds_that_residents_lack_are_left_out_by_name() -> None:
+    solution = solve(flat(residents=9), threads=1)
+    held = sum(BEDS.get(piece.category, 0) for piece in solution.pieces)
+    assert held < 9
+    assert any(f"beds for {held} of 9" in out.reason for out in solution.left_out if out.required)
+    assert any(f"beds for {held} of the 9" in note.message for note in check(solution).notes)

@@ -217,7 +217,7 @@ def test_routes_reach_what_those_of_the_referee_reach(name: str, seed: int) -> N
     walks = [walk_in(bodies, ground, width / 2) for ground in grounds]
     told = {(f.space, f.piece) for f in find_unreachable(bodies, rooms, grounds, walks)}
     floors = join_floors(rooms.spaces, width)
-    barred = find_barred(pieces, rooms.spaces, floors, shipped(), width)
+    barred = find_barred(pieces, rooms.spaces, floors, shipped())
     assert {(each.space, each.piece) for each in barred} == told
     assert all(each.piece not in each.openers for each in barred)
 
@@ -233,7 +233,7 @@ def test_what_would_open_a_way_is_any_one_piece_or_the_least_set() -> None:
 
     def openers(*pieces: Piece) -> list[tuple[str, ...]]:
         floors = join_floors(spaces_, 0.6)
-        barred = find_barred((desk, *pieces), spaces_, floors, shipped(), 0.6)
+        barred = find_barred((desk, *pieces), spaces_, floors, shipped())
         return [each.openers for each in barred if each.piece == "r/desk"]
 
     assert openers() == openers(bar("half", 2.5, 1.0)) == []

@@ -197,7 +197,7 @@ def test_dimensions_tell_the_building(scene: Scene) -> None:
 @pytest.mark.parametrize("side", ["south", "west", "north", "east"])
 def test_chains_are_complete_and_in_order(scene: Scene, side: str) -> None:
     walls = union_all([cut_walls(scene.walls), *map(polygon_of, scene.spaces)])
-    for chain in chains(walls.bounds, walls, scene.spaces, scene.openings)[side]:  # type: ignore[index]
+    for chain in chains(walls, walls, scene.spaces, scene.openings)[side]:  # type: ignore[index]
         ends = walls.bounds[0::2] if side in ("south", "north") else walls.bounds[1::2]
         assert (chain.stations[0], chain.stations[-1]) == pytest.approx(ends)
         assert all(b > a for a, b in zip(chain.stations, chain.stations[1:], strict=False))
@@ -209,7 +209,7 @@ def test_an_inner_window_is_in_no_outer_chain() -> None:
     south = LineString([(0, -0.1), (1, -0.1)]).buffer(0.1, cap_style="flat")
     window = Opening("w", "window", "0", 2.0, 3.1, 1.0, 0.0, 1.0, 0.2, 0.9, 2.2, spaces=("r",))
     solid = union_all([south, polygon_of(room)])
-    found = chains((0, -0.2, 4, 3.2), solid, [room], [window])
+    found = chains(box(0, -0.2, 4, 3.2), solid, [room], [window])
     assert [chain.stations for chain in found["north"]] == [(0, 1.5, 2.5, 4)]
     assert [chain.stations for chain in found["south"]] == [(0, 4)]
 
@@ -222,8 +222,23 @@ def test_a_room_behind_a_row_of_rooms_is_in_no_chain_of_their_side() -> None:
         for k, shape in enumerate([*row, box(0, 4.2, 12.6, 7)])
     ]
     solid = union_all([polygon_of(room) for room in rooms])
-    found = chains((0, 0, 12.6, 7), solid, rooms, [])
+    found = chains(box(0, 0, 12.6, 7), solid, rooms, [])
     assert found["south"][0].stations == pytest.approx((0, 3.1, 6.3, 9.5, 12.6))
+
+
+def test_corners_are_dimensioned_where_they_are_seen_and_bows_are_not() -> None:
+    """A chamfer in the north-east, a step in the south; a bow of short edges adds nothing."""
+    outline = [(0, 0), (3, 0), (3, 1), (8, 1), (8, 4), (6, 6), (0, 6)]
+    bow = Point(0, 3).buffer(1, quad_segs=16)
+    whole = union_all([Polygon(outline), bow])
+    room = Space("r", "R", (), "0", np.array(whole.exterior.coords[:-1]))
+    found = {
+        side: [chain.stations for chain in rows]
+        for side, rows in chains(whole, whole, [room], []).items()
+    }
+    assert found["north"] == [pytest.approx((-1, 0, 6, 8))]
+    assert found["east"] == [pytest.approx((0, 1, 4, 6))]
+    assert found["south"] == [pytest.approx((-1, 0, 3, 8)), pytest.approx((-1, 8))]
 
 
 @given(st.integers(0, 2**32 - 1))

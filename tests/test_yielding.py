@@ -52,7 +52,8 @@ def test_what_bars_the_way_to_another_room_gives_way(
     monkeypatch.setitem(PRESETS, "untouched", usual._replace(settings=never))
     before = home.solve(brief, preset="untouched", seed=0, steps=2000)
     assert not check(before).valid
-    assert {p.id for p in solution.pieces} < {p.id for p in before.pieces}
+    standing = {p.id for p in solution.pieces if p.category != "rug"}  # rugs follow what stands
+    assert standing < {p.id for p in before.pieces}
 
 
 def test_a_room_that_gave_up_what_it_is_for_is_tried_again() -> None:

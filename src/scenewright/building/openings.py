@@ -281,7 +281,8 @@ def _overlap(one: Opening, other: Opening) -> bool:
 def _same(one: Opening, other: Opening) -> bool:
     between = float(np.hypot(other.x - one.x, other.y - one.y))
     joined = len(one.spaces) == 2 and set(one.spaces) == set(other.spaces)
-    return joined and between < max(0.3, min(one.width, other.width) / 2)
+    alike = (one.kind == "window") == (other.kind == "window")
+    return joined and alike and between < max(0.3, min(one.width, other.width) / 2)
 
 
 def _assign_ids(found: list[Opening]) -> tuple[Opening, ...]:

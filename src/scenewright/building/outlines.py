@@ -239,7 +239,8 @@ def _check_extent(floor: shapely.Polygon) -> None:
     if max(x1 - x0, y1 - y0) > GREATEST_EXTENT:
         raise InputError(
             f"the room is {max(x1 - x0, y1 - y0):.0f} m long",
-            f"lengths are metres and a room is at most {GREATEST_EXTENT:.0f} m long",
+            f"lengths are metres and a room is at most {GREATEST_EXTENT:.0f} m long: add "
+            "--scale 0.01 if they are centimetres",
         )
 
 

@@ -7,7 +7,6 @@ overlap, openings that lie on walls, fixed items that stand in their rooms.
 from __future__ import annotations
 
 import re
-from collections import Counter
 from dataclasses import replace
 
 import numpy as np
@@ -86,11 +85,10 @@ def room_ids(brief: Brief) -> tuple[str, ...]:
     >>> room_ids(Brief.model_validate({"rooms": [room, room]}))
     ('kitchen', 'kitchen-2')
     """
-    given = Counter(room.id for room in brief.rooms if room.id)
     ids: list[str] = []
-    taken = set(given)
+    taken = {room.id for room in brief.rooms if room.id}
     for number, room in enumerate(brief.rooms):
-        if given[room.id] > 1:
+        if room.id and room.id in ids:
             raise InputError(
                 f"the id '{room.id}' is used twice",
                 "give every room its own id",

@@ -36,7 +36,7 @@ HEAD_HEIGHT = 2.0
 _FLATTEST = 0.05
 _CURTAINS = ("curtain", "blind")
 _SEATS = ("chair", "stool", "bench", "pouf")
-_LARGEST = 1e5
+_LARGEST, _SMALLEST = 1e5, 1e-6
 _UNSEEN = 1e-3
 
 
@@ -109,7 +109,7 @@ def _fault(piece: Piece, number: dict[str, int]) -> str:
     values = np.array([*piece.pose, *piece.size], float)
     if not np.isfinite(values).all() or np.abs(values).max() > _LARGEST:
         return "has a pose or size that is not a number of metres"
-    if (values[4:] <= 0).any():
+    if (values[4:] < _SMALLEST).any():
         return f"has no size: {values[4]:g} x {values[5]:g} x {values[6]:g} m"
     return "" if piece.space in number else f"stands in {piece.space!r}, which is not a room"
 

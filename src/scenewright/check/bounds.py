@@ -48,6 +48,8 @@ def _beyond(bodies: Bodies, rooms: Rooms, i: int) -> Finding:
     depth = float(shapely.distance(edge, room).max(initial=0.0))
     area = float(rest.area)
     text = f"{piece.id} is {depth:.2f} m ({area:.2f} m²) outside {piece.space}"
+    if shapely.covers(shapely.Polygon(room.exterior), rest):
+        text = f"{piece.id} stands in a column of {piece.space} ({area:.2f} m²)"
     return _finding("out_of_bounds", bodies, rooms, i, text, depth, area)
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from statistics import median
 
+import shapely
+
 from scenewright.core.brief import Brief
 from scenewright.core.report import Note
 from scenewright.core.space import Space
@@ -15,6 +17,8 @@ homes is about 0.61 to 0.63 m, for toilets and cupboards."""
 USUAL = 0.8
 """A usual width of such doors, in metres; it gives the factor."""
 LEAST_DOORS = 2
+VAST = 1000.0
+"""Square metres that a room of a home hardly has."""
 
 
 def note_reading(brief: Brief) -> list[Note]:
@@ -43,4 +47,21 @@ def note_small_doors(spaces: Sequence[Space]) -> list[Note]:
         f"drawn too small, by a factor of about {factor}; "
         f'if so, add --scale {factor} or "scale": {factor} to the brief'
     )
+    return [Note("", "plan", "scale", text)]
+
+
+def note_vast_rooms(spaces: Sequence[Space]) -> list[Note]:
+    """A note if a room is larger than :data:`VAST`: its lengths are hardly metres.
+
+    >>> from scenewright.building.plan import spaces
+    >>> room = {"id": "bath", "outline": [[0, 0], [250, 0], [250, 180], [0, 180]]}
+    >>> note_vast_rooms(spaces(Brief.model_validate({"rooms": [room]})))[0].message
+    'bath has 45000 m²: lengths are metres; add --scale 0.01 if they are centimetres'
+    """
+    areas = {space.id: shapely.Polygon(space.outline).area for space in spaces}
+    vast = [(area, name) for name, area in areas.items() if area > VAST]
+    if not vast:
+        return []
+    area, name = max(vast)
+    text = f"{name} has {area:.0f} m²: lengths are metres; add --scale 0.01 if they are centimetres"
     return [Note("", "plan", "scale", text)]

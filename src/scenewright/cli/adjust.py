@@ -50,6 +50,9 @@ def adjust(
     """
     from scenewright.workflow.adjust import AdjustRequest
 
+    both = sorted(set(lock or ()) & set(unlock or ()))
+    if both:
+        raise InputError(f"{both[0]} is to be locked and released", "leave out one of the two")
     request = AdjustRequest(
         file,
         tuple(outputs),
@@ -109,6 +112,7 @@ def _pose(argument: str) -> tuple[str, tuple[float, ...]]:
     ('bed', (1.2, 3.4))
     """
     name, _, pose = argument.partition("=")
+    name = name.strip()
     try:
         numbers = [float(part) for part in pose.split(",")]
     except ValueError:

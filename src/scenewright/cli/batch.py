@@ -54,7 +54,10 @@ class BatchTerms(NamedTuple):
 def check_single(sources: Sequence[str], terms: BatchTerms) -> None:
     """Refuse words that only a batch understands."""
     if len(sources) > 1:
-        raise InputError(f"{len(sources)} inputs are given", "add --batch and -o FOLDER")
+        raise InputError(
+            f"{len(sources)} inputs are given",
+            "give each output with its own -o; for several inputs add --batch and -o FOLDER",
+        )
     if any(term is not None for term in terms):
         raise InputError("--format, --jobs, --memory, --limit are of a batch", "add --batch")
 

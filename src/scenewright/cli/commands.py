@@ -81,6 +81,10 @@ def run(arguments: list[str] | None = None) -> int:
         return _fault(f"{message}; see scenewright --help") if message else 2
     except (CancelledError, KeyboardInterrupt, typer.Abort):
         return _fault("interrupted", 130)
+    except SystemExit as end:
+        if not isinstance(end.__context__, BrokenPipeError):
+            raise
+        return 0
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0

@@ -10,7 +10,8 @@ KeepOption = Annotated[
     bool, typer.Option("--keep", help="Keep the furniture of a .sh3d file in place.")
 ]
 ScaleOption = Annotated[
-    float, typer.Option(min=0.05, max=20, help="Multiply all lengths in plan, if drawn too small.")
+    float,
+    typer.Option(min=0.01, max=20, help="Multiply all lengths in plan; 0.01 reads centimetres."),
 ]
 HiddenOption = Annotated[
     bool, typer.Option("--hidden-levels", help="Include the hidden levels of a .sh3d.")

@@ -248,6 +248,8 @@ def _floors(solution: Solution) -> dict[str, float]:
 def _print_excess(console: Console, solution: Solution, rooms: Mapping[str, str]) -> None:
     """The energy of each space beside the least it could be."""
     for space, floor in _floors(solution).items():
+        if space not in solution.energies:
+            continue
         energy = solution.energies[space]
         text = f"{energy:.1f}, {energy - floor:.1f} above its floor of {floor:.1f}"
         print_line(console, f"energy of {rooms.get(space, space)}: {text}")

@@ -8,10 +8,13 @@ from dataclasses import replace
 from scenewright.core.brief.accepted import AcceptedFinding
 from scenewright.core.report import Finding, Note, Report
 
+MOST_NAMED = 4
+"""Pieces that the note of what was accepted in vain names."""
+
 
 def accept_findings(report: Report, accepted: Sequence[AcceptedFinding]) -> Report:
     """The report with the reasons for which findings were accepted; what was accepted but is not
-    found any more is noted.
+    found is noted.
 
     >>> found = Finding("blocked_window", "0", "a", "a/bed_1", "w1", "a bed stands before it")
     >>> like = AcceptedFinding(kind="blocked_window", piece="a/bed_1", reason="she likes it so")
@@ -22,30 +25,41 @@ def accept_findings(report: Report, accepted: Sequence[AcceptedFinding]) -> Repo
         return report
     reasons = [next((a.reason for a in accepted if covers(a, f)), "") for f in report.findings]
     findings = tuple(
-        replace(found, accepted=reason) if reason and not found.given else found
+        replace(found, accepted=reason) if reason else found
         for found, reason in zip(report.findings, reasons, strict=True)
     )
     idle = [a for a in accepted if not any(covers(a, found) for found in report.findings)]
-    notes = tuple(Note(a.space, "", "accepted", _tell_idle(a)) for a in idle)
+    notes = tuple(Note(a.space, "", "accepted", _tell_idle(a, report)) for a in idle)
     return replace(report, findings=findings, notes=(*report.notes, *notes))
 
 
 def covers(accepted: AcceptedFinding, found: Finding) -> bool:
-    """Whether a finding is of the kind, piece and space that were accepted.
+    """Whether a finding is of the kind, piece and space that were accepted; ``a/sofa`` names what
+    is ``a/sofa/sofa``, too.
 
     >>> found = Finding("collision", "0", "a", "a/sofa_1", "a/tv_1", "they overlap")
     >>> covers(AcceptedFinding(kind="collision", piece="a/tv_1", reason="built in"), found)
     True
     """
-    pieces = {found.piece, *found.other.split(",")}
     return (
         accepted.kind == found.kind
         and accepted.space in ("", found.space)
-        and (not accepted.piece or accepted.piece in pieces)
+        and (not accepted.piece or any(_is_named(p, accepted.piece) for p in _named_in(found)))
     )
 
 
-def _tell_idle(accepted: AcceptedFinding) -> str:
+def _named_in(found: Finding) -> list[str]:
+    return [name for name in (found.piece, *found.other.split(",")) if name]
+
+
+def _is_named(piece: str, name: str) -> bool:
+    return piece == name or piece.startswith(f"{name}/")
+
+
+def _tell_idle(accepted: AcceptedFinding, report: Report) -> str:
     where = " of ".join(filter(None, [accepted.piece, accepted.space]))
     what = accepted.kind.replace("_", " ")
-    return f"accepted, but not found any more: {what}{': ' if where else ''}{where}"
+    same = [found for found in report.findings if found.kind == accepted.kind]
+    there = dict.fromkeys(name for found in same for name in _named_in(found))
+    tail = f"; there is one of {', '.join([*there][:MOST_NAMED])}" if there else ""
+    return f"accepted, but not found: {what}{': ' if where else ''}{where}{tail}"

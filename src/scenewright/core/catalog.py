@@ -113,6 +113,10 @@ class Group(NamedTuple):
     depth: float
     members: tuple[Member, ...]
 
+    def __hash__(self) -> int:
+        """A hash without the members, which take as long as what is looked up by it."""
+        return hash((self.function, self.name, self.width, self.depth))
+
 
 @dataclass(frozen=True, eq=False)
 class Catalog:

@@ -40,11 +40,12 @@ class HallUse(NamedTuple):
 
 class TableChairs(NamedTuple):
     """Chairs of one category along the front and back of a table, ``pitch`` metres apart, pushed
-    in by ``tuck``."""
+    in by ``tuck``; ``around`` it they stand at all its four sides, looking at its middle."""
 
     category: str
     pitch: float
     tuck: float
+    around: bool = False
 
 
 class Words(NamedTuple):

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Geometry, LineString, intersects, union_all
 
+from scenewright.building.wall_shares import polygons
 from scenewright.core.space import Opening, Space
 from scenewright.drawing.labels import polygon_of
 from scenewright.drawing.marks import (
@@ -35,6 +36,10 @@ FIRST, STEP, TICK, DIGITS, SMALL = 6.0, 5.0, 0.8, 1.8, 1.6
 THICKEST = 0.8
 """Gaps between rooms up to this many metres are walls, dimensioned to their middle."""
 
+FACE, BEND = 0.4, 0.42
+"""Metres of wall from which a corner is dimensioned, and the least sine of its turn (25°): a bow
+has none."""
+
 TOUCH, BEHIND = 0.05, 0.15
 """Metres by which rooms seen side by side may overlap, and by which they grow so that nothing is
 seen through the wall between two of them."""
@@ -48,20 +53,23 @@ class DimensionChain(NamedTuple):
 
 
 def chains(
-    bounds: Bounds, solid: Geometry, spaces: Sequence[Space], openings: Sequence[Opening]
+    whole: Geometry, solid: Geometry, spaces: Sequence[Space], openings: Sequence[Opening]
 ) -> dict[Side, list[DimensionChain]]:
     """Chains of each side from the building outwards; repeated and empty ones are left out.
-    ``solid`` is what hides openings: walls and floors of rooms.
+    ``whole`` is the building with its walls, ``solid`` what hides openings: walls, cut where these
+    are, and floors of rooms.
 
-    South and west tell openings, rooms and the whole; north and east the openings only.
+    South and west tell openings and corners, rooms and the whole; north and east the first only.
     """
+    bounds: Bounds = whole.bounds
     found: dict[Side, list[DimensionChain]] = {}
     for side in ("south", "west", "north", "east"):
-        whole = _ends(bounds, side)
-        rows = [_opening_stations(side, bounds, solid, openings)]
+        ends = _ends(bounds, side)
+        corners = [x for x in _corner_stations(side, whole) if ends[0] + FACE < x < ends[1] - FACE]
+        rows = [[*_opening_stations(side, bounds, solid, openings), *corners]]
         if side in ("south", "west"):
             rows += [_room_stations(side, bounds, spaces), []]
-        kept = [tuple(_merge_stations([*whole, *row])) for row in rows if row or row is rows[-1]]
+        kept = [tuple(_merge_stations([*ends, *row])) for row in rows if row or row is rows[-1]]
         distinct = [row for i, row in enumerate(kept) if row not in kept[:i]]
         wanted = distinct if side in ("south", "west") else [r for r in distinct if len(r) > 2]
         found[side] = [DimensionChain(side, row) for row in wanted]
@@ -155,6 +163,28 @@ def _opening_stations(
             continue
         middle = opening.x if side in ("south", "north") else opening.y
         stations += [middle - opening.width / 2, middle + opening.width / 2]
+    return stations
+
+
+def _corner_stations(side: Side, whole: Geometry) -> list[float]:
+    """Corners of the building between straight walls that can be seen from this side."""
+    axis = 0 if side in ("south", "north") else 1
+    out = _outward(side) * (1, -1)
+    west, south, east, north = whole.bounds
+    far = out * (east - west + north - south)
+    joined = whole.buffer(TOUCH, join_style="mitre").buffer(-TOUCH, join_style="mitre")
+    stations: list[float] = []
+    for part in polygons(joined):
+        ring = np.asarray(part.simplify(TOUCH).exterior.coords)[:-1]
+        before, after = ring - np.roll(ring, 1, 0), np.roll(ring, -1, 0) - ring
+        cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
+        shorter = np.minimum(np.hypot(*before.T), np.hypot(*after.T))
+        sharp = np.abs(cross) > BEND * np.hypot(*before.T) * np.hypot(*after.T)
+        stations += [
+            float(point[axis])
+            for point in ring[sharp & (shorter > FACE)]
+            if joined.disjoint(_ray(point + 0.02 * out, far))
+        ]
     return stations
 
 

@@ -167,7 +167,7 @@ def _storey(scene: Scene, level: Level) -> Storey | None:
         return None
     cut = cut_walls(walls)
     solid = union_all([cut, *(polygon_of(space) for space in spaces)])
-    chains = dimensions.chains(_bounds(everything), solid, spaces, part.openings)
+    chains = dimensions.chains(everything, solid, spaces, part.openings)
     swings = [s for opening in part.openings if (s := swing_square(opening)) is not None]
     return Storey(level, part, cut, _bounds(union_all([everything, *swings])), chains)
 

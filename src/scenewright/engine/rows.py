@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from functools import cache
 from importlib import import_module
 from typing import Any, Generic, Literal, NamedTuple, TypeVar
 
@@ -76,6 +77,7 @@ class TermRow(NamedTuple):
     data: str = ""
 
 
+@cache
 def load_function(reference: str) -> Any:
     """What ``"package.module:name"`` names."""
     module, _, name = reference.partition(":")
@@ -116,3 +118,21 @@ def preset_named(presets: Mapping[str, Preset[S]], name: str) -> Preset[S]:
     if name not in presets:
         raise InputError(f"unknown preset '{name}'", "one of " + ", ".join(presets))
     return presets[name]
+
+
+GIVEN = "given"
+"""What is in the place of the solver where a layout came from outside."""
+
+
+def solver_again(solvers: Collection[str], name: str) -> str | None:
+    """The solver a saved solution is solved by again: that it names; ``None``, that of its preset,
+    where its layout came from outside. Raises :class:`InputError` if there is none of the name.
+
+    >>> solver_again(["anneal"], "anneal"), solver_again(["anneal"], "given")
+    ('anneal', None)
+    """
+    if name == GIVEN:
+        return None
+    if name not in solvers:
+        raise InputError(f"unknown solver '{name}'", "one of " + ", ".join(solvers))
+    return name

@@ -274,7 +274,10 @@ def _row(path: str | os.PathLike[str], part: str, domain: str = "") -> Format:
     fitting = [row for row in formats() if _fits(row, name) and getattr(row, part)]
     found = sorted(fitting, key=lambda row: (-len(row.suffix), not row.holds(domain)))
     if not found:
-        usable = ", ".join(row.suffix for row in formats() if getattr(row, part))
+        rows = [
+            row for row in formats() if getattr(row, part) and (not domain or row.holds(domain))
+        ]
+        usable = ", ".join(dict.fromkeys(row.suffix for row in rows))
         verb = "read" if part == "reader" else "written"
         text = f"'{suffix}' files cannot be {verb}" if suffix else "the name has no suffix"
         raise InputError(text, f"use one of: {usable}", file=str(path))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +32,7 @@ def parse_document(text: str | bytes, wanted: str) -> Any:
     check_json(text.encode("utf-8", "replace") if isinstance(text, str) else text, MOST_PARSED)
     try:
         plain = text.decode("utf-8-sig") if isinstance(text, bytes) else text
-        document = json.loads(plain, parse_constant=_no_constant)
+        document = json.loads(plain, parse_constant=_no_constant, object_pairs_hook=_pair_once)
     except UnicodeDecodeError:
         raise InputError("is not UTF-8 text", "save it as UTF-8") from None
     except RecursionError:
@@ -40,10 +41,22 @@ def parse_document(text: str | bytes, wanted: str) -> Any:
         fault = "is empty" if not plain.strip() else f"broken JSON: {error.msg}"
         where = f"line {error.lineno}, column {error.colno}"
         raise InputError(fault, "correct the text there", place=where) from None
+    except InputError:
+        raise
     except ValueError as error:
         raise InputError(f"broken JSON: {error}", "write plain finite numbers") from None
     check_characters(document, plain)
     return document
+
+
+def _pair_once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """An object whose keys are all different: of two that are the same one would be lost."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        counts = Counter(key for key, _ in pairs)
+        name = next(key for key in counts if counts[key] > 1)
+        raise InputError(f'the key "{name[:40]}" is given twice in one object', "leave out one")
+    return found
 
 
 def _no_constant(name: str) -> float:

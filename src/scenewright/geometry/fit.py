@@ -9,6 +9,7 @@ from scenewright.geometry.boxes import area_in_polygon, common_area, distance_to
 from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
+Row = Floats | tuple[float, float, float, float, float]
 
 FITS, OUTSIDE, IN_ZONE, AT_WINDOW, COLLIDES = 0, 1, 2, 3, 4
 _NOTHING = 1e-7
@@ -56,9 +57,46 @@ def _find_faults(
         )
 
 
+@compiled
+def mark_free(
+    boxes: Floats,
+    turns: Floats,
+    shape: Floats,
+    spans: Floats,
+    flat: NDArray[np.bool_],
+    edges: Floats,
+    zones: Floats,
+    windows: Floats,
+    others: Floats,
+    other_spans: Floats,
+    slack: float,
+    free: NDArray[np.bool_],
+) -> None:
+    """Write into ``free`` (n,) on which boxes ``(n, 5)`` of a group all its parts stand as
+    :func:`faults` asks: ``shape`` (m, 5) their boxes about the middle of the group with its front
+    to +y, ``turns`` (n, 2) sine and cosine of the boxes' headings. A box is given up at the first
+    part with a fault."""
+    for i in range(boxes.shape[0]):
+        x, y, sin, cos, free[i] = boxes[i, 0], boxes[i, 1], turns[i, 0], turns[i, 1], True
+        for k in range(shape.shape[0]):
+            box = (
+                x + shape[k, 0] * sin + shape[k, 1] * cos,
+                y - shape[k, 0] * cos + shape[k, 1] * sin,
+                boxes[i, 2] + shape[k, 2] - 0.5 * np.pi,
+                shape[k, 3],
+                shape[k, 4],
+            )
+            code, _ = _fault(
+                box, spans[k], flat[k], edges, zones, windows, others, other_spans, slack
+            )
+            if code != FITS:
+                free[i] = False
+                break
+
+
 @inlined
 def _fault(
-    box: Floats,
+    box: Row,
     span: Floats,
     flat: bool,
     edges: Floats,

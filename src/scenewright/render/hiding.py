@@ -11,17 +11,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import Geometry
 
 from scenewright.core.catalog import Material, Part
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
 
 Floats = NDArray[np.float64]
+Indices = NDArray[np.intp]
 
 TALL = 1.5
 """Pieces as high as this above the floor hide others, metres."""
@@ -51,31 +52,51 @@ def find_hiding(pieces: Sequence[Piece], towards: tuple[float, float, float]) ->
     flat = float(np.hypot(*towards[:2]))
     if flat < 1e-6 or towards[2] > -1e-6:
         return frozenset()
-    lean = np.array(towards[:2]) / -towards[2]
     standing = [p for p in pieces if p.pose.z < TALL and p.on is None]
-    shapes = list(polygons_of(tuple(standing)))
-    tops = np.array([p.pose.z + p.size.height for p in standing])
-    middles = np.array([p.pose.z + p.size.height / 2 for p in standing])
-    areas = shapely.area(np.array(shapes, object))
-    furniture = (areas >= SLIGHT) & np.array([p.category != WALL for p in standing], bool)
-    found = set()
-    for k, piece in enumerate(standing):
-        if tops[k] < TALL or piece.size.width < WIDE:
-            continue
-        rises = tops[k] - middles
-        behind = furniture & (rises > 0) & (np.arange(len(tops)) != k)
-        for other in np.flatnonzero(behind):
-            shadow = _sweep(shapes[k], float(rises[other]) * lean)
-            if shadow.intersection(shapes[other]).area >= HIDDEN * areas[other]:
-                found.add(piece.id)
-                break
-    return frozenset(found)
+    outlines = np.array(polygons_of(tuple(standing)), object)
+    foot = np.array([p.pose.z for p in standing])
+    height = np.array([p.size.height for p in standing])
+    wide = np.array([p.size.width >= WIDE for p in standing], bool)
+    furniture = np.array([p.category != WALL for p in standing], bool)
+    high = np.flatnonzero(wide & (foot + height >= TALL))
+    low = np.flatnonzero(furniture & (shapely.area(outlines) >= SLIGHT))
+    lean = np.array(towards[:2]) / -towards[2]
+    hits = _pair_hidden(_Standing(outlines, foot + height, foot + height / 2), high, low, lean)
+    return frozenset(standing[k].id for k in hits)
 
 
-def _sweep(shape: Geometry, step: Floats) -> Geometry:
-    """The hull of a shape and of the same moved by a step."""
-    points = shapely.get_coordinates(shape)
-    return shapely.MultiPoint(np.vstack([points, points + step])).convex_hull
+class _Standing(NamedTuple):
+    """Footprints (n,), their tops and middles (n,) above the floor, metres."""
+
+    outlines: NDArray[np.object_]
+    tops: Floats
+    middles: Floats
+
+
+def _pair_hidden(things: _Standing, high: Indices, low: Indices, lean: Floats) -> Indices:
+    """Those of ``high`` that hide any of ``low``: candidates meet the shadow that falls on the
+    lowest middle there is, and are hidden where a share of them lies in the shadow at their own."""
+    if not len(high) or not len(low):
+        return high[:0]
+    deepest = np.maximum(things.tops[high] - things.middles[low].min(), 0.0)
+    reach = _sweep(things.outlines[high], deepest[:, None] * lean)
+    first, second = shapely.STRtree(things.outlines[low]).query(reach, "intersects")
+    tall, other = high[first], low[second]
+    rise = things.tops[tall] - things.middles[other]
+    behind = (rise > 0) & (tall != other)
+    tall, other, rise = tall[behind], other[behind], rise[behind]
+    shadows = _sweep(things.outlines[tall], rise[:, None] * lean)
+    hidden = shapely.area(shapely.intersection(shadows, things.outlines[other]))
+    return np.unique(tall[hidden >= HIDDEN * shapely.area(things.outlines[other])])
+
+
+def _sweep(outlines: NDArray[np.object_], steps: Floats) -> NDArray[np.object_]:
+    """Per outline (p,) the hull of it and of the same moved by its step (p, 2), metres."""
+    corners, owner = shapely.get_coordinates(outlines, return_index=True)
+    both = np.vstack([corners, corners + steps[owner]])
+    order = np.argsort(np.tile(owner, 2), kind="stable")
+    hulls = shapely.multipoints(both[order], indices=np.tile(owner, 2)[order])
+    return np.asarray(shapely.convex_hull(hulls), object)
 
 
 def make_clear(parts: tuple[Part, ...]) -> tuple[Part, ...]:

@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from scenewright.catalog.assets.symbols import Line, close_line
+from scenewright.catalog.assets.drawing import Drawing
+from scenewright.catalog.assets.symbols import Line, Lines, close_line
 from scenewright.core.catalog import Covering, Part
 from scenewright.core.footprint import Footprint, read_footprint
 from scenewright.core.scene import Size
@@ -36,19 +37,24 @@ def turn_about(outline: Outline) -> Outline:
     return [(-x, -y) for x, y in outline]
 
 
-def mirror_outline(outline: Outline) -> Outline:
-    """The same with left and right changed over, counter-clockwise still.
+def mirror_drawing(row: Drawing) -> Drawing:
+    """The same model with left and right changed over, under an id and a name of its own."""
+    model = row.id or row.category
+    asset = model.replace(row.category, f"{row.category}_right", 1)
+    name = row.name or row.category.replace("_", " ").capitalize()
 
-    >>> mirror_outline([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0)])
-    [(-2.0, 1.0), (-2.0, 0.0), (-0.0, 0.0)]
-    """
-    return [(-x, y) for x, y in reversed(outline)]
+    def mesh(size: Size) -> Parts:
+        flip = np.array([-1.0, 1.0, 1.0])
+        return tuple(Part(p.material, p.vertices * flip, p.faces[:, ::-1]) for p in row.mesh(size))
 
+    def symbol(size: Size) -> Lines:
+        return tuple(line * (-1.0, 1.0) for line in row.symbol(size))
 
-def mirror_parts(built: Parts) -> Parts:
-    """Parts with left and right changed over."""
-    flip = np.array([-1.0, 1.0, 1.0])
-    return tuple(Part(p.material, p.vertices * flip, p.faces[:, ::-1]) for p in built)
+    def outline(size: Size) -> Outline:
+        return [(-x, y) for x, y in reversed(row.footprint(size))]
+
+    name = f"{name}, other way round"
+    return row._replace(id=asset, name=name, mesh=mesh, symbol=symbol, footprint=cover(outline))
 
 
 def cover(outline: Callable[[Size], Outline]) -> Covering:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import cos, pi, sin
 
-from scenewright.catalog.assets.corners import Outline, corner_outline, cover
+from scenewright.catalog.assets.corners import Outline, corner_outline, cover, mirror_drawing
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import bent, four_legs, spread
 from scenewright.catalog.assets.materials import (
@@ -361,10 +361,14 @@ def _bench_symbol(size: Size) -> Lines:
     return rectangle(size, 0, 0.03), rectangle(size, 0.035, 0.02)
 
 
+CORNER_SOFA = Drawing(
+    "corner_sofa", _corner_sofa, corner_sofa_symbol, footprint=cover(corner_sofa_outline)
+)
 ASSETS = (
     Drawing("sofa", _sofa, sofa_symbol),
     Drawing("loveseat", _sofa, sofa_symbol),
-    Drawing("corner_sofa", _corner_sofa, corner_sofa_symbol, footprint=cover(corner_sofa_outline)),
+    CORNER_SOFA,
+    mirror_drawing(CORNER_SOFA),
     Drawing("armchair", _armchair, sofa_symbol),
     Drawing("dining_chair", _dining_chair, chair_symbol),
     Drawing("office_chair", _office_chair, _office_symbol),

@@ -11,8 +11,7 @@ from scenewright.catalog.assets.corners import (
     corner_outline,
     cover,
     draw_border,
-    mirror_outline,
-    mirror_parts,
+    mirror_drawing,
 )
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import drawer_pulls, four_legs, fronts, knobs
@@ -119,14 +118,15 @@ def _desk(size: Size) -> Parts:
     )
 
 
-def _corner_desk_outline(size: Size) -> Outline:
+def corner_desk_outline(size: Size) -> Outline:
+    """The L of a desk round a corner, its wing on the left."""
     return corner_outline(size, min(0.7, 0.5 * size.depth), min(0.6, 0.45 * size.width))
 
 
 def _corner_desk(size: Size) -> Parts:
     """A top round the corner, drawers under the end of its wing, a rail along both walls."""
     w, d, h = size.width / 2, size.depth / 2, size.height
-    outline = _corner_desk_outline(size)
+    outline = corner_desk_outline(size)
     (_, front), (edge, _) = outline[2], outline[4]
     x, y, z = (-w + 0.03, edge - 0.03), (d - 0.5, d - 0.03), (0.12, h - 0.025)
     chest = block((x[0], x[1] - 0.016), y, z)
@@ -154,14 +154,6 @@ def _corner_desk(size: Size) -> Parts:
             BLACK: legs,
         },
     )
-
-
-def _other_corner_desk(size: Size) -> Parts:
-    return mirror_parts(_corner_desk(size))
-
-
-def _other_corner_outline(size: Size) -> Outline:
-    return mirror_outline(_corner_desk_outline(size))
 
 
 def _kids_desk(size: Size) -> Parts:
@@ -244,14 +236,11 @@ def _desk_symbol(size: Size) -> Lines:
     return rectangle(size), path((w - wide, -d), (w - wide, d))
 
 
-def _corner_desk_symbol(size: Size) -> Lines:
-    outline = _corner_desk_outline(size)
+def corner_desk_symbol(size: Size) -> Lines:
+    """Outline of a desk round a corner and the line of its chest."""
+    outline = corner_desk_outline(size)
     (edge, _), d = outline[4], size.depth / 2
     return draw_border(outline), path((-size.width / 2, d - 0.5), (edge, d - 0.5))
-
-
-def _other_corner_symbol(size: Size) -> Lines:
-    return tuple(line * (-1.0, 1.0) for line in _corner_desk_symbol(size))
 
 
 def _vanity_symbol(size: Size) -> Lines:
@@ -263,23 +252,17 @@ def _console_symbol(size: Size) -> Lines:
     return rectangle(size), rectangle(size, 0.025)
 
 
+CORNER_DESK = Drawing(
+    "corner_desk", _corner_desk, corner_desk_symbol, footprint=cover(corner_desk_outline)
+)
 ASSETS = (
     Drawing("dining_table", _dining_table, _table_symbol),
     Drawing("round_table", _round_table, round_plain),
     Drawing("coffee_table", _coffee_table, _coffee_symbol),
     Drawing("side_table", _side_table, _side_symbol),
     Drawing("desk", _desk, _desk_symbol),
-    Drawing(
-        "corner_desk", _corner_desk, _corner_desk_symbol, footprint=cover(_corner_desk_outline)
-    ),
-    Drawing(
-        "corner_desk",
-        _other_corner_desk,
-        _other_corner_symbol,
-        "corner_desk_right",
-        "Corner desk, wing on the right",
-        footprint=cover(_other_corner_outline),
-    ),
+    CORNER_DESK,
+    mirror_drawing(CORNER_DESK),
     Drawing("kids_desk", _kids_desk, _table_symbol),
     Drawing("console_table", _console_table, _console_symbol),
     Drawing("vanity", _vanity, _vanity_symbol),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.core.kind import Kind, free, size_range, words
+from scenewright.core.kind import Kind, at_wall, size_range, words
 
 KINDS = (
     Kind(
@@ -123,7 +123,7 @@ KINDS = (
         "potted_tree",
         airy=True,
         sizes=size_range("30 50 110", "30 50 110", "80 150 240"),
-        hall=free("grid chain single", 0.15),
+        hall=at_wall(0.15, 0.6),
         words=(
             words(
                 "plant",

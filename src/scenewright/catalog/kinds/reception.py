@@ -104,7 +104,7 @@ KINDS = (
         access=ALL_SIDES,
         reach=0.45,
         sizes=size_range("25 40 120", "25 40 60", "45 80 130"),
-        hall=free("single", 0.45, 0.15, 0.15, 0.15),
+        hall=at_wall(0.45, 0.15),
         words=(
             words(
                 en="dustbin, trash can, trashcan, waste basket, litter bin, garbage can",

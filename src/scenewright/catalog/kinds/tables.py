@@ -43,6 +43,7 @@ KINDS = (
         airy=True,
         sizes=size_range("60 110 180", "60 110 180", "70 74 78"),
         hall=free("grid chain", 0.75),
+        chairs=TableChairs("dining_chair", 0.65, 0.1, around=True),
         words=(
             words(
                 en="round table, table round",
@@ -136,7 +137,7 @@ KINDS = (
         ),
         essential=("desk",),
         forms="corner_desk",
-        drawn_by=(".tables",),
+        drawn_by=(".tables", ".styled.tops"),
     ),
     Kind(
         "kids_desk",

@@ -25,6 +25,7 @@ from scenewright.core.brief.accepted import AcceptedFinding
 from scenewright.core.brief.catalog import CatalogEntry, GroupsEntry
 from scenewright.core.brief.fields import (
     Coordinate,
+    Day,
     FootprintOutline,
     Heading,
     Height,
@@ -64,8 +65,6 @@ Function = Literal[
     "other",
 ]
 
-DAY = r"^(\d{4}-[01]\d-[0-3]\d)?$"
-"""A day as ISO 8601 writes it, or none."""
 ACCESSIBLE_ROUTE = 0.9
 """Least width of routes for wheelchairs, in metres."""
 
@@ -231,10 +230,10 @@ class Brief(StrictModel):
     route_width: Annotated[Number, Field(ge=0.3, le=3)] = 0.6
     passage_width: Annotated[Number, Field(ge=0.3, le=20)] = 1.2
     accessible: Switch = False
-    scale: Annotated[Number, Field(ge=0.05, le=20)] = 1.0
+    scale: Annotated[Number, Field(ge=0.01, le=20)] = 1.0
     notes: Annotated[list[Annotated[str, Field(max_length=400)]], Field(max_length=100)] = []
-    sheet: Annotated[str, Field(max_length=8, exclude_if=not_)] = ""
-    date: Annotated[str, Field(pattern=DAY, exclude_if=not_)] = ""
+    sheet: Annotated[str, Field(max_length=20, exclude_if=not_)] = ""
+    date: Annotated[Day, Field(exclude_if=not_)] = ""
     residents: Annotated[Whole | None, Field(ge=1, le=20, exclude_if=is_left_out)] = None
     accepted: Annotated[list[AcceptedFinding], Field(max_length=1000, exclude_if=not_)] = []
     part: Any = Field(default=None, validate_default=True)

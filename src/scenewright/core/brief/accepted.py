@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from typing import Annotated
 
 from pydantic import Field, field_validator
@@ -25,6 +26,7 @@ class AcceptedFinding(StrictModel):
     @classmethod
     def _known(cls, kind: str) -> str:
         if kind not in KINDS:
-            expected = ", ".join(f"'{known}'" for known in KINDS)
+            near = difflib.get_close_matches(kind, KINDS, 3) or KINDS
+            expected = ", ".join(f"'{known}'" for known in near)
             raise PydanticKnownError("literal_error", {"expected": expected})
         return kind

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import date
 from math import tau
 from typing import Annotated
 
@@ -21,6 +22,9 @@ BUILT_IN = 300.0
 """Greatest side of what is built into a room: a partition, a curtain."""
 BUILDING = 500.0
 """Greatest side of a building in metres, wherever one is read."""
+
+DAY = r"^(\d{4}-[01]\d-[0-3]\d)?$"
+"""A day as ISO 8601 writes it, or none."""
 
 Length = Annotated[Number, Field(gt=0, le=1e3)]
 Side = Annotated[Number, Field(gt=0, le=FURNITURE)]
@@ -48,6 +52,24 @@ FootprintOutline = Annotated[
     list[Point], Field(min_length=3, max_length=MOST_CORNERS), AfterValidator(_check_footprint)
 ]
 """The outline of what a thing covers, x to its right and y to its front, stretched to its box."""
+
+
+def _check_day(day: str) -> str:
+    """A day of the calendar, or none.
+
+    >>> _check_day("2026-02-28"), _check_day("")
+    ('2026-02-28', '')
+    """
+    try:
+        known = not day or (len(day) == 10 and bool(date.fromisoformat(day)))
+    except ValueError:
+        known = False
+    if not known:
+        raise PydanticCustomError("day", "write a day there is, as YYYY-MM-DD")
+    return day
+
+
+Day = Annotated[str, AfterValidator(_check_day), Field(json_schema_extra={"pattern": DAY})]
 
 
 def is_left_out(value: object) -> bool:

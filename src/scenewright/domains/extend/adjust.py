@@ -13,7 +13,9 @@ from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD
 from scenewright.domains.extend.locks import WORDS, lock_extension
 from scenewright.domains.extend.plan import plan_extend
+from scenewright.domains.extend.solvers import EXTEND_SOLVERS
 from scenewright.domains.extend.solving import solve
+from scenewright.engine.rows import solver_again
 from scenewright.ground.adjusting import GroundRules, adjust_ground, find_overlapped
 from scenewright.ground.locks import check_lockable, count_buildings
 from scenewright.ground.names import assign_ids
@@ -43,7 +45,8 @@ def _grow_again(standing: Solution, steps: int | None, seed: int) -> Solution:
     names = assign_ids(brief.part.areas, "area", "areas")
     areas = count_buildings(standing, brief.part.areas, names)
     counted = brief.model_copy(update={"part": brief.part.model_copy(update={"areas": areas})})
-    return solve(counted, preset=standing.preset, solver=standing.solver, steps=steps, seed=seed)
+    solver = solver_again(EXTEND_SOLVERS, standing.solver)
+    return solve(counted, preset=standing.preset, solver=solver, steps=steps, seed=seed)
 
 
 def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:

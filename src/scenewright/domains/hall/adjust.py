@@ -16,7 +16,9 @@ from scenewright.core.solution import Solution
 from scenewright.domains.hall.chairs import CHAIRS
 from scenewright.domains.hall.hall_layout import HallDetail, HallLayout
 from scenewright.domains.hall.record import lock_halls
+from scenewright.domains.hall.solvers import HALL_SOLVERS
 from scenewright.domains.hall.solving import solve
+from scenewright.engine.rows import solver_again
 
 PARTITION = "partition"
 
@@ -52,9 +54,8 @@ def adjust(
     if touched:
         held = {p.id for p in edited.pieces if p.fixed or p.space not in touched}
         brief = lock_halls(replace(solution, pieces=with_locks(edited.pieces, held)))
-        found = solve(
-            brief, preset=solution.preset, solver=solution.solver, steps=steps, seed=chosen
-        )
+        solver = solver_again(HALL_SOLVERS, solution.solver)
+        found = solve(brief, preset=solution.preset, solver=solver, steps=steps, seed=chosen)
         after = _merge_halls(
             after, replace(found, pieces=with_locks(found.pieces, locked)), touched
         )
@@ -93,7 +94,10 @@ def _check_movable(piece: Piece) -> None:
 
 
 def _merge_halls(before: Solution, found: Solution, touched: frozenset[str]) -> Solution:
-    """``found`` for the halls ``touched``, all others as they were."""
+    """``found`` for the halls ``touched``, all others as they were; of groups that a file lacks
+    none."""
+    if before.detail is None:
+        before = replace(before, detail=HallDetail(HallLayout((), (), ())))
 
     def join(old: Sequence[Row], new: Sequence[Row]) -> tuple[Row, ...]:
         stay = (row for row in old if row.space not in touched)

@@ -22,6 +22,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.borders import Border, WallStretch, wall_stretches, zone_edges
+from scenewright.domains.hall.curved_walls import WallNeed, space_places
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.partitions import Host, lacking
 from scenewright.domains.hall.patterns import PATTERNS
@@ -171,7 +172,7 @@ def _ground(
         zone_areas=areas,
         zone_bounds=np.array([[*z.outline.min(0), *z.outline.max(0)] for z in zones]),
         zone_least=_least(wishes, units, areas),
-        stretches=_rows(_stretches(hall), 6),
+        stretches=_rows(_stretches(hall, wishes, units), 6),
         borders=_rows(_link_borders(hall.borders, pairs), 5),
         links=_rows(
             [[*p, k.width + MARGIN] for p, k in zip(pairs, hall.plan.links, strict=True)], 3
@@ -218,13 +219,25 @@ def _kept_free(space: Space, seen: tuple[DoorApproach, ...]) -> list[list[float]
     return boxes
 
 
-def _stretches(hall: HallContext) -> list[list[float]]:
+def _stretches(hall: HallContext, wishes: list[HallDemand], units: list[Unit]) -> list[list[float]]:
     floor = shapely.Polygon(hall.space.outline, hall.space.holes)
     return [
         [wall.x0, wall.y0, wall.x1, wall.y1, float(number), _in_corner(wall, floor)]
         for number, walls in enumerate(hall.walls)
-        for wall in walls
+        for wall in space_places(walls, _wall_need(wishes, units, number))
     ]
+
+
+def _wall_need(wishes: list[HallDemand], units: list[Unit], zone: int) -> WallNeed:
+    """What the units of a zone are to stand at its walls."""
+    rows = [
+        (size.width, size.depth, sum(wishes[unit.demand].clearance[1::2]))
+        for unit in units
+        if unit.zone == zone and wishes[unit.demand].at_wall
+        for size in wishes[unit.demand].sizes[unit.first : unit.last]
+    ]
+    wide, deep, side = np.array(rows).max(0) if rows else (0.0, 0.0, 0.0)
+    return WallNeed(float(wide), float(deep), len(rows), bool(side > 0.0))
 
 
 def _in_corner(wall: WallStretch, floor: shapely.Polygon) -> float:

@@ -25,10 +25,18 @@ def out_of_table(category: str, asked: Collection[str], catalog: Catalog) -> flo
     return catalog.of(company.category)[0].usual[1] - company.tuck
 
 
-def grow_table(table: Piece, out: float) -> Piece:
+def seats_around(category: str, catalog: Catalog) -> bool:
+    """Whether the chairs that come with a table stand at all its sides, not at two."""
+    company = _company(category, catalog)
+    return company is not None and company.around
+
+
+def grow_table(table: Piece, out: float, catalog: Catalog) -> Piece:
     """A table as large as the floor it takes with chairs that stand ``out`` metres before and
-    behind it: nobody walks between them."""
-    return replace(table, size=table.size._replace(depth=table.size.depth + 2 * out))
+    behind it, or at all its sides: nobody walks between them."""
+    aside = out if seats_around(table.category, catalog) else 0.0
+    width, depth, height = table.size
+    return replace(table, size=Size(width + 2 * aside, depth + 2 * out, height))
 
 
 def with_chairs(
@@ -66,12 +74,17 @@ def _chairs(table: Piece, catalog: Catalog) -> list[Piece]:
     asset = catalog.of(company.category)[0]
     size = Size(*asset.usual)
     count = max(int(table.size.width / company.pitch), 1)
+    ahead = table.size.depth / 2 + size.depth / 2 - company.tuck
+    if company.around:
+        ahead, count = table.size.width / 2 + size.depth / 2 - company.tuck, 2
     found = []
     for side in (0, 1):
         for k in range(count):
-            along = (k + 0.5 - count / 2) * table.size.width / count
-            ahead = table.size.depth / 2 + size.depth / 2 - company.tuck
-            pose = _beside(table.pose, along, ahead, side)
+            if company.around:
+                pose = _beside(_quarter(table.pose, k), 0.0, ahead, side)
+            else:
+                along = (k + 0.5 - count / 2) * table.size.width / count
+                pose = _beside(table.pose, along, ahead, side)
             found.append(
                 Piece(
                     id=f"{table.id}/{company.category}_{side * count + k + 1}",
@@ -85,6 +98,11 @@ def _chairs(table: Piece, catalog: Catalog) -> list[Piece]:
                 )
             )
     return found
+
+
+def _quarter(pose: Pose, turns: int) -> Pose:
+    """A pose turned by so many right angles."""
+    return pose._replace(heading=pose.heading + 0.5 * math.pi * turns)
 
 
 def _beside(pose: Pose, along: float, ahead: float, side: int) -> Pose:

@@ -21,6 +21,8 @@ from scenewright.domains.hall.build_problem import HallContext, wall_lengths, zo
 from scenewright.domains.hall.demands import floor_needed, ids_of, sizes_of
 from scenewright.domains.hall.holdings import fill_defaults
 
+LONGEST, MOST_NOTES = 400, 100
+"""Letters of a note of a brief, and notes, at most."""
 WALL_SHARE = 0.8
 """Share of the walls of a zone that things may fill; the rest is corners."""
 
@@ -70,12 +72,36 @@ def _overlap(demand: Demand, mine: np.ndarray, areas: np.ndarray, hall: HallCont
     return float((where * mine).sum() / max(float(where.sum()), 1e-9))
 
 
-def settle_counts(brief: Brief, pieces: Mapping[int, Sequence[Piece]]) -> Brief:
+def settle_counts(
+    brief: Brief, halls: Sequence[HallContext], pieces: Mapping[int, Sequence[Piece]]
+) -> Brief:
     """The brief with the numbers that stand, by the pieces of each hall, in the place of ``fill``
-    and ``most``."""
+    and ``most``; its notes say what came of each ``fill``."""
     rooms = [_settle(room, pieces.get(k, ())) for k, room in enumerate(brief.rooms)]
-    same = all(new is old for new, old in zip(rooms, brief.rooms, strict=True))
-    return brief if same else brief.model_copy(update={"rooms": rooms})
+    if all(new is old for new, old in zip(rooms, brief.rooms, strict=True)):
+        return brief
+    every = zip(brief.rooms, rooms, halls, strict=True)
+    said = [line for old, new, hall in every for line in _describe_fill(old, new, hall)]
+    notes = [*brief.notes, *(line[:LONGEST] for line in said)][:MOST_NOTES]
+    return brief.model_copy(update={"rooms": rooms, "notes": notes})
+
+
+def _describe_fill(asked: Room, settled: Room, hall: HallContext) -> list[str]:
+    """Of each demand with ``fill`` how many stand, and how full its zones are with all there."""
+    areas, found = zone_areas(hall), []
+    names = ids_of(asked.demands)
+    for name, old, new in zip(names, asked.demands, settled.demands, strict=True):
+        if old.fill is None:
+            continue
+        mine = _zones_of(old, hall)
+        used = sum(floor_needed(d) * _overlap(d, mine, areas, hall) for d in settled.demands)
+        full = used / max(float((areas * mine).sum()), 1e-9)
+        most = f" of {old.most} that it allows" if (old.most or 0) > (new.count or 0) else ""
+        found.append(
+            f"{name}: fill {old.fill:g} asked, {new.count}{most} stand; all there takes {full:.2f} "
+            f"of {', '.join(hall.names[k] for k in np.flatnonzero(mine)[:5])} with its free floor"
+        )
+    return found
 
 
 def _settle(room: Room, pieces: Sequence[Piece]) -> Room:

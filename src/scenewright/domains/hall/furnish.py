@@ -46,7 +46,8 @@ def furnish_hall(
         wish = wishes[unit.demand]
         for number, size in enumerate(wish.sizes[unit.first : unit.last], 1):
             low = min(size.height, hall.space.height)
-            fitted = Size(size.width, round(size.depth - 2 * wish.chairs, 9), low)
+            wide, deep = size.width - 2 * wish.aside, size.depth - 2 * wish.chairs
+            fitted = Size(round(wide, 9), round(deep, 9), low)
             asset = _model_of(wish, number, fitted, catalog)
             x, y, heading = (float(v) for v in boxes[row, :3])
             pieces.append(

@@ -11,7 +11,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
-from scenewright.domains.hall.chairs import out_of_table
+from scenewright.domains.hall.chairs import out_of_table, seats_around
 from scenewright.domains.hall.demands import ids_of, sizes_of
 from scenewright.domains.hall.patterns import PATTERNS
 
@@ -27,8 +27,8 @@ class HallDemand(NamedTuple):
     the id of the demand it looks at (empty: none) and whether leaving it out is a failure.
 
     Tables that bring chairs are placed with them: ``sizes`` are those of the floor they take
-    together, ``chairs`` metres of it before and behind each table. Once ``least`` stand nothing is
-    missing (0: all are wanted)."""
+    together, ``chairs`` metres of it before and behind each table and ``aside`` at its sides. Once
+    ``least`` stand nothing is missing (0: all are wanted)."""
 
     id: str
     name: str
@@ -41,6 +41,7 @@ class HallDemand(NamedTuple):
     required: bool
     chairs: float = 0.0
     least: int = 0
+    aside: float = 0.0
 
     @property
     def at_wall(self) -> bool:
@@ -62,7 +63,8 @@ def collect_demands(
         if sizes:
             chairs = out_of_table(demand.category, asked, catalog)
             least = filled.least and max(filled.least - len(filled.sizes) + len(sizes), 1)
-            found.append(_with_chairs(filled._replace(sizes=sizes, least=least), chairs))
+            filled = filled._replace(sizes=sizes, least=least)
+            found.append(_with_chairs(filled, chairs, seats_around(demand.category, catalog)))
     shows = [wish.id for wish in found if wish.category in SHOWS]
     return [
         wish._replace(facing=wish.facing or shows[0])
@@ -72,15 +74,22 @@ def collect_demands(
     ]
 
 
-def _with_chairs(wish: HallDemand, chairs: float) -> HallDemand:
+def _with_chairs(wish: HallDemand, chairs: float, around: bool) -> HallDemand:
     """Tables with their chairs as one footprint. Clearances are measured from the table, so the
     chairs stand on them; a seatway stays behind the chairs."""
     if not chairs:
         return wish
     front, left, back, right = wish.clearance
     front, back = (max(depth - chairs, min(depth, SEATWAY)) for depth in (front, back))
-    sizes = tuple(size._replace(depth=size.depth + 2 * chairs) for size in wish.sizes)
-    return wish._replace(sizes=sizes, clearance=(front, left, back, right), chairs=chairs)
+    aside = chairs if around else 0.0
+    if around:
+        left, right = (max(depth - chairs, min(depth, SEATWAY)) for depth in (left, right))
+    sizes = tuple(
+        Size(size.width + 2 * aside, size.depth + 2 * chairs, size.height) for size in wish.sizes
+    )
+    return wish._replace(
+        sizes=sizes, clearance=(front, left, back, right), chairs=chairs, aside=aside
+    )
 
 
 def _less(sizes: tuple[Size, ...], there: list[Size]) -> tuple[Size, ...]:

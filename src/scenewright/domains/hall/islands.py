@@ -14,7 +14,8 @@ from shapely import Geometry
 
 from scenewright.building.masonry import polygons
 from scenewright.building.shell import scene_of_rooms
-from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.layout import corners
+from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import GroundSurface, Piece, Pose, Scene, Size
 from scenewright.core.solution import Solution
@@ -27,6 +28,8 @@ CARPETS = ("carpet_grey", "carpet_sand", "carpet_sage")
 BEYOND, APART, SEAM = 0.7, 1.3, 0.15
 """How far a carpet reaches beyond what stands on it, up to which gap two share one, and how far it
 keeps from the border of its zone, metres."""
+RINGS = ("radiation", "circulation")
+"""Patterns on a round carpet."""
 LEAST = 3.0
 """Square metres of a carpet, at least."""
 PILE = 0.008
@@ -38,6 +41,8 @@ def scene_of_hall(solution: Solution, plan: Plan) -> Scene:
     """The scene of halls, with a carpet under what stands free together and a spot over each of
     its exhibits."""
     scene = scene_of_rooms(solution, plan)
+    if solution.detail is None:  # a saved hall without its groups
+        return scene
     layout: HallLayout = solution.detail.layout
     pieces = {piece.id: piece for piece in solution.pieces}
     free = [group for group in layout.groups if group.pattern != "wall"]
@@ -54,16 +59,19 @@ def _lay_carpet(
     """The carpets of a zone, in its colour, a seam off its border; ``None`` where nothing in it
     stands on one."""
     held = [
-        tuple(pieces[o] for o in group.objects if o in pieces)
+        (group.pattern, tuple(pieces[o] for o in group.objects if o in pieces))
         for group in groups
         if (group.space, group.zone) == (zone.space, zone.id)
     ]
-    standing = [some for some in held if any(p.category in EXHIBITS | SEATS for p in some)]
+    standing = [row for row in held if any(p.category in EXHIBITS | SEATS for p in row[1])]
     if not standing:
         return None
-    whole = shapely.union_all([_surround(some) for some in standing])
+    whole = shapely.union_all([_surround(some, name in RINGS) for name, some in standing])
     joined = _close(whole, APART / 2).simplify(0.05)
-    floor = shapely.Polygon(zone.outline, zone.holes).buffer(-SEAM, join_style="mitre")
+    floor = shapely.Polygon(zone.outline, zone.holes)
+    if floor.area < LEAST:
+        return None
+    floor = floor.buffer(-SEAM, join_style="mitre")
     parts = [p for p in polygons(joined.intersection(floor)) if p.area >= LEAST]
     colour = CARPETS[number % len(CARPETS)]
     name = f"{zone.space}/{zone.id}/carpet"
@@ -71,10 +79,16 @@ def _lay_carpet(
     return GroundSurface(name, zone.space, colour, rings, 0.0, PILE) if parts else None
 
 
-def _surround(held: tuple[Piece, ...]) -> Geometry:
-    """The floor round pieces, with square corners, gaps between neighbours closed."""
-    grown = shapely.buffer(polygons_of(held), BEYOND, join_style="mitre")
-    return _close(shapely.union_all(grown), APART / 2)
+def _surround(held: tuple[Piece, ...], ring: bool) -> Geometry:
+    """The floor round pieces, with square corners, gaps between neighbours closed; of a ``ring``
+    all it encloses, with a round rim."""
+    boxes = np.array([box for piece in held for box in boxes_of(piece)])
+    if ring and len(held) > 2:
+        middle = boxes[:, :2].mean(0)
+        far = np.hypot(*(corners(boxes).reshape(-1, 2) - middle).T).max()
+        return shapely.Point(middle).buffer(float(far) + 0.5 * BEYOND, quad_segs=16)
+    boxes[:, 3:] += 2 * BEYOND
+    return _close(shapely.union_all(shapely.polygons(corners(boxes))), APART / 2)
 
 
 def _close(shape: Geometry, by: float) -> Geometry:

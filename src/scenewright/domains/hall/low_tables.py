@@ -9,6 +9,9 @@ import numpy as np
 from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.hall_layout import PlacedGroup
+from scenewright.domains.hall.patterns import AROUND
+from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
 from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 CATEGORY, TABLES = "coffee_table", "/tables"
@@ -38,6 +41,38 @@ def low_tables(
             if layer.number > 1 and all(common_area(_frame(table), f) <= TOUCH for f in solid):
                 found.append(table)
     return tuple(found)
+
+
+def keep_reached(
+    problem: HallProblem, layout: MeasuredLayout, tables: tuple[Piece, ...]
+) -> tuple[Piece, ...]:
+    """The tables of a layout to which the route leads, and which bar nothing else from it: all of
+    them, else one after the other as long as no more is out of reach."""
+    if not tables or _misses(problem, layout, tables) <= layout.missed:
+        return tables
+    kept: tuple[Piece, ...] = ()
+    for table in tables:
+        if _misses(problem, layout, (*kept, table)) <= layout.missed:
+            kept = (*kept, table)
+    return kept
+
+
+def _misses(problem: HallProblem, layout: MeasuredLayout, tables: tuple[Piece, ...]) -> float:
+    """What the route misses with some tables, which it has to reach too; whoever gets to the table
+    gets to the seats round it."""
+    rows = [(t.pose.x, t.pose.y, t.pose.heading, t.size.width, t.size.depth) for t in tables]
+    ground, boxes = problem.ground, np.array(rows)
+    sides = ground.standing_access.reshape(-1, 4)
+    with_tables = ground._replace(
+        obstacles=np.concatenate([ground.obstacles, boxes]),
+        standing=np.concatenate([ground.standing.reshape(-1, 5), boxes]),
+        standing_access=np.concatenate([sides, np.ones((len(boxes), 4))]),
+    )
+    access = problem.units.access.copy()
+    for unit in np.flatnonzero(layout.kept.rows[:, 0] == AROUND):
+        access[slice(*problem.units.spans[unit])] = 0.0
+    units = problem.units._replace(access=access)
+    return measure_layout(problem._replace(ground=with_tables, units=units), layout)[2]
 
 
 def _table(

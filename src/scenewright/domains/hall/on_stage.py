@@ -1,5 +1,5 @@
 """What stands on the stage instead of beside it: the lectern, at the side of it and near its edge,
-as speakers do, so that what is shown behind them stays in sight."""
+as speakers do, so that what is shown behind them stays in sight, and a screen along its back."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
 from scenewright.domains.hall.holdings import HallDemand
 
-STAGE, CARRIED = "stage", ("lectern",)
+STAGE, SCREEN, CARRIED = "stage", "screen", ("lectern", "screen")
 ASIDE = 0.28
 """How far off the middle of the stage, as a share of its width: beside the steps at its ends."""
 EDGE = 0.5
@@ -34,15 +34,25 @@ def split_carried(
         if wish.category in CARRIED
         and len(wish.sizes) == 1
         and any(
-            _has_room(floor, wish.sizes[0])
+            _has_room(floor, wish)
             for floor in (*there, *(floor for zones, floor in stages if zones == wish.zones))
         )
     ]
-    return [wish for wish in wishes if wish not in carried], carried
+    ids = [wish.id for wish in carried]
+    shown = [wish.id for wish in wishes if wish.category == STAGE]
+    rest = [wish for wish in wishes if wish not in carried]
+    looking = [
+        wish._replace(facing=shown[0]) if wish.facing in ids and shown else wish for wish in rest
+    ]
+    return looking, carried
 
 
-def _has_room(floor: Size, size: Size) -> bool:
-    """Whether a stage is wide and deep enough to speak from behind an object."""
+def _has_room(floor: Size, wish: HallDemand) -> bool:
+    """Whether a stage is wide and deep enough to speak from behind an object, or to stand before
+    a screen."""
+    size = wish.sizes[0]
+    if wish.category == SCREEN:
+        return floor.width >= size.width and floor.depth > size.depth + EDGE + BEHIND
     return (0.5 - ASIDE) * floor.width > 0.5 * size.width + 0.3 and (
         floor.depth > EDGE + size.depth + BEHIND
     )
@@ -61,7 +71,8 @@ def put_on_stage(
             missing.append(LeftOut(hall.space.id, wish.name, why, wish.required))
             continue
         stage, zone = stages[0], wish.zones[0] if wish.zones else hall.names[0]
-        piece = _on(stage, wish, number, f"{hall.space.id}/{wish.id}", catalog)
+        room = hall.space.height - stage.pose.z - stage.size.height
+        piece = _on(stage, wish, number, f"{hall.space.id}/{wish.id}", catalog, room)
         found.append(piece)
         part = PatternPart("single", (Layer(1, 0.0, 0.0),))
         pose = (piece.pose.x, piece.pose.y, piece.pose.heading)
@@ -70,11 +81,16 @@ def put_on_stage(
     return tuple(found), tuple(groups), tuple(missing)
 
 
-def _on(stage: Piece, wish: HallDemand, number: int, group: str, catalog: Catalog) -> Piece:
-    """One object at the edge of a stage."""
+def _on(
+    stage: Piece, wish: HallDemand, number: int, group: str, catalog: Catalog, room: float
+) -> Piece:
+    """One object at the edge of a stage, or along its back, with so much room above it."""
     size = Size(*wish.sizes[0])
+    size = size._replace(height=min(size.height, room))
     right = (-1.0 if number % 2 == 0 else 1.0) * ASIDE * stage.size.width
     ahead = 0.5 * stage.size.depth - EDGE - 0.5 * size.depth
+    if wish.category == SCREEN:
+        right, ahead = 0.0, 0.5 * size.depth - 0.5 * stage.size.depth
     c, s = math.cos(stage.pose.heading), math.sin(stage.pose.heading)
     x, y = stage.pose.x + right * s + ahead * c, stage.pose.y - right * c + ahead * s
     asset = catalog.choose(wish.category, size)

@@ -107,7 +107,7 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
         Fixture(
             "round_table",
             (0.8, 0.8, 0.75),
-            _around(0.75),
+            _around(0.85),
             share=0.8,
             fills=True,
             patterns=("grid", "chain"),

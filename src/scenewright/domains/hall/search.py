@@ -200,11 +200,11 @@ def _watch_objects(
     """A listener that tells who watches of the objects, by the ids of their demands and without
     the chairs at them."""
     each = [search.wishes[unit.demand] for unit in fitted.units for _ in range(*unit[2:4])]
-    chairs = np.array([2.0 * wish.chairs for wish in each])
+    chairs = np.array([(2.0 * wish.aside, 2.0 * wish.chairs) for wish in each]).reshape(-1, 2)
 
     def rows(layout: MeasuredLayout) -> tuple[NamedBox, ...]:
         boxes = layout.boxes.copy()
-        boxes[:, 4] -= chairs
+        boxes[:, 3:] -= chairs
         return name_rows([wish.id for wish in each], boxes)
 
     return add_watch(on_progress, search.watch, search.hall.space.id, rows)

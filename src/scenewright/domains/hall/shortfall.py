@@ -13,6 +13,7 @@ from scenewright.core.scene import Size
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.assign import Unit, area_of
 from scenewright.domains.hall.build_problem import HallContext, wall_lengths, zone_areas
+from scenewright.domains.hall.curved_walls import find_runs, longest_place
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats
 
@@ -136,7 +137,7 @@ def _excess(hall: HallContext, wish: HallDemand, zone: int, size: Size) -> float
 
 
 def _longest_wall(hall: HallContext, zone: int) -> float:
-    walls = [np.hypot(wall.x1 - wall.x0, wall.y1 - wall.y0) for wall in hall.walls[zone]]
+    walls = [longest_place(run) for run in find_runs(hall.walls[zone])]
     return float(max([0.0, *walls, *_borders(hall, zone)]))
 
 
@@ -182,8 +183,11 @@ def _reason(
     if wish.at_wall:
         length = sum(size.width for size in absent)
         return f"no wall left in {where}: {length:.1f} m more wall needed"
+    floor, taken = float(areas[zones].sum()), float(used[zones].sum())
+    more = len(absent) * area_of(wish._replace(sizes=tuple(absent)))
+    split = taken + more <= floor
     return (
-        f"no room left in {where}: {float(areas[zones].sum()):.1f} m², what is placed needs "
-        f"{float(used[zones].sum()):.1f} m² with all its clearances; "
-        f"{len(absent) * area_of(wish._replace(sizes=tuple(absent))):.1f} m² more needed"
+        f"no room left in {where}: {floor:.1f} m², what is placed needs {taken:.1f} m² "
+        f"with all its clearances{', the rest is ways and gaps' * split}; "
+        f"{more:.1f} m² more needed{' in one piece' * split}"
     )

@@ -91,7 +91,8 @@ def _match_boxes(
             rest = ", ".join(known) or "nothing is left to place"
             raise InputError("is not a demand of the hall", f"use one of: {rest}", place=place)
         k = known[row.name]
-        grown = np.array([*row.box[:4], row.box[4] + 2 * asked[k].chairs])
+        wide, deep = row.box[3] + 2 * asked[k].aside, row.box[4] + 2 * asked[k].chairs
+        grown = np.array([*row.box[:3], wide, deep])
         taken[k].append((_zone_at(hall, row), _take_size(left[k], grown, place), grown))
     wishes, units, boxes = [], [], []
     for k, wish in enumerate(asked):

@@ -36,10 +36,11 @@ from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
 from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
-from scenewright.domains.hall.low_tables import low_tables
+from scenewright.domains.hall.low_tables import keep_reached, low_tables
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage, split_carried
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
+from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall import left_out
@@ -114,7 +115,7 @@ def solve(
     }
     laid = _run(brief, tasks, catalog, threads, progress, cancel, watch)
     stand = {k: (*halls[k].fixed, *answer.pieces) for k, answer in laid.items()}
-    brief = settle_counts(brief, stand)
+    brief = settle_counts(brief, halls, stand)
     return assemble_solution(brief, halls, laid, preset, named, seed, time.perf_counter() - started)
 
 
@@ -261,7 +262,10 @@ def _lay(
         fitted, found, given_up = drop_unreached(search, fitted, found)
         hall, fitted, found, shifts = move_borders(search, fitted, found, slack, progress, cancel)
     missing = left_out(hall, wishes, fitted.units, given_up)
-    best = turn_desks(hall, wishes, fitted.units, fitted.problem, found.layouts[0])
+    best = found.layouts[0]
+    if may_retry(search):
+        best = retouch_layout(fitted.problem, best)
+    best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
     laid = furnish_layout(hall, wishes, fitted, best, locked, missing, found.evaluations, catalog)
     pieces = (*hall.fixed, *laid.pieces)
     on, groups, out = put_on_stage(hall, carried, pieces, catalog)
@@ -294,10 +298,11 @@ def furnish_layout(
         *placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, objects),
     )
     tables = low_tables(groups, (*objects, *chairs), (*hall.fixed, *walls), catalog)
+    tables = keep_reached(fitted.problem, best._replace(missed=lost), tables)
     parts = parts_of(fitted.problem, p, s, lost)
     layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
     out = {wish.id: wish.chairs for wish in wishes}
-    seated = (grow_table(piece, out[piece.function]) for piece in objects)
+    seated = (grow_table(piece, out[piece.function], catalog) for piece in objects)
     every = (*hall.fixed, *walls, *seated, *tables)
     way = tour(hall.space, every, layout, catalog, hall.route)
     return Laid(

@@ -25,7 +25,7 @@ from scenewright.domains.home.furnishing.furnish import (
     pieces_of,
 )
 from scenewright.domains.home.furnishing.high_walls import raise_tall_items
-from scenewright.domains.home.furnishing.obstacles import join_standing, standing_of
+from scenewright.domains.home.furnishing.obstacles import flat_kinds, join_standing, standing_of
 from scenewright.domains.home.furnishing.tidy import tidy_groups
 from scenewright.domains.home.furnishing.whole import Gone
 from scenewright.domains.home.paper_problem import as_in_paper
@@ -247,7 +247,7 @@ def _place_groups(
 ) -> tuple[tuple[FurnishedGroup, ...], tuple[Missing, ...]]:
     """Dress the patches one by one, in order, beside what was placed before; those after the one
     with which ``most`` is missed are not looked at."""
-    flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
+    flat = flat_kinds(task.catalog)
     standing = standing_of(
         (*task.fixed, *task.beside, *(q for p in before for q in p.pieces)), flat
     )

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from scenewright.building.ceiling import planes
 from scenewright.core.catalog import Catalog
@@ -14,6 +16,7 @@ from scenewright.core.layout import corners
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.home_floor import (
+    SLACK,
     FloorWalk,
     HomeFloor,
     erode,
@@ -25,6 +28,7 @@ from scenewright.domains.home.home_floor import (
 from scenewright.domains.home.ways import REACH, SIDES, used_from
 
 Shape = Any  # a shapely geometry
+Reach = Callable[[tuple[int, ...]], Shape]
 
 SIDEWAYS = 0.2  # the radius of a person turned sideways, metres
 ENTERED = 0.1  # how far inside a room the middle of the route has to come, metres
@@ -49,13 +53,9 @@ class BarredRegion(NamedTuple):
 
 
 def find_barred(
-    pieces: Sequence[Piece],
-    spaces: Sequence[Space],
-    floors: Sequence[HomeFloor],
-    catalog: Catalog,
-    width: float,
+    pieces: Sequence[Piece], spaces: Sequence[Space], floors: Sequence[HomeFloor], catalog: Catalog
 ) -> list[Barred]:
-    """All that no route of ``width`` metres reaches on the ``floors`` of a home.
+    """All that no route reaches on the ``floors`` of a home, as wide as these are made for.
 
     A room is reached if the middle of the route comes into it; one that no route could enter empty
     is passed over. A piece is reached if that middle comes within half a width and an arm's length
@@ -67,7 +67,7 @@ def find_barred(
     for floor in floors:
         storey = level[next(iter(floor.rooms))]
         near = [p for p in pieces if level.get(p.space) == storey]
-        walked = walk(floor, list_obstacles(near, floor, catalog), width / 2)
+        walked = walk(floor, list_obstacles(near, floor, catalog))
         mine = [space for space in spaces if space.id in floor.rooms]
         found += _find_on(walked, mine, near, catalog)
     return found
@@ -92,47 +92,48 @@ def _find_on(
 def _room_target(walked: FloorWalk, space: Space) -> BarredRegion | None:
     """A room as what is to be reached; none if no route could enter it even empty."""
     room, within = walked.floor.rooms[space.id], walked.floor.within[space.id]
-    for region in (within if _is_tight(walked, room) else room, within):
+    for region in (within if _is_tight(walked, space.id) else room, within):
         if walked.empty.intersects(region):
             return BarredRegion(space.id, "", region)
     return None
 
 
-def _is_tight(walked: FloorWalk, room: Shape) -> bool:
+def _is_tight(walked: FloorWalk, room: str) -> bool:
     """Nowhere as wide as two routes, or closed to the route by its own doorway while empty."""
-    wide = 4 * walked.radius
-    if room.area < 4 * wide**2:
-        across = 2 * shapely.maximum_inscribed_circle(room, tolerance=0.005).length
-        if across < wide:
-            return True
-    return not walked.empty.intersects(room.buffer(-ENTERED))
+    floor = walked.floor
+    return room in floor.narrow or not walked.empty.intersects(floor.rooms[room].buffer(-ENTERED))
 
 
 def _missed_pieces(
     walked: FloorWalk, space: Space, pieces: Sequence[Piece], catalog: Catalog
 ) -> list[BarredRegion]:
     """The pieces of a room that are used from sides none of which the route comes to."""
-    within = walked.floor.within[space.id]
-    targets = [
-        BarredRegion(space.id, piece.id, region.intersection(within))
-        for piece in pieces
-        if (region := _use_region(piece, space, catalog, walked.radius + REACH)) is not None
-    ]
-    missed = [t for t in targets if not walked.reached.intersects(t.region)]
-    if missed and _is_tight(walked, walked.floor.rooms[space.id]):
+    within, deep = walked.floor.within[space.id], walked.radius + REACH
+    named, regions = _use_regions(pieces, space, catalog, deep)
+    regions = shapely.intersection(regions, within)
+    far = ~shapely.intersects(walked.reached, regions)
+    missed = [BarredRegion(space.id, named[k], regions[k]) for k in np.flatnonzero(far)]
+    if missed and _is_tight(walked, space.id):
         near = _squeeze(walked, within)
         missed = [t for t in missed if not near.intersects(t.region)]
     return missed
 
 
-def _use_region(piece: Piece, space: Space, catalog: Catalog, depth: float) -> Shape | None:
-    """The floor before the sides a piece is used from; none if it is used from no side."""
-    kind = catalog.kinds.get(piece.category)
-    if kind is None or not kind.access:
-        return None
-    slopes = planes(space)
-    boxes = [used_from(piece, SIDES.index(side), depth, slopes) for side in kind.access]
-    return shapely.multipolygons(shapely.polygons(corners(np.array(boxes))))
+def _use_regions(
+    pieces: Sequence[Piece], space: Space, catalog: Catalog, depth: float
+) -> tuple[list[str], NDArray[np.object_]]:
+    """The pieces that are used from some side, by id, and the floor before these sides."""
+    slopes, named = planes(space), list[str]()
+    boxes, owner = list[list[float]](), list[int]()
+    for piece in pieces:
+        kind = catalog.kinds.get(piece.category)
+        if kind is not None and kind.access:
+            boxes += [used_from(piece, SIDES.index(side), depth, slopes) for side in kind.access]
+            owner += [len(named)] * len(kind.access)
+            named.append(piece.id)
+    if not named:
+        return [], np.empty(0, object)
+    return named, shapely.multipolygons(shapely.polygons(corners(np.array(boxes))), indices=owner)
 
 
 def _squeeze(walked: FloorWalk, within: Shape) -> Shape:
@@ -149,25 +150,32 @@ def _find_openers(walked: FloorWalk, missed: Sequence[BarredRegion]) -> list[tup
     if not missed or not walked.obstacles:
         return [()] * len(missed)
     tried = _nearest_obstacles(walked, missed)
-    without = {k: reach_without(walked, [k]) for k in tried}
+    reach: Reach = cache(lambda away: reach_without(walked, away))
+    without = {k: reach((k,)) for k in tried if _is_at_hand(walked, k)}
     found: list[tuple[str, ...]] = []
     for target in missed:
         mine = [k for k in tried if walked.obstacles[k].piece != target.piece]
-        one = [k for k in mine if without[k].intersects(target.region)]
-        chosen = one or _find_least_set(walked, mine, target)
+        one = [k for k in mine if k in without and without[k].intersects(target.region)]
+        chosen = one or _find_least_set(reach, mine, target)
         found.append(tuple(walked.obstacles[k].piece for k in chosen))
     return found
 
 
-def _find_least_set(walked: FloorWalk, tried: Sequence[int], target: BarredRegion) -> list[int]:
+def _is_at_hand(walked: FloorWalk, obstacle: int) -> bool:
+    """Whether what an obstacle takes is near enough to what is reached to add to it."""
+    shape, near = walked.obstacles[obstacle].footprint, walked.radius + 2 * SLACK
+    return any(not s.is_empty and s.distance(shape) <= near for s in (walked.reached, walked.start))
+
+
+def _find_least_set(reach: Reach, tried: Sequence[int], target: BarredRegion) -> list[int]:
     """Obstacles that open the way to a target if all of them are gone, none of them to spare;
-    none if not even all together do."""
-    if not reach_without(walked, tried).intersects(target.region):
+    none if not even all together do. ``reach`` tells what is reached without some."""
+    if not reach(tuple(tried)).intersects(target.region):
         return []
     needed = list(tried)
     for k in reversed(tried):
         fewer = [j for j in needed if j != k]
-        if fewer and reach_without(walked, fewer).intersects(target.region):
+        if fewer and reach(tuple(fewer)).intersects(target.region):
             needed = fewer
     return needed
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from functools import lru_cache, partial
+from itertools import chain
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -96,39 +98,52 @@ def scale_area_weights(weights: dict[str, float], items: Items) -> dict[str, flo
 
 def items_of(wishes: tuple[Wish, ...], area: float, library: Library = SHIPPED) -> Items:
     """Patches as arrays: size range from the case library, behaviour from the table of groups."""
-    kinds = [GROUPS[w.group] for w in wishes]
-    sizes = [sizes_of(w, area, library) for w in wishes]
+    if not wishes:
+        return empty_items(0)
+    of = _shipped_row if library is SHIPPED else partial(_row_of, library=library)
+    rows = np.array([of(w, area) for w in wishes], np.float64)
     pairs, targets, weights = relate([w.group for w in wishes], library, RELATIONS)
-
-    def column(values: list[float]) -> NDArray[np.float64]:
-        return np.array(values, np.float64).reshape(len(wishes))
-
-    def rows(values: list[tuple[float, ...]], width: int) -> NDArray[np.float64]:
-        return np.array(values, np.float64).reshape(len(wishes), width)
-
+    columns, start = dict[str, Any](), 0
+    for name, width in COLUMNS.items():
+        field = rows[:, start] if width == 1 else rows[:, start : start + width]
+        columns[name], start = np.ascontiguousarray(field), start + width
     return empty_items(len(wishes))._replace(
-        low=rows([s[0] for s in sizes], 2),
-        high=rows([s[1] for s in sizes], 2),
-        wish=rows([s[2] for s in sizes], 2),
-        height=column([k.height for k in kinds]),
-        back_to_wall=column([k.back for k in kinds]),
-        main_wall=column([k.main for k in kinds]),
-        clear=rows(
-            [
-                habits.clear(library.habits, w.group, k.clear)
-                for w, k in zip(wishes, kinds, strict=True)
-            ],
-            4,
-        ),
-        access=rows([k.access for k in kinds], 4),
-        inset=rows([k.inset for k in kinds], 4),
-        daylight=column([k.daylight for k in kinds]),
-        nestle=column([k.nestle for k in kinds]),
-        shades=column([k.shades for k in kinds]),
-        pairs=pairs,
-        pair_targets=targets,
-        pair_weights=weights,
+        **columns, pairs=pairs, pair_targets=targets, pair_weights=weights
     )
+
+
+COLUMNS = {
+    "low": 2,
+    "high": 2,
+    "wish": 2,
+    "height": 1,
+    "back_to_wall": 1,
+    "main_wall": 1,
+    "clear": 4,
+    "access": 4,
+    "inset": 4,
+    "daylight": 1,
+    "nestle": 1,
+    "shades": 1,
+    "symmetry": 1,
+}
+"""What :func:`_row_of` gives of an item, in this order, and how many numbers each is."""
+
+
+def _row_of(wish: Wish, area: float, library: Library) -> tuple[float, ...]:
+    """One item in numbers, as :data:`COLUMNS`."""
+    kind, sizes = GROUPS[wish.group], sizes_of(wish, area, library)
+    clear = habits.clear(library.habits, wish.group, kind.clear)
+    sides = (*clear, *kind.access, *kind.inset)
+    even = 0.0 if wish.group in library.own.keys() - library.seated else kind.symmetry  # as learned
+    wants = (kind.daylight, kind.nestle, kind.shades, even)
+    return (*chain(*sizes), kind.height, kind.back, kind.main, *sides, *wants)
+
+
+@lru_cache(maxsize=4096)
+def _shipped_row(wish: Wish, area: float) -> tuple[float, ...]:
+    """The same with the shipped cases."""
+    return _row_of(wish, area, SHIPPED)
 
 
 def sizes_of(

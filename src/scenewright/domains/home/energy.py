@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
 from scenewright.building.ceiling import BENDING, low_floor, strips
 from scenewright.core.layout import Layout
-from scenewright.domains.home.problem import Ground, Items, Problem
+from scenewright.domains.home.problem import Ground, Items, KnownGround, Problem
 from scenewright.domains.home.terms.assemble import Costs, Ints, PreparedHome, make_costs, measure
 from scenewright.domains.home.terms.orientation import inward
 from scenewright.domains.home.terms.table import (
@@ -78,24 +80,55 @@ def _index_relations(pairs: Ints, n: int) -> tuple[Ints, Ints]:
     return start, order // 2
 
 
+class PreparedGround(NamedTuple):
+    """What :class:`PreparedHome` holds of the ground alone; the zones where nothing slopes."""
+
+    edges: Floats
+    walls: Floats
+    zones: Floats
+    bounds: Floats
+    paths: Floats
+    strips: Floats
+    main: Floats
+    normal: float
+    span: float
+
+
+@lru_cache(maxsize=256)
+def _prepare_ground(known: KnownGround) -> PreparedGround:
+    ground = known.ground
+    main, bounds = _fresh(ground.main_wall, 4), _fresh(ground.bounds, 4)[0].copy()
+    return PreparedGround(
+        _fresh(ground.edges, 4),
+        _fresh(ground.walls, 4),
+        _zones(ground._replace(slopes=np.zeros((0, 6))), np.zeros(0)),
+        bounds,
+        _fresh(ground.paths, 4),
+        np.ascontiguousarray(_strips(ground)),
+        main,
+        float(inward(main[0])) if len(main) else float("nan"),
+        float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])),
+    )
+
+
 def prepare(problem: Problem) -> PreparedHome:
     """Arrays and weights of a problem, ready for compiled code."""
     ground, items = problem.ground, problem.items
     weights = read_weights(problem.weights, problem.printed)
-    main, bounds = _fresh(ground.main_wall, 4), _fresh(ground.bounds, 4)[0].copy()
+    fixed = _prepare_ground(KnownGround(ground))
     zoned = weights[CLEAR_ROOM] != 0.0 or weights[CLEAR_ITEMS] != 0.0
     reach = items.clear.max(axis=1, initial=0.0) * (1.0 if zoned else 0.0)
     pairs = np.array(items.pairs, np.int64, order="C").reshape(-1, 2)
     placed = np.argsort(items.placed, kind="stable")
     start, related = _index_relations(pairs, len(items.low))
     return PreparedHome(
-        edges=_fresh(ground.edges, 4),
-        walls=_fresh(ground.walls, 4),
-        zones=_zones(ground, items.height),
+        edges=fixed.edges,
+        walls=fixed.walls,
+        zones=_zones(ground, items.height) if len(ground.slopes) else fixed.zones,
         clear=_fresh(items.clear, 4),
         access=_fresh(items.access, 4),
         inset=_fresh(items.inset, 4),
-        traits=_traits(items, reach, items.main_wall * (1.0 if len(main) else 0.0)),
+        traits=_traits(items, reach, items.main_wall * (1.0 if len(fixed.main) else 0.0)),
         limits=np.hstack([_fresh(items.low, 2), _fresh(items.high, 2)]),
         pairs=pairs,
         targets=np.hstack([_fresh(items.pair_targets, 3), _fresh(items.pair_weights, 1)]),
@@ -105,33 +138,31 @@ def prepare(problem: Problem) -> PreparedHome:
         places=_fresh(items.places[placed], 6),
         spots=_fresh(items.spots, 4),
         weights=weights,
-        bounds=bounds,
+        bounds=fixed.bounds,
         own=gather(TERMS, problem),
-        paths=_fresh(ground.paths, 4),
-        strips=np.ascontiguousarray(_strips(ground)),
+        paths=fixed.paths,
+        strips=fixed.strips,
         area=float(ground.area),
-        normal=float(inward(main[0])) if len(main) else float("nan"),
-        span=float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])),
+        normal=fixed.normal,
+        span=fixed.span,
         flush=float(problem.flush),
     )
 
 
 def route_grid(problem: Problem, cell: float) -> RouteGrid:
     """The grid the walking route is looked for on; empty if the route is not weighed."""
-    ground = problem.ground
     wanted = problem.weights.get("route", 0.0) != 0.0
+    return _make_grid(KnownGround(problem.ground), wanted, problem.route_width, float(cell))
+
+
+@lru_cache(maxsize=256)
+def _make_grid(known: KnownGround, wanted: bool, width: float, cell: float) -> RouteGrid:
+    ground = known.ground
     doors = frames_of(_fresh(ground.doors if wanted else np.zeros((0, 5)), 5))
     bounds = _fresh(ground.bounds, 4)[0] * (1.0 if len(doors) else 0.0)
-    low = low_floor(_fresh(ground.slopes, 6), problem.route_width, ground.bounds, BENDING)
+    low = low_floor(_fresh(ground.slopes, 6), width, ground.bounds, BENDING)
     solid = np.concatenate([_fresh(ground.obstacles, 5), low])
-    return make_grid(
-        _fresh(ground.edges, 4),
-        frames_of(solid),
-        doors,
-        bounds,
-        float(cell),
-        float(problem.route_width),
-    )
+    return make_grid(_fresh(ground.edges, 4), frames_of(solid), doors, bounds, cell, float(width))
 
 
 @compiled

@@ -12,16 +12,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from scenewright.building.ceiling import HEADROOM, SHOULDERS, below, planes
 from scenewright.building.door_approach import DoorApproach, gates
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import corners
-from scenewright.core.piece_outlines import outline_of
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Space
 
 Shape = Any  # a shapely geometry
+Floats = NDArray[np.float64]
 
 SLACK = 0.01  # what a doorway reaches into its rooms, metres
 HEAD_HEIGHT = 2.0  # what begins above is in nobody's way, metres
@@ -33,13 +35,18 @@ SOFT = ("curtain", "blind")
 class HomeFloor(NamedTuple):
     """Rooms joined by doors: the floor of each by id, the same with its doorways, all of it where
     there is room for the shoulders, the part of it too ``low`` for the head, and the points one
-    comes in by (none: not known)."""
+    comes in by (none: not known). For discs of ``radius`` metres: where their middle may be while
+    all is empty (``clear``), and which rooms are nowhere as wide as two of them side by side
+    (``narrow``)."""
 
     rooms: Mapping[str, Shape]
     within: Mapping[str, Shape]
     whole: Shape
     low: Shape
     entries: tuple[Shape, ...]
+    radius: float
+    clear: Shape
+    narrow: frozenset[str]
 
 
 class Obstacle(NamedTuple):
@@ -108,13 +115,25 @@ def _join(
     here = [row for row in here if row[1][0] in mine]
     ways = {name: [way for _, own, way in here if name in own] for name in mine}
     whole = shapely.union_all([*(rooms[name] for name in mine), *(way for _, _, way in here)])
+    whole = whole.difference(_lower_than(spaces, rooms, SHOULDERS))
+    low = _lower_than(spaces, rooms, HEADROOM)
     return HomeFloor(
         {name: rooms[name] for name in mine},
         {name: shapely.union_all([rooms[name], *ways[name]]) for name in mine},
-        whole.difference(_lower_than(spaces, rooms, SHOULDERS)),
-        _lower_than(spaces, rooms, HEADROOM),
+        whole,
+        low,
         _find_entries(spaces, [gate.opening for gate, own, _ in here if len(own) == 1], width),
+        width / 2,
+        erode(whole, (), low, width / 2),
+        frozenset(name for name in mine if _is_narrow(rooms[name], 2 * width)),
     )
+
+
+def _is_narrow(room: Shape, wide: float) -> bool:
+    """Whether a room is nowhere ``wide`` metres wide."""
+    if room.area >= 4 * wide**2:
+        return False
+    return bool(2 * shapely.maximum_inscribed_circle(room, tolerance=0.005).length < wide)
 
 
 def _doorway(gate: DoorApproach, outer: bool, width: float) -> Shape:
@@ -159,29 +178,30 @@ def list_obstacles(
     """What stands on a floor and is in the way there; ``pieces`` are those of its storey. Seats are
     pushed aside, and what stands on or hangs over another piece takes no floor of its own."""
     solid = [p for p in pieces if _takes_floor(p, catalog)]
-    shapes = [footprint_of(p) for p in solid]
-    inside = shapely.union_all(list(floor.rooms.values()))
-    near = [
-        k
-        for k, p in enumerate(solid)
-        if p.space in floor.rooms or shapes[k].intersection(inside).area > UNSEEN
-    ]
-    carried = _find_carried(near, solid, shapes)
+    shapes = polygons_of(solid)
+    strange = [k for k, p in enumerate(solid) if p.space not in floor.rooms]
+    if strange:
+        inside = shapely.union_all(list(floor.rooms.values()))
+        far = shapely.area(shapely.intersection(shapes[strange], inside)) <= UNSEEN
+        strange = [k for k, is_far in zip(strange, far, strict=True) if is_far]
+    near = np.setdiff1d(np.arange(len(solid)), strange)
+    carried = _find_carried(np.array([p.pose.z for p in solid]), shapes, near)
     return tuple(Obstacle(solid[k].id, shapes[k]) for k in near if k not in carried)
 
 
-def _find_carried(near: list[int], solid: list[Piece], shapes: list[Shape]) -> set[int]:
+def _find_carried(
+    heights: Floats, shapes: NDArray[np.object_], near: NDArray[np.int64]
+) -> set[int]:
     """Those of the pieces ``near`` that stand on or hang over one lower than they are."""
-    heights = np.array([solid[k].pose.z for k in near])
-    if not (heights > SLACK).any():
-        return set()
-    ground = np.array([shapes[k] for k in near])
-    wide = shapely.buffer(ground, SLACK, join_style="mitre")
-    return {
-        near[i]
-        for i in np.flatnonzero(heights > SLACK)
-        if shapely.covers(wide[heights < heights[i]], ground[i]).any()
-    }
+    found, bounds = set(), shapely.bounds(shapes)
+    for i in near[heights[near] > SLACK]:
+        lower = near[heights[near] < heights[i]]
+        over = (bounds[lower, :2] <= bounds[i, :2] + 2 * SLACK).all(1)
+        over &= (bounds[lower, 2:] >= bounds[i, 2:] - 2 * SLACK).all(1)
+        wide = shapely.buffer(shapes[lower[over]], SLACK, join_style="mitre")
+        if shapely.covers(wide, shapes[i]).any():
+            found.add(int(i))
+    return found
 
 
 def _takes_floor(piece: Piece, catalog: Catalog) -> bool:
@@ -192,15 +212,10 @@ def _takes_floor(piece: Piece, catalog: Catalog) -> bool:
     return not (flat or aside or soft) and piece.pose.z < HEAD_HEIGHT
 
 
-def footprint_of(piece: Piece) -> Shape:
-    """The floor below a piece."""
-    return shapely.Polygon(outline_of(piece))
-
-
-def walk(floor: HomeFloor, obstacles: tuple[Obstacle, ...], radius: float) -> FloorWalk:
-    """Where a disc of ``radius`` metres may go that comes in by the entries; where there are none,
+def walk(floor: HomeFloor, obstacles: tuple[Obstacle, ...]) -> FloorWalk:
+    """Where a disc of the floor's radius may go that comes in by the entries; where there are none,
     or none that lets it in, it starts in the largest part."""
-    empty = erode(floor.whole, (), floor.low, radius)
+    empty, radius = floor.clear, floor.radius
     free = erode(floor.whole, [o.footprint for o in obstacles], floor.low, radius)
     start = shapely.union_all([entry.buffer(2 * SLACK) for entry in floor.entries])
     if not start.intersects(empty):

@@ -30,6 +30,7 @@ from scenewright.domains.home.furnishing.furnish import (
 )
 from scenewright.domains.home.furnishing.obstacles import (
     StandingObstacles,
+    flat_kinds,
     join_standing,
     standing_of,
 )
@@ -73,7 +74,7 @@ def lay_out_parts(
     task: RoomTask, parts: tuple[Parts, ...], boxes: Floats
 ) -> tuple[tuple[FurnishedGroup, ...], tuple[Missing, ...]]:
     """Groups whose pieces stand on ``boxes`` (n, 5), and those that could not."""
-    flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
+    flat = flat_kinds(task.catalog)
     standing, placed, missing = standing_of((*task.fixed, *task.beside), flat), [], []
     names = build_task_problem(task, tuple(p.wish for p in parts), task.ground).names
     taken = {p.group.rpartition("/")[2] for p in task.fixed}

@@ -38,6 +38,7 @@ HOME = {
     "wish": 200.0,
     "route": 900.0,
     "balance": 60.0,
+    "bed_symmetry": 60.0,
     "places": 110.0,
     "daylight_kept": 40.0,
     "openings_kept": 60.0,

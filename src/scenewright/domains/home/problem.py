@@ -53,6 +53,25 @@ class Ground(NamedTuple):
     strips: Floats = np.zeros((0, 6))
 
 
+class KnownGround:
+    """A ground that is recognized by what it holds: what is made of it once is found again."""
+
+    __slots__ = ("ground", "key")
+
+    def __init__(self, ground: Ground) -> None:
+        """``ground`` with all its numbers as the key."""
+        self.ground = ground
+        self.key = tuple(np.asarray(field, np.float64).tobytes() for field in ground)
+
+    def __hash__(self) -> int:
+        """Of the numbers."""
+        return hash(self.key)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether all numbers are the same."""
+        return isinstance(other, KnownGround) and self.key == other.key
+
+
 class Items(NamedTuple):
     """What is to be placed, ``n`` items.
 
@@ -65,7 +84,8 @@ class Items(NamedTuple):
     term takes the box less its insets as the solid part, and access boxes start at that solid
     part; all other terms take the whole box. ``daylight`` (n,): how much it wants a window near,
     ``nestle`` (n,): how much it wants a side against something (a corner), ``shades`` (n,): how
-    much it takes from the light of a window it stands before.
+    much it takes from the light of a window it stands before, ``symmetry`` (n,): how much its axis
+    belongs to the middle of the floor beside it.
     ``pairs`` (p, 2): indices i, j of related items; ``pair_targets`` (p, 3): distance between
     centres in metres (below zero: at least as much), angle between headings, and bearing of j from
     the front of i (NaN: any); ``pair_weights`` (p,).
@@ -87,6 +107,7 @@ class Items(NamedTuple):
     daylight: Floats
     nestle: Floats
     shades: Floats
+    symmetry: Floats
     pairs: Ints
     pair_targets: Floats
     pair_weights: Floats
@@ -127,6 +148,7 @@ def empty_items(n: int) -> Items:
         daylight=none.copy(),
         nestle=none.copy(),
         shades=none.copy(),
+        symmetry=none.copy(),
         pairs=np.zeros((0, 2), np.int64),
         pair_targets=np.zeros((0, 3)),
         pair_weights=np.zeros(0),

@@ -18,7 +18,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, penalty
 from scenewright.domains.home.barred import Barred, find_barred
 from scenewright.domains.home.furnishing.whole import Gone, is_whole, without
-from scenewright.domains.home.home_floor import join_floors
+from scenewright.domains.home.home_floor import HomeFloor
 from scenewright.domains.home.settings import FaultCosts, HomeSettings
 
 
@@ -36,17 +36,17 @@ def remove_blockers(
     standing: Sequence[tuple[Piece, ...]],
     answers: Sequence[RoomAnswer],
     rooms: tuple[Space, ...],
+    floors: Sequence[HomeFloor],
     catalog: Catalog,
-    width: float,
     settings: HomeSettings,
 ) -> list[RoomAnswer]:
-    """The answers for all rooms of a home without what bars a way or cannot be walked to;
-    ``standing`` is what is to stay in each room, ``settings`` those of the preset."""
-    found, floors = list(answers), join_floors(rooms, width)
+    """The answers for all rooms of a home without what bars a way on its ``floors`` or cannot be
+    walked to; ``standing`` is what is to stay in each room, ``settings`` those of the preset."""
+    found = list(answers)
     for _ in range(settings.retry.rounds):
         placed = [(*here, *_pieces(a)) for here, a in zip(standing, found, strict=True)]
         pieces = tuple(p for here in placed for p in here)
-        barred = find_barred(pieces, rooms, floors, catalog, width)
+        barred = find_barred(pieces, rooms, floors, catalog)
         losses = {
             loss for each in barred if (loss := _least(each, found, settings.costs)) is not None
         }

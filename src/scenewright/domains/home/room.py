@@ -113,8 +113,11 @@ def _is_barred(answer: RoomAnswer) -> bool:
     return bool(set(answer.unreached) - {p.name for p in answer.placed})
 
 
-def _core(_: RoomAnswer, wishes: tuple[Wish, ...], __: TrySettings) -> tuple[Wish, ...]:
-    """What makes the room's functions alone, in its smallest form."""
+def _core(answer: RoomAnswer, wishes: tuple[Wish, ...], _: TrySettings) -> tuple[Wish, ...]:
+    """What makes the room's functions alone, in its smallest form, unless all of it stands and can
+    be reached."""
+    if not answer.unreached and all(_is_reached(answer, w) for w in wishes if w.core):
+        return ()
     return tuple(other for w in wishes if w.core for other in instead_of(w))
 
 

@@ -92,7 +92,7 @@ def _at_rank(
             continue
         part = share_of(budget, rule.tries.fill, rule.tries)
         filled = opened(_with(found, room, compose(task, fill_rest(task, bare, part))))
-        found = min(trial, filled, key=lambda a: (_essential(a, costs), _lacking(a, costs)))
+        found = min(filled, trial, key=lambda a: (_essential(a, costs), _lacking(a, costs)))
         if not _lacks(found[room], costs):
             break
     return found

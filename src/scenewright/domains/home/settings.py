@@ -79,9 +79,10 @@ class TrySettings(NamedTuple):
 
 class CompositionCosts(NamedTuple):
     """What faults of composition cost, beside those of :class:`FaultCosts`: too little worktop in
-    one piece, a hob beside the sink or at the end of its run, half a wardrobe, a bed for two with
-    one nightstand or one side to get in, a single bed away from walls, too few shelves, too few
-    seats, a screen too small for its distance, something before a window or a wide door, a group
+    one piece, a hob beside the sink or at the end of its run, fridge, sink and hob off a work
+    triangle (``triangle``), half a wardrobe, a shallow one, a bed for two with one nightstand or
+    one side to get in, a single bed away from walls, too few shelves, too few seats, a screen too
+    small for its distance, something before a window or a wide door, a group
     small for its room (``modest``); a unit by which the furnished share of a floor is off what was
     learned (``share``), and by which the free floor beside a group falls short of it
     (``floor``)."""
@@ -89,10 +90,12 @@ class CompositionCosts(NamedTuple):
     worktop: float = 18.0
     hob_at_sink: float = 18.0
     hob_at_end: float = 18.0
+    triangle: float = 16.0
     wardrobe: float = 18.0
+    shallow: float = 4.0
     nightstand: float = 14.0
     one_side: float = 14.0
-    adrift: float = 20.0
+    adrift: float = 30.0
     shelves: float = 10.0
     seats: float = 24.0
     screen: float = 18.0
@@ -107,8 +110,9 @@ class ComposingSettings(NamedTuple):
     """Groups of a furnished room tried in better forms and places: ``rounds`` over all of them;
     of each group ``forms``, of each form the best ``places``, looked at every ``step`` metres, that
     are ``apart`` metres from one another; rooms of a ``few`` groups are composed ``anew`` for so
-    many faulty ones, from so many places of each (``starts``), all others in ``other_forms``; what
-    may be paid for something ``lacking``, and for an
+    many faulty ones, from so many places of each (``starts``), all others in ``other_forms``; of a
+    bed and a wardrobe that are placed together, ``pair_forms`` at ``pair_places`` of each, and so
+    many ``pairs`` furnished; what may be paid for something ``lacking``, and for an
     ``addition`` nobody asked for; by how much the room is to cost less (``least``), and how much
     ``wider`` its ways stay on the grid, metres. ``costs`` are those of faults."""
 
@@ -123,6 +127,10 @@ class ComposingSettings(NamedTuple):
     anew: int = 2
     starts: int = 4
     other_forms: int = 3
+    pair_forms: int = 8
+    pair_places: int = 80
+    pairs: int = 100
+    pair_starts: int = 12
     lacking: float = 60.0
     addition: float = 8.0
     costs: CompositionCosts = CompositionCosts()

@@ -25,6 +25,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.furnishing.whole import TOGETHER
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.household import BEDS
 from scenewright.domains.home.wished.wishes import list_barred_groups
 
 
@@ -50,6 +51,18 @@ def complete_account(
         elif not known and not list_barred_groups(room, task.library).issuperset(serving):
             found.append(_leave_out(need, serving, task, answer))
     return found
+
+
+def list_short_beds(
+    residents: int | None, spaces: Sequence[Space], pieces: Iterable[Piece]
+) -> list[LeftOut]:
+    """The beds that the stated residents lack, of the first bedroom."""
+    held = sum(BEDS.get(piece.category, 0) for piece in pieces)
+    if residents is None or held >= residents:
+        return []
+    room = next((s for s in spaces if "bedroom" in s.functions), spaces[0])
+    reason = f"beds for {held or 'none'} of {residents} residents: no bedroom has room for more"
+    return [LeftOut(room.id, "single", reason, True)]
 
 
 def list_lacking(space: Space, pieces: Iterable[Piece], catalog: Catalog) -> list[Essential]:

@@ -12,6 +12,7 @@ import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from itertools import chain
 
 from scenewright._version import __version__
 from scenewright.building.plan import plan_rooms
@@ -29,6 +30,7 @@ from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
+from scenewright.domains.home.home_floor import join_floors
 from scenewright.domains.home.household import (
     Household,
     decide_household,
@@ -44,7 +46,7 @@ from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.remove_blockers import remove_blockers
 from scenewright.domains.home.requests import check_asks, check_possible
 from scenewright.domains.home.second_try import tried_again
-from scenewright.domains.home.shortfall import complete_account
+from scenewright.domains.home.shortfall import complete_account, list_short_beds
 from scenewright.domains.home.stated_needs import AskedRooms, meet_stated_needs
 from scenewright.domains.home.tasks import add_lamps_and_curtains, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, vary_task
@@ -138,8 +140,8 @@ def _walk_home(
         remove_blockers,
         [task.fixed for task in every.tasks],
         rooms=rooms,
+        floors=join_floors(rooms, brief.route_width),
         catalog=catalog,
-        width=brief.route_width,
         settings=every.tasks[0].preset.settings,
     )
     found = tried_again(every.tasks, every.wishes, every.budgets, answers, opened)
@@ -323,10 +325,13 @@ def assemble_solution(
         ),
         patches=tuple(p for task, answer in pairs for p in patches(task, answer)),
         terms=tuple(value for values in entries.values() for value in values),
-        left_out=tuple(
-            out
-            for room, (task, answer), here in zip(brief.rooms, pairs, stands, strict=True)
-            for out in _left_out(room, task, answer, here)
+        left_out=(
+            *(
+                out
+                for room, (task, answer), here in zip(brief.rooms, pairs, stands, strict=True)
+                for out in _left_out(room, task, answer, here)
+            ),
+            *list_short_beds(brief.residents, [task.space for task in tasks], chain(*stands)),
         ),
         energies={space: sum(value.cost for value in values) for space, values in entries.items()},
         preset=preset,

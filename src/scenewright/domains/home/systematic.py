@@ -26,7 +26,7 @@ from scenewright.domains.home.attempt import (
 )
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
-from scenewright.domains.home.furnishing.obstacles import standing_of
+from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.programme import FALLBACK, LAST, Wish, instead_of, is_essential
 from scenewright.domains.home.wall_places import free_places
@@ -137,7 +137,7 @@ def _candidates(
     task: RoomTask, forms: Forms, placed: tuple[FurnishedGroup, ...], wish: Wish
 ) -> Iterator[FurnishedGroup]:
     """One more group wherever it fits."""
-    flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
+    flat = flat_kinds(task.catalog)
     standing = standing_of((*task.fixed, *(q for p in placed for q in p.pieces)), flat)
     name = _free_name(task, placed, wish.group)
     for case in forms(task, wish):

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.core.catalog import Catalog, Group, Member
-from scenewright.domains.home.furnishing.furnish import SLACK, needed_of, too_tall, world
+from scenewright.building.ceiling import lowest
+from scenewright.core.catalog import Catalog, Group
+from scenewright.domains.home.furnishing.furnish import SLACK, needed_of, world
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import RAISED
 from scenewright.domains.home.problem import Ground
-from scenewright.geometry.fit import faults, side_gaps
+from scenewright.geometry.compiled import compiled
+from scenewright.geometry.fit import mark_free, side_gaps
 
 Floats = NDArray[np.float64]
 
@@ -19,6 +25,7 @@ APART = 0.25  # places nearer to one another than this count as one, metres
 SNUG = 0.02  # a side nearer to a wall than this is in its corner, metres
 FAR = 4.0  # from a door on it does not matter how far, metres
 MOST = 400  # places along one wall
+HAIR, TINY = 1e-9, 1e-300
 
 
 def free_places(
@@ -30,6 +37,28 @@ def free_places(
     return _apart(boxes[np.argsort(_rank(boxes, ground), kind="stable")])
 
 
+class WallRows(NamedTuple):
+    """The walls of a room as places along them are counted: ``rows`` (w, 5) x, y of the start, the
+    unit direction and the length; ``heading`` (w,) of what has its back there, with its sine and
+    cosine, ``turns`` (w, 2), and the ``length`` of all together."""
+
+    rows: Floats
+    heading: Floats
+    turns: Floats
+    length: float
+
+
+def read_walls(ground: Ground) -> WallRows:
+    """The walls of a ground."""
+    start, way = ground.walls[:, :2], ground.walls[:, 2:] - ground.walls[:, :2]
+    length = np.hypot(way[:, 0], way[:, 1])
+    unit = way / np.maximum(length, TINY)[:, None]
+    heading = np.arctan2(unit[:, 0], -unit[:, 1])
+    turns = np.column_stack([np.sin(heading), np.cos(heading)])
+    rows = np.column_stack([start, unit, length])
+    return WallRows(rows, heading, turns, float(length.sum()))
+
+
 def free_boxes(
     case: Group,
     ground: Ground,
@@ -38,14 +67,17 @@ def free_boxes(
     height: float,
     step: float = STEP,
     whole: bool = False,
+    walls: WallRows | None = None,
 ) -> Floats:
     """The same, ``step`` metres apart and in no order; on which all that stands on the floor runs
-    into nothing, if the ``whole`` case is wanted."""
-    boxes = along_walls(case, ground, step)
-    needed = tuple(case.members[i] for i in needed_of(case))
+    into nothing, if the ``whole`` case is wanted. ``walls`` are those of the ground, where they
+    are known."""
+    along = walls or read_walls(ground)
+    boxes, turns = _list_along(case, along, step)
+    needed = needed_of(case)
     if whole:
-        needed = tuple(m for m in case.members if m.on < 0 and m.z < RAISED)
-    return boxes[stand_free(boxes, case, needed, ground, standing, catalog, height)]
+        needed = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
+    return boxes[_mark(boxes, turns, case, needed, ground, standing, catalog, height)]
 
 
 def along_walls(case: Group, ground: Ground, step: float = STEP) -> Floats:
@@ -60,59 +92,105 @@ def along_walls(case: Group, ground: Ground, step: float = STEP) -> Floats:
     >>> along_walls(case, Room).round(3).tolist()[0]
     [0.5, 0.2, 1.571, 1.0, 0.4]
     """
-    start, way = ground.walls[:, :2], ground.walls[:, 2:] - ground.walls[:, :2]
-    length = np.hypot(way[:, 0], way[:, 1])
-    fit = np.flatnonzero(length - case.width >= -SLACK)
-    if not len(fit):
-        return np.empty((0, 5))
-    spare = np.maximum(length[fit] - case.width, 0.0)
-    count = np.minimum(np.ceil(spare / step).astype(int) + 1, MOST)
-    wall, first = np.repeat(np.arange(len(fit)), count), np.repeat(np.cumsum(count) - count, count)
-    share = (np.arange(len(wall)) - first) / np.maximum(count - 1, 1)[wall]
-    t = share * spare[wall] + case.width / 2
-    ux, uy = (way[fit] / length[fit, None])[wall].T
-    boxes = np.empty((len(wall), 5))
-    boxes[:, 0] = start[fit[wall], 0] + ux * t - uy * case.depth / 2
-    boxes[:, 1] = start[fit[wall], 1] + uy * t + ux * case.depth / 2
-    boxes[:, 2] = np.arctan2(ux, -uy)
-    boxes[:, 3:] = case.width, case.depth
-    return boxes
+    return _list_along(case, read_walls(ground), step)[0]
+
+
+def _list_along(case: Group, walls: WallRows, step: float) -> tuple[Floats, Floats]:
+    """Boxes ``(n, 5)`` along walls, sine and cosine of their headings ``(n, 2)``."""
+    most = int(walls.length / step) + 2 * len(walls.rows)
+    boxes, turns = np.empty((most, 5)), np.empty((most, 2))
+    count = fill_along(*walls[:3], case.width, case.depth, step, boxes, turns)
+    return boxes[:count], turns[:count]
+
+
+@compiled
+def fill_along(
+    walls: Floats,
+    heading: Floats,
+    turns: Floats,
+    width: float,
+    depth: float,
+    step: float,
+    boxes: Floats,
+    turned: Floats,
+) -> int:
+    """Write boxes (n, 5) along each of the ``walls`` (w, 5), evenly from end to end, and sine and
+    cosine of their headings (n, 2); how many."""
+    n = 0
+    for w in range(walls.shape[0]):
+        spare = walls[w, 4] - width
+        if not spare >= -SLACK:
+            continue
+        spare = max(spare, 0.0)
+        count = min(math.ceil(spare / step) + 1, MOST)
+        last, ux, uy = max(count - 1, 1), walls[w, 2], walls[w, 3]
+        for i in range(count):
+            t = i / last * spare + width / 2
+            boxes[n, 0] = walls[w, 0] + ux * t - uy * depth / 2
+            boxes[n, 1] = walls[w, 1] + uy * t + ux * depth / 2
+            boxes[n, 2], boxes[n, 3], boxes[n, 4] = heading[w], width, depth
+            turned[n, 0], turned[n, 1] = turns[w, 0], turns[w, 1]
+            n += 1
+    return n
 
 
 def stand_free(
     boxes: Floats,
     case: Group,
-    members: tuple[Member, ...],
+    members: tuple[int, ...],
     ground: Ground,
     standing: StandingObstacles,
     catalog: Catalog,
     height: float,
 ) -> NDArray[np.bool_]:
-    """On which boxes (n, 5) of a case some of its ``members`` stand free."""
-    if not len(boxes):
-        return np.zeros(0, bool)
-    local = world(members, np.array([0.0, 0.0, np.pi / 2, case.width, case.depth]), catalog)
-    (shape, spans, flat), n = local, len(boxes)
-    sin, cos = np.sin(boxes[:, 2:3]), np.cos(boxes[:, 2:3])
-    placed = np.empty((n, len(members), 5))
-    placed[:, :, 0] = boxes[:, :1] + shape[:, 0] * sin + shape[:, 1] * cos
-    placed[:, :, 1] = boxes[:, 1:2] - shape[:, 0] * cos + shape[:, 1] * sin
-    placed[:, :, 2] = boxes[:, 2:3] + shape[:, 2] - np.pi / 2
-    placed[:, :, 3:] = shape[:, 3:]
-    rows, tall = placed.reshape(-1, 5), np.tile(spans, (n, 1))
-    codes, _ = faults(
-        rows,
-        tall,
-        np.tile(flat, n),
+    """On which boxes (n, 5) of a case some of its ``members``, by number, stand free."""
+    turns = np.column_stack([np.sin(boxes[:, 2]), np.cos(boxes[:, 2])])
+    return _mark(boxes, turns, case, members, ground, standing, catalog, height)
+
+
+def _mark(
+    boxes: Floats,
+    turns: Floats,
+    case: Group,
+    members: tuple[int, ...],
+    ground: Ground,
+    standing: StandingObstacles,
+    catalog: Catalog,
+    height: float,
+) -> NDArray[np.bool_]:
+    """The same with ``turns`` (n, 2), sine and cosine of the boxes' headings."""
+    free = np.zeros(len(boxes), bool)
+    shape, spans, flat = _shape_of(case, members, catalog)
+    tall = spans[:, 1].max(initial=0.0)
+    if not len(boxes) or (tall > height + HAIR and not len(ground.slopes)):
+        return free
+    mark_free(
+        boxes,
+        turns,
+        shape,
+        spans,
+        flat,
         ground.edges,
         ground.keep_free,
         ground.windows,
         standing.boxes,
         standing.spans,
         SLACK,
+        free,
     )
-    codes = too_tall(rows, tall, ground, height, codes)
-    return np.asarray((codes.reshape(n, -1) == 0).all(1))
+    for i in np.flatnonzero(free) if len(ground.slopes) else ():
+        placed = world(tuple(case.members[k] for k in members), boxes[i], catalog)[0]
+        free[i] = bool((spans[:, 1] <= lowest(placed, ground.slopes, height) + HAIR).all())
+    return free
+
+
+@lru_cache(maxsize=4096)
+def _shape_of(
+    case: Group, members: tuple[int, ...], catalog: Catalog
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """Members of a case, its front to +y: as :func:`world` gives them."""
+    chosen = tuple(case.members[i] for i in members)
+    return world(chosen, np.array([0.0, 0.0, np.pi / 2, case.width, case.depth]), catalog)
 
 
 def _rank(boxes: Floats, ground: Ground) -> Floats:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,11 +12,11 @@ from scenewright.building.ceiling import BENDING, HEADROOM, low_floor, lowest
 from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
-from scenewright.domains.home.problem import Ground
+from scenewright.domains.home.problem import Ground, KnownGround
 from scenewright.geometry.boxes import frames_of, read_frame
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.flood import Bits, flood
-from scenewright.geometry.paths import LOOK, RouteGrid, make_grid, sweep_box
+from scenewright.geometry.paths import LOOK, RouteGrid, clear_boxes, make_grid, sweep_box
 
 Floats = NDArray[np.float64]
 
@@ -41,51 +44,67 @@ def find_unreached(
     """
     if len(ground.doors) == 0:
         return frozenset()
-    solid = [box for p in pieces if _stands(p, catalog) for box in boxes_of(p)]
-    low = low_floor(ground.slopes, width, ground.bounds)
-    used = [p for p in pieces if catalog.kinds[p.category].access]
-    zones, owner = [], []
-    for i, piece in enumerate(used):
-        for side in catalog.kinds[piece.category].access:
-            zones.append(used_from(piece, SIDES.index(side), width / 2 + REACH, ground.slopes))
-            owner.append(i)
-    reached, joined = reach(
-        ground.edges,
-        _rows([*ground.obstacles.tolist(), *solid, *low.tolist()]),
-        ground.doors,
-        _rows(zones),
-        ground.bounds,
-        CELL,
-        width,
-        entered,
-    )
-    found = np.zeros(len(used), bool)
-    np.logical_or.at(found, np.array(owner, np.int64), reached)
-    far = {p.id for p, seen in zip(used, found, strict=True) if not seen}
+    walked = list_walked(ground, pieces, catalog, width)
+    far, joined = walk(ground, walked, width, entered)
     return frozenset(far | {f"door {k + 1}" for k in np.flatnonzero(~joined)})
 
 
-def reach(
-    edges: Floats,
-    solid: Floats,
-    doors: Floats,
-    zones: Floats,
-    bounds: Floats,
-    cell: float,
-    width: float,
-    entered: tuple[int, ...] = (),
+class Walked(NamedTuple):
+    """What a walk through a room looks at: boxes that stand in the way ``(k, 5)`` beside what is
+    built in, and boxes to be reached ``(z, 5)``, of which one of the same ``owner`` is enough."""
+
+    solid: Floats
+    zones: Floats
+    owner: tuple[str, ...]
+
+
+def list_walked(
+    ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog, width: float
+) -> Walked:
+    """What pieces put in the way of a route of ``width`` metres and where it is to reach."""
+    solid = [box for p in pieces if _stands(p, catalog) for box in boxes_of(p)]
+    zones, owner = [], []
+    for piece in pieces:
+        for side in catalog.kinds[piece.category].access:
+            zones.append(used_from(piece, SIDES.index(side), width / 2 + REACH, ground.slopes))
+            owner.append(piece.id)
+    return Walked(_rows(solid), _rows(zones), tuple(owner))
+
+
+def walk(
+    ground: Ground, walked: Walked, width: float, entered: tuple[int, ...] = ()
+) -> tuple[set[str], NDArray[np.bool_]]:
+    """The owners none of whose zones is reached, and which doors are joined to the first."""
+    grid = _empty_grid(KnownGround(ground), width)
+    grid = grid._replace(free=grid.free.copy())
+    clear_boxes(grid.free, grid, frames_of(walked.solid))
+    reached, joined = _reach(grid, walked.zones, entered)
+    near = {name for name, seen in zip(walked.owner, reached, strict=True) if seen}
+    return set(walked.owner) - near, joined
+
+
+@lru_cache(maxsize=256)
+def _empty_grid(known: KnownGround, width: float) -> RouteGrid:
+    """The grid of a room in which nothing stands but what is built in."""
+    ground = known.ground
+    low = low_floor(ground.slopes, width, ground.bounds)
+    solid = frames_of(_rows([*ground.obstacles.tolist(), *low.tolist()]))
+    return make_grid(ground.edges, solid, frames_of(ground.doors), ground.bounds, CELL, width)
+
+
+def _reach(
+    grid: RouteGrid, zones: Floats, entered: tuple[int, ...]
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Which of the boxes ``zones`` a route of ``width`` reaches from any door, or any of those
-    ``entered`` by, and which of the ``doors`` are joined to the first; ``solid`` stands in the
-    way. All boxes are ``(k, 5)``."""
-    grid = make_grid(edges, frames_of(solid), frames_of(doors), bounds, cell, width)
+    """Which of the boxes ``zones`` (k, 5) a route reaches on a grid from any door, or any of those
+    ``entered`` by, and which of the doors are joined to the first."""
     first = grid.doors[0] & grid.free
     flood(first, grid.free)
     joined = (grid.doors & first).any(axis=(1, 2))
-    come_in = np.isin(np.arange(len(doors)), entered)
+    come_in = np.zeros(len(grid.doors), bool)
+    come_in[list(entered)] = True
     reached = _flood(grid, first, joined, come_in)
     if not reached.any():
-        reached = _flood(grid, first, joined, np.ones(len(doors), bool))
+        reached = _flood(grid, first, joined, np.ones(len(grid.doors), bool))
     found = np.zeros(len(zones), bool)
     mark_touched(reached, grid, frames_of(zones), found)
     return found, joined

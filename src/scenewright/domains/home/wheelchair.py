@@ -21,7 +21,7 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask, penalty
 from scenewright.domains.home.cases.library import Library, cases, index_cases
 from scenewright.domains.home.furnishing.furnish import SLACK
-from scenewright.domains.home.furnishing.obstacles import standing_of
+from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.room import furnish
 from scenewright.engine.solve import Budget
@@ -229,7 +229,7 @@ def _pieces(answer: RoomAnswer) -> tuple[Piece, ...]:
 
 def _in_strips(task: RoomTask, answer: RoomAnswer, piece: Piece) -> frozenset[str] | None:
     """Ids of what stands in both strips beside a piece; ``None`` if one is free."""
-    flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
+    flat = flat_kinds(task.catalog)
     others = tuple(
         p
         for p in (*task.fixed, *task.beside, *_pieces(answer))

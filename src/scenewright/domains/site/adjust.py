@@ -15,7 +15,9 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.site.locks import LANDMARK, WORDS, lock_sites
 from scenewright.domains.site.plan import plan_sites
+from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solving import solve
+from scenewright.engine.rows import solver_again
 from scenewright.ground.adjusting import GroundRules, adjust_ground
 from scenewright.ground.locks import check_lockable
 
@@ -40,7 +42,8 @@ def adjust(
 
 def _build_again(standing: Solution, steps: int | None, seed: int) -> Solution:
     brief = lock_sites(standing)
-    return solve(brief, preset=standing.preset, solver=standing.solver, steps=steps, seed=seed)
+    solver = solver_again(SITE_SOLVERS, standing.solver)
+    return solve(brief, preset=standing.preset, solver=solver, steps=steps, seed=seed)
 
 
 def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:

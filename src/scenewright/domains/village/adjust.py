@@ -11,7 +11,9 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.village.locks import WORDS, lock_village
 from scenewright.domains.village.plan import plan_village
+from scenewright.domains.village.solvers import VILLAGE_SOLVERS
 from scenewright.domains.village.solving import solve
+from scenewright.engine.rows import solver_again
 from scenewright.ground.adjusting import GroundRules, adjust_ground, find_overlapped
 from scenewright.ground.locks import check_lockable, count_buildings
 
@@ -40,7 +42,8 @@ def _fill_again(standing: Solution, steps: int | None, seed: int) -> Solution:
     names = [space.id for space in plan_village(standing.brief).spaces]
     blocks = count_buildings(standing, brief.part.blocks, names)
     counted = brief.model_copy(update={"part": brief.part.model_copy(update={"blocks": blocks})})
-    return solve(counted, preset=standing.preset, solver=standing.solver, steps=steps, seed=seed)
+    solver = solver_again(VILLAGE_SOLVERS, standing.solver)
+    return solve(counted, preset=standing.preset, solver=solver, steps=steps, seed=seed)
 
 
 def _find_house(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:

@@ -68,10 +68,10 @@ def _start(vectors: Floats, classes: int, rng: np.random.Generator) -> Floats:
 
 def _lloyd(vectors: Floats, centres: Floats) -> tuple[Indices, float]:
     label = np.zeros(len(vectors), np.int64)
-    for _ in range(ROUNDS):
+    for turn in range(ROUNDS):
         away = ((vectors[:, None] - centres[None]) ** 2).sum(2)
         now = away.argmin(1)
-        if (now == label).all() and _:
+        if (now == label).all() and turn:
             break
         label = now
         for k in range(len(centres)):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from scenewright.catalog.assets.corners import cover
+from scenewright.catalog.assets.corners import cover, mirror_drawing
 from scenewright.catalog.assets.joinery import spread
 from scenewright.catalog.assets.materials import (
     FABRIC,
@@ -239,9 +239,11 @@ def _corner_sofa(form: Form, size: Size) -> Parts:
     return parts(size, found)
 
 
+CORNERS = draw_forms("corner_sofa", _corner_sofa, corner_sofa_symbol, cover(corner_sofa_outline))
 ASSETS = (
     *draw_forms("sofa", _sofa, sofa_symbol),
     *draw_forms("loveseat", _sofa, sofa_symbol),
-    *draw_forms("corner_sofa", _corner_sofa, corner_sofa_symbol, cover(corner_sofa_outline)),
+    *CORNERS,
+    *map(mirror_drawing, CORNERS),
     *draw_forms("armchair", _armchair, sofa_symbol),
 )

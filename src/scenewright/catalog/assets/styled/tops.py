@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import numpy as np
+
+from scenewright.catalog.assets.corners import cover, mirror_drawing
 from scenewright.catalog.assets.joinery import spread
 from scenewright.catalog.assets.materials import BLACK, BRASS, CLEAR, OAK, STONE, WALNUT, WHITE
 from scenewright.catalog.assets.model import Parts, parts
@@ -15,9 +18,10 @@ from scenewright.catalog.assets.styled.forms import (
     stand,
 )
 from scenewright.catalog.assets.symbols import Lines, path, rectangle, round_plain
+from scenewright.catalog.assets.tables import corner_desk_outline, corner_desk_symbol
 from scenewright.core.catalog import Material
 from scenewright.core.scene import Size
-from scenewright.geometry.mesh import Mesh
+from scenewright.geometry.mesh import Mesh, extrude
 from scenewright.geometry.solids import block, disc, lathe, leg, rod, slab
 
 TOPS: dict[str, tuple[Material, float]] = {
@@ -180,6 +184,23 @@ def _desk(form: Form, size: Size) -> Parts:
     return parts(size, add(found, _top(form, w, d, h)))
 
 
+def _corner_desk(form: Form, size: Size) -> Parts:
+    """A top round the corner, on legs at its ends and a chest without doors in its wing."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    wood, thick = TOPS[form.name]
+    outline = corner_desk_outline(size)
+    (_, front), (edge, _) = outline[2], outline[4]
+    x, y = (-w + 0.03, edge - 0.03), (d - 0.48, d - 0.03)
+    ends = ((w - 0.05, -d + 0.05), (w - 0.05, front - 0.05), (-w + 0.05, -d + 0.05))
+    legs = [leg(a, b, (0, h - thick), 0.03, 0.022) for a, b in ends]
+    rail = block((-w + 0.06, w - 0.06), (-d + 0.04, -d + 0.06), (h - 0.3, h - thick))
+    chest = block(x, y, (form.lift, h - thick))
+    under = ((a, b) for a in (x[0] + 0.04, x[1] - 0.04) for b in (y[0] + 0.04, y[1] - 0.04))
+    feet = [leg(a, b, (0, form.lift), 0.024, 0.018) for a, b in under]
+    top = extrude(np.array(outline), h - thick, h)
+    return parts(size, add({wood: [top, rail, *legs, *feet]}, {form.panel: [chest]}))
+
+
 def _draw_table(size: Size) -> Lines:
     return (rectangle(size, 0, 0.04),)
 
@@ -190,10 +211,13 @@ def _draw_desk(size: Size) -> Lines:
     return rectangle(size), path((w - wide, -d), (w - wide, d))
 
 
+CORNERS = draw_forms("corner_desk", _corner_desk, corner_desk_symbol, cover(corner_desk_outline))
 ASSETS = (
     *draw_forms("dining_table", _dining_table, _draw_table),
     *draw_forms("round_table", _round_table, round_plain),
     *draw_forms("coffee_table", _coffee_table, _draw_table),
     *draw_forms("side_table", _side_table, round_plain),
     *draw_forms("desk", _desk, _draw_desk),
+    *CORNERS,
+    *map(mirror_drawing, CORNERS),
 )

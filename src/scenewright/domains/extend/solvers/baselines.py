@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -10,11 +9,11 @@ import shapely
 
 from scenewright.domains.extend.pattern import GapRules
 from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, GrownLayout
-from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.patches import patch_turns, turn_poses
-from scenewright.engine.growing import OnGrowth, tell_growth
-from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
+from scenewright.domains.extend.solvers.single_layout import grow_once
+from scenewright.engine.growing import OnGrowth
+from scenewright.engine.solve import Budget, Cancel, Progress
 
 MOST_TRIES = 400
 """Places tried in a row without success before an area counts as full."""
@@ -31,7 +30,7 @@ def scatter_area(
     """Buildings of the sources at random places where they overlap nothing, turned as some
     building of the sources is."""
     make = partial(_scatter, problem, seed, GapRules(0.0, 0.0, 0.0))
-    return _one(problem, make, budget, progress, cancel)
+    return grow_once(problem, make, budget, progress, cancel)
 
 
 def space_area(
@@ -43,7 +42,7 @@ def space_area(
 ) -> ExtendFound:
     """The same, as far apart as buildings of the sources are at least."""
     make = partial(_scatter, problem, seed, problem.pattern.gaps)
-    return _one(problem, make, budget, progress, cancel)
+    return grow_once(problem, make, budget, progress, cancel)
 
 
 def tile_area(
@@ -54,24 +53,7 @@ def tile_area(
     cancel: Cancel | None = None,
 ) -> ExtendFound:
     """The first source copied in a grid of its own width and depth."""
-    return _one(problem, partial(_tile, problem, seed), budget, progress, cancel)
-
-
-def _one(
-    problem: ExtendProblem,
-    make: Callable[[OnGrowth], GrownLayout],
-    budget: Budget,
-    progress: Progress | None,
-    cancel: Cancel | None,
-) -> ExtendFound:
-    watch = BudgetWatch(budget._replace(steps=1), progress, cancel)
-    found = rate_layout(problem, make(tell_growth(watch, 0, 1)))
-    watch.over(1, found.score["energy"], partial(_same, found))
-    return Found((found,), 1)
-
-
-def _same(found: GrownLayout) -> GrownLayout:
-    return found
+    return grow_once(problem, partial(_tile, problem, seed), budget, progress, cancel)
 
 
 def _scatter(problem: ExtendProblem, seed: int, gaps: GapRules, on_growth: OnGrowth) -> GrownLayout:

@@ -91,12 +91,8 @@ def _grow(
         bred = breed(grid, WEIGHTS, rest, rng, settings, on_plots=partial(on_plots, 0.5))
         genes = max(ants, bred, key=lambda one: one.value).genes
     found = rate_layout(problem, _build(problem, grid, genes))
-    watch.over(most, found.score["energy"], partial(_same, found))
+    watch.over(most, found.score["energy"], lambda: found)
     return Found((found,), most)
-
-
-def _same(found: GrownLayout) -> GrownLayout:
-    return found
 
 
 def _build(problem: ExtendProblem, grid: PlotGrid, genes: np.ndarray) -> GrownLayout:

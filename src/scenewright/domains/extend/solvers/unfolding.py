@@ -19,13 +19,13 @@ import numpy as np
 import shapely
 
 from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, Floats, GrownLayout
-from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.continued_rows import face_street, union_streets
 from scenewright.domains.extend.solvers.repair import repair_coverage, take_away
 from scenewright.domains.extend.solvers.scene_grammar import SceneGrammar, UnfoldedRow, read_grammar
-from scenewright.engine.growing import OnGrowth, tell_growth
-from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
+from scenewright.domains.extend.solvers.single_layout import grow_once
+from scenewright.engine.growing import OnGrowth
+from scenewright.engine.solve import Budget, Cancel, Progress
 from scenewright.geometry.folding import stretch, unfold
 from scenewright.ground.built import from_frames, to_frames
 from scenewright.ground.rows import PASSAGE
@@ -44,15 +44,8 @@ def unfold_area(
 ) -> ExtendFound:
     """The sources' grammars unfolded into an area; where settings are ``relaxed`` coverage is then
     repaired. One layout."""
-    watch = BudgetWatch(budget._replace(steps=1), progress, cancel)
-    made = _unfold(problem, np.random.default_rng(seed), tell_growth(watch, 0, 1))
-    found = rate_layout(problem, made)
-    watch.over(1, found.score["energy"], partial(_same, found))
-    return Found((found,), 1)
-
-
-def _same(found: GrownLayout) -> GrownLayout:
-    return found
+    make = partial(_unfold, problem, np.random.default_rng(seed))
+    return grow_once(problem, make, budget, progress, cancel)
 
 
 def _unfold(problem: ExtendProblem, rng: np.random.Generator, on_growth: OnGrowth) -> GrownLayout:

@@ -22,7 +22,7 @@ from scenewright.domains.home.furnishing.furnish import (
     too_tall,
     why_not,
 )
-from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.programme import FALLBACK, Wish
 from scenewright.geometry.fit import OUTSIDE, faults, is_backed
@@ -100,7 +100,7 @@ def _round(pieces: Sequence[Piece]) -> Floats:
 
 def as_standing(pieces: Sequence[Piece], catalog: Catalog) -> StandingObstacles:
     """Pieces as what others are to keep clear of."""
-    return standing_of(tuple(pieces), frozenset(c for c, k in catalog.kinds.items() if k.flat))
+    return standing_of(tuple(pieces), flat_kinds(catalog))
 
 
 def find_misplaced(

@@ -37,15 +37,17 @@ from scenewright.domains.home.changes.regroup import (
 )
 from scenewright.domains.home.furnishing.look import apply_style, keep_palette
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.home_floor import join_floors
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import held_elsewhere
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.remove_blockers import remove_blockers
+from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.tasks import task_of, wishes_of
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
 from scenewright.domains.home.wished.wishes import restrict_library
-from scenewright.engine.rows import preset_named
+from scenewright.engine.rows import preset_named, solver_again
 from scenewright.engine.solve import Budget
 
 Floats = NDArray[np.float64]
@@ -129,7 +131,7 @@ def _revise_room(
             catalog,
             library,
             preset,
-            solution.solver,
+            solver_again(SOLVERS, solution.solver) or preset.solver,
             solution.seed,
             beside=beside,
         )
@@ -240,7 +242,8 @@ def _yield(
             standing.append(revised.task.fixed)
             answers.append(answer._replace(placed=(*stay, *answer.placed)))
     catalog = catalog_of(solution.brief.catalogs)
-    after = remove_blockers(standing, answers, rooms, catalog, solution.brief.route_width, settings)
+    floors = join_floors(rooms, solution.brief.route_width)
+    after = remove_blockers(standing, answers, rooms, floors, catalog, settings)
     for space, answer in zip(rooms, after, strict=True):
         if space.id in found:
             found[space.id] = found[space.id]._replace(rest=Rest((), answer))

@@ -20,6 +20,7 @@ from scenewright.check.bodies import Bodies, Rooms, Shape
 from scenewright.check.spaces import inscribed_width, under_ceiling
 from scenewright.core.brief import Room
 from scenewright.core.report import Note
+from scenewright.domains.home.household import BEDS
 
 SHARED = frozenset(("living", "dining", "kitchen", "hall"))
 """Functions whose essentials may stand in any room of an open space."""
@@ -104,6 +105,15 @@ def find_unmet_asks(asked: Mapping[str, Room], bodies: Bodies, rooms: Rooms) -> 
             if groups[group] < n
         ]
     return notes
+
+
+def find_short_beds(residents: int | None, bodies: Bodies) -> list[Note]:
+    """A note where fewer can sleep in a home than are stated to live in it."""
+    held = sum(BEDS.get(piece.category, 0) for piece in bodies.pieces)
+    if residents is None or held >= residents:
+        return []
+    text = f"there are beds for {held or 'none'} of the {residents} residents"
+    return [Note("", "sleeping", "beds", text)]
 
 
 def find_idle_hoods(bodies: Bodies, rooms: Rooms) -> list[Note]:

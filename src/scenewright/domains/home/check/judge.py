@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scenewright.building.plan import room_ids
 from scenewright.check.bodies import bodies_of
-from scenewright.check.plan_notes import note_reading, note_small_doors
+from scenewright.check.plan_notes import note_reading, note_small_doors, note_vast_rooms
 from scenewright.check.rooms import Walked, count_findings, judge_rooms, walk_rooms
 from scenewright.check.spaces import find_doorless
 from scenewright.check.stairs import find_cut_off
@@ -16,6 +16,7 @@ from scenewright.domains.home.check.accessible import Barriers, find_barriers
 from scenewright.domains.home.check.complete import (
     find_idle_hoods,
     find_incomplete,
+    find_short_beds,
     find_unknown,
     find_unmet_asks,
 )
@@ -35,11 +36,13 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     notes = (
         *note_reading(brief),
         *note_small_doors(rooms.spaces),
+        *note_vast_rooms(rooms.spaces),
         *note_styles(brief, kinds),
         *find_doorless(bodies, rooms),
         *find_cut_off(brief, bodies, rooms),
         *find_incomplete(bodies, rooms),
         *find_unmet_asks(asked, bodies, rooms),
+        *find_short_beds(brief.residents, bodies),
         *find_idle_hoods(bodies, rooms),
         *find_unknown(asked, bodies, rooms),
         *shared.notes,

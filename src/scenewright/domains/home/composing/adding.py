@@ -67,7 +67,8 @@ def _best_added(
     group = make_unplaced(task, placed, wish, forms_to_add(task, wish)[-1])
     judge = judge_of(task, (*placed, group))
     alone = judge_of(task, placed).cost_of(placed).cost if placed else 0.0
-    found = try_forms(judge, (*placed, group), len(placed), forms_to_add(task, wish), 2)
+    forms = forms_to_add(task, wish)
+    found = try_forms(judge, (*placed, group), len(placed), forms, 2, alone + worth)
     for judged in found:
         if judged.cost > alone + worth:
             break

@@ -1,28 +1,34 @@
 """Rooms with a fault that no single change mends, composed anew: what is at fault chooses first.
 
-The faulty group is put at its best places as if the room were empty, in the forms with least wrong;
-all others follow, the essential and the largest first, each where the room so far costs least
-beside those before it. A way that leaves one of them without a place, or comes to as many faults as
-the room has, is given up.
+The faulty group is put at its best places as if the room were empty, in the forms with least wrong
+(a bed and a wardrobe together: :mod:`.pairs`); all others follow, the essential and the largest
+first, each where the room so far costs least beside those before it. A way that leaves one of them
+without a place, or comes to as many faults as the room has, is given up.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache
+from itertools import islice
 from math import hypot
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
-from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import (
     RUNS,
     JudgedRoom,
     Placed,
+    RoomJudge,
     judge_of,
     sum_faults,
 )
-from scenewright.domains.home.composing.moving import make_unplaced, take_best, try_forms
-from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.composing.kitchens import as_whole, list_fitted, may_reform, parts_of
+from scenewright.domains.home.composing.moving import take_best, try_forms
+from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
+
+Judges = Callable[[int], RoomJudge]
+"""The judge of the first so many groups of a room."""
 
 
 def compose_anew(
@@ -30,11 +36,14 @@ def compose_anew(
 ) -> JudgedRoom:
     """The groups laid out anew for the first of the faulty ones by their ``names``, the worst
     first, or as they were."""
+    paired = {p.name for p in find_pair(best.placed)}
+    tried: set[str] = set()
     for name in names[: task.preset.settings.composing.anew]:
-        if task.cancelled():
-            break
-        found = list(_lay_out_anew(task, best, barred, name))
-        best = take_best(task, best, found, barred)
+        if name in tried or task.cancelled():
+            continue
+        lay_out = _lay_out_pair if name in paired else _lay_out_anew
+        best = take_best(task, best, list(lay_out(task, best, barred, name)), barred)
+        tried |= paired if name in paired else {name}
     return best
 
 
@@ -44,31 +53,60 @@ def _lay_out_anew(
     """The whole room from each of the best places of one group."""
     least = task.preset.settings.composing.least
     most = sum_faults(task, best.placed) - least
-    own = sum_faults(task, tuple(p for p in best.placed if p.name == name)) - least
-    for first, *others in _list_orders(task, best.placed, name):
-        for start in list_starts(task, first):
-            better = sum_faults(task, start.placed) < own
-            whole = follow(task, start, others, barred, most) if better else None
-            if whole is not None:
-                yield whole
+    first = next(p for p in best.placed if p.name == name)
+    run = next((p for p in best.placed if p.wish.group in RUNS), None)
+    kitchen = parts_of(best.placed, run) if run else ()
+    cooks = any(first is part for part in kitchen) and may_reform(task, best.placed)
+    parts = kitchen if cooks else (first,)
+    own = sum_faults(task, parts) - least
+    starts = _list_kitchens(task, run, own) if run and cooks else list_starts(task, first)
+    rest = [p for p in best.placed if all(p is not part for part in parts)]
+    others = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
+    judges = judge_in_order(task, (as_whole(run) if run and cooks else first, *others))
+    for start in starts:
+        better = sum_faults(task, start.placed) < own
+        whole = follow(task, judges, start, others, barred, most) if better else None
+        if whole is not None:
+            yield whole
 
 
-def _list_orders(task: RoomTask, placed: Placed, name: str) -> Iterator[Placed]:
-    """The groups with one of them first, then the essential and the largest; a kitchen also as a
-    run and a fridge by itself, and the other way round."""
-    first = next(p for p in placed if p.name == name)
-    order = sorted(placed, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
-    run = next((p for p in placed if p.wish.group in RUNS), None)
-    parts = [p for p in placed if p.wish.group in (*RUNS, "fridge")]
-    given = run is None or run.wish.required or run.wish.most or task.library.own
-    if first not in parts or run is None or given or len(parts) > 2:
-        yield (first, *(p for p in order if p is not first))
-        return
-    rest = [p for p in order if p not in parts]
-    bare = run._replace(wish=run.wish._replace(group="kitchenette"), name="kitchenette")
-    case = cases("fridge", task.library).groups[0]
-    yield bare, make_unplaced(task, tuple(rest), Wish("fridge", 0, small=True), case), *rest
-    yield run._replace(wish=run.wish._replace(group="kitchen"), name="kitchen"), *rest
+def _list_kitchens(task: RoomTask, run: FurnishedGroup, faults: float) -> Iterator[JudgedRoom]:
+    """Kitchens made to measure for the room as if it were empty, with less wrong than ``faults``:
+    of the first two steps that have some the best."""
+    rule, steps = task.preset.settings.composing, 0
+    for found in list_fitted(task, (), run, frozenset()):
+        better = [j for j in found if sum_faults(task, j.placed) < faults]
+        yield from better[: rule.starts]
+        steps += bool(better)
+        if steps == 2:
+            break
+
+
+def _lay_out_pair(
+    task: RoomTask, best: JudgedRoom, barred: frozenset[str], _: str
+) -> Iterator[JudgedRoom]:
+    """The whole room from each of the best pairs of places of its bed and its wardrobe."""
+    rule = task.preset.settings.composing
+    worth, most = best.cost - rule.least, sum_faults(task, best.placed)
+    return islice(follow_pairs(task, best.placed, barred, worth, most), rule.starts)
+
+
+def follow_pairs(
+    task: RoomTask, placed: Placed, barred: frozenset[str], worth: float, most: float
+) -> Iterator[JudgedRoom]:
+    """The groups of a room with a bed and a wardrobe, these at their best pairs of places, all
+    others after them: rooms that cost less than they are ``worth``, and their faults less than
+    ``most``."""
+    rule, pair = task.preset.settings.composing, find_pair(placed)
+    paired = {p.name for p in pair}
+    rest = [p for p in placed if p.name not in paired]
+    order = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
+    judges = judge_in_order(task, (*pair, *order))
+    starts = list_pair_starts(judges(2), pair, barred, worth) if pair else iter(())
+    for start in islice(starts, rule.pair_starts):
+        whole = follow(task, judges, start, order, barred, most)
+        if whole is not None and whole.cost < worth:
+            yield whole
 
 
 def list_starts(task: RoomTask, first: FurnishedGroup) -> list[JudgedRoom]:
@@ -86,23 +124,28 @@ def list_starts(task: RoomTask, first: FurnishedGroup) -> list[JudgedRoom]:
     return kept
 
 
+def judge_in_order(task: RoomTask, groups: Placed) -> Judges:
+    """The judges of the first so many of the groups, each made when it is first asked for."""
+    return cache(lambda count: judge_of(task, groups[:count]))
+
+
 def follow(
     task: RoomTask,
+    judges: Judges,
     start: JudgedRoom,
     others: Sequence[FurnishedGroup],
     barred: frozenset[str],
     most: float,
 ) -> JudgedRoom | None:
-    """The others beside the first, one after the other; None where one finds no place, or where
-    faults cost ``most`` before all stand."""
+    """The others beside the first, one after the other, as the ``judges`` of so many tell; None
+    where one finds no place, or where faults cost ``most`` before all stand."""
     rule, best = task.preset.settings.composing, start
     for other in others:
         if sum_faults(task, best.placed) >= most:
             return None
         whole, at = (*best.placed, other), len(best.placed)
-        found = try_forms(
-            judge_of(task, whole), whole, at, list_forms(task, other), rule.other_forms
-        )
+        forms = list_forms(task, other)
+        found = try_forms(judges(at + 1), whole, at, forms, rule.other_forms)
         open_ = (j for j in found[: rule.places] if barred >= set(find_blocked(task, j.placed)))
         following = next(open_, None)
         if following is None:

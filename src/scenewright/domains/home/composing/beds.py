@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from itertools import islice
 from math import inf
 
 from scenewright.domains.home.attempt import RoomTask, floor_of
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.anew import follow, list_starts
+from scenewright.domains.home.composing.anew import (
+    follow,
+    follow_pairs,
+    judge_in_order,
+    list_starts,
+)
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, judge_of
 from scenewright.domains.home.composing.moving import make_unplaced, take_best, try_forms
@@ -30,8 +36,12 @@ def restore_double_bed(task: RoomTask, best: JudgedRoom, barred: frozenset[str])
     worth = best._replace(cost=best.cost + task.costs.fallback)
     better = take_best(task, worth, found, barred)
     if better is worth:
+        paired = follow_pairs(task, whole, barred, worth.cost, inf)
+        better = take_best(task, worth, list(islice(paired, rule.starts)), barred)
+    if better is worth:
         others = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
-        anew = (follow(task, start, others, barred, inf) for start in list_starts(task, bed))
+        judges, starts = judge_in_order(task, (bed, *others)), list_starts(task, bed)
+        anew = (follow(task, judges, start, others, barred, inf) for start in starts)
         better = take_best(task, worth, [judged for judged in anew if judged], barred)
     return best if better is worth else better
 

@@ -8,7 +8,8 @@ person from a metre on; a bed for two has a nightstand on either side.
 from __future__ import annotations
 
 from functools import lru_cache
-from itertools import takewhile
+from itertools import combinations
+from math import cos, hypot, pi, remainder, sin
 
 from scenewright.core.catalog import Group, Member
 
@@ -21,6 +22,10 @@ AMPLE, BESIDE = 0.6, 0.3  # worktop in one piece, and beside a hob, metres
 MANY = 3  # seats of a room that is roomy
 SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
 FULL = 1.0  # width of a wardrobe, metres
+DEEP = 0.4  # depth of a wardrobe, metres: with less, clothes hang on a rail that is pulled out
+LEG = (1.2, 2.7)  # of a work triangle, metres
+TOUCH, IN_LINE = 0.03, 0.3  # units nearer, and less far ahead, than this are in one line, metres
+TURNED = 0.1  # units turned by more are not in one line, radians
 HAIR = 1e-6
 
 
@@ -39,16 +44,21 @@ def _faults(case: Group) -> list[tuple[str, float]]:
     if case.function in ("kitchen", "kitchenette"):
         return _of_kitchen(case.members)
     if case.function == "wardrobe":
-        return [("wardrobe", max(0.0, 1.0 - case.width / FULL))]
+        deep = max(member.size.depth for member in case.members)
+        return [
+            ("wardrobe", max(0.0, 1.0 - case.width / FULL)),
+            ("shallow", max(0.0, 1.0 - deep / DEEP)),
+        ]
     if case.function == "sleeping":
         stands = sum(member.category == "nightstand" for member in case.members)
         return [("nightstand", 1.0 - min(stands, 2) / 2), ("one_side", float(stands < 2))]
     if case.function == "seating":
-        return [("seats", float(_seats(case) < MANY))]
+        return [("seats", float(count_seats(case) < MANY))]
     return []
 
 
-def _seats(case: Group) -> int:
+def count_seats(case: Group) -> int:
+    """Places on the sofas and armchairs of a case."""
     places = {"armchair": 1, "loveseat": 2, "corner_sofa": 4}
     return sum(
         places.get(m.category, 3 if m.size.width >= SOFA_OF_THREE else 2)
@@ -58,30 +68,60 @@ def _seats(case: Group) -> int:
 
 
 def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
-    """Shortfalls of worktop of a run; a sink in the wing round the corner is far enough."""
-    row = sorted((m for m in members if _is_in_run(m)), key=lambda m: m.x)
-    names = [m.category for m in row]
-    if "hob_cabinet" not in names:
+    """Shortfalls of worktop of the lines of a kitchen, and of its work triangle."""
+    units = [m for m in members if m.category in RUN and m.z < RAISED]
+    hob = next((m for m in units if m.category == "hob_cabinet"), None)
+    sink = next((m for m in units if m.category == "sink_cabinet"), None)
+    if hob is None:
         return []
-    hob = names.index("hob_cabinet")
-    sink = names.index("sink_cabinet") if "sink_cabinet" in names else -1
-    between = BESIDE
-    if sink >= 0:
-        between = sum(m.size.width for m in row[min(hob, sink) + 1 : max(hob, sink)])
-    beside = min(_worktop(row[hob + 1 :]), _worktop(row[:hob][::-1]))
-    longest = max(_worktop(row[i:]) for i in range(len(row)))
+    apart = BESIDE
+    if sink is not None:
+        apart = hypot(hob.x - sink.x, hob.y - sink.y) - (hob.size.width + sink.size.width) / 2
+    beside = min(_worktop(hob, units, side) for side in (-1, 1))
+    tops = (m for m in units if m.category in WORKTOP)
+    longest = max((m.size.width + _worktop(m, units, 1) for m in tops), default=0.0)
     return [
         ("worktop", max(0.0, 1.0 - longest / AMPLE)),
-        ("hob_at_sink", max(0.0, 1.0 - between / BESIDE)),
+        ("hob_at_sink", max(0.0, 1.0 - apart / BESIDE)),
         ("hob_at_end", max(0.0, 1.0 - beside / BESIDE)),
+        ("triangle", _off_triangle(units)),
     ]
 
 
-def _is_in_run(member: Member) -> bool:
-    straight = abs(member.heading) < HAIR or member.category == "corner_cabinet"
-    return member.category in RUN and member.z < RAISED and straight
+def _worktop(unit: Member, units: list[Member], side: int) -> float:
+    """Metres of worktop that begin at one side of a unit, to its right if ``side`` is +1."""
+    length, at = 0.0, unit
+    while True:
+        following = next((m for m in units if m is not at and _touches(at, m, side)), None)
+        if following is None or following.category not in WORKTOP:
+            return length
+        length, at = length + following.size.width, following
 
 
-def _worktop(row: list[Member]) -> float:
-    """Metres of worktop a row begins with."""
-    return sum(m.size.width for m in takewhile(lambda m: m.category in WORKTOP, row))
+def _touches(one: Member, other: Member, side: int) -> bool:
+    """Whether another unit follows in the same line; the top of a corner cabinet lies along two
+    walls."""
+    corner = "corner_cabinet" in (one.category, other.category)
+    if abs(remainder(one.heading - other.heading, pi / 2 if corner else 2 * pi)) > TURNED:
+        return False
+    c, s = cos(one.heading), sin(one.heading)
+    dx, dy = other.x - one.x, other.y - one.y
+    along, ahead = side * (c * dx + s * dy), c * dy - s * dx
+    gap = along - (one.size.width + other.size.width) / 2
+    return abs(gap) < TOUCH and abs(ahead) < IN_LINE
+
+
+def _off_triangle(units: list[Member]) -> float:
+    """By how much sink, hob and fridge are off a work triangle, from 0 to 1: the mean of what each
+    leg is off 1.2 to 2.7 m, as a share of the nearer, and of 1 where all three stand in one line.
+
+    NKBA (Planning Guidelines, 2012, 5) asks for legs of 4 to 9 feet, 26 feet at most in all.
+    """
+    named = {m.category: m for m in units}
+    if not named.keys() >= {"sink_cabinet", "hob_cabinet", "fridge"}:
+        return 0.0
+    ends = [named[name] for name in ("sink_cabinet", "hob_cabinet", "fridge")]
+    legs = [hypot(a.x - b.x, a.y - b.y) for a, b in combinations(ends, 2)]
+    off = [max(1.0 - leg / LEG[0], leg / LEG[1] - 1.0, 0.0) for leg in legs]
+    inline = len({round(m.heading, 2) for m in ends}) == 1 and max(legs) > sum(legs) / 2 - IN_LINE
+    return min(1.0, (sum(off) + float(inline)) / 4)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from functools import cache
+from functools import cache, lru_cache
 from itertools import zip_longest
 from math import sqrt
 
@@ -13,18 +13,17 @@ from scenewright.domains.home.build_problem import select_allowed
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.modest import find_shortage
-from scenewright.domains.home.groups.corner_kitchen import corner_kitchenettes, corner_kitchens
 from scenewright.domains.home.groups.dining import tables_for_many
 from scenewright.domains.home.groups.entry import fitted_storage
-from scenewright.domains.home.groups.living import more_seats
+from scenewright.domains.home.groups.kitchen import long_kitchenettes
+from scenewright.domains.home.groups.living import further_seats
 from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes
 from scenewright.domains.home.settings import ComposingSettings
 
 FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
     "dining_wall": tables_for_many,
-    "kitchen": corner_kitchens,
-    "kitchenette": corner_kitchenettes,
-    "seating": more_seats,
+    "kitchenette": long_kitchenettes,
+    "seating": further_seats,
     "single": along_wall,
     "storage": fitted_storage,
     "wardrobe": fitted_wardrobes,
@@ -40,6 +39,11 @@ ROOMY = 14.0
 """From so many square metres on a living room has seats for more than two."""
 
 
+FROM = {"seats": ROOMY, "triangle": 9.0}
+"""Faults that only rooms from so many square metres on have."""
+
+
+@lru_cache(maxsize=16384)
 def cost_of_case(case: Group, area: float, rule: ComposingSettings) -> float:
     """What is wrong with a case wherever it stands in a room of ``area`` square metres: each fault
     half for being there, half by its degree; what it falls short of its room's size by its
@@ -47,7 +51,7 @@ def cost_of_case(case: Group, area: float, rule: ComposingSettings) -> float:
     faults = sum(
         float(getattr(rule.costs, name)) * (1.0 + degree) / 2
         for name, degree in find_case_faults(case)
-        if name != "seats" or area >= ROOMY
+        if area >= FROM.get(name, 0.0)
     )
     return faults + rule.costs.modest * find_shortage(case, area)
 

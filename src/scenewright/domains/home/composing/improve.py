@@ -22,6 +22,7 @@ from scenewright.domains.home.composing.judging import (
     judge_of,
 )
 from scenewright.domains.home.composing.kitchens import reform_kitchen
+from scenewright.domains.home.composing.lounges import gather_seats
 from scenewright.domains.home.composing.moving import take_best, try_forms, with_margin
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_group,
@@ -54,6 +55,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     if _worst_first(task, best.placed):
         best = _improve_all(judge_of(task, best.placed), best, barred)
         best = reform_kitchen(task, best, barred)
+        best = gather_seats(task, best, barred)
         if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
     better = add_groups(task, before._replace(placed=best.placed), barred)
@@ -80,7 +82,7 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     rule = task.preset.settings.composing
     whole = {
         "storage": cost_of_shelves(placed, task.ground, rule.costs.shelves),
-        "media": cost_of_screen(placed, rule.costs.screen),
+        "media": cost_of_screen(placed, task.ground, rule.costs.screen),
     }
     unmet = float(count_unmet(task, placed) > 0)
     costs = {
@@ -94,7 +96,8 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
 def _improve(judge: RoomJudge, best: JudgedRoom, name: str, barred: frozenset[str]) -> JudgedRoom:
     """The groups with one of them in a better form or place, or as they were."""
     rule = judge.task.preset.settings.composing
-    found = _elsewhere(judge, best.placed, _number_of(best.placed, name), rule.forms)
+    most = best.cost - rule.least
+    found = _elsewhere(judge, best.placed, _number_of(best.placed, name), rule.forms, most)
     return take_best(judge.task, best, found, barred)
 
 
@@ -102,7 +105,9 @@ def _number_of(placed: Placed, name: str) -> int:
     return next(i for i, p in enumerate(placed) if p.name == name)
 
 
-def _elsewhere(judge: RoomJudge, placed: Placed, at: int, forms: int) -> list[JudgedRoom]:
+def _elsewhere(
+    judge: RoomJudge, placed: Placed, at: int, forms: int, most: float
+) -> list[JudgedRoom]:
     """The groups with one of them in its better forms wherever along the walls it stands free, the
-    cheapest first."""
-    return try_forms(judge, placed, at, list_forms(judge.task, placed[at]), forms)
+    cheapest first; of those that cost over ``most`` not all."""
+    return try_forms(judge, placed, at, list_forms(judge.task, placed[at]), forms, most)

@@ -38,6 +38,10 @@ REACHED_IN = 1.5
 """A room of less floor, square metres, is used through its door: nobody stands before what is in
 it."""
 
+AMPLE, AMID = 16.0, 0.4
+"""In a room of so many square metres a wall behind the sofa counts so much of what it usually
+does."""
+
 
 class JudgedRoom(NamedTuple):
     """Groups as they stand and what they cost."""
@@ -57,11 +61,15 @@ class RoomJudge(NamedTuple):
         """Energies ``(P,)`` of boxes ``(P, n, 5)`` of the groups in their order."""
         return energies_of(self.prepared, self.grid, layouts)[0]
 
-    def cost_of(self, placed: Placed, known: tuple[float, ...] = ()) -> JudgedRoom:
+    def cost_of(
+        self, placed: Placed, known: tuple[float, ...] = (), energy: float | None = None
+    ) -> JudgedRoom:
         """The groups with what they cost: energy, lost pieces, and faults of composition; ``known``
-        is what each group costs by itself, NaN where that is to be found."""
+        is what each group costs by itself, NaN where that is to be found, ``energy`` that of the
+        layout, if it is known."""
         task, rule = self.task, self.task.preset.settings.composing
-        energy = float(self.energies_of(np.array([[p.dressed.box for p in placed]]))[0])
+        if energy is None:
+            energy = float(self.energies_of(np.array([[p.dressed.box for p in placed]]))[0])
         lost = task.costs.piece * sum(p.dressed.lost for p in placed)
         room = lost + sum_faults(task, placed, known) + task.costs.unmet * count_unmet(task, placed)
         if task.share is not None:
@@ -84,7 +92,7 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     pairs = zip(placed, known or (nan,) * len(placed), strict=True)
     each = sum(cost_of_group(p, task.ground, rule) if isnan(c) else c for p, c in pairs)
     shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
-    return each + shelves + cost_of_screen(placed, rule.costs.screen)
+    return each + shelves + cost_of_screen(placed, task.ground, rule.costs.screen)
 
 
 def share_of(task: RoomTask, placed: Placed) -> float:
@@ -124,5 +132,9 @@ def judge_of(task: RoomTask, placed: Placed) -> RoomJudge:
     problem = build_task_problem(task, tuple(p.wish for p in placed), task.ground)
     counts = REWEIGHED | ({"clear_room": 0.0} if task.ground.area < REACHED_IN else {})
     weights = {name: w * counts.get(name, 1.0) for name, w in problem.weights.items()}
-    problem = problem._replace(weights=weights)
+    items = problem.items
+    if task.ground.area >= AMPLE:
+        seats = np.array([p.wish.group == "seating" for p in placed])
+        items = items._replace(back_to_wall=np.where(seats, AMID, 1.0) * items.back_to_wall)
+    problem = problem._replace(weights=weights, items=items)
     return RoomJudge(task, prepare(problem), route_grid(problem, 0.1))

@@ -1,56 +1,123 @@
-"""Kitchens that are put together otherwise: the fridge by itself, or all of it round a corner."""
+"""Kitchens that are put together otherwise: made to measure, round corners, in several lines."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import islice
+from math import inf
+
+import numpy as np
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
-from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.forms import cost_of_case, list_forms
-from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, Placed, judge_of
-from scenewright.domains.home.composing.moving import make_unplaced, take_best, try_forms
-from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.composing.fitted import FreeWalls, list_bare_steps, list_steps
+from scenewright.domains.home.composing.foreseen import foresee_cost
+from scenewright.domains.home.composing.free_walls import list_stretches
+from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, Placed, RoomJudge, judge_of
+from scenewright.domains.home.composing.kitchen_ways import is_walked, trim_to_ways, ways_of
+from scenewright.domains.home.composing.moving import dress_group, take_best
+from scenewright.domains.home.composing.placed_faults import cost_of_group
+from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.groups.fitted_kitchen import (
+    SLIM_FRIDGE,
+    FittedKitchen,
+    assemble,
+    box_of,
+    overlap,
+)
+from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, WORKTOP
 
-TRIED, KEPT = 4, 2
-"""Forms tried of a run, and of these those beside which a fridge is looked a place for."""
+LISTED, TRIED, KEPT = 900, 250, 4
+"""Kitchens of one step that are listed, tried, and kept."""
+SOUGHT = ((UNIT_DEPTH, WORKTOP, 0.45), (FRIDGE.depth, FRIDGE.height, SLIM_FRIDGE))
+"""Depth, height and least width of what stretches of wall are looked for, metres."""
 
 
 def reform_kitchen(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
-    """The groups with a faulty kitchen put together otherwise, or as they were: a run with its
-    fridge becomes a longer worktop and a fridge by itself, and the other way round."""
+    """The groups with a faulty kitchen put together otherwise, or as they were."""
     run = next((p for p in best.placed if p.wish.group in RUNS), None)
     rule = task.preset.settings.composing
-    if run is None or task.library.own or not cost_of_case(run.dressed.case, 0.0, rule):
+    if run is None or not may_reform(task, best.placed):
         return best
-    if run.wish.required or run.wish.most or task.cancelled():
+    if not cost_of_group(run, task.ground, rule):
         return best
-    rest = tuple(p for p in best.placed if p.wish.group not in (*RUNS, "fridge"))
-    if len(best.placed) - len(rest) > 2:
-        return best
-    return take_best(task, best, _reform(task, rest, run), barred)
+    parts = parts_of(best.placed, run)
+    rest = tuple(p for p in best.placed if all(p is not part for part in parts))
+    for found in list_fitted(task, rest, run, barred, best.cost):
+        best = take_best(task, best, found, barred)
+        now = next(p for p in best.placed if p.wish.group in RUNS)
+        if not cost_of_group(now, task.ground, rule) or task.cancelled():
+            break
+    return best
 
 
-def _reform(task: RoomTask, rest: Placed, run: FurnishedGroup) -> list[JudgedRoom]:
-    """The kitchen put together either way beside the ``rest``."""
-    return [*_whole(task, rest, run), *_apart(task, rest, run)]
+def may_reform(task: RoomTask, placed: Placed) -> bool:
+    """Whether the kitchen of a room may be put together as is best."""
+    parts = [p for p in placed if p.wish.group in (*RUNS, "fridge")]
+    given = any(p.wish.most for p in parts if p.wish.group in RUNS)
+    return bool(parts) and len(parts) <= 2 and not given and not task.library.own
 
 
-def _whole(task: RoomTask, rest: Placed, run: FurnishedGroup) -> Iterator[JudgedRoom]:
-    """Runs with their fridge."""
-    whole = run._replace(wish=run.wish._replace(group="kitchen"), name="kitchen")
-    placed = (*rest, whole)
-    yield from try_forms(judge_of(task, placed), placed, len(rest), list_forms(task, whole), TRIED)
+def parts_of(placed: Placed, run: FurnishedGroup) -> Placed:
+    """The groups that a kitchen in the place of a run stands for: its fridge as well, unless
+    somebody asked for the run by itself."""
+    apart = run.wish.required
+    return tuple(p for p in placed if p is run or (p.wish.group in (*RUNS, "fridge") and not apart))
 
 
-def _apart(task: RoomTask, rest: Placed, run: FurnishedGroup) -> Iterator[JudgedRoom]:
-    """Runs without, and a fridge by itself."""
-    bare = run._replace(wish=run.wish._replace(group="kitchenette"), name="kitchenette")
-    placed = (*rest, bare)
-    judge = judge_of(task, placed)
-    fridges = cases("fridge", task.library).groups
-    fridge = make_unplaced(task, rest, Wish("fridge", 0, small=True), fridges[0])
-    both = judge_of(task, (*placed, fridge))
-    for judged in islice(try_forms(judge, placed, len(rest), list_forms(task, bare), TRIED), KEPT):
-        whole = (*judged.placed, fridge)
-        yield from try_forms(both, whole, len(placed), fridges, len(fridges))[:1]
+def as_whole(run: FurnishedGroup) -> FurnishedGroup:
+    """A kitchen with its fridge, in the place of a run with or without one; a run somebody asked
+    for as it is."""
+    if run.wish.required:
+        return run
+    return run._replace(wish=run.wish._replace(group="kitchen"), name="kitchen")
+
+
+def list_fitted(
+    task: RoomTask, rest: Placed, run: FurnishedGroup, barred: frozenset[str], most: float = inf
+) -> Iterator[list[JudgedRoom]]:
+    """The kitchens made to measure beside the ``rest``, step by step, the cheapest first: those
+    that bar no more than is ``barred`` and cost less than ``most``."""
+    standing = standing_of(
+        (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces)), flat_kinds(task.catalog)
+    )
+    ways = ways_of(task, rest, barred)
+    low, tall = (
+        trim_to_ways(ways, list_stretches(task.ground, standing, depth, height, least), least)
+        for depth, height, least in SOUGHT
+    )
+    if not low:
+        return
+    whole = as_whole(run)
+    judge = judge_of(task, (*rest, whole))
+    steps = list_steps if whole.wish.group == "kitchen" else list_bare_steps
+    for step in steps(FreeWalls(low, tall, task.ground.area)):
+        found: list[JudgedRoom] = []
+        known: dict[FittedKitchen, bool] = {}
+        for fitted in _pick(judge, rest, islice(step(), LISTED), most):
+            if len(found) == KEPT:
+                break
+            if overlap(fitted) or not is_walked(ways, fitted, known):
+                continue
+            dressed = dress_group(task, whole, *assemble(fitted), standing)
+            if dressed is not None:
+                found.append(judge.cost_of((*rest, dressed)))
+        yield sorted(found, key=lambda judged: judged.cost)
+
+
+def _pick(
+    judge: RoomJudge, rest: Placed, kitchens: Iterable[FittedKitchen], most: float
+) -> list[FittedKitchen]:
+    """The kitchens that cost least by their case and place, and less than ``most``, the cheapest
+    first."""
+    task, listed = judge.task, list(kitchens)
+    if not listed:
+        return []
+    rule = task.preset.settings.composing
+    layouts = np.empty((len(listed), len(rest) + 1, 5))
+    layouts[:, :-1] = np.array([p.dressed.box for p in rest]).reshape(-1, 5)
+    layouts[:, -1] = [box_of(fitted.lines[0]) for fitted in listed]
+    costs = task.costs.energy * judge.energies_of(layouts)
+    for i in np.flatnonzero(costs < most).tolist():
+        costs[i] += foresee_cost(listed[i], task.ground.area, rule)
+    order = np.argsort(costs, kind="stable")[:TRIED]
+    return [listed[i] for i in order if costs[i] < most]

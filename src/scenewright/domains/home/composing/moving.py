@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import count, islice
-from math import hypot, nan
+from math import hypot, inf, isnan, nan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import (
     RUNS,
     JudgedRoom,
@@ -22,16 +23,21 @@ from scenewright.domains.home.composing.judging import (
 from scenewright.domains.home.composing.placed_faults import are_adrift
 from scenewright.domains.home.composing.stretches import Reach, longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
-from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import RAISED
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.wall_places import free_boxes, stand_free
+from scenewright.domains.home.wall_places import WallRows, free_boxes, read_walls, stand_free
 from scenewright.geometry.fit import is_backed, side_gaps
 
 Floats = NDArray[np.float64]
 
 NOWHERE: Floats = np.empty((0, 5))
 AMID = 0.3  # what is farther from the wall behind it stands free in the room, metres
+FREE = frozenset(("dining",))
+"""Groups that stand amid a room."""
+LARGE, GRID = 14.0, 0.3
+"""Square metres from which places amid the floor are tried, and metres between them."""
+HAIR = 1e-9
 BACKED = 0.04  # a unit nearer than this is at its wall, metres
 
 
@@ -54,37 +60,44 @@ def take_best(
 
 
 def try_forms(
-    judge: RoomJudge, placed: Placed, at: int, cases: Iterable[Group], forms: int
+    judge: RoomJudge, placed: Placed, at: int, cases: Iterable[Group], forms: int, most: float = inf
 ) -> list[JudgedRoom]:
-    """The groups with one of them in the first so many ``forms`` of which some place is free."""
+    """The groups with one of them in the first so many ``forms`` of which some place is free; of
+    those that would cost over ``most`` not all."""
     task, group = judge.task, placed[at]
-    flat = frozenset(c for c, kind in task.catalog.kinds.items() if kind.flat)
     rest = (p for i, p in enumerate(placed) if i != at)
     others = (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces))
-    standing = standing_of(others, flat)
-    tried = _with_places(task, cases, standing, group)
+    standing = standing_of(others, flat_kinds(task.catalog))
+    tried = find_places(task, cases, standing, group)
     known = tuple(nan if i == at else c for i, c in enumerate(cost_each(task, placed)))
+    least = sum(c for c in known if not isnan(c))
     found = []
     for case, free in islice(tried, forms):
-        for box in _least_cost(judge, case, free, placed, at):
-            dressed = _dress(task, group, case, box, standing)
+        own = cost_of_case(case, task.ground.area, task.preset.settings.composing)
+        for box, energy in _least_cost(judge, case, free, placed, at):
+            if least + own + task.costs.energy * energy > most + HAIR:
+                continue
+            dressed = dress_group(task, group, case, box, standing)
             if dressed is not None:
-                found.append(judge.cost_of((*placed[:at], dressed, *placed[at + 1 :]), known))
+                whole = (*placed[:at], dressed, *placed[at + 1 :])
+                found.append(judge.cost_of(whole, known, energy))
     return sorted(found, key=lambda j: j.cost)
 
 
-def _with_places(
+def find_places(
     task: RoomTask, cases: Iterable[Group], standing: StandingObstacles, group: FurnishedGroup
 ) -> Iterator[tuple[Group, Floats]]:
     """The cases that stand free somewhere along a wall, or where the group stands now if that is
     away from walls, each with its boxes ``(n, 5)``."""
-    longest: dict[Reach, float] = {}
+    longest, walls = dict[Reach, float](), read_walls(task.ground)
     amid = bool(group.pieces) and not is_backed(group.dressed.box, task.ground.walls, AMID)
     for case in cases:
         reach = reach_of(case)
         if reach not in longest:
             longest[reach] = longest_stretch(task.ground, standing, reach)
-        free = _free(task, case, standing) if case.width <= longest[reach] else NOWHERE
+        free = _free(task, case, standing, walls) if case.width <= longest[reach] else NOWHERE
+        if case.function in FREE and _may_stand_amid(task):
+            free = np.concatenate([free, _amid_floor(task, case, standing)])
         if amid:
             there = _in_place(task, case, standing, group.dressed.box)
             free = np.concatenate([free, there])
@@ -100,16 +113,37 @@ def _in_place(task: RoomTask, case: Group, standing: StandingObstacles, box: Flo
     boxes[:, 0] += ahead * np.cos(box[2])
     boxes[:, 1] += ahead * np.sin(box[2])
     boxes[:, 3:] = case.width, case.depth
-    members = tuple(m for m in case.members if m.on < 0 and m.z < RAISED)
+    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
     height = task.space.height
     free = stand_free(boxes, case, members, task.ground, standing, task.catalog, height)
     return boxes[free]
 
 
-def _free(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
+def _may_stand_amid(task: RoomTask) -> bool:
+    """Whether a room is large, and no wish for a place needs the middle of its floor."""
+    return task.ground.area >= LARGE and not (task.asked and task.asked.wishes)
+
+
+def _amid_floor(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
+    """The boxes (n, 5) of a grid over the room, along its longest wall and across, on which a case
+    stands free."""
+    x0, y0, x1, y1 = task.ground.bounds.tolist()
+    walls = task.ground.walls
+    u, v = (walls[:, 2:] - walls[:, :2])[np.hypot(*(walls[:, 2:] - walls[:, :2]).T).argmax()]
+    turns = np.arctan2(v, u) + np.array([0.0, np.pi / 2])
+    axes = np.arange(x0, x1, GRID), np.arange(y0, y1, GRID), turns
+    x, y, turn = (a.ravel() for a in np.meshgrid(*axes))
+    size = np.tile((case.width, case.depth), (len(x), 1))
+    boxes = np.column_stack([x, y, turn, size])
+    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
+    height = task.space.height
+    return boxes[stand_free(boxes, case, members, task.ground, standing, task.catalog, height)]
+
+
+def _free(task: RoomTask, case: Group, standing: StandingObstacles, walls: WallRows) -> Floats:
     step = task.preset.settings.composing.step
     height = task.space.height
-    free = free_boxes(case, task.ground, standing, task.catalog, height, step, whole=True)
+    free = free_boxes(case, task.ground, standing, task.catalog, height, step, True, walls)
     side = next((m.x for m in case.members if m.category == "corner_cabinet"), 0.0)
     if not side or not len(free):
         return free
@@ -117,34 +151,41 @@ def _free(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
     return free[gaps[:, int(side > 0.0)] < BACKED]
 
 
-def _least_cost(judge: RoomJudge, case: Group, free: Floats, placed: Placed, at: int) -> Floats:
-    """Of the boxes ``(n, 5)`` for one group those at which the whole room costs least, of
-    neighbours only one: where one bars a way, the other most often does."""
+def _least_cost(
+    judge: RoomJudge, case: Group, free: Floats, placed: Placed, at: int
+) -> Iterator[tuple[Floats, float]]:
+    """Of the boxes ``(n, 5)`` for one group those at which the whole room costs least, each with
+    the room's energy; of neighbours only one: where one bars a way, the other most often does."""
     layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(free), axis=0)
     layouts[:, at] = free
-    rule, energy = judge.task.preset.settings.composing, judge.task.costs.energy
-    costs = energy * judge.energies_of(layouts)
+    rule, energies = judge.task.preset.settings.composing, judge.energies_of(layouts)
+    costs = judge.task.costs.energy * energies
     if case.function == "single":
         costs += rule.costs.adrift * are_adrift(case, free, judge.task.ground.walls)
-    return _pick_apart(free[np.argsort(costs, kind="stable")], rule.places, rule.apart)
+    order = np.argsort(costs, kind="stable")
+    for k in _pick_apart(free[order], rule.places, rule.apart):
+        yield free[order[k]], float(energies[order[k]])
 
 
-def _pick_apart(boxes: Floats, most: int, apart: float) -> Floats:
+def _pick_apart(boxes: Floats, most: int, apart: float) -> list[int]:
     """The first ``most`` of boxes ``(n, 5)`` that are ``apart`` metres from one another, or turned
     otherwise."""
     kept: list[int] = []
+    near: list[list[float]] = []
     for i, (x, y, turn) in enumerate(boxes[:, :3].tolist()):
-        others = (boxes[k, :3].tolist() for k in kept)
-        if all(hypot(x - a, y - b) >= apart or abs(turn - c) > 0.1 for a, b, c in others):
+        if all(hypot(x - a, y - b) >= apart or abs(turn - c) > 0.1 for a, b, c in near):
             kept.append(i)
+            near.append([x, y, turn])
             if len(kept) == most:
                 break
-    return boxes[kept]
+    return kept
 
 
-def _dress(
+def dress_group(
     task: RoomTask, group: FurnishedGroup, case: Group, box: Floats, standing: StandingObstacles
 ) -> FurnishedGroup | None:
+    """The group as a case on a box ``(5,)``; None where it loses more than it has lost, or a unit
+    of a kitchen has no wall behind it."""
     dressed = dress_case(
         case.function, case, box, task.ground, standing, task.catalog, task.space.height
     )

@@ -12,7 +12,7 @@ from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.forms import cost_of_case
-from scenewright.domains.home.furnishing.enlarge import OVERHANG, SOFAS
+from scenewright.domains.home.furnishing.enlarge import SOFAS, find_widest_screen
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.settings import ComposingSettings
 from scenewright.geometry.boxes import common_area, make_frame
@@ -35,21 +35,30 @@ def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings
     """What is wrong with one group as it stands, each fault half for being there and half by its
     degree, by the costs of ``rule``."""
     found: list[tuple[float, float]] = []
-    covered = (rule.costs.window, rule.costs.opening)
+    covered, strips = (rule.costs.window, rule.costs.opening), ground.strips.tolist()
     for piece in group.pieces:
         if piece.pose.z > AT_WALL or piece.category == "rug":
             continue
-        for strip in ground.strips:
+        for number, strip in enumerate(strips):
             window = strip[5] == 1.0
-            if not window or piece.category in SHADES:
-                share = _metres_before(piece, strip)
+            if (not window or piece.category in SHADES) and not _is_apart(piece, strip):
+                share = _metres_before(piece, ground.strips[number])
                 if share > SEEN:
                     found.append((covered[0 if window else 1], min(share, 1.0)))
         if piece.category == "single_bed":
             gap = min(side_gaps(_box(piece), ground.walls))
             found.append((rule.costs.adrift * (gap > AT_WALL), 1.0))
     standing = sum(cost * (1.0 + degree) / 2 for cost, degree in found)
-    return standing + cost_of_case(group.dressed.case, ground.area, rule)
+    return standing + cost_of_case(list_standing(group), ground.area, rule)
+
+
+def list_standing(group: FurnishedGroup) -> Group:
+    """The case of a group without the members that gave way."""
+    case, stands = group.dressed.case, group.dressed.stands
+    if all(stands):
+        return case
+    held = (m for m, there in zip(case.members, stands, strict=True) if there)
+    return case._replace(members=tuple(held))
 
 
 def _box(piece: Piece) -> Floats:
@@ -57,9 +66,54 @@ def _box(piece: Piece) -> Floats:
     return np.array([pose.x, pose.y, pose.heading, size.width, size.depth])
 
 
+def _is_apart(piece: Piece, strip: Sequence[float]) -> bool:
+    """Whether the circles round a piece and an opening's floor do not meet."""
+    (x, y, _, _), size = piece.pose, piece.size
+    far = hypot(size.width, size.depth) / 2 + hypot(strip[3], strip[4]) / 2
+    return (x - strip[0]) ** 2 + (y - strip[1]) ** 2 > (far + AT_WALL) ** 2
+
+
 def _metres_before(piece: Piece, strip: Floats) -> float:
     """Metres of an opening that a piece stands before."""
     return float(common_area(make_frame(*_box(piece)), make_frame(*strip[:5])) / strip[4])
+
+
+def cost_of_openings(case: Group, boxes: Floats, ground: Ground, rule: ComposingSettings) -> Floats:
+    """What is wrong with a case on each of boxes (n, 5) as it stands before windows and wide doors:
+    :func:`cost_of_group` of many places at once, of what stands parallel to its wall."""
+    cost = np.zeros(len(boxes))
+    c, s = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
+    for member in case.members:
+        if member.on >= 0 or member.z > AT_WALL or member.category == "rug":
+            continue
+        there = np.column_stack(
+            (
+                boxes[:, 0] + member.x * s + member.y * c,
+                boxes[:, 1] - member.x * c + member.y * s,
+                boxes[:, 2] + member.heading,
+                np.full((len(boxes), 2), (member.size.width, member.size.depth)),
+            )
+        )
+        for strip in ground.strips:
+            window = strip[5] == 1.0
+            if not window or member.category in SHADES:
+                share = _lengths_before(there, strip)
+                each = rule.costs.window if window else rule.costs.opening
+                cost += np.where(share > SEEN, each * (1.0 + np.minimum(share, 1.0)) / 2, 0.0)
+    return cost
+
+
+def _lengths_before(boxes: Floats, strip: Floats) -> Floats:
+    """Metres of an opening that each of boxes (n, 5) parallel or square to it stands before."""
+    x, y, heading, width, depth = strip[:5]
+    dx, dy, turn = boxes[:, 0] - x, boxes[:, 1] - y, boxes[:, 2] - heading
+    along, ahead = dx * np.sin(heading) - dy * np.cos(heading), dx * np.cos(heading)
+    ahead = ahead + dy * np.sin(heading)
+    c, s = np.abs(np.cos(turn)), np.abs(np.sin(turn))
+    half, deep = (boxes[:, 3] * c + boxes[:, 4] * s) / 2, (boxes[:, 4] * c + boxes[:, 3] * s) / 2
+    common = np.minimum(along + half, width / 2) - np.maximum(along - half, -width / 2)
+    inside = np.minimum(ahead + deep, depth / 2) - np.maximum(ahead - deep, -depth / 2)
+    return np.asarray(np.maximum(common, 0.0) * np.maximum(inside, 0.0) / depth)
 
 
 def are_adrift(case: Group, boxes: Floats, walls: Floats) -> NDArray[np.bool_]:
@@ -72,14 +126,14 @@ def are_adrift(case: Group, boxes: Floats, walls: Floats) -> NDArray[np.bool_]:
     return np.asarray(np.minimum(gaps[:, 0] + left, gaps[:, 1] + right) > AT_WALL)
 
 
-def cost_of_screen(groups: Sequence[FurnishedGroup], cost: float) -> float:
-    """What is wrong with a stand too narrow for a screen that is large enough for its distance."""
+def cost_of_screen(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:
+    """What is wrong with a stand that has no room for a screen large enough for its distance."""
     stand = next((p for g in groups for p in g.pieces if p.category == "tv_stand"), None)
     seats = [p for g in groups for p in g.pieces if p.category in SOFAS]
     if stand is None or not seats:
         return 0.0
     away = min(hypot(p.pose.x - stand.pose.x, p.pose.y - stand.pose.y) for p in seats)
-    short = 1.0 - (stand.size.width + OVERHANG) * FARTHEST / away
+    short = 1.0 - find_widest_screen(stand, ground) * FARTHEST / away
     return cost * (1.0 + short) / 2 if short > 0.0 else 0.0
 
 

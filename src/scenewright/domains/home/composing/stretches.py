@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +13,7 @@ from scenewright.core.catalog import Group
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import RAISED
 from scenewright.domains.home.problem import Ground
+from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 
@@ -26,6 +29,7 @@ class Reach(NamedTuple):
     height: float
 
 
+@lru_cache(maxsize=4096)
 def reach_of(case: Group) -> Reach:
     """What of a case is certainly there: the point before the wall it covers all along, and the
     height of its lowest member on the floor.
@@ -44,27 +48,39 @@ def longest_stretch(ground: Ground, standing: StandingObstacles, reach: Reach) -
     low = ground.windows[ground.windows[:, 5] < reach.height, :5]
     met = (standing.spans[:, 0] < reach.height) & (standing.spans[:, 1] > 0.05)
     boxes = np.concatenate([ground.keep_free, low, standing.boxes[met]])
+    turns = np.column_stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])])
+    return float(find_longest(ground.walls, boxes, turns, reach.depth))
+
+
+@compiled
+def find_longest(walls: Floats, boxes: Floats, turns: Floats, depth: float) -> float:
+    """The longest stretch, in metres, of ``walls`` (w, 4) along which no point ``depth`` metres
+    before the wall lies well inside one of the ``boxes`` (k, 5); ``turns`` (k, 2) are cosine and
+    sine of their headings."""
     longest = 0.0
-    for x0, y0, x1, y1 in ground.walls:
-        length = float(np.hypot(x1 - x0, y1 - y0))
+    for w in range(walls.shape[0]):
+        x0, y0 = walls[w, 0], walls[w, 1]
+        dx, dy = walls[w, 2] - x0, walls[w, 3] - y0
+        length = math.hypot(dx, dy)
         if length <= longest:
             continue
-        ux, uy = (x1 - x0) / length, (y1 - y0) / length
-        t = np.arange(STEP / 2, length, STEP)
-        px, py = x0 + ux * t - uy * reach.depth, y0 + uy * t + ux * reach.depth
-        longest = max(longest, min(length, _longest_run(~_lie_in(px, py, boxes)) * STEP + STEP))
+        ux, uy = dx / length, dy / length
+        count, best, run = math.ceil((length - STEP / 2) / STEP), 0, 0
+        for i in range(count):
+            t = STEP / 2 + i * STEP
+            x, y = x0 + ux * t - uy * depth, y0 + uy * t + ux * depth
+            run = 0 if _lies_in(x, y, boxes, turns) else run + 1
+            best = max(best, run)
+        longest = max(longest, min(length, best * STEP + STEP))
     return longest
 
 
-def _lie_in(x: Floats, y: Floats, boxes: Floats) -> NDArray[np.bool_]:
-    """Which of the points (n,) lie well inside any of the boxes (k, 5)."""
-    dx, dy = x[:, None] - boxes[:, 0], y[:, None] - boxes[:, 1]
-    cos, sin = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
-    ahead = np.abs(dx * cos + dy * sin) < boxes[:, 4] / 2 - INSIDE
-    aside = np.abs(dx * sin - dy * cos) < boxes[:, 3] / 2 - INSIDE
-    return np.asarray((ahead & aside).any(1))
-
-
-def _longest_run(free: NDArray[np.bool_]) -> int:
-    edges = np.flatnonzero(np.diff(np.r_[False, free, False].astype(np.int8)))
-    return int((edges[1::2] - edges[::2]).max(initial=0))
+@inlined
+def _lies_in(x: float, y: float, boxes: Floats, turns: Floats) -> bool:
+    """Whether a point lies well inside any of the boxes (k, 5)."""
+    for k in range(boxes.shape[0]):
+        dx, dy, cos, sin = x - boxes[k, 0], y - boxes[k, 1], turns[k, 0], turns[k, 1]
+        ahead = abs(dx * cos + dy * sin) < boxes[k, 4] / 2 - INSIDE
+        if ahead and abs(dx * sin - dy * cos) < boxes[k, 3] / 2 - INSIDE:
+            return True
+    return False

@@ -16,9 +16,9 @@ import numpy as np
 
 from scenewright.catalog.kinds import SIZES
 from scenewright.core.catalog import OWN, Catalog
-from scenewright.core.scene import Piece, Size
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.home.furnishing.furnish import too_tall
-from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.fit import faults
 
@@ -28,6 +28,8 @@ FRAME = (0.3, 0.2, 0.15)  # and beyond the coffee table at its far side, metres
 WIDTHS = 2.6  # distance from seat to screen in widths of the screen that is aimed at
 OVERHANG = 0.36  # a screen may be wider than its stand, metres
 STEP = 0.1  # screens are tried in steps, metres
+LEAST_SCREEN, SCREEN_DEPTH, SCREEN_RATIO = 0.75, 0.22, 0.62
+"""The narrowest screen, how deep it stands, metres, and its height as a share of its width."""
 
 
 def enlarge_pieces(
@@ -44,7 +46,7 @@ def enlarge_pieces(
     a user's own.
     """
     found, mats = list(placed), set()
-    flat = frozenset(name for name, kind in catalog.kinds.items() if kind.flat)
+    flat = flat_kinds(catalog)
     for i, piece in enumerate(found):
         forms = FORMS.get(piece.category)
         if forms is None or piece.fixed or piece.asset.startswith(OWN):
@@ -93,7 +95,9 @@ def _rugs(rug: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
 
 
 def _screens(screen: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
-    """Larger screens on the same stand, the largest first, none larger than its distance asks."""
+    """Larger screens on the same stand, the largest first, none larger than its distance asks; in
+    its middle, else with an end of the screen over an end of the stand, as beside a wall or window.
+    """
     stand = next((p for p in pieces if p.id == screen.on), None)
     seats = [p for p in pieces if p.category in SOFAS]
     if stand is None or not seats:
@@ -101,8 +105,28 @@ def _screens(screen: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
     away = min(hypot(p.pose.x - screen.pose.x, p.pose.y - screen.pose.y) for p in seats)
     most = min(away / WIDTHS, stand.size.width + OVERHANG, SIZES["tv"][2].width)
     ratio = screen.size.height / screen.size.width
+    x, y, z, heading = screen.pose
     for wide in np.arange(most, screen.size.width, -STEP).round(2).tolist():
-        yield replace(screen, size=Size(wide, screen.size.depth, ratio * wide))
+        over = max(wide - stand.size.width, 0.0) / 2
+        for aside in (0.0, over, -over) if over else (0.0,):
+            pose = Pose(x - sin(heading) * aside, y + cos(heading) * aside, z, heading)
+            yield replace(screen, pose=pose, size=Size(wide, screen.size.depth, ratio * wide))
+
+
+def find_widest_screen(stand: Piece, ground: Ground) -> float:
+    """Metres of the widest screen that walls, windows and doors leave room for on a stand."""
+    widths = np.arange(stand.size.width + OVERHANG, LEAST_SCREEN, -STEP)
+    over = np.maximum(widths - stand.size.width, 0.0) / 2
+    aside = np.concatenate([np.zeros_like(over), over, -over])
+    wide, (x, y, z, heading) = np.tile(widths, 3), stand.pose
+    turn, deep = np.full_like(wide, heading), np.full_like(wide, SCREEN_DEPTH)
+    boxes = np.column_stack([x - sin(heading) * aside, y + cos(heading) * aside, turn, wide, deep])
+    low = z + stand.size.height
+    spans = np.column_stack([np.full_like(wide, low), low + SCREEN_RATIO * wide])
+    zones, panes, none = ground.keep_free, ground.windows, np.zeros((0, 5))
+    flat = np.zeros(len(wide), bool)
+    codes, _ = faults(boxes, spans, flat, ground.edges, zones, panes, none, none[:, :2], 0.002)
+    return float(wide[codes == 0].max(initial=LEAST_SCREEN))
 
 
 FORMS: dict[str, Callable[[Piece, Sequence[Piece]], Iterator[Piece]]] = {

@@ -1,4 +1,4 @@
-"""What completes a furnished room: lamps, what hangs at the windows and on bare walls."""
+"""What completes a furnished room: lamps, what hangs at windows and on bare walls, mats."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.home.cases.furnishing import nearest_own
+from scenewright.domains.home.furnishing.floor_mats import lay_mats
 from scenewright.domains.home.furnishing.wall_art import fill_walls
 from scenewright.domains.home.furnishing.window_dressing import dress_windows
 from scenewright.domains.home.problem import Ground
@@ -27,11 +28,11 @@ PENDANT = Size(0.44, 0.44, 0.9)
 def extras(
     space: Space, ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog
 ) -> tuple[Piece, ...]:
-    """Lamps, curtains, blinds and pictures for a room in which ``pieces`` stand already."""
+    """Lamps, curtains, blinds, pictures and mats for a room in which ``pieces`` stand already."""
     lamps = _lamps(space, ground, pieces, catalog)
     windows = dress_windows(space, ground, pieces, catalog)
     walls = fill_walls(space, ground, (*pieces, *lamps, *windows), catalog)
-    return (*lamps, *windows, *walls)
+    return (*lamps, *windows, *walls, *lay_mats(space, ground, pieces, catalog))
 
 
 def _lamps(

@@ -18,6 +18,7 @@ from scenewright.building.ceiling import lowest
 from scenewright.building.standing import RADIATOR
 from scenewright.catalog.kinds import name_of
 from scenewright.core.catalog import Catalog, Group, Member, footprint_of
+from scenewright.core.footprint import Footprint
 from scenewright.core.scene import Piece, Pose
 from scenewright.core.space import Outlet
 from scenewright.domains.home.cases.library import SHIPPED, Library, cases, each_fitting, nearest
@@ -232,22 +233,24 @@ def world(
 ) -> tuple[Floats, Floats, NDArray[np.bool_]]:
     """Members of a group on a box as boxes ``(m, 5)``, underside and top ``(m, 2)``, and which
     are flat."""
-    local, spans = _laid(members)
+    local, spans, flat = _laid(members, catalog)
     cos, sin = np.cos(box[2]), np.sin(box[2])
     boxes = local.copy()
     boxes[:, 0] = box[0] + local[:, 0] * sin + local[:, 1] * cos
     boxes[:, 1] = box[1] - local[:, 0] * cos + local[:, 1] * sin
     boxes[:, 2] = box[2] + local[:, 2]
-    flat = np.array([catalog.kinds[m.category].flat for m in members])
-    return boxes, spans.copy(), flat
+    return boxes, spans.copy(), flat.copy()
 
 
 @lru_cache(maxsize=4096)
-def _laid(members: tuple[Member, ...]) -> tuple[Floats, Floats]:
-    """Boxes of members in their group's frame ``(m, 5)``, underside and top ``(m, 2)``."""
+def _laid(
+    members: tuple[Member, ...], catalog: Catalog
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """Boxes of members in their group's frame ``(m, 5)``, underside and top ``(m, 2)``, and which
+    are flat."""
     local = np.array([(m.x, m.y, m.heading, m.size.width, m.size.depth) for m in members])
     spans = np.array([(m.z, m.z + m.size.height) for m in members])
-    return local, spans
+    return local, spans, np.array([catalog.kinds[m.category].flat for m in members])
 
 
 def _find_supported(
@@ -302,30 +305,40 @@ def pieces_of(
     dressed: FurnishedPatch, space: str, group: str, function: str, catalog: Catalog
 ) -> tuple[Piece, ...]:
     """The standing members as placed pieces, named ``space/group/category``."""
-    boxes, _, _ = world(dressed.case.members, dressed.box, catalog)
+    boxes = world(dressed.case.members, dressed.box, catalog)[0][:, :3].tolist()
+    shown = _choose_models(dressed.case, catalog)
     names: dict[int, str] = {}
     found = []
     for i, member in enumerate(dressed.case.members):
         if not dressed.stands[i]:
             continue
         names[i] = _name(f"{group}/{member.category}", names)
-        asset = catalog.assets.get(member.asset) or catalog.choose(member.category, member.size)
-        x, y, heading = (float(v) for v in boxes[i, :3])
+        x, y, heading = boxes[i]
         found.append(
             Piece(
                 id=names[i],
                 category=member.category,
-                asset=asset.id if asset else "",
+                asset=shown[i][0],
                 space=space,
                 pose=Pose(x, y, member.z, _wrap_angle(heading)),
                 size=member.size,
                 group=group,
                 function=function,
                 on=names.get(member.on),
-                footprint=footprint_of(asset, member.size),
+                footprint=shown[i][1],
             )
         )
     return tuple(found)
+
+
+@lru_cache(maxsize=4096)
+def _choose_models(case: Group, catalog: Catalog) -> tuple[tuple[str, Footprint], ...]:
+    """The model that draws each member, by id, and the footprint it covers."""
+    known = (
+        catalog.assets.get(m.asset) or catalog.choose(m.category, m.size) for m in case.members
+    )
+    pairs = zip(known, case.members, strict=True)
+    return tuple((a.id if a else "", footprint_of(a, m.size)) for a, m in pairs)
 
 
 def _name(wanted: str, taken: dict[int, str]) -> str:

@@ -7,11 +7,13 @@ search takes the group to be as tall as that piece; else as low as the rest, and
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.building.ceiling import heights
-from scenewright.domains.home.problem import Ground, Items
+from scenewright.domains.home.problem import Ground, Items, KnownGround
 from scenewright.domains.home.programme import Wish
 
 Floats = NDArray[np.float64]
@@ -25,9 +27,16 @@ def raise_tall_items(items: Items, wishes: tuple[Wish, ...], ground: Ground) -> 
     """Items, those with a tall piece as tall as it where a wall is free for it."""
     tall = items.height.copy()
     for i, wish in enumerate(wishes):
-        if wish.group in TALL and free_stretch(ground, TALL[wish.group]) >= items.wish[i, 0]:
+        if wish.group not in TALL:
+            continue
+        if _known_stretch(KnownGround(ground), TALL[wish.group]) >= items.wish[i, 0]:
             tall[i] = TALL[wish.group]
     return items._replace(height=tall)
+
+
+@lru_cache(maxsize=256)
+def _known_stretch(known: KnownGround, height: float) -> float:
+    return free_stretch(known.ground, height)
 
 
 def free_stretch(ground: Ground, height: float) -> float:

@@ -55,17 +55,16 @@ def apply_style(
 
 
 def _restyle(piece: Piece, style: str, catalog: Catalog) -> Piece:
-    if piece.fixed or piece.asset != piece.category:
-        return piece
-    model = _models(catalog, style).get(piece.category)
+    model = None if piece.fixed else _models(catalog, style).get(piece.asset)
     return replace(piece, asset=model) if model else piece
 
 
 @lru_cache(maxsize=64)
 def _models(catalog: Catalog, style: str) -> dict[str, str]:
-    """The model of each kind that is made in a style."""
-    ours = (asset for asset in catalog.assets.values() if asset.style == style)
-    return {asset.category: asset.id for asset in ours if asset.id.endswith(f"_{style}")}
+    """By the model that has no style the one like it that is made in a style."""
+    ours = (asset.id for asset in catalog.assets.values() if asset.style == style)
+    end = f"_{style}"
+    return {name.removesuffix(end): name for name in ours if name.endswith(end)}
 
 
 def scene_of_home(solution: Solution, plan: Plan) -> Scene:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.building.standing import RADIATED, is_radiator
+from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 
@@ -21,6 +23,12 @@ class StandingObstacles(NamedTuple):
     boxes: Floats
     spans: Floats
     names: tuple[str, ...]
+
+
+@lru_cache(maxsize=64)
+def flat_kinds(catalog: Catalog) -> frozenset[str]:
+    """The kinds of a catalog that other things stand on."""
+    return frozenset(category for category, kind in catalog.kinds.items() if kind.flat)
 
 
 def standing_of(pieces: tuple[Piece, ...], flat: frozenset[str]) -> StandingObstacles:

@@ -22,7 +22,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
-from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.fit import faults, is_backed
 
@@ -189,7 +189,7 @@ def _first_free(
     forms: Iterator[Piece], ground: Ground, pieces: Sequence[Piece], catalog: Catalog
 ) -> list[Piece]:
     """The first that meets nothing and is under the ceiling, with the asset that draws it."""
-    flat = frozenset(name for name, kind in catalog.kinds.items() if kind.flat)
+    flat = flat_kinds(catalog)
     standing = standing_of(tuple(pieces), flat)
     for piece in forms:
         if (

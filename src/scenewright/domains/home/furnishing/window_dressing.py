@@ -14,6 +14,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.home.furnishing.obstacles import (
     StandingObstacles,
+    flat_kinds,
     join_standing,
     standing_of,
 )
@@ -36,7 +37,7 @@ def dress_windows(
     """Curtains and blinds for the windows of a room in which ``pieces`` stand."""
     if not CURTAINED & set(space.functions):
         return []
-    standing = standing_of(pieces, frozenset(c for c, k in catalog.kinds.items() if k.flat))
+    standing = standing_of(pieces, flat_kinds(catalog))
     found: list[Piece] = []
     for gate in gates(space):
         opening = gate.opening

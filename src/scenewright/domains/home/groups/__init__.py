@@ -34,7 +34,8 @@ class GroupKind:
     one must be reachable; ``inset`` walkable depth inside; ``daylight`` and ``nestle`` wishes;
     ``roomy`` the room areas (m²) at which the smallest and the largest case are preferred;
     ``essential`` the category that makes the group what it is; ``shades`` how much it minds a
-    window behind it; ``lean`` the category whose end belongs to the nearer side wall when the case
+    window behind it; ``symmetry`` how much its axis belongs to the middle of the floor beside it;
+    ``lean`` the category whose end belongs to the nearer side wall when the case
     is not symmetric; ``label`` what people call the group, empty where that is its name in plain
     words.
     """
@@ -53,6 +54,7 @@ class GroupKind:
     lean: str = ""
     label: str = ""
     shades: float = 0.0
+    symmetry: float = 0.0
 
 
 _GROUPS: dict[str, GroupKind] = {
@@ -70,7 +72,7 @@ _GROUPS: dict[str, GroupKind] = {
     "seating": GroupKind(
         living.seating,
         0.85,
-        ("sofa", "loveseat"),
+        ("sofa", "loveseat", "corner_sofa"),
         back=0.4,
         main=1,
         access=THREE,
@@ -117,6 +119,7 @@ _GROUPS: dict[str, GroupKind] = {
         roomy=(4, 13),
         label="double bed",
         shades=1,
+        symmetry=1,
     ),
     "single": GroupKind(
         sleeping.single,

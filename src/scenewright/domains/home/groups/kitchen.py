@@ -11,17 +11,20 @@ from scenewright.core.scene import Size
 
 UNIT_DEPTH, WORKTOP = 0.6, 0.9
 FRIDGE = Size(0.6, 0.64, 1.9)
+LOW_FRIDGE = Size(0.55, 0.6, 0.85)  # goes below a window
 WALL_CABINET_BASE = 1.45
 BEYOND = 0.3  # worktop between a hob and the end of its run, metres
+AMPLY_BEYOND = 0.35  # the same where it fits: one stands before it in a corner, metres
 BETWEEN = 0.6  # worktop between sink and hob, metres
-SMALL_SINK, SMALL_HOB = 0.45, 0.3  # the narrowest, metres
+SMALL_SINK, SMALL_HOB = 0.45, 0.3  # the usual small ones, metres
+LEAST_SINK = 0.4  # the narrowest, where that leaves 0.6 m of worktop, metres
 Unit = tuple[str, float]
 
 
 def kitchen() -> Iterator[Group]:
     """Complete runs of 1.8 to 4.8 m: fridge, worktop, sink, worktop, hob, both ways round."""
     for width in np.arange(36, 97) / 20:
-        units = _sequence(float(width) - FRIDGE.width)
+        units = sequence(float(width) - FRIDGE.width)
         yield _run("kitchen", float(width), units, fridge=True)
         yield _run("kitchen", float(width), units, fridge=True, mirrored=True)
 
@@ -30,7 +33,7 @@ def short_runs() -> Iterator[Group]:
     """Pantry kitchens, the longest first: fridge, sink and hob in 1.7 to 1.45 m, for rooms in which
     no longer run fits."""
     for width in (1.7, 1.6, 1.5, 1.45):
-        units = _sequence(width - FRIDGE.width)
+        units = sequence(width - FRIDGE.width)
         yield _run("kitchen", width, units, fridge=True)
         yield _run("kitchen", width, units, fridge=True, mirrored=True)
 
@@ -38,16 +41,23 @@ def short_runs() -> Iterator[Group]:
 def shortest_kitchenettes() -> Iterator[Group]:
     """Sink and hob of 0.45 or 0.4 m each, side by side, for rooms in which no longer run fits."""
     for width in (0.9, 0.8):
-        yield _run("kitchenette", width, _sequence(width), fridge=False)
-        yield _run("kitchenette", width, _sequence(width), fridge=False, mirrored=True)
+        yield _run("kitchenette", width, sequence(width), fridge=False)
+        yield _run("kitchenette", width, sequence(width), fridge=False, mirrored=True)
 
 
 def kitchenette() -> Iterator[Group]:
     """Runs of 1.0 to 3.0 m without a fridge, for rooms with no long wall."""
     for width in np.arange(20, 61) / 20:
-        units = _sequence(float(width))
+        units = sequence(float(width))
         yield _run("kitchenette", float(width), units, fridge=False)
         yield _run("kitchenette", float(width), units, fridge=False, mirrored=True)
+
+
+def long_kitchenettes() -> Iterator[Group]:
+    """Runs of 3.1 to 3.6 m without a fridge, for large rooms."""
+    for width in (3.1, 3.2, 3.4, 3.6):
+        yield _run("kitchenette", width, sequence(width), fridge=False)
+        yield _run("kitchenette", width, sequence(width), fridge=False, mirrored=True)
 
 
 def counter() -> Iterator[Group]:
@@ -80,7 +90,7 @@ def island() -> Iterator[Group]:
         yield Group("island", f"{width:.1f} m island", width, 1.22, tuple(members))
 
 
-def _sequence(length: float) -> list[Unit]:
+def sequence(length: float) -> list[Unit]:
     """Units of a run of the given length from the fridge on: worktop, sink, worktop, hob, worktop.
 
     Kitchen planners ask for 0.6 m of worktop between sink and hob and 0.3 m beyond the hob. A run
@@ -108,21 +118,28 @@ def _sequence(length: float) -> list[Unit]:
 
 def _short_sequence(length: float) -> list[Unit]:
     """Sink and hob as wide as the worktop beside the hob allows."""
-    least = SMALL_SINK + SMALL_HOB
+    slim = LEAST_SINK + SMALL_HOB + BETWEEN + BEYOND
+    small = LEAST_SINK if slim - 1e-9 <= length < slim + 0.05 - 1e-9 else SMALL_SINK
+    least = small + SMALL_HOB
     if length < least + BEYOND - 1e-9:
         return [("sink_cabinet", length / 2), ("hob_cabinet", length / 2)]
     beyond = BEYOND if length >= least + 2 * BEYOND - 1e-9 else 0.0
     between = min(BETWEEN, length - least - beyond)
     spare = length - least - beyond - between
-    sink = SMALL_SINK + min(spare, 0.6 - SMALL_SINK)
-    hob = SMALL_HOB + min(spare - (sink - SMALL_SINK), 0.6 - SMALL_HOB)
+    if spare >= AMPLY_BEYOND - BEYOND - 1e-9:
+        beyond, spare = AMPLY_BEYOND, spare - (AMPLY_BEYOND - BEYOND)
+    sink = small + min(spare, 0.6 - small)
+    hob = SMALL_HOB + min(spare - (sink - small), 0.6 - SMALL_HOB)
     run = [("sink_cabinet", sink), *fill(length - sink - hob - beyond), ("hob_cabinet", hob)]
     return [*run, *fill(beyond)]
 
 
 def _beyond(rest: float) -> float:
     """How much of the worktop beside a dishwasher lies beyond the hob."""
-    return rest if rest < 2 * BEYOND - 1e-9 else max(BEYOND, 0.2 * rest if rest >= 1.8 else 0.0)
+    if rest < 2 * BEYOND - 1e-9:
+        return rest
+    ample = AMPLY_BEYOND if rest >= AMPLY_BEYOND + BEYOND - 1e-9 else BEYOND
+    return max(ample, 0.2 * rest if rest >= 1.8 else 0.0)
 
 
 def fill(length: float) -> list[Unit]:

@@ -71,6 +71,47 @@ def seats_for_many() -> Iterator[Group]:
         yield Group("seating", name, wide + 0.42, deep, members)
 
 
+def corner_sofas() -> Iterator[Group]:
+    """Corner sofas of four seats, the table in the nook of the L on a rug, the lounge on either
+    side; wide ones with an armchair at the open side of the table."""
+    for wide, deep in ((2.2, 1.6), (2.4, 1.65), (2.6, 1.7)):
+        for model, side in (("corner_sofa", 1.0), ("corner_sofa_right", -1.0)):
+            yield _corner(model, side, wide, deep, armchair=False)
+            yield _corner(model, side, wide, deep, armchair=True)
+
+
+def further_seats() -> Iterator[Group]:
+    """Seats tried where a room is composed: :func:`more_seats` and :func:`corner_sofas`."""
+    yield from more_seats()
+    yield from corner_sofas()
+
+
+def _corner(model: str, side: float, wide: float, deep: float, armchair: bool) -> Group:
+    """One with its lounge on the left (``side`` 1) or on the right (-1)."""
+    seat, lounge = min(0.95, 0.7 * deep), min(1.0, 0.42 * wide)
+    nook = wide - lounge
+    table = Size(min(0.8, nook - 0.55), 0.55, 0.4)
+    depth = max(deep, seat + 0.35 + table.depth + 0.1)
+    more = GAP + 0.8 - 0.3 if armchair else 0.0
+    width, back = wide + more, -depth / 2
+    x = -side * more / 2
+    middle = x + side * lounge / 2
+    at = back + seat + 0.35 + table.depth / 2
+    members = [
+        Member("corner_sofa", x, back + deep / 2, 0, 0, Size(wide, deep, SOFA_HEIGHT), asset=model),
+        Member("coffee_table", middle, at, 0, 0, table),
+        Member("rug", x, back + depth / 2 + 0.27, 0, 0, Size(wide, depth - 0.55, 0.012)),
+    ]
+    if armchair:
+        end = side * (width / 2 - 0.4)
+        y = depth / 2 - 0.4
+        members.append(Member("armchair", end, y, 0, side * pi / 2, Size(0.78, 0.8, 0.85)))
+    members.append(_picture_above(depth, x, wide))
+    words = " and an armchair" if armchair else ""
+    name = f"{wide:.1f} m corner sofa, table{words}"
+    return Group("seating", name, width, depth, tuple(members))
+
+
 def _in_line(sofa: float, chairs: int) -> Group:
     """A sofa, a side table and one or two armchairs along one wall."""
     armchair, table = Size(0.78, 0.8, 0.85), Size(0.4, 0.4, 0.5)

@@ -9,6 +9,7 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 
 BED_LENGTH = 2.05
+SHALLOW = 14  # wardrobes of so many decimetres or fewer may be shallow
 
 
 def sleeping() -> Iterator[Group]:
@@ -102,9 +103,10 @@ def wardrobe() -> Iterator[Group]:
 
 
 def fitted_wardrobes() -> Iterator[Group]:
-    """Wardrobes made to measure, 1.0 to 3.0 m wide in steps of 0.1 m, 0.4 to 0.6 m deep."""
+    """Wardrobes made to measure, 1.0 to 3.0 m wide in steps of 0.1 m, 0.4 to 0.6 m deep; up to
+    1.4 m also 0.35 m deep, in which clothes hang on a rail that is pulled out."""
     for width in range(10, 31):
-        for depth in (0.4, 0.5, 0.6):
+        for depth in (0.35, 0.4, 0.5, 0.6) if width <= SHALLOW else (0.4, 0.5, 0.6):
             piece = Member("wardrobe", 0, 0, 0, 0, Size(width / 10, depth, 2.2))
             name = f"{width / 10:.1f} m fitted wardrobe"
             yield Group("wardrobe", name, width / 10, depth + 0.01, (piece,))

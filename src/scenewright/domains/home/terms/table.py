@@ -10,10 +10,12 @@ line in :mod:`scenewright.domains.home.terms.assemble`.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.domains.home.terms.picture_rows import PICTURE_ROWS
 from scenewright.engine.rows import TermRow
 from scenewright.engine.weights import vector_of
 from scenewright.engine.whole_terms import add_terms
@@ -312,6 +314,7 @@ _ROWS = (
         form="repaired",
         function=f"{THEMES}.openings:covered_width",
     ),
+    *PICTURE_ROWS,
 )
 TERMS: tuple[TermRow, ...] = add_terms("home", _ROWS)
 """All terms of homes, those of other packages last."""
@@ -339,11 +342,16 @@ def read_weights(weights: Mapping[str, float], printed: bool) -> NDArray[np.floa
     >>> float(read_weights({"pairs": 110.0}, printed=True)[PAIRS_PRINTED])
     110.0
     """
+    return vector_of(weights, _number_terms(printed), np.zeros(len(TERMS)), "term")
+
+
+@cache
+def _number_terms(printed: bool) -> Mapping[str, int]:
+    """The number of each term that may be weighed in one form, by name."""
     unwanted = "repaired" if printed else "printed"
     twice = {row.name for row in TERMS if row.form == "printed"}
     rows = [row for row in TERMS if row.form != unwanted or row.name not in twice]
-    places = {row.name: row.number for row in sorted(rows, key=lambda row: row.name)}
-    return vector_of(weights, places, np.zeros(len(TERMS)), "term")
+    return {row.name: row.number for row in sorted(rows, key=lambda row: row.name)}
 
 
 MEANINGS: dict[str, str] = {

@@ -1,0 +1,266 @@
+"""Columns among rows: each stands in the line of a row, in a gap, or leaves its aisle wide enough.
+
+A planner gives rows among columns a pitch that divides theirs, so that all columns fall into the
+same place of the pattern. Columns are holes of the hall of at most 1.2 m.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.patterns import CHAIN, GRID
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
+from scenewright.domains.hall.terms.table import SPACE, space_cost
+
+LARGEST = 1.2
+OFF_LINE = 0.2
+"""What a metre counts by which a column stands off the line of the row it is in."""
+AISLE, IN_AISLE, IN_SIGHT = 1.2, 1.5, 0.5
+"""The clear width an aisle with a column in it keeps, what such a column counts however wide the
+aisle, and what a seat counts whose view it crosses; metres."""
+SPREAD, AROUND, TOUCH = 2.2, 0.1, 0.05
+"""Widest gap of a pitch that follows columns, the least gap round a column, and what two axes may
+differ by; metres."""
+ROWS = 8
+
+
+class Lattice(NamedTuple):
+    """Columns in the frame of a unit: their middles (k, 2) to the right and ahead, half their
+    widths (k, 2), and their pitch each way (0: only one)."""
+
+    middles: Floats
+    halves: Floats
+    pitch: tuple[float, float]
+
+
+class Columns(NamedTuple):
+    """The columns of a problem: the corners (c, m, 2) of each, the last repeated, and their middles
+    (c, 2)."""
+
+    problem: HallProblem
+    rings: Floats
+    middles: Floats
+
+    def reach(self, axes: Floats) -> tuple[Floats, Floats]:
+        """Where each begins and ends (c, 2) along two axes (2, 2)."""
+        seen = self.rings @ axes.T
+        return seen.min(1), seen.max(1)
+
+
+def find_columns(problem: HallProblem) -> Columns:
+    """Every column of a hall: holes of its floor."""
+    found, edges, start = list[Floats](), problem.ground.edges, 0
+    for k in range(len(edges)):
+        if k + 1 == len(edges) or np.hypot(*(edges[k, 2:] - edges[start, :2])) < 1e-9:
+            ring, start = edges[start : k + 1, :2], k + 1
+            if np.ptp(ring, axis=0).max() <= LARGEST:
+                found.append(ring)
+    most = max(map(len, found), default=1)
+    rings = [np.pad(ring, ((0, most - len(ring)), (0, 0)), mode="edge") for ring in found]
+    middles = [ring.mean(0) for ring in found]
+    return Columns(problem, np.array(rings).reshape(-1, most, 2), np.array(middles).reshape(-1, 2))
+
+
+def stand_in_aisles(columns: Columns, kept: Kept, boxes: Floats) -> float:
+    """The faults of all columns among rows of boxes (n, 5), in metres."""
+    if not len(columns.rings):
+        return 0.0
+    total = sum(_fault(columns, kept, boxes, unit) for unit in _rows_of(columns.problem, kept))
+    return total + IN_SIGHT * _hidden(columns, boxes)
+
+
+def forgive_columns(
+    columns: Columns, kept: Kept, boxes: Floats, p: PreparedHall, s: State
+) -> float:
+    """What of the energy of a measured state comes from columns that stand on the free floor asked
+    for beside objects in rows: a column in a gap is where it belongs."""
+    total, units = 0.0, columns.problem.units
+    for unit in _rows_of(columns.problem, kept):
+        first, last = units.spans[unit]
+        axes, size = _axes(kept.pose[unit, 2]), boxes[first:last, 3:]
+        front, left, back, right = units.clear[first:last].T
+        at = boxes[first:last, :2] @ axes.T
+        low = at - 0.5 * size - np.column_stack([left, back])
+        high = at + 0.5 * size + np.column_stack([right, front])
+        begin, end = columns.reach(axes)
+        common = np.minimum(high[:, None], end) - np.maximum(low[:, None], begin)
+        covered = float(np.maximum(common, 0.0).prod(2).sum())
+        if covered > 0.0:
+            less = max(float(s.covered[unit].sum()) - covered, 0.0)
+            least = space_cost(less, float(p.divisor[unit]))
+            total += float(p.weights[SPACE]) * (float(s.costs[SPACE, unit]) - least)
+    return total
+
+
+def propose_pitches(columns: Columns, kept: Kept, boxes: Floats) -> Iterator[Kept]:
+    """Layouts in which the rows of one unit have a pitch that divides that of the columns."""
+    problem = columns.problem
+    for unit in _rows_of(problem, kept):
+        if _fault(columns, kept, boxes, unit) <= 0.0:
+            continue
+        turn = kept.pose[unit, 2]
+        for heading in (turn, turn + 0.5 * np.pi):
+            lattice = _lattice(columns, unit, heading)
+            for form in _forms(problem, unit, lattice):
+                yield from _places(problem, kept, unit, heading, lattice, form)
+
+
+def _rows_of(problem: HallProblem, kept: Kept) -> list[int]:
+    """The units that stand in rows."""
+    counts = np.diff(problem.units.spans, axis=1)[:, 0]
+    codes = kept.rows[:, 0].astype(int)
+    return [u for u in range(len(codes)) if codes[u] in (CHAIN, GRID) and counts[u] > 2]
+
+
+def _axes(heading: float) -> Floats:
+    """Unit vectors (2, 2) to the right and ahead."""
+    c, s = float(np.cos(heading)), float(np.sin(heading))
+    return np.array([[s, -c], [c, s]])
+
+
+def _fault(columns: Columns, kept: Kept, boxes: Floats, unit: int) -> float:
+    """Metres that the columns among the rows of a unit take of its aisles."""
+    first, last = columns.problem.units.spans[unit]
+    axes, mine = _axes(kept.pose[unit, 2]), boxes[first:last]
+    at, half = mine[:, :2] @ axes.T, 0.5 * mine[:, 4]
+    rim = 0.5 * float(mine[:, 3:].max()) + AROUND
+    begin, end = columns.reach(axes)
+    among = (end >= at.min(0) - rim).all(1) & (begin <= at.max(0) + rim).all(1)
+    total = 0.0
+    for (_, low), (_, high) in zip(begin[among], end[among], strict=True):
+        middle = 0.5 * (low + high)
+        off = np.abs(at[:, 1] - middle)
+        if (off <= np.maximum(half, 0.5 * (high - low))).any():
+            total += OFF_LINE * float(off.min())
+            continue
+        above = ((at[:, 1] - half)[at[:, 1] > middle] - high).min(initial=AISLE)
+        below = (low - (at[:, 1] + half)[at[:, 1] < middle]).min(initial=AISLE)
+        total += IN_AISLE + max(AISLE - max(above, below), 0.0)
+    return float(total)
+
+
+def _hidden(columns: Columns, boxes: Floats) -> float:
+    """Seats whose line to the middle of what they look at a column crosses, over ten."""
+    total, units = 0.0, columns.problem.units
+    wide = 0.5 * np.ptp(columns.rings, axis=1).max(1)
+    for unit, target in enumerate(units.targets):
+        if target < 0:
+            continue
+        seats = boxes[slice(*units.spans[unit]), None, :2]
+        way = boxes[slice(*units.spans[target]), :2].mean(0) - seats
+        to, far = columns.middles - seats, np.maximum(np.hypot(*way.T).T, 1e-9)
+        along = (to * way).sum(2) / far
+        aside = np.abs(to[..., 0] * way[..., 1] - to[..., 1] * way[..., 0]) / far
+        hidden = (along > 0.0) & (along < far) & (aside < wide)
+        total += 0.1 * float(hidden.any(1).sum())
+    return total
+
+
+def _lattice(columns: Columns, unit: int, heading: float) -> Lattice:
+    """The columns in the zone of a unit, in axes of some heading."""
+    ground, zone = columns.problem.ground, columns.problem.units.zones[unit]
+    bounds, axes = ground.zone_bounds[zone], _axes(heading)
+    inside = ((columns.middles >= bounds[:2]) & (columns.middles <= bounds[2:])).all(1)
+    begin, end = columns.reach(axes)
+    middles, halves = (0.5 * (end + begin))[inside], (0.5 * (end - begin))[inside]
+    return Lattice(middles, halves, (_pitch(middles[:, 0]), _pitch(middles[:, 1])))
+
+
+def _pitch(values: Floats) -> float:
+    """The least distance of two different values; 0 where all are alike."""
+    steps = np.diff(np.sort(values))
+    steps = steps[steps > TOUCH]
+    return float(steps.min()) if len(steps) else 0.0
+
+
+class RowForm(NamedTuple):
+    """Rows of a unit: objects in each, and the pitches along and across."""
+
+    each: int
+    along: float
+    across: float
+
+
+def _forms(problem: HallProblem, unit: int, lattice: Lattice) -> list[RowForm]:
+    """Forms of rows whose pitches divide those of the columns, or are any where only one stands
+    in line."""
+    if not len(lattice.middles):
+        return []
+    first, last = problem.units.spans[unit]
+    number = int(last - first)
+    wide, deep = problem.units.sizes[first:last].max(0)
+    close = problem.units.clear[first:last, 1::2].sum() == 0.0
+    front, back = problem.units.clear[first:last, 0].max(), problem.units.clear[first:last, 2].max()
+    gap = max(float(lattice.halves[:, 0].max()) * 2 + 2 * AROUND, 0.6)
+    along = [wide] if close else _divide(lattice.pitch[0], wide + gap, wide + gap + SPREAD)
+    ways = max(front + back, 0.6)
+    across = _divide(lattice.pitch[1], deep + 0.5 * ways, deep + ways + SPREAD)
+    most = min(ROWS, int(capacity(np.array(number))))
+    each = {-(-number // rows) for rows in range(1, most + 1)}
+    each = {e for e in each if number % e == 0 and 1 < e < number} or each
+    return [RowForm(e, a, b) for e in sorted(each) for a in along for b in across]
+
+
+def _divide(pitch: float, least: float, most: float) -> list[float]:
+    """Whole parts of a pitch within bounds; a few steps between them where there is no pitch."""
+    if pitch == 0.0:
+        return [least, 0.5 * (least + most)]
+    return [pitch / k for k in range(1, 12) if least <= pitch / k <= most]
+
+
+def _places(
+    problem: HallProblem, kept: Kept, unit: int, heading: float, lattice: Lattice, form: RowForm
+) -> Iterator[Kept]:
+    """A unit in such rows with the first column in the line of a row and in a gap, at the places
+    nearest to the middle of its zone and to where it stood."""
+    first, last = problem.units.spans[unit]
+    number, deep = int(last - first), float(problem.units.sizes[first:last, 1].max())
+    wide = float(problem.units.sizes[first:last, 0].max())
+    rows = -(-number // form.each)
+    axes = _axes(heading)
+    zone = problem.ground.zone_bounds[problem.units.zones[unit]]
+    anchors = [kept.pose[unit, :2], 0.5 * (zone[:2] + zone[2:])]
+    close = form.along <= wide + 1e-9
+    aside = 0.5 * deep + float(lattice.halves[0, 1]) + 0.01
+    lines = (-aside, aside) if close else (0.0,)
+    for anchor in anchors:
+        middle = axes @ anchor
+        for line in lines:
+            between = lattice.middles[0, 0] + 0.5 * form.along * (form.each % 2)
+            u = middle[0] if close else _nearest(middle[0], between, form.along)
+            v = lattice.middles[0, 1] - line + 0.5 * form.across * ((rows + 1) % 2)
+            v = _nearest(middle[1], v, form.across)
+            for du in (0.0,) if close else (-form.along, 0.0, form.along):
+                for dv in (-form.across, 0.0, form.across):
+                    yield _laid(kept, problem, unit, heading, axes.T @ (u + du, v + dv), form)
+
+
+def _nearest(value: float, start: float, step: float) -> float:
+    """The number nearest to a value among a start and whole steps from it."""
+    return start + step * round((value - start) / step)
+
+
+def _laid(
+    kept: Kept, problem: HallProblem, unit: int, heading: float, at: Floats, form: RowForm
+) -> Kept:
+    """The layout with a unit in rows of a form about a point."""
+    counts = np.diff(problem.units.spans, axis=1)[:, 0]
+    row, number = int(capacity(counts)[:unit].sum()), int(counts[unit])
+    first, last = problem.units.spans[unit]
+    wide, deep = problem.units.sizes[first:last].max(0)
+    pose, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
+    many = -(-number // form.each)
+    code = GRID if problem.units.choices[unit, GRID] else int(kept.rows[unit, 0])
+    for k in range(many):
+        each = number // many + (1 if k < number % many else 0)
+        if code == GRID:
+            each = min(form.each, number - k * form.each)
+        gaps = form.along - wide, form.across - deep
+        layers[row + k] = np.array([each, *gaps, code, 0])
+    pose[unit, :3], rows[unit] = (*at, heading), (code, many)
+    return kept._replace(pose=pose, layers=layers, rows=rows)

@@ -1,0 +1,211 @@
+"""Kitchens made to measure for a room: systematically along its walls, from simple to split.
+
+Each step lists kitchens of one make-up over all free stretches of wall: one run with its fridge,
+two or three lines round corners (L and U); the same and the fridge by itself; hob and sink in lines
+of their own. A line takes its stretch up to what the room asks for, or the least without a fault.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from itertools import chain, product
+from math import hypot
+from typing import NamedTuple
+
+from scenewright.domains.home.composing.case_faults import LEG
+from scenewright.domains.home.composing.fitted_corners import list_round_corners, list_us
+from scenewright.domains.home.composing.free_walls import TOUCH, FreeStretch, end_of, floor_length
+from scenewright.domains.home.composing.modest import EXPECTED
+from scenewright.domains.home.groups.fitted_kitchen import (
+    BACK,
+    CORNER,
+    LOW,
+    SLIM_FRIDGE,
+    FittedKitchen,
+    UnitLine,
+    cook,
+    cook_and_wash,
+    place,
+    wash,
+    width_of,
+)
+from scenewright.domains.home.groups.kitchen import FRIDGE, LOW_FRIDGE, UNIT_DEPTH, Unit, fill
+
+MORE = 0.6  # metres of front that a kitchen has beyond what its room asks for, at most
+LEAST_RUN = 3.0  # metres of front with its fridge that a run in any room may have
+LEAST = {"hs": 1.7, "h": 0.95, "s": 0.45, "": 0.6}
+"""Metres that sink and hob take at least without a fault beside them, by what a line holds."""
+SPARE = {"hs": 0.8, "h": 0.75, "s": 0.4, "": 0.6}
+"""And where room for no more is left."""
+U_FROM = 8.0
+"""From so many square metres on a kitchen goes round two corners."""
+Units = tuple[Unit, ...]
+
+
+class FreeWalls(NamedTuple):
+    """Where units stand free (``low``), and where what is as tall as a fridge does."""
+
+    low: list[FreeStretch]
+    tall: list[FreeStretch]
+    area: float
+
+
+def list_steps(free: FreeWalls) -> list[Callable[[], Iterator[FittedKitchen]]]:
+    """The kitchens of a room step by step."""
+    most = _most(free) / 2
+    us = list_us(free.low, most) if free.area >= U_FROM else ()
+    return [
+        lambda: chain(_runs(free), list_round_corners(free.low, most, True), us),
+        lambda: _with_fridge(
+            free, chain(_bare_runs(free), list_round_corners(free.low, most, False))
+        ),
+        lambda: chain(_apart(free, True), _with_fridge(free, _apart(free, False))),
+        lambda: _with_low_fridge(free, chain(_bare_runs(free), _apart(free, False))),
+    ]
+
+
+def list_bare_steps(free: FreeWalls) -> list[Callable[[], Iterator[FittedKitchen]]]:
+    """The same of kitchens without a fridge."""
+    most = _most(free) / 2
+    return [
+        lambda: chain(_bare_runs(free), list_round_corners(free.low, most, False)),
+        lambda: _apart(free, False),
+    ]
+
+
+def _most(free: FreeWalls) -> float:
+    """Metres of front a kitchen has at most."""
+    rows = EXPECTED["kitchen"].rows
+    return MORE + max((least for start, least in rows if free.area >= start), default=LEAST_RUN)
+
+
+def _units_in(holds: str, length: float) -> Units:
+    """What stands in a line of units for these things."""
+    if holds == "hs":
+        return tuple(cook_and_wash(length))
+    if holds == "":
+        return tuple(fill(length))
+    return tuple(cook(length) if holds == "h" else wash(length))
+
+
+def _lengths(holds: str, spare: float, most: float) -> list[float]:
+    """The lengths in which a line is tried: all there is up to ``most``, and the least."""
+    full = floor_length(min(spare, most))
+    found = [full] if full >= SPARE[holds] else []
+    return [*found, LEAST[holds]] if full >= LEAST[holds] + 0.3 else found
+
+
+def _fridges(spare: float) -> float:
+    """The width of the fridge of a line."""
+    return FRIDGE.width if spare >= LEAST["hs"] + FRIDGE.width else SLIM_FRIDGE
+
+
+def _lines(stretch: FreeStretch, units: Units) -> Iterator[UnitLine]:
+    """The units at either end of a stretch, both ways round."""
+    wide = width_of(units)
+    starts = {stretch.start, stretch.end - wide}
+    for start, order in product(sorted(starts), dict.fromkeys((units, units[::-1]))):
+        yield UnitLine(stretch.wall, start, order)
+
+
+def _runs(free: FreeWalls) -> Iterator[FittedKitchen]:
+    """One run with its fridge at either end."""
+    for stretch in free.low:
+        spare = stretch.end - stretch.start
+        fridge: Unit = ("fridge", _fridges(spare))
+        for length in _lengths("hs", spare - fridge[1], _most(free) - fridge[1]):
+            units = _units_in("hs", length)
+            for whole in ((fridge, *units), (fridge, *units[::-1])):
+                yield from (FittedKitchen((line,)) for line in _lines(stretch, whole))
+
+
+def _bare_runs(free: FreeWalls) -> Iterator[FittedKitchen]:
+    for stretch in free.low:
+        for length in _lengths("hs", stretch.end - stretch.start, _most(free) - FRIDGE.width):
+            for line in _lines(stretch, _units_in("hs", length)):
+                yield FittedKitchen((line,))
+
+
+def _with_fridge(free: FreeWalls, kitchens: Iterable[FittedKitchen]) -> Iterator[FittedKitchen]:
+    """Kitchens with a fridge by itself at either end of any stretch tall enough, or beside their
+    own lines."""
+    for kitchen in kitchens:
+        for stretch in free.tall:
+            for start, end in _left_beside(kitchen, stretch):
+                wide = FRIDGE.width if end - start >= FRIDGE.width else SLIM_FRIDGE
+                if end - start < wide:
+                    continue
+                for at in sorted({start, end - wide}):
+                    line = UnitLine(stretch.wall, at, (("fridge", wide),))
+                    yield kitchen._replace(lines=(*kitchen.lines, line))
+
+
+def _with_low_fridge(free: FreeWalls, kitchens: Iterable[FittedKitchen]) -> Iterator[FittedKitchen]:
+    """Kitchens with a fridge as low as the worktop, as below a window, at an end of any stretch."""
+    wide = LOW_FRIDGE.width
+    for kitchen in kitchens:
+        for stretch in free.low:
+            for start, end in _left_beside(kitchen, stretch):
+                for at in sorted({start, end - wide}) if end - start >= wide else ():
+                    line = UnitLine(stretch.wall, at, ((LOW, wide),))
+                    yield kitchen._replace(lines=(*kitchen.lines, line))
+
+
+def _left_beside(kitchen: FittedKitchen, stretch: FreeStretch) -> list[tuple[float, float]]:
+    """What the lines and corners of a kitchen leave of a stretch."""
+    taken = [
+        (line.start, line.start + width_of(line.units))
+        for line in kitchen.lines
+        if line.wall == stretch.wall
+    ]
+    for wall in kitchen.corners:
+        if wall == stretch.wall:
+            taken.append((0.0, CORNER))
+        elif abs(end_of(stretch)[0] - wall.x) + abs(end_of(stretch)[1] - wall.y) < TOUCH:
+            taken.append((stretch.length - CORNER, stretch.length))
+    gaps, at = [], stretch.start
+    for start, end in sorted(taken):
+        gaps.append((at, min(start, stretch.end)))
+        at = max(at, end)
+    gaps.append((at, stretch.end))
+    return [(a, b) for a, b in gaps if b - a >= SLIM_FRIDGE]
+
+
+def _apart(free: FreeWalls, whole: bool) -> Iterator[FittedKitchen]:
+    """Hob and sink in lines of their own, the fridge at an end of one if it is to be ``whole``."""
+    for one, other in product(free.low, free.low):
+        if one is other:
+            continue
+        for cold in (0, 1) if whole else (-1,):
+            lines = [
+                _ends(stretch, holds, k == cold, _most(free) / 2)
+                for k, (stretch, holds) in enumerate(((one, "h"), (other, "s")))
+            ]
+            yield from (FittedKitchen(pair) for pair in product(*lines) if _within_reach(*pair))
+
+
+def _within_reach(cooking: UnitLine, washing: UnitLine) -> bool:
+    """Whether the sink is no farther from the hob than a leg of the work triangle may be."""
+    one, other = _middle(cooking, "hob_cabinet"), _middle(washing, "sink_cabinet")
+    return hypot(one[0] - other[0], one[1] - other[1]) <= LEG[1]
+
+
+def _middle(line: UnitLine, name: str) -> tuple[float, float]:
+    """Where the middle of a unit of a line stands."""
+    number = next(k for k, unit in enumerate(line.units) if unit[0] == name)
+    at = line.start + width_of(line.units[:number])
+    return place(line.wall, at, line.units[number][1], UNIT_DEPTH, BACK)[:2]
+
+
+def _ends(stretch: FreeStretch, holds: str, cold: bool, most: float) -> list[UnitLine]:
+    """One line, as long as it can be, at either end of its stretch."""
+    fridge: Units = (("fridge", FRIDGE.width),) if cold else ()
+    spare = stretch.end - stretch.start - width_of(fridge)
+    found = []
+    for length in _lengths(holds, spare, most)[:1]:
+        units = (*fridge, *_units_in(holds, length))
+        found += [
+            UnitLine(stretch.wall, stretch.start, units),
+            UnitLine(stretch.wall, stretch.end - width_of(units), units[::-1]),
+        ]
+    return found

@@ -1,0 +1,142 @@
+"""Kitchens round corners: lines that meet where two walls do (an L), round two corners a U."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+
+from scenewright.domains.home.composing.free_walls import TOUCH, FreeStretch, end_of, floor_length
+from scenewright.domains.home.groups.fitted_kitchen import (
+    CORNER,
+    FittedKitchen,
+    UnitLine,
+    wash,
+    width_of,
+)
+from scenewright.domains.home.groups.kitchen import (
+    AMPLY_BEYOND,
+    BETWEEN,
+    BEYOND,
+    FRIDGE,
+    SMALL_HOB,
+    SMALL_SINK,
+    Unit,
+    fill,
+)
+
+LEAST_OF_ARM = {"hs": 1.05, "h": 0.6, "s": 0.45}
+"""Metres that sink and hob take at least beside a corner cabinet without a fault beside them."""
+HAIR = 1e-6
+Units = tuple[Unit, ...]
+
+
+def _corners(low: list[FreeStretch]) -> Iterator[tuple[FreeStretch, FreeStretch]]:
+    """The stretches that meet in a corner of the room: the one that ends there, the one that
+    begins."""
+    for one, other in product(low, low):
+        meets = abs(end_of(one)[0] - other.wall.x) + abs(end_of(one)[1] - other.wall.y) < TOUCH
+        turns = one.wall.ux * other.wall.uy - one.wall.uy * other.wall.ux > 0.99
+        if meets and turns and one.end > one.length - TOUCH and other.start < TOUCH:
+            yield one, other
+
+
+ROUND = ("h/s", "s/h", "hs/", "/hs")
+"""What stands on either side of a corner."""
+
+
+def list_round_corners(low: list[FreeStretch], most: float, whole: bool) -> Iterator[FittedKitchen]:
+    """Two lines of at most so many metres that meet in a corner, with a fridge at either end if it
+    is to be ``whole``."""
+    for one, other in _corners(low):
+        for holds, cold in product(ROUND, (0, 1) if whole else (-1,)):
+            arms = holds.split("/")
+            sides = [
+                list(_arms(stretch.end - stretch.start - CORNER, arm, k == cold, most))
+                for k, (stretch, arm) in enumerate(zip((one, other), arms, strict=True))
+            ]
+            for left, right in product(*sides):
+                yield _join(one, other, left, right)
+
+
+def _arms(spare: float, holds: str, cold: bool, most: float) -> Iterator[Units]:
+    """What stands along a wall from its corner cabinet on."""
+    fridge: Units = (("fridge", FRIDGE.width),) if cold else ()
+    spare -= width_of(fridge)
+    if not holds and spare > -HAIR:
+        yield fridge
+    elif holds:
+        least = LEAST_OF_ARM[holds]
+        full = floor_length(min(spare, max(most, least)))
+        for length in [full] * (full >= least) + [least] * (full >= least + 0.3):
+            yield (*_units_of_arm(holds, length), *fridge)
+
+
+def _units_of_arm(holds: str, length: float) -> Units:
+    """Units from a corner cabinet on, whose worktop is one side of a hob next to it."""
+    if holds == "s":
+        return tuple(wash(length))
+    wide = next((w for w in (0.6, 0.45) if length >= w + 2 * BEYOND + len(holds) * 0.3), SMALL_HOB)
+    rest: list[Unit] = fill(min(AMPLY_BEYOND, length - wide))
+    if holds == "hs":
+        sink = 0.6 if length - wide >= 0.6 + BETWEEN else SMALL_SINK
+        rest = [*fill(length - wide - sink), ("sink_cabinet", sink)]
+    before = fill(length - wide - width_of(rest))
+    return (*before, ("hob_cabinet", wide), *rest)
+
+
+def _join(one: FreeStretch, other: FreeStretch, left: Units, right: Units) -> FittedKitchen:
+    """The units outwards from the corner along the wall that ends there and the one that begins."""
+    lines = []
+    if left:
+        lines.append(UnitLine(one.wall, one.length - CORNER - width_of(left), left[::-1]))
+    if right:
+        lines.append(UnitLine(other.wall, CORNER, right))
+    return FittedKitchen(_hob_first(lines), (other.wall,))
+
+
+def _hob_first(lines: list[UnitLine]) -> tuple[UnitLine, ...]:
+    return tuple(sorted(lines, key=lambda line: "hob_cabinet" not in dict(line.units)))
+
+
+AROUND = ("h/s/f", "f/s/h", "hf/s/", "/s/hf", "sf/h/", "/h/sf", "s/h/f", "f/h/s")
+"""What stands in a U along its three walls."""
+
+
+def list_us(low: list[FreeStretch], most: float) -> Iterator[FittedKitchen]:
+    """Three lines round two corners, the outer ones of at most so many metres."""
+    meetings = list(_corners(low))
+    for (one, middle), (again, other) in product(meetings, meetings):
+        if middle is not again:
+            continue
+        between = floor_length(middle.length - 2 * CORNER)
+        for form in AROUND:
+            yield from _u(most, (one, middle, other), form.split("/"), between)
+
+
+def _u(
+    most: float,
+    walls: tuple[FreeStretch, FreeStretch, FreeStretch],
+    holds: list[str],
+    between: float,
+) -> Iterator[FittedKitchen]:
+    one, middle, other = walls
+    least = 0.3 if holds[1] == "h" else 0.45
+    if not least <= between <= 1.8:
+        return
+    inner = tuple(_between(holds[1], between))
+    sides = []
+    for stretch, arm in ((one, holds[0]), (other, holds[2])):
+        spare, bare = stretch.end - stretch.start - CORNER, arm.replace("f", "")
+        sides.append(list(_arms(spare, bare, "f" in arm, most)))
+    for left, right in product(*sides):
+        joined = _join(one, middle, left, inner)
+        far = [UnitLine(other.wall, CORNER, right)] if right else []
+        yield FittedKitchen(_hob_first([*joined.lines, *far]), (middle.wall, other.wall))
+
+
+def _between(holds: str, length: float) -> list[Unit]:
+    """A sink or hob in the middle of the base of a U."""
+    widths = (0.8, 0.6, 0.45) if holds == "s" else (0.6, 0.45, 0.3)
+    wide = next((w for w in widths if length >= w - 1e-9), length)
+    side = fill((length - wide) / 2)
+    return [*side, ("sink_cabinet" if holds == "s" else "hob_cabinet", wide), *side]

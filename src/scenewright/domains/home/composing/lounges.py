@@ -1,0 +1,141 @@
+"""Seats and the screen they look at, placed together: the sofa before the screen, wherever that is.
+
+Along the walls of a large room a sofa and a screen are either far apart or in one corner of it. So
+for the places of the screen along the walls those of the seats are tried that look at it from the
+distance its width asks for, amid the room if need be; all other groups follow.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice
+from math import cos, pi, sin
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.composing.anew import follow, judge_in_order
+from scenewright.domains.home.composing.case_faults import MANY, count_seats
+from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, sum_faults
+from scenewright.domains.home.composing.moving import dress_group, find_places, take_best
+from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+from scenewright.domains.home.furnishing.whole import RAISED
+from scenewright.domains.home.wall_places import stand_free
+
+Floats = NDArray[np.float64]
+
+LARGE = 14.0  # rooms of so many square metres may have their seats amid the floor
+AWAY = (2.1, 2.5, 2.9)  # from the screen to the sofa, metres
+SPACED = 0.8  # between places of the screen that are tried, metres
+STANDS, SCREENS, SEATS = 4, 6, 10
+"""Forms of the screen, places of each, and forms of the seats that are tried."""
+UNLIKE = 0.15  # forms that differ by more than this in width or depth are unlike, metres
+
+
+def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
+    """The groups with seats and screen placed together where either has a fault, or as they
+    were."""
+    rule = task.preset.settings.composing
+    pair = tuple(p for name in ("media", "seating") for p in best.placed if p.wish.group == name)
+    if len(pair) != 2 or task.ground.area < LARGE or task.cancelled():
+        return best
+    if not sum_faults(task, pair) or any(p.wish.group in task.library.own for p in pair):
+        return best
+    rest = [p for p in best.placed if p not in pair]
+    order = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
+    judges = judge_in_order(task, (*pair, *order))
+    most = sum_faults(task, best.placed)
+    found = []
+    for start in islice(_list_starts(judges(2), pair), rule.starts):
+        whole = follow(task, judges, start, order, barred, most)
+        if whole is not None:
+            found.append(whole)
+    return take_best(task, best, found, barred)
+
+
+def _list_starts(judge: RoomJudge, pair: Placed) -> Iterator[JudgedRoom]:
+    """Screen and seats by themselves, the cheapest first, of each place of the screen one."""
+    task, (media, seating) = judge.task, pair
+    empty = standing_of((*task.fixed, *task.beside), flat_kinds(task.catalog))
+    stands = _pick_unlike(list_forms(task, media), 2 * UNLIKE)
+    least = min(count_seats(seating.dressed.case), MANY)
+    known = (form for form in list_forms(task, seating) if count_seats(form) >= least)
+    seats = list(islice(_pick_unlike(known, UNLIKE), SEATS))
+    found = []
+    for case, boxes in islice(find_places(task, stands, empty, media), STANDS):
+        for box in _space_out(boxes):
+            screen = dress_group(task, media, case, box, empty)
+            if screen is not None:
+                found += _seat_before(judge, screen, seating, seats)
+    yield from sorted(found, key=lambda judged: judged.cost)
+
+
+def _pick_unlike(forms: Iterator[Group], unlike: float) -> Iterator[Group]:
+    """The forms that differ in size, or in where the main piece is, from all before them."""
+    kept: list[tuple[float, float, float]] = []
+    for form in forms:
+        size = (form.width, form.depth, form.members[0].x)
+        if all(max(abs(a - b) for a, b in zip(size, k, strict=True)) > unlike for k in kept):
+            kept.append(size)
+            yield form
+
+
+def _space_out(boxes: Floats) -> list[Floats]:
+    """At most :data:`SCREENS` of the boxes (n, 5) of a screen, :data:`SPACED` metres apart."""
+    kept: list[Floats] = []
+    for box in boxes:
+        if all(np.hypot(*(box[:2] - k[:2])) >= SPACED for k in kept):
+            kept.append(box)
+    return kept[:: -(-len(kept) // SCREENS) or 1]
+
+
+def _seat_before(
+    judge: RoomJudge, screen: FurnishedGroup, seating: FurnishedGroup, forms: list[Group]
+) -> list[JudgedRoom]:
+    """The seats in the form and at the distance that cost least before a screen; empty where they
+    stand nowhere before it."""
+    task = judge.task
+    pieces = (*task.fixed, *task.beside, *screen.pieces)
+    standing = standing_of(pieces, flat_kinds(task.catalog))
+    found = []
+    for case in forms:
+        boxes = _look_at(screen, case)
+        boxes = boxes[_stand(task, case, boxes, standing)]
+        for box in boxes:
+            seats = dress_group(task, seating, case, box, standing)
+            if seats is not None:
+                found.append(judge.cost_of((screen, seats)))
+    return [min(found, key=lambda judged: judged.cost)] if found else []
+
+
+def _look_at(screen: FurnishedGroup, case: Group) -> Floats:
+    """Boxes (n, 5) of seats whose sofa looks straight at a screen from :data:`AWAY`."""
+    x, y, heading = screen.dressed.box[:3].tolist()
+    sofa = next((m for m in case.members if m.category in SOFAS), case.members[0])
+    facing = heading + pi
+    rows = []
+    for away in AWAY:
+        ahead = away + sofa.y
+        rows.append(
+            (
+                x + cos(heading) * ahead - sin(facing) * sofa.x,
+                y + sin(heading) * ahead + cos(facing) * sofa.x,
+                facing,
+                case.width,
+                case.depth,
+            )
+        )
+    return np.array(rows)
+
+
+def _stand(
+    task: RoomTask, case: Group, boxes: Floats, standing: StandingObstacles
+) -> NDArray[np.bool_]:
+    """On which of the boxes (n, 5) all of a case stands free."""
+    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
+    height = task.space.height
+    return stand_free(boxes, case, members, task.ground, standing, task.catalog, height)

@@ -1,0 +1,200 @@
+"""A bed and a wardrobe that are placed together, of all pairs of places the best.
+
+In a small room either has a place only while the other stands somewhere else, and one placed after
+the other misses it. So the places of both along all walls are combined, those pairs that overlap
+are left out, and of the rest the cheapest are furnished until some of them leave every way open.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import islice, product, takewhile, zip_longest
+from math import hypot
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.forms import cost_of_case, list_forms
+from scenewright.domains.home.composing.judging import JudgedRoom, RoomJudge
+from scenewright.domains.home.composing.moving import dress_group, find_places, with_margin
+from scenewright.domains.home.composing.placed_faults import are_adrift, cost_of_openings
+from scenewright.domains.home.furnishing.obstacles import flat_kinds, join_standing, standing_of
+from scenewright.domains.home.programme import BEDS
+
+Floats = NDArray[np.float64]
+
+HAIR = 1e-9
+TOUCH = 0.004  # boxes that share a strip narrower than this touch, metres
+NEAR = 0.2  # of places of one form nearer than this to a better one, one is taken, metres
+
+MINOR = frozenset(("shallow",))
+"""Faults with which a form is still one of the sound ones."""
+UNLIKE = 0.15  # forms that differ by more than this in width or depth are unlike, metres
+
+
+class FormPlaces(NamedTuple):
+    """A form of a group, boxes (n, 5) on which it stands free in the empty room, and what is wrong
+    with each (n,)."""
+
+    case: Group
+    boxes: Floats
+    faults: Floats
+
+
+class PlacedPair(NamedTuple):
+    """Two forms, the box of each, and what they cost there."""
+
+    cost: float
+    cases: tuple[Group, Group]
+    boxes: Floats
+
+
+def find_pair(placed: Iterable[FurnishedGroup]) -> tuple[FurnishedGroup, ...]:
+    """The bed and the wardrobe of a room, empty unless there is one of each."""
+    beds = [p for p in placed if p.wish.group in BEDS]
+    wardrobes = [p for p in placed if p.wish.group == "wardrobe"]
+    return (*beds, *wardrobes) if len(beds) == len(wardrobes) == 1 else ()
+
+
+def list_pair_starts(
+    judge: RoomJudge, pair: tuple[FurnishedGroup, ...], barred: frozenset[str], most: float
+) -> Iterator[JudgedRoom]:
+    """Both groups by themselves at the best pairs of places that bar no further way and cost less
+    than ``most``, the cheapest first; ``judge`` is that of these two."""
+    margin, most_tried = with_margin(judge.task), judge.task.preset.settings.composing.pairs
+    for tried in islice(_furnish_pairs(judge, pair, most), most_tried):
+        if barred.issuperset(find_blocked(margin, tried.placed)):
+            yield tried
+
+
+def _furnish_pairs(
+    judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float
+) -> Iterator[JudgedRoom]:
+    """Pairs of places with their furniture, the cheapest first, of like ones only the first."""
+    task, seen = judge.task, list[list[list[float]]]()
+    flat = flat_kinds(task.catalog)
+    empty = standing_of((*task.fixed, *task.beside), flat)
+    for found in takewhile(lambda p: p.cost < most, _list_pairs(judge, pair, most)):
+        here = found.boxes[:, :3].tolist()
+        if any(_are_alike(here, other) for other in seen):
+            continue
+        one = dress_group(task, pair[0], found.cases[0], found.boxes[0], empty)
+        if one is None:
+            continue
+        beside = join_standing(empty, standing_of(one.pieces, flat))
+        other = dress_group(task, pair[1], found.cases[1], found.boxes[1], beside)
+        if other is not None:
+            seen.append(here)
+            yield judge.cost_of((one, other))
+
+
+def _are_alike(one: list[list[float]], other: list[list[float]]) -> bool:
+    """Whether both boxes of a pair (x, y, heading) are nearly where those of another are."""
+    for (x, y, turn), (u, v, way) in zip(one, other, strict=True):
+        if abs(x - u) >= NEAR or hypot(x - u, y - v) >= NEAR or abs(turn - way) >= 0.1:
+            return False
+    return True
+
+
+def _list_pairs(
+    judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float
+) -> list[PlacedPair]:
+    """The cheapest pairs of places of every two forms, the cheapest of all first; of those that
+    cost ``most`` or more by their faults alone none."""
+    rule, energy = judge.task.preset.settings.composing, judge.task.costs.energy
+    found: list[PlacedPair] = []
+    for one, other in product(*(_list_places(judge.task, group) for group in pair)):
+        faults = one.faults[:, None] + other.faults
+        if not (faults < most + HAIR).any():
+            continue
+        i, j = np.nonzero(~do_overlap(one.boxes, other.boxes) & (faults < most + HAIR))
+        if not len(i):
+            continue
+        layouts = np.stack([one.boxes[i], other.boxes[j]], axis=1)
+        costs = energy * judge.energies_of(layouts) + one.faults[i] + other.faults[j]
+        best = np.argsort(costs, kind="stable")[: rule.pairs]
+        cases = (one.case, other.case)
+        found += [PlacedPair(float(costs[k]), cases, layouts[k]) for k in best]
+    return sorted(found, key=lambda p: p.cost)
+
+
+def _list_places(task: RoomTask, group: FurnishedGroup) -> list[FormPlaces]:
+    """The places of a group's better forms in the empty room."""
+    rule, found = task.preset.settings.composing, []
+    empty = standing_of((*task.fixed, *task.beside), flat_kinds(task.catalog))
+    forms = _list_unlike(_list_by_turns(task, group))
+    for case, boxes in islice(find_places(task, forms, empty, group), rule.pair_forms):
+        faults = cost_of_openings(case, boxes, task.ground, rule)
+        if case.function == "single":
+            faults = faults + rule.costs.adrift * are_adrift(case, boxes, task.ground.walls)
+        faults = faults + cost_of_case(case, task.ground.area, rule)
+        kept = _thin_out(boxes, faults, rule.pair_places)
+        found.append(FormPlaces(case, boxes[kept], faults[kept]))
+    return found
+
+
+def _list_by_turns(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
+    """The better forms of a group and, of those without a fault, the smaller ones by turns."""
+    better = list(list_forms(task, group))
+    sound = [form for form in better if {name for name, _ in find_case_faults(form)} <= MINOR]
+    smaller = sorted(sound, key=lambda form: form.width * form.depth)
+    for both in zip_longest(better, smaller):
+        yield from (form for form in both if form is not None)
+
+
+def _list_unlike(forms: Iterable[Group]) -> Iterator[Group]:
+    """The forms without those that differ little from one before."""
+    seen: list[Group] = []
+    for form in forms:
+        like = (
+            len(form.members) == len(other.members)
+            and abs(form.width - other.width) < UNLIKE
+            and abs(form.depth - other.depth) < UNLIKE
+            for other in seen
+        )
+        if not any(like):
+            seen.append(form)
+            yield form
+
+
+def _thin_out(boxes: Floats, faults: Floats, most: int) -> NDArray[np.int64]:
+    """The numbers of at most so many boxes (n, 5), the better first and none near to another where
+    there are more."""
+    order = np.argsort(faults, kind="stable")
+    if len(order) <= most:
+        return order
+    kept: list[int] = []
+    for k in order.tolist():
+        near = np.hypot(*(boxes[kept, :2] - boxes[k, :2]).T) < NEAR
+        if not (near & (np.abs(boxes[kept, 2] - boxes[k, 2]) < 0.1)).any():
+            kept.append(k)
+            if len(kept) == most:
+                break
+    return np.array(kept, np.int64)
+
+
+def do_overlap(one: Floats, other: Floats) -> NDArray[np.bool_]:
+    """Which of boxes (n, 5) overlap which of others (m, 5), as (n, m): no axis of either has them
+    apart (separating axes, Gottschalk, Lin, Manocha 1996).
+
+    >>> boxes = np.array([[0.0, 0.0, 0.0, 1.0, 2.0], [1.4, 0.0, np.pi / 4, 1.0, 1.0]])
+    >>> do_overlap(boxes[:1], boxes).tolist()
+    [[True, True]]
+    >>> do_overlap(boxes[:1], boxes + [0.4, 0.0, 0.0, 0.0, 0.0]).tolist()
+    [[True, False]]
+    """
+    dx, dy = (other[None, :, k] - one[:, None, k] for k in (0, 1))
+    turn = other[None, :, 2] - one[:, None, 2]
+    c, s = np.abs(np.cos(turn)), np.abs(np.sin(turn))
+    meet = np.ones(dx.shape, bool)
+    for boxes, rest, shape in ((one, other, (-1, 1)), (other, one, (1, -1))):
+        cos, sin = (f(boxes[:, 2]).reshape(shape) for f in (np.cos, np.sin))
+        width, depth = boxes[:, 3].reshape(shape), boxes[:, 4].reshape(shape)
+        w, d = rest[:, 3].reshape(shape[::-1]), rest[:, 4].reshape(shape[::-1])
+        meet &= np.abs(dx * cos + dy * sin) < (depth + d * c + w * s) / 2 - TOUCH
+        meet &= np.abs(dx * sin - dy * cos) < (width + w * c + d * s) / 2 - TOUCH
+    return meet

@@ -1,0 +1,55 @@
+"""Rows of the table for terms of the picture a room makes: symmetry, void, what one sees first."""
+
+from __future__ import annotations
+
+from scenewright.engine.rows import TermRow
+
+THEMES = "scenewright.domains.home.terms"
+
+PICTURE_ROWS = (
+    TermRow(
+        "bed_symmetry",
+        -1,
+        "layout",
+        60,
+        "axis of a double bed off the middle of the floor beside it, and off any window's",
+        "Merrell et al. 2011, symmetry, about the axis of a bed",
+        form="repaired",
+        function=f"{THEMES}.bed_symmetry:measure_asymmetry",
+        data=f"{THEMES}.bed_symmetry:list_axes",
+    ),
+    TermRow(
+        "largest_void",
+        -1,
+        "layout",
+        60,
+        "radius of the largest empty circle, of that of the empty room",
+        "Toussaint 1983, on a grid, as a share",
+        form="repaired",
+        function=f"{THEMES}.emptiness:largest_void",
+        data=f"{THEMES}.emptiness:find_floor",
+    ),
+    TermRow(
+        "focal_sight",
+        -1,
+        "layout",
+        60,
+        "doors from which tall furniture hides every window, the seats and the screen",
+        "after Merrell et al. 2011, emphasis",
+        form="repaired",
+        function=f"{THEMES}.focus:focal_sight",
+        data=f"{THEMES}.focus:find_sights",
+    ),
+    TermRow(
+        "axis_symmetry",
+        -1,
+        "layout",
+        60,
+        "furniture without a counterpart across the axis of the screen or bed",
+        "Merrell et al. 2011, symmetry, capped, as a share",
+        form="repaired",
+        function=f"{THEMES}.focus:axis_symmetry",
+        data=f"{THEMES}.focus:find_axis",
+    ),
+)
+"""Weighed by those who ask for them; of the shipped presets only what their weights name."""

@@ -1,0 +1,48 @@
+"""Large living rooms: seats and screen are placed together, the sofa before the screen."""
+
+from __future__ import annotations
+
+from math import cos, hypot, sin
+
+from scenewright.core.brief import Brief, Room
+from scenewright.domains import check
+from scenewright.domains.home.composing.case_faults import count_seats
+from scenewright.domains.home.composing.forms import list_further
+from scenewright.domains.home.solving import solve
+
+NICHE = {
+    "id": "living",
+    "function": "living",
+    "outline": [[0, 3.24], [2.95, 3.24], [2.95, 0], [5.3, 0], [5.3, 7.8], [0, 7.8]],
+    "doors": [
+        {"at": [0.0, 4.0], "width": 1.0},
+        {"at": [1.6, 7.8], "width": 0.9},
+        {"at": [4.2, 7.8], "width": 1.3, "swing": "slide"},
+    ],
+    "windows": [{"at": [4.1, 0.0], "width": 1.3}],
+    "ask": [{"group": g, "required": True} for g in ("dining", "seating", "media", "chest")],
+}
+SOFAS = ("sofa", "corner_sofa", "loveseat")
+
+
+def test_a_large_room_with_doors_on_all_sides_has_seats_for_three_before_its_screen():
+    home = solve(Brief(rooms=[Room.model_validate(NICHE)]), seed=0)
+    sofa = next(p for p in home.pieces if p.category in SOFAS)
+    screen = next(p for p in home.pieces if p.category == "tv")
+    assert sofa.category != "loveseat"
+    away = hypot(sofa.pose.x - screen.pose.x, sofa.pose.y - screen.pose.y)
+    assert away <= 3.2 * screen.size.width
+    ahead = (screen.pose.x - sofa.pose.x, screen.pose.y - sofa.pose.y)
+    assert ahead[0] * cos(sofa.pose.heading) + ahead[1] * sin(sofa.pose.heading) > 0.8 * away
+    assert check(home).valid
+
+
+def test_corner_sofas_seat_four_and_come_both_ways_round():
+    corners = [g for g in list_further("seating") if g.members[0].category == "corner_sofa"]
+    names = [g.members[0].asset for g in corners]
+    assert names.count("corner_sofa") == names.count("corner_sofa_right") > 0
+    for group in corners:
+        assert count_seats(group) >= 4
+        assert all(abs(m.x) <= group.width / 2 + 1e-9 for m in group.members)
+        low = [m for m in group.members if m.category not in ("rug", "picture")]
+        assert all(m.y + min(m.size.depth, m.size.width) / 2 <= group.depth / 2 for m in low)

@@ -1,0 +1,112 @@
+"""Terms of the picture a room makes, against slow exact references."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+from rooms import full_problem, random_layouts
+from scenewright.core.layout import corners
+from scenewright.domains.home.energy import evaluate
+from scenewright.domains.home.terms.focus import HIDING, TALL
+
+
+def _only(name: str):
+    return full_problem()._replace(weights={name: 1.0})
+
+
+def _shapes(boxes):
+    return [shapely.Polygon(c) for c in corners(boxes)]
+
+
+def _floor(problem):
+    rings = shapely.polygonize([shapely.LineString(e.reshape(2, 2)) for e in problem.ground.edges])
+    whole = max(rings.geoms, key=lambda g: g.area)
+    return whole.difference(shapely.union_all(_shapes(problem.ground.obstacles)))
+
+
+def test_largest_void_is_the_largest_empty_circle_but_for_the_grid():
+    problem = _only("largest_void")
+    floor = _floor(problem)
+    whole = shapely.maximum_inscribed_circle(floor, tolerance=0.005).length
+    for boxes in random_layouts(problem, 25):
+        free = floor.difference(shapely.union_all(_shapes(boxes)))
+        exact = shapely.maximum_inscribed_circle(free, tolerance=0.005).length / whole
+        assert evaluate(problem, boxes[None])[0] == pytest.approx(exact, abs=0.11)
+
+
+def test_a_piece_in_the_widest_place_makes_the_void_smaller():
+    problem = _only("largest_void")
+    boxes = np.tile((-9.0, -9.0, 0.0, 1.0, 1.0), (4, 1))
+    assert evaluate(problem, boxes[None])[0] == pytest.approx(1.0)
+    boxes[0, :2] = 3.0, 1.6
+    assert evaluate(problem, boxes[None])[0] < 0.95
+
+
+def test_focal_sight_is_the_length_of_sight_within_tall_pieces():
+    problem = _only("focal_sight")
+    ground, items = problem.ground, problem.items
+    for boxes in random_layouts(problem, 40):
+        shapes, total = _shapes(boxes), 0.0
+        spots = [(None, tuple(w[:2])) for w in ground.windows]
+        spots += [(k, tuple(boxes[k, :2])) for k in np.flatnonzero(items.main_wall)]
+        for door in ground.doors:
+            hidden = [
+                sum(
+                    shapely.LineString([door[:2], at]).intersection(shapes[j]).length
+                    for j in np.flatnonzero(items.height > TALL)
+                    if j != goal
+                )
+                for goal, at in spots
+            ]
+            total += min(1.0, min(hidden) / HIDING) / len(ground.doors)
+        assert evaluate(problem, boxes[None])[0] == pytest.approx(total, abs=1e-6)
+
+
+def _mirrored(points, axis):
+    """Points (n, 2) over the line through a box along its heading, by a matrix."""
+    way = np.array([np.cos(axis[2]), np.sin(axis[2])])
+    return axis[:2] + (points - axis[:2]) @ (2 * np.outer(way, way) - np.eye(2))
+
+
+def test_axis_symmetry_looks_for_the_nearest_counterpart():
+    problem = _only("axis_symmetry")
+    (axis,) = np.flatnonzero(problem.items.main_wall < 0)
+    others = [k for k in range(4) if k != axis]
+    for boxes in random_layouts(problem, 40):
+        images, areas = _mirrored(boxes[:, :2], boxes[axis]), boxes[:, 3:].prod(1)
+        miss = [
+            min(
+                1.0,
+                *(
+                    np.hypot(*(images[j] - boxes[k, :2]))
+                    + np.abs(boxes[j, 3:] - boxes[k, 3:]).sum()
+                    for k in others
+                ),
+            )
+            for j in others
+        ]
+        wanted = np.average(miss, weights=areas[others])
+        assert evaluate(problem, boxes[None])[0] == pytest.approx(wanted, abs=1e-9)
+
+
+def test_pieces_in_pairs_about_the_screen_cost_nothing():
+    problem = _only("axis_symmetry")
+    boxes = np.array([[2, 3, 0, 1, 1], [0.2, 3, 0, 1, 0.4], [1, 4, 0, 1, 0.5], [1, 2, 0, 1, 0.5]])
+    assert evaluate(problem, boxes[None])[0] == pytest.approx(0.0, abs=1e-9)
+    boxes[3, 1] -= 0.5
+    assert evaluate(problem, boxes[None])[0] > 0.1
+
+
+@pytest.mark.parametrize("name", ["largest_void", "focal_sight", "axis_symmetry"])
+def test_they_count_where_they_are_asked_for_only(name):
+    from scenewright.domains.home.presets import PRESETS
+
+    assert name not in PRESETS["default"].weights
+    problem = full_problem()
+    without = problem._replace(weights={k: w for k, w in problem.weights.items() if k != name})
+    boxes = random_layouts(problem, 5)
+    difference = evaluate(problem, boxes) - evaluate(without, boxes)
+    alone = evaluate(_only(name), boxes)
+    assert difference == pytest.approx(60.0 * alone, abs=1e-6)
