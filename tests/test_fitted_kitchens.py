@@ -13,12 +13,12 @@ from scenewright.core.brief import Brief, Room
 from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.fitted import FreeWalls, list_steps
-from scenewright.domains.home.composing.fitted_corners import list_us
-from scenewright.domains.home.composing.foreseen import foresee_cost
 from scenewright.domains.home.composing.forms import cost_of_case
-from scenewright.domains.home.composing.free_walls import list_stretches
-from scenewright.domains.home.composing.kitchen_ways import is_walked, trim_to_ways, ways_of
+from scenewright.domains.home.composing.kitchens.corners import list_us
+from scenewright.domains.home.composing.kitchens.fitted import FreeWalls, list_steps
+from scenewright.domains.home.composing.kitchens.foreseen import foresee_cost
+from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
+from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.groups.fitted_kitchen import (
     FittedKitchen,

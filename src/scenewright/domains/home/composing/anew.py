@@ -23,7 +23,12 @@ from scenewright.domains.home.composing.judging import (
     judge_of,
     sum_faults,
 )
-from scenewright.domains.home.composing.kitchens import as_whole, list_fitted, may_reform, parts_of
+from scenewright.domains.home.composing.kitchens.reform import (
+    as_whole,
+    list_fitted,
+    may_reform,
+    parts_of,
+)
 from scenewright.domains.home.composing.moving import take_best, try_forms
 from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
 

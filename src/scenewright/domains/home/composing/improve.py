@@ -21,7 +21,7 @@ from scenewright.domains.home.composing.judging import (
     count_unmet,
     judge_of,
 )
-from scenewright.domains.home.composing.kitchens import reform_kitchen
+from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
 from scenewright.domains.home.composing.lounges import gather_seats
 from scenewright.domains.home.composing.moving import take_best, try_forms, with_margin
 from scenewright.domains.home.composing.placed_faults import (

@@ -5,7 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import product
 
-from scenewright.domains.home.composing.free_walls import TOUCH, FreeStretch, end_of, floor_length
+from scenewright.domains.home.composing.kitchens.free_walls import (
+    TOUCH,
+    FreeStretch,
+    end_of,
+    floor_length,
+)
 from scenewright.domains.home.groups.fitted_kitchen import (
     CORNER,
     FittedKitchen,

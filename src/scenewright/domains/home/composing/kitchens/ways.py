@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.domains.home.attempt import DOOR, RoomTask
-from scenewright.domains.home.composing.free_walls import FreeStretch
 from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.composing.kitchens.free_walls import FreeStretch
 from scenewright.domains.home.groups.fitted_kitchen import (
     BACK,
     FittedKitchen,

@@ -9,11 +9,15 @@ from math import inf
 import numpy as np
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
-from scenewright.domains.home.composing.fitted import FreeWalls, list_bare_steps, list_steps
-from scenewright.domains.home.composing.foreseen import foresee_cost
-from scenewright.domains.home.composing.free_walls import list_stretches
 from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, Placed, RoomJudge, judge_of
-from scenewright.domains.home.composing.kitchen_ways import is_walked, trim_to_ways, ways_of
+from scenewright.domains.home.composing.kitchens.fitted import (
+    FreeWalls,
+    list_bare_steps,
+    list_steps,
+)
+from scenewright.domains.home.composing.kitchens.foreseen import foresee_cost
+from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
+from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
 from scenewright.domains.home.composing.moving import dress_group, take_best
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of

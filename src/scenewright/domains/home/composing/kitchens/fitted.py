@@ -13,8 +13,13 @@ from math import hypot
 from typing import NamedTuple
 
 from scenewright.domains.home.composing.case_faults import LEG
-from scenewright.domains.home.composing.fitted_corners import list_round_corners, list_us
-from scenewright.domains.home.composing.free_walls import TOUCH, FreeStretch, end_of, floor_length
+from scenewright.domains.home.composing.kitchens.corners import list_round_corners, list_us
+from scenewright.domains.home.composing.kitchens.free_walls import (
+    TOUCH,
+    FreeStretch,
+    end_of,
+    floor_length,
+)
 from scenewright.domains.home.composing.modest import EXPECTED
 from scenewright.domains.home.groups.fitted_kitchen import (
     BACK,
