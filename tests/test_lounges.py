@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from math import cos, hypot, sin
+from math import cos, hypot, pi, sin
+
+import pytest
 
 from scenewright.core.brief import Brief, Room
 from scenewright.domains import check
@@ -34,6 +36,40 @@ def test_a_large_room_with_doors_on_all_sides_has_seats_for_three_before_its_scr
     assert away <= 3.2 * screen.size.width
     ahead = (screen.pose.x - sofa.pose.x, screen.pose.y - sofa.pose.y)
     assert ahead[0] * cos(sofa.pose.heading) + ahead[1] * sin(sofa.pose.heading) > 0.8 * away
+    assert check(home).valid
+
+
+HEARTHS = [
+    ([6.0, 4.8], [0.25, 2.4], 0.0, [5.3, 0.0], [1.5, 0.0]),
+    ([7.0, 5.2], [3.5, 4.95], -pi / 2, [0.8, 0.0], [7.0, 2.6]),
+]
+
+
+@pytest.mark.parametrize(("size", "at", "heading", "door", "window"), HEARTHS)
+def test_seats_look_at_a_fireplace_on_its_axis(size, at, heading, door, window):
+    (wide, deep), axis = size, (cos(heading), sin(heading))
+    hearth = {"category": "fireplace", "at": at, "heading": heading, "size": [1.4, 0.5, 1.1]}
+    room = {
+        "name": "Living room",
+        "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
+        "doors": [{"at": door, "width": 0.9}],
+        "windows": [{"at": window, "width": 1.4}],
+        "fixed": [hearth],
+    }
+    home = solve(Brief(rooms=[Room.model_validate(room)]), seed=0)
+    sofa = next(p.pose for p in home.pieces if p.category in SOFAS)
+    dx, dy = sofa.x - at[0], sofa.y - at[1]
+    assert axis[0] * cos(sofa.heading) + axis[1] * sin(sofa.heading) < -0.95
+    assert abs(dy * axis[0] - dx * axis[1]) < 0.7
+    between = [
+        p
+        for p in home.pieces
+        for x, y in [(p.pose.x - at[0], p.pose.y - at[1])]
+        if abs(y * axis[0] - x * axis[1]) < 0.4
+        and 0.3 < x * axis[0] + y * axis[1] < dx * axis[0] + dy * axis[1] - 0.1
+        and p.pose.z < 1.0
+    ]
+    assert {p.function for p in between} <= {"seating"}
     assert check(home).valid
 
 

@@ -91,6 +91,33 @@ def test_axis_symmetry_looks_for_the_nearest_counterpart():
         assert evaluate(problem, boxes[None])[0] == pytest.approx(wanted, abs=1e-9)
 
 
+HEARTH = np.array([[2.0, 0.5, np.cos(0.4), np.sin(0.4)]])
+
+
+def test_the_axis_of_a_fireplace_counts_before_that_of_the_screen():
+    problem = _only("axis_symmetry")
+    problem = problem._replace(ground=problem.ground._replace(hearths=HEARTH))
+    axis = np.array([2.0, 0.5, 0.4])
+    for boxes in random_layouts(problem, 20):
+        images, areas = _mirrored(boxes[:, :2], axis), boxes[:, 3:].prod(1)
+        off = np.hypot(*(images[:, None] - boxes[None, :, :2]).transpose(2, 0, 1))
+        unlike = np.abs(boxes[:, None, 3:] - boxes[None, :, 3:]).sum(2)
+        wanted = np.average(np.minimum(1.0, (off + unlike).min(1)), weights=areas)
+        assert evaluate(problem, boxes[None])[0] == pytest.approx(wanted, abs=1e-9)
+
+
+def test_a_fireplace_is_something_to_look_at():
+    problem = _only("focal_sight")
+    bare = problem.ground._replace(windows=np.zeros((0, 6)))
+    roles = problem.items._replace(main_wall=np.zeros(4))
+    lit = problem._replace(items=roles, ground=bare._replace(hearths=HEARTH))
+    apart = np.tile((-9.0, -9.0, 0.0, 1.0, 1.0), (4, 1))
+    assert evaluate(lit, apart[None])[0] == 0.0
+    tall = int(np.argmax(problem.items.height))
+    apart[tall] = (2.0, 0.5, 0.0, 1.0, 1.0)
+    assert evaluate(lit, apart[None])[0] == pytest.approx(1.0)
+
+
 def test_pieces_in_pairs_about_the_screen_cost_nothing():
     problem = _only("axis_symmetry")
     boxes = np.array([[2, 3, 0, 1, 1], [0.2, 3, 0, 1, 0.4], [1, 4, 0, 1, 0.5], [1, 2, 0, 1, 0.5]])

@@ -29,6 +29,7 @@ WINDOW_DEPTH = 0.3  # nothing taller than the sill this near to the glass, metre
 STRIP = 0.3  # the floor before an opening that is better free in all its width, metres
 USE = 0.6  # floor before a fixed piece, metres
 HEAD_HEIGHT = 2.0
+HEARTH = "fireplace"
 MAIN_WALL = 1.5  # the paper's least length of a main wall, metres
 
 
@@ -41,7 +42,7 @@ def ground_of(
     windows = [_window(g) for g in seen if g.opening.kind == "window"]
     x0, y0 = space.outline.min(0)
     x1, y1 = space.outline.max(0)
-    main = main_wall(space)
+    main = main_wall(space, fixed)
     standing = [p for p in (*fixed, *beside) if _in_the_way(p)]
     solids = _rows([box for p in standing for box in boxes_of(p)], 5)
     return Ground(
@@ -61,15 +62,18 @@ def ground_of(
         fronts=_rows([_ahead(p, RADIATED) for p in fixed if is_radiator(p)], 5),
         paths=door_paths(space, doors, solids),
         strips=_rows([_strip(g) for g in seen if _wants_all(g)], 6),
+        hearths=_rows([_hearth(p) for p in fixed if p.category == HEARTH], 4),
     )
 
 
-def main_wall(space: Space) -> list[float] | None:
-    """The main wall as one edge: the stated one, else the longest straight wall of at least 1.5 m
-    (the paper's least length) with no opening in it."""
+def main_wall(space: Space, fixed: tuple[Piece, ...] = ()) -> list[float] | None:
+    """The main wall as one edge: the stated one, else that behind a ``fixed`` fireplace, else the
+    longest straight wall of at least 1.5 m (the paper's least length) with no opening in it."""
     walls = np.hstack([space.outline, np.roll(space.outline, -1, 0)])
     if space.main_wall is not None:
         return [float(v) for v in walls[space.main_wall]]
+    for hearth in (p for p in fixed if p.category == HEARTH):
+        return [float(v) for v in walls[int(np.argmin(_distance(_back(hearth), walls)))]]
     length = np.linalg.norm(walls[:, 2:] - walls[:, :2], axis=1)
     for gate in gates(space):
         touched = _distance(gate.face, walls) < 0.02
@@ -103,6 +107,18 @@ def _wants_all(gate: DoorApproach) -> bool:
 
 def _strip(gate: DoorApproach) -> list[float]:
     return [*before(gate, gate.opening.width, STRIP), float(gate.opening.kind == "window")]
+
+
+def _hearth(piece: Piece) -> list[float]:
+    """The middle of the front of a fixed piece and its heading as cos and sin."""
+    x, y = _ahead(piece, 0.0)[:2]
+    return [x, y, float(np.cos(piece.pose.heading)), float(np.sin(piece.pose.heading))]
+
+
+def _back(piece: Piece) -> Floats:
+    """The middle of the back of a piece, metres."""
+    pose, half = piece.pose, piece.size.depth / 2
+    return np.array([pose.x - half * np.cos(pose.heading), pose.y - half * np.sin(pose.heading)])
 
 
 def _ahead(piece: Piece, depth: float) -> list[float]:

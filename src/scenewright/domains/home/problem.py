@@ -34,7 +34,8 @@ class Ground(NamedTuple):
     radiators in which nothing is put, though one may walk there. ``paths`` (m, 4): directed edges
     of the united ways from door to door, better left free. ``strips`` (k, 6): the floor before
     windows (1 in the last column) and before doors and passages without a leaf that are wider than
-    need stay free (0).
+    need stay free (0). ``hearths`` (h, 4): middle of the front and heading (cos, sin) of each
+    fireplace that stands.
     """
 
     edges: Floats
@@ -51,6 +52,7 @@ class Ground(NamedTuple):
     fronts: Floats = np.zeros((0, 5))
     paths: Floats = np.zeros((0, 4))
     strips: Floats = np.zeros((0, 6))
+    hearths: Floats = np.zeros((0, 4))
 
 
 class KnownGround:

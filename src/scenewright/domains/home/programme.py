@@ -17,12 +17,14 @@ from scenewright.domains.home.groups.alone import own_groups
 
 class Attraction(NamedTuple):
     """What draws a group, or keeps it away: a ``window``, ``door`` or ``wall``, or groups and
-    kinds, from ``near`` to ``far`` metres off; ``facing`` 1 to look at it."""
+    kinds, from ``near`` to ``far`` metres off; ``facing`` 1 to look at it, at the ``middle`` of
+    its front or anywhere along it."""
 
     to: tuple[str, ...]
     near: float = 0.0
     far: float = inf
     facing: float = 0.0
+    middle: bool = False
 
 
 AMPLE, MODEST = 0.8, 0.6
@@ -219,6 +221,10 @@ STANDS_FOR: dict[str, tuple[str, ...]] = {
 
 NOTED = frozenset(("shoes",))  # usual, and all that a hall is for
 BEDS = ("sleeping", "single", "bunk")
+HEARTH = PlacementPreference(
+    draws=(Attraction(("fireplace",), near=0.6, far=2.6, facing=1.0, middle=True),)
+)
+"""Seats gather before the middle of a fireplace that stands."""
 PRIVATE = PlacementPreference(draws=(Attraction(("door",), near=3.0),))
 ROOMY = 40.0
 """A bed in a room of so many square metres that is also lived or cooked in is away from doors."""
@@ -266,7 +272,7 @@ def programme(
             row.rank,
             becoming=AMPLE if row.rank == 0 and row.group not in AROUND else MODEST,
             core=row.rank == 0 and number < CORE.get(function, 1),
-            sway=PRIVATE if row.group in BEDS and shared else PlacementPreference(),
+            sway=_usual_place(row.group, shared),
         )
         for function in functions
         for number, row in enumerate(PROGRAMME[function])
@@ -275,6 +281,14 @@ def programme(
         and not have.intersection(STANDS_FOR.get(row.group, ()))
     ]
     return tuple(sorted(_once(wishes), key=lambda w: (w.rank, not w.core)))
+
+
+def _usual_place(group: str, shared: bool) -> PlacementPreference:
+    """Where a group is wished though nobody says: beds of a ``shared`` room away from its doors,
+    seats before a fireplace."""
+    if group in BEDS and shared:
+        return PRIVATE
+    return HEARTH if group == "seating" else PlacementPreference()
 
 
 def _once(wishes: list[Wish]) -> list[Wish]:

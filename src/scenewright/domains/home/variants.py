@@ -34,7 +34,7 @@ def long_walls(task: RoomTask) -> np.ndarray[tuple[int, ...], np.dtype[np.float6
     walls = task.ground.walls
     along = walls[:, 2:] - walls[:, :2]
     length = np.hypot(along[:, 0], along[:, 1])
-    usual = main_wall(task.space)
+    usual = main_wall(task.space, task.fixed)
     alike = np.zeros(len(walls))
     if usual is not None:
         way = np.array(usual[2:]) - np.array(usual[:2])

@@ -29,7 +29,7 @@ from scenewright.domains.home.composing.kitchens.reform import (
     may_reform,
     parts_of,
 )
-from scenewright.domains.home.composing.moving import take_best, try_forms
+from scenewright.domains.home.composing.moving import take_best, try_forms, with_margin
 from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
 
 Judges = Callable[[int], RoomJudge]
@@ -144,14 +144,14 @@ def follow(
 ) -> JudgedRoom | None:
     """The others beside the first, one after the other, as the ``judges`` of so many tell; None
     where one finds no place, or where faults cost ``most`` before all stand."""
-    rule, best = task.preset.settings.composing, start
+    rule, best, wide = task.preset.settings.composing, start, with_margin(task)
     for other in others:
         if sum_faults(task, best.placed) >= most:
             return None
         whole, at = (*best.placed, other), len(best.placed)
         forms = list_forms(task, other)
         found = try_forms(judges(at + 1), whole, at, forms, rule.other_forms)
-        open_ = (j for j in found[: rule.places] if barred >= set(find_blocked(task, j.placed)))
+        open_ = (j for j in found[: rule.places] if barred >= set(find_blocked(wide, j.placed)))
         following = next(open_, None)
         if following is None:
             return None

@@ -26,6 +26,7 @@ from scenewright.domains.home.composing.lounges import gather_seats
 from scenewright.domains.home.composing.moving import take_best, try_forms, with_margin
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_group,
+    cost_of_hearth,
     cost_of_screen,
     cost_of_shelves,
 )
@@ -83,6 +84,7 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     whole = {
         "storage": cost_of_shelves(placed, task.ground, rule.costs.shelves),
         "media": cost_of_screen(placed, task.ground, rule.costs.screen),
+        "seating": cost_of_hearth(placed, task.ground, rule.costs.screen),
     }
     unmet = float(count_unmet(task, placed) > 0)
     costs = {

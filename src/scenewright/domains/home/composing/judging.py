@@ -12,6 +12,7 @@ from shapely import Polygon
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_group,
+    cost_of_hearth,
     cost_of_screen,
     cost_of_shelves,
 )
@@ -92,7 +93,8 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     pairs = zip(placed, known or (nan,) * len(placed), strict=True)
     each = sum(cost_of_group(p, task.ground, rule) if isnan(c) else c for p, c in pairs)
     shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
-    return each + shelves + cost_of_screen(placed, task.ground, rule.costs.screen)
+    watched = cost_of_screen if not len(task.ground.hearths) else cost_of_hearth
+    return each + shelves + watched(placed, task.ground, rule.costs.screen)
 
 
 def share_of(task: RoomTask, placed: Placed) -> float:

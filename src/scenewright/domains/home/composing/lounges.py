@@ -1,4 +1,5 @@
-"""Seats and the screen they look at, placed together: the sofa before the screen, wherever that is.
+"""Seats and what they look at, placed together: the sofa before the screen, wherever that is, or
+before the fireplace that stands in the room.
 
 Along the walls of a large room a sofa and a screen are either far apart or in one corner of it. So
 for the places of the screen along the walls those of the seats are tried that look at it from the
@@ -9,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import islice
-from math import cos, pi, sin
+from math import atan2, cos, pi, sin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +31,7 @@ Floats = NDArray[np.float64]
 
 LARGE = 14.0  # rooms of so many square metres may have their seats amid the floor
 AWAY = (2.1, 2.5, 2.9)  # from the screen to the sofa, metres
+NEAR = (1.8, 2.2, 2.6)  # from the front of a fireplace to it
 SPACED = 0.8  # between places of the screen that are tried, metres
 STANDS, SCREENS, SEATS = 4, 6, 10
 """Forms of the screen, places of each, and forms of the seats that are tried."""
@@ -37,11 +39,12 @@ UNLIKE = 0.15  # forms that differ by more than this in width or depth are unlik
 
 
 def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
-    """The groups with seats and screen placed together where either has a fault, or as they
-    were."""
+    """The groups with seats and screen placed together where either has a fault, or the seats
+    before a fireplace that they do not look at, or as they were."""
     rule = task.preset.settings.composing
-    pair = tuple(p for name in ("media", "seating") for p in best.placed if p.wish.group == name)
-    if len(pair) != 2 or task.ground.area < LARGE or task.cancelled():
+    names = ("seating",) if len(task.ground.hearths) else ("media", "seating")
+    pair = tuple(p for name in names for p in best.placed if p.wish.group == name)
+    if len(pair) != len(names) or task.ground.area < LARGE or task.cancelled():
         return best
     if not sum_faults(task, pair) or any(p.wish.group in task.library.own for p in pair):
         return best
@@ -50,7 +53,7 @@ def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Ju
     judges = judge_in_order(task, (*pair, *order))
     most = sum_faults(task, best.placed)
     found = []
-    for start in islice(_list_starts(judges(2), pair), rule.starts):
+    for start in islice(_list_starts(judges(len(pair)), pair), rule.starts):
         whole = follow(task, judges, start, order, barred, most)
         if whole is not None:
             found.append(whole)
@@ -58,20 +61,34 @@ def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Ju
 
 
 def _list_starts(judge: RoomJudge, pair: Placed) -> Iterator[JudgedRoom]:
-    """Screen and seats by themselves, the cheapest first, of each place of the screen one."""
-    task, (media, seating) = judge.task, pair
-    empty = standing_of((*task.fixed, *task.beside), flat_kinds(task.catalog))
-    stands = _pick_unlike(list_forms(task, media), 2 * UNLIKE)
+    """Screen and seats by themselves, the cheapest first, of each place of the screen one, or the
+    seats before a fireplace."""
+    task, seating = judge.task, pair[-1]
     least = min(count_seats(seating.dressed.case), MANY)
     known = (form for form in list_forms(task, seating) if count_seats(form) >= least)
     seats = list(islice(_pick_unlike(known, UNLIKE), SEATS))
-    found = []
-    for case, boxes in islice(find_places(task, stands, empty, media), STANDS):
-        for box in _space_out(boxes):
-            screen = dress_group(task, media, case, box, empty)
-            if screen is not None:
-                found += _seat_before(judge, screen, seating, seats)
+    found = [
+        judged
+        for screen, spot in _list_spots(task, pair[:-1])
+        for judged in _seat_before(judge, screen, spot, seating, seats)
+    ]
     yield from sorted(found, key=lambda judged: judged.cost)
+
+
+def _list_spots(task: RoomTask, screens: Placed) -> Iterator[tuple[Placed, Floats]]:
+    """What seats may look at: the screen at its places, each as it stands there with its box, or
+    the fireplaces of the room, which need no group."""
+    if not screens:
+        for x, y, c, s in task.ground.hearths:
+            yield (), np.array([x, y, atan2(s, c)])
+        return
+    empty = standing_of((*task.fixed, *task.beside), flat_kinds(task.catalog))
+    stands = _pick_unlike(list_forms(task, screens[0]), 2 * UNLIKE)
+    for case, boxes in islice(find_places(task, stands, empty, screens[0]), STANDS):
+        for box in _space_out(boxes):
+            screen = dress_group(task, screens[0], case, box, empty)
+            if screen is not None:
+                yield (screen,), screen.dressed.box[:3]
 
 
 def _pick_unlike(forms: Iterator[Group], unlike: float) -> Iterator[Group]:
@@ -94,31 +111,30 @@ def _space_out(boxes: Floats) -> list[Floats]:
 
 
 def _seat_before(
-    judge: RoomJudge, screen: FurnishedGroup, seating: FurnishedGroup, forms: list[Group]
+    judge: RoomJudge, screen: Placed, spot: Floats, seating: FurnishedGroup, forms: list[Group]
 ) -> list[JudgedRoom]:
-    """The seats in the form and at the distance that cost least before a screen; empty where they
-    stand nowhere before it."""
+    """The seats in the form and at the distance that cost least before a ``spot`` (x, y, heading)
+    of a screen, in each form before a fireplace; empty where they stand nowhere before it."""
     task = judge.task
-    pieces = (*task.fixed, *task.beside, *screen.pieces)
+    pieces = (*task.fixed, *task.beside, *(piece for group in screen for piece in group.pieces))
     standing = standing_of(pieces, flat_kinds(task.catalog))
     found = []
     for case in forms:
-        boxes = _look_at(screen, case)
+        boxes = _look_at(spot, case, AWAY if screen else NEAR)
         boxes = boxes[_stand(task, case, boxes, standing)]
-        for box in boxes:
-            seats = dress_group(task, seating, case, box, standing)
-            if seats is not None:
-                found.append(judge.cost_of((screen, seats)))
-    return [min(found, key=lambda judged: judged.cost)] if found else []
+        seated = (dress_group(task, seating, case, box, standing) for box in boxes)
+        each = [judge.cost_of((*screen, seats)) for seats in seated if seats is not None]
+        found += sorted(each, key=lambda judged: judged.cost)[:1]
+    return [min(found, key=lambda judged: judged.cost)] if found and screen else found
 
 
-def _look_at(screen: FurnishedGroup, case: Group) -> Floats:
-    """Boxes (n, 5) of seats whose sofa looks straight at a screen from :data:`AWAY`."""
-    x, y, heading = screen.dressed.box[:3].tolist()
+def _look_at(spot: Floats, case: Group, distances: tuple[float, ...]) -> Floats:
+    """Boxes (n, 5) of seats whose sofa looks straight at a spot from each of the distances."""
+    x, y, heading = spot.tolist()
     sofa = next((m for m in case.members if m.category in SOFAS), case.members[0])
     facing = heading + pi
     rows = []
-    for away in AWAY:
+    for away in distances:
         ahead = away + sofa.y
         rows.append(
             (

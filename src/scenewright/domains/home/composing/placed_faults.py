@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import hypot
+from math import atan2, cos, hypot, sin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,8 @@ SHADES = frozenset((*_SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
 """What takes a window's light, or is not to stand in it."""
 AT_WALL = 0.12  # a bed's side nearer than this is at its wall, metres
 SHELVED = 0.75  # share of the longest wall that shelves of a storage room stand along
+OPEN = 1.0  # width of the sight from a sofa to a fireplace in which nothing stands, metres
+OFF_AXIS = 0.3  # a sofa this near to the axis of a fireplace is on it, metres
 FARTHEST = 3.1  # a screen is watched from so many of its widths at most
 SEEN = 0.02  # less of an opening that something stands before is not seen, metres
 
@@ -135,6 +137,24 @@ def cost_of_screen(groups: Sequence[FurnishedGroup], ground: Ground, cost: float
     away = min(hypot(p.pose.x - stand.pose.x, p.pose.y - stand.pose.y) for p in seats)
     short = 1.0 - find_widest_screen(stand, ground) * FARTHEST / away
     return cost * (1.0 + short) / 2 if short > 0.0 else 0.0
+
+
+def cost_of_hearth(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:
+    """What is wrong with a sofa that does not look at the fireplace that stands: by how far it is
+    off the fireplace's axis, turned from it, and what of other groups stands between."""
+    seats = next((g for g in groups if any(p.category in SOFAS for p in g.pieces)), None)
+    if seats is None or not len(ground.hearths):
+        return 0.0
+    sofa = next(p.pose for p in seats.pieces if p.category in SOFAS)
+    x, y, c, s = min(ground.hearths.tolist(), key=lambda h: hypot(sofa.x - h[0], sofa.y - h[1]))
+    turned = 1.0 + c * cos(sofa.heading) + s * sin(sofa.heading)
+    off = max(abs((sofa.y - y) * c - (sofa.x - x) * s) - OFF_AXIS, 0.0) + turned
+    away = (sofa.x - x) * c + (sofa.y - y) * s
+    if away > SEEN:
+        sight = make_frame(x + c * away / 2, y + s * away / 2, atan2(s, c), OPEN, away)
+        between = (p for g in groups if g is not seats for p in g.pieces if p.pose.z < AT_WALL)
+        off += sum(float(common_area(make_frame(*_box(p)), sight)) for p in between)
+    return cost * (1.0 + min(off, 1.0)) / 2 if off > SEEN else 0.0
 
 
 def cost_of_shelves(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:

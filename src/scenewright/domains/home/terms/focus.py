@@ -20,8 +20,9 @@ def focal_sight(frames: Floats, i: int, frame: Frame, room: Floats) -> float:
     """mean_d min_f min(1, L(d, f) / 0.3): whether from each door d some focal point f is seen.
 
     L(d, f) is the length, in metres, of the line from the middle of the door to f that runs
-    through items taller than 1.3 m, f itself left out. Focal points are the windows, the item that
-    faces the main wall and the one before it (sofa, screen, bed). In [0, 1]; 0 where every door
+    through items taller than 1.3 m, f itself left out. Focal points are the windows, the
+    fireplaces that stand, the item that faces the main wall and the one before it (sofa, screen,
+    bed). In [0, 1]; 0 where every door
     looks at something, or where there is no door or nothing to look at. Item ``i`` is taken to
     stand at ``frame``; -1: all stand where ``frames`` (n, 8) say. ``room`` as :func:`find_sights`
     gives it.
@@ -74,18 +75,20 @@ def chord(item: Frame, x0: float, y0: float, x1: float, y1: float) -> float:
 
 
 def find_sights(problem: Problem) -> Floats:
-    """What :func:`focal_sight` knows of a room: how many doors and windows, the heights (n,) of the
-    items and 1 for each that is a focal point (n,), then the middles (k, 2) of doors and windows;
-    empty where the term weighs nothing or there is no door."""
+    """What :func:`focal_sight` knows of a room: how many doors there are, and how many windows and
+    fireplaces, the heights (n,) of the items and 1 for each that is a focal point (n,), then the
+    middles (k, 2) of doors, windows and fireplaces; empty where the term weighs nothing or there
+    is no door."""
     ground, items = problem.ground, problem.items
     if not problem.weights.get("focal_sight") or not len(ground.doors):
         return np.zeros(0)
-    doors, windows = ground.doors[:, :2], ground.windows[:, :2]
+    doors = ground.doors[:, :2]
+    spots = np.concatenate([ground.windows[:, :2], ground.hearths[:, :2]])
     roles = (items.main_wall != 0.0).astype(np.float64)
-    if not len(windows) and not roles.any():
+    if not len(spots) and not roles.any():
         return np.zeros(0)
-    counts = np.array([len(doors), len(windows)], np.float64)
-    return np.concatenate([counts, items.height, roles, doors.ravel(), windows.ravel()])
+    counts = np.array([len(doors), len(spots)], np.float64)
+    return np.concatenate([counts, items.height, roles, doors.ravel(), spots.ravel()])
 
 
 @inlined
@@ -94,11 +97,12 @@ def axis_symmetry(frames: Floats, i: int, frame: Frame, axis: Floats) -> float:
     but the one whose axis it is.
 
     c, w, d and A are the middles, widths, depths and areas of items, m mirrors a point over the
-    axis through the middle of the screen (or bed) along its heading; lengths in metres, the
+    axis through the middle of a fireplace that stands, else of the screen or bed, along its
+    heading; lengths in metres, the
     distance of a piece without a counterpart counts as 1 m. A piece on the axis is its own
     counterpart. In [0, 1]; 0 where every piece has one or there is none but the axis. Item ``i``
-    is taken to stand at ``frame``; -1: all stand where ``frames`` (n, 8) say. ``axis`` (1,) or (0,)
-    as :func:`find_axis` gives it.
+    is taken to stand at ``frame``; -1: all stand where ``frames`` (n, 8) say. ``axis`` (5,), (1,)
+    or (0,) as :func:`find_axis` gives it.
 
     Merrell et al. (2011, symmetry) take the counterpart nearest to the mirror image in the same
     way but leave distances uncapped and the weights unprinted.
@@ -106,13 +110,17 @@ def axis_symmetry(frames: Floats, i: int, frame: Frame, axis: Floats) -> float:
     if axis.shape[0] == 0:
         return 0.0
     a, total, mass = int(axis[0]), 0.0, 0.0
-    line = frame if a == i else read_frame(frames, a)
+    if a < 0:
+        x0, y0, c, s = axis[1], axis[2], axis[3], axis[4]
+    else:
+        line = frame if a == i else read_frame(frames, a)
+        x0, y0, c, s = line[0], line[1], line[2], line[3]
     for j in range(frames.shape[0]):
         if j == a:
             continue
         item = frame if j == i else read_frame(frames, j)
-        aside = (item[1] - line[1]) * line[2] - (item[0] - line[0]) * line[3]
-        x, y = item[0] + 2.0 * aside * line[3], item[1] - 2.0 * aside * line[2]
+        aside = (item[1] - y0) * c - (item[0] - x0) * s
+        x, y = item[0] + 2.0 * aside * s, item[1] - 2.0 * aside * c
         least = REACH
         for k in range(frames.shape[0]):
             if k == a:
@@ -127,9 +135,12 @@ def axis_symmetry(frames: Floats, i: int, frame: Frame, axis: Floats) -> float:
 
 
 def find_axis(problem: Problem) -> Floats:
-    """The number (1,) of the item whose axis counts: the one that backs the main wall, a screen or
-    a bed; empty where there is none or the term weighs nothing."""
-    roles = problem.items.main_wall
-    if not problem.weights.get("axis_symmetry") or not (roles < 0.0).any():
+    """Whose axis counts: -1, then x, y, cos and sin of the fireplace that stands, (5,); else the
+    number (1,) of the item that backs the main wall, a screen or a bed; empty where there is none
+    or the term weighs nothing."""
+    roles, hearths = problem.items.main_wall, problem.ground.hearths
+    if not problem.weights.get("axis_symmetry"):
         return np.zeros(0)
-    return np.array([float(np.argmax(roles < 0.0))])
+    if len(hearths):
+        return np.concatenate([[-1.0], hearths[0]])
+    return np.array([float(np.argmax(roles < 0.0))]) if (roles < 0.0).any() else np.zeros(0)

@@ -24,6 +24,7 @@ Floats = NDArray[np.float64]
 
 WISHED = 4.0  # weight of a place that is wished for
 CONNECTED = 2.0  # weight of an outlet within reach
+FRONT = 1  # the side of a box that is its front, of those that spots_of lists
 BACKWARD = frozenset(("desk", "kids_desk", "vanity", "piano"))
 """Groups at which one sits before the piece and looks over it."""
 
@@ -70,7 +71,10 @@ def _collect_wished_places(
     i: int, wish: Wish, space: Space, fixed: tuple[Piece, ...]
 ) -> list[PlaceRow]:
     turned = -1.0 if wish.group in BACKWARD else 1.0
-    found = [(draw, spots_of(draw.to, space, fixed)) for draw in wish.sway.draws]
+    found = [
+        (draw, (_middles if draw.middle else spots_of)(draw.to, space, fixed))
+        for draw in wish.sway.draws
+    ]
     return [
         PlaceRow(i, spots, draw.near, draw.far, turned * draw.facing, WISHED)
         for draw, spots in found
@@ -96,6 +100,13 @@ def spots_of(to: tuple[str, ...], space: Space, fixed: tuple[Piece, ...]) -> Flo
     boxes = np.array([(p.pose.x, p.pose.y, p.pose.heading, *p.size[:2]) for p in there])
     points = corners(boxes.reshape(-1, 5))
     return np.concatenate([points, np.roll(points, -1, axis=1)], axis=2).reshape(-1, 4)
+
+
+def _middles(to: tuple[str, ...], space: Space, fixed: tuple[Piece, ...]) -> Floats:
+    """The middles of the fronts of fixed pieces, each as a segment without length (k, 4)."""
+    fronts = spots_of(to, space, fixed).reshape(-1, 4, 4)[:, FRONT]
+    middle = (fronts[:, :2] + fronts[:, 2:]) / 2
+    return np.hstack([middle, middle])
 
 
 def _collect_outlet_places(
