@@ -28,13 +28,22 @@ TALL = 1.5
 """Pieces as high as this above the floor hide others, metres."""
 WIDE = 0.8
 """So do only those as wide as this, metres: one looks past a plant."""
-HIDDEN = 0.35
-"""Share of a piece's footprint that is hidden when it counts."""
 CLEAR = 0.6
 """How opaque what hides others is drawn."""
 WALL = "partition"
-SLIGHT = 0.04
-"""What stands on less floor than this is not looked for behind others, square metres."""
+
+
+class Rule(NamedTuple):
+    """From which ``share`` of its footprint a piece counts as hidden, and from how much ``floor``
+    it is looked for, square metres."""
+
+    share: float
+    floor: float
+
+
+BEHIND_WALLS, BEHIND_FURNITURE = Rule(0.35, 0.04), Rule(0.8, 1.0)
+"""What a partition hides; and what a piece hides, of which only so much counts as a bed, a sofa or
+a bath all but gone: a wardrobe of glass looks wrong at first glance."""
 
 
 def find_hiding(pieces: Sequence[Piece], towards: tuple[float, float, float]) -> frozenset[str]:
@@ -43,9 +52,9 @@ def find_hiding(pieces: Sequence[Piece], towards: tuple[float, float, float]) ->
 
     >>> from scenewright.core.scene import Pose, Size
     >>> def piece(name, y, height):
-    ...     pose, size = Pose(0.0, y, 0.0, 0.0), Size(1.0, 0.6, height)
+    ...     pose, size = Pose(0.0, y, 0.0, 0.0), Size(1.2, 1.0, height)
     ...     return Piece(name, "wardrobe", "", "a", pose, size)
-    >>> two = [piece("high", 0.0, 2.2), piece("low", 1.0, 0.5)]
+    >>> two = [piece("high", 0.0, 2.2), piece("low", 0.9, 0.5)]
     >>> sorted(find_hiding(two, (0.0, 0.7, -0.7))), find_hiding(two, (0.0, -0.7, -0.7))
     (['high'], frozenset())
     """
@@ -59,10 +68,16 @@ def find_hiding(pieces: Sequence[Piece], towards: tuple[float, float, float]) ->
     wide = np.array([p.size.width >= WIDE for p in standing], bool)
     furniture = np.array([p.category != WALL for p in standing], bool)
     high = np.flatnonzero(wide & (foot + height >= TALL))
-    low = np.flatnonzero(furniture & (shapely.area(outlines) >= SLIGHT))
     lean = np.array(towards[:2]) / -towards[2]
-    hits = _pair_hidden(_Standing(outlines, foot + height, foot + height / 2), high, low, lean)
-    return frozenset(standing[k].id for k in hits)
+    seen = _Standing(outlines, foot + height, foot + height / 2)
+    found: set[str] = set()
+    for rule, tall in (
+        (BEHIND_WALLS, high[~furniture[high]]),
+        (BEHIND_FURNITURE, high[furniture[high]]),
+    ):
+        low = np.flatnonzero(furniture & (shapely.area(outlines) >= rule.floor))
+        found.update(standing[k].id for k in _pair_hidden(seen, tall, low, lean, rule.share))
+    return frozenset(found)
 
 
 class _Standing(NamedTuple):
@@ -73,9 +88,12 @@ class _Standing(NamedTuple):
     middles: Floats
 
 
-def _pair_hidden(things: _Standing, high: Indices, low: Indices, lean: Floats) -> Indices:
+def _pair_hidden(
+    things: _Standing, high: Indices, low: Indices, lean: Floats, share: float
+) -> Indices:
     """Those of ``high`` that hide any of ``low``: candidates meet the shadow that falls on the
-    lowest middle there is, and are hidden where a share of them lies in the shadow at their own."""
+    lowest middle there is, and are hidden where a ``share`` of them lies in the shadow at their
+    own."""
     if not len(high) or not len(low):
         return high[:0]
     deepest = np.maximum(things.tops[high] - things.middles[low].min(), 0.0)
@@ -87,7 +105,7 @@ def _pair_hidden(things: _Standing, high: Indices, low: Indices, lean: Floats) -
     tall, other, rise = tall[behind], other[behind], rise[behind]
     shadows = _sweep(things.outlines[tall], rise[:, None] * lean)
     hidden = shapely.area(shapely.intersection(shadows, things.outlines[other]))
-    return np.unique(tall[hidden >= HIDDEN * shapely.area(things.outlines[other])])
+    return np.unique(tall[hidden >= share * shapely.area(things.outlines[other])])
 
 
 def _sweep(outlines: NDArray[np.object_], steps: Floats) -> NDArray[np.object_]:

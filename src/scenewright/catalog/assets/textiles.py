@@ -10,6 +10,7 @@ from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import spread
 from scenewright.catalog.assets.materials import (
     BLACK,
+    FABRIC,
     FABRIC_LIGHT,
     MUSTARD,
     NAVY,
@@ -143,6 +144,36 @@ def _diamonds(w: float, d: float, z: Interval) -> list[Mesh]:
     return found
 
 
+def _runner(size: Size) -> Parts:
+    """One cloth, two fine lines along its long edges."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    short = min(w, d)
+    lines = []
+    for middle, half in ((0.72, 0.04), (0.56, 0.02)):
+        for side in (-1, 1):
+            across = (side * middle * short - half * short, side * middle * short + half * short)
+            along = (-max(w, d) + 0.03, max(w, d) - 0.03)
+            x, y = (along, across) if w >= d else (across, along)
+            lines.append(block(x, y, (0.5 * h, h)))
+    return parts(size, {FABRIC: [slab((-w, w), (-d, d), (0, 0.8 * h), 0.01)], WOOL: lines})
+
+
+def _bath_mat(size: Size) -> Parts:
+    """Towelling in one pale cloth, a flat band inside its edge."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    band = _border(w - 0.14 * min(w, d), d - 0.14 * min(w, d), 0.08 * min(w, d), h)
+    return parts(size, {FABRIC_LIGHT: [slab((-w, w), (-d, d), (0, 0.8 * h), 0.02)], WOOL: [band]})
+
+
+def _bordered_rug(size: Size) -> Parts:
+    """A light field in a border of the sofa's cloth."""
+    return parts(size, _ground(size, 0.12 * min(size.width, size.depth), FABRIC, WOOL))
+
+
+def _quiet_rug(size: Size) -> Parts:
+    return pick(size, (_bordered_rug, _plain_rug, _ribbed_rug))(size)
+
+
 def _curtain(size: Size) -> Parts:
     """Two drawn-back lengths in folds on a rod."""
     w, d, h = size.width / 2, size.depth / 2, size.height
@@ -215,6 +246,9 @@ ASSETS = (
         Drawing("rug", mesh, _rug_symbol, f"rug_{style}", f"{style.capitalize()} rug", style=style)
         for style, mesh in _RUGS.items()
     ),
+    Drawing("rug", _quiet_rug, _rug_symbol, "rug_quiet", "Bedroom rug"),
+    Drawing("rug", _runner, _rug_symbol, "rug_runner", "Runner"),
+    Drawing("rug", _bath_mat, _rug_symbol, "rug_bath", "Bath mat"),
     Drawing("curtain", _curtain, _curtain_symbol),
     Drawing("blind", _blind, _blind_symbol),
 )

@@ -53,6 +53,8 @@ RUGS: dict[str, Margin] = {
     "study": Margin(ROOM, 0.1),
 }
 """Rooms by function that have a rug amid their free floor."""
+BUSY = frozenset(("living", "dining", "kitchen", "toilet"))
+"""Rooms in which a rug that goes with no furniture lies in the way, halls besides or not."""
 
 
 def lay_mats(
@@ -94,8 +96,9 @@ def _choose_boxes(
             wide = product(DEPTHS, BEYOND)
             sizes = tuple((sofa.size.width + beyond, deep) for deep, beyond in wide)
             yield from _before(sofa, sizes, ground, standing)
-    for rug in (RUGS[f] for f in space.functions if f in RUGS):
-        yield from _amid(ground, standing, rug)
+    if BUSY.isdisjoint(space.functions):
+        for rug in (RUGS[f] for f in space.functions if f in RUGS):
+            yield from _amid(ground, standing, rug)
 
 
 def _before(

@@ -15,6 +15,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece, Scene
 from scenewright.core.solution import Solution
+from scenewright.domains.home.furnishing.rugs import match_rugs
 from scenewright.domains.home.furnishing.style_words import knows_style
 
 
@@ -47,11 +48,14 @@ def apply_style(
 ) -> tuple[Piece, ...]:
     """Pieces drawn by the models of the home's style, or of their room's if it names one.
     ``spaces`` are the ids of the brief's rooms. What stands there already, what is drawn by a model
-    of the user's and what a style has no model of stays as it is.
+    of the user's and what a style has no model of stays as it is. A style's rug lies before a sofa
+    (:mod:`scenewright.domains.home.furnishing.rugs`).
     """
     home = palette_of(brief, seed).style
     rooms = {k: style_of(room.style) for k, room in zip(spaces, brief.rooms, strict=True)}
-    return tuple(_restyle(piece, rooms.get(piece.space) or home, catalog) for piece in pieces)
+    return tuple(
+        _restyle(piece, rooms.get(piece.space) or home, catalog) for piece in match_rugs(pieces)
+    )
 
 
 def _restyle(piece: Piece, style: str, catalog: Catalog) -> Piece:
