@@ -7,6 +7,7 @@ Assets are found by kind and size.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -19,6 +20,8 @@ from scenewright.core.footprint import Footprint
 from scenewright.core.kind import Kind
 from scenewright.core.scene import Piece, Size
 
+LONG = 3
+"""Letters of words that do not count as the end of others: a scar is no car."""
 OWN = "model:"
 """How the ids of assets begin that are models of a user's catalogues."""
 
@@ -66,7 +69,8 @@ class Asset:
     ``symbol(size)`` polylines ``(k, 2)`` in the same frame seen from above (closed ones repeat
     their first point). ``style`` and ``colour`` are words, where somebody stated them or they show.
     ``footprint(size)`` is the polygon it covers, empty where that is its box; ``over(size,
-    footprint)``, if there is one, draws it over any other (nothing: it cannot).
+    footprint)``, if there is one, draws it over any other (nothing: it cannot). What is ``called``
+    something draws only what is asked for by one of these words (a car, among islands).
     """
 
     id: str
@@ -83,6 +87,7 @@ class Asset:
     colour: str = ""
     footprint: Covering = covers_box
     over: OutlineMesher | None = None
+    called: tuple[str, ...] = ()
 
 
 class Member(NamedTuple):
@@ -133,13 +138,23 @@ class Catalog:
         return tuple(a for a in self.assets.values() if a.category == category)
 
     def choose(self, category: str, size: Size) -> Asset | None:
-        """The asset of a category whose size range lies nearest to ``size``; ``None`` if none."""
+        """The asset of a category whose size range lies nearest to ``size``; ``None`` if none.
+        Those that are ``called`` something are left aside."""
         return _chosen(self, category, size)
+
+    def choose_called(self, category: str, name: str, number: int = 0) -> Asset | None:
+        """Of the assets of a category called by a word of a ``name``, its last such word, the
+        ``number``-th in turn; ``None`` if there are none."""
+        for word in reversed(re.findall(r"[^\W\d_]+", name.casefold())):
+            found = [a for a in self.of(category) if any(_means(word, w) for w in a.called)]
+            if found:
+                return found[number % len(found)]
+        return None
 
 
 @lru_cache(maxsize=8192)
 def _chosen(catalog: Catalog, category: str, size: Size) -> Asset | None:
-    found = catalog.of(category)
+    found = [a for a in catalog.of(category) if not a.called]
     return min(found, key=lambda a: _misfit(a, size)) if found else None
 
 
@@ -147,6 +162,17 @@ def _misfit(asset: Asset, size: Size) -> float:
     limits = zip(asset.smallest, size, asset.largest, strict=True)
     outside = sum(max(low - wish, 0.0) + max(wish - high, 0.0) for low, wish, high in limits)
     return outside + 1e-3 * sum(abs(a - b) for a, b in zip(size, asset.usual, strict=True))
+
+
+def _means(word: str, called: str) -> bool:
+    """Whether a word is another one or its plural, or a compound that ends in it.
+
+    >>> _means("longboats", "boat"), _means("cars", "car"), _means("carpet", "car")
+    (True, True, False)
+    """
+    ends = (called, f"{called}s", f"{called}es", f"{called}e", f"{called}en")
+    long = len(called) > LONG or not called.isascii()
+    return word in ends or (long and word.endswith(ends))
 
 
 def asset_of(piece: Piece, catalog: Catalog) -> Asset | None:

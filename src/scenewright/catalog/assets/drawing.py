@@ -32,7 +32,8 @@ class Drawing(NamedTuple):
     but the first has an ``id`` of its own (left out: the category), a ``name`` (left out: the
     kind's) and the ``sizes`` it can take (left out: the kind's). ``footprint`` is what it covers
     (left out: its box), ``over`` what it looks like over another footprint (left out: a prism);
-    ``style`` the style it is made in, if any."""
+    ``style`` the style it is made in, if any; ``called`` the words, in the singular and small
+    letters, by one of which it must be asked for."""
 
     category: str
     mesh: Mesher
@@ -43,6 +44,7 @@ class Drawing(NamedTuple):
     footprint: Covering = covers_box
     over: OutlineMesher | None = None
     style: str = ""
+    called: tuple[str, ...] = ()
 
 
 def buildable(size: Size, small: Size, large: Size) -> Size:
@@ -114,4 +116,5 @@ def asset_of(drawing: Drawing, kind: Kind) -> Asset:
         style=drawing.style,
         footprint=_stretch_footprint(drawing.footprint, small, large),
         over=drawing.over,
+        called=drawing.called,
     )

@@ -344,7 +344,10 @@ def _touch_symbol(size: Size) -> Lines:
 _TALL = (Size(0.4, 0.4, 1.5), Size(1.2, 0.6, 2.1), Size(4.0, 1.5, 3.0))
 _VASE = (Size(0.25, 0.25, 0.9), Size(0.6, 0.6, 1.4), Size(1.5, 1.5, 3.2))
 _BUST = (Size(0.25, 0.25, 0.9), Size(0.4, 0.4, 1.7), Size(1.5, 1.5, 3.2))
-
+_PICTURES = (
+    "painting picture photo photograph drawing print canvas portrait gemälde bild foto zeichnung "
+    "tableau peinture dessin cuadro pintura dibujo 绘画 照片 絵画 写真"
+)
 _PAINTING = (Size(0.4, 0.1, 1.4), Size(1.2, 0.15, 2.2), Size(4.0, 0.7, 3.2))
 
 ASSETS = (
@@ -384,6 +387,7 @@ ASSETS = (
             id=f"wall_exhibit_painting_{turn + 1}",
             name=f"Painting on a wall, {turn + 1}",
             sizes=_PAINTING,
+            called=tuple(_PICTURES.split()),
         )
         for turn in range(4)
     ),

@@ -136,6 +136,10 @@ def _island_symbol(size: Size) -> Lines:
 
 
 _SKELETON = (Size(2.5, 1.5, 1.2), Size(5.0, 2.4, 2.6), Size(12.0, 6.0, 6.0))
+_BONES = (
+    "skeleton dinosaur mammoth whale saurian saurus rex bones fossil skelett dinosaurier "
+    "squelette dinosaure esqueleto dinosaurio 恐龙 骨骼 恐竜"
+)
 
 ASSETS = (
     Drawing("exhibit_island", _island, _island_symbol, name="Island with a boulder"),
@@ -146,5 +150,6 @@ ASSETS = (
         id="exhibit_island_skeleton",
         name="Island with a skeleton",
         sizes=_SKELETON,
+        called=tuple(_BONES.split()),
     ),
 )

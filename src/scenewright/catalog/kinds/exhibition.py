@@ -112,6 +112,15 @@ KINDS = (
                 ja="展示アイランド, ジオラマ",
             ),
         ),
-        drawn_by=(".islands",),
+        drawn_by=(
+            ".islands",
+            ".cars",
+            ".locomotives",
+            ".aircraft",
+            ".boats",
+            ".stands",
+            ".scale_models",
+            ".sculptures",
+        ),
     ),
 )

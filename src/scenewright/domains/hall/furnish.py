@@ -22,10 +22,6 @@ NAMES = tuple(PATTERNS)
 CEILING = 0.3
 """A partition stays this far below the ceiling, and under four metres, in metres."""
 TALLEST = 4.0
-HANGING = "wall_exhibit"
-PAINTINGS = tuple(f"{HANGING}_painting_{k}" for k in (1, 2, 3, 4))
-PICTURES = ("painting", "picture", "photo", "drawing", "print", "canvas", "portrait")
-"""Words by which exhibits at walls are hung instead of standing in cases."""
 
 
 def furnish_hall(
@@ -68,13 +64,10 @@ def furnish_hall(
 
 
 def _model_of(wish: HallDemand, number: int, size: Size, catalog: Catalog) -> Asset | None:
-    """The model that draws an object: what is called a painting hangs on its wall, one unlike the
-    next."""
-    called = f"{wish.id} {wish.name}".casefold()
-    if wish.category == HANGING and any(word in called for word in PICTURES):
-        hung = catalog.assets.get(PAINTINGS[number % len(PAINTINGS)])
-        return hung or catalog.choose(wish.category, size)
-    return catalog.choose(wish.category, size)
+    """The model that draws an object: one that is called as the demand is, another for the next
+    object where there are several (paintings, cars), else one of its kind and size."""
+    called = catalog.choose_called(wish.category, f"{wish.id} {wish.name}", number - 1)
+    return called or catalog.choose(wish.category, size)
 
 
 def partitions(
