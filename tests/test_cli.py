@@ -240,7 +240,8 @@ def test_check_tells_every_violation(solution: Solution, capsys: Captured) -> No
 
 
 @pytest.mark.parametrize(
-    "what", ["solvers", "terms", "patterns", "presets", "formats", "groups", "assets", "samples"]
+    "what",
+    ["solvers", "terms", "patterns", "presets", "formats", "groups", "styles", "assets", "samples"],
 )
 def test_lists(what: str, capsys: Captured) -> None:
     assert cli.run(["list", what, "--json"]) == 0

@@ -130,6 +130,10 @@ BAD_JSON = {
         one_room().replace('"outline"', '"outlin"'),
         'rooms[0].outlin: is not a known key (and 1 more); did you mean "outline"?',
     ),
+    "a key in place of the one that is missing": (
+        one_room(fixed=[{"what": "fireplace", "at": [1, 1], "size": [1, 0.5, 1]}]),
+        'fixed[0].what: is not a known key (and 1 more); did you mean "category"?',
+    ),
     "a key far from any": (one_room(zzz=1), "rooms[0].zzz: is not a known key; correct its spell"),
     "a misspelt key of a catalogue": (
         json.dumps({"catalogs": [{"path": "x", "scal": 2}], "rooms": [ROOM]}),

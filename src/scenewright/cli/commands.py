@@ -321,11 +321,12 @@ def view(
 @app.command("list")
 def list_(
     what: Annotated[
-        str, typer.Argument(help="solvers terms patterns presets formats groups assets samples.")
+        str,
+        typer.Argument(help="solvers terms patterns presets formats groups styles assets samples."),
     ],
     as_json: JsonOption = False,
 ) -> int:
-    """List names: solvers, terms, patterns, presets, formats, groups, assets, samples."""
+    """List names: solvers, terms, patterns, presets, formats, groups, styles, assets, samples."""
     from scenewright.cli import lists as cli_lists
 
     rows = cli_lists.rows(what)

@@ -128,6 +128,18 @@ def _groups() -> list[Row]:
     return [row for kind in domains() if kind.has("groups") for row in kind.verb("groups")()]
 
 
+def _styles() -> list[Row]:
+    """What ``--style`` may name, of every domain that has styles."""
+    from scenewright.domains import domains
+
+    return [
+        {"domain": kind.name} | row
+        for kind in domains()
+        if kind.has("styles")
+        for row in kind.verb("styles")()
+    ]
+
+
 def _samples() -> list[Row]:
     from scenewright.formats import read, samples
 
@@ -154,6 +166,7 @@ LISTS: dict[str, Callable[[], list[Row]]] = {
     "presets": _presets,
     "formats": _formats,
     "groups": _groups,
+    "styles": _styles,
     "assets": _assets,
     "samples": _samples,
 }

@@ -89,7 +89,8 @@ def to_input_error(
     best = max(twins, key=lambda i: len(places[i]))
     fault, remedy = _fault(errors[best])
     if errors[best]["type"] == "extra_forbidden" and schema is not None:
-        remedy = _respelt(errors[best]["loc"], schema()) or remedy
+        missing = _missing_beside(errors[best]["loc"], errors)
+        remedy = _respelt(errors[best]["loc"], schema(), missing) or remedy
     more = len(errors) - len(twins)
     return InputError(fault + f" (and {more} more)" * bool(more), remedy, place=places[best])
 
@@ -137,15 +138,28 @@ def _within(place: str, other: str) -> bool:
     return place == other or place.startswith((f"{other}.", f"{other}["))
 
 
-def _respelt(loc: tuple[int | str, ...], schema: dict[str, Any]) -> str:
-    """What an unknown key was most likely meant to be; empty if nothing is like it.
+def _missing_beside(loc: tuple[int | str, ...], errors: Sequence[Any]) -> list[str]:
+    """The keys that are missing where a key stands that is not known."""
+    return [
+        str(one["loc"][-1])
+        for one in errors
+        if one["type"] == "missing" and one["loc"][:-1] == loc[:-1]
+    ]
+
+
+def _respelt(
+    loc: tuple[int | str, ...], schema: dict[str, Any], missing: Sequence[str] = ()
+) -> str:
+    """What an unknown key was most likely meant to be: of those ``missing`` there the nearest, or
+    the only one, else the nearest of all; empty if nothing is like it.
 
     >>> _respelt(("rooms", 0, "outlin"), {"properties": {"rooms": {"items": {"$ref": "#/$defs/R"}}},
     ...                                   "$defs": {"R": {"properties": {"outline": {}}}}})
     'did you mean "outline"?'
     """
     keys = _keys(loc[:-1], schema, schema["$defs"])
-    near = difflib.get_close_matches(str(loc[-1]), keys, 1, 0.6)
+    near = difflib.get_close_matches(str(loc[-1]), missing, 1, 0.0 if len(missing) == 1 else 0.6)
+    near = near or difflib.get_close_matches(str(loc[-1]), keys, 1, 0.6)
     return f'did you mean "{near[0]}"?' if near else ""
 
 

@@ -25,6 +25,7 @@ DOMAIN = Domain(
         "locked": "scenewright.building.standing:locked_rooms",
         "accessible": ".wheelchair:accessible",
         "groups": ".cases.listing:list_groups",
+        "styles": ".cases.listing:list_styles",
         "refuse_style": ".furnishing.look:refuse_style",
         "learn": ".learned.from_homes:learn_from_homes",
         "programme": ".household:tell_programme",

@@ -25,6 +25,7 @@ DOMAIN = Domain(
         "scene": ".furnish:scene_of_village",
         "draw": ".drawing.plan:draw",
         "adjust": ".adjust:adjust",
+        "styles": ".library:list_looks",
         "learn_style": ".learning.learn:learn_style",
         "locked": ".locks:lock_village",
     },

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 import shapely
@@ -76,6 +77,15 @@ def houses_of(rows: Sequence[LibraryHouse], look: str, catalog: Catalog) -> tupl
             where = f"houses[{number}]"
             raise InputError(f"the name '{name}' is used twice", "give each its own", place=where)
     return tuple(found)
+
+
+def list_looks() -> list[dict[str, Any]]:
+    """The styles the houses of a village may have; they have no other words and no palettes.
+
+    >>> [row["name"] for row in list_looks()]
+    ['rural', 'riviera', 'hui']
+    """
+    return [{"name": look, "also": "", "palettes": ""} for look in LOOKS]
 
 
 @lru_cache(maxsize=8)

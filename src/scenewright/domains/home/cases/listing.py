@@ -1,9 +1,10 @@
-"""The furniture groups as rows to list."""
+"""Furniture groups and styles as rows to list."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from scenewright.building.palettes import PALETTES, STYLES
 from scenewright.catalog.kinds import name_of
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.groups import GROUPS
@@ -30,3 +31,20 @@ def list_groups() -> list[dict[str, Any]]:
             }
         )
     return rows
+
+
+def list_styles() -> list[dict[str, Any]]:
+    """The styles a home may have, other words for each, and the names of its palettes.
+
+    >>> row = list_styles()[1]
+    >>> row["name"], row["palettes"].split()[:2]
+    ('nordic', ['fjord', 'birch'])
+    """
+    return [
+        {
+            "name": name,
+            "also": words,
+            "palettes": " ".join(row.name for row in PALETTES.values() if row.style == name),
+        }
+        for name, words in STYLES.items()
+    ]
