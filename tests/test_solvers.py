@@ -12,6 +12,7 @@ from scenewright.domains.home.problem import empty_items
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.solvers.anneal import anneal, boxes_of, scatter_boxes
 from scenewright.domains.home.solvers.chain import make_chain
+from scenewright.domains.home.solvers.kept_route import make_route
 from scenewright.domains.home.solvers.metropolis import run_chains
 from scenewright.engine.draws import bell, below, streams, uniform
 from scenewright.engine.genetic import cross, roulette
@@ -98,32 +99,25 @@ def test_result_does_not_depend_on_threads():
     assert same(one.layouts, three.layouts)
 
 
+@pytest.mark.parametrize("weights", [None, {"route": 900.0}])
 @pytest.mark.parametrize("printed", [False, True])
-def test_chain_sums_stay_equal_to_a_fresh_evaluation(printed):
+def test_chain_sums_stay_equal_to_a_fresh_evaluation(printed, weights):
     problem = full_problem(printed)
+    problem = problem._replace(weights=weights or problem.weights)
     p, grid = prepare(problem), route_grid(problem, 0.1)
     boxes = scatter_boxes(p, 3, np.random.default_rng(0))
     now = np.stack([frames_of(layout) for layout in boxes])
     bests, energies = now.copy(), np.repeat(energies_of(p, grid, boxes)[0][:, None], 2, axis=1)
-    free = np.empty_like(grid.free)
-    run_chains(
-        make_chain(4, 3),
-        p,
-        grid,
-        free,
-        free.copy(),
-        now,
-        bests,
-        energies,
-        streams(1, 3),
-        0,
-        3000,
-        3000,
-        np.array([500.0, 0.01, 0.0, 1.0]),
+    scratch, schedule = (
+        (make_chain(4, 3), p, grid, make_route(4, grid)),
+        np.array([500, 0.01, 0, 1]),
     )
-    assert energies_of(p, grid, boxes_of(now))[0] == pytest.approx(energies[:, 0], abs=1e-6)
-    assert energies_of(p, grid, boxes_of(bests))[0] == pytest.approx(energies[:, 1], abs=1e-6)
-    assert (energies[:, 1] <= energies[:, 0]).all()
+    draws = streams(1, 3)
+    for begin in range(0, 12288, 4096):
+        run_chains(*scratch, now, bests, energies, draws, begin, begin + 4096, 12288, schedule)
+        assert energies_of(p, grid, boxes_of(now))[0] == pytest.approx(energies[:, 0], abs=1e-6)
+        assert energies_of(p, grid, boxes_of(bests))[0] == pytest.approx(energies[:, 1], abs=1e-6)
+        assert (energies[:, 1] <= energies[:, 0]).all()
 
 
 def test_default_is_far_better_than_the_papers_algorithm():

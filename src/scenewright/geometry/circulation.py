@@ -59,11 +59,19 @@ def route(
         solid = solid_part(read_frame(frames, i), read_sides(inset, i))
         sweep_box(free, grid, solid, grid.radius, CLEAR)
     flood(reached, free)
+    return count_missed(frames, access, inset, grid, reached, most)
+
+
+@inlined
+def count_missed(
+    frames: Floats, access: Floats, inset: Floats, grid: RouteGrid, reached: Bits, most: float
+) -> float:
+    """Doors and items without a ``reached`` cell (h, k), as :func:`route` counts them."""
     missed = 0.0
-    for k in range(1, doors):
+    for k in range(1, grid.doors.shape[0]):
         joined = False
-        for row in range(free.shape[0]):
-            for word in range(free.shape[1]):
+        for row in range(reached.shape[0]):
+            for word in range(reached.shape[1]):
                 joined |= (reached[row, word] & grid.doors[k, row, word]) != 0
         missed += 0.0 if joined else 1.0
         if missed > most:

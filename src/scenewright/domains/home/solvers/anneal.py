@@ -23,6 +23,7 @@ from scenewright.domains.home.energy import empty_layout, energies_of, prepare, 
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.settings import ChainSettings
 from scenewright.domains.home.solvers.chain import make_chain
+from scenewright.domains.home.solvers.kept_route import make_route
 from scenewright.domains.home.solvers.metropolis import REFRESH, run_chains
 from scenewright.domains.home.terms.assemble import PreparedHome
 from scenewright.engine.draws import Stream, streams
@@ -126,8 +127,7 @@ def _advance(setup: Setup, chains: Chains, steps: int, first: float, last: float
 
     def run(part: slice) -> None:
         chain = make_chain(len(p.limits), len(p.pairs))
-        free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
-        scratch = (chain, p, grid, free, reached)
+        scratch = (chain, p, grid, make_route(len(p.limits), grid))
         for few, ends in _cut(part, steps):
             if setup.watch.cancelled():
                 break

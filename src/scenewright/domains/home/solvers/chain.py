@@ -88,7 +88,7 @@ def try_item(chain: Chain, p: PreparedHome, i: int, frame: Frame, limit: float) 
     area = old.sums[2] - old.boxes[i, 2] + 4.0 * frame[4] * frame[5]
     most = limit + 1e-9 * abs(limit)  # sums made of differences are not exact to the last digit
     spare = (most - own) * area - shared if area > 0.0 else math.inf
-    box[0], box[1], box[2], box[3] = box_cost(frame, i, p, spare)
+    box[0], box[1], box[2], box[3] = box_cost(frame, i, p, area, spare)
     if box[0] > spare or (area > 0.0 and (shared + box[0]) / area + own + box[1] > most):
         return math.inf
     for k in range(4):
@@ -110,9 +110,14 @@ def try_item(chain: Chain, p: PreparedHome, i: int, frame: Frame, limit: float) 
         b = frame if second == i else read_frame(chain.frames, second)
         value = relation_cost(a, b, r, p)
         own += value - old.relations[r]
+        spare -= value * area
         chain.relations[r] = value
+        if spare < 0.0:
+            return math.inf
     sums[0], sums[1] = shared, own
     energy = whole_cost(shared, own, sums[2], sums[3], p)
+    if energy > limit:
+        return math.inf
     return energy + layout_cost(chain.frames, i, frame, p.weights, p.own, p.weights[:0])
 
 

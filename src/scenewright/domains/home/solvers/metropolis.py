@@ -9,14 +9,19 @@ from __future__ import annotations
 import math
 
 from scenewright.domains.home.solvers.chain import Chain, commit, copy_rows, try_item, write_frame
+from scenewright.domains.home.solvers.kept_route import (
+    KeptRoute,
+    count_unreached,
+    keep_all,
+    keep_cells,
+    try_cells,
+)
 from scenewright.domains.home.solvers.moves import from_back, propose
 from scenewright.domains.home.terms.assemble import PreparedHome, measure
 from scenewright.domains.home.terms.table import ROUTE
 from scenewright.engine.draws import Stream, below, uniform
-from scenewright.geometry.boxes import Floats, read_frame
-from scenewright.geometry.circulation import route
+from scenewright.geometry.boxes import Floats, read_frame, read_sides
 from scenewright.geometry.compiled import compiled, inlined
-from scenewright.geometry.flood import Bits
 from scenewright.geometry.paths import RouteGrid
 
 REFRESH = 4096
@@ -28,8 +33,7 @@ def attempt(
     chain: Chain,
     p: PreparedHome,
     grid: RouteGrid,
-    free: Bits,
-    reached: Bits,
+    kept: KeptRoute,
     stream: Stream,
     energy: float,
     temperature: float,
@@ -59,13 +63,17 @@ def attempt(
                 before = read_frame(chain.frames, item)
                 write_frame(chain.frames, item, frame)
                 most = (limit - energy) / p.weights[ROUTE]
-                energy += p.weights[ROUTE] * route(
-                    chain.frames, p.access, p.inset, grid, free, reached, most
+                energy += p.weights[ROUTE] * count_unreached(
+                    kept, item, chain.frames, p.access, p.inset, grid, most
                 )
                 write_frame(chain.frames, item, before)
             accepted = energy <= limit
         if accepted or turn == 2:
             commit(chain, p, item, frame)
+            if p.weights[ROUTE] != 0.0:
+                if turn != 1:
+                    try_cells(kept, grid, frame, read_sides(p.inset, item))
+                keep_cells(kept, item)
         if turn == 0:
             turn, item = 1, j
             frame = from_back(a[0] - a[2] * a[5], a[1] - a[3] * a[5], a[7], b[4], b[5])
@@ -81,8 +89,7 @@ def run_chains(
     chain: Chain,
     p: PreparedHome,
     grid: RouteGrid,
-    free: Bits,
-    reached: Bits,
+    kept: KeptRoute,
     now: Floats,
     bests: Floats,
     energies: Floats,
@@ -103,6 +110,8 @@ def run_chains(
     hot, cold, first, last = schedule[0], schedule[1], schedule[2], schedule[3]
     for c in range(now.shape[0]):
         copy_rows(chain.frames, now[c])
+        if p.weights[ROUTE] != 0.0:
+            keep_all(kept, grid, chain.frames, p.inset)
         energy, temperature, heat = energies[c, 0], hot, 1.0
         for step in range(begin, end):
             if step % REFRESH == 0:
@@ -110,7 +119,7 @@ def run_chains(
             if step % 32 == 0:
                 share = first + (last - first) * step / steps
                 temperature, heat = hot * (cold / hot) ** share, 1.0 - share
-            after = attempt(chain, p, grid, free, reached, streams[c], energy, temperature, heat)
+            after = attempt(chain, p, grid, kept, streams[c], energy, temperature, heat)
             if after < math.inf:
                 energy = after
                 if energy < energies[c, 1]:

@@ -102,30 +102,43 @@ class PreparedHome(NamedTuple):
 
 @inlined
 def box_cost(
-    frame: Frame, i: int, p: PreparedHome, most: float
+    frame: Frame, i: int, p: PreparedHome, area: float, most: float
 ) -> tuple[float, float, float, float]:
     """Weighted costs of item ``i`` standing at ``frame``: shared, own, its area, and its printed
-    main-wall turn. The rest is not looked at once the place alone costs over ``most`` (shared)."""
+    main-wall turn. Once shared + own * ``area`` is over ``most`` the rest is not looked at and
+    shared is infinite: what is cheap to find and often wrong comes first."""
     w, shared, own, turn = p.weights, 0.0, 0.0, 0.0
-    back, role, light, snug = p.traits[i, 1], p.traits[i, 2], p.traits[i, 3], p.traits[i, 4]
+    back, role, mine = p.traits[i, 1], p.traits[i, 2], 4.0 * frame[4] * frame[5]
     if w[BOUNDARY] != 0.0:
         shared += w[BOUNDARY] * packing.outside(frame, p.edges)
+    if w[MAIN_WALL] != 0.0 and role != 0.0:
+        own += w[MAIN_WALL] * orientation.main_wall(frame[7], role, p.normal)
+    if w[MAIN_WALL_PRINTED] != 0.0 and role != 0.0:
+        turn = orientation.main_wall_turn(frame[7], role, p.normal)
+    if shared + own * area > most:
+        return math.inf, own, mine, turn
+    if w[AGAINST_WALL] != 0.0 and back != 0.0:
+        own += w[AGAINST_WALL] * back * orientation.against_wall(frame, p.walls, p.flush)
+    if w[AGAINST_WALL_PRINTED] != 0.0 and back != 0.0:
+        own += w[AGAINST_WALL_PRINTED] * back * orientation.against_wall_printed(frame, p.walls)
+    if shared + own * area > most:
+        return math.inf, own, mine, turn
     shared += clearance.measure_entered_area(frame, p.traits[i, 0], p.zones, w)
-    if shared > most:
-        return shared, own, 4.0 * frame[4] * frame[5], turn
+    if shared + own * area > most:
+        return math.inf, own, mine, turn
     if w[CORRIDORS] != 0.0 and p.paths.shape[0] > 0:
         shared += w[CORRIDORS] * area_in_polygon(frame, p.paths)
     if w[CLEAR_ROOM] != 0.0 and p.traits[i, 7] > 0.0:
         clear = read_sides(p.clear, i)
         shared += w[CLEAR_ROOM] * clearance.zone_blocked(frame, clear, p.edges, p.zones)
-    if w[MAIN_WALL] != 0.0 and role != 0.0:
-        own += w[MAIN_WALL] * orientation.main_wall(frame[7], role, p.normal)
-    if w[MAIN_WALL_PRINTED] != 0.0 and role != 0.0:
-        turn = orientation.main_wall_turn(frame[7], role, p.normal)
-    if w[AGAINST_WALL] != 0.0 and back != 0.0:
-        own += w[AGAINST_WALL] * back * orientation.against_wall(frame, p.walls, p.flush)
-    if w[AGAINST_WALL_PRINTED] != 0.0 and back != 0.0:
-        own += w[AGAINST_WALL_PRINTED] * back * orientation.against_wall_printed(frame, p.walls)
+    return shared, add_place_cost(own, frame, i, p), mine, turn
+
+
+@inlined
+def add_place_cost(own: float, frame: Frame, i: int, p: PreparedHome) -> float:
+    """The ``own`` costs so far and those of what item ``i`` has about it at ``frame``: nearest
+    wall, windows, corners, its size, openings, and the places it wants."""
+    w, back, light, snug = p.weights, p.traits[i, 1], p.traits[i, 3], p.traits[i, 4]
     if w[ALIGNMENT] != 0.0 and back < 1.0:
         own += w[ALIGNMENT] * (1.0 - back) * orientation.alignment(frame, p.walls)
     if w[DAYLIGHT] != 0.0 and light != 0.0:
@@ -140,7 +153,7 @@ def box_cost(
         own += w[DAYLIGHT_KEPT] * p.traits[i, 8] * openings.covered_width(frame, p.strips, 1.0)
     for k in range(p.place_start[i], p.place_start[i + 1]):
         own += w[PLACES] * places.place(frame, k, p.places, p.spots)
-    return shared, own, 4.0 * frame[4] * frame[5], turn
+    return own
 
 
 @inlined
@@ -207,7 +220,7 @@ def measure(frames: Floats, p: PreparedHome, costs: Costs) -> float:
     shared, own, area, turn = 0.0, 0.0, 0.0, 0.0
     for i in range(frames.shape[0]):
         frame = read_frame(frames, i)
-        cost = box_cost(frame, i, p, math.inf)
+        cost = box_cost(frame, i, p, 0.0, math.inf)
         boxes = costs.boxes
         boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3] = cost
         shared, own, area, turn = shared + cost[0], own + cost[1], area + cost[2], turn + cost[3]
