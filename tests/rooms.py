@@ -63,7 +63,7 @@ def full_problem(printed: bool = False) -> Problem:
         ),
         spots=np.array([[6, 1, 6, 2.5], [0, 2, 0, 2], [1, 5.5, 3, 5.5]], float),
     )
-    names = ("seat", "screen", "shelf", "table")
+    names = ("seating", "screen", "shelf", "reading")
     return Problem(room(), items, names, default_weights(printed), printed)
 
 

@@ -126,7 +126,9 @@ def test_pieces_in_pairs_about_the_screen_cost_nothing():
     assert evaluate(problem, boxes[None])[0] > 0.1
 
 
-@pytest.mark.parametrize("name", ["largest_void", "focal_sight", "axis_symmetry"])
+@pytest.mark.parametrize(
+    "name", ["largest_void", "focal_sight", "axis_symmetry", "shared_lines", "wall_proportion"]
+)
 def test_they_count_where_they_are_asked_for_only(name):
     from scenewright.domains.home.presets import PRESETS
 
@@ -137,3 +139,63 @@ def test_they_count_where_they_are_asked_for_only(name):
     difference = evaluate(problem, boxes) - evaluate(without, boxes)
     alone = evaluate(_only(name), boxes)
     assert difference == pytest.approx(60.0 * alone, abs=1e-6)
+
+
+def _lines(box):
+    """Where the left edge, axis and right edge of a box are, across its heading."""
+    across = np.array([-np.sin(box[2]), np.cos(box[2])])
+    return box[:2] @ across + np.array([-0.5, 0.0, 0.5]) * box[3], across
+
+
+def test_shared_lines_is_the_least_distance_of_edges_and_axes():
+    problem = _only("shared_lines")
+    lit = problem.ground.strips[problem.ground.strips[:, 5] == 1.0]
+    rng = np.random.default_rng(3)
+    for boxes in random_layouts(problem, 40):
+        boxes[:, 2] = rng.integers(0, 4, len(boxes)) * np.pi / 2
+        total = 0.0
+        for j, box in enumerate(boxes):
+            mine, across = _lines(box)
+            others = [b for k, b in enumerate(boxes) if k != j]
+            near = [b for b in others if abs(np.cos(b[2] - box[2])) > 0.99]
+            theirs = [b[:2] @ across + e * b[3] for b in near for e in (-0.5, 0.0, 0.5)]
+            theirs += [w[:2] @ across for w in lit if abs(np.cos(w[2] - box[2])) > 0.99]
+            gaps = np.abs(mine[:, None] - np.array(theirs)[None])
+            total += min(1.0, gaps.min() / 0.5) if theirs else 0.0
+        assert evaluate(problem, boxes[None])[0] == pytest.approx(total / len(boxes), abs=1e-9)
+
+
+def test_conversation_asks_for_distance_and_for_looks():
+    names = ("seating", "screen", "reading", "table")
+    problem = full_problem()._replace(weights={"conversation": 1.0}, names=names)
+    boxes = np.tile((3.0, 3.0, 0.0, 1.0, 1.0), (4, 1))
+    boxes[0], boxes[2] = (0.5, 1.0, 0.0, 1.0, 1.0), (3.0, 1.0, np.pi, 1.0, 1.0)
+    together = evaluate(problem, boxes[None])[0]
+    boxes[2, 0] += 3.0
+    far = evaluate(problem, boxes[None])[0]
+    boxes[2, 2] = 0.0
+    turned = evaluate(problem, boxes[None])[0]
+    assert together == pytest.approx(0.0, abs=1e-9)
+    assert far == pytest.approx(2 * (4.5 - 2.4) / 2.4, abs=1e-9)
+    assert turned > far
+    alone = problem._replace(names=("seating", "screen", "shelf", "table"))
+    assert evaluate(alone, boxes[None])[0] == 0.0
+
+
+def test_wall_proportion_is_right_from_half_to_five_sixths():
+    problem = _only("wall_proportion")
+    roles = np.flatnonzero(problem.items.main_wall)
+    walls = [shapely.LineString(w.reshape(2, 2)) for w in problem.ground.walls]
+    along = problem.ground.walls[:, 2:] - problem.ground.walls[:, :2]
+    normals = np.arctan2(along[:, 0], -along[:, 1])
+    for boxes in random_layouts(problem, 40):
+        backs = boxes[:, :2] - np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], 1) * (
+            boxes[:, 4:] / 2
+        )
+        off = []
+        for j in roles:
+            far = [wall.distance(shapely.Point(backs[j])) for wall in walls]
+            turn = 1.0 - np.cos(boxes[j, 2] - normals)
+            share = boxes[j, 3] / walls[int(np.argmin(far + turn))].length
+            off.append(min(1.0, 2 * max(0.0, 0.5 - share, share - 5 / 6)))
+        assert evaluate(problem, boxes[None])[0] == pytest.approx(np.mean(off), abs=1e-9)
