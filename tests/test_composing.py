@@ -13,11 +13,13 @@ from scenewright.core.brief import Ask, Brief, Room
 from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
 from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.anew import list_starts
 from scenewright.domains.home.composing.beds import wants_double_bed
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import FURTHER, list_further
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.modest import EXPECTED, find_shortage
+from scenewright.domains.home.composing.moving import make_unplaced, with_margin
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.groups.sleeping import along_wall
@@ -253,3 +255,26 @@ def test_every_form_of_a_group_holds_what_makes_it_the_group(name: str) -> None:
     """What is moved by hand is carried by that piece; a form without it would be taken apart."""
     forms = [*GROUPS[name].cases(), *FURTHER.get(name, lambda: ())()]
     assert all(any(m.category in GROUPS[name].essential for m in form.members) for form in forms)
+
+
+def test_places_to_start_from_leave_a_built_in_cupboard_open():
+    """The cheapest places of a bed bar the cupboard; those a step beside them are not lost."""
+    from scenewright.building.plan import spaces
+    from scenewright.catalog.loading import catalog_of
+    from scenewright.domains.home.attempt import find_blocked
+
+    cupboard = {"category": "wardrobe", "at": [1.0, 0.66], "heading": np.pi / 2}
+    room = {
+        "name": "bedroom",
+        "function": "bedroom",
+        "outline": [[0, 0], [3.23, 0], [3.23, 3.4], [0, 3.4]],
+        "doors": [{"at": [2.7, 0.0], "width": 0.9}],
+        "fixed": [cupboard | {"size": [2.0, 0.08, 2.5]}],
+    }
+    brief, preset = Brief(rooms=[Room.model_validate(room)]), PRESETS["default"]
+    (task,), _ = prepare_rooms(brief, spaces(brief), catalog_of(()), preset, preset.solver, 0)
+    bed = make_unplaced(task, (), Wish("sleeping", 0), cases("sleeping").groups[0])
+    starts = list_starts(task, bed, frozenset())
+    assert not any(find_blocked(with_margin(task), start.placed) for start in starts)
+    held = [p.category for p in starts[0].placed[0].pieces]
+    assert held.count("nightstand") == 2

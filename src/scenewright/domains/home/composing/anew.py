@@ -64,7 +64,7 @@ def _lay_out_anew(
     cooks = any(first is part for part in kitchen) and may_reform(task, best.placed)
     parts = kitchen if cooks else (first,)
     own = sum_faults(task, parts) - least
-    starts = _list_kitchens(task, run, own) if run and cooks else list_starts(task, first)
+    starts = _list_kitchens(task, run, own) if run and cooks else list_starts(task, first, barred)
     rest = [p for p in best.placed if all(p is not part for part in parts)]
     others = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
     judges = judge_in_order(task, (as_whole(run) if run and cooks else first, *others))
@@ -114,19 +114,26 @@ def follow_pairs(
             yield whole
 
 
-def list_starts(task: RoomTask, first: FurnishedGroup) -> list[JudgedRoom]:
-    """One group by itself at its best places, those near to a better one left out."""
+def list_starts(task: RoomTask, first: FurnishedGroup, barred: frozenset[str]) -> list[JudgedRoom]:
+    """One group by itself at its best places that bar no further way, those near to a better one
+    left out."""
     rule = task.preset.settings.composing
     found = try_forms(judge_of(task, (first,)), (first,), 0, list_forms(task, first), rule.forms)
-    kept: list[JudgedRoom] = []
+    margin, kept = with_margin(task), list[JudgedRoom]()
     for judged in found:
-        x, y, turn = judged.placed[0].dressed.box[:3]
-        others = (k.placed[0].dressed.box for k in kept)
-        if all(hypot(x - o[0], y - o[1]) >= rule.apart or abs(turn - o[2]) > 0.1 for o in others):
+        near = any(_is_near(judged, other, rule.apart) for other in kept)
+        if not near and barred.issuperset(find_blocked(margin, judged.placed)):
             kept.append(judged)
             if len(kept) == rule.starts:
                 break
     return kept
+
+
+def _is_near(one: JudgedRoom, other: JudgedRoom, apart: float) -> bool:
+    """Whether the first groups of two rooms stand less than ``apart`` metres from one another,
+    turned alike."""
+    (x, y, turn), (u, v, way) = (j.placed[0].dressed.box[:3] for j in (one, other))
+    return hypot(x - u, y - v) < apart and abs(turn - way) <= 0.1
 
 
 def judge_in_order(task: RoomTask, groups: Placed) -> Judges:

@@ -40,7 +40,7 @@ def restore_double_bed(task: RoomTask, best: JudgedRoom, barred: frozenset[str])
         better = take_best(task, worth, list(islice(paired, rule.starts)), barred)
     if better is worth:
         others = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
-        judges, starts = judge_in_order(task, (bed, *others)), list_starts(task, bed)
+        judges, starts = judge_in_order(task, (bed, *others)), list_starts(task, bed, barred)
         anew = (follow(task, judges, start, others, barred, inf) for start in starts)
         better = take_best(task, worth, [judged for judged in anew if judged], barred)
     return best if better is worth else better
