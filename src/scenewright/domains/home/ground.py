@@ -20,6 +20,7 @@ from scenewright.building.standing import RADIATED, is_radiator
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
+from scenewright.domains.home.cupboards import list_cupboards
 from scenewright.domains.home.door_paths import door_paths
 from scenewright.domains.home.problem import Ground
 
@@ -49,7 +50,12 @@ def ground_of(
         edges=np.ascontiguousarray(edges_of(space)),
         walls=np.hstack([space.outline, np.roll(space.outline, -1, 0)]),
         keep_free=_rows(
-            [*(box for g in doors for box in door_zone(space, g)), *map(landing, space.stairs)], 5
+            [
+                *(box for g in doors for box in door_zone(space, g)),
+                *map(landing, space.stairs),
+                *list_cupboards(space, fixed),
+            ],
+            5,
         ),
         use_space=_rows([_ahead(p, USE) for p in fixed if _needs_use_space(p)], 5),
         obstacles=solids,

@@ -34,15 +34,11 @@ def restore_double_bed(task: RoomTask, best: JudgedRoom, barred: frozenset[str])
     forms = list_forms(task, bed)
     found = try_forms(judge_of(task, whole), whole, len(rest), forms, rule.forms)
     worth = best._replace(cost=best.cost + task.costs.fallback)
-    better = take_best(task, worth, found, barred)
-    if better is worth:
-        paired = follow_pairs(task, whole, barred, worth.cost, inf)
-        better = take_best(task, worth, list(islice(paired, rule.starts)), barred)
-    if better is worth:
-        others = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
-        judges, starts = judge_in_order(task, (bed, *others)), list_starts(task, bed, barred)
-        anew = (follow(task, judges, start, others, barred, inf) for start in starts)
-        better = take_best(task, worth, [judged for judged in anew if judged], barred)
+    paired = list(islice(follow_pairs(task, whole, barred, worth.cost, inf), rule.starts))
+    others = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
+    judges, starts = judge_in_order(task, (bed, *others)), list_starts(task, bed, barred)
+    anew = (follow(task, judges, start, others, barred, inf) for start in starts)
+    better = take_best(task, worth, [*found, *paired, *(room for room in anew if room)], barred)
     return best if better is worth else better
 
 
