@@ -36,6 +36,11 @@ def sample(name: str) -> Brief:
     return scenewright.read(f"sample:hall-{name}")
 
 
+def _standing(solution: Solution) -> int:
+    """Objects of a hall without the walls built for them."""
+    return sum(piece.category != "partition" for piece in solution.pieces)
+
+
 def fresh(chain: HallChain) -> float:
     """The energy of where a chain stands, measured from nothing."""
     base, free, reached = chain.bits
@@ -129,7 +134,7 @@ def test_progress_is_heard_and_cancelling_keeps_what_was_found() -> None:
     heard = iter(range(10))
     part = answer(brief, steps=20_000, threads=1, cancel=lambda: next(heard, None) is None)
     assert 0 < part.evaluations < whole.evaluations
-    assert len(part.pieces) == len(whole.pieces)
+    assert _standing(part) == _standing(whole)
     nothing = answer(brief, cancel=lambda: True)
     assert (nothing.evaluations, nothing.energies) == (0, {})
 

@@ -40,15 +40,19 @@ def grow_table(table: Piece, out: float, catalog: Catalog) -> Piece:
 
 
 def with_chairs(
-    pieces: tuple[Piece, ...], others: tuple[Piece, ...], catalog: Catalog
+    pieces: tuple[Piece, ...],
+    others: tuple[Piece, ...],
+    catalog: Catalog,
+    bringing: Collection[str] = (),
 ) -> tuple[Piece, ...]:
-    """Chairs for all tables among ``pieces`` that have none nearby asked for by themselves; a
-    chair that would stand in something is left out."""
+    """Chairs for all tables among ``pieces`` that are of demands ``bringing`` some, or have none
+    asked for by themselves; a chair that would stand in something is left out."""
     asked = {p.category for p in (*pieces, *others) if not p.function.endswith(CHAIRS)}
     tables = [
         piece
         for piece in pieces
-        if (company := _company(piece.category, catalog)) and company.category not in asked
+        if (company := _company(piece.category, catalog))
+        and (piece.function in bringing or company.category not in asked)
     ]
     chairs: list[Piece] = []
     solid = [_frame(piece) for piece in (*pieces, *others)] if tables else []

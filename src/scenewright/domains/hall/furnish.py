@@ -22,6 +22,8 @@ NAMES = tuple(PATTERNS)
 CEILING = 0.3
 """A partition stays this far below the ceiling, and under four metres, in metres."""
 TALLEST = 4.0
+AT_WALL = 0.15
+"""What stands at a wall has its back at most this far from it, in metres."""
 
 
 def furnish_hall(
@@ -71,9 +73,12 @@ def _model_of(wish: HallDemand, number: int, size: Size, catalog: Catalog) -> As
 
 
 def partitions(
-    hall: HallContext, problem: HallProblem, kept: Kept, catalog: Catalog
+    hall: HallContext, problem: HallProblem, kept: Kept, boxes: Floats, catalog: Catalog
 ) -> list[Piece]:
-    """The generated walls as pieces."""
+    """The generated walls as pieces; one at which none of the objects (n, 5) has its back is not
+    built."""
+    ahead = np.column_stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])])
+    backs = boxes[:, :2] - 0.5 * boxes[:, 4:] * ahead
     height = min(max(hall.space.height - CEILING, 2.0), TALLEST, hall.space.height)
     found: list[Piece] = []
     rows = zip(problem.ground.hosts, kept.walls, kept.offsets, strict=True)
@@ -83,6 +88,8 @@ def partitions(
         start, end = np.array(host[:2]), np.array(host[2:4])
         way = (end - start) / np.hypot(*(end - start))
         x, y = start + way * (low + high) / 2 + off * np.array([-way[1], way[0]])
+        if not _holds(backs, np.array([x, y]), way, 0.5 * (high - low), problem.ground.thickness):
+            continue
         size = Size(float(high - low), problem.ground.thickness, height)
         asset = catalog.choose("partition", size)
         found.append(
@@ -98,6 +105,13 @@ def partitions(
             )
         )
     return found
+
+
+def _holds(backs: Floats, middle: Floats, way: Floats, half: float, thickness: float) -> bool:
+    """Whether one of the backs (k, 2) lies at a wall about its ``middle``."""
+    off = backs - middle
+    across = np.abs(off @ (-way[1], way[0]))
+    return bool(((np.abs(off @ way) <= half) & (across <= 0.5 * thickness + AT_WALL)).any())
 
 
 def placed_groups(

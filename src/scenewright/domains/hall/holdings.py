@@ -11,13 +11,13 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
+from scenewright.domains.hall.audience import find_shows, may_share_zone
 from scenewright.domains.hall.chairs import out_of_table, seats_around
 from scenewright.domains.hall.demands import ids_of, sizes_of
 from scenewright.domains.hall.patterns import PATTERNS
 
 SEATWAY = 0.45
 """Free floor to get to a chair from behind, in metres (Neufert)."""
-SPECTATORS, SHOWS = ("auditorium_seat",), ("stage", "screen", "lectern")
 """What looks, unless stated otherwise, at what."""
 
 
@@ -55,23 +55,19 @@ def collect_demands(
     """The demands of room ``number`` less what stands there ``locked`` already."""
     room = brief.rooms[number]
     ids = ids_of(room.demands)
-    asked = {demand.category for demand in room.demands}
+    shows = find_shows(room.demands, ids)
     found = []
-    for demand, name in zip(room.demands, ids, strict=True):
+    for demand, name, show in zip(room.demands, ids, shows, strict=True):
         filled = fill_defaults(demand, name)
+        filled = filled._replace(facing=filled.facing or show)
         sizes = _less(filled.sizes, [piece.size for piece in locked if piece.function == name])
         if sizes:
+            asked = {other.category for other in room.demands if may_share_zone(demand, other)}
             chairs = out_of_table(demand.category, asked, catalog)
             least = filled.least and max(filled.least - len(filled.sizes) + len(sizes), 1)
             filled = filled._replace(sizes=sizes, least=least)
             found.append(_with_chairs(filled, chairs, seats_around(demand.category, catalog)))
-    shows = [wish.id for wish in found if wish.category in SHOWS]
-    return [
-        wish._replace(facing=wish.facing or shows[0])
-        if shows and wish.category in SPECTATORS
-        else wish
-        for wish in found
-    ]
+    return found
 
 
 def _with_chairs(wish: HallDemand, chairs: float, around: bool) -> HallDemand:

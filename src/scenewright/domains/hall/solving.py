@@ -291,8 +291,9 @@ def furnish_layout(
     """A hall with the objects of a layout, its walls, chairs, groups, terms and tour."""
     p, s, lost = measure_layout(fitted.problem, best)
     objects = furnish_hall(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)
-    walls = partitions(hall, fitted.problem, best.kept, catalog)
-    chairs = with_chairs(objects, (*hall.fixed, *walls), catalog)
+    walls = partitions(hall, fitted.problem, best.kept, best.boxes, catalog)
+    seated = {wish.id for wish in wishes if wish.chairs}
+    chairs = with_chairs(objects, (*hall.fixed, *walls), catalog, seated)
     groups = (
         *kept_groups(hall, locked),
         *placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, objects),
@@ -302,8 +303,8 @@ def furnish_layout(
     parts = parts_of(fitted.problem, p, s, lost)
     layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
     out = {wish.id: wish.chairs for wish in wishes}
-    seated = (grow_table(piece, out[piece.function], catalog) for piece in objects)
-    every = (*hall.fixed, *walls, *seated, *tables)
+    grown = (grow_table(piece, out[piece.function], catalog) for piece in objects)
+    every = (*hall.fixed, *walls, *grown, *tables)
     way = tour(hall.space, every, layout, catalog, hall.route)
     return Laid(
         (*walls, *objects, *chairs, *tables),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable
 
 import shapely
@@ -14,10 +15,36 @@ from scenewright.core.errors import InputError
 from scenewright.core.space import Space
 from scenewright.domains.hall.borders import floor_of
 from scenewright.domains.hall.demands import floor_needed
+from scenewright.domains.hall.doors import ways_in
 from scenewright.domains.hall.hall_layout import Zone
+from scenewright.domains.hall.roles import turn_of
 from scenewright.domains.hall.zoning import LEAST_ZONE, ZoneWish
 
 MOST_ZONES = 200
+AT_DOOR = 0.5
+"""A drawn zone this near to a door holds it, in metres."""
+ENTRIES = frozenset(
+    [
+        "entrance",
+        "entry",
+        "foyer",
+        "lobby",
+        "reception",
+        "welcome",
+        "front",
+        "vestibule",
+        "arrival",
+        "eingang",
+        "empfang",
+        "foyers",
+        "entrée",
+        "accueil",
+        "vestibulo",
+        "entrada",
+        "recepción",
+    ]
+)
+"""What the zone one comes into first is called."""
 
 
 def zone_names(room: Room) -> tuple[str, ...]:
@@ -101,17 +128,55 @@ def wishes_of(
         )
     needs = _needs(room, open_)
     areas |= {name: left * needs[name] / sum(needs.values()) for name in open_}
+    doors = {name: zone.door for name, zone in listed.items()} | _entrance_zone(
+        room, space, listed, given
+    )
     return tuple(
         ZoneWish(
             name,
             zone.name or (room.name if name == "hall" else ""),
             areas.get(name, 0.0),
             tuple(zone.beside),
-            zone.door,
+            doors[name],
             given.get(name),
         )
         for name, zone in listed.items()
     )
+
+
+def _entrance_zone(
+    room: Room, space: Space, listed: dict[str, ZoneBrief], given: dict[str, Zone]
+) -> dict[str, str | None]:
+    """The zone that is to lie at the main entrance though the brief does not say so: one called
+    foyer or the like, else that of the desk visitors come to first or of the tills; none where a
+    zone is drawn there or another asks for a door to come in by."""
+    doors = ways_in(space)
+    taken = {zone.door for zone in listed.values()}
+    if not doors or len(listed) < 2 or taken & {door.id for door in doors}:
+        return {}
+    main = shapely.Point(doors[0].x, doors[0].y)
+    if any(main.distance(shapely.Polygon(zone.outline)) < AT_DOOR for zone in given.values()):
+        return {}
+    free = [name for name, zone in listed.items() if name not in given and zone.door is None]
+    called = [name for name in free if _is_entry(f"{name} {listed[name].name or ''}")]
+    return dict.fromkeys([*called, *_arrival(room, free)][:1], doors[0].id)
+
+
+def _is_entry(name: str) -> bool:
+    """Whether a zone is called what one comes into first."""
+    return bool(ENTRIES & set(re.findall(r"[^\W\d_]+", name.casefold())))
+
+
+def _arrival(room: Room, free: list[str]) -> list[str]:
+    """Of the zones those that hold a desk to ask at, then those that hold tills."""
+    beside = {demand.category for demand in room.demands}
+    return [
+        name
+        for turn in (0, 2)
+        for demand in room.demands
+        for name in _names(demand.zone)
+        if name in free and turn_of(demand.category, beside) == turn
+    ]
 
 
 def _format_list(names: list[str]) -> str:

@@ -1,0 +1,44 @@
+"""Which demands stand together in a zone, and what seats for an audience look at."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from scenewright.catalog.kinds.usual import DESKS, TABLES
+from scenewright.core.brief.zones import Demand
+
+SHOWS = ("stage", "screen", "lectern")
+SEATS = ("auditorium_seat",)
+CHAIRS = ("dining_chair", "reading_chair", "office_chair")
+"""Seats of auditoriums always look at what is shown, chairs where no table is in their zone."""
+AT_TABLES = (*TABLES, *DESKS, "reading_table", "carrel", "interactive_table")
+
+
+def may_share_zone(one: Demand, other: Demand) -> bool:
+    """Whether two demands may stand in one zone.
+
+    >>> may_share_zone(Demand(category="box", zone="a"), Demand(category="box", zone=["a", "b"]))
+    True
+    """
+    here, there = _zones(one), _zones(other)
+    return not here or not there or bool(here & there)
+
+
+def find_shows(demands: Sequence[Demand], ids: Sequence[str]) -> list[str]:
+    """The id of the stage, screen or lectern each demand looks at if it does not say: one in its
+    own zone before others; empty for what is no audience."""
+    shows = [(d, name) for d, name in zip(demands, ids, strict=True) if d.category in SHOWS]
+    found = []
+    for one in demands:
+        near = sorted(shows, key=lambda row: not _zones(row[0]) & _zones(one))
+        found.append(near[0][1] if near and _is_audience(one, demands) else "")
+    return found
+
+
+def _is_audience(one: Demand, demands: Sequence[Demand]) -> bool:
+    tables = (d for d in demands if d.category in AT_TABLES and may_share_zone(one, d))
+    return one.category in SEATS or (one.category in CHAIRS and next(tables, None) is None)
+
+
+def _zones(demand: Demand) -> set[str]:
+    return {demand.zone} if isinstance(demand.zone, str) else set(demand.zone or ())
