@@ -12,12 +12,14 @@ from benchmarks import composition_kitchen
 from scenewright.core.brief import Brief, Room
 from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
+from scenewright.domains.home.attempt import Missing
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.kitchens.corners import list_us
 from scenewright.domains.home.composing.kitchens.fitted import FreeWalls, list_steps
 from scenewright.domains.home.composing.kitchens.foreseen import foresee_cost
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
+from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.groups.fitted_kitchen import (
@@ -29,7 +31,10 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     overlap,
 )
 from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms, solve
+from scenewright.domains.home.wheelchair import furnish_by_use
+from scenewright.engine.solve import Budget
 
 ROOM = {
     "function": "kitchen",
@@ -198,3 +203,50 @@ def test_a_kitchen_of_four_metres_square_turns_the_corner():
     assert not composition_kitchen.short_worktop(pieces)
     assert not composition_kitchen.hob_at_end(pieces)
     assert not composition_kitchen.hob_at_sink(pieces)
+
+
+def faults_of(*lines, corners=()):
+    return dict(find_case_faults(assemble(FittedKitchen(lines, corners))[0]))
+
+
+def test_sinks_without_worktop_and_units_by_themselves_are_faults():
+    south, north = KitchenWall(0.0, 0.0, 1.0, 0.0), KitchenWall(4.0, 2.4, -1.0, 0.0)
+    west = KitchenWall(0.0, 2.4, 0.0, -1.0)
+    top, hob, sink = ("drawer_cabinet", 0.6), ("hob_cabinet", 0.6), ("sink_cabinet", 0.6)
+    fridge, named = ("fridge", 0.6), {"sink_alone", "fridge_alone", "split"}
+    run = UnitLine(south, 0.0, (fridge, sink, top, hob, top))
+    assert not named & faults_of(run).keys()
+    cooking = UnitLine(south, 1.0, (top, hob, top))
+    assert (
+        named
+        <= faults_of(cooking, UnitLine(west, 0.0, (sink,)), UnitLine(north, 0.0, (fridge,))).keys()
+    )
+    assert not named & faults_of(cooking, UnitLine(north, 1.0, (top, sink, fridge))).keys()
+    beyond = KitchenWall(4.0, 5.0, -1.0, 0.0)
+    assert named & faults_of(cooking, UnitLine(beyond, 1.0, (top, sink, fridge))).keys() == {
+        "split"
+    }
+    corner = UnitLine(west, 0.3, (fridge, sink))
+    joined = faults_of(UnitLine(south, 0.9, (hob, top)), corner, corners=(south,))
+    assert not named & joined.keys()
+
+
+def without_kitchen(task, found):
+    gone = [g for g in found.placed if g.wish.group in ("kitchen", "kitchenette", "fridge")]
+    missing = tuple(Missing(g.wish, "no walking route of the stated width") for g in gone)
+    rest = tuple(g for g in found.placed if g not in gone)
+    return found._replace(placed=rest, missing=(*found.missing, *missing))
+
+
+def test_a_kitchen_that_was_lost_to_the_ways_is_made_to_measure(task):
+    wish = Wish("kitchen", 0, core=True)
+    answer = furnish_by_use(task, (wish,), Budget(threads=1, steps=3000))
+    bare = without_kitchen(task, answer)
+    assert bare.missing
+    (mended,) = mend_kitchens([task], [bare], list)
+    assert [g.wish.group for g in mended.placed] == ["kitchen"]
+    assert not mended.missing
+    names = {p.category for g in mended.placed for p in g.pieces}
+    assert {"hob_cabinet", "sink_cabinet", "fridge"} <= names
+    shut = [without_kitchen(task, mended)]
+    assert mend_kitchens([task], [bare], lambda _: shut) == [bare]

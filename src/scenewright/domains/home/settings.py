@@ -80,7 +80,8 @@ class TrySettings(NamedTuple):
 class CompositionCosts(NamedTuple):
     """What faults of composition cost, beside those of :class:`FaultCosts`: too little worktop in
     one piece, a hob beside the sink or at the end of its run, fridge, sink and hob off a work
-    triangle (``triangle``), half a wardrobe, a shallow one, a bed for two with one nightstand or
+    triangle (``triangle``), a sink without worktop beside it, a fridge by itself, hob and sink
+    apart (``split``), half a wardrobe, a shallow one, a bed for two with one nightstand or
     one side to get in, a single bed away from walls, too few shelves, too few seats, a screen too
     small for its distance, something before a window or a wide door, a group
     small for its room (``modest``); a unit by which the furnished share of a floor is off what was
@@ -91,6 +92,9 @@ class CompositionCosts(NamedTuple):
     hob_at_sink: float = 18.0
     hob_at_end: float = 18.0
     triangle: float = 16.0
+    sink_alone: float = 0.0
+    fridge_alone: float = 0.0
+    split: float = 0.0
     wardrobe: float = 18.0
     shallow: float = 4.0
     nightstand: float = 14.0

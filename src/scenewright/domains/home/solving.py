@@ -28,6 +28,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_problem
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.composing.improve import compose
+from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.home_floor import join_floors
@@ -47,7 +48,7 @@ from scenewright.domains.home.remove_blockers import remove_blockers
 from scenewright.domains.home.requests import check_asks, check_possible
 from scenewright.domains.home.second_try import tried_again
 from scenewright.domains.home.shortfall import complete_account, list_short_beds
-from scenewright.domains.home.stated_needs import AskedRooms, meet_stated_needs
+from scenewright.domains.home.stated_needs import AskedRooms, measure_shortage, meet_stated_needs
 from scenewright.domains.home.tasks import add_lamps_and_curtains, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, vary_task
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
@@ -135,7 +136,8 @@ def _walk_home(
     again: bool,
 ) -> list[RoomAnswer]:
     """The answers with the ways of the whole home open, rooms tried again that lose something
-    essential to that, and ``again`` those that lack what the household states it needs."""
+    essential to that, and ``again`` those that lack what the household states it needs; then
+    kitchens with a fault, made to measure."""
     opened = partial(
         remove_blockers,
         [task.fixed for task in every.tasks],
@@ -145,10 +147,12 @@ def _walk_home(
         settings=every.tasks[0].preset.settings,
     )
     found = tried_again(every.tasks, every.wishes, every.budgets, answers, opened)
-    if not again:
-        return found
     household = decide_household(rooms, brief.residents)
-    return meet_stated_needs(household, every, found, opened)
+    if again:
+        found = meet_stated_needs(household, every, found, opened)
+    mended = mend_kitchens(every.tasks, found, opened)
+    fewer = measure_shortage(household, mended) > measure_shortage(household, found)
+    return found if fewer else mended
 
 
 def problems(

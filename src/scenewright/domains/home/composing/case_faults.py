@@ -1,7 +1,8 @@
 """What is wrong with a case wherever it stands: little worktop, one nightstand, half a wardrobe.
 
 Each fault has a degree from 0 (none) to 1. Kitchen planners ask for 0.6 m of worktop in one piece,
-0.3 m between sink and hob and 0.3 m on both sides of a hob; a wardrobe holds the clothes of a
+0.3 m between sink and hob and 0.3 m on both sides of a hob, of worktop beside the sink and of units
+beside the fridge; a wardrobe holds the clothes of a
 person from a metre on; a bed for two has a nightstand on either side.
 """
 
@@ -23,6 +24,7 @@ MANY = 3  # seats of a room that is roomy
 SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
 FULL = 1.0  # width of a wardrobe, metres
 DEEP = 0.4  # depth of a wardrobe, metres: with less, clothes hang on a rail that is pulled out
+ACROSS = 2.7  # between hob and sink that face each other across an aisle, metres
 LEG = (1.2, 2.7)  # of a work triangle, metres
 TOUCH, IN_LINE = 0.03, 0.3  # units nearer, and less far ahead, than this are in one line, metres
 TURNED = 0.1  # units turned by more are not in one line, radians
@@ -85,7 +87,37 @@ def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
         ("hob_at_sink", max(0.0, 1.0 - apart / BESIDE)),
         ("hob_at_end", max(0.0, 1.0 - beside / BESIDE)),
         ("triangle", _off_triangle(units)),
+        ("sink_alone", 0.0 if sink is None else 1.0 - _longest_beside(sink, units) / BESIDE),
+        ("fridge_alone", float(any(_is_alone(m, units) for m in units if m.category == "fridge"))),
+        ("split", 0.0 if sink is None else float(_is_split(hob, sink, units))),
     ]
+
+
+def _longest_beside(unit: Member, units: list[Member]) -> float:
+    """Metres of worktop on the better side of a unit, up to the hob."""
+    return max(_worktop(unit, units, side) for side in (-1, 1))
+
+
+def _is_alone(unit: Member, units: list[Member]) -> bool:
+    """Whether no other unit follows in its line."""
+    return not any(_meet(unit, m) for m in units if m is not unit)
+
+
+def _is_split(hob: Member, sink: Member, units: list[Member]) -> bool:
+    """Whether hob and sink are in lines that neither are joined nor face each other across an
+    aisle."""
+    joined, edge = [hob], [hob]
+    while edge:
+        edge = [m for m in units if m not in joined and any(_meet(at, m) for at in edge)]
+        joined += edge
+    turned = abs(remainder(hob.heading - sink.heading - pi, 2 * pi))
+    near = hypot(hob.x - sink.x, hob.y - sink.y) <= ACROSS
+    return sink not in joined and not (turned < TURNED and near)
+
+
+def _meet(one: Member, other: Member) -> bool:
+    """Whether one of two units follows the other, round a corner as well."""
+    return any(_touches(*two, side) for two in ((one, other), (other, one)) for side in (-1, 1))
 
 
 def _worktop(unit: Member, units: list[Member], side: int) -> float:

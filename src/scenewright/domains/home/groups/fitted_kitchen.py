@@ -165,6 +165,13 @@ def place(wall: KitchenWall, start: float, width: float, depth: float, out: floa
     return (*_at(wall, start + width / 2, out + depth / 2), wall.heading, width, depth)
 
 
+def middle_of(line: UnitLine, name: str) -> tuple[float, float]:
+    """Where the middle of a unit of a line would stand, were it as deep as worktop."""
+    number = next(k for k, unit in enumerate(line.units) if unit[0] == name)
+    at = line.start + width_of(line.units[:number])
+    return place(line.wall, at, line.units[number][1], UNIT_DEPTH, BACK)[:2]
+
+
 def _name(kitchen: FittedKitchen) -> str:
     lines = [
         line

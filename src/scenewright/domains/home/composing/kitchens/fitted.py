@@ -22,7 +22,6 @@ from scenewright.domains.home.composing.kitchens.free_walls import (
 )
 from scenewright.domains.home.composing.modest import EXPECTED
 from scenewright.domains.home.groups.fitted_kitchen import (
-    BACK,
     CORNER,
     LOW,
     SLIM_FRIDGE,
@@ -30,16 +29,18 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     UnitLine,
     cook,
     cook_and_wash,
-    place,
+    middle_of,
     wash,
     width_of,
 )
-from scenewright.domains.home.groups.kitchen import FRIDGE, LOW_FRIDGE, UNIT_DEPTH, Unit, fill
+from scenewright.domains.home.groups.kitchen import FRIDGE, LOW_FRIDGE, Unit, fill
 
 MORE = 0.6  # metres of front that a kitchen has beyond what its room asks for, at most
 LEAST_RUN = 3.0  # metres of front with its fridge that a run in any room may have
 LEAST = {"hs": 1.7, "h": 0.95, "s": 0.45, "": 0.6}
 """Metres that sink and hob take at least without a fault beside them, by what a line holds."""
+AMPLY = LEAST | {"h": 1.2, "s": 1.05}
+"""And with 0.6 m of worktop in one piece."""
 SPARE = {"hs": 0.8, "h": 0.75, "s": 0.4, "": 0.6}
 """And where room for no more is left."""
 U_FROM = 8.0
@@ -100,9 +101,10 @@ def _lengths(holds: str, spare: float, most: float) -> list[float]:
     return [*found, LEAST[holds]] if full >= LEAST[holds] + 0.3 else found
 
 
-def _fridges(spare: float) -> float:
-    """The width of the fridge of a line."""
-    return FRIDGE.width if spare >= LEAST["hs"] + FRIDGE.width else SLIM_FRIDGE
+def _fridge(spare: float, holds: str) -> Unit:
+    """The fridge of a line: a slim one where a wider one takes the worktop."""
+    wide = FRIDGE.width if spare >= AMPLY[holds] + FRIDGE.width else SLIM_FRIDGE
+    return ("fridge", wide)
 
 
 def _lines(stretch: FreeStretch, units: Units) -> Iterator[UnitLine]:
@@ -117,7 +119,7 @@ def _runs(free: FreeWalls) -> Iterator[FittedKitchen]:
     """One run with its fridge at either end."""
     for stretch in free.low:
         spare = stretch.end - stretch.start
-        fridge: Unit = ("fridge", _fridges(spare))
+        fridge = _fridge(spare, "hs")
         for length in _lengths("hs", spare - fridge[1], _most(free) - fridge[1]):
             units = _units_in("hs", length)
             for whole in ((fridge, *units), (fridge, *units[::-1])):
@@ -191,21 +193,15 @@ def _apart(free: FreeWalls, whole: bool) -> Iterator[FittedKitchen]:
 
 def _within_reach(cooking: UnitLine, washing: UnitLine) -> bool:
     """Whether the sink is no farther from the hob than a leg of the work triangle may be."""
-    one, other = _middle(cooking, "hob_cabinet"), _middle(washing, "sink_cabinet")
+    one, other = middle_of(cooking, "hob_cabinet"), middle_of(washing, "sink_cabinet")
     return hypot(one[0] - other[0], one[1] - other[1]) <= LEG[1]
-
-
-def _middle(line: UnitLine, name: str) -> tuple[float, float]:
-    """Where the middle of a unit of a line stands."""
-    number = next(k for k, unit in enumerate(line.units) if unit[0] == name)
-    at = line.start + width_of(line.units[:number])
-    return place(line.wall, at, line.units[number][1], UNIT_DEPTH, BACK)[:2]
 
 
 def _ends(stretch: FreeStretch, holds: str, cold: bool, most: float) -> list[UnitLine]:
     """One line, as long as it can be, at either end of its stretch."""
-    fridge: Units = (("fridge", FRIDGE.width),) if cold else ()
-    spare = stretch.end - stretch.start - width_of(fridge)
+    spare = stretch.end - stretch.start
+    fridge: Units = (_fridge(spare, holds),) if cold else ()
+    spare -= width_of(fridge)
     found = []
     for length in _lengths(holds, spare, most)[:1]:
         units = (*fridge, *_units_in(holds, length))

@@ -7,24 +7,42 @@ from itertools import combinations, takewhile
 from math import hypot, inf
 from typing import NamedTuple
 
-from scenewright.domains.home.composing.case_faults import AMPLE, BESIDE, LEG, WORKTOP
+from scenewright.domains.home.composing.case_faults import (
+    ACROSS,
+    AMPLE,
+    BESIDE,
+    LEG,
+    TOUCH,
+    WORKTOP,
+)
 from scenewright.domains.home.composing.forms import FROM
 from scenewright.domains.home.composing.modest import CORNER_RUN, EXPECTED
-from scenewright.domains.home.groups.fitted_kitchen import BACK, LOW, FittedKitchen, UnitLine, place
+from scenewright.domains.home.groups.fitted_kitchen import (
+    BACK,
+    CORNER,
+    LOW,
+    FittedKitchen,
+    UnitLine,
+    middle_of,
+    place,
+    width_of,
+)
 from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, Unit
 from scenewright.domains.home.settings import ComposingSettings
 
+FACING = -0.995  # cosine of the angle between walls that face each other
 STATIONS = {"sink_cabinet": 0, "hob_cabinet": 1, "fridge": 2, LOW: 2}
 
 
 class LineFacts(NamedTuple):
     """Metres of worktop of a line: the longest piece, on either side of the hob, and between hob
-    and sink; infinite where the line has none."""
+    and sink (infinite where the line has none), and on the better side of the sink (``rinsed``)."""
 
     longest: float
     before: float
     after: float
     between: float
+    rinsed: float
 
 
 def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -> float:
@@ -41,6 +59,9 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
         (costs.hob_at_end, 1.0 - beside / BESIDE),
         (costs.hob_at_sink, 1.0 - cooks.between / BESIDE),
         (costs.triangle, _off_triangle(kitchen) if area >= FROM["triangle"] else 0.0),
+        (costs.sink_alone, 0.0 if kitchen.corners else 1.0 - max(f.rinsed for f in facts) / BESIDE),
+        (costs.fridge_alone, float(_has_lone_fridge(kitchen))),
+        (costs.split, float(_is_split(kitchen))),
     ]
     fronts = sum(w for line in kitchen.lines for _, w in line.units)
     fronts += CORNER_RUN * len(kitchen.corners)
@@ -53,20 +74,51 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
 
 @lru_cache(maxsize=4096)
 def _facts_of(units: tuple[Unit, ...]) -> LineFacts:
-    names = [name for name, _ in units]
+    names, rinsed = [name for name, _ in units], 0.0
+    if "sink_cabinet" in names:
+        sink = names.index("sink_cabinet")
+        rinsed = max(_worktop(units[:sink][::-1]), _worktop(units[sink + 1 :]))
     longest = max(_worktop(units[i:]) for i in range(len(units)))
     if "hob_cabinet" not in names:
-        return LineFacts(longest, inf, inf, inf)
+        return LineFacts(longest, inf, inf, inf, rinsed)
     hob, between = names.index("hob_cabinet"), inf
     if "sink_cabinet" in names:
         ends = sorted((hob, names.index("sink_cabinet")))
         between = sum(w for _, w in units[ends[0] + 1 : ends[1]])
-    return LineFacts(longest, _worktop(units[:hob][::-1]), _worktop(units[hob + 1 :]), between)
+    return LineFacts(
+        longest, _worktop(units[:hob][::-1]), _worktop(units[hob + 1 :]), between, rinsed
+    )
 
 
 def _worktop(units: tuple[Unit, ...]) -> float:
     """Metres of worktop some units begin with."""
     return sum(wide for _, wide in takewhile(lambda unit: unit[0] in WORKTOP, units))
+
+
+def _line_of(kitchen: FittedKitchen, name: str) -> UnitLine:
+    return next(line for line in kitchen.lines if name in dict(line.units))
+
+
+def _has_lone_fridge(kitchen: FittedKitchen) -> bool:
+    """Whether a fridge is a line of its own that continues no other."""
+    lone = next((a for a in kitchen.lines if [n for n, _ in a.units] in (["fridge"], [LOW])), None)
+    if lone is None:
+        return False
+    end, ends = lone.start + width_of(lone.units), [CORNER] * (lone.wall in kitchen.corners)
+    for line in kitchen.lines:
+        if line is not lone and line.wall == lone.wall:
+            ends += [line.start, line.start + width_of(line.units)]
+    return all(min(abs(lone.start - at), abs(end - at)) > TOUCH for at in ends)
+
+
+def _is_split(kitchen: FittedKitchen) -> bool:
+    """Whether hob and sink are in lines that neither meet in a corner nor face each other."""
+    cooking, washing = _line_of(kitchen, "hob_cabinet"), _line_of(kitchen, "sink_cabinet")
+    if kitchen.corners or cooking is washing:
+        return False
+    one, other = middle_of(cooking, "hob_cabinet"), middle_of(washing, "sink_cabinet")
+    across = cooking.wall.ux * washing.wall.ux + cooking.wall.uy * washing.wall.uy < FACING
+    return not (across and hypot(one[0] - other[0], one[1] - other[1]) <= ACROSS)
 
 
 def _off_triangle(kitchen: FittedKitchen) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator
 from itertools import islice
 from math import inf
 
@@ -29,6 +29,8 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     overlap,
 )
 from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, WORKTOP
+
+Likeness = Callable[[FittedKitchen], Hashable]
 
 LISTED, TRIED, KEPT = 900, 250, 4
 """Kitchens of one step that are listed, tried, and kept."""
@@ -77,10 +79,16 @@ def as_whole(run: FurnishedGroup) -> FurnishedGroup:
 
 
 def list_fitted(
-    task: RoomTask, rest: Placed, run: FurnishedGroup, barred: frozenset[str], most: float = inf
+    task: RoomTask,
+    rest: Placed,
+    run: FurnishedGroup,
+    barred: frozenset[str],
+    most: float = inf,
+    likeness: Likeness | None = None,
 ) -> Iterator[list[JudgedRoom]]:
     """The kitchens made to measure beside the ``rest``, step by step, the cheapest first: those
-    that bar no more than is ``barred`` and cost less than ``most``."""
+    that bar no more than is ``barred`` and cost less than ``most``; of those with the same
+    ``likeness`` one."""
     standing = standing_of(
         (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces)), flat_kinds(task.catalog)
     )
@@ -97,13 +105,16 @@ def list_fitted(
     for step in steps(FreeWalls(low, tall, task.ground.area)):
         found: list[JudgedRoom] = []
         known: dict[FittedKitchen, bool] = {}
+        seen: set[Hashable] = set()
         for fitted in _pick(judge, rest, islice(step(), LISTED), most):
             if len(found) == KEPT:
                 break
-            if overlap(fitted) or not is_walked(ways, fitted, known):
+            alike = likeness(fitted) if likeness else fitted
+            if alike in seen or overlap(fitted) or not is_walked(ways, fitted, known):
                 continue
             dressed = dress_group(task, whole, *assemble(fitted), standing)
             if dressed is not None:
+                seen.add(alike)
                 found.append(judge.cost_of((*rest, dressed)))
         yield sorted(found, key=lambda judged: judged.cost)
 

@@ -1,0 +1,174 @@
+"""Kitchens of a finished home that lack worktop, or are missing, tried again beside its ways.
+
+Rooms are furnished one by one on a grid; the walk through the whole home is exact, and what it
+takes away comes back in the least forms. So once all rooms stand, a kitchen with a fault is made to
+measure again: beside the rest, else before all others, which follow it; something merely welcome
+may give way. A change stays if the whole home, its ways opened, costs less.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator, Sequence
+from itertools import chain, islice
+from math import inf
+from typing import NamedTuple
+
+from scenewright.domains.home.attempt import (
+    FurnishedGroup,
+    Missing,
+    RoomAnswer,
+    RoomTask,
+    find_blocked,
+    penalty,
+)
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.judging import (
+    RUNS,
+    JudgedRoom,
+    Placed,
+    judge_of,
+    sum_faults,
+)
+from scenewright.domains.home.composing.kitchens.reform import list_fitted, may_reform, parts_of
+from scenewright.domains.home.composing.moving import make_unplaced, try_forms, with_margin
+from scenewright.domains.home.composing.placed_faults import list_standing
+from scenewright.domains.home.groups.fitted_kitchen import FittedKitchen, width_of
+from scenewright.domains.home.programme import WELCOME, is_essential
+from scenewright.domains.home.second_try import Opened
+
+BESIDE = 2
+"""Kitchens beside the rest that are walked to through the whole home."""
+FORMS, PLACES = 8, 16
+"""Forms and places in which each of the rest is tried beside a kitchen that stands first."""
+FAULTS = frozenset(("worktop", "hob_at_sink", "hob_at_end"))
+"""What makes a kitchen one to be tried again."""
+KITCHEN = (*RUNS, "fridge")
+
+
+class Place(NamedTuple):
+    """A kitchen to be made to measure, the groups it takes the place of, and all others."""
+
+    run: FurnishedGroup
+    parts: Placed
+    rest: Placed
+
+
+def mend_kitchens(
+    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers for all rooms with kitchens at fault made to measure, their ways ``opened``."""
+    found = answers
+    for room, task in enumerate(tasks):
+        place = find_place(task, found[room])
+        if place is not None and not task.cancelled():
+            found = _mend(room, task, place, found, opened)
+    return found
+
+
+def find_place(task: RoomTask, answer: RoomAnswer) -> Place | None:
+    """What a kitchen of a room that has a fault, or is missing, is to take the place of; None where
+    there is none or it may not be changed."""
+    lost = [m.wish for m in answer.missing if m.wish.group in KITCHEN]
+    run = next((p for p in answer.placed if p.wish.group in RUNS), None)
+    if task.accessible or not task.preset.settings.exact or task.library.own:
+        return None
+    if run is not None and not lost:
+        if not may_reform(task, answer.placed) or not _is_at_fault(answer):
+            return None
+        parts = parts_of(answer.placed, run)
+        rest = tuple(p for p in answer.placed if all(p is not part for part in parts))
+        return Place(run, parts, rest)
+    if not lost or lost[0].most or lost[0].required:
+        return None
+    parts = tuple(p for p in answer.placed if p.wish.group in KITCHEN)
+    rest = tuple(p for p in answer.placed if p.wish.group not in KITCHEN)
+    wish = lost[0]._replace(group="kitchen", rank=0)
+    return Place(make_unplaced(task, rest, wish, cases("kitchen").groups[0]), parts, rest)
+
+
+def _is_at_fault(answer: RoomAnswer) -> bool:
+    """Whether a kitchen has too little worktop, or none beside its hob."""
+    runs = (p for p in answer.placed if p.wish.group in RUNS)
+    return any(FAULTS & {name for name, _ in find_case_faults(list_standing(r))} for r in runs)
+
+
+def _mend(
+    room: int, task: RoomTask, place: Place, found: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    best, worth = found, _worth(room, task, found) - task.preset.settings.composing.least
+    for answer in _list_answers(task, place, found[room]):
+        if best is not found and not _is_at_fault(best[room]):
+            break
+        trial = [answer if k == room else other for k, other in enumerate(found)]
+        if _worth(room, task, trial) >= worth:
+            continue
+        trial = opened(trial)
+        if (cost := _worth(room, task, trial)) < worth:
+            best, worth = trial, cost
+    return best
+
+
+def _worth(room: int, task: RoomTask, answers: Sequence[RoomAnswer]) -> float:
+    """What is missing from a home, what gave way, and what one room costs as it stands."""
+    lost = sum(penalty(m.wish, task.costs) for answer in answers for m in answer.missing)
+    gone = task.costs.piece * sum(len(answer.gone) for answer in answers)
+    placed = answers[room].placed
+    return lost + gone + (judge_of(task, placed).cost_of(placed).cost if placed else 0.0)
+
+
+def _list_answers(task: RoomTask, place: Place, before: RoomAnswer) -> Iterator[RoomAnswer]:
+    """The room with other kitchens: beside the rest, then before it."""
+    missing = tuple(m for m in before.missing if m.wish.group not in KITCHEN)
+    barred = frozenset(find_blocked(with_margin(task), (*place.rest, *place.parts)))
+    beside = chain.from_iterable(list_fitted(task, place.rest, place.run, barred))
+    for judged in islice(beside, BESIDE):
+        yield before._replace(placed=judged.placed, missing=missing)
+    most = sum_faults(task, place.parts) if place.parts else inf
+    for found in list_fitted(task, (), place.run, frozenset(), likeness=_measure):
+        for start in found:
+            if sum_faults(task, start.placed) >= most:
+                continue
+            followed = _follow(task, start, place, barred)
+            if followed is not None:
+                placed, gone = followed
+                yield before._replace(placed=placed, missing=(*missing, *gone))
+
+
+def _measure(kitchen: FittedKitchen) -> Hashable:
+    """The walls along which a kitchen stands, and for how many metres of each."""
+    return tuple((line.wall, round(width_of(line.units), 1)) for line in kitchen.lines)
+
+
+def _follow(
+    task: RoomTask, start: JudgedRoom, place: Place, barred: frozenset[str]
+) -> tuple[Placed, tuple[Missing, ...]] | None:
+    """The rest beside a kitchen, the essential and the largest first, and what of it had to give
+    way; None where that is more than the kitchen is worth."""
+    best, gone = start, list[Missing]()
+    for other in sorted(place.rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod()))):
+        following = _set_beside(task, best.placed, other, barred)
+        if following is not None:
+            best = following
+        elif place.parts and not _may_go(other):
+            return None
+        else:
+            gone.append(Missing(other.wish, "it makes room for the kitchen"))
+    return best.placed, tuple(gone)
+
+
+def _set_beside(
+    task: RoomTask, placed: Placed, other: FurnishedGroup, barred: frozenset[str]
+) -> JudgedRoom | None:
+    """One more group beside those placed; None where it would bar a way."""
+    whole, forms = (*placed, other), list_forms(task, other)
+    tried = try_forms(judge_of(task, whole), whole, len(placed), forms, FORMS)
+    open_ = (j for j in tried[:PLACES] if barred >= set(find_blocked(task, j.placed)))
+    return next(open_, None)
+
+
+def _may_go(group: FurnishedGroup) -> bool:
+    """Whether a group is merely welcome."""
+    wish = group.wish
+    return wish.rank == WELCOME and not wish.required and not is_essential(wish)
