@@ -3,14 +3,16 @@
 Every fourth flat of ``floorplans_r2v`` (every fiftieth if quick) is furnished and its faults are
 counted by simple geometry. Beside them stands what an improvement could have been paid with: flats
 that are valid, kitchens that are whole, beds, sofas, seats, tables, metres of worktop and storage.
-The baseline is what was counted before any of it was worked on (:data:`BEFORE`, seed 0).
+The baseline is what was counted before any of it was worked on (:data:`BEFORE`, seed 0). With
+``--full`` as many flats that nobody looked at while it was worked on are counted instead
+(:data:`BEFORE_ASIDE`).
 """
 
 from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -18,7 +20,7 @@ import numpy as np
 import shapely
 
 from benchmarks import stages
-from benchmarks.composition_before import BEFORE
+from benchmarks.composition_before import BEFORE, BEFORE_ASIDE
 from benchmarks.composition_faults import (
     FAULTS,
     SOFAS,
@@ -34,6 +36,8 @@ from benchmarks.spread import spread
 
 Record = dict[str, Any]
 USUAL, QUICK = 4, 50
+ASIDE = 2
+"""The first of the flats that are kept aside; between them lie as many as between the others."""
 STORAGE = ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf")
 WORKTOP = ("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwasher")
 
@@ -53,16 +57,21 @@ class Seen(NamedTuple):
     reference: float
 
 
-def records(quick: bool = False, progress: stages.Progress | None = None) -> Iterator[Record]:
+def records(
+    quick: bool = False, progress: stages.Progress | None = None, full: bool = False
+) -> Iterator[Record]:
     """A record a fault and a record for each thing held; of an interrupted run those of the flats
-    that are done."""
+    that are done. ``full``: of the flats kept aside."""
     data_set(PLANS)
-    yield from stages.tally(furnish_flats(QUICK if quick else USUAL, progress), tally_flats)
+    flats = furnish_flats(QUICK if quick else USUAL, progress, ASIDE if full else 0)
+    yield from stages.tally(flats, partial(tally_flats, before=BEFORE_ASIDE if full else BEFORE))
 
 
-def furnish_flats(step: int, progress: stages.Progress | None = None) -> Iterator[Seen]:
-    """Every ``step``-th flat, furnished with seed 0."""
-    numbers = range(0, len(raw_plans()), step)
+def furnish_flats(
+    step: int, progress: stages.Progress | None = None, first: int = 0
+) -> Iterator[Seen]:
+    """Every ``step``-th flat from the ``first`` on, furnished with seed 0."""
+    numbers = range(first, len(raw_plans()), step)
     for done, seen in enumerate(spread([partial(furnish_flat, n) for n in numbers])):
         if progress:
             progress((done + 1) / len(numbers), f"{done + 1} of {len(numbers)} flats")
@@ -132,22 +141,26 @@ def _metres(pieces: list[Any], categories: tuple[str, ...]) -> float:
     return sum(p.size.width for p in pieces if p.category in categories)
 
 
-def tally_flats(flats: list[Seen]) -> list[Record]:
-    """Shares of those that have each fault, then what a flat holds on the average."""
+def tally_flats(flats: list[Seen], before: Mapping[str, float] = BEFORE) -> list[Record]:
+    """Shares of those that have each fault, then what a flat holds on the average, beside what was
+    counted ``before``."""
     found = []
     for name in FAULTS:
         faulty, of = (sum(flat.faults[name][k] for flat in flats) for k in (0, 1))
-        found.append(_record(name, "share", faulty / max(of, 1), of))
+        found.append(_record(name, "share", faulty / max(of, 1), of, before))
     for name in flats[0].held:
         mean = sum(flat.held[name] for flat in flats) / len(flats)
-        found.append(_record(name, "a flat", mean, len(flats)))
+        found.append(_record(name, "a flat", mean, len(flats), before))
     seconds, reference = (sum(f) for f in zip(*((f[2], f[3]) for f in flats), strict=True))
-    found.append(_record("flats a minute and core", "speed", 60 * len(flats) / seconds, len(flats)))
-    return [*found, _record(PACE, "speed", reference / seconds, len(flats))]
+    speeds = {"flats a minute and core": 60 * len(flats) / seconds, PACE: reference / seconds}
+    speed = [_record(name, "speed", v, len(flats), before) for name, v in speeds.items()]
+    return [*found, *speed]
 
 
-def _record(case: str, metric: str, ours: float, runs: int) -> Record:
-    before = BEFORE.get(case, 0.0)
+def _record(
+    case: str, metric: str, ours: float, runs: int, baseline: Mapping[str, float]
+) -> Record:
+    before = baseline.get(case, 0.0)
     return {
         "case": case,
         "metric": metric,
