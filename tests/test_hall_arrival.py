@@ -104,3 +104,28 @@ def test_every_wall_built_holds_something() -> None:
     assert walls
     others = [p for p in pieces if p.category != "partition"]
     assert all(any(_holds(wall, other) for other in others) for wall in walls)
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_counters_stand_in_one_row_with_a_wall_behind_them(seed: int) -> None:
+    demands = [
+        {"id": "counters", "category": "counter", "count": 3, "zone": "b"},
+        {"category": "lounge_seat", "count": 6, "zone": "a"},
+    ]
+    zones = [{"id": "a", "outline": box(0, 0, 12, 3)}, {"id": "b", "outline": box(0, 3, 12, 8)}]
+    room = hall(zones=zones, demands=demands)
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    found = scenewright.solve(brief, seed=seed, steps=6000, threads=1).pieces
+    mine = [p for p in found if p.function == "counters"]
+    assert len({round(p.pose.heading, 6) for p in mine}) == 1
+    middle = np.mean([p.pose[:2] for p in mine], axis=0)
+    ahead = np.array([math.cos(mine[0].pose.heading), math.sin(mine[0].pose.heading)])
+    off = np.array([(p.pose.x, p.pose.y) for p in mine]) - middle
+    assert np.abs(off @ ahead).max() < 1e-6
+    back = middle - 0.5 * mine[0].size.depth * ahead
+    ends = [
+        middle + side * 1.5 * mine[0].size.width * np.array([-ahead[1], ahead[0]])
+        for side in (-1, 1)
+    ]
+    walls = shapely.Polygon(box(0, 0, 12, 8)).exterior
+    assert min(walls.distance(shapely.Point(p)) for p in (back, *ends)) < 1.3

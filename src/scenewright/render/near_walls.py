@@ -23,6 +23,8 @@ KERB, RAIL = 0.3, 0.9
 """Heights above the floor to which near walls are cut, metres: outer ones, those between rooms."""
 THICK = 0.6
 """A wall is as thick as this at most, metres."""
+COLUMN = 1.2
+"""What is built inside a room and no longer than this is a column, metres."""
 HANGING = 0.1
 """Half of this behind what hangs on a wall is the wall, metres."""
 
@@ -47,7 +49,7 @@ def find_near_walls(scene: Scene, level: str, towards: tuple[float, float, float
 
     A strip is what a room sweeps when it is moved towards the eye by the thickness of a wall, less
     all rooms; where another room lies before it the wall is one between rooms. Sides of a room that
-    run along the view are left alone.
+    run along the view are left alone, and so are columns.
     """
     rooms = [_floor(space) for space in scene.spaces if space.level == level]
     if not rooms:
@@ -72,7 +74,9 @@ def _solid(shape: Geometry) -> Geometry:
 
 
 def _floor(space: Space) -> Polygon:
-    return Polygon(space.outline, space.holes).buffer(0)
+    """The floor of a room and its columns, which hide little and are not lowered."""
+    walls = [hole for hole in space.holes if np.ptp(np.asarray(hole), axis=0).max() > COLUMN]
+    return Polygon(space.outline, walls).buffer(0)
 
 
 def _sweep(room: Geometry, step: tuple[float, float]) -> Geometry:

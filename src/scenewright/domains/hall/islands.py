@@ -32,6 +32,11 @@ RINGS = ("radiation", "circulation")
 """Patterns on a round carpet."""
 LEAST = 3.0
 """Square metres of a carpet, at least."""
+HOLE, FULL, ROUND = 12.0, 0.7, 40
+"""Square metres of a hole in a carpet that is filled, the share of its rectangle from which on a
+carpet is one, and corners of a carpet that is round."""
+COLUMN = 1.5
+"""Square metres of a column at most: carpets lie close around it."""
 PILE = 0.008
 SPOT = Size(0.3, 0.3, 0.14)
 MOST_SPOTS = 400
@@ -68,11 +73,12 @@ def _lay_carpet(
         return None
     whole = shapely.union_all([_surround(some, name in RINGS) for name, some in standing])
     joined = _close(whole, APART / 2).simplify(0.05)
-    floor = shapely.Polygon(zone.outline, zone.holes)
+    holes = [hole for hole in zone.holes if shapely.Polygon(hole).area > COLUMN]
+    floor = shapely.Polygon(zone.outline, holes)
     if floor.area < LEAST:
         return None
     floor = floor.buffer(-SEAM, join_style="mitre")
-    parts = [p for p in polygons(joined.intersection(floor)) if p.area >= LEAST]
+    parts = [p for p in polygons(_plain(joined).intersection(floor)) if p.area >= LEAST]
     colour = CARPETS[number % len(CARPETS)]
     name = f"{zone.space}/{zone.id}/carpet"
     rings = tuple(map(_rings, parts))
@@ -89,6 +95,21 @@ def _surround(held: tuple[Piece, ...], ring: bool) -> Geometry:
         return shapely.Point(middle).buffer(float(far) + 0.5 * BEYOND, quad_segs=16)
     boxes[:, 3:] += 2 * BEYOND
     return _close(shapely.union_all(shapely.polygons(corners(boxes))), APART / 2)
+
+
+def _plain(shape: Geometry) -> Geometry:
+    """A shape without small holes, each part filled up to a rectangle where that is little more."""
+    whole = []
+    for part in polygons(shape):
+        holes = [ring for ring in part.interiors if shapely.Polygon(ring).area > HOLE]
+        plain = shapely.Polygon(part.exterior, holes)
+        round_ = shapely.minimum_rotated_rectangle(plain)
+        whole.append(
+            round_
+            if len(part.exterior.coords) < ROUND and plain.area >= FULL * round_.area
+            else plain
+        )
+    return shapely.union_all(whole)
 
 
 def _close(shape: Geometry, by: float) -> Geometry:

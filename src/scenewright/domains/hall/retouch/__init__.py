@@ -18,7 +18,13 @@ from scenewright.domains.hall.retouch.columns import (
     propose_pitches,
     stand_in_aisles,
 )
-from scenewright.domains.hall.retouch.desks import desks_adrift, mind_order, propose_desks
+from scenewright.domains.hall.retouch.desks import (
+    desks_adrift,
+    first_desks,
+    mind_order,
+    other_desks,
+    propose_desks,
+)
 from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
 from scenewright.domains.hall.retouch.seats import propose_rows, sit_too_near
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
@@ -56,7 +62,8 @@ RETOUCHES: dict[str, Retouch] = {
     "columns": Retouch(find_columns, stand_in_aisles, propose_pitches, forgive_columns),
     "seats": Retouch(_whole, sit_too_near, propose_rows),
     "rings": Retouch(_whole, rings_off, propose_rings),
-    "desks": Retouch(_whole, desks_adrift, propose_desks, mind_order),
+    "desks": Retouch(first_desks, desks_adrift, propose_desks, mind_order),
+    "counters": Retouch(other_desks, desks_adrift, propose_desks),
 }
 """In the order in which they are made."""
 

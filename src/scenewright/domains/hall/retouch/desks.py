@@ -1,26 +1,32 @@
-"""Desks at which visitors arrive: at a wall near the entrance, beside the way in, not across it."""
+"""Desks at which visitors arrive or pay: at a wall near the entrance, beside the way in, not across
+it; counters of one group side by side."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 import shapely
 
 from scenewright.core.layout import corners
-from scenewright.domains.hall.patterns import SINGLE
+from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.table import ORDER
-from scenewright.domains.hall.terms.visitors import FIRST
+from scenewright.domains.hall.terms.visitors import FIRST, LANE, TILL
 
 STEP, PROPOSED = 0.4, 200
 """Metres between two places that are tried along a wall, and how many of them at most."""
 BEHIND, STAFF = 0.3, 0.9
 """Metres that a back or side may be farther from a wall than who serves needs, and what they need
 at least."""
-FAR, TOO_FAR = 3.0, 0.4
-"""Metres from the entrance that are near enough, and what each beyond counts."""
+FAR, TOO_FAR, LITTLE = 3.0, 0.4, 0.05
+"""Metres from the entrance that are near enough, and what each beyond counts: of a desk one comes
+to first, and of others."""
+INSIDE = 0.6
+"""How far inside the bounds of its zone a door may lie, in metres."""
 WAY, WIDE, QUEUE = 6.0, 1.2, 1.5
 """Length and half width of the way in that stays free, and depth of the queue, in metres."""
 WAITING = 0.3
@@ -30,30 +36,85 @@ BACK_TO = 1.5
 FIRST_OF_ALL = 12.0
 """What it costs beside the energy that others lie a metre nearer to the entrance."""
 LONGEST, LINES = 4.0, 24
+MOST, PARTED = 6, 2.0
+"""Desks that one row holds at most, and metres that each further row of a group counts."""
+BACK = 2
+"""The column of ``access`` that says whether one comes up to a back."""
 
 
-def find_desks(problem: HallProblem, kept: Kept) -> list[int]:
-    """The units that are one desk each to come to first; none without an entrance."""
-    roles, spans = problem.visitors.roles, problem.units.spans
+class Desks(NamedTuple):
+    """Which desks of a problem are seen to: those ``first`` of all, one each in the zone of the
+    entrance, or all others."""
+
+    problem: HallProblem
+    first: bool
+
+
+def first_desks(problem: HallProblem) -> Desks:
+    """The desks visitors come to first."""
+    return Desks(problem, first=True)
+
+
+def other_desks(problem: HallProblem) -> Desks:
+    """Counters and tills in rows or away from the entrance."""
+    return Desks(problem, first=False)
+
+
+def find_desks(desks: Desks, kept: Kept) -> list[int]:
+    """The units served from behind that visitors come to first or last, one desk each or a few in
+    a row, but for tills in lanes; none without an entrance."""
+    problem = desks.problem
+    roles, units = problem.visitors.roles, problem.units
     if not len(problem.visitors.inward) or not len(problem.visitors.entrances):
         return []
     return [
         unit
-        for unit in range(len(spans))
-        if int(roles[unit]) & FIRST
-        and spans[unit, 1] - spans[unit, 0] == 1
-        and int(kept.rows[unit, 0]) == SINGLE
-        and problem.units.targets[unit] < 0
+        for unit, (first, last) in enumerate(units.spans)
+        if int(roles[unit]) & (FIRST | TILL)
+        and not int(roles[unit]) & LANE
+        and last - first <= MOST
+        and int(kept.rows[unit, 0]) in (SINGLE, CHAIN)
+        and units.targets[unit] < 0
+        and not units.access[first, BACK]
+        and desks.first == (last - first == 1 and _is_at_door(problem, unit))
     ]
 
 
-def desks_adrift(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
-    """The faults of all desks, in metres, of boxes (n, 5)."""
-    rows = [int(problem.units.spans[unit, 0]) for unit in find_desks(problem, kept)]
-    return sum(measure_desk(problem, boxes[row], row) for row in rows)
+def _is_at_door(problem: HallProblem, unit: int) -> bool:
+    """Whether a unit visitors come to first stands in the zone of the entrance."""
+    x0, y0, x1, y1 = problem.ground.zone_bounds[problem.units.zones[unit]]
+    x, y = problem.visitors.entrances[0]
+    inside = x0 - INSIDE <= x <= x1 + INSIDE and y0 - INSIDE <= y <= y1 + INSIDE
+    return bool(inside and int(problem.visitors.roles[unit]) & FIRST)
 
 
-def measure_desk(problem: HallProblem, box: Floats, row: int) -> float:
+def desks_adrift(desks: Desks, kept: Kept, boxes: Floats) -> float:
+    """The faults of all desks, in metres, of boxes (n, 5); of several rows of one group, each but
+    the first counts as well."""
+    whole = ((unit, _whole(desks.problem, boxes, unit)) for unit in find_desks(desks, kept))
+    return sum(_fault(desks, kept, unit, box) for unit, box in whole)
+
+
+def _fault(desks: Desks, kept: Kept, unit: int, box: Floats) -> float:
+    """The fault of the desks of one unit in a ``box`` (5,) round them, in metres."""
+    row, rows = int(desks.problem.units.spans[unit, 0]), int(kept.rows[unit, 1])
+    parted = PARTED * (rows - 1) if int(kept.rows[unit, 0]) == CHAIN else 0.0
+    far = TOO_FAR if desks.first else LITTLE
+    return measure_desk(desks.problem, box, row, far) + parted
+
+
+def _whole(problem: HallProblem, boxes: Floats, unit: int) -> Floats:
+    """The box (5,) round the objects of a unit, its front that of the first."""
+    mine = boxes[slice(*problem.units.spans[unit])]
+    heading = float(mine[0, 2])
+    ahead = np.array([np.cos(heading), np.sin(heading)])
+    axes = np.array([(ahead[1], -ahead[0]), ahead])
+    seen = corners(mine).reshape(-1, 2) @ axes.T
+    low, high = seen.min(0), seen.max(0)
+    return np.array([*(0.5 * (low + high) @ axes), heading, *(high - low)])
+
+
+def measure_desk(problem: HallProblem, box: Floats, row: int, too_far: float = TOO_FAR) -> float:
     """How far a desk (5,) is from where one looks for it: metres its back is off a wall beyond what
     who serves needs, how far it is from the entrance, how much of it and its queue lies on the way
     in, and whether it turns its back to who comes in."""
@@ -72,7 +133,7 @@ def measure_desk(problem: HallProblem, box: Floats, row: int) -> float:
     way = np.array([*middle, ahead, 2 * WIDE, WAY])
     desk, waiting, free = shapely.polygons(corners(np.stack([box, queue, way])))
     across = float(desk.intersection(free).area + WAITING * waiting.intersection(free).area)
-    return min(adrift, LONGEST) + TOO_FAR * max(far - FAR, 0.0) + across + turned
+    return min(adrift, LONGEST) + too_far * max(far - FAR, 0.0) + across + turned
 
 
 def _far(problem: HallProblem, point: Floats) -> float:
@@ -87,7 +148,7 @@ def _far(problem: HallProblem, point: Floats) -> float:
 
 
 def mind_order(
-    problem: HallProblem,  # noqa: ARG001
+    desks: Desks,  # noqa: ARG001
     kept: Kept,  # noqa: ARG001
     boxes: Floats,  # noqa: ARG001
     p: PreparedHall,  # noqa: ARG001
@@ -98,25 +159,39 @@ def mind_order(
     return -FIRST_OF_ALL * float(s.costs[ORDER, 0])
 
 
-def propose_desks(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
-    """Layouts with one desk each at a wall of its zone, the best places first."""
-    for unit in find_desks(problem, kept):
+def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
+    """Layouts with the desks of one group in a row at a wall of its zone, the best places first."""
+    problem, far = desks.problem, TOO_FAR if desks.first else LITTLE
+    for unit in find_desks(desks, kept):
         row = int(problem.units.spans[unit, 0])
-        places = _places(problem, boxes, row, int(problem.units.zones[unit]))
-        faults = np.array([measure_desk(problem, box, row) for box in places])
-        now = measure_desk(problem, boxes[row], row)
+        places = _places(problem, boxes, unit)
+        faults = np.array([measure_desk(problem, box, row, far) for box in places])
+        now = _fault(desks, kept, unit, _whole(problem, boxes, unit))
         for number in np.argsort(faults, kind="stable")[:PROPOSED]:
             if faults[number] < now:
-                pose = kept.pose.copy()
-                pose[unit, :3] = places[number, :3]
-                yield kept._replace(pose=pose)
+                yield _in_a_row(problem, kept, unit, places[number])
 
 
-def _places(problem: HallProblem, boxes: Floats, row: int, zone: int) -> Floats:
-    """Boxes (n, 5) of a desk along the walls of its zone, with room behind it to serve, and with
-    its side at them: at even steps, and in line with the middles of other ``boxes`` (n, 5)."""
-    staff, box = max(float(problem.units.clear[row, 2]), STAFF), boxes[row]
-    others = np.delete(boxes[:, :2], row, axis=0)
+def _in_a_row(problem: HallProblem, kept: Kept, unit: int, place: Floats) -> Kept:
+    """The layout with a unit side by side at a place (5,)."""
+    pose, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
+    pose[unit, :3] = place[:3]
+    counts = np.diff(problem.units.spans, axis=1)[:, 0]
+    if counts[unit] > 1:
+        layers[int(capacity(counts)[:unit].sum())] = (float(counts[unit]), 0.0, 0.0, CHAIN, 0.0)
+        rows[unit] = (CHAIN, 1)
+    return kept._replace(pose=pose, layers=layers, rows=rows)
+
+
+def _places(problem: HallProblem, boxes: Floats, unit: int) -> Floats:
+    """Boxes (n, 5) of the desks of a unit in a row along the walls of their zone, with room behind
+    them to serve, and with their side at them: at even steps, and in line with the middles of
+    other ``boxes`` (n, 5)."""
+    first, last = (int(row) for row in problem.units.spans[unit])
+    zone, sizes = int(problem.units.zones[unit]), problem.units.sizes[first:last]
+    staff = max(float(problem.units.clear[first, 2]), STAFF)
+    box = np.array([0.0, 0.0, 0.0, sizes[:, 0].sum(), sizes[:, 1].max()])
+    others = np.delete(boxes[:, :2], np.arange(first, last), axis=0)
     found = [np.zeros((0, 5))]
     for x0, y0, x1, y1 in problem.ground.stretches[problem.ground.stretches[:, 4] == zone, :4]:
         length = float(np.hypot(x1 - x0, y1 - y0))
