@@ -218,13 +218,6 @@ def fill_grid(edges: Floats, obstacles: Floats, doors: Floats, grid: RouteGrid) 
         sweep_box(grid.free, grid, read_frame(obstacles, k), grid.radius, CLEAR)
 
 
-@compiled
-def clear_boxes(bits: Bits, grid: RouteGrid, boxes: Floats) -> None:
-    """Clear of ``bits`` (h, k) the cells that things in the way take, ``boxes`` (n, 8) frames."""
-    for k in range(boxes.shape[0]):
-        sweep_box(bits, grid, read_frame(boxes, k), grid.radius, CLEAR)
-
-
 def make_grid(
     edges: Floats, obstacles: Floats, doors: Floats, bounds: Floats, cell: float, width: float
 ) -> RouteGrid:

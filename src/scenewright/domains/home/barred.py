@@ -31,7 +31,6 @@ Shape = Any  # a shapely geometry
 Reach = Callable[[tuple[int, ...]], Shape]
 
 SIDEWAYS = 0.2  # the radius of a person turned sideways, metres
-ENTERED = 0.1  # how far inside a room the middle of the route has to come, metres
 TRIED = 12  # pieces taken away on trial, those nearest to the gap
 
 
@@ -101,7 +100,7 @@ def _room_target(walked: FloorWalk, space: Space) -> BarredRegion | None:
 def _is_tight(walked: FloorWalk, room: str) -> bool:
     """Nowhere as wide as two routes, or closed to the route by its own doorway while empty."""
     floor = walked.floor
-    return room in floor.narrow or not walked.empty.intersects(floor.rooms[room].buffer(-ENTERED))
+    return room in floor.narrow or not walked.empty.intersects(floor.inner[room])
 
 
 def _missed_pieces(

@@ -29,6 +29,7 @@ SLACK = 0.01  # what a doorway reaches into its rooms, metres
 HEAD_HEIGHT = 2.0  # what begins above is in nobody's way, metres
 FLATTEST = 0.05  # what lies flat and is no thicker is walked on, metres
 UNSEEN = 1e-3  # of another room this much may be taken unseen, square metres
+ENTERED = 0.1  # how far inside a room the middle of the route has to come, metres
 SOFT = ("curtain", "blind")
 
 
@@ -36,8 +37,8 @@ class HomeFloor(NamedTuple):
     """Rooms joined by doors: the floor of each by id, the same with its doorways, all of it where
     there is room for the shoulders, the part of it too ``low`` for the head, and the points one
     comes in by (none: not known). For discs of ``radius`` metres: where their middle may be while
-    all is empty (``clear``), and which rooms are nowhere as wide as two of them side by side
-    (``narrow``)."""
+    all is empty (``clear``), which rooms are nowhere as wide as two of them side by side
+    (``narrow``), and the floor of each farther than :data:`ENTERED` from its walls (``inner``)."""
 
     rooms: Mapping[str, Shape]
     within: Mapping[str, Shape]
@@ -47,6 +48,7 @@ class HomeFloor(NamedTuple):
     radius: float
     clear: Shape
     narrow: frozenset[str]
+    inner: Mapping[str, Shape]
 
 
 class Obstacle(NamedTuple):
@@ -126,6 +128,7 @@ def _join(
         width / 2,
         erode(whole, (), low, width / 2),
         frozenset(name for name in mine if _is_narrow(rooms[name], 2 * width)),
+        {name: rooms[name].buffer(-ENTERED) for name in mine},
     )
 
 

@@ -13,12 +13,13 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.domains.home.problem import Ground, KnownGround
-from scenewright.geometry.boxes import frames_of, read_frame
-from scenewright.geometry.compiled import compiled
-from scenewright.geometry.flood import Bits, flood
-from scenewright.geometry.paths import LOOK, RouteGrid, clear_boxes, make_grid, sweep_box
+from scenewright.geometry.boxes import Frame, frames_of, make_frame
+from scenewright.geometry.compiled import compiled, inlined
+from scenewright.geometry.flood import NONE, Bits, flood
+from scenewright.geometry.paths import CLEAR, LOOK, RouteGrid, make_grid, sweep_box
 
 Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 
 CELL = 0.04
 REACH = 0.2  # how far a hand gets beyond the route's edge, metres
@@ -73,13 +74,15 @@ def list_walked(
 
 def walk(
     ground: Ground, walked: Walked, width: float, entered: tuple[int, ...] = ()
-) -> tuple[set[str], NDArray[np.bool_]]:
+) -> tuple[set[str], Flags]:
     """The owners none of whose zones is reached, and which doors are joined to the first."""
     grid = _empty_grid(KnownGround(ground), width)
-    grid = grid._replace(free=grid.free.copy())
-    clear_boxes(grid.free, grid, frames_of(walked.solid))
-    reached, joined = _reach(grid, walked.zones, entered)
-    near = {name for name, seen in zip(walked.owner, reached, strict=True) if seen}
+    come_in = np.zeros(len(grid.doors), bool)
+    come_in[list(entered)] = True
+    cells = np.empty((4, *grid.free.shape), np.uint64)
+    joined, found = np.empty(len(grid.doors), bool), np.empty(len(walked.zones), bool)
+    walk_cells(grid, walked.solid, walked.zones, come_in, cells, joined, found)
+    near = {name for name, seen in zip(walked.owner, found, strict=True) if seen}
     return set(walked.owner) - near, joined
 
 
@@ -92,45 +95,85 @@ def _empty_grid(known: KnownGround, width: float) -> RouteGrid:
     return make_grid(ground.edges, solid, frames_of(ground.doors), ground.bounds, CELL, width)
 
 
-def _reach(
-    grid: RouteGrid, zones: Floats, entered: tuple[int, ...]
-) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Which of the boxes ``zones`` (k, 5) a route reaches on a grid from any door, or any of those
-    ``entered`` by, and which of the doors are joined to the first."""
-    first = grid.doors[0] & grid.free
-    flood(first, grid.free)
-    joined = (grid.doors & first).any(axis=(1, 2))
-    come_in = np.zeros(len(grid.doors), bool)
-    come_in[list(entered)] = True
-    reached = _flood(grid, first, joined, come_in)
-    if not reached.any():
-        reached = _flood(grid, first, joined, np.ones(len(grid.doors), bool))
-    found = np.zeros(len(zones), bool)
-    mark_touched(reached, grid, frames_of(zones), found)
-    return found, joined
-
-
-def _flood(
-    grid: RouteGrid, first: Bits, joined: NDArray[np.bool_], come_in: NDArray[np.bool_]
-) -> Bits:
-    """The cells reached from some of the doors; ``first`` are those from the first, which some are
-    ``joined`` to."""
-    reached = first.copy() if (joined & come_in).any() else np.zeros_like(first)
-    for k in np.flatnonzero(~joined & come_in):
-        more = grid.doors[k] & grid.free
-        flood(more, grid.free)
-        reached |= more
-    return reached
-
-
 @compiled
-def mark_touched(reached: Bits, grid: RouteGrid, zones: Floats, found: NDArray[np.bool_]) -> None:
-    """Write into ``found`` whether a reached cell lies in each of the zones (frames).
+def walk_cells(
+    grid: RouteGrid,
+    solid: Floats,
+    zones: Floats,
+    come_in: Flags,
+    cells: NDArray[np.uint64],
+    joined: Flags,
+    found: Flags,
+) -> None:
+    """Write which of the boxes ``zones`` (k, 5) a route reaches that has come in by any of the
+    doors (d,) said to ``come_in``, by any door if by none of these, into ``found`` (k,), and which
+    of the doors are ``joined`` (d,) to the first; ``solid`` (n, 5) stands in the way. ``cells``
+    (4, h, k) is scratch."""
+    free, first, reached, more = cells[0], cells[1], cells[2], cells[3]
+    for row in range(free.shape[0]):
+        for word in range(free.shape[1]):
+            free[row, word] = grid.free[row, word]
+    for k in range(solid.shape[0]):
+        sweep_box(free, grid, _frame(solid, k), grid.radius, CLEAR)
+    _flood_from(grid.doors[0], free, first)
+    for k in range(joined.shape[0]):
+        joined[k] = _meet(grid.doors[k], first)
+    if not _flood_doors(grid, come_in, False, joined, free, first, reached, more):
+        _flood_doors(grid, come_in, True, joined, free, first, reached, more)
+    for k in range(found.shape[0]):
+        found[k] = sweep_box(reached, grid, _frame(zones, k), 0.0, LOOK)
 
-    ``zones`` (k, 8), ``found`` (k,).
-    """
-    for k in range(zones.shape[0]):
-        found[k] = sweep_box(reached, grid, read_frame(zones, k), 0.0, LOOK)
+
+@inlined
+def _frame(boxes: Floats, k: int) -> Frame:
+    return make_frame(boxes[k, 0], boxes[k, 1], boxes[k, 2], boxes[k, 3], boxes[k, 4])
+
+
+@inlined
+def _flood_from(door: Bits, free: Bits, into: Bits) -> None:
+    """Write the cells reached from those of one door."""
+    for row in range(free.shape[0]):
+        for word in range(free.shape[1]):
+            into[row, word] = door[row, word] & free[row, word]
+    flood(into, free)
+
+
+@inlined
+def _meet(some: Bits, others: Bits) -> bool:
+    """Whether some cell is among both."""
+    met = NONE
+    for row in range(some.shape[0]):
+        for word in range(some.shape[1]):
+            met |= some[row, word] & others[row, word]
+    return met != NONE
+
+
+@inlined
+def _flood_doors(
+    grid: RouteGrid,
+    come_in: Flags,
+    every: bool,
+    joined: Flags,
+    free: Bits,
+    first: Bits,
+    reached: Bits,
+    more: Bits,
+) -> bool:
+    """Write the cells ``reached`` from the doors one may ``come_in`` by, or from ``every`` one;
+    whether there are any. ``first`` are those from the first, which some are ``joined`` to."""
+    by_first = False
+    for k in range(joined.shape[0]):
+        by_first |= joined[k] and (every or come_in[k])
+    for row in range(free.shape[0]):
+        for word in range(free.shape[1]):
+            reached[row, word] = first[row, word] if by_first else NONE
+    for k in range(joined.shape[0]):
+        if not joined[k] and (every or come_in[k]):
+            _flood_from(grid.doors[k], free, more)
+            for row in range(free.shape[0]):
+                for word in range(free.shape[1]):
+                    reached[row, word] |= more[row, word]
+    return _meet(reached, reached)
 
 
 def _stands(piece: Piece, catalog: Catalog) -> bool:

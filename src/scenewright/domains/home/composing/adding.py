@@ -15,7 +15,8 @@ from scenewright.domains.home.attempt import (
 )
 from scenewright.domains.home.composing.additions import forms_to_add, is_wanted, list_additions
 from scenewright.domains.home.composing.judging import Placed, judge_of
-from scenewright.domains.home.composing.moving import make_unplaced, try_forms, with_margin
+from scenewright.domains.home.composing.moving import make_unplaced, with_margin
+from scenewright.domains.home.composing.trials import try_forms
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.programme import WELCOME, Wish
 

@@ -29,8 +29,9 @@ from scenewright.domains.home.composing.kitchens.reform import (
     may_reform,
     parts_of,
 )
-from scenewright.domains.home.composing.moving import take_best, try_forms, with_margin
+from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
+from scenewright.domains.home.composing.trials import take_best, try_forms
 
 Judges = Callable[[int], RoomJudge]
 """The judge of the first so many groups of a room."""
@@ -157,8 +158,8 @@ def follow(
             return None
         whole, at = (*best.placed, other), len(best.placed)
         forms = list_forms(task, other)
-        found = try_forms(judges(at + 1), whole, at, forms, rule.other_forms)
-        open_ = (j for j in found[: rule.places] if barred >= set(find_blocked(wide, j.placed)))
+        found = islice(try_forms(judges(at + 1), whole, at, forms, rule.other_forms), rule.places)
+        open_ = (j for j in found if barred >= set(find_blocked(wide, j.placed)))
         following = next(open_, None)
         if following is None:
             return None

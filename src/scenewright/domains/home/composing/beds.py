@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from heapq import merge
 from itertools import islice
 from math import inf
 
@@ -15,7 +16,8 @@ from scenewright.domains.home.composing.anew import (
 )
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, judge_of
-from scenewright.domains.home.composing.moving import make_unplaced, take_best, try_forms
+from scenewright.domains.home.composing.moving import make_unplaced
+from scenewright.domains.home.composing.trials import take_first, try_forms
 from scenewright.domains.home.programme import BEDS, resolve_bedrooms
 
 DOUBLE, SINGLE = "sleeping", "single"
@@ -38,7 +40,8 @@ def restore_double_bed(task: RoomTask, best: JudgedRoom, barred: frozenset[str])
     others = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
     judges, starts = judge_in_order(task, (bed, *others)), list_starts(task, bed, barred)
     anew = (follow(task, judges, start, others, barred, inf) for start in starts)
-    better = take_best(task, worth, [*found, *paired, *(room for room in anew if room)], barred)
+    laid = sorted([*paired, *(room for room in anew if room)], key=lambda j: j.cost)
+    better = take_first(task, worth, merge(found, laid, key=lambda j: j.cost), barred)
     return best if better is worth else better
 
 

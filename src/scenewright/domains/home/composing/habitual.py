@@ -12,7 +12,7 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTas
 from scenewright.domains.home.build_problem import select_allowed
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.judging import Placed, judge_of, share_of
-from scenewright.domains.home.composing.moving import take_best, try_forms
+from scenewright.domains.home.composing.trials import take_first, try_forms
 from scenewright.domains.home.learned.density import footing
 
 
@@ -27,7 +27,7 @@ def keep_habits(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> R
             if not task.cancelled():
                 forms = _list_forms(task, best.placed, best.placed[at])
                 found = try_forms(judge, best.placed, at, forms, len(forms))
-                best = take_best(task, best, found, barred)
+                best = take_first(task, best, found, barred)
         if best.cost > before - rule.least:
             break
     return answer._replace(placed=best.placed)

@@ -8,6 +8,8 @@ stays if it costs less, counting energy and faults (:mod:`.placed_faults`), and 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.anew import compose_anew
@@ -23,13 +25,14 @@ from scenewright.domains.home.composing.judging import (
 )
 from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
 from scenewright.domains.home.composing.lounges import gather_seats
-from scenewright.domains.home.composing.moving import take_best, try_forms, with_margin
+from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_group,
     cost_of_hearth,
     cost_of_screen,
     cost_of_shelves,
 )
+from scenewright.domains.home.composing.trials import take_first, try_forms
 
 
 def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
@@ -100,7 +103,7 @@ def _improve(judge: RoomJudge, best: JudgedRoom, name: str, barred: frozenset[st
     rule = judge.task.preset.settings.composing
     most = best.cost - rule.least
     found = _elsewhere(judge, best.placed, _number_of(best.placed, name), rule.forms, most)
-    return take_best(judge.task, best, found, barred)
+    return take_first(judge.task, best, found, barred)
 
 
 def _number_of(placed: Placed, name: str) -> int:
@@ -109,7 +112,7 @@ def _number_of(placed: Placed, name: str) -> int:
 
 def _elsewhere(
     judge: RoomJudge, placed: Placed, at: int, forms: int, most: float
-) -> list[JudgedRoom]:
+) -> Iterator[JudgedRoom]:
     """The groups with one of them in its better forms wherever along the walls it stands free, the
     cheapest first; of those that cost over ``most`` not all."""
     return try_forms(judge, placed, at, list_forms(judge.task, placed[at]), forms, most)

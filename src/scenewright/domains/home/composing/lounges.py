@@ -21,7 +21,8 @@ from scenewright.domains.home.composing.anew import follow, judge_in_order
 from scenewright.domains.home.composing.case_faults import MANY, count_seats
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, sum_faults
-from scenewright.domains.home.composing.moving import dress_group, find_places, take_best
+from scenewright.domains.home.composing.moving import dress_group, find_places
+from scenewright.domains.home.composing.trials import take_best
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import RAISED

@@ -3,27 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from itertools import count, islice
-from math import hypot, inf, isnan, nan
+from itertools import count
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
-from scenewright.domains.home.composing.forms import cost_of_case
-from scenewright.domains.home.composing.judging import (
-    RUNS,
-    JudgedRoom,
-    Placed,
-    RoomJudge,
-    cost_each,
-)
-from scenewright.domains.home.composing.placed_faults import are_adrift
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.composing.judging import RUNS, Placed
 from scenewright.domains.home.composing.stretches import Reach, longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
-from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import RAISED
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.wall_places import WallRows, free_boxes, read_walls, stand_free
@@ -45,43 +36,6 @@ def with_margin(task: RoomTask) -> RoomTask:
     """The task with ways so much wider that an exact walk finds what the grid finds."""
     more = task.preset.settings.composing.wider
     return task._replace(route_width=task.route_width + more, use_width=task.use_width + more)
-
-
-def take_best(
-    task: RoomTask, best: JudgedRoom, found: list[JudgedRoom], barred: frozenset[str]
-) -> JudgedRoom:
-    """The cheapest of those found that cost less than the best and bar no way."""
-    for judged in sorted(found, key=lambda j: j.cost):
-        if judged.cost > best.cost - task.preset.settings.composing.least:
-            break
-        if barred.issuperset(find_blocked(with_margin(task), judged.placed)):
-            return judged
-    return best
-
-
-def try_forms(
-    judge: RoomJudge, placed: Placed, at: int, cases: Iterable[Group], forms: int, most: float = inf
-) -> list[JudgedRoom]:
-    """The groups with one of them in the first so many ``forms`` of which some place is free; of
-    those that would cost over ``most`` not all."""
-    task, group = judge.task, placed[at]
-    rest = (p for i, p in enumerate(placed) if i != at)
-    others = (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces))
-    standing = standing_of(others, flat_kinds(task.catalog))
-    tried = find_places(task, cases, standing, group)
-    known = tuple(nan if i == at else c for i, c in enumerate(cost_each(task, placed)))
-    least = sum(c for c in known if not isnan(c))
-    found = []
-    for case, free in islice(tried, forms):
-        own = cost_of_case(case, task.ground.area, task.preset.settings.composing)
-        for box, energy in _least_cost(judge, case, free, placed, at):
-            if least + own + task.costs.energy * energy > most + HAIR:
-                continue
-            dressed = dress_group(task, group, case, box, standing)
-            if dressed is not None:
-                whole = (*placed[:at], dressed, *placed[at + 1 :])
-                found.append(judge.cost_of(whole, known, energy))
-    return sorted(found, key=lambda j: j.cost)
 
 
 def find_places(
@@ -149,36 +103,6 @@ def _free(task: RoomTask, case: Group, standing: StandingObstacles, walls: WallR
         return free
     gaps = np.array([side_gaps(box, task.ground.walls) for box in free])
     return free[gaps[:, int(side > 0.0)] < BACKED]
-
-
-def _least_cost(
-    judge: RoomJudge, case: Group, free: Floats, placed: Placed, at: int
-) -> Iterator[tuple[Floats, float]]:
-    """Of the boxes ``(n, 5)`` for one group those at which the whole room costs least, each with
-    the room's energy; of neighbours only one: where one bars a way, the other most often does."""
-    layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(free), axis=0)
-    layouts[:, at] = free
-    rule, energies = judge.task.preset.settings.composing, judge.energies_of(layouts)
-    costs = judge.task.costs.energy * energies
-    if case.function == "single":
-        costs += rule.costs.adrift * are_adrift(case, free, judge.task.ground.walls)
-    order = np.argsort(costs, kind="stable")
-    for k in _pick_apart(free[order], rule.places, rule.apart):
-        yield free[order[k]], float(energies[order[k]])
-
-
-def _pick_apart(boxes: Floats, most: int, apart: float) -> list[int]:
-    """The first ``most`` of boxes ``(n, 5)`` that are ``apart`` metres from one another, or turned
-    otherwise."""
-    kept: list[int] = []
-    near: list[list[float]] = []
-    for i, (x, y, turn) in enumerate(boxes[:, :3].tolist()):
-        if all(hypot(x - a, y - b) >= apart or abs(turn - c) > 0.1 for a, b, c in near):
-            kept.append(i)
-            near.append([x, y, turn])
-            if len(kept) == most:
-                break
-    return kept
 
 
 def dress_group(

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import islice, product, takewhile, zip_longest
-from math import hypot
 from typing import NamedTuple
 
 import numpy as np
@@ -75,12 +74,13 @@ def _furnish_pairs(
     judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float
 ) -> Iterator[JudgedRoom]:
     """Pairs of places with their furniture, the cheapest first, of like ones only the first."""
-    task, seen = judge.task, list[list[list[float]]]()
-    flat = flat_kinds(task.catalog)
+    task, flat = judge.task, flat_kinds(judge.task.catalog)
     empty = standing_of((*task.fixed, *task.beside), flat)
-    for found in takewhile(lambda p: p.cost < most, _list_pairs(judge, pair, most)):
-        here = found.boxes[:, :3].tolist()
-        if any(_are_alike(here, other) for other in seen):
+    listed = list(takewhile(lambda p: p.cost < most, _list_pairs(judge, pair, most)))
+    poses = np.array([found.boxes[:, :3] for found in listed]).reshape(-1, 2, 3)
+    alike = np.zeros(len(listed), bool)
+    for k, found in enumerate(listed):
+        if alike[k]:
             continue
         one = dress_group(task, pair[0], found.cases[0], found.boxes[0], empty)
         if one is None:
@@ -88,16 +88,16 @@ def _furnish_pairs(
         beside = join_standing(empty, standing_of(one.pieces, flat))
         other = dress_group(task, pair[1], found.cases[1], found.boxes[1], beside)
         if other is not None:
-            seen.append(here)
+            alike |= _are_alike(poses, poses[k])
             yield judge.cost_of((one, other))
 
 
-def _are_alike(one: list[list[float]], other: list[list[float]]) -> bool:
-    """Whether both boxes of a pair (x, y, heading) are nearly where those of another are."""
-    for (x, y, turn), (u, v, way) in zip(one, other, strict=True):
-        if abs(x - u) >= NEAR or hypot(x - u, y - v) >= NEAR or abs(turn - way) >= 0.1:
-            return False
-    return True
+def _are_alike(poses: Floats, one: Floats) -> NDArray[np.bool_]:
+    """Of pairs of boxes (n, 2, 3: x, y, heading) those with both nearly where ``one`` (2, 3) has
+    them."""
+    off = np.abs(poses - one)
+    near = (np.hypot(off[..., 0], off[..., 1]) < NEAR) & (off[..., 2] < 0.1)
+    return near[:, 0] & near[:, 1]
 
 
 def _list_pairs(

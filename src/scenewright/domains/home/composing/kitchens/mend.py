@@ -32,8 +32,9 @@ from scenewright.domains.home.composing.judging import (
     sum_faults,
 )
 from scenewright.domains.home.composing.kitchens.reform import list_fitted, may_reform, parts_of
-from scenewright.domains.home.composing.moving import make_unplaced, try_forms, with_margin
+from scenewright.domains.home.composing.moving import make_unplaced, with_margin
 from scenewright.domains.home.composing.placed_faults import list_standing
+from scenewright.domains.home.composing.trials import try_forms
 from scenewright.domains.home.groups.fitted_kitchen import FittedKitchen, width_of
 from scenewright.domains.home.programme import WELCOME, is_essential
 from scenewright.domains.home.second_try import Opened
@@ -163,8 +164,8 @@ def _set_beside(
 ) -> JudgedRoom | None:
     """One more group beside those placed; None where it would bar a way."""
     whole, forms = (*placed, other), list_forms(task, other)
-    tried = try_forms(judge_of(task, whole), whole, len(placed), forms, FORMS)
-    open_ = (j for j in tried[:PLACES] if barred >= set(find_blocked(task, j.placed)))
+    tried = islice(try_forms(judge_of(task, whole), whole, len(placed), forms, FORMS), PLACES)
+    open_ = (j for j in tried if barred >= set(find_blocked(task, j.placed)))
     return next(open_, None)
 
 

@@ -18,8 +18,9 @@ from scenewright.domains.home.composing.kitchens.fitted import (
 from scenewright.domains.home.composing.kitchens.foreseen import foresee_cost
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
-from scenewright.domains.home.composing.moving import dress_group, take_best
+from scenewright.domains.home.composing.moving import dress_group
 from scenewright.domains.home.composing.placed_faults import cost_of_group
+from scenewright.domains.home.composing.trials import take_best
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.fitted_kitchen import (
     SLIM_FRIDGE,
