@@ -14,6 +14,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains import plan_of
+from scenewright.domains.hall import solving
 from scenewright.domains.hall.zones import zones_of
 
 
@@ -129,3 +130,23 @@ def test_counters_stand_in_one_row_with_a_wall_behind_them(seed: int) -> None:
     ]
     walls = shapely.Polygon(box(0, 0, 12, 8)).exterior
     assert min(walls.distance(shapely.Point(p)) for p in (back, *ends)) < 1.3
+
+
+def _across(seed: int) -> bool:
+    """Whether four gates of a hall stand in one row across the way in."""
+    demands = [
+        {"id": "gates", "category": "ticket_gate", "count": 4},
+        {"category": "wall_exhibit", "count": 6},
+    ]
+    room = hall(outline=box(0, 0, 14, 12), demands=demands)
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    found = scenewright.solve(brief, seed=seed, steps=3000, threads=1).pieces
+    at = [p.pose for p in found if p.function == "gates"]
+    one_row = len({round(pose.y, 3) for pose in at}) == 1
+    return one_row and all(abs(math.sin(pose.heading)) > 0.99 and pose.y < 6.1 for pose in at)
+
+
+def test_gates_stand_in_one_row_across_the_way_in(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert all(_across(seed) for seed in range(4))
+    monkeypatch.setattr(solving, "retouch_layout", lambda _, layout: layout)
+    assert not all(_across(seed) for seed in range(4))

@@ -25,6 +25,7 @@ from scenewright.domains.hall.retouch.desks import (
     other_desks,
     propose_desks,
 )
+from scenewright.domains.hall.retouch.gates import gates_adrift, propose_gates
 from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
 from scenewright.domains.hall.retouch.seats import propose_rows, sit_too_near
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
@@ -62,6 +63,7 @@ RETOUCHES: dict[str, Retouch] = {
     "columns": Retouch(find_columns, stand_in_aisles, propose_pitches, forgive_columns),
     "seats": Retouch(_whole, sit_too_near, propose_rows),
     "rings": Retouch(_whole, rings_off, propose_rings),
+    "gates": Retouch(_whole, gates_adrift, propose_gates),
     "desks": Retouch(first_desks, desks_adrift, propose_desks, mind_order),
     "counters": Retouch(other_desks, desks_adrift, propose_desks),
 }
