@@ -39,20 +39,39 @@ from scenewright.formats import read
 
 Floats = NDArray[np.float64]
 
+
+class Also(NamedTuple):
+    """A piece, and the group asked for where it stands in no group that was found (designers let
+    chairs stand where nobody could sit down), unless one of ``instead`` was; only in rooms of one
+    of the functions, if some are stated. Less than :data:`SMALL` metres high it does not count."""
+
+    piece: str
+    group: str
+    instead: tuple[str, ...]
+    rooms: tuple[str, ...] = ()
+
+
+SMALL = 0.25
 BEDS = ("sleeping", "single", "bunk")
-ALSO: tuple[tuple[str, str, tuple[str, ...]], ...] = (
-    ("double_bed", "sleeping", BEDS),
-    ("bunk_bed", "bunk", BEDS),
-    ("single_bed", "single", BEDS),
-    ("hob_cabinet", "kitchenette", ("kitchen", "kitchenette")),
-    ("tv", "media", ("media",)),
-    ("sofa", "seating", ("seating",)),
-    ("corner_sofa", "seating", ("seating",)),
-    ("dining_table", "dining_wall", ("dining", "dining_wall", "desk")),
-    ("round_table", "dining_wall", ("dining", "dining_wall", "desk")),
+DESKS = ("desk", "kids_desk")
+ALSO: tuple[Also, ...] = (
+    Also("double_bed", "sleeping", BEDS),
+    Also("bunk_bed", "bunk", BEDS),
+    Also("single_bed", "single", BEDS),
+    Also("hob_cabinet", "kitchenette", ("kitchen", "kitchenette")),
+    Also("tv", "media", ("media",)),
+    Also("tv_stand", "media", ("media",)),
+    Also("sofa", "seating", ("seating",)),
+    Also("corner_sofa", "seating", ("seating",)),
+    Also("dining_table", "dining_wall", ("dining", "dining_wall", "desk")),
+    Also("round_table", "dining_wall", ("dining", "dining_wall", "desk")),
+    Also("coffee_table", "kids_desk", DESKS, ("bedroom",)),
+    Also("base_cabinet", "linen", ("linen",), ("bathroom",)),
+    Also("plant", "plant", ("plant",), ("living", "bedroom")),
+    Also("plant", "planter", ("planter",), ("balcony",)),
 )
-"""A piece, and the group asked for where it stands in no group that was found (designers let
-chairs stand where nobody could sit down), unless one of the last was."""
+KITCHEN = frozenset(("hob_cabinet", "sink_cabinet", "fridge"))
+"""What makes a whole kitchen, in however many runs a designer has it."""
 
 
 class Seen(NamedTuple):
@@ -105,7 +124,7 @@ def furnish(path: Path, seed: int) -> Home:
         for s, room in zip(homes, bare.rooms, strict=True)
     }
     found = {s.id: _found(path.stem, s, stood[s.id], stays[s.id]) for s in homes}
-    asks = {s.id: _asked(found[s.id], stood[s.id]) for s in homes}
+    asks = {s.id: _asked(s, found[s.id], stood[s.id]) for s in homes}
     brief = bare.model_copy(
         update={
             "rooms": [
@@ -137,15 +156,19 @@ def _found(
     return tuple(found_in(FurnishedSpace(home, space, free), shipped()))
 
 
-def _asked(found: Sequence[GroupOccurrence], stood: Sequence[Piece]) -> list[Ask]:
-    """The groups found, those of which none usable was, and one seating for several armchairs."""
+def _asked(space: Space, found: Sequence[GroupOccurrence], stood: Sequence[Piece]) -> list[Ask]:
+    """The groups found, those of which none usable was, one seating for several armchairs, and one
+    kitchen for its parts."""
     counts = Counter(one.case.function for one in found)
-    kinds = Counter(p.category for p in stood)
+    kinds = {p.category for p in stood if p.size.height > SMALL}
     if counts["reading"] > 1:
         counts["seating"], counts["reading"] = 1, 0
-    for kind, group, instead in ALSO:
-        if kinds[kind] and not any(counts[name] for name in instead):
-            counts[group] += 1
+    if kinds >= KITCHEN:
+        counts["kitchen"], counts["kitchenette"], counts["fridge"] = 1, 0, 0
+    for row in ALSO:
+        here = not row.rooms or not set(row.rooms).isdisjoint(space.functions)
+        if here and row.piece in kinds and not any(counts[name] for name in row.instead):
+            counts[row.group] += 1
     return [Ask(group=name, count=n, required=True) for name, n in counts.items() if n]
 
 
