@@ -42,8 +42,9 @@ Floats = NDArray[np.float64]
 
 class Also(NamedTuple):
     """A piece, and the group asked for where it stands in no group that was found (designers let
-    chairs stand where nobody could sit down), unless one of ``instead`` was; only in rooms of one
-    of the functions, if some are stated. Less than :data:`SMALL` metres high it does not count."""
+    chairs stand where nobody could sit down), unless one of ``instead`` was. What is stated for
+    ``rooms`` of some functions is asked for beside other groups only. Less than :data:`SMALL`
+    metres high it does not count."""
 
     piece: str
     group: str
@@ -157,16 +158,18 @@ def _found(
 
 
 def _asked(space: Space, found: Sequence[GroupOccurrence], stood: Sequence[Piece]) -> list[Ask]:
-    """The groups found, those of which none usable was, one seating for several armchairs, and one
-    kitchen for its parts."""
+    """The groups found, those of which none usable was, one seating for several armchairs, a chair
+    of a balcony for one, and one kitchen for its parts."""
     counts = Counter(one.case.function for one in found)
     kinds = {p.category for p in stood if p.size.height > SMALL}
     if counts["reading"] > 1:
         counts["seating"], counts["reading"] = 1, 0
+    if "balcony" in space.functions:
+        counts["lounger"], counts["reading"] = counts["reading"], 0
     if kinds >= KITCHEN:
         counts["kitchen"], counts["kitchenette"], counts["fridge"] = 1, 0, 0
     for row in ALSO:
-        here = not row.rooms or not set(row.rooms).isdisjoint(space.functions)
+        here = not row.rooms or (counts.total() and not {*row.rooms}.isdisjoint(space.functions))
         if here and row.piece in kinds and not any(counts[name] for name in row.instead):
             counts[row.group] += 1
     return [Ask(group=name, count=n, required=True) for name, n in counts.items() if n]
