@@ -69,7 +69,8 @@ def _best_added(
     judge = judge_of(task, (*placed, group))
     alone = judge_of(task, placed).cost_of(placed).cost if placed else 0.0
     forms = forms_to_add(task, wish)
-    found = try_forms(judge, (*placed, group), len(placed), forms, 2, alone + worth)
+    count = len(forms) if wish.small else 2
+    found = try_forms(judge, (*placed, group), len(placed), forms, count, alone + worth)
     for judged in found:
         if judged.cost > alone + worth:
             break

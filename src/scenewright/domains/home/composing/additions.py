@@ -10,7 +10,7 @@ from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
 from scenewright.domains.home.cases.library import cases, shipped_cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import ROOMY
+from scenewright.domains.home.composing.forms import ROOMY, list_further
 from scenewright.domains.home.composing.judging import RUNS, Placed
 from scenewright.domains.home.groups.kitchen import short_counters
 from scenewright.domains.home.programme import FALLBACK, Wish
@@ -91,4 +91,6 @@ def forms_to_add(task: RoomTask, wish: Wish) -> list[Group]:
         order = np.argsort(-known.sizes.prod(-1), kind="stable")
         fit = [int(i) for i in order if wish.most is None or (known.sizes[i] <= wish.most).all()]
         found += [known.groups[i] for i in fit]
+    if wish.small and not seated and wish.most is None:
+        found += sorted(list_further(wish.group), key=lambda form: -form.width * form.depth)
     return list(dict.fromkeys(found))

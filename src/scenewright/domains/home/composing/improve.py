@@ -15,6 +15,7 @@ from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.beds import restore_double_bed
 from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.freeing import free_ways
 from scenewright.domains.home.composing.habitual import keep_habits
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
@@ -49,9 +50,11 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         return answer
     if task.library.own.keys() - task.library.seated and not learned:
         return answer
-    barred = frozenset(find_blocked(with_margin(task), answer.placed))
     if learned:
+        barred = frozenset(find_blocked(with_margin(task), answer.placed))
         return keep_habits(task, answer, barred)
+    answer = answer._replace(placed=free_ways(task, answer.placed))
+    barred = frozenset(find_blocked(with_margin(task), answer.placed))
     before = add_groups(task, answer, barred, lacking=True)
     placed = before.placed
     judge = judge_of(task, placed)

@@ -57,6 +57,8 @@ EXPECTED: dict[str, Expected] = {
     "dining": Expected(_count("dining_chair"), ((9.0, 4.0), (26.0, 6.0))),
     "dining_wall": Expected(_count("dining_chair"), ((7.0, 2.0), (10.0, 3.0), (13.0, 4.0))),
     "seating": Expected(_seat, ((11.0, 1.8), (16.0, 2.0), (20.0, 2.6), (27.0, 3.2))),
+    "planter": Expected(_metres("planter"), ((2.5, 0.8), (5.0, 1.0))),
+    "washer": Expected(_metres("washing_machine"), ((4.0, 0.6),)),
     "wardrobe": Expected(_metres("wardrobe"), ((10.0, 1.4), (13.0, 1.8))),
     "single": Expected(_metres("single_bed"), ((8.0, 0.9), (10.5, 1.2))),
     "sleeping": Expected(_metres("double_bed"), ((11.0, 1.6), (14.0, 1.8))),
