@@ -10,7 +10,7 @@ import numpy as np
 
 from scenewright.building.ceiling import BENDING, low_floor, strips
 from scenewright.core.layout import Layout
-from scenewright.domains.home.problem import Ground, Items, KnownGround, Problem
+from scenewright.domains.home.problem import Ground, Items, KnownGround, Problem, known_ground
 from scenewright.domains.home.terms.assemble import Costs, Ints, PreparedHome, make_costs, measure
 from scenewright.domains.home.terms.orientation import inward
 from scenewright.domains.home.terms.table import (
@@ -115,7 +115,7 @@ def prepare(problem: Problem) -> PreparedHome:
     """Arrays and weights of a problem, ready for compiled code."""
     ground, items = problem.ground, problem.items
     weights = read_weights(problem.weights, problem.printed)
-    fixed = _prepare_ground(KnownGround(ground))
+    fixed = _prepare_ground(known_ground(ground))
     zoned = weights[CLEAR_ROOM] != 0.0 or weights[CLEAR_ITEMS] != 0.0
     reach = items.clear.max(axis=1, initial=0.0) * (1.0 if zoned else 0.0)
     pairs = np.array(items.pairs, np.int64, order="C").reshape(-1, 2)
@@ -152,7 +152,7 @@ def prepare(problem: Problem) -> PreparedHome:
 def route_grid(problem: Problem, cell: float) -> RouteGrid:
     """The grid the walking route is looked for on; empty if the route is not weighed."""
     wanted = problem.weights.get("route", 0.0) != 0.0
-    return _make_grid(KnownGround(problem.ground), wanted, problem.route_width, float(cell))
+    return _make_grid(known_ground(problem.ground), wanted, problem.route_width, float(cell))
 
 
 @lru_cache(maxsize=256)

@@ -7,6 +7,7 @@ Sides are numbered 0 front, 1 left, 2 back, 3 right (quarter turns from the head
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -72,6 +73,31 @@ class KnownGround:
     def __eq__(self, other: object) -> bool:
         """Whether all numbers are the same."""
         return isinstance(other, KnownGround) and self.key == other.key
+
+
+class _SameGround:
+    """A ground that is recognized by being the very same value."""
+
+    __slots__ = ("ground",)
+
+    def __init__(self, ground: Ground) -> None:
+        self.ground = ground
+
+    def __hash__(self) -> int:
+        return id(self.ground)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _SameGround) and self.ground is other.ground
+
+
+def known_ground(ground: Ground) -> KnownGround:
+    """The ground with what it is recognized by; of the same value this is made once."""
+    return _know(_SameGround(ground))
+
+
+@lru_cache(maxsize=256)
+def _know(same: _SameGround) -> KnownGround:
+    return KnownGround(same.ground)
 
 
 class Items(NamedTuple):

@@ -12,7 +12,7 @@ from scenewright.building.ceiling import BENDING, HEADROOM, low_floor, lowest
 from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
-from scenewright.domains.home.problem import Ground, KnownGround
+from scenewright.domains.home.problem import Ground, KnownGround, known_ground
 from scenewright.geometry.boxes import Frame, frames_of, make_frame
 from scenewright.geometry.compiled import compiled, inlined
 from scenewright.geometry.flood import NONE, Bits, flood
@@ -76,7 +76,7 @@ def walk(
     ground: Ground, walked: Walked, width: float, entered: tuple[int, ...] = ()
 ) -> tuple[set[str], Flags]:
     """The owners none of whose zones is reached, and which doors are joined to the first."""
-    grid = _empty_grid(KnownGround(ground), width)
+    grid = _empty_grid(known_ground(ground), width)
     come_in = np.zeros(len(grid.doors), bool)
     come_in[list(entered)] = True
     cells = np.empty((4, *grid.free.shape), np.uint64)

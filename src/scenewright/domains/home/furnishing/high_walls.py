@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.building.ceiling import heights
-from scenewright.domains.home.problem import Ground, Items, KnownGround
+from scenewright.domains.home.problem import Ground, Items, KnownGround, known_ground
 from scenewright.domains.home.programme import Wish
 
 Floats = NDArray[np.float64]
@@ -29,7 +29,7 @@ def raise_tall_items(items: Items, wishes: tuple[Wish, ...], ground: Ground) -> 
     for i, wish in enumerate(wishes):
         if wish.group not in TALL:
             continue
-        if _known_stretch(KnownGround(ground), TALL[wish.group]) >= items.wish[i, 0]:
+        if _known_stretch(known_ground(ground), TALL[wish.group]) >= items.wish[i, 0]:
             tall[i] = TALL[wish.group]
     return items._replace(height=tall)
 

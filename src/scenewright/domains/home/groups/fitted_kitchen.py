@@ -8,6 +8,7 @@ of it, so that floor in front of them stays floor.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import combinations
 from math import atan2, cos, pi, sin
 from typing import NamedTuple
@@ -156,8 +157,13 @@ def list_fronts(kitchen: FittedKitchen, depth: float) -> list[Box]:
 
 def box_of(line: UnitLine) -> Box:
     """The floor that a line takes."""
-    depth = max(_size(*unit).depth for unit in line.units) + BACK
-    return place(line.wall, line.start, width_of(line.units), depth, 0.0)
+    return place(line.wall, line.start, *_floor_of(line.units), 0.0)
+
+
+@lru_cache(maxsize=4096)
+def _floor_of(units: tuple[Unit, ...]) -> tuple[float, float]:
+    """The width and depth of the floor that units of one line take."""
+    return width_of(units), max(_size(*unit).depth for unit in units) + BACK
 
 
 def place(wall: KitchenWall, start: float, width: float, depth: float, out: float) -> Box:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator
+from heapq import heappop, heappush
 from itertools import islice
 from math import inf
 
@@ -107,7 +108,7 @@ def list_fitted(
         found: list[JudgedRoom] = []
         known: dict[FittedKitchen, bool] = {}
         seen: set[Hashable] = set()
-        for fitted in _pick(judge, rest, islice(step(), LISTED), most):
+        for fitted in islice(_pick(judge, rest, islice(step(), LISTED), most), TRIED):
             if len(found) == KEPT:
                 break
             alike = likeness(fitted) if likeness else fitted
@@ -122,18 +123,23 @@ def list_fitted(
 
 def _pick(
     judge: RoomJudge, rest: Placed, kitchens: Iterable[FittedKitchen], most: float
-) -> list[FittedKitchen]:
+) -> Iterator[FittedKitchen]:
     """The kitchens that cost least by their case and place, and less than ``most``, the cheapest
-    first."""
+    first; what the case of one costs is asked only once it may be the next by its place."""
     task, listed = judge.task, list(kitchens)
     if not listed:
-        return []
+        return
     rule = task.preset.settings.composing
     layouts = np.empty((len(listed), len(rest) + 1, 5))
     layouts[:, :-1] = np.array([p.dressed.box for p in rest]).reshape(-1, 5)
     layouts[:, -1] = [box_of(fitted.lines[0]) for fitted in listed]
-    costs = task.costs.energy * judge.energies_of(layouts)
-    for i in np.flatnonzero(costs < most).tolist():
-        costs[i] += foresee_cost(listed[i], task.ground.area, rule)
-    order = np.argsort(costs, kind="stable")[:TRIED]
-    return [listed[i] for i in order if costs[i] < most]
+    costs = (task.costs.energy * judge.energies_of(layouts)).tolist()
+    found: list[tuple[float, int]] = []
+    for i in np.argsort(costs, kind="stable").tolist():
+        if costs[i] >= most:
+            break
+        while found and found[0][0] < costs[i]:
+            yield listed[heappop(found)[1]]
+        heappush(found, (costs[i] + foresee_cost(listed[i], task.ground.area, rule), i))
+    while found and found[0][0] < most:
+        yield listed[heappop(found)[1]]
