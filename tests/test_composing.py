@@ -278,3 +278,20 @@ def test_places_to_start_from_leave_a_built_in_cupboard_open():
     assert not any(find_blocked(with_margin(task), start.placed) for start in starts)
     held = [p.category for p in starts[0].placed[0].pieces]
     assert held.count("nightstand") == 2
+
+
+def test_a_chair_on_a_shallow_balcony_leaves_its_sliding_door_free():
+    """Between the door's edge and the end of the balcony are 0.39 m, before the door 0.73 m."""
+    balcony = {
+        "id": "balcony",
+        "function": "balcony",
+        "outline": [[0, 0], [2.43, 0], [2.43, 0.73], [0, 0.73]],
+        "doors": [{"at": [1.19, 0.73], "width": 1.7, "swing": "slide"}],
+    }
+    solution = solve(Brief(rooms=[Room.model_validate(balcony)]), seed=0, steps=2000)
+    (chair,) = (p for p in solution.pieces if p.category == "outdoor_chair")
+    before = shapely.box(0.34, 0.43, 2.04, 0.73).intersection(
+        _polygon(chair.pose.x, chair.pose.y, chair.pose.heading, *chair.size[:2])
+    )
+    assert before.area < 0.02 * 0.3
+    assert check(solution).valid

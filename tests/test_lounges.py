@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos, hypot, pi, sin
 
 import pytest
 
+from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief, Room
+from scenewright.core.scene import Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.composing.case_faults import count_seats
 from scenewright.domains.home.composing.forms import list_further
+from scenewright.domains.home.furnishing.enlarge import find_widest_screen
+from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.solving import solve
 
 NICHE = {
@@ -71,6 +76,30 @@ def test_seats_look_at_a_fireplace_on_its_axis(size, at, heading, door, window):
     ]
     assert {p.function for p in between} <= {"seating"}
     assert check(home).valid
+
+
+def test_what_stands_beside_a_stand_keeps_its_screen_narrow():
+    brief = Brief(rooms=[Room.model_validate(NICHE)])
+    home = solve(brief, seed=0, steps=500)
+    stand = next(p for p in home.pieces if p.category == "tv_stand")
+    (space,) = spaces(brief)
+    ground = ground_of(space, (), 30.0)
+    heading, over = stand.pose.heading, (stand.size.width + 0.4) / 2 + 0.02
+    at = [
+        (stand.pose.x + k * over * sin(heading), stand.pose.y - k * over * cos(heading))
+        for k in (-1, 1)
+    ]
+    plants = [
+        replace(
+            stand, id=f"{k}", group="plant", pose=Pose(x, y, 0.0, 0.0), size=Size(0.4, 0.4, 1.5)
+        )
+        for k, (x, y) in enumerate(at)
+    ]
+    low = [replace(plant, size=Size(0.4, 0.4, 0.3)) for plant in plants]
+    alone = find_widest_screen(stand, ground)
+    assert alone > stand.size.width + 0.1
+    assert find_widest_screen(stand, ground, low) == alone
+    assert find_widest_screen(stand, ground, plants) <= stand.size.width + 0.04
 
 
 def test_corner_sofas_seat_four_and_come_both_ways_round():

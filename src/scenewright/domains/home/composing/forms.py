@@ -17,12 +17,14 @@ from scenewright.domains.home.groups.dining import tables_for_many
 from scenewright.domains.home.groups.entry import fitted_storage
 from scenewright.domains.home.groups.kitchen import long_kitchenettes
 from scenewright.domains.home.groups.living import further_seats
+from scenewright.domains.home.groups.outdoor import folding_chair
 from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes
 from scenewright.domains.home.settings import ComposingSettings
 
 FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
     "dining_wall": tables_for_many,
     "kitchenette": long_kitchenettes,
+    "lounger": folding_chair,
     "seating": further_seats,
     "single": along_wall,
     "storage": fitted_storage,

@@ -1,42 +1,28 @@
 """Seats and what they look at, placed together: the sofa before the screen, wherever that is, or
 before the fireplace that stands in the room.
 
-Along the walls of a large room a sofa and a screen are either far apart or in one corner of it. So
-for the places of the screen along the walls those of the seats are tried that look at it from the
-distance its width asks for, amid the room if need be; all other groups follow.
+Along the walls of a room a sofa and a screen are either far apart or in one corner of it. So of the
+pairs of places at which they face one another (:mod:`.lounge_places`) those that leave every way
+open are taken; what they are not in the way of stays, all other groups follow.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from itertools import islice
-from math import atan2, cos, pi, sin
 
 import numpy as np
-from numpy.typing import NDArray
 
-from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
 from scenewright.domains.home.composing.anew import follow, judge_in_order
-from scenewright.domains.home.composing.case_faults import MANY, count_seats
-from scenewright.domains.home.composing.forms import list_forms
-from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, sum_faults
-from scenewright.domains.home.composing.moving import dress_group, find_places
+from scenewright.domains.home.composing.judging import JudgedRoom, judge_of, sum_faults
+from scenewright.domains.home.composing.lounge_places import list_lounges
+from scenewright.domains.home.composing.moving import with_margin
+from scenewright.domains.home.composing.pairs import do_overlap
 from scenewright.domains.home.composing.trials import take_best
-from scenewright.domains.home.furnishing.enlarge import SOFAS
-from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
-from scenewright.domains.home.furnishing.whole import RAISED
-from scenewright.domains.home.wall_places import stand_free
 
-Floats = NDArray[np.float64]
-
-LARGE = 14.0  # rooms of so many square metres may have their seats amid the floor
-AWAY = (2.1, 2.5, 2.9)  # from the screen to the sofa, metres
-NEAR = (1.8, 2.2, 2.6)  # from the front of a fireplace to it
-SPACED = 0.8  # between places of the screen that are tried, metres
-STANDS, SCREENS, SEATS = 4, 6, 10
-"""Forms of the screen, places of each, and forms of the seats that are tried."""
-UNLIKE = 0.15  # forms that differ by more than this in width or depth are unlike, metres
+LEAST = 9.0  # rooms of so many square metres have seats and screen placed together
+WALKED = 60  # pairs of places that are walked past
 
 
 def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
@@ -45,114 +31,47 @@ def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Ju
     rule = task.preset.settings.composing
     names = ("seating",) if len(task.ground.hearths) else ("media", "seating")
     pair = tuple(p for name in names for p in best.placed if p.wish.group == name)
-    if len(pair) != len(names) or task.ground.area < LARGE or task.cancelled():
+    if len(pair) != len(names) or task.ground.area < LEAST or task.cancelled():
         return best
     if not sum_faults(task, pair) or any(p.wish.group in task.library.own for p in pair):
         return best
     rest = [p for p in best.placed if p not in pair]
-    order = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
-    judges = judge_in_order(task, (*pair, *order))
-    most = sum_faults(task, best.placed)
-    found = []
-    for start in islice(_list_starts(judges(len(pair)), pair), rule.starts):
-        whole = follow(task, judges, start, order, barred, most)
-        if whole is not None:
-            found.append(whole)
+    most, found = sum_faults(task, best.placed), []
+    starts = islice(list_lounges(judge_of(task, pair), pair), WALKED)
+    margin = with_margin(task)
+    open_ = (s for s in starts if barred.issuperset(find_blocked(margin, s.placed)))
+    for start in islice(open_, rule.starts):
+        stay = _list_staying(start, rest)
+        for there in dict.fromkeys((stay, ())):
+            whole = _follow_beside(task, start, there, rest, barred, most)
+            if whole is not None:
+                found.append(whole)
+                break
     return take_best(task, best, found, barred)
 
 
-def _list_starts(judge: RoomJudge, pair: Placed) -> Iterator[JudgedRoom]:
-    """Screen and seats by themselves, the cheapest first, of each place of the screen one, or the
-    seats before a fireplace."""
-    task, seating = judge.task, pair[-1]
-    least = min(count_seats(seating.dressed.case), MANY)
-    known = (form for form in list_forms(task, seating) if count_seats(form) >= least)
-    seats = list(islice(_pick_unlike(known, UNLIKE), SEATS))
-    found = [
-        judged
-        for screen, spot in _list_spots(task, pair[:-1])
-        for judged in _seat_before(judge, screen, spot, seating, seats)
-    ]
-    yield from sorted(found, key=lambda judged: judged.cost)
+def _list_staying(start: JudgedRoom, rest: Sequence[FurnishedGroup]) -> tuple[str, ...]:
+    """The names of the others that neither seats nor screen are in the way of."""
+    if not rest:
+        return ()
+    new, old = (np.array([p.dressed.box for p in some]) for some in (start.placed, rest))
+    meets = np.atleast_1d(do_overlap(new, old).any(axis=0))
+    return tuple(p.name for p, met in zip(rest, meets, strict=True) if not met)
 
 
-def _list_spots(task: RoomTask, screens: Placed) -> Iterator[tuple[Placed, Floats]]:
-    """What seats may look at: the screen at its places, each as it stands there with its box, or
-    the fireplaces of the room, which need no group."""
-    if not screens:
-        for x, y, c, s in task.ground.hearths:
-            yield (), np.array([x, y, atan2(s, c)])
-        return
-    empty = standing_of((*task.fixed, *task.beside), flat_kinds(task.catalog))
-    stands = _pick_unlike(list_forms(task, screens[0]), 2 * UNLIKE)
-    for case, boxes in islice(find_places(task, stands, empty, screens[0]), STANDS):
-        for box in _space_out(boxes):
-            screen = dress_group(task, screens[0], case, box, empty)
-            if screen is not None:
-                yield (screen,), screen.dressed.box[:3]
-
-
-def _pick_unlike(forms: Iterator[Group], unlike: float) -> Iterator[Group]:
-    """The forms that differ in size, or in where the main piece is, from all before them."""
-    kept: list[tuple[float, float, float]] = []
-    for form in forms:
-        size = (form.width, form.depth, form.members[0].x)
-        if all(max(abs(a - b) for a, b in zip(size, k, strict=True)) > unlike for k in kept):
-            kept.append(size)
-            yield form
-
-
-def _space_out(boxes: Floats) -> list[Floats]:
-    """At most :data:`SCREENS` of the boxes (n, 5) of a screen, :data:`SPACED` metres apart."""
-    kept: list[Floats] = []
-    for box in boxes:
-        if all(np.hypot(*(box[:2] - k[:2])) >= SPACED for k in kept):
-            kept.append(box)
-    return kept[:: -(-len(kept) // SCREENS) or 1]
-
-
-def _seat_before(
-    judge: RoomJudge, screen: Placed, spot: Floats, seating: FurnishedGroup, forms: list[Group]
-) -> list[JudgedRoom]:
-    """The seats in the form and at the distance that cost least before a ``spot`` (x, y, heading)
-    of a screen, in each form before a fireplace; empty where they stand nowhere before it."""
-    task = judge.task
-    pieces = (*task.fixed, *task.beside, *(piece for group in screen for piece in group.pieces))
-    standing = standing_of(pieces, flat_kinds(task.catalog))
-    found = []
-    for case in forms:
-        boxes = _look_at(spot, case, AWAY if screen else NEAR)
-        boxes = boxes[_stand(task, case, boxes, standing)]
-        seated = (dress_group(task, seating, case, box, standing) for box in boxes)
-        each = [judge.cost_of((*screen, seats)) for seats in seated if seats is not None]
-        found += sorted(each, key=lambda judged: judged.cost)[:1]
-    return [min(found, key=lambda judged: judged.cost)] if found and screen else found
-
-
-def _look_at(spot: Floats, case: Group, distances: tuple[float, ...]) -> Floats:
-    """Boxes (n, 5) of seats whose sofa looks straight at a spot from each of the distances."""
-    x, y, heading = spot.tolist()
-    sofa = next((m for m in case.members if m.category in SOFAS), case.members[0])
-    facing = heading + pi
-    rows = []
-    for away in distances:
-        ahead = away + sofa.y
-        rows.append(
-            (
-                x + cos(heading) * ahead - sin(facing) * sofa.x,
-                y + sin(heading) * ahead + cos(facing) * sofa.x,
-                facing,
-                case.width,
-                case.depth,
-            )
-        )
-    return np.array(rows)
-
-
-def _stand(
-    task: RoomTask, case: Group, boxes: Floats, standing: StandingObstacles
-) -> NDArray[np.bool_]:
-    """On which of the boxes (n, 5) all of a case stands free."""
-    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
-    height = task.space.height
-    return stand_free(boxes, case, members, task.ground, standing, task.catalog, height)
+def _follow_beside(
+    task: RoomTask,
+    start: JudgedRoom,
+    there: tuple[str, ...],
+    rest: Sequence[FurnishedGroup],
+    barred: frozenset[str],
+    most: float,
+) -> JudgedRoom | None:
+    """The room with those of the rest that stay ``there``, by name, and the others after them."""
+    stay = tuple(p for p in rest if p.name in there)
+    others = [p for p in rest if p.name not in there]
+    order = sorted(others, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
+    standing = (*start.placed, *stay)
+    judges = judge_in_order(task, (*standing, *order))
+    begun = judges(len(standing)).cost_of(standing)
+    return follow(task, judges, begun, order, barred, most)

@@ -135,7 +135,8 @@ def cost_of_screen(groups: Sequence[FurnishedGroup], ground: Ground, cost: float
     if stand is None or not seats:
         return 0.0
     away = min(hypot(p.pose.x - stand.pose.x, p.pose.y - stand.pose.y) for p in seats)
-    short = 1.0 - find_widest_screen(stand, ground) * FARTHEST / away
+    pieces = [p for g in groups for p in g.pieces]
+    short = 1.0 - find_widest_screen(stand, ground, pieces) * FARTHEST / away
     return cost * (1.0 + short) / 2 if short > 0.0 else 0.0
 
 

@@ -113,8 +113,9 @@ def _screens(screen: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
             yield replace(screen, pose=pose, size=Size(wide, screen.size.depth, ratio * wide))
 
 
-def find_widest_screen(stand: Piece, ground: Ground) -> float:
-    """Metres of the widest screen that walls, windows and doors leave room for on a stand."""
+def find_widest_screen(stand: Piece, ground: Ground, others: Sequence[Piece] = ()) -> float:
+    """Metres of the widest screen that walls, windows, doors and ``others`` that stand in the room
+    leave room for on a stand."""
     widths = np.arange(stand.size.width + OVERHANG, LEAST_SCREEN, -STEP)
     over = np.maximum(widths - stand.size.width, 0.0) / 2
     aside = np.concatenate([np.zeros_like(over), over, -over])
@@ -123,10 +124,19 @@ def find_widest_screen(stand: Piece, ground: Ground) -> float:
     boxes = np.column_stack([x - sin(heading) * aside, y + cos(heading) * aside, turn, wide, deep])
     low = z + stand.size.height
     spans = np.column_stack([np.full_like(wide, low), low + SCREEN_RATIO * wide])
-    zones, panes, none = ground.keep_free, ground.windows, np.zeros((0, 5))
-    flat = np.zeros(len(wide), bool)
-    codes, _ = faults(boxes, spans, flat, ground.edges, zones, panes, none, none[:, :2], 0.002)
+    zones, panes, flat = ground.keep_free, ground.windows, np.zeros(len(wide), bool)
+    near = standing_of(tuple(p for p in others if _is_beside(p, stand)), frozenset())
+    codes, _ = faults(boxes, spans, flat, ground.edges, zones, panes, near.boxes, near.spans, 0.002)
     return float(wide[codes == 0].max(initial=LEAST_SCREEN))
+
+
+def _is_beside(piece: Piece, stand: Piece) -> bool:
+    """Whether a piece of another group rises above a stand, near enough to keep a screen from
+    reaching beyond it."""
+    (x, y, z, _), (u, v, low, _) = piece.pose, stand.pose
+    far = (stand.size.width + OVERHANG + hypot(piece.size.width, piece.size.depth)) / 2
+    tall = z + piece.size.height > low + stand.size.height
+    return tall and piece.group != stand.group and hypot(x - u, y - v) < far + SCREEN_DEPTH
 
 
 FORMS: dict[str, Callable[[Piece, Sequence[Piece]], Iterator[Piece]]] = {

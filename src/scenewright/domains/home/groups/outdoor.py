@@ -9,6 +9,7 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 
 CHAIR = Size(0.52, 0.54, 0.82)
+FOLDING = Size(0.44, 0.44, 0.8)
 
 
 def terrace() -> Iterator[Group]:
@@ -28,6 +29,12 @@ def lounger() -> Iterator[Group]:
     """One outdoor chair."""
     chair = Member("outdoor_chair", 0, 0, 0, 0, CHAIR)
     yield Group("lounger", "outdoor chair", 0.56, 0.58, (chair,))
+
+
+def folding_chair() -> Iterator[Group]:
+    """One folding chair, for a balcony on which an armchair stands before the door."""
+    chair = Member("outdoor_chair", 0, 0, 0, 0, FOLDING)
+    yield Group("lounger", "folding chair", 0.46, 0.46, (chair,))
 
 
 def planter() -> Iterator[Group]:

@@ -1,0 +1,129 @@
+"""Where seats stand before a screen or a fireplace: the places of the screen along the walls, and
+those of the seats that look at it from the distance its width asks for, amid the room if need be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice
+from math import atan2, cos, pi, sin
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.composing.case_faults import MANY, count_seats
+from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
+from scenewright.domains.home.composing.moving import dress_group, find_places
+from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+from scenewright.domains.home.furnishing.whole import RAISED
+from scenewright.domains.home.wall_places import stand_free
+
+Floats = NDArray[np.float64]
+
+AWAY = (2.1, 2.5, 2.9)  # from the screen to the sofa, metres
+NEAR = (1.8, 2.2, 2.6)  # from the front of a fireplace to it
+SPACED = 0.8  # between places of the screen that are tried, metres
+STANDS, SCREENS, SEATS = 4, 6, 10
+"""Forms of the screen, places of each, and forms of the seats that are tried."""
+SEATED = 8  # places of the seats before one place of a screen
+UNLIKE = 0.15  # forms that differ by more than this in width or depth are unlike, metres
+
+
+def list_lounges(judge: RoomJudge, pair: Placed) -> Iterator[JudgedRoom]:
+    """Screen and seats by themselves, the cheapest first, or the seats before a fireplace."""
+    task, seating = judge.task, pair[-1]
+    least = min(count_seats(seating.dressed.case), MANY)
+    known = (form for form in list_forms(task, seating) if count_seats(form) >= least)
+    seats = list(islice(_pick_unlike(known, UNLIKE), SEATS))
+    found = [
+        judged
+        for screen, spot in _list_spots(task, pair[:-1])
+        for judged in _seat_before(judge, screen, spot, seating, seats)
+    ]
+    yield from sorted(found, key=lambda judged: judged.cost)
+
+
+def _list_spots(task: RoomTask, screens: Placed) -> Iterator[tuple[Placed, Floats]]:
+    """What seats may look at: the screen at its places, each as it stands there with its box, or
+    the fireplaces of the room, which need no group."""
+    if not screens:
+        for x, y, c, s in task.ground.hearths:
+            yield (), np.array([x, y, atan2(s, c)])
+        return
+    empty = standing_of((*task.fixed, *task.beside), flat_kinds(task.catalog))
+    stands = _pick_unlike(list_forms(task, screens[0]), 2 * UNLIKE)
+    for case, boxes in islice(find_places(task, stands, empty, screens[0]), STANDS):
+        for box in _space_out(boxes):
+            screen = dress_group(task, screens[0], case, box, empty)
+            if screen is not None:
+                yield (screen,), screen.dressed.box[:3]
+
+
+def _pick_unlike(forms: Iterator[Group], unlike: float) -> Iterator[Group]:
+    """The forms that differ in size, or in where the main piece is, from all before them."""
+    kept: list[tuple[float, float, float]] = []
+    for form in forms:
+        size = (form.width, form.depth, form.members[0].x)
+        if all(max(abs(a - b) for a, b in zip(size, k, strict=True)) > unlike for k in kept):
+            kept.append(size)
+            yield form
+
+
+def _space_out(boxes: Floats) -> list[Floats]:
+    """At most :data:`SCREENS` of the boxes (n, 5) of a screen, :data:`SPACED` metres apart."""
+    kept: list[Floats] = []
+    for box in boxes:
+        if all(np.hypot(*(box[:2] - k[:2])) >= SPACED for k in kept):
+            kept.append(box)
+    return kept[:: -(-len(kept) // SCREENS) or 1]
+
+
+def _seat_before(
+    judge: RoomJudge, screen: Placed, spot: Floats, seating: FurnishedGroup, forms: list[Group]
+) -> list[JudgedRoom]:
+    """The seats in the forms and at the distances that cost least before a ``spot`` (x, y, heading)
+    of a screen, in each form before a fireplace; empty where they stand nowhere before it."""
+    task = judge.task
+    pieces = (*task.fixed, *task.beside, *(piece for group in screen for piece in group.pieces))
+    standing = standing_of(pieces, flat_kinds(task.catalog))
+    found = []
+    for case in forms:
+        boxes = _look_at(spot, case, AWAY if screen else NEAR)
+        boxes = boxes[_stand(task, case, boxes, standing)]
+        seated = (dress_group(task, seating, case, box, standing) for box in boxes)
+        each = [judge.cost_of((*screen, seats)) for seats in seated if seats is not None]
+        found += sorted(each, key=lambda judged: judged.cost)[: len(AWAY) if screen else 1]
+    return sorted(found, key=lambda judged: judged.cost)[:SEATED] if screen else found
+
+
+def _look_at(spot: Floats, case: Group, distances: tuple[float, ...]) -> Floats:
+    """Boxes (n, 5) of seats whose sofa looks straight at a spot from each of the distances."""
+    x, y, heading = spot.tolist()
+    sofa = next((m for m in case.members if m.category in SOFAS), case.members[0])
+    facing = heading + pi
+    rows = []
+    for away in distances:
+        ahead = away + sofa.y
+        rows.append(
+            (
+                x + cos(heading) * ahead - sin(facing) * sofa.x,
+                y + sin(heading) * ahead + cos(facing) * sofa.x,
+                facing,
+                case.width,
+                case.depth,
+            )
+        )
+    return np.array(rows)
+
+
+def _stand(
+    task: RoomTask, case: Group, boxes: Floats, standing: StandingObstacles
+) -> NDArray[np.bool_]:
+    """On which of the boxes (n, 5) all of a case stands free."""
+    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
+    height = task.space.height
+    return stand_free(boxes, case, members, task.ground, standing, task.catalog, height)
