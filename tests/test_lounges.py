@@ -111,3 +111,15 @@ def test_corner_sofas_seat_four_and_come_both_ways_round():
         assert all(abs(m.x) <= group.width / 2 + 1e-9 for m in group.members)
         low = [m for m in group.members if m.category not in ("rug", "picture")]
         assert all(m.y + min(m.size.depth, m.size.width) / 2 <= group.depth / 2 for m in low)
+
+
+def test_where_no_wall_holds_a_sofa_and_its_side_table_a_loveseat_stands_by_itself():
+    room = {
+        "id": "living",
+        "function": "living",
+        "outline": [[0, 0], [1.5, 0], [1.5, 3.2], [0, 3.2]],
+        "doors": [{"at": [x, 1.4], "width": 0.8, "swing": "slide"} for x in (0.0, 1.5)],
+    }
+    home = solve(Brief(rooms=[Room.model_validate(room)]), seed=0)
+    assert {"loveseat", "tv"} <= {p.category for p in home.pieces}
+    assert check(home).valid

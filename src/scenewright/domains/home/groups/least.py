@@ -37,6 +37,12 @@ def _chest() -> Iterator[Group]:
         yield Group("chest", f"{width:.1f} m chest of drawers", width, depth + 0.01, (piece,))
 
 
+def _seating() -> Iterator[Group]:
+    """A loveseat by itself, its back at the wall."""
+    piece = Member("loveseat", 0, 0, 0, 0, Size(1.2, 0.8, 0.8))
+    yield Group("seating", "1.2 m loveseat", 1.2, 0.82, (piece,))
+
+
 def _shower() -> Iterator[Group]:
     tray = Member("shower", 0, 0, 0, 0, Size(0.66, 0.66, 2.0))
     yield Group("shower", "0.66 m shower", 0.66, 0.66, (tray,))
@@ -51,6 +57,7 @@ LEAST: dict[str, Callable[[], Iterator[Group]]] = {
     "single": _bed,
     "wardrobe": _wardrobe,
     "chest": _chest,
+    "seating": _seating,
     "shower": _shower,
     "toilet": _toilet,
     "kitchen": short_runs,
