@@ -22,6 +22,7 @@ from scenewright.domains.home.composing.kitchens.free_walls import list_stretche
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
 from scenewright.domains.home.furnishing.obstacles import standing_of
+from scenewright.domains.home.furnishing.whole import Gone
 from scenewright.domains.home.groups.fitted_kitchen import (
     FittedKitchen,
     KitchenWall,
@@ -250,3 +251,19 @@ def test_a_kitchen_that_was_lost_to_the_ways_is_made_to_measure(task):
     assert {"hob_cabinet", "sink_cabinet", "fridge"} <= names
     shut = [without_kitchen(task, mended)]
     assert mend_kitchens([task], [bare], lambda _: shut) == [bare]
+
+
+def test_a_kitchen_that_lost_its_cabinets_to_the_ways_is_made_to_measure(task):
+    wish = Wish("kitchen", 0, core=True)
+    answer = furnish_by_use(task, (wish,), Budget(threads=1, steps=3000))
+    (whole,) = mend_kitchens([task], [without_kitchen(task, answer)], list)
+    (run,) = whole.placed
+    tops = ("drawer_cabinet", "base_cabinet", "corner_cabinet", "dishwasher")
+    fewer = tuple(p for p in run.pieces if p.category not in tops)
+    robbed = whole._replace(
+        placed=(run._replace(pieces=fewer),), gone=(Gone("drawer_cabinet", "it would bar"),)
+    )
+    (mended,) = mend_kitchens([task], [robbed], list)
+    names = {p.category for g in mended.placed for p in g.pieces}
+    assert names.intersection(tops)
+    assert not mended.gone

@@ -24,6 +24,7 @@ from scenewright.domains.home.composing.judging import (
     count_unmet,
     judge_of,
 )
+from scenewright.domains.home.composing.kitchens.islands import add_island
 from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
 from scenewright.domains.home.composing.lounges import gather_seats
 from scenewright.domains.home.composing.moving import with_margin
@@ -66,6 +67,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
     better = add_groups(task, before._replace(placed=best.placed), barred)
+    better = add_island(task, better, barred)
     return (
         better if count_unmet(task, better.placed) <= count_unmet(task, answer.placed) else answer
     )

@@ -22,7 +22,7 @@ from scenewright.domains.home.attempt import (
     penalty,
 )
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.case_faults import RUN, find_case_faults
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import (
     RUNS,
@@ -35,11 +35,12 @@ from scenewright.domains.home.composing.kitchens.reform import list_fitted, may_
 from scenewright.domains.home.composing.moving import make_unplaced, with_margin
 from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.composing.trials import try_forms
+from scenewright.domains.home.furnishing.furnish import pieces_of
 from scenewright.domains.home.groups.fitted_kitchen import FittedKitchen, width_of
 from scenewright.domains.home.programme import WELCOME, is_essential
 from scenewright.domains.home.second_try import Opened
 
-BESIDE = 2
+BESIDE = 8
 """Kitchens beside the rest that are walked to through the whole home."""
 FORMS, PLACES = 8, 16
 """Forms and places in which each of the rest is tried beside a kitchen that stands first."""
@@ -62,7 +63,7 @@ def mend_kitchens(
     """The answers for all rooms with kitchens at fault made to measure, their ways ``opened``."""
     found = answers
     for room, task in enumerate(tasks):
-        place = find_place(task, found[room])
+        place = find_place(task, _see_gone(task, found[room]))
         if place is not None and not task.cancelled():
             found = _mend(room, task, place, found, opened)
     return found
@@ -70,15 +71,16 @@ def mend_kitchens(
 
 def find_place(task: RoomTask, answer: RoomAnswer) -> Place | None:
     """What a kitchen of a room that has a fault, or is missing, is to take the place of; None where
-    there is none or it may not be changed."""
+    there is none or it may not be changed, as where an island stands before it."""
     lost = [m.wish for m in answer.missing if m.wish.group in KITCHEN]
     run = next((p for p in answer.placed if p.wish.group in RUNS), None)
-    if task.accessible or not task.preset.settings.exact or task.library.own:
+    islands = any(p.wish.group == "island" for p in answer.placed)
+    if task.accessible or not task.preset.settings.exact or task.library.own or islands:
         return None
     if run is not None and not lost:
         if not may_reform(task, answer.placed) or not _is_at_fault(answer):
             return None
-        parts = parts_of(answer.placed, run)
+        parts = tuple(p for p in parts_of(answer.placed, run) if p.wish.group in KITCHEN)
         rest = tuple(p for p in answer.placed if all(p is not part for part in parts))
         return Place(run, parts, rest)
     if not lost or lost[0].most or lost[0].required:
@@ -87,6 +89,20 @@ def find_place(task: RoomTask, answer: RoomAnswer) -> Place | None:
     rest = tuple(p for p in answer.placed if p.wish.group not in KITCHEN)
     wish = lost[0]._replace(group="kitchen", rank=0)
     return Place(make_unplaced(task, rest, wish, cases("kitchen").groups[0]), parts, rest)
+
+
+def _see_gone(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
+    """The answer with its kitchen run without the members whose pieces gave way to a route."""
+    placed = tuple(_as_it_stands(task, p) if p.wish.group in RUNS else p for p in answer.placed)
+    return answer._replace(placed=placed)
+
+
+def _as_it_stands(task: RoomTask, group: FurnishedGroup) -> FurnishedGroup:
+    dressed, kept = group.dressed, {piece.id for piece in group.pieces}
+    name = f"{task.space.id}/{group.name}"
+    full = iter(pieces_of(dressed, task.space.id, name, group.wish.group, task.catalog))
+    stands = tuple(there and next(full).id in kept for there in dressed.stands)
+    return group._replace(dressed=dressed._replace(stands=stands))
 
 
 def _is_at_fault(answer: RoomAnswer) -> bool:
@@ -100,7 +116,7 @@ def _mend(
 ) -> list[RoomAnswer]:
     best, worth = found, _worth(room, task, found) - task.preset.settings.composing.least
     for answer in _list_answers(task, place, found[room]):
-        if best is not found and not _is_at_fault(best[room]):
+        if best is not found and not _is_at_fault(_see_gone(task, best[room])):
             break
         trial = [answer if k == room else other for k, other in enumerate(found)]
         if _worth(room, task, trial) >= worth:
@@ -115,13 +131,14 @@ def _worth(room: int, task: RoomTask, answers: Sequence[RoomAnswer]) -> float:
     """What is missing from a home, what gave way, and what one room costs as it stands."""
     lost = sum(penalty(m.wish, task.costs) for answer in answers for m in answer.missing)
     gone = task.costs.piece * sum(len(answer.gone) for answer in answers)
-    placed = answers[room].placed
+    placed = _see_gone(task, answers[room]).placed
     return lost + gone + (judge_of(task, placed).cost_of(placed).cost if placed else 0.0)
 
 
 def _list_answers(task: RoomTask, place: Place, before: RoomAnswer) -> Iterator[RoomAnswer]:
     """The room with other kitchens: beside the rest, then before it."""
     missing = tuple(m for m in before.missing if m.wish.group not in KITCHEN)
+    before = before._replace(gone=tuple(g for g in before.gone if g.category not in RUN))
     barred = frozenset(find_blocked(with_margin(task), (*place.rest, *place.parts)))
     beside = chain.from_iterable(list_fitted(task, place.rest, place.run, barred))
     for judged in islice(beside, BESIDE):
