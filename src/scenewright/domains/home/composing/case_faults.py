@@ -2,8 +2,8 @@
 
 Each fault has a degree from 0 (none) to 1. Kitchen planners ask for 0.6 m of worktop in one piece,
 0.3 m between sink and hob and 0.3 m on both sides of a hob, of worktop beside the sink and of units
-beside the fridge; a wardrobe holds the clothes of a
-person from a metre on; a bed for two has a nightstand on either side.
+beside the fridge; a wardrobe holds the clothes of a person from a metre on; a bed for two has a
+nightstand on either side, a table two chairs.
 """
 
 from __future__ import annotations
@@ -56,6 +56,8 @@ def _faults(case: Group) -> list[tuple[str, float]]:
         return [("nightstand", 1.0 - min(stands, 2) / 2), ("one_side", float(stands < 2))]
     if case.function == "seating":
         return [("seats", float(count_seats(case) < MANY))]
+    if case.function == "dining_wall":
+        return [("lone", float(sum(m.category == "dining_chair" for m in case.members) < 2))]
     return []
 
 

@@ -16,6 +16,7 @@ from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.beds import restore_double_bed
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.freeing import free_ways
+from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.habitual import keep_habits
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
@@ -35,6 +36,7 @@ from scenewright.domains.home.composing.placed_faults import (
     cost_of_shelves,
 )
 from scenewright.domains.home.composing.trials import take_first, try_forms
+from scenewright.domains.home.composing.views import cost_of_view
 
 
 def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
@@ -89,10 +91,12 @@ def _improve_all(judge: RoomJudge, best: JudgedRoom, barred: frozenset[str]) -> 
 def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     """The names of groups with a fault, the costliest first; of all where a wish is not met."""
     rule = task.preset.settings.composing
+    view = 0.0 if len(task.ground.hearths) else cost_of_view(placed, rule.costs.view)
     whole = {
+        "wardrobe": cost_of_fronts(placed, rule.costs.doors),
         "storage": cost_of_shelves(placed, task.ground, rule.costs.shelves),
-        "media": cost_of_screen(placed, task.ground, rule.costs.screen),
-        "seating": cost_of_hearth(placed, task.ground, rule.costs.screen),
+        "media": cost_of_screen(placed, task.ground, rule.costs.screen) + view,
+        "seating": cost_of_hearth(placed, task.ground, rule.costs.screen) + view,
     }
     unmet = float(count_unmet(task, placed) > 0)
     costs = {

@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
+from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_group,
     cost_of_hearth,
     cost_of_screen,
     cost_of_shelves,
 )
+from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.density import footing
@@ -93,8 +95,11 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     pairs = zip(placed, known or (nan,) * len(placed), strict=True)
     each = sum(cost_of_group(p, task.ground, rule) if isnan(c) else c for p, c in pairs)
     shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
-    watched = cost_of_screen if not len(task.ground.hearths) else cost_of_hearth
-    return each + shelves + watched(placed, task.ground, rule.costs.screen)
+    shelves += cost_of_fronts(placed, rule.costs.doors)
+    if len(task.ground.hearths):
+        return each + shelves + cost_of_hearth(placed, task.ground, rule.costs.screen)
+    screen = cost_of_screen(placed, task.ground, rule.costs.screen)
+    return each + shelves + screen + cost_of_view(placed, rule.costs.view)
 
 
 def share_of(task: RoomTask, placed: Placed) -> float:

@@ -28,10 +28,14 @@ def dining() -> Iterator[Group]:
 
 
 def dining_wall() -> Iterator[Group]:
-    """A table with its long side at the wall: two chairs at the front or at the ends."""
+    """A table with its long side at the wall: two chairs at the front or at the ends, small ones
+    also with one at the front, or with one there and one at an end, the other in a corner."""
     for length, deep in ((0.7, 0.6), (0.9, 0.6), (1.0, 0.65), (1.2, 0.75)):
         yield _wall_table(length, deep, front=1 if length < 1 else 2, ends=0)
         yield _wall_table(length, deep, front=0, ends=1)
+        if length < 1.0:
+            yield _corner_table(length, deep, 1)
+            yield _corner_table(length, deep, -1)
         if length >= 0.9:
             yield _wall_table(length, deep, front=1, ends=1)
 
@@ -69,6 +73,27 @@ def _head_table(length: float, deep: float, sides: int, end: int) -> Group:
     ]
     name = f"{length:.1f} m table from the wall for {2 * sides + end}"
     return Group("dining_wall", name, width, depth, tuple(members))
+
+
+def _corner_table(length: float, deep: float, side: int) -> Group:
+    """A table for two with one end free, to the right if ``side`` is 1."""
+    width, depth = length + SEAT, deep + SEAT
+    x, y = -side * SEAT / 2, -SEAT / 2
+    aside = x - side * (length - CHAIR.width) / 2
+    members = (
+        Member("dining_table", x, y, 0, 0, Size(length, deep, 0.74)),
+        Member("vase", x, y - deep / 5, 0.74, 0, Size(0.14, 0.14, 0.26), on=0),
+        Member("dining_chair", aside, y + deep / 2 + CHAIR.depth / 2 - TUCK, 0, pi, CHAIR),
+        Member(
+            "dining_chair",
+            x + side * (length / 2 + CHAIR.depth / 2 - TUCK),
+            y,
+            0,
+            side * pi / 2,
+            CHAIR,
+        ),
+    )
+    return Group("dining_wall", f"{length:.1f} m corner table for 2", width, depth, members)
 
 
 def _chairs_along(length: float, count: int, y: float, heading: float) -> list[Member]:
