@@ -3,10 +3,12 @@ solution."""
 
 from __future__ import annotations
 
+import pytest
 import shapely
 
 from scenewright.core.solution import Solution
 from scenewright.domains import plan_of, scene_of, solve
+from scenewright.domains.hall.islands import plain_carpet
 from scenewright.formats import read
 
 
@@ -35,3 +37,12 @@ def test_the_solution_knows_nothing_of_them() -> None:
     drawn = {piece.id for piece in scene_of(solution).pieces} - {p.id for p in solution.pieces}
     assert drawn
     assert all(name.endswith("/spot") for name in drawn)
+
+
+def test_carpets_become_rectangles_unless_they_are_round() -> None:
+    disc = shapely.Point(0, 0).buffer(4.0, quad_segs=16).simplify(0.05)
+    assert plain_carpet(disc).equals(disc)
+    notched = shapely.box(0, 0, 6, 4).difference(shapely.box(0, 0, 1, 1))
+    holed = shapely.box(0, 0, 9, 9).difference(shapely.box(3, 3, 6, 6))
+    assert plain_carpet(notched).area == pytest.approx(24.0)
+    assert plain_carpet(holed).area == pytest.approx(81.0)

@@ -32,9 +32,9 @@ RINGS = ("radiation", "circulation")
 """Patterns on a round carpet."""
 LEAST = 3.0
 """Square metres of a carpet, at least."""
-HOLE, FULL, ROUND = 12.0, 0.7, 40
+HOLE, FULL, ROUND = 12.0, 0.7, 0.85
 """Square metres of a hole in a carpet that is filled, the share of its rectangle from which on a
-carpet is one, and corners of a carpet that is round."""
+carpet is one, and 4 pi area over squared rim from which on it is round and stays so."""
 COLUMN = 1.5
 """Square metres of a column at most: carpets lie close around it."""
 PILE = 0.008
@@ -78,7 +78,7 @@ def _lay_carpet(
     if floor.area < LEAST:
         return None
     floor = floor.buffer(-SEAM, join_style="mitre")
-    parts = [p for p in polygons(_plain(joined).intersection(floor)) if p.area >= LEAST]
+    parts = [p for p in polygons(plain_carpet(joined).intersection(floor)) if p.area >= LEAST]
     colour = CARPETS[number % len(CARPETS)]
     name = f"{zone.space}/{zone.id}/carpet"
     rings = tuple(map(_rings, parts))
@@ -97,18 +97,15 @@ def _surround(held: tuple[Piece, ...], ring: bool) -> Geometry:
     return _close(shapely.union_all(shapely.polygons(corners(boxes))), APART / 2)
 
 
-def _plain(shape: Geometry) -> Geometry:
+def plain_carpet(shape: Geometry) -> Geometry:
     """A shape without small holes, each part filled up to a rectangle where that is little more."""
     whole = []
     for part in polygons(shape):
         holes = [ring for ring in part.interiors if shapely.Polygon(ring).area > HOLE]
         plain = shapely.Polygon(part.exterior, holes)
-        round_ = shapely.minimum_rotated_rectangle(plain)
-        whole.append(
-            round_
-            if len(part.exterior.coords) < ROUND and plain.area >= FULL * round_.area
-            else plain
-        )
+        box = shapely.minimum_rotated_rectangle(plain)
+        round_ = 4 * np.pi * plain.area >= ROUND * plain.length**2
+        whole.append(plain if round_ or plain.area < FULL * box.area else box)
     return shapely.union_all(whole)
 
 
