@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from scenewright.core.brief import Room
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import Layout, NamedBox, Watch, name_rows
+from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.build_problem import build_problem, scale_area_weights
@@ -142,8 +144,16 @@ def furnished_as(task: RoomTask) -> float:
 
 
 def build_task_problem(task: RoomTask, wishes: tuple[Wish, ...], ground: Ground) -> Problem:
-    """The problem of placing wishes on a ground, by the task's preset."""
-    preset = task.preset
+    """The problem of placing wishes on a ground, by the task's preset; of the same task and ground
+    made once."""
+    return _build_task_problem(Same(task), wishes, Same(ground))
+
+
+@lru_cache(maxsize=64)
+def _build_task_problem(
+    same: Same[RoomTask], wishes: tuple[Wish, ...], on: Same[Ground]
+) -> Problem:
+    task, ground, preset = same.value, on.value, same.value.preset
     problem = build_problem(
         ground,
         wishes,

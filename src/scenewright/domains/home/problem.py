@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.core.same import Same
 from scenewright.domains.home.settings import HomeSettings
 
 FLUSH = 0.02
@@ -75,29 +76,14 @@ class KnownGround:
         return isinstance(other, KnownGround) and self.key == other.key
 
 
-class _SameGround:
-    """A ground that is recognized by being the very same value."""
-
-    __slots__ = ("ground",)
-
-    def __init__(self, ground: Ground) -> None:
-        self.ground = ground
-
-    def __hash__(self) -> int:
-        return id(self.ground)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _SameGround) and self.ground is other.ground
-
-
 def known_ground(ground: Ground) -> KnownGround:
     """The ground with what it is recognized by; of the same value this is made once."""
-    return _know(_SameGround(ground))
+    return _know(Same(ground))
 
 
 @lru_cache(maxsize=256)
-def _know(same: _SameGround) -> KnownGround:
-    return KnownGround(same.ground)
+def _know(same: Same[Ground]) -> KnownGround:
+    return KnownGround(same.value)
 
 
 class Items(NamedTuple):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import isnan, nan
 from typing import NamedTuple
 
@@ -9,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Polygon
 
+from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.placed_faults import (
@@ -25,6 +27,7 @@ from scenewright.domains.home.learned.habits import clear
 from scenewright.domains.home.learned.rows import SIDES
 from scenewright.domains.home.learned.space import footprint, measure_coverage
 from scenewright.domains.home.learned.targets import free_before, side_of, stands_on_floor
+from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.terms.assemble import PreparedHome
 from scenewright.domains.home.wished.unmet import count_unmet_wishes
 from scenewright.geometry.paths import RouteGrid
@@ -135,13 +138,19 @@ def count_unmet(task: RoomTask, placed: Placed) -> int:
 
 
 def judge_of(task: RoomTask, placed: Placed) -> RoomJudge:
-    """The judge of groups of these wishes, in this order."""
-    problem = build_task_problem(task, tuple(p.wish for p in placed), task.ground)
+    """The judge of groups of these wishes, in this order; of the same task made once."""
+    return _judge(Same(task), tuple(p.wish for p in placed))
+
+
+@lru_cache(maxsize=64)
+def _judge(same: Same[RoomTask], wishes: tuple[Wish, ...]) -> RoomJudge:
+    task = same.value
+    problem = build_task_problem(task, wishes, task.ground)
     counts = REWEIGHED | ({"clear_room": 0.0} if task.ground.area < REACHED_IN else {})
     weights = {name: w * counts.get(name, 1.0) for name, w in problem.weights.items()}
     items = problem.items
     if task.ground.area >= AMPLE:
-        seats = np.array([p.wish.group == "seating" for p in placed])
+        seats = np.array([wish.group == "seating" for wish in wishes])
         items = items._replace(back_to_wall=np.where(seats, AMID, 1.0) * items.back_to_wall)
     problem = problem._replace(weights=weights, items=items)
     return RoomJudge(task, prepare(problem), route_grid(problem, 0.1))
