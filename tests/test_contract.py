@@ -7,6 +7,7 @@ import json
 import re
 import sys
 from dataclasses import replace
+from math import cos, sin
 from pathlib import Path
 from typing import get_args
 
@@ -211,7 +212,8 @@ def test_wrong_layouts_are_refused_in_one_line(solved: sw.Solution) -> None:
 def test_what_is_moved_stays_where_it_was_put(solved: sw.Solution) -> None:
     group, steps = groups(solved)[0], STEPS[solved.brief.domain]
     lead = group[0]
-    to = (lead.pose.x + 0.2, lead.pose.y + 0.1, lead.pose.heading)
+    c, s = cos(lead.pose.heading), sin(lead.pose.heading)  # away from what it backs
+    to = (lead.pose.x + 0.2 * c, lead.pose.y + 0.2 * s, lead.pose.heading)
     after, changes = adjust(solved, move={lead.id: to}, steps=steps)
     now = next(piece for piece in after.pieces if piece.id == lead.id)
     assert (*now.pose[:2], now.pose.heading) == pytest.approx(to)
