@@ -38,6 +38,7 @@ from scenewright.domains.home.household import (
     seat_residents,
     share_out,
 )
+from scenewright.domains.home.kept_ways import keep_ways
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import share_open_plans
 from scenewright.domains.home.presets import PRESETS, HomePreset
@@ -310,12 +311,12 @@ def assemble_solution(
     seconds: float,
 ) -> Solution:
     """The solution of all rooms, with lamps and curtains."""
-    stands = [
-        add_lamps_and_curtains(
-            task, (*task.fixed, *(p for item in answer.placed for p in item.pieces))
-        )
+    placed = [
+        (*task.fixed, *(p for item in answer.placed for p in item.pieces))
         for task, answer in zip(tasks, answers, strict=True)
     ]
+    stands = [add_lamps_and_curtains(task, here) for task, here in zip(tasks, placed, strict=True)]
+    stands = keep_ways(tasks, placed, stands, brief.route_width)
     pairs = list(zip(tasks, answers, strict=True))
     entries = {task.space.id: terms(task, answer) for task, answer in pairs}
     return Solution(
