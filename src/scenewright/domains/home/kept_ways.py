@@ -2,41 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import chain
+from collections.abc import Iterable, Sequence
 
+from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import RoomTask
+from scenewright.core.space import Space
 from scenewright.domains.home.barred import find_barred
-from scenewright.domains.home.home_floor import join_floors
+from scenewright.domains.home.home_floor import HomeFloor
 
 SCREEN = "tv"
 
 
-def keep_ways(
-    tasks: Sequence[RoomTask],
-    placed: Sequence[Sequence[Piece]],
-    grown: list[list[Piece]],
-    width: float,
-) -> list[list[Piece]]:
-    """The pieces of each room as ``grown``, or with the screens they were ``placed`` with where
-    wider ones bar a way of ``width`` metres in the home."""
-    if not any(map(_reaches_beyond, grown)):
-        return grown
-    rooms, catalog = tuple(task.space for task in tasks), tasks[0].catalog
-    floors = join_floors(rooms, width)
-    barred = find_barred(list(chain(*grown)), rooms, floors, catalog)
+def find_barring_screens(
+    placed: Iterable[Piece],
+    pieces: Sequence[Piece],
+    rooms: Sequence[Space],
+    floors: Sequence[HomeFloor],
+    catalog: Catalog,
+) -> dict[str, Piece]:
+    """The screens as they were ``placed``, by their ids, where those that have grown among the
+    ``pieces`` of a home bar a way over its ``floors``; none where they bar nothing."""
+    narrow = {p.id: p for p in placed if p.category == SCREEN}
+    if not _reach_beyond(pieces, narrow):
+        return {}
+    barred = find_barred(pieces, rooms, floors, catalog)
     if not barred:
-        return grown
-    before = {p.id: p for p in chain(*placed) if p.category == SCREEN}
-    narrow = [[before.get(p.id, p) for p in here] for here in grown]
-    fewer = len(find_barred(list(chain(*narrow)), rooms, floors, catalog)) < len(barred)
-    return narrow if fewer else grown
+        return {}
+    fewer = find_barred([narrow.get(p.id, p) for p in pieces], rooms, floors, catalog)
+    return narrow if len(fewer) < len(barred) else {}
 
 
-def _reaches_beyond(pieces: Sequence[Piece]) -> bool:
-    """Whether a screen is wider than what it stands on."""
-    width = {p.id: p.size.width for p in pieces}
-    return any(
-        p.category == SCREEN and p.on in width and p.size.width > width[p.on] for p in pieces
-    )
+def _reach_beyond(pieces: Sequence[Piece], narrow: Iterable[str]) -> bool:
+    """Whether one of the screens is wider than what it stands on."""
+    width, screens = {p.id: p.size.width for p in pieces}, frozenset(narrow)
+    wide = (p.size.width > width.get(p.on or "", p.size.width) for p in pieces if p.id in screens)
+    return any(wide)

@@ -23,6 +23,7 @@ from scenewright.domains.home.attempt import (
 )
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.home_floor import join_floors
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.requests import check_asks
@@ -50,7 +51,9 @@ def solution_of(
         _furnish(task, asked, layouts.get(task.space.id, ()))
         for task, asked in zip(tasks, wishes, strict=True)
     ]
-    return assemble_solution(brief, tasks, answers, "default", seed, time.perf_counter() - started)
+    floors = join_floors(made.spaces, brief.route_width)
+    spent = time.perf_counter() - started
+    return assemble_solution(brief, tasks, answers, floors, "default", seed, spent)
 
 
 def _furnish(task: RoomTask, asked: tuple[Wish, ...], rows: Sequence[NamedBox]) -> RoomAnswer:

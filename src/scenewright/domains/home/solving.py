@@ -31,14 +31,14 @@ from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
-from scenewright.domains.home.home_floor import join_floors
+from scenewright.domains.home.home_floor import HomeFloor, join_floors
 from scenewright.domains.home.household import (
     Household,
     decide_household,
     seat_residents,
     share_out,
 )
-from scenewright.domains.home.kept_ways import keep_ways
+from scenewright.domains.home.kept_ways import find_barring_screens
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import share_open_plans
 from scenewright.domains.home.presets import PRESETS, HomePreset
@@ -120,31 +120,33 @@ def solve(
     turned = [vary_task(task, variant)._replace(watch=watch) for task in tasks]
     shared = None if progress is None else SharedProgress(progress, [*work, LAST * sum(work)])
     answers = _run(turned, wishes, budgets, pool, shared)
-    if chosen.settings.exact:
+    floors = join_floors(rooms, brief.route_width) if chosen.settings.exact else ()
+    if floors:
         every = AskedRooms(turned, wishes, budgets)
-        answers = _walk_home(brief, every, answers, rooms, catalog, again=seconds is None)
+        answers = _walk_home(brief, every, answers, floors, again=seconds is None)
     if shared is not None:
         shared.ended(len(work), "routes")
-    return assemble_solution(brief, tasks, answers, preset, seed, time.perf_counter() - started)
+    spent = time.perf_counter() - started
+    return assemble_solution(brief, tasks, answers, floors, preset, seed, spent)
 
 
 def _walk_home(
     brief: Brief,
     every: AskedRooms,
     answers: list[RoomAnswer],
-    rooms: tuple[Space, ...],
-    catalog: Catalog,
+    floors: Sequence[HomeFloor],
     again: bool,
 ) -> list[RoomAnswer]:
     """The answers with the ways of the whole home open, rooms tried again that lose something
     essential to that, and ``again`` those that lack what the household states it needs; then
     kitchens with a fault, made to measure."""
+    rooms = tuple(task.space for task in every.tasks)
     opened = partial(
         remove_blockers,
         [task.fixed for task in every.tasks],
         rooms=rooms,
-        floors=join_floors(rooms, brief.route_width),
-        catalog=catalog,
+        floors=floors,
+        catalog=every.tasks[0].catalog,
         settings=every.tasks[0].preset.settings,
     )
     found = tried_again(every.tasks, every.wishes, every.budgets, answers, opened)
@@ -306,17 +308,21 @@ def assemble_solution(
     brief: Brief,
     tasks: list[RoomTask],
     answers: list[RoomAnswer],
+    floors: Sequence[HomeFloor],
     preset: str,
     seed: int,
     seconds: float,
 ) -> Solution:
-    """The solution of all rooms, with lamps and curtains."""
+    """The solution of all rooms, with lamps and curtains that leave the ways over the ``floors``
+    of the home open."""
     placed = [
         (*task.fixed, *(p for item in answer.placed for p in item.pieces))
         for task, answer in zip(tasks, answers, strict=True)
     ]
     stands = [add_lamps_and_curtains(task, here) for task, here in zip(tasks, placed, strict=True)]
-    stands = keep_ways(tasks, placed, stands, brief.route_width)
+    rooms, catalog = [task.space for task in tasks], tasks[0].catalog
+    narrow = find_barring_screens(chain(*placed), [*chain(*stands)], rooms, floors, catalog)
+    stands = [[narrow.get(p.id, p) for p in here] for here in stands]
     pairs = list(zip(tasks, answers, strict=True))
     entries = {task.space.id: terms(task, answer) for task, answer in pairs}
     return Solution(
@@ -324,8 +330,8 @@ def assemble_solution(
         pieces=apply_style(
             (piece for here in stands for piece in here),
             brief,
-            (task.space.id for task in tasks),
-            tasks[0].catalog,
+            (space.id for space in rooms),
+            catalog,
             seed,
         ),
         patches=tuple(p for task, answer in pairs for p in patches(task, answer)),
@@ -336,7 +342,7 @@ def assemble_solution(
                 for room, (task, answer), here in zip(brief.rooms, pairs, stands, strict=True)
                 for out in _left_out(room, task, answer, here)
             ),
-            *list_short_beds(brief.residents, [task.space for task in tasks], chain(*stands)),
+            *list_short_beds(brief.residents, rooms, chain(*stands)),
         ),
         energies={space: sum(value.cost for value in values) for space, values in entries.items()},
         preset=preset,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from zlib import crc32
 
 import numpy as np
@@ -90,13 +90,25 @@ def covered_by(floor: shapely.Polygon, pieces: tuple[Piece, ...]) -> float:
 
 
 def add_lamps_and_curtains(task: RoomTask, placed: tuple[Piece, ...]) -> list[Piece]:
-    """What is placed with the lamps and curtains that go with it."""
+    """What is placed, rugs and screens as large as they can be, with its lamps and curtains."""
+    grown = grow_pieces(task, placed)
+    return [*grown, *list_extras(task, grown)]
+
+
+def grow_pieces(task: RoomTask, placed: Sequence[Piece]) -> list[Piece]:
+    """What is placed, its rugs and screens as large as they can be."""
     if not task.preset.settings.exact:
         return list(placed)
-    there = {p.id for p in placed}
-    grown = enlarge_pieces(placed, task.beside, task.ground, task.space.height, task.catalog)
-    more = extras(task.space, task.ground, (*grown, *task.beside), task.catalog)
-    return [*grown, *(p for p in more if p.id not in there and p.category not in task.forbidden)]
+    return enlarge_pieces(placed, task.beside, task.ground, task.space.height, task.catalog)
+
+
+def list_extras(task: RoomTask, standing: Sequence[Piece]) -> list[Piece]:
+    """The lamps, curtains, mats and pictures that go with what stands in a room."""
+    if not task.preset.settings.exact:
+        return []
+    there = {p.id for p in standing} | task.forbidden
+    more = extras(task.space, task.ground, (*standing, *task.beside), task.catalog)
+    return [p for p in more if there.isdisjoint((p.id, p.category))]
 
 
 def _use_width(shape: shapely.Polygon, width: float) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -37,7 +38,8 @@ from scenewright.domains.home.changes.regroup import (
 )
 from scenewright.domains.home.furnishing.look import apply_style, keep_palette
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.home_floor import join_floors
+from scenewright.domains.home.home_floor import HomeFloor, join_floors
+from scenewright.domains.home.kept_ways import find_barring_screens
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import held_elsewhere
 from scenewright.domains.home.presets import PRESETS
@@ -90,8 +92,11 @@ def adjust(
         room: _revise_room(start, rooms, room, change, edits, steps)
         for room in sorted(change.touched)
     }
-    _yield(found, rooms, start, change)
-    after = _assemble_solution(start, rooms, found, change, time.perf_counter() - started)
+    exact = found and preset_named(PRESETS, solution.preset).settings.exact
+    floors = join_floors(rooms, brief.route_width) if exact else ()
+    _yield(found, rooms, floors, start, change)
+    spent = time.perf_counter() - started
+    after = _assemble_solution(start, rooms, floors, found, change, spent)
     again = {room.id for room in rooms if {room.id, room.name} & set(edits.again)}
     reasons = {k: why for revised in found.values() for k, why in revised.reasons.items()}
     return Adjusted(after, changes_of(solution, after, change, again, reasons))
@@ -225,11 +230,15 @@ def _settle_swapped(
 
 
 def _yield(
-    found: dict[str, Revised], rooms: tuple[Space, ...], solution: Solution, change: EditedHome
+    found: dict[str, Revised],
+    rooms: tuple[Space, ...],
+    floors: Sequence[HomeFloor],
+    solution: Solution,
+    change: EditedHome,
 ) -> None:
-    """What now bars a way through the home gives way, in the touched rooms only."""
+    """What now bars a way over the ``floors`` of the home gives way, in the touched rooms only."""
     settings = preset_named(PRESETS, solution.preset).settings
-    if not found or not settings.exact:
+    if not floors:
         return
     standing, answers = [], []
     for space in rooms:
@@ -242,7 +251,6 @@ def _yield(
             standing.append(revised.task.fixed)
             answers.append(answer._replace(placed=(*stay, *answer.placed)))
     catalog = catalog_of(solution.brief.catalogs)
-    floors = join_floors(rooms, solution.brief.route_width)
     after = remove_blockers(standing, answers, rooms, floors, catalog, settings)
     for space, answer in zip(rooms, after, strict=True):
         if space.id in found:
@@ -252,6 +260,7 @@ def _yield(
 def _assemble_solution(
     solution: Solution,
     rooms: tuple[Space, ...],
+    floors: Sequence[HomeFloor],
     found: dict[str, Revised],
     change: EditedHome,
     seconds: float,
@@ -272,7 +281,7 @@ def _assemble_solution(
         pieces += sorted(_pieces(revised, here), key=lambda p: order.get(p.id, len(order)))
         answer = revised.rest.answer
         whole = answer._replace(placed=(*revised.held, *answer.placed))
-        standing = (*revised.task.fixed, *(p for g in answer.placed for p in g.pieces))
+        standing = _placed(revised)
         costs = terms(revised.bare, whole)
         drawn += patches(revised.bare, whole)
         values += costs
@@ -283,13 +292,16 @@ def _assemble_solution(
             *left_out(revised.bare, answer),
             *revised.given_up,
         ]
+    catalog = catalog_of(solution.brief.catalogs)
+    placed = chain(*(_placed(revised) for revised in found.values()))
+    narrow = find_barring_screens(placed, pieces, rooms, floors, catalog)
     return replace(
         solution,
         pieces=apply_style(
-            consistent(pieces),
+            consistent([narrow.get(p.id, p) for p in pieces]),
             solution.brief,
             (space.id for space in rooms),
-            catalog_of(solution.brief.catalogs),
+            catalog,
             solution.seed,
         ),
         patches=tuple(drawn),
@@ -303,9 +315,13 @@ def _assemble_solution(
 
 def _pieces(revised: Revised, before: Sequence[Piece]) -> list[Piece]:
     """All that stands in a revised room, with lamps and curtains anew where they must be."""
-    task = revised.task
-    placed = (*task.fixed, *(p for g in revised.rest.answer.placed for p in g.pieces))
-    return completed_as_before(task, placed, before)
+    return completed_as_before(revised.task, _placed(revised), before)
+
+
+def _placed(revised: Revised) -> tuple[Piece, ...]:
+    """What stands in a revised room, without lamps and curtains."""
+    groups = (g.pieces for g in revised.rest.answer.placed)
+    return (*revised.task.fixed, *chain(*groups))
 
 
 def _with_moved(
