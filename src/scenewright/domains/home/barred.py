@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scenewright.building.ceiling import planes
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import corners
+from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.home_floor import (
@@ -21,6 +22,7 @@ from scenewright.domains.home.home_floor import (
     HomeFloor,
     erode,
     join_to,
+    list_bearing,
     list_obstacles,
     reach_without,
     walk,
@@ -66,26 +68,33 @@ def find_barred(
     for floor in floors:
         storey = level[next(iter(floor.rooms))]
         near = [p for p in pieces if level.get(p.space) == storey]
-        walked = walk(floor, list_obstacles(near, floor, catalog))
-        mine = [space for space in spaces if space.id in floor.rooms]
-        found += _find_on(walked, mine, near, catalog)
+        mine = tuple(Same(space) for space in spaces if space.id in floor.rooms)
+        here = tuple(map(Same, list_bearing(near, floor, catalog)))
+        found += _find_on(Same(floor), mine, here, Same(catalog))
     return found
 
 
+@lru_cache(maxsize=64)
 def _find_on(
-    walked: FloorWalk, spaces: Sequence[Space], pieces: Sequence[Piece], catalog: Catalog
-) -> list[Barred]:
+    floor: Same[HomeFloor],
+    rooms_of: tuple[Same[Space], ...],
+    here: tuple[Same[Piece], ...],
+    stock: Same[Catalog],
+) -> tuple[Barred, ...]:
+    """What is barred on one floor; a floor where all stands as before is not walked again."""
+    spaces, pieces, catalog = [s.value for s in rooms_of], [p.value for p in here], stock.value
+    walked = walk(floor.value, list_obstacles(pieces, catalog))
     rooms = [target for space in spaces if (target := _room_target(walked, space)) is not None]
     missed = [target for target in rooms if not walked.reached.intersects(target.region)]
     entered = {target.space for target in rooms} - {target.space for target in missed}
     for space in spaces:
         if space.id in entered:
-            here = [p for p in pieces if p.space == space.id]
-            missed += _missed_pieces(walked, space, here, catalog)
-    return [
+            inside = [p for p in pieces if p.space == space.id]
+            missed += _missed_pieces(walked, space, inside, catalog)
+    return tuple(
         Barred(target.space, target.piece, openers)
         for target, openers in zip(missed, _find_openers(walked, missed), strict=True)
-    ]
+    )
 
 
 def _room_target(walked: FloorWalk, space: Space) -> BarredRegion | None:

@@ -34,19 +34,23 @@ SOFT = ("curtain", "blind")
 
 
 class HomeFloor(NamedTuple):
-    """Rooms joined by doors: the floor of each by id, the same with its doorways, all of it where
-    there is room for the shoulders, the part of it too ``low`` for the head, and the points one
+    """Rooms joined by doors: the floor of each by id, that of all ``inside`` them, of each with its
+    doorways, all of it where there is room for the shoulders, the part of it too ``low`` for the head, and the points one
     comes in by (none: not known). For discs of ``radius`` metres: where their middle may be while
-    all is empty (``clear``), which rooms are nowhere as wide as two of them side by side
+    all is empty (``clear``), where it starts (empty: no entry is known that lets it in) and what of
+    this is ``joined`` to the start, which rooms are nowhere as wide as two of them side by side
     (``narrow``), and the floor of each farther than :data:`ENTERED` from its walls (``inner``)."""
 
     rooms: Mapping[str, Shape]
+    inside: Shape
     within: Mapping[str, Shape]
     whole: Shape
     low: Shape
     entries: tuple[Shape, ...]
     radius: float
     clear: Shape
+    start: Shape
+    joined: Shape
     narrow: frozenset[str]
     inner: Mapping[str, Shape]
 
@@ -118,15 +122,24 @@ def _join(
     ways = {name: [way for _, own, way in here if name in own] for name in mine}
     whole = shapely.union_all([*(rooms[name] for name in mine), *(way for _, _, way in here)])
     whole = whole.difference(_lower_than(spaces, rooms, SHOULDERS))
-    low = _lower_than(spaces, rooms, HEADROOM)
+    low, inside = _lower_than(spaces, rooms, HEADROOM), shapely.union_all([rooms[n] for n in mine])
+    entries = _find_entries(spaces, [gate.opening for gate, own, _ in here if len(own) == 1], width)
+    clear = erode(whole, (), low, width / 2)
+    start = shapely.union_all([entry.buffer(2 * SLACK) for entry in entries])
+    start = start if start.intersects(clear) else shapely.Point()
+    joined = join_to(start, clear)
+    shapely.prepare([inside, joined])
     return HomeFloor(
         {name: rooms[name] for name in mine},
+        inside,
         {name: shapely.union_all([rooms[name], *ways[name]]) for name in mine},
         whole,
         low,
-        _find_entries(spaces, [gate.opening for gate, own, _ in here if len(own) == 1], width),
+        entries,
         width / 2,
-        erode(whole, (), low, width / 2),
+        clear,
+        start,
+        joined,
         frozenset(name for name in mine if _is_narrow(rooms[name], 2 * width)),
         {name: rooms[name].buffer(-ENTERED) for name in mine},
     )
@@ -175,35 +188,38 @@ def _find_entries(
     return tuple(arrivals or [shapely.Point(door.x, door.y) for door in doors])
 
 
-def list_obstacles(
-    pieces: Sequence[Piece], floor: HomeFloor, catalog: Catalog
-) -> tuple[Obstacle, ...]:
-    """What stands on a floor and is in the way there; ``pieces`` are those of its storey. Seats are
-    pushed aside, and what stands on or hangs over another piece takes no floor of its own."""
+def list_bearing(pieces: Sequence[Piece], floor: HomeFloor, catalog: Catalog) -> tuple[Piece, ...]:
+    """Of the pieces of a storey those that bear on one of its floors: all of its own rooms, and of
+    others what is in the way there."""
+    strange = [p for p in pieces if p.space not in floor.rooms and _takes_floor(p, catalog)]
+    shapes = polygons_of(strange)
+    met = np.flatnonzero(shapely.intersects(floor.inside, shapes))
+    areas = shapely.area(shapely.intersection(shapes[met], floor.inside))
+    reaching = {strange[k].id for k, area in zip(met, areas, strict=True) if area > UNSEEN}
+    return tuple(p for p in pieces if p.space in floor.rooms or p.id in reaching)
+
+
+def list_obstacles(pieces: Sequence[Piece], catalog: Catalog) -> tuple[Obstacle, ...]:
+    """What is in the way of the ``pieces`` that bear on a floor. Seats are pushed aside, and what
+    stands on or hangs over another piece takes no floor of its own."""
     solid = [p for p in pieces if _takes_floor(p, catalog)]
     shapes = polygons_of(solid)
-    strange = [k for k, p in enumerate(solid) if p.space not in floor.rooms]
-    if strange:
-        inside = shapely.union_all(list(floor.rooms.values()))
-        far = shapely.area(shapely.intersection(shapes[strange], inside)) <= UNSEEN
-        strange = [k for k, is_far in zip(strange, far, strict=True) if is_far]
-    near = np.setdiff1d(np.arange(len(solid)), strange)
-    carried = _find_carried(np.array([p.pose.z for p in solid]), shapes, near)
-    return tuple(Obstacle(solid[k].id, shapes[k]) for k in near if k not in carried)
+    carried = _find_carried(np.array([p.pose.z for p in solid]), shapes)
+    return tuple(Obstacle(p.id, shapes[k]) for k, p in enumerate(solid) if k not in carried)
 
 
-def _find_carried(
-    heights: Floats, shapes: NDArray[np.object_], near: NDArray[np.int64]
-) -> set[int]:
-    """Those of the pieces ``near`` that stand on or hang over one lower than they are."""
+def _find_carried(heights: Floats, shapes: NDArray[np.object_]) -> set[int]:
+    """Those of the pieces that stand on or hang over one lower than they are."""
     found, bounds = set(), shapely.bounds(shapes)
-    for i in near[heights[near] > SLACK]:
-        lower = near[heights[near] < heights[i]]
-        over = (bounds[lower, :2] <= bounds[i, :2] + 2 * SLACK).all(1)
-        over &= (bounds[lower, 2:] >= bounds[i, 2:] - 2 * SLACK).all(1)
-        wide = shapely.buffer(shapes[lower[over]], SLACK, join_style="mitre")
+    for i in np.flatnonzero(heights > SLACK).tolist():
+        over = heights < heights[i]
+        over &= (bounds[:, :2] <= bounds[i, :2] + 2 * SLACK).all(1)
+        over &= (bounds[:, 2:] >= bounds[i, 2:] - 2 * SLACK).all(1)
+        if not over.any():
+            continue
+        wide = shapely.buffer(shapes[over], SLACK, join_style="mitre")
         if shapely.covers(wide, shapes[i]).any():
-            found.add(int(i))
+            found.add(i)
     return found
 
 
@@ -218,16 +234,16 @@ def _takes_floor(piece: Piece, catalog: Catalog) -> bool:
 def walk(floor: HomeFloor, obstacles: tuple[Obstacle, ...]) -> FloorWalk:
     """Where a disc of the floor's radius may go that comes in by the entries; where there are none,
     or none that lets it in, it starts in the largest part."""
-    empty, radius = floor.clear, floor.radius
+    start, joined, radius = floor.start, floor.joined, floor.radius
     free = erode(floor.whole, [o.footprint for o in obstacles], floor.low, radius)
-    start = shapely.union_all([entry.buffer(2 * SLACK) for entry in floor.entries])
-    if not start.intersects(empty):
-        parts = shapely.get_parts(free if not free.is_empty else empty)
+    if start.is_empty:
+        parts = shapely.get_parts(free if not free.is_empty else floor.clear)
         areas = shapely.area(parts)
         start = parts[int(np.argmax(areas))].point_on_surface() if len(parts) else shapely.Point()
+        joined = join_to(start, floor.clear)
     reached = join_to(start, free)
     shapely.prepare(reached)
-    return FloorWalk(floor, obstacles, radius, join_to(start, empty), start, free, reached)
+    return FloorWalk(floor, obstacles, radius, joined, start, free, reached)
 
 
 def erode(floor: Shape, solid: Sequence[Shape], low: Shape, radius: float) -> Shape:
