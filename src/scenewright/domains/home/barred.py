@@ -63,7 +63,7 @@ def find_barred(
     straight before a side it is used from. Of a tight room the doorway is enough, and there a
     person goes on sideways. Pieces of rooms that are barred are not listed one by one.
     """
-    found = []
+    found: list[Barred] = []
     level = {space.id: space.level for space in spaces}
     for floor in floors:
         storey = level[next(iter(floor.rooms))]

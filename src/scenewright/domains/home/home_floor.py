@@ -34,12 +34,13 @@ SOFT = ("curtain", "blind")
 
 
 class HomeFloor(NamedTuple):
-    """Rooms joined by doors: the floor of each by id, that of all ``inside`` them, of each with its
-    doorways, all of it where there is room for the shoulders, the part of it too ``low`` for the head, and the points one
-    comes in by (none: not known). For discs of ``radius`` metres: where their middle may be while
-    all is empty (``clear``), where it starts (empty: no entry is known that lets it in) and what of
-    this is ``joined`` to the start, which rooms are nowhere as wide as two of them side by side
-    (``narrow``), and the floor of each farther than :data:`ENTERED` from its walls (``inner``)."""
+    """Rooms joined by doors: the floor of each by id, that of all (``inside``), of each with its
+    doorways, of all where there is room for the shoulders, the part of it too ``low`` for the head,
+    and the points one comes in by (none: not known). For discs of ``radius`` metres: where their
+    middle may be while all is empty (``clear``), where it starts (empty: no entry is known that
+    lets it in) and what of this is ``joined`` to the start, which rooms are nowhere as wide as two
+    of them side by side (``narrow``), and the floor of each farther than :data:`ENTERED` from its
+    walls (``inner``)."""
 
     rooms: Mapping[str, Shape]
     inside: Shape
