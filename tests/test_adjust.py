@@ -142,6 +142,16 @@ def test_a_room_again_keeps_what_is_locked(house: Solution) -> None:
     )
 
 
+@pytest.mark.parametrize("room", ["kitchen", "landing", "bedroom"])
+def test_a_room_again_from_the_same_seed_is_furnished_as_at_first(
+    house: Solution, room: str
+) -> None:
+    """Composed like the whole home, and without what stands in another of its rooms."""
+    after = resolve(house, again=[room], steps=6000)
+    assert furniture(after) == furniture(house)
+    assert after.energies[room] == pytest.approx(house.energies[room])
+
+
 def test_a_piece_may_change_rooms_but_not_leave_the_home(house: Solution) -> None:
     chair = piece(house, "study/reading/armchair")
     after = resolve(house, move={chair.id: (4.5, 2.0)})

@@ -1,8 +1,9 @@
 """A second try for rooms that had to give up something they are for.
 
-Rooms are furnished one by one on a grid; the walk through the whole home (:mod:`.yielding`) is
-exact. Where it takes away what a room is for, the room is furnished again from other random
-numbers with wider ways kept open, and of both homes the one that lacks less is taken.
+Rooms are furnished one by one on a grid; the walk through the whole home
+(:mod:`.remove_blockers`) is exact. Where it takes away what a room is for, the room is furnished
+again from other random numbers with wider ways kept open, and of both homes the one that lacks
+less is taken.
 """
 
 from __future__ import annotations

@@ -32,33 +32,24 @@ from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.home_floor import HomeFloor, join_floors
-from scenewright.domains.home.household import (
-    Household,
-    decide_household,
-    seat_residents,
-    share_out,
-)
+from scenewright.domains.home.household import decide_household, seat_residents
 from scenewright.domains.home.kept_ways import find_barring_screens
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import share_open_plans
 from scenewright.domains.home.presets import PRESETS, HomePreset
 from scenewright.domains.home.problem import Problem
-from scenewright.domains.home.programme import STANDS_FOR, Wish
+from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.remove_blockers import remove_blockers
 from scenewright.domains.home.requests import check_asks, check_possible
 from scenewright.domains.home.second_try import tried_again
+from scenewright.domains.home.shared_wishes import share_wishes
 from scenewright.domains.home.shortfall import complete_account, list_short_beds
 from scenewright.domains.home.stated_needs import AskedRooms, measure_shortage, meet_stated_needs
 from scenewright.domains.home.tasks import add_lamps_and_curtains, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, vary_task
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
-from scenewright.domains.home.wished.wishes import (
-    check_wishes,
-    list_barred_groups,
-    list_substitutes,
-    restrict_library,
-)
+from scenewright.domains.home.wished.wishes import check_wishes, list_substitutes, restrict_library
 from scenewright.engine.rows import preset_named
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget
@@ -196,23 +187,7 @@ def prepare_rooms(
         task._replace(library=seat_residents(household, task.space.id, task.library))
         for task in tasks
     ]
-    return seated, _as_one_home(household, tasks, wishes)
-
-
-def _as_one_home(
-    household: Household, tasks: Sequence[RoomTask], wishes: Sequence[tuple[Wish, ...]]
-) -> list[tuple[Wish, ...]]:
-    """The wishes of all rooms as the home has them; rooms of which all is listed stay as asked."""
-    standing = {piece.category for task in tasks for piece in task.fixed}
-    there = {group for group, kinds in STANDS_FOR.items() if standing.intersection(kinds)}
-    others = frozenset(there | {wish.group for asked in wishes for wish in asked})
-    found = []
-    for task, asked in zip(tasks, wishes, strict=True):
-        listed = task.asked is not None and task.asked.ask is not None
-        shared = asked if listed else share_out(household, task.space.id, asked, others)
-        barred = list_barred_groups(task.asked, task.library) if task.asked else frozenset()
-        found.append(tuple(w for w in shared if w in asked or w.group not in barred))
-    return found
+    return seated, share_wishes(household, tasks, wishes)
 
 
 def _tasks(

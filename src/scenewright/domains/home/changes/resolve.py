@@ -5,8 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import chain
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,30 +19,32 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.attempt import RoomTask
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
-from scenewright.domains.home.changes.belonging import consistent
+from scenewright.domains.home.changes.assembling import assemble_home
 from scenewright.domains.home.changes.edits import LIGHT, EditedHome, apply_edits, leads
-from scenewright.domains.home.changes.lacking import moved_out, still_missing
 from scenewright.domains.home.changes.least_change import Rest, rearrange_groups
-from scenewright.domains.home.changes.lights import completed_as_before
 from scenewright.domains.home.changes.listing import changes_of
 from scenewright.domains.home.changes.needless import take_back
+from scenewright.domains.home.changes.open_ways import open_ways
 from scenewright.domains.home.changes.regroup import (
     as_standing,
     find_misplaced,
     regroup_pieces,
     settle_group,
 )
-from scenewright.domains.home.furnishing.look import apply_style, keep_palette
+from scenewright.domains.home.changes.revised import NOTHING, Revised
+from scenewright.domains.home.composing.improve import compose
+from scenewright.domains.home.entrances import entered_by
+from scenewright.domains.home.furnishing.look import keep_palette
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.home_floor import HomeFloor, join_floors
-from scenewright.domains.home.kept_ways import find_barring_screens
+from scenewright.domains.home.home_floor import join_floors
+from scenewright.domains.home.household import decide_household, seat_residents
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import held_elsewhere
 from scenewright.domains.home.presets import PRESETS
-from scenewright.domains.home.reasons import left_out, patches, terms
-from scenewright.domains.home.remove_blockers import remove_blockers
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.shared_wishes import find_groups, share_with_home
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.tasks import task_of, wishes_of
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
@@ -53,19 +53,6 @@ from scenewright.engine.rows import preset_named, solver_again
 from scenewright.engine.solve import Budget
 
 Floats = NDArray[np.float64]
-
-
-class Revised(NamedTuple):
-    """One room after the edits: its task with all that is fixed, the same without the groups that
-    are ``held``, the other groups, what of a moved group had to be given up, and why groups
-    changed, by their ids."""
-
-    task: RoomTask
-    bare: RoomTask
-    held: tuple[FurnishedGroup, ...]
-    rest: Rest
-    given_up: tuple[LeftOut, ...]
-    reasons: Mapping[str, str]
 
 
 def adjust(
@@ -94,9 +81,9 @@ def adjust(
     }
     exact = found and preset_named(PRESETS, solution.preset).settings.exact
     floors = join_floors(rooms, brief.route_width) if exact else ()
-    _yield(found, rooms, floors, start, change)
+    found = open_ways(found, rooms, floors, start, change.pieces)
     spent = time.perf_counter() - started
-    after = _assemble_solution(start, rooms, floors, found, change, spent)
+    after = assemble_home(start, rooms, floors, found, change, spent)
     again = {room.id for room in rooms if {room.id, room.name} & set(edits.again)}
     reasons = {k: why for revised in found.values() for k, why in revised.reasons.items()}
     return Adjusted(after, changes_of(solution, after, change, again, reasons))
@@ -122,6 +109,8 @@ def _revise_room(
         widen_library(library) if solution.brief.accessible else library, asked
     )
     preset = preset_named(PRESETS, solution.preset)
+    household = decide_household(rooms, solution.brief.residents)
+    library = seat_residents(household, room, library)
 
     others = [[p for p in solution.pieces if p.fixed and p.space == s.id] for s in rooms]
     beside = reaching_in(others, rooms)[[s.id for s in rooms].index(space.id)]
@@ -139,6 +128,7 @@ def _revise_room(
             solver_again(SOLVERS, solution.solver) or preset.solver,
             solution.seed,
             beside=beside,
+            entered=entered_by(space, rooms),
         )
         return match_learned_density(task._replace(elsewhere=elsewhere), asked, rooms)
 
@@ -151,25 +141,31 @@ def _revise_room(
     held = regroup_pieces(firm, boxes, wishes)
     free = regroup_pieces([p for p in here if p.group not in groups], boxes, wishes)
     again = {space.id, space.name} & set(edits.again)
-    wanted = wishes_of(asked, task, rooms, tuple(firm)) if again else tuple(g.wish for g in free)
+    wanted = tuple(group.wish for group in free)
+    if again:
+        wanted = wishes_of(asked, task, rooms, tuple(firm))
+        wanted = share_with_home(household, task, wanted, _groups_of(change.pieces, room, wanted))
     budget = Budget(threads=1, steps=(steps or preset.steps or 1000) * max(len(wanted), 1))
     if again:
-        rest = Rest((), furnish_by_use(task, wanted, budget) if wanted else _nothing())
+        rest = Rest((), compose(task, furnish_by_use(task, wanted, budget)) if wanted else NOTHING)
     else:
         rest = rearrange_groups(task, free, budget)
         if preset.settings.exact:
             rest, more = take_back(bare, held, free, rest)
             reasons |= more
-    return Revised(task, bare, held, rest, given_up, reasons)
+    return Revised(task, bare, held, rest, given_up, reasons, wanted if again else (), budget)
+
+
+def _groups_of(pieces: Sequence[Piece], room: str, wanted: Sequence[Wish]) -> frozenset[str]:
+    """The groups that stand in the other rooms, and those ``wanted`` in this one."""
+    others = [p for p in pieces if p.space != room]
+    standing = find_groups(p.category for p in others) | {p.function for p in others}
+    return standing | {wish.group for wish in wanted}
 
 
 def _plain(piece: Piece) -> bool:
     """Whether a piece belongs to no group and follows none."""
     return piece.function not in GROUPS and piece.function != LIGHT
-
-
-def _nothing() -> RoomAnswer:
-    return RoomAnswer(0.0, (), (), (), None, 0.0, 0)
 
 
 def _boxes(
@@ -227,101 +223,6 @@ def _settle_swapped(
             there = settle_group(task, [p for p in firm if p.id in together], others)
             firm = [*rest, *there]
     return firm
-
-
-def _yield(
-    found: dict[str, Revised],
-    rooms: tuple[Space, ...],
-    floors: Sequence[HomeFloor],
-    solution: Solution,
-    change: EditedHome,
-) -> None:
-    """What now bars a way over the ``floors`` of the home gives way, in the touched rooms only."""
-    settings = preset_named(PRESETS, solution.preset).settings
-    if not floors:
-        return
-    standing, answers = [], []
-    for space in rooms:
-        revised = found.get(space.id)
-        if revised is None:
-            standing.append(tuple(p for p in change.pieces if p.space == space.id))
-            answers.append(_nothing())
-        else:
-            stay, answer = revised.rest
-            standing.append(revised.task.fixed)
-            answers.append(answer._replace(placed=(*stay, *answer.placed)))
-    catalog = catalog_of(solution.brief.catalogs)
-    after = remove_blockers(standing, answers, rooms, floors, catalog, settings)
-    for space, answer in zip(rooms, after, strict=True):
-        if space.id in found:
-            found[space.id] = found[space.id]._replace(rest=Rest((), answer))
-
-
-def _assemble_solution(
-    solution: Solution,
-    rooms: tuple[Space, ...],
-    floors: Sequence[HomeFloor],
-    found: dict[str, Revised],
-    change: EditedHome,
-    seconds: float,
-) -> Solution:
-    """The whole solution: new in the touched rooms, as it was in all others."""
-    pieces, drawn, values, missing = [], [], [], []
-    order = {piece.id: number for number, piece in enumerate(solution.pieces)}
-    energies = {k: v for k, v in solution.energies.items() if k not in found}
-    for space in rooms:
-        if space.id not in found:
-            pieces += [p for p in change.pieces if p.space == space.id]
-            drawn += [p for p in solution.patches if p.space == space.id]
-            values += [t for t in solution.terms if t.space == space.id]
-            missing += [o for o in solution.left_out if o.space == space.id]
-            continue
-        revised = found[space.id]
-        here = [p for p in solution.pieces if p.space == space.id]
-        pieces += sorted(_pieces(revised, here), key=lambda p: order.get(p.id, len(order)))
-        answer = revised.rest.answer
-        whole = answer._replace(placed=(*revised.held, *answer.placed))
-        standing = _placed(revised)
-        costs = terms(revised.bare, whole)
-        drawn += patches(revised.bare, whole)
-        values += costs
-        energies[space.id] = sum(value.cost for value in costs)
-        missing += [
-            *still_missing(solution, space.id, whole),
-            *moved_out(revised.bare, rooms, standing, solution.pieces, change),
-            *left_out(revised.bare, answer),
-            *revised.given_up,
-        ]
-    catalog = catalog_of(solution.brief.catalogs)
-    placed = chain(*(_placed(revised) for revised in found.values()))
-    narrow = find_barring_screens(placed, pieces, rooms, floors, catalog)
-    return replace(
-        solution,
-        pieces=apply_style(
-            consistent([narrow.get(p.id, p) for p in pieces]),
-            solution.brief,
-            (space.id for space in rooms),
-            catalog,
-            solution.seed,
-        ),
-        patches=tuple(drawn),
-        terms=tuple(values),
-        left_out=tuple(dict.fromkeys(missing)),
-        energies=energies,
-        seconds=seconds,
-        evaluations=sum(r.rest.answer.evaluations for r in found.values()),
-    )
-
-
-def _pieces(revised: Revised, before: Sequence[Piece]) -> list[Piece]:
-    """All that stands in a revised room, with lamps and curtains anew where they must be."""
-    return completed_as_before(revised.task, _placed(revised), before)
-
-
-def _placed(revised: Revised) -> tuple[Piece, ...]:
-    """What stands in a revised room, without lamps and curtains."""
-    groups = (g.pieces for g in revised.rest.answer.placed)
-    return (*revised.task.fixed, *chain(*groups))
 
 
 def _with_moved(

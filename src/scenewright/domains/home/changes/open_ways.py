@@ -1,0 +1,84 @@
+"""The ways of a changed home: what bars one gives way, in the rooms that were touched only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+from scenewright.core.space import Space
+from scenewright.domains.home.attempt import RoomAnswer
+from scenewright.domains.home.changes.least_change import Rest
+from scenewright.domains.home.changes.revised import NOTHING, Revised
+from scenewright.domains.home.home_floor import HomeFloor
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.remove_blockers import remove_blockers
+from scenewright.domains.home.second_try import Opened, tried_again
+from scenewright.engine.rows import preset_named
+
+Answers = Sequence[RoomAnswer]
+
+
+def open_ways(
+    found: Mapping[str, Revised],
+    rooms: Sequence[Space],
+    floors: Sequence[HomeFloor],
+    solution: Solution,
+    pieces: Sequence[Piece],
+) -> dict[str, Revised]:
+    """The rooms that were touched without what bars a way over the ``floors`` of the home; those
+    furnished again are tried otherwise where they lose something essential to that. ``pieces`` are
+    those of the whole home as it was changed."""
+    if not floors:
+        return dict(found)
+    touched = [found.get(space.id) for space in rooms]
+    standing = [
+        revised.task.fixed if revised else tuple(p for p in pieces if p.space == space.id)
+        for space, revised in zip(rooms, touched, strict=True)
+    ]
+    opened = partial(
+        remove_blockers,
+        standing,
+        rooms=tuple(rooms),
+        floors=floors,
+        catalog=catalog_of(solution.brief.catalogs),
+        settings=preset_named(PRESETS, solution.preset).settings,
+    )
+    answers = [_whole_answer(revised.rest) if revised else NOTHING for revised in touched]
+    after = opened(_try_anew(touched, answers, opened))
+    return {
+        space.id: revised._replace(rest=Rest((), answer))
+        for space, revised, answer in zip(rooms, touched, after, strict=True)
+        if revised is not None
+    }
+
+
+def _whole_answer(rest: Rest) -> RoomAnswer:
+    stay, answer = rest
+    return answer._replace(placed=(*stay, *answer.placed))
+
+
+def _try_anew(
+    touched: Sequence[Revised | None], answers: Answers, opened: Opened
+) -> list[RoomAnswer]:
+    """The answers for all rooms, with further tries for those furnished again."""
+    anew = {i: revised for i, revised in enumerate(touched) if revised and revised.anew}
+
+    def together(some: Answers) -> list[RoomAnswer]:
+        each = dict(zip(anew, some, strict=True))
+        return [each.get(i, answer) for i, answer in enumerate(answers)]
+
+    def opened_anew(some: Answers) -> list[RoomAnswer]:
+        after = opened(together(some))
+        return [after[i] for i in anew]
+
+    again = tried_again(
+        [revised.task for revised in anew.values()],
+        [revised.anew for revised in anew.values()],
+        [revised.budget for revised in anew.values()],
+        [answers[i] for i in anew],
+        opened_anew,
+    )
+    return together(again)
