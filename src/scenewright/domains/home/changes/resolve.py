@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from scenewright.building.plan import plan_rooms
 from scenewright.building.standing import is_item, item_of, reaching_in
 from scenewright.catalog.loading import catalog_of
-from scenewright.core.brief import Brief
+from scenewright.core.brief import Brief, Room
 from scenewright.core.edits import Adjusted, Edits
 from scenewright.core.piece_edits import frame_of, transfer_frame
 from scenewright.core.plan import Plan
@@ -20,6 +21,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomTask
+from scenewright.domains.home.cases.library import Library
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.changes.assembling import assemble_home
 from scenewright.domains.home.changes.edits import LIGHT, EditedHome, apply_edits, leads
@@ -39,7 +41,7 @@ from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import keep_palette
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.home_floor import join_floors
-from scenewright.domains.home.household import decide_household, seat_residents
+from scenewright.domains.home.household import Household, decide_household, seat_residents
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import held_elsewhere
 from scenewright.domains.home.presets import PRESETS
@@ -99,61 +101,70 @@ def _revise_room(
 ) -> Revised:
     """One touched room."""
     number = next(i for i, space in enumerate(rooms) if space.id == room)
-    space, asked = rooms[number], solution.brief.rooms[number]
+    asked = solution.brief.rooms[number]
     here = [p for p in change.pieces if p.space == room]
     groups = {p.group for p in here if p.fixed and p.function in GROUPS}
     firm = [p for p in here if p.fixed or p.group in groups or _plain(p)]
-    catalog = catalog_of(solution.brief.catalogs)
-    library = libraries_of(solution.brief, catalog)[taste_of(solution.brief, asked)]
-    library = restrict_library(
-        widen_library(library) if solution.brief.accessible else library, asked
-    )
-    preset = preset_named(PRESETS, solution.preset)
     household = decide_household(rooms, solution.brief.residents)
-    library = seat_residents(household, room, library)
+    library = _library_of(solution.brief, household, asked, room)
+    task_with = partial(_task_with, solution, rooms, number, library, change.pieces)
 
-    others = [[p for p in solution.pieces if p.fixed and p.space == s.id] for s in rooms]
-    beside = reaching_in(others, rooms)[[s.id for s in rooms].index(space.id)]
-    elsewhere = held_elsewhere(room, change.pieces, rooms)
-
-    def task_with(fixed: list[Piece]) -> RoomTask:
-        task = task_of(
-            solution.brief,
-            asked,
-            space,
-            tuple(fixed),
-            catalog,
-            library,
-            preset,
-            solver_again(SOLVERS, solution.solver) or preset.solver,
-            solution.seed,
-            beside=beside,
-            entered=entered_by(space, rooms),
-        )
-        return match_learned_density(task._replace(elsewhere=elsewhere), asked, rooms)
-
-    plain = [p for p in firm if p.function not in GROUPS]
-    bare = task_with(plain)
+    bare = task_with([p for p in firm if p.function not in GROUPS])
     firm, given_up, reasons = _repair_fixed(bare, firm, change)
     task = task_with(firm)
     boxes = _boxes(solution, [*firm, *here], change.moved)
     wishes = wishes_of(asked, bare, rooms, bare.fixed)
     held = regroup_pieces(firm, boxes, wishes)
     free = regroup_pieces([p for p in here if p.group not in groups], boxes, wishes)
-    again = {space.id, space.name} & set(edits.again)
-    wanted = tuple(group.wish for group in free)
-    if again:
-        wanted = wishes_of(asked, task, rooms, tuple(firm))
-        wanted = share_with_home(household, task, wanted, _groups_of(change.pieces, room, wanted))
-    budget = Budget(threads=1, steps=(steps or preset.steps or 1000) * max(len(wanted), 1))
-    if again:
-        rest = Rest((), compose(task, furnish_by_use(task, wanted, budget)) if wanted else NOTHING)
-    else:
-        rest = rearrange_groups(task, free, budget)
-        if preset.settings.exact:
-            rest, more = take_back(bare, held, free, rest)
-            reasons |= more
-    return Revised(task, bare, held, rest, given_up, reasons, wanted if again else (), budget)
+    steps = steps or task.preset.steps or 1000
+    if {room, task.space.name} & set(edits.again):
+        anew = wishes_of(asked, task, rooms, tuple(firm))
+        anew = share_with_home(household, task, anew, _groups_of(change.pieces, room, anew))
+        budget = Budget(threads=1, steps=steps * max(len(anew), 1))
+        answer = compose(task, furnish_by_use(task, anew, budget)) if anew else NOTHING
+        return Revised(task, bare, held, Rest((), answer), given_up, reasons, anew, budget)
+    budget = Budget(threads=1, steps=steps * max(len(free), 1))
+    rest = rearrange_groups(task, free, budget)
+    if task.preset.settings.exact:
+        rest, more = take_back(bare, held, free, rest)
+        reasons |= more
+    return Revised(task, bare, held, rest, given_up, reasons, (), budget)
+
+
+def _library_of(brief: Brief, household: Household, asked: Room, room: str) -> Library:
+    """The cases that a room may take."""
+    library = libraries_of(brief, catalog_of(brief.catalogs))[taste_of(brief, asked)]
+    wide = widen_library(library) if brief.accessible else library
+    return seat_residents(household, room, restrict_library(wide, asked))
+
+
+def _task_with(
+    solution: Solution,
+    rooms: tuple[Space, ...],
+    number: int,
+    library: Library,
+    pieces: Sequence[Piece],
+    fixed: Sequence[Piece],
+) -> RoomTask:
+    """A room in which some pieces are ``fixed``, as a task; ``pieces`` are those of the home."""
+    space, asked = rooms[number], solution.brief.rooms[number]
+    others = [[p for p in solution.pieces if p.fixed and p.space == s.id] for s in rooms]
+    preset = preset_named(PRESETS, solution.preset)
+    task = task_of(
+        solution.brief,
+        asked,
+        space,
+        tuple(fixed),
+        catalog_of(solution.brief.catalogs),
+        library,
+        preset,
+        solver_again(SOLVERS, solution.solver) or preset.solver,
+        solution.seed,
+        beside=reaching_in(others, rooms)[number],
+        entered=entered_by(space, rooms),
+    )
+    task = task._replace(elsewhere=held_elsewhere(space.id, pieces, rooms))
+    return match_learned_density(task, asked, rooms)
 
 
 def _groups_of(pieces: Sequence[Piece], room: str, wanted: Sequence[Wish]) -> frozenset[str]:
