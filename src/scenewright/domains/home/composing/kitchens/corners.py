@@ -7,7 +7,7 @@ from itertools import product
 
 from scenewright.domains.home.composing.kitchens.free_walls import (
     TOUCH,
-    FreeStretch,
+    KitchenStretch,
     end_of,
     floor_length,
 )
@@ -35,7 +35,7 @@ HAIR = 1e-6
 Units = tuple[Unit, ...]
 
 
-def _corners(low: list[FreeStretch]) -> Iterator[tuple[FreeStretch, FreeStretch]]:
+def _corners(low: list[KitchenStretch]) -> Iterator[tuple[KitchenStretch, KitchenStretch]]:
     """The stretches that meet in a corner of the room: the one that ends there, the one that
     begins."""
     for one, other in product(low, low):
@@ -49,7 +49,9 @@ ROUND = ("h/s", "s/h", "hs/", "/hs")
 """What stands on either side of a corner."""
 
 
-def list_round_corners(low: list[FreeStretch], most: float, whole: bool) -> Iterator[FittedKitchen]:
+def list_round_corners(
+    low: list[KitchenStretch], most: float, whole: bool
+) -> Iterator[FittedKitchen]:
     """Two lines of at most so many metres that meet in a corner, with a fridge at either end if it
     is to be ``whole``."""
     for one, other in _corners(low):
@@ -89,7 +91,7 @@ def _units_of_arm(holds: str, length: float) -> Units:
     return (*before, ("hob_cabinet", wide), *rest)
 
 
-def _join(one: FreeStretch, other: FreeStretch, left: Units, right: Units) -> FittedKitchen:
+def _join(one: KitchenStretch, other: KitchenStretch, left: Units, right: Units) -> FittedKitchen:
     """The units outwards from the corner along the wall that ends there and the one that begins."""
     lines = []
     if left:
@@ -107,7 +109,7 @@ AROUND = ("h/s/f", "f/s/h", "hf/s/", "/s/hf", "sf/h/", "/h/sf", "s/h/f", "f/h/s"
 """What stands in a U along its three walls."""
 
 
-def list_us(low: list[FreeStretch], most: float) -> Iterator[FittedKitchen]:
+def list_us(low: list[KitchenStretch], most: float) -> Iterator[FittedKitchen]:
     """Three lines round two corners, the outer ones of at most so many metres."""
     meetings = list(_corners(low))
     for (one, middle), (again, other) in product(meetings, meetings):
@@ -120,7 +122,7 @@ def list_us(low: list[FreeStretch], most: float) -> Iterator[FittedKitchen]:
 
 def _u(
     most: float,
-    walls: tuple[FreeStretch, FreeStretch, FreeStretch],
+    walls: tuple[KitchenStretch, KitchenStretch, KitchenStretch],
     holds: list[str],
     between: float,
 ) -> Iterator[FittedKitchen]:

@@ -16,7 +16,7 @@ from scenewright.domains.home.composing.case_faults import LEG
 from scenewright.domains.home.composing.kitchens.corners import list_round_corners, list_us
 from scenewright.domains.home.composing.kitchens.free_walls import (
     TOUCH,
-    FreeStretch,
+    KitchenStretch,
     end_of,
     floor_length,
 )
@@ -51,8 +51,8 @@ Units = tuple[Unit, ...]
 class FreeWalls(NamedTuple):
     """Where units stand free (``low``), and where what is as tall as a fridge does."""
 
-    low: list[FreeStretch]
-    tall: list[FreeStretch]
+    low: list[KitchenStretch]
+    tall: list[KitchenStretch]
     area: float
 
 
@@ -107,7 +107,7 @@ def _fridge(spare: float, holds: str) -> Unit:
     return ("fridge", wide)
 
 
-def _lines(stretch: FreeStretch, units: Units) -> Iterator[UnitLine]:
+def _lines(stretch: KitchenStretch, units: Units) -> Iterator[UnitLine]:
     """The units at either end of a stretch, both ways round."""
     wide = width_of(units)
     starts = {stretch.start, stretch.end - wide}
@@ -158,7 +158,7 @@ def _with_low_fridge(free: FreeWalls, kitchens: Iterable[FittedKitchen]) -> Iter
                     yield kitchen._replace(lines=(*kitchen.lines, line))
 
 
-def _left_beside(kitchen: FittedKitchen, stretch: FreeStretch) -> list[tuple[float, float]]:
+def _left_beside(kitchen: FittedKitchen, stretch: KitchenStretch) -> list[tuple[float, float]]:
     """What the lines and corners of a kitchen leave of a stretch."""
     taken = [
         (line.start, line.start + width_of(line.units))
@@ -197,7 +197,7 @@ def _within_reach(cooking: UnitLine, washing: UnitLine) -> bool:
     return hypot(one[0] - other[0], one[1] - other[1]) <= LEG[1]
 
 
-def _ends(stretch: FreeStretch, holds: str, cold: bool, most: float) -> list[UnitLine]:
+def _ends(stretch: KitchenStretch, holds: str, cold: bool, most: float) -> list[UnitLine]:
     """One line, as long as it can be, at either end of its stretch."""
     spare = stretch.end - stretch.start
     fridge: Units = (_fridge(spare, holds),) if cold else ()

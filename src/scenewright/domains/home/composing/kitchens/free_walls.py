@@ -18,7 +18,7 @@ TOUCH = 0.02  # a stretch that begins nearer than this to its corner reaches it,
 HAIR = 0.02  # what reaches less deep into the strip before a wall does not take it, metres
 
 
-class FreeStretch(NamedTuple):
+class KitchenStretch(NamedTuple):
     """A free piece of a wall, from ``start`` to ``end`` metres from where that begins; ``number``
     is the wall's, ``length`` its own."""
 
@@ -31,7 +31,7 @@ class FreeStretch(NamedTuple):
 
 def list_stretches(
     ground: Ground, standing: StandingObstacles, depth: float, height: float, least: float
-) -> list[FreeStretch]:
+) -> list[KitchenStretch]:
     """The free stretches of walls of at least so many metres, where something ``depth`` deep and
     ``height`` tall meets no wall, door zone, lower window or standing piece.
 
@@ -53,7 +53,7 @@ def list_stretches(
         spans += [(a, b) for a, b in edges if a <= b]
         for start, end in _gaps(spans, length):
             if end - start >= least:
-                found.append(FreeStretch(wall, start, end, number, length))
+                found.append(KitchenStretch(wall, start, end, number, length))
     return found
 
 
@@ -107,7 +107,7 @@ def _gaps(taken: list[tuple[float, float]], length: float) -> list[tuple[float, 
     return [(float(a), float(b)) for a, b in list(pairwise(ends))[::2] if b > a]
 
 
-def end_of(stretch: FreeStretch) -> tuple[float, float]:
+def end_of(stretch: KitchenStretch) -> tuple[float, float]:
     """Where the wall of a stretch ends."""
     wall = stretch.wall
     return wall.x + wall.ux * stretch.length, wall.y + wall.uy * stretch.length

@@ -30,7 +30,7 @@ RAISED = 0.3  # what begins so high is no unit of a run, metres
 HAIR = 0.01  # by which a passage may be narrower, metres
 
 
-class Front(NamedTuple):
+class RunFront(NamedTuple):
     """The front of a run: the point before the middle of its hob and sink, and the direction in
     which it looks."""
 
@@ -54,7 +54,7 @@ def clear_floor(task: RoomTask, standing: tuple[Piece, ...]) -> shapely.Geometry
     return clear
 
 
-def front_of(run: FurnishedGroup) -> Front:
+def front_of(run: FurnishedGroup) -> RunFront:
     """The front of the line of a run in which its hob is."""
     units = [p for p in run.pieces if p.pose.z < RAISED]
     hob = next(p for p in units if p.category == "hob_cabinet")
@@ -67,24 +67,23 @@ def front_of(run: FurnishedGroup) -> Front:
     out = hob.size.depth / 2
     x = hob.pose.x + out * np.cos(turn) + shift * np.sin(turn)
     y = hob.pose.y + out * np.sin(turn) - shift * np.cos(turn)
-    return Front(float(x), float(y), turn)
+    return RunFront(float(x), float(y), turn)
 
 
-def list_island_places(case: Group, front: Front, clear: shapely.Geometry) -> Iterator[Floats]:
+def list_island_places(case: Group, front: RunFront, clear: shapely.Geometry) -> Iterator[Floats]:
     """The boxes ``(5,)`` of an island before a front that have their passages, the nearest
     first."""
     body = next(m for m in case.members if m.category == "kitchen_island")
     back = body.y - body.size.depth / 2
     c, s = np.cos(front.heading), np.sin(front.heading)
     count = round(ALONG / STEP)
+    size = [side + 2 * (PASSAGE - HAIR) for side in body.size[:2]]
     steps = np.array(sorted(range(-count, count + 1), key=abs)) * STEP
     for aisle in AISLES:
-        out, size = aisle - back, (body.size.width + 2 * PASSAGE, body.size.depth + 2 * PASSAGE)
+        out = aisle - back
         x, y = front.x + steps * s + out * c, front.y - steps * c + out * s
-        around = np.column_stack(
-            [x + body.y * c, y + body.y * s, np.full_like(x, front.heading), *np.tile(
-                np.array(size)[:, None] - 2 * HAIR, (1, len(x)))]
-        )  # fmt: skip
+        middles = x + body.y * c, y + body.y * s
+        around = np.column_stack([*middles, *(np.full_like(x, v) for v in (front.heading, *size))])
         free = shapely.contains(clear, shapely.polygons(corners(around)))
         for k in np.flatnonzero(free):
             yield np.array([x[k], y[k], front.heading, case.width, case.depth])

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from scenewright.domains.home.attempt import DOOR, RoomTask
 from scenewright.domains.home.composing.judging import Placed
-from scenewright.domains.home.composing.kitchens.free_walls import FreeStretch
+from scenewright.domains.home.composing.kitchens.free_walls import KitchenStretch
 from scenewright.domains.home.groups.fitted_kitchen import (
     BACK,
     FittedKitchen,
@@ -49,7 +49,9 @@ def ways_of(task: RoomTask, rest: Placed, barred: frozenset[str]) -> RoomWays:
     return RoomWays(task, width, walked, joined, closed | lost)
 
 
-def trim_to_ways(ways: RoomWays, stretches: list[FreeStretch], least: float) -> list[FreeStretch]:
+def trim_to_ways(
+    ways: RoomWays, stretches: list[KitchenStretch], least: float
+) -> list[KitchenStretch]:
     """The stretches without the ends before which nobody can come, of at least so many metres."""
     if not len(ways.task.ground.doors):
         return stretches
