@@ -12,7 +12,7 @@ from scenewright.building.ceiling import BENDING, low_floor, strips
 from scenewright.core.layout import Layout
 from scenewright.core.same import Same
 from scenewright.domains.home.problem import Ground, Items, KnownGround, Problem, known_ground
-from scenewright.domains.home.terms.assemble import Costs, Ints, PreparedHome, make_costs, measure
+from scenewright.domains.home.terms.assemble import Costs, Ints, PreparedHome, measure
 from scenewright.domains.home.terms.orientation import inward
 from scenewright.domains.home.terms.table import (
     CLEAR_ITEMS,
@@ -177,6 +177,7 @@ def fill_energies(
     p: PreparedHome,
     grid: RouteGrid,
     population: Floats,
+    weights: Floats,
     energies: Floats,
     routes: Floats,
     frames: Floats,
@@ -184,13 +185,18 @@ def fill_energies(
     free: Bits,
     reached: Bits,
 ) -> None:
-    """Write energies and, of these, what the route costs ``(P,)`` for layouts ``(P, n, 5)``.
+    """Write energies and, of these, what the route costs ``(P,)`` for layouts ``(P, n, 5)``; with
+    ``weights`` (P, terms), each layout by its own, which replace those of ``p``.
 
-    The rest is scratch; ``costs`` keeps the parts of the last layout.
+    The rest is scratch; ``costs`` (c, ...) keeps the parts of the last layouts.
     """
     for k in range(population.shape[0]):
         fill_frames(population[k], frames)
-        energies[k], routes[k] = measure(frames, p, costs), 0.0
+        for t in range(weights.shape[1] if k < weights.shape[0] else 0):
+            p.weights[t] = weights[k, t]
+        c = k % costs.sums.shape[0]
+        parts = Costs(costs.boxes[c], costs.pairs[c], costs.relations[c], costs.sums[c])
+        energies[k], routes[k] = measure(frames, p, parts), 0.0
         if p.weights[ROUTE] != 0.0:
             routes[k] = p.weights[ROUTE] * route(
                 frames, p.access, p.inset, grid, free, reached, math.inf
@@ -201,12 +207,22 @@ def fill_energies(
 def energies_of(
     p: PreparedHome, grid: RouteGrid, population: Floats
 ) -> tuple[Floats, Floats, Costs]:
-    """Energies ``(P,)``, the route's share in them, and the parts of the last layout."""
-    count, n = len(population), len(p.limits)
-    energies, routes, costs = np.empty(count), np.empty(count), make_costs(n, len(p.pairs))
+    """Energies ``(P,)``, the route's share in them, and the parts ``(1, ...)`` of the last
+    layout."""
+    return _measure_all(p, grid, population, np.zeros((0, 0)), 1)
+
+
+def _measure_all(
+    p: PreparedHome, grid: RouteGrid, population: Floats, weights: Floats, kept: int
+) -> tuple[Floats, Floats, Costs]:
+    """What :func:`fill_energies` writes, with the parts of the last ``kept`` layouts."""
+    count, n, r = len(population), len(p.limits), len(p.pairs)
+    energies, routes = np.empty(count), np.empty(count)
+    costs = Costs(*map(np.zeros, ((kept, n, 4), (kept, n, n), (kept, r), (kept, 4))))
     free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
     boxes = np.array(population, np.float64, order="C").reshape(count, n, 5)
-    fill_energies(p, grid, boxes, energies, routes, np.empty((n, 8)), costs, free, reached)
+    filled = (energies, routes, np.empty((n, 8)), costs, free, reached)
+    fill_energies(p, grid, boxes, weights, *filled)
     return energies, routes, costs
 
 
@@ -225,24 +241,17 @@ def empty_layout(problem: Problem) -> Layout:
 
 
 def _parts(
-    row: TermRow,
-    weight: float,
-    p: PreparedHome,
-    grid: RouteGrid,
-    boxes: Floats,
-    names: tuple[str, ...],
+    row: TermRow, weight: float, energy: float, costs: Costs, pairs: Ints, names: tuple[str, ...]
 ) -> list[Part]:
-    """The parts of one term: the kernels run with its weight 1 and all others 0."""
-    only = np.zeros(len(TERMS))
-    only[row.number] = 1.0
-    energies, _, costs = energies_of(p._replace(weights=only), grid, boxes[None])
+    """The parts of one term, from the energy and its parts where it alone counts, with weight
+    1."""
     divisor = float(costs.boxes[:, 2].sum()) if row.per_area else 1.0
     if row.kind in ("whole", "layout"):
-        found = [("", energies[0])]
+        found = [("", energy)]
     elif row.kind == "box":
         found = list(zip(names, costs.boxes[:, 0 if row.per_area else 1] / divisor, strict=True))
     else:
-        places = np.argwhere(np.triu(costs.pairs)) if row.per_area else p.pairs
+        places = np.argwhere(np.triu(costs.pairs)) if row.per_area else pairs
         values = costs.pairs[tuple(places.T)] if row.per_area else costs.relations
         labels = [f"{names[i]} & {names[j]}" for i, j in places]
         found = list(zip(labels, values / divisor, strict=True))
@@ -257,12 +266,15 @@ def explain(problem: Problem, boxes: Floats, cell: float = 0.05) -> list[Part]:
     """Every part of the energy of a layout ``(n, 5)`` that is not zero, term by term; the costs
     sum to the energy."""
     prepared, grid = prepare(problem), route_grid(problem, cell)
-    layout = np.array(boxes, np.float64, order="C")
+    rows = [row for row in TERMS if prepared.weights[row.number] != 0.0]
+    only = np.eye(len(TERMS))[[row.number for row in rows]]
+    layouts = np.repeat(np.array(boxes, np.float64)[None], len(rows), axis=0)
+    alone = prepared._replace(weights=np.zeros(len(TERMS)))
+    energies, _, costs = _measure_all(alone, grid, layouts, only, max(len(rows), 1))
     parts: list[Part] = []
-    for row in TERMS:
-        weight = float(prepared.weights[row.number])
-        if weight != 0.0:
-            parts += _parts(row, weight, prepared, grid, layout, problem.names)
+    for k, row in enumerate(rows):
+        weight, mine = float(prepared.weights[row.number]), Costs(*(part[k] for part in costs))
+        parts += _parts(row, weight, float(energies[k]), mine, prepared.pairs, problem.names)
     return parts
 
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
-from scenewright.domains.home.problem import Problem
+from scenewright.domains.home.problem import KnownGround, Problem, known_ground
 from scenewright.geometry.boxes import Floats, Frame, read_frame
 from scenewright.geometry.compiled import inlined
 
@@ -71,10 +72,15 @@ def list_axes(problem: Problem) -> Floats:
     """What :func:`measure_asymmetry` knows of a room ``(n + 2 + 4 e + 4 w,)``: the weight of each
     item (0 in a room under :data:`ROOMY`), the numbers of edges and windows, the edges
     x0, y0, x1, y1 and of each window the middle and the direction it looks in; metres."""
-    ground = problem.ground
-    weights = problem.items.symmetry * (ground.area >= ROOMY)
-    edges = np.asarray(ground.edges, np.float64).reshape(-1, 4)
-    windows = np.asarray(ground.strips, np.float64).reshape(-1, 6)
+    weights = problem.items.symmetry * (problem.ground.area >= ROOMY)
+    return np.concatenate([weights, _axes_of(known_ground(problem.ground))])
+
+
+@lru_cache(maxsize=256)
+def _axes_of(known: KnownGround) -> Floats:
+    """The same of a room alone."""
+    edges = np.asarray(known.ground.edges, np.float64).reshape(-1, 4)
+    windows = np.asarray(known.ground.strips, np.float64).reshape(-1, 6)
     windows = windows[windows[:, 5] == 1.0]
     looks = np.column_stack((windows[:, :2], np.cos(windows[:, 2]), np.sin(windows[:, 2])))
-    return np.concatenate([weights, [len(edges), len(looks)], edges.ravel(), looks.ravel()])
+    return np.concatenate([[len(edges), len(looks)], edges.ravel(), looks.ravel()])

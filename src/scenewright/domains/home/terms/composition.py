@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 
-from scenewright.domains.home.problem import Problem
+from scenewright.domains.home.problem import KnownGround, Problem, known_ground
 from scenewright.geometry.boxes import Floats, Frame, read_frame
 from scenewright.geometry.compiled import inlined
 
@@ -34,8 +35,13 @@ def balance(frames: Floats, i: int, frame: Frame, middle: Floats) -> float:
 def find_middle(problem: Problem) -> Floats:
     """What :func:`balance` knows of a room (6,): m, the moments Σ A (c - m) of the fixed pieces,
     their area and √A(R); metres."""
-    edges = np.asarray(problem.ground.edges, np.float64).reshape(-1, 4)
-    fixed = np.asarray(problem.ground.obstacles, np.float64).reshape(-1, 5)
+    return _middle_of(known_ground(problem.ground))
+
+
+@lru_cache(maxsize=256)
+def _middle_of(known: KnownGround) -> Floats:
+    edges = np.asarray(known.ground.edges, np.float64).reshape(-1, 4)
+    fixed = np.asarray(known.ground.obstacles, np.float64).reshape(-1, 5)
     cross = edges[:, 0] * edges[:, 3] - edges[:, 2] * edges[:, 1]
     whole = max(float(cross.sum()), 1e-9)
     x, y = cross @ (edges[:, :2] + edges[:, 2:]) / (3.0 * whole)
