@@ -18,9 +18,14 @@ from scenewright.catalog.kinds import SIZES
 from scenewright.core.catalog import OWN, Catalog
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.home.furnishing.furnish import too_tall
-from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+from scenewright.domains.home.furnishing.obstacles import (
+    StandingObstacles,
+    find_faults,
+    find_faults_of,
+    flat_kinds,
+    standing_of,
+)
 from scenewright.domains.home.problem import Ground
-from scenewright.geometry.fit import faults
 
 SOFAS = ("sofa", "loveseat", "corner_sofa")
 BEYOND = (0.6, 0.5, 0.4, 0.3, 0.2)  # a rug reaches beyond its sofa, both ends together, metres
@@ -124,9 +129,8 @@ def find_widest_screen(stand: Piece, ground: Ground, others: Sequence[Piece] = (
     boxes = np.column_stack([x - sin(heading) * aside, y + cos(heading) * aside, turn, wide, deep])
     low = z + stand.size.height
     spans = np.column_stack([np.full_like(wide, low), low + SCREEN_RATIO * wide])
-    zones, panes, flat = ground.keep_free, ground.windows, np.zeros(len(wide), bool)
     near = standing_of(tuple(p for p in others if _is_beside(p, stand)), frozenset())
-    codes, _ = faults(boxes, spans, flat, ground.edges, zones, panes, near.boxes, near.spans, 0.002)
+    codes = find_faults(boxes, spans, ground, near)
     return float(wide[codes == 0].max(initial=LEAST_SCREEN))
 
 
@@ -149,18 +153,5 @@ FORMS: dict[str, Callable[[Piece, Sequence[Piece]], Iterator[Piece]]] = {
 def _fits(form: Piece, standing: StandingObstacles, ground: Ground, height: float) -> bool:
     """Whether it is under the ceiling and meets nothing that stands outside its group: a rug lies
     under that."""
-    box = np.array([[*form.pose[:2], form.pose.heading, *form.size[:2]]])
-    span = np.array([[form.pose.z, form.pose.z + form.size.height]])
-    zones, panes = ground.keep_free, ground.windows
-    codes, _ = faults(
-        box,
-        span,
-        np.zeros(1, bool),
-        ground.edges,
-        zones,
-        panes,
-        standing.boxes,
-        standing.spans,
-        0.002,
-    )
+    box, span, codes = find_faults_of(form, ground, standing)
     return bool(too_tall(box, span, ground, height, codes)[0] == 0)

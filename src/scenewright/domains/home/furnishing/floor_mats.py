@@ -17,9 +17,13 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
-from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+from scenewright.domains.home.furnishing.obstacles import (
+    StandingObstacles,
+    find_faults,
+    flat_kinds,
+    standing_of,
+)
 from scenewright.domains.home.problem import Ground
-from scenewright.geometry.fit import faults
 
 Floats = NDArray[np.float64]
 
@@ -138,15 +142,5 @@ def _lie_free(
     """On which of the boxes (n, 5), ``margin`` metres wider on each side, nothing stands and no
     door opens."""
     wider = boxes + np.array([0.0, 0.0, 0.0, 2 * margin, 2 * margin])
-    codes, _ = faults(
-        wider,
-        np.tile((0.0, THICK), (len(boxes), 1)),
-        np.zeros(len(boxes), bool),
-        ground.edges,
-        ground.keep_free,
-        ground.windows[:0],
-        standing.boxes,
-        standing.spans,
-        0.002,
-    )
-    return np.asarray(codes == 0)
+    spans = np.tile((0.0, THICK), (len(boxes), 1))
+    return find_faults(wider, spans, ground._replace(windows=ground.windows[:0]), standing) == 0

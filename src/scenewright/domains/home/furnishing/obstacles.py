@@ -12,8 +12,14 @@ from scenewright.building.standing import RADIATED, is_radiator
 from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
+from scenewright.domains.home.problem import Ground
+from scenewright.geometry.fit import faults
 
 Floats = NDArray[np.float64]
+Codes = NDArray[np.int64]
+
+TOUCHING = 0.002
+"""Pieces may lie in one another by so much, metres."""
 
 
 class StandingObstacles(NamedTuple):
@@ -64,3 +70,29 @@ def join_standing(standing: StandingObstacles, more: StandingObstacles) -> Stand
         np.concatenate([standing.spans, more.spans]),
         standing.names + more.names,
     )
+
+
+def find_faults(boxes: Floats, spans: Floats, ground: Ground, standing: StandingObstacles) -> Codes:
+    """What is wrong with each of the boxes (n, 5) of ``spans`` (n, 2) in a room: codes (n,) as of
+    :func:`scenewright.geometry.fit.faults`, 0 where nothing is."""
+    codes, _ = faults(
+        boxes,
+        spans,
+        np.zeros(len(boxes), bool),
+        ground.edges,
+        ground.keep_free,
+        ground.windows,
+        standing.boxes,
+        standing.spans,
+        TOUCHING,
+    )
+    return codes
+
+
+def find_faults_of(
+    piece: Piece, ground: Ground, standing: StandingObstacles
+) -> tuple[Floats, Floats, Codes]:
+    """The box (1, 5) and the span (1, 2) of a piece, and what is wrong with it, as a code (1,)."""
+    box = np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]])
+    span = np.array([[piece.pose.z, piece.pose.z + piece.size.height]])
+    return box, span, find_faults(box, span, ground, standing)

@@ -22,7 +22,12 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
-from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+from scenewright.domains.home.furnishing.obstacles import (
+    StandingObstacles,
+    find_faults_of,
+    flat_kinds,
+    standing_of,
+)
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.fit import faults, is_backed
 
@@ -204,11 +209,7 @@ def _first_free(
 
 def _is_free(piece: Piece, ground: Ground, standing: StandingObstacles) -> bool:
     """Whether a piece hangs on a wall and meets nothing."""
-    box = np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]])
-    span = np.array([[piece.pose.z, piece.pose.z + piece.size.height]])
-    zones, panes = ground.keep_free, ground.windows
-    others = (standing.boxes, standing.spans)
-    codes, _ = faults(box, span, np.zeros(1, bool), ground.edges, zones, panes, *others, 0.002)
+    box, _, codes = find_faults_of(piece, ground, standing)
     return bool(codes[0] == 0) and bool(is_backed(box[0], ground.walls, BACKED))
 
 

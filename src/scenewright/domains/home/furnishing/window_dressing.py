@@ -14,12 +14,12 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.home.furnishing.obstacles import (
     StandingObstacles,
+    find_faults_of,
     flat_kinds,
     join_standing,
     standing_of,
 )
 from scenewright.domains.home.problem import Ground
-from scenewright.geometry.fit import faults
 
 CURTAINED = frozenset(
     ("living", "dining", "study", "bedroom", "double_bedroom", "single_bedroom", "child_bedroom")
@@ -55,20 +55,9 @@ def _hang_first(
     forms: Iterator[Piece], ground: Ground, standing: StandingObstacles, catalog: Catalog
 ) -> Piece | None:
     """The first of the forms that meets nothing, drawn by the asset that suits it."""
+    bare = ground._replace(windows=ground.windows[:0])
     for piece in forms:
-        box = np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]])
-        span = np.array([[piece.pose.z, piece.pose.z + piece.size.height]])
-        codes, _ = faults(
-            box,
-            span,
-            np.zeros(1, bool),
-            ground.edges,
-            ground.keep_free,
-            ground.windows[:0],
-            standing.boxes,
-            standing.spans,
-            0.002,
-        )
+        codes = find_faults_of(piece, bare, standing)[2]
         if codes[0] == 0:
             asset = catalog.choose(piece.category, piece.size)
             return replace(piece, asset=asset.id if asset else "")
