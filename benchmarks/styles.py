@@ -15,6 +15,7 @@ from benchmarks import stages
 from benchmarks.plans_r2v import PLANS, adapt, raw_plans
 from benchmarks.real_data import data_set
 from benchmarks.spread import spread
+from scenewright.catalog.loading import catalog_of
 
 Record = dict[str, Any]
 HOMES, QUICK, STEPS = 100, 10, 300
@@ -78,15 +79,17 @@ def furnish_home(number: int) -> Looked | None:
 
 
 def tally_homes(homes: list[Looked]) -> list[Record]:
-    """Models, palettes and styles of all, and the fewest models of a main kind."""
+    """Models, palettes and styles, and the fewest models of a main kind, used and shipped."""
     models = frozenset().union(*(home.models for home in homes))
-    of_kind = {kind: sum(category == kind for category, _ in models) for kind in MAIN}
+    used = [category for category, _ in models]
+    shipped = [asset.category for asset in catalog_of([]).assets.values()]
     palettes = {home.palette for home in homes}
     figures = {
         "different models": len({asset for _, asset in models}),
         "palettes": len(palettes),
         "styles": len({palette.split("/")[0] for palette in palettes}),
-        "models of the main kind that has fewest": min(of_kind.values()),
+        "models used of the main kind that has fewest": min(map(used.count, MAIN)),
+        "models shipped of the main kind that has fewest": min(map(shipped.count, MAIN)),
     }
     return [_record(name, float(value), len(homes)) for name, value in figures.items()]
 
