@@ -76,6 +76,20 @@ def count_missed(
         missed += 0.0 if joined else 1.0
         if missed > most:
             return missed
+    return add_unreached(missed, frames, access, inset, grid, reached, most)
+
+
+@inlined
+def add_unreached(
+    missed: float,
+    frames: Floats,
+    access: Floats,
+    inset: Floats,
+    grid: RouteGrid,
+    reached: Bits,
+    most: float,
+) -> float:
+    """What is ``missed`` so far and the items without a ``reached`` cell (h, k) at their sides."""
     for i in range(frames.shape[0]):
         solid = solid_part(read_frame(frames, i), read_sides(inset, i))
         missed += 0.0 if is_reached(solid, read_sides(access, i), reached, grid) else 1.0

@@ -34,6 +34,19 @@ class RouteGrid(NamedTuple):
     doors: Bits
 
 
+@inlined
+def square_span(
+    x: float, dy: float, along: float, across: float, radius: float
+) -> tuple[float, float]:
+    """:func:`rounded_span` of a box square to the grid, as most are: ``dy`` above its middle, which
+    is at ``x``, of half width ``along`` a row and half depth ``across`` it."""
+    over = max(abs(dy) - across, 0.0)
+    if over > radius:
+        return math.inf, -math.inf
+    along += math.sqrt(radius * radius - over * over)
+    return x - along, x + along
+
+
 @compiled
 def rounded_span(frame: Frame, radius: float, y: float) -> tuple[float, float]:
     """Least and greatest x at height ``y`` within ``radius`` of a box; (inf, -inf) if none.
@@ -44,13 +57,9 @@ def rounded_span(frame: Frame, radius: float, y: float) -> tuple[float, float]:
     low, high = math.inf, -math.inf
     x, c, s, w, d = frame[0], frame[2], frame[3], frame[4], frame[5]
     dy = y - frame[1]
-    if abs(c) < SQUARE or abs(s) < SQUARE:  # most boxes stand square to the grid
+    if abs(c) < SQUARE or abs(s) < SQUARE:
         along, across = (w, d) if abs(c) < abs(s) else (d, w)
-        over = max(abs(dy) - across, 0.0)
-        if over > radius:
-            return low, high
-        along += math.sqrt(radius * radius - over * over)
-        return x - along, x + along
+        return square_span(x, dy, along, across, radius)
     for _quarter in range(4):  # the edge ahead: outward normal (c, s), from its right end leftward
         px, py = s * w + c * d, -c * w + s * d
         qx, qy = -s * w + c * d, c * w + s * d
@@ -120,11 +129,16 @@ def sweep_box(bits: Bits, grid: RouteGrid, frame: Frame, radius: float, task: np
     end = math.ceil((frame[1] + tall + radius - grid.y0) / grid.cell + 0.5)
     met, known, a, b, mask, narrow = False, False, 0, -1, NONE, bits.shape[1] == 1
     scale = 1.0 / grid.cell
+    w, d = frame[4], frame[5]
+    along, across = (w, d) if abs(frame[2]) < abs(frame[3]) else (d, w)
     for row in range(max(first, 0), min(end, bits.shape[0])):
         y = grid.y0 + (row + 0.5) * grid.cell
         alike = square and abs(y - frame[1]) <= tall
         if not (alike and known):
-            low, high = rounded_span(frame, radius, y)
+            if square:
+                low, high = square_span(frame[0], y - frame[1], along, across, radius)
+            else:
+                low, high = rounded_span(frame, radius, y)
             a, b = cells_within(low, high, grid.x0, scale, 64 * bits.shape[1])
             mask, known = word_mask(a, b, 0), alike
         if narrow:

@@ -14,44 +14,51 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.geometry.boxes import Floats, Frame, Sides, read_frame, read_sides
-from scenewright.geometry.circulation import count_missed, solid_part
+from scenewright.geometry.circulation import add_unreached, solid_part
 from scenewright.geometry.compiled import inlined
 from scenewright.geometry.flood import NONE, Bits, flood
 from scenewright.geometry.paths import SET, RouteGrid, sweep_box
 
 
 class KeptRoute(NamedTuple):
-    """The cells ``taken`` (n, h, k) by each item and by the one last ``tried`` (h, k); those that
-    were ``free`` when last looked at (h, k), and of these the ``reached`` ones (h, k)."""
+    """The cells ``taken`` (n, c) by each item, in words row after row; those of the item last
+    ``tried``, those that were ``free`` when last looked at and of these the ``reached`` ones
+    (h, k each). ``rows`` (5, c) are these three again, as words row after row, the free cells of
+    the empty room, and scratch; ``doors`` (d, c) are the cells of the doors."""
 
     taken: NDArray[np.uint64]
     tried: Bits
     free: Bits
     reached: Bits
+    rows: NDArray[np.uint64]
+    doors: NDArray[np.uint64]
+
+
+TRIED, FREE, REACHED, EMPTY, NOW = range(5)
 
 
 def make_route(n: int, grid: RouteGrid) -> KeptRoute:
     """Room for the route among ``n`` items."""
-    shape = grid.free.shape
-    sizes = ((n, *shape), shape, shape, shape)
-    return KeptRoute(*(np.zeros(size, np.uint64) for size in sizes))
+    size = grid.free.size
+    rows, taken = np.zeros((5, size), np.uint64), np.zeros((n, size), np.uint64)
+    rows[EMPTY], doors = grid.free.ravel(), grid.doors.reshape(len(grid.doors), size)
+    tried, free, reached = rows[:3].reshape(3, *grid.free.shape)
+    return KeptRoute(taken, tried, free, reached, rows, doors)
 
 
 @inlined
 def try_cells(kept: KeptRoute, grid: RouteGrid, frame: Frame, inset: Sides) -> None:
     """Find the cells that an item at ``frame`` takes."""
-    for row in range(kept.tried.shape[0]):
-        for word in range(kept.tried.shape[1]):
-            kept.tried[row, word] = NONE
+    for c in range(kept.rows.shape[1]):
+        kept.rows[TRIED, c] = NONE
     sweep_box(kept.tried, grid, solid_part(frame, inset), grid.radius, SET)
 
 
 @inlined
 def keep_cells(kept: KeptRoute, i: int) -> None:
     """Take over the cells last tried for item ``i``."""
-    for row in range(kept.tried.shape[0]):
-        for word in range(kept.tried.shape[1]):
-            kept.taken[i, row, word] = kept.tried[row, word]
+    for c in range(kept.rows.shape[1]):
+        kept.taken[i, c] = kept.rows[TRIED, c]
 
 
 @inlined
@@ -63,24 +70,23 @@ def keep_all(kept: KeptRoute, grid: RouteGrid, frames: Floats, inset: Floats) ->
 
 
 @inlined
-def flood_again(kept: KeptRoute, grid: RouteGrid, i: int) -> None:
+def flood_again(kept: KeptRoute, i: int) -> None:
     """What is reached with item ``i`` on the cells tried."""
-    same, within = True, True
-    for row in range(kept.free.shape[0]):
-        for word in range(kept.free.shape[1]):
-            taken = kept.tried[row, word]
-            for j in range(kept.taken.shape[0]):
-                taken |= kept.taken[j, row, word] if j != i else NONE
-            free = grid.free[row, word] & ~taken
-            same &= free == kept.free[row, word]
-            within &= (kept.reached[row, word] & ~free) == NONE
-            kept.free[row, word] = free
-    if same:
+    rows, changed, lost = kept.rows, NONE, NONE
+    for c in range(rows.shape[1]):
+        rows[NOW, c] = rows[EMPTY, c] & ~rows[TRIED, c]
+    for j in range(kept.taken.shape[0]):
+        if j != i:
+            for c in range(rows.shape[1]):
+                rows[NOW, c] &= ~kept.taken[j, c]
+    for c in range(rows.shape[1]):
+        changed |= rows[NOW, c] ^ rows[FREE, c]
+        lost |= rows[REACHED, c] & ~rows[NOW, c]
+        rows[FREE, c] = rows[NOW, c]
+    if changed == NONE:
         return
-    for row in range(kept.free.shape[0]):
-        for word in range(kept.free.shape[1]):
-            before = kept.reached[row, word] if within else NONE
-            kept.reached[row, word] = before | grid.doors[0, row, word]
+    for c in range(rows.shape[1]):
+        rows[REACHED, c] = (rows[REACHED, c] if lost == NONE else NONE) | kept.doors[0, c]
     flood(kept.reached, kept.free)
 
 
@@ -99,5 +105,13 @@ def count_unreached(
     if grid.doors.shape[0] == 0:
         return 0.0
     try_cells(kept, grid, read_frame(frames, i), read_sides(inset, i))
-    flood_again(kept, grid, i)
-    return count_missed(frames, access, inset, grid, kept.reached, most)
+    flood_again(kept, i)
+    missed = 0.0
+    for k in range(1, kept.doors.shape[0]):
+        met = NONE
+        for c in range(kept.rows.shape[1]):
+            met |= kept.rows[REACHED, c] & kept.doors[k, c]
+        missed += 1.0 if met == NONE else 0.0
+    if missed > most:
+        return missed
+    return add_unreached(missed, frames, access, inset, grid, kept.reached, most)
