@@ -13,7 +13,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.fronts import measure_share
 from scenewright.domains.home.composing.views import measure_turn
-from scenewright.domains.home.groups.dining import dining_wall
+from scenewright.domains.home.groups.dining import dining_wall, tables_with_stools
 
 SOFA = Pose(0.0, 0.0, 0.0, 0.0)
 
@@ -64,3 +64,13 @@ def test_chairs_at_a_wall_table_stand_clear_of_each_other(case):
     chairs = [_floor(case, m) for m in case.members if m.category == "dining_chair"]
     assert all(a.intersection(b).area < 1e-9 for a, b in combinations(chairs, 2))
     assert bool(find_case_faults(case)) == (len(chairs) < 2)
+
+
+@pytest.mark.parametrize("case", list(tables_with_stools()), ids=lambda case: case.name)
+def test_two_stools_are_pushed_under_a_table_side_by_side(case):
+    stools = [_floor(case, m) for m in case.members if m.category == "stool"]
+    table = _floor(case, case.members[0])
+    assert len(stools) == 2
+    assert stools[0].distance(stools[1]) > 0.0
+    assert all(0.5 < stool.intersection(table).area / stool.area < 1.0 for stool in stools)
+    assert [name for name, _ in find_case_faults(case)] == ["stools"]

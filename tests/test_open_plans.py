@@ -88,5 +88,5 @@ def test_the_loft_reads_in_zones(seed: int) -> None:
     assert np.ptp(floor, axis=0).max() < 5.0
     assert np.hypot(*(at["double_bed"] - (0.0, 4.2))) > 3.0  # the entrance
     sofa = next(at[name] for name in ("sofa", "corner_sofa", "loveseat") if name in at)
-    assert np.hypot(*(at["tv_stand"] - sofa)) < 4.0
+    assert np.hypot(*(at["tv"] - sofa)) < 4.0
     assert np.hypot(*(at["dining_table"] - floor.mean(0))) < 7.0

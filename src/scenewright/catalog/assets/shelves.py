@@ -12,6 +12,8 @@ from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.solids import Interval, block, cushion, rod, slab, tube
 
+LOW_SHELF = 0.2  # a lower wall shelf is a box on which something stands, metres
+
 
 def _add(found: Stuff, more: Stuff) -> Stuff:
     for material, meshes in more.items():
@@ -127,6 +129,10 @@ def _wall_shelf(size: Size) -> Parts:
         for low, high in levels
         for x in (-0.75 * w, 0.75 * w)
     ]
+    if h < LOW_SHELF:
+        sides = [block((x - 0.012, x + 0.012), (-d, d), (0, h)) for x in (0.012 - w, w - 0.012)]
+        top = block((-w, w), (-d, d), (h - 0.024, h))
+        return parts(size, {OAK: [block((-w, w), (-d, d), (0, 0.024)), top, *sides]})
     more = book_rows((-w + 0.03, w - 0.03), (-d + 0.02, d - 0.02), levels, 0.7, round(100 * h))
     return parts(size, _add(found, more))
 

@@ -54,6 +54,7 @@ BEDS = {"double_bed": 2, "single_bed": 1, "bunk_bed": 2}
 SOFAS = {"sofa": 3, "loveseat": 2, "corner_sofa": 4, "armchair": 1}
 DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
 TABLES = frozenset(("dining", "dining_wall"))
+SEATS = frozenset(("dining_chair", "stool"))
 STORING = frozenset(
     ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf")
 )
@@ -248,8 +249,8 @@ def tell_programme(solution: Solution, plan: Plan) -> str:
     if household.stated:
         parts.append(_tell_places(pieces, people))
     if household.eats_in:
-        chairs = sum(p.category == "dining_chair" and p.function in TABLES for p in pieces)
-        parts.append(f"they eat in {names[household.eats_in]} ({_count(chairs, 'chair')})")
+        seats = sum(p.category in SEATS and p.function in TABLES for p in pieces)
+        parts.append(f"they eat in {names[household.eats_in]} ({_count(seats, 'chair')})")
     if household.works_in and any(p.function in DESKS for p in pieces):
         parts.append(f"the desk is in {_where(pieces, DESKS, names)}")
     if household.shoes_in:

@@ -29,6 +29,7 @@ from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_pr
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
+from scenewright.domains.home.composing.views import leave_out_blind_seats
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.home_floor import HomeFloor, join_floors
@@ -130,7 +131,7 @@ def _walk_home(
 ) -> list[RoomAnswer]:
     """The answers with the ways of the whole home open, rooms tried again that lose something
     essential to that, and ``again`` those that lack what the household states it needs; then
-    kitchens with a fault, made to measure."""
+    kitchens with a fault, made to measure, and no sofas that see nothing."""
     rooms = tuple(task.space for task in every.tasks)
     opened = partial(
         remove_blockers,
@@ -146,7 +147,7 @@ def _walk_home(
         found = meet_stated_needs(household, every, found, opened)
     mended = mend_kitchens(every.tasks, found, opened)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
-    return found if fewer else mended
+    return [leave_out_blind_seats(answer) for answer in (found if fewer else mended)]
 
 
 def problems(

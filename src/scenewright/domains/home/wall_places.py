@@ -76,7 +76,8 @@ def free_boxes(
     boxes, turns = _list_along(case, along, step)
     needed = needed_of(case)
     if whole:
-        needed = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
+        low = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
+        needed = low or tuple(range(len(case.members)))
     return boxes[_mark(boxes, turns, case, needed, ground, standing, catalog, height)]
 
 

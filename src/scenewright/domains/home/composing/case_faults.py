@@ -24,6 +24,7 @@ MANY = 3  # seats of a room that is roomy
 SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
 FULL = 1.0  # width of a wardrobe, metres
 DEEP = 0.4  # depth of a wardrobe, metres: with less, clothes hang on a rail that is pulled out
+SLIM = 0.35  # a nightstand that is narrower leaves no way beside the bed, metres
 ACROSS = 2.7  # between hob and sink that face each other across an aisle, metres
 LEG = (1.2, 2.7)  # of a work triangle, metres
 TOUCH, IN_LINE = 0.03, 0.3  # units nearer, and less far ahead, than this are in one line, metres
@@ -52,13 +53,23 @@ def _faults(case: Group) -> list[tuple[str, float]]:
             ("shallow", max(0.0, 1.0 - deep / DEEP)),
         ]
     if case.function == "sleeping":
-        stands = sum(member.category == "nightstand" for member in case.members)
-        return [("nightstand", 1.0 - min(stands, 2) / 2), ("one_side", float(stands < 2))]
+        stands = [m.size.width for m in case.members if m.category == "nightstand"]
+        narrow = sum(width < SLIM for width in stands) / 2
+        one_side = max(narrow, float(len(stands) < 2))
+        return [("nightstand", 1.0 - min(len(stands), 2) / 2), ("one_side", one_side)]
     if case.function == "seating":
         return [("seats", float(count_seats(case) < MANY))]
+    if case.function == "media":
+        return [("hung", float(is_hung(case)))]
     if case.function == "dining_wall":
-        return [("lone", float(sum(m.category == "dining_chair" for m in case.members) < 2))]
+        seats = [m.category for m in case.members if m.category in ("dining_chair", "stool")]
+        return [("lone", float(len(seats) < 2)), ("stools", float("stool" in seats))]
     return []
+
+
+def is_hung(case: Group) -> bool:
+    """Whether a screen hangs on the wall over a shelf instead of standing."""
+    return case.function == "media" and case.members[0].category == "wall_shelf"
 
 
 def count_seats(case: Group) -> int:

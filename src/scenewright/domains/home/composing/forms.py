@@ -13,27 +13,29 @@ from scenewright.domains.home.build_problem import select_allowed
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.modest import find_shortage
-from scenewright.domains.home.groups.dining import tables_for_many
+from scenewright.domains.home.groups.dining import further_tables
 from scenewright.domains.home.groups.entry import fitted_storage
 from scenewright.domains.home.groups.kitchen import long_kitchenettes
-from scenewright.domains.home.groups.living import further_seats
+from scenewright.domains.home.groups.living import further_seats, hung_screens
 from scenewright.domains.home.groups.outdoor import folding_chair
-from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes
+from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes, narrow_sides
 from scenewright.domains.home.settings import ComposingSettings
 
 FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
-    "dining_wall": tables_for_many,
+    "dining_wall": further_tables,
     "kitchenette": long_kitchenettes,
     "lounger": folding_chair,
+    "media": hung_screens,
     "seating": further_seats,
     "single": along_wall,
+    "sleeping": narrow_sides,
     "storage": fitted_storage,
     "wardrobe": fitted_wardrobes,
 }
 """Forms beside the cases of a group, for a place that is found for them."""
 WIDEST = frozenset(("storage",))
 """Groups that take all of their wall."""
-IN_TURN = frozenset(("single",))
+IN_TURN = frozenset(("media", "single"))
 """Groups of which usual and further forms are tried in turn."""
 SCREEN = 0.38
 """Width of a screen watched from wall to wall of a square room, as a share of its side."""

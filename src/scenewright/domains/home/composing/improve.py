@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.anew import compose_anew
+from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.beds import restore_double_bed
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.freeing import free_ways
@@ -70,6 +71,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
     better = add_groups(task, before._replace(placed=best.placed), barred)
     better = add_island(task, better, barred)
+    better = furnish_bare_floor(task, better, barred)
     return (
         better if count_unmet(task, better.placed) <= count_unmet(task, answer.placed) else answer
     )

@@ -5,7 +5,7 @@ those of the seats that look at it from the distance its width asks for, amid th
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import islice
+from itertools import chain, islice
 from math import atan2, cos, pi, sin
 
 import numpy as np
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
-from scenewright.domains.home.composing.case_faults import MANY, count_seats
+from scenewright.domains.home.composing.case_faults import MANY, count_seats, is_hung
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
 from scenewright.domains.home.composing.moving import dress_group, find_places
@@ -27,8 +27,9 @@ Floats = NDArray[np.float64]
 AWAY = (2.1, 2.5, 2.9)  # from the screen to the sofa, metres
 NEAR = (1.8, 2.2, 2.6)  # from the front of a fireplace to it
 SPACED = 0.8  # between places of the screen that are tried, metres
-STANDS, SCREENS, SEATS = 4, 6, 10
-"""Forms of the screen, places of each, and forms of the seats that are tried."""
+STANDS, HUNG, SCREENS, SEATS = 4, 1, 6, 10
+"""Forms of the screen on stands and on walls, places of each, and forms of the seats that are
+tried."""
 SEATED = 8  # places of the seats before one place of a screen
 UNLIKE = 0.15  # forms that differ by more than this in width or depth are unlike, metres
 
@@ -55,8 +56,12 @@ def _list_spots(task: RoomTask, screens: Placed) -> Iterator[tuple[Placed, Float
             yield (), np.array([x, y, atan2(s, c)])
         return
     empty = standing_of((*task.fixed, *task.beside), flat_kinds(task.catalog))
-    stands = _pick_unlike(list_forms(task, screens[0]), 2 * UNLIKE)
-    for case, boxes in islice(find_places(task, stands, empty, screens[0]), STANDS):
+    forms = list(list_forms(task, screens[0]))
+    kinds = ([f for f in forms if is_hung(f) == hung] for hung in (False, True))
+    stands, hung = (_pick_unlike(iter(kind), 2 * UNLIKE) for kind in kinds)
+    each = ((stands, STANDS), (hung, HUNG))
+    places = (islice(find_places(task, some, empty, screens[0]), most) for some, most in each)
+    for case, boxes in chain.from_iterable(places):
         for box in _space_out(boxes):
             screen = dress_group(task, screens[0], case, box, empty)
             if screen is not None:

@@ -55,8 +55,11 @@ EXPECTED: dict[str, Expected] = {
     "kitchen": Expected(_run, ((8.0, 3.0), (10.0, 3.4), (14.0, 4.0))),
     "kitchenette": Expected(_run, ((8.0, 2.4), (10.0, 2.8), (14.0, 3.4))),
     "dining": Expected(_count("dining_chair"), ((9.0, 4.0), (26.0, 6.0))),
-    "dining_wall": Expected(_count("dining_chair"), ((7.0, 2.0), (10.0, 3.0), (13.0, 4.0))),
+    "dining_wall": Expected(
+        _count("dining_chair", "stool"), ((7.0, 2.0), (10.0, 3.0), (13.0, 4.0))
+    ),
     "seating": Expected(_seat, ((11.0, 1.8), (16.0, 2.0), (20.0, 2.6), (27.0, 3.2))),
+    "media": Expected(_metres("tv_stand", "wall_shelf"), ((16.0, 1.2), (20.0, 1.4), (27.0, 1.8))),
     "planter": Expected(_metres("planter"), ((2.5, 0.8), (5.0, 1.0))),
     "washer": Expected(_metres("washing_machine"), ((4.0, 0.6),)),
     "wardrobe": Expected(_metres("wardrobe"), ((10.0, 1.4), (13.0, 1.8))),

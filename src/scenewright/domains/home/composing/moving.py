@@ -51,7 +51,7 @@ def find_places(
             longest[reach] = longest_stretch(task.ground, standing, reach)
         free = _free(task, case, standing, walls) if case.width <= longest[reach] else NOWHERE
         if case.function in FREE and _may_stand_amid(task):
-            free = np.concatenate([free, _amid_floor(task, case, standing)])
+            free = np.concatenate([free, list_amid(task, case, standing)])
         if amid:
             there = _in_place(task, case, standing, group.dressed.box)
             free = np.concatenate([free, there])
@@ -78,7 +78,7 @@ def _may_stand_amid(task: RoomTask) -> bool:
     return task.ground.area >= LARGE and not (task.asked and task.asked.wishes)
 
 
-def _amid_floor(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
+def list_amid(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
     """The boxes (n, 5) of a grid over the room, along its longest wall and across, on which a case
     stands free."""
     x0, y0, x1, y1 = task.ground.bounds.tolist()

@@ -130,12 +130,13 @@ def are_adrift(case: Group, boxes: Floats, walls: Floats) -> NDArray[np.bool_]:
 
 def cost_of_screen(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:
     """What is wrong with a stand that has no room for a screen large enough for its distance."""
-    stand = next((p for g in groups for p in g.pieces if p.category == "tv_stand"), None)
-    seats = [p for g in groups for p in g.pieces if p.category in SOFAS]
+    pieces = [p for g in groups for p in g.pieces]
+    under = {p.on for p in pieces if p.category == "tv"}
+    stand = next((p for p in pieces if p.id in under), None)
+    seats = [p for p in pieces if p.category in SOFAS]
     if stand is None or not seats:
         return 0.0
     away = min(hypot(p.pose.x - stand.pose.x, p.pose.y - stand.pose.y) for p in seats)
-    pieces = [p for g in groups for p in g.pieces]
     short = 1.0 - find_widest_screen(stand, ground, pieces) * FARTHEST / away
     return cost * (1.0 + short) / 2 if short > 0.0 else 0.0
 

@@ -30,7 +30,7 @@ from scenewright.domains.home.problem import Ground
 SOFAS = ("sofa", "loveseat", "corner_sofa")
 BEYOND = (0.6, 0.5, 0.4, 0.3, 0.2)  # a rug reaches beyond its sofa, both ends together, metres
 FRAME = (0.3, 0.2, 0.15)  # and beyond the coffee table at its far side, metres
-WIDTHS = 2.6  # distance from seat to screen in widths of the screen that is aimed at
+WIDTHS = 2.3  # distance from seat to screen in widths of the screen that is aimed at
 OVERHANG = 0.36  # a screen may be wider than its stand, metres
 STEP = 0.1  # screens are tried in steps, metres
 LEAST_SCREEN, SCREEN_DEPTH, SCREEN_RATIO = 0.75, 0.22, 0.62

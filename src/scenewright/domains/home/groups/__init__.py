@@ -61,7 +61,7 @@ _GROUPS: dict[str, GroupKind] = {
     "media": GroupKind(
         living.media,
         1.2,
-        ("tv_stand",),
+        ("tv_stand", "wall_shelf"),
         main=-1,
         clear=(0.9, 0, 0, 0),
         access=NONE,

@@ -11,6 +11,8 @@ from scenewright.core.scene import Size
 CHAIR = Size(0.46, 0.5, 0.85)
 SEAT = 0.5  # free depth a chair and its sitter take beyond the table's edge
 PLACE = 0.5  # of a table's edge, for each who sits there, at least
+STOOL = Size(0.32, 0.32, 0.45)
+PUSHED = 0.08  # of a stool that is pushed under its table, so much is seen, metres
 TUCK = 0.2  # how far a chair stands under the table
 
 
@@ -52,6 +54,29 @@ def tables_for_many() -> Iterator[Group]:
         yield _head_table(length, deep, sides, end)
     for length, front in ((1.5, 2), (2.0, 3)):
         yield _wall_table(length, 0.75, front, ends=1)
+
+
+def tables_with_stools() -> Iterator[Group]:
+    """Small tables with their long side at the wall and two stools pushed under, where two chairs
+    have no place."""
+    for length, deep in ((0.7, 0.45), (0.8, 0.5), (1.0, 0.5)):
+        depth = deep + PUSHED
+        y = PUSHED / -2
+        members = (
+            Member("dining_table", 0, y, 0, 0, Size(length, deep, 0.74)),
+            Member("vase", 0, y - deep / 5, 0.74, 0, Size(0.14, 0.14, 0.26), on=0),
+            *(
+                Member("stool", side * length / 4, depth / 2 - STOOL.depth / 2, 0, pi, STOOL)
+                for side in (1, -1)
+            ),
+        )
+        yield Group("dining_wall", f"{length:.1f} m table, two stools", length, depth, members)
+
+
+def further_tables() -> Iterator[Group]:
+    """Tables tried where a room is composed: :func:`tables_for_many`, those with stools."""
+    yield from tables_for_many()
+    yield from tables_with_stools()
 
 
 def _head_table(length: float, deep: float, sides: int, end: int) -> Group:

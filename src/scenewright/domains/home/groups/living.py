@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import pi
+from math import cos, pi, sin
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
@@ -12,6 +12,7 @@ SOFA_DEPTH, SOFA_HEIGHT = 0.9, 0.8
 OUT = 0.6  # how far an armchair is turned out of its corner, radians
 GAP = 0.62  # the way in between a sofa and the armchair beside its table, metres
 BETWEEN = 0.68  # the same where armchairs on both sides leave no other way, metres
+HUNG, BOARD = 0.55, 0.15  # where the shelf below a screen on the wall is, and its height, metres
 STEP_IN = 0.4  # how far a sofa reaches beyond its table at each end, so that one gets to it, metres
 
 
@@ -27,6 +28,17 @@ def media() -> Iterator[Group]:
             x = (width + screen) / 4 + 0.02
             members.append(Member("plant", x, 0, 0.45, 0, Size(0.22, 0.22, 0.4), on=0))
         yield Group("media", f"TV on a {width:.1f} m stand", width, 0.42, tuple(members))
+
+
+def hung_screens() -> Iterator[Group]:
+    """A TV over a narrow shelf on the wall, for walls before which no stand has a place."""
+    for width in (0.9, 1.2, 1.4):
+        screen = Size(width - 0.1, 0.12, 0.62 * (width - 0.1))
+        members = (
+            Member("wall_shelf", 0, 0, HUNG, 0, Size(width, 0.16, BOARD)),
+            Member("tv", 0, 0, HUNG + BOARD, 0, screen, on=0),
+        )
+        yield Group("media", f"TV on the wall over a {width:.1f} m shelf", width, 0.18, members)
 
 
 def seating() -> Iterator[Group]:
@@ -243,6 +255,28 @@ def reading() -> Iterator[Group]:
             Member("floor_lamp", side * 0.5, -0.42, 0, 0, lamp),
         )
         yield Group("reading", f"armchair turned out, floor lamp{name}", 1.36, 1.2, members)
+
+
+def talking() -> Iterator[Group]:
+    """Two armchairs with a lamp table between them on a rug: turned to one another, face to face,
+    side by side."""
+    seat, table = Size(0.78, 0.8, 0.85), Size(0.42, 0.42, 0.5)
+    for turn, apart, name in (
+        (0.4, 0.82, "turned in"),
+        (pi / 2, 0.95, "face to face"),
+        (0, 0.68, ""),
+    ):
+        width = 2 * (apart + abs(cos(turn)) * seat.width / 2 + sin(turn) * seat.depth / 2)
+        depth = seat.depth + 0.22 * (0 < turn < 1)
+        members = (
+            Member("armchair", -apart, 0, 0, -turn, seat),
+            Member("armchair", apart, 0, 0, turn, seat),
+            Member("side_table", 0, -0.1 if turn < 1 else 0, 0, 0, table),
+            Member("table_lamp", 0, -0.1 if turn < 1 else 0, 0.5, 0, Size(0.28, 0.28, 0.48), on=2),
+            Member("rug", 0, 0.3 if turn < 1 else 0, 0, 0, Size(width - 0.3, 1.5, 0.012)),
+        )
+        words = f"two armchairs {name}".rstrip()
+        yield Group("reading", f"{words}, lamp table", width + 0.02, depth + 0.02, members)
 
 
 def shelf() -> Iterator[Group]:

@@ -9,6 +9,7 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 
 BED_LENGTH = 2.05
+NARROW = 0.34  # room for a narrow nightstand, metres
 SHALLOW = 14  # wardrobes of so many decimetres or fewer may be shallow
 
 
@@ -50,6 +51,15 @@ def _along(bed: float, length: float, stand: float, side: float) -> Group:
     return Group("single", f"{bed:.1f} m bed along the wall", width, depth, tuple(members))
 
 
+def narrow_sides() -> Iterator[Group]:
+    """Double beds with a narrow nightstand on one side or both, where two usual ones have no
+    place."""
+    for bed in (1.4, 1.6):
+        yield _bed("sleeping", "double_bed", bed, NARROW, 0.5)
+        yield _bed("sleeping", "double_bed", bed, NARROW, 0.5, mirrored=True)
+        yield _bed("sleeping", "double_bed", bed, NARROW, NARROW)
+
+
 def bunk() -> Iterator[Group]:
     """A bunk bed with a toy box at its foot side."""
     bed = Member("bunk_bed", 0, 0, 0, 0, Size(1.0, BED_LENGTH, 1.65))
@@ -72,7 +82,9 @@ def _bed(
     if min(left, right) >= 0.45:
         members.append(Member("rug", x, depth / 2 - 0.7, 0, 0, Size(width - 0.1, 1.4, 0.012)))
     for sign, wing in ((-1, left), (1, right)):
-        members += _nightstand(x + sign * (bed / 2 + 0.23), back, len(members)) if wing else []
+        wide = 0.3 if wing == NARROW else 0.42
+        at = x + sign * (bed / 2 + 0.02 + wide / 2)
+        members += _nightstand(at, back, len(members), wide) if wing else []
     if category == "double_bed":
         members.append(Member("picture", x, back + 0.02, 1.35, 0, Size(1.0, 0.04, 0.6)))
     if mirrored:
@@ -87,9 +99,9 @@ def _bed(
     )
 
 
-def _nightstand(x: float, back: float, index: int) -> list[Member]:
+def _nightstand(x: float, back: float, index: int, wide: float = 0.42) -> list[Member]:
     return [
-        Member("nightstand", x, back + 0.22, 0, 0, Size(0.42, 0.4, 0.5)),
+        Member("nightstand", x, back + 0.22, 0, 0, Size(wide, 0.4, 0.5)),
         Member("table_lamp", x, back + 0.2, 0.5, 0, Size(0.24, 0.24, 0.42), on=index),
     ]
 

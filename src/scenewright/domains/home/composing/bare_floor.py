@@ -1,0 +1,173 @@
+"""A second zone where much of a large room is bare: somewhere to sit and talk, to read, a shelf.
+
+What a living room needs stands in one half of it where the room is long; the other half is then
+bare, however much of the whole is covered. So the largest empty circle of the composed room is
+furnished, while it is large, with what stands free in it and bars no way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.core.catalog import Group
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.judging import Placed, judge_of, sum_faults
+from scenewright.domains.home.composing.moving import (
+    dress_group,
+    find_places,
+    list_amid,
+    make_unplaced,
+    with_margin,
+)
+from scenewright.domains.home.composing.voids import RAISED, Void, find_void, may_stand_free
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+from scenewright.domains.home.groups.living import talking
+from scenewright.domains.home.programme import WELCOME, Wish
+from scenewright.domains.home.wall_places import along_walls, stand_free
+from scenewright.geometry.fit import is_backed
+
+Floats = NDArray[np.float64]
+
+LARGE = 14.0  # rooms of so many square metres have a second zone
+BARE = 1.0  # an empty circle of so many metres of radius is bare
+LESS = 0.1  # by so many metres a group is to make it smaller
+ZONES = 3  # groups that are added to a room at most
+TWICE = 2  # of one kind a room has at most so many
+TRIED = 16  # places of one form that are furnished
+STEP, BACKED = 0.4, 0.05  # how far before its wall something stands, and how near at it, metres
+AMID = (
+    0.3  # by so many metres a circle is to be smaller with something amid the room than at a wall
+)
+NOWHERE: Floats = np.empty((0, 5))
+FREE = frozenset(form.name for form in talking())
+"""Forms that also stand a step before their wall, as before a window, or amid the room."""
+
+
+def _seats() -> Iterator[Group]:
+    yield from (*talking(), *cases("reading").groups)
+
+
+def _largest_first(group: str) -> Callable[[], Iterator[Group]]:
+    return lambda: iter(sorted(cases(group).groups, key=lambda form: -form.width * form.depth))
+
+
+Zones = tuple[tuple[str, Callable[[], Iterator[Group]]], ...]
+
+PLANT = ("plant", _largest_first("plant"))
+ZONED: dict[str, Zones] = {
+    "living": (("reading", _seats), ("shelf", _largest_first("shelf")), PLANT),
+    "bedroom": (("reading", _seats), ("chest", _largest_first("chest")), PLANT),
+}
+"""What fills a bare part of a room by its function: groups with their forms, in this order."""
+
+
+def furnish_bare_floor(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
+    """The answer with further groups in the bare part of a large room that is left to us."""
+    listed = task.asked is not None and task.asked.ask is not None
+    if task.ground.area < LARGE or listed or task.welcome is not None:
+        return answer
+    added = 0
+    for group, forms in next((ZONED[f] for f in task.space.functions if f in ZONED), ()):
+        there = sum(p.wish.group == group for p in answer.placed)
+        if there >= TWICE or group in task.elsewhere or task.cancelled():
+            continue
+        void = find_void(task, _pieces_of(task, answer.placed))
+        if void.radius < BARE or added == ZONES:
+            break
+        more = _add(task, answer.placed, group, forms(), void, barred)
+        if more is not None:
+            answer, added = answer._replace(placed=(*answer.placed, more)), added + 1
+    return answer
+
+
+def _pieces_of(task: RoomTask, placed: Placed) -> tuple[Piece, ...]:
+    return (*task.fixed, *task.beside, *(piece for group in placed for piece in group.pieces))
+
+
+def _add(
+    task: RoomTask,
+    placed: Placed,
+    name: str,
+    forms: Iterable[Group],
+    void: Void,
+    barred: frozenset[str],
+) -> FurnishedGroup | None:
+    """One more group in an empty circle, in the first of the forms that stands free in it and bars
+    no way; of its best places the one that leaves the smallest circle."""
+    for case in forms:
+        if task.forbidden.intersection(m.category for m in case.members):
+            continue
+        group = make_unplaced(task, placed, Wish(name, WELCOME), case)
+        found = list(_list_smaller(task, placed, group, void))
+        for _, _, added in sorted(found, key=lambda each: each[:2]):
+            if barred.issuperset(find_blocked(with_margin(task), (*placed, added))):
+                return added
+    return None
+
+
+def _list_smaller(
+    task: RoomTask, placed: Placed, group: FurnishedGroup, void: Void
+) -> Iterator[tuple[float, int, FurnishedGroup]]:
+    """A group at the places that make an empty circle smaller, each after the radius that is left,
+    more amid the room, and its number in order of cost."""
+    pieces = _pieces_of(task, placed)
+    for number, added in enumerate(_list_added(task, placed, group, void)):
+        radius = find_void(task, (*pieces, *added.pieces)).radius
+        amid = not is_backed(added.dressed.box, task.ground.walls, STEP + BACKED)
+        if radius <= void.radius - LESS and may_stand_free(task, pieces, added.dressed.box):
+            yield radius + AMID * amid, number, added
+
+
+def _list_added(
+    task: RoomTask, placed: Placed, group: FurnishedGroup, void: Void
+) -> Iterator[FurnishedGroup]:
+    """A group in its form at the places in an empty circle at which the room costs least and has no
+    further fault."""
+    case, standing = group.dressed.case, standing_of(_pieces_of(task, placed), _flat(task))
+    faults, found = sum_faults(task, placed), 0
+    for box in _order(task, (*placed, group), _list_boxes(task, group, standing, void)):
+        added = dress_group(task, group, case, box, standing)
+        if added is not None and sum_faults(task, (*placed, added)) <= faults:
+            yield added
+            found += 1
+            if found == TRIED:
+                return
+
+
+def _flat(task: RoomTask) -> frozenset[str]:
+    return flat_kinds(task.catalog)
+
+
+def _list_boxes(
+    task: RoomTask, group: FurnishedGroup, standing: StandingObstacles, void: Void
+) -> Floats:
+    """The boxes (n, 5) with their middle in an empty circle on which a group stands free."""
+    case = group.dressed.case
+    rows = [boxes for _, boxes in find_places(task, (case,), standing, group)]
+    if case.name in FREE:
+        rows += [_step_before(task, case, standing), list_amid(task, case, standing)]
+    boxes = np.concatenate([NOWHERE, *rows])
+    return boxes[np.hypot(boxes[:, 0] - void.x, boxes[:, 1] - void.y) < void.radius]
+
+
+def _step_before(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
+    """The boxes (n, 5) a step before each wall on which a case stands free."""
+    boxes = along_walls(case, task.ground, task.preset.settings.composing.step)
+    boxes[:, :2] += STEP * np.column_stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])])
+    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
+    height = task.space.height
+    return boxes[stand_free(boxes, case, members, task.ground, standing, task.catalog, height)]
+
+
+def _order(task: RoomTask, whole: Placed, boxes: Floats) -> Floats:
+    """The boxes (n, 5) for the last group, where the room costs least first."""
+    if not len(boxes):
+        return boxes
+    layouts = np.repeat(np.array([[p.dressed.box for p in whole]]), len(boxes), axis=0)
+    layouts[:, -1] = boxes
+    return boxes[np.argsort(judge_of(task, whole).energies_of(layouts), kind="stable")]

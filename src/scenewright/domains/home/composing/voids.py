@@ -1,0 +1,89 @@
+"""The largest empty circle of a furnished room, and what may stand free in it."""
+
+from __future__ import annotations
+
+from math import atan2, cos, hypot, sin
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.core.layout import corners
+from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import RoomTask
+from scenewright.domains.home.composing.case_faults import RUN
+from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.domains.home.furnishing.obstacles import flat_kinds
+
+Floats = NDArray[np.float64]
+
+EXACT = 0.05  # a radius is found to so many metres
+RAISED = 0.3  # what begins so high does not fill a floor, metres
+SIGHT = 1.0  # width of the floor between seats and screen that is left free, metres
+AHEAD = 1.2  # what stands free has so many metres of floor before it
+TURNED = 3.0  # it turns its back on no sofa that is nearer than this, metres
+COOKS = 1.2  # and keeps so many metres from a kitchen
+TOUCH = 0.05
+
+
+class Void(NamedTuple):
+    """The largest empty circle of a room: its middle and radius, metres."""
+
+    x: float
+    y: float
+    radius: float
+
+
+def find_void(task: RoomTask, pieces: tuple[Piece, ...]) -> Void:
+    """The largest circle on the floor of a room clear of walls, doors, what stands and the sight
+    from seats to a screen (Toussaint 1983; by polygons, within :data:`EXACT`)."""
+    zones = [_outline(box) for box in (*task.ground.keep_free, *_list_sights(pieces))]
+    taken = shapely.union_all([*polygons_of(_list_low(task, pieces)), *zones])
+    circle = shapely.maximum_inscribed_circle(_floor_of(task).difference(taken), tolerance=EXACT)
+    x, y = circle.coords[0]
+    return Void(x, y, float(circle.length))
+
+
+def may_stand_free(task: RoomTask, pieces: tuple[Piece, ...], box: Floats) -> bool:
+    """Whether seats on a box (5,) have the floor before them free, no sofa behind them and no
+    kitchen beside them; ``pieces`` are all others."""
+    x, y, heading, width, depth = box.tolist()
+    c, s = cos(heading), sin(heading)
+    out = (depth + AHEAD) / 2
+    front = _outline(np.array([x + out * c, y + out * s, heading, width / 2, AHEAD]))
+    sofas = ((p.pose.x - x, p.pose.y - y) for p in pieces if p.category in SOFAS)
+    if any(hypot(dx, dy) < TURNED and dx * c + dy * s < 0.0 for dx, dy in sofas):
+        return False
+    units = tuple(p for p in pieces if p.category in RUN)
+    if any(_outline(box).distance(unit) < COOKS for unit in polygons_of(units)):
+        return False
+    low = polygons_of(_list_low(task, pieces))
+    return _floor_of(task).buffer(TOUCH).contains(front) and not front.intersects(low).any()
+
+
+def _list_low(task: RoomTask, pieces: tuple[Piece, ...]) -> tuple[Piece, ...]:
+    """What stands on the floor and is not flat."""
+    flat = flat_kinds(task.catalog)
+    return tuple(p for p in pieces if p.category not in flat and p.pose.z < RAISED)
+
+
+def _list_sights(pieces: tuple[Piece, ...]) -> list[Floats]:
+    """The floor between each sofa and each screen as boxes (5,)."""
+    sofas = [p.pose for p in pieces if p.category in SOFAS]
+    ways = [(a, p.pose) for p in pieces if p.category == "tv" for a in sofas]
+    found = []
+    for a, b in ways:
+        dx, dy = b.x - a.x, b.y - a.y
+        middle = (a.x + dx / 2, a.y + dy / 2)
+        found.append(np.array([*middle, atan2(dy, dx), SIGHT, hypot(dx, dy)]))
+    return found
+
+
+def _floor_of(task: RoomTask) -> shapely.Polygon:
+    return shapely.Polygon(task.space.outline, list(task.space.holes))
+
+
+def _outline(box: Floats) -> shapely.Polygon:
+    return shapely.Polygon(corners(box[None])[0])

@@ -1,0 +1,51 @@
+"""Bare halves of living rooms get a second zone; screens hang where no stand has a place."""
+
+from __future__ import annotations
+
+import pytest
+import shapely
+
+from scenewright.building.plan import spaces
+from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Brief, Room
+from scenewright.core.layout import corners
+from scenewright.core.piece_outlines import polygons_of
+from scenewright.domains import check
+from scenewright.domains.home.furnishing.obstacles import standing_of
+from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.groups.living import hung_screens
+from scenewright.domains.home.solving import solve
+from scenewright.domains.home.wall_places import free_boxes
+
+LONG = {
+    "id": "living",
+    "function": "living",
+    "outline": [[0, 0], [9.2, 0], [9.2, 3.5], [0, 3.5]],
+    "doors": [{"at": [5.4, 3.5], "width": 0.9}, {"at": [7.0, 0.0], "width": 2.4, "swing": "slide"}],
+    "windows": [{"at": [9.2, 1.7], "width": 1.4}, {"at": [2.4, 0.0], "width": 2.0}],
+}
+
+
+def test_no_half_of_a_long_living_room_is_bare() -> None:
+    brief = Brief(rooms=[Room.model_validate(LONG)])
+    home = solve(brief, seed=0)
+    low = tuple(p for p in home.pieces if p.pose.z < 0.05 and p.category != "rug")
+    free = shapely.Polygon(LONG["outline"]).difference(shapely.union_all(polygons_of(low)))
+    assert shapely.maximum_inscribed_circle(free, tolerance=0.02).length < 1.35
+    assert check(home, spaces=spaces(brief)).valid
+
+
+@pytest.mark.parametrize("case", list(hung_screens()), ids=lambda case: case.name)
+def test_a_screen_hangs_before_no_window_and_no_door(case) -> None:
+    space = spaces(Brief(rooms=[Room.model_validate(LONG)]))[0]
+    ground = ground_of(space, (), 30.0)
+    empty = standing_of((), frozenset())
+    boxes = free_boxes(case, ground, empty, shipped(), 2.6, 0.1, whole=True)
+    hung = shapely.polygons(corners(boxes))
+    for zone in (*ground.windows[:, :5], *ground.keep_free):
+        assert not (shapely.area(shapely.intersection(hung, _outline(zone))) > 0.01).any()
+    assert len(boxes) > 10
+
+
+def _outline(box) -> shapely.Polygon:
+    return shapely.Polygon(corners(box[None])[0])
