@@ -8,6 +8,7 @@ from itertools import zip_longest
 from math import sqrt
 
 from scenewright.core.catalog import Group
+from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.build_problem import select_allowed
 from scenewright.domains.home.cases.library import cases
@@ -63,22 +64,31 @@ def cost_of_case(case: Group, area: float, rule: ComposingSettings) -> float:
 def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     """The forms of a group that stands, those with less wrong first, then those most like it; of
     what fills its wall the widest first."""
-    rule, case = task.preset.settings.composing, group.dressed.case
-    area = task.ground.area
+    rule, case, area = task.preset.settings.composing, group.dressed.case, task.ground.area
 
-    def worth(other: Group) -> tuple[float, float, float]:
-        like = abs(other.width - case.width) + abs(other.depth - case.depth)
-        return cost_of_case(other, area, rule), _off_goal(other, area), like
+    def worth(row: tuple[Group, tuple[float, float]]) -> tuple[float, float, float]:
+        form, (wrong, off) = row
+        return wrong, off, abs(form.width - case.width) + abs(form.depth - case.depth)
 
     known, fits = cases(group.wish.group, task.library), select_allowed(group.wish, task.library)
-    usual = [form for form, fit in zip(known.groups, fits, strict=True) if fit]
+    rated = zip(known.groups, _rate(Same(known.groups), area, rule), fits, strict=True)
+    usual = [(form, rate) for form, rate, fit in rated if fit]
     given = group.wish.most is not None or group.wish.group in task.library.seated
-    further = [] if given else list_further(group.wish.group)
+    more = () if given else list_further(group.wish.group)
+    further = list(zip(more, _rate(Same(more), area, rule), strict=True))
     if group.wish.group not in IN_TURN:
-        yield from sorted([*usual, *further], key=worth)
+        yield from (form for form, _ in sorted([*usual, *further], key=worth))
         return
     for both in zip_longest(sorted(further, key=worth), sorted(usual, key=worth)):
-        yield from (form for form in both if form is not None)
+        yield from (row[0] for row in both if row is not None)
+
+
+@lru_cache(maxsize=256)
+def _rate(
+    same: Same[tuple[Group, ...]], area: float, rule: ComposingSettings
+) -> tuple[tuple[float, float], ...]:
+    """What is wrong with each of some forms, and how far it is off what the room asks for."""
+    return tuple((cost_of_case(form, area, rule), _off_goal(form, area)) for form in same.value)
 
 
 def _off_goal(form: Group, area: float) -> float:
@@ -90,6 +100,6 @@ def _off_goal(form: Group, area: float) -> float:
 
 
 @cache
-def list_further(function: str) -> list[Group]:
+def list_further(function: str) -> tuple[Group, ...]:
     """The forms of a group beside its cases."""
-    return list(FURTHER[function]()) if function in FURTHER else []
+    return tuple(FURTHER[function]()) if function in FURTHER else ()

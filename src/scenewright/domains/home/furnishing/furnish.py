@@ -7,6 +7,7 @@ windows and what stands already; what is not essential to the group gives way.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 from itertools import chain, islice
 from typing import NamedTuple
@@ -232,14 +233,14 @@ def world(
     members: tuple[Member, ...], box: Floats, catalog: Catalog
 ) -> tuple[Floats, Floats, NDArray[np.bool_]]:
     """Members of a group on a box as boxes ``(m, 5)``, underside and top ``(m, 2)``, and which
-    are flat."""
+    are flat: the latter two are those of all boxes, and not to be written to."""
     local, spans, flat = _laid(members, catalog)
     cos, sin = np.cos(box[2]), np.sin(box[2])
     boxes = local.copy()
     boxes[:, 0] = box[0] + local[:, 0] * sin + local[:, 1] * cos
     boxes[:, 1] = box[1] - local[:, 0] * cos + local[:, 1] * sin
     boxes[:, 2] = box[2] + local[:, 2]
-    return boxes, spans.copy(), flat.copy()
+    return boxes, spans, flat
 
 
 @lru_cache(maxsize=4096)
@@ -306,17 +307,15 @@ def pieces_of(
 ) -> tuple[Piece, ...]:
     """The standing members as placed pieces, named ``space/group/category``."""
     boxes = world(dressed.case.members, dressed.box, catalog)[0][:, :3].tolist()
-    shown = _choose_models(dressed.case, catalog)
-    names: dict[int, str] = {}
+    shown, names = _choose_models(dressed.case, catalog), _names_of(dressed.case, dressed.stands)
     found = []
     for i, member in enumerate(dressed.case.members):
         if not dressed.stands[i]:
             continue
-        names[i] = _name(f"{group}/{member.category}", names)
         x, y, heading = boxes[i]
         found.append(
             Piece(
-                id=names[i],
+                id=f"{group}/{names[i]}",
                 category=member.category,
                 asset=shown[i][0],
                 space=space,
@@ -324,7 +323,7 @@ def pieces_of(
                 size=member.size,
                 group=group,
                 function=function,
-                on=names.get(member.on),
+                on=f"{group}/{names[member.on]}" if member.on in names else None,
                 footprint=shown[i][1],
             )
         )
@@ -339,6 +338,17 @@ def _choose_models(case: Group, catalog: Catalog) -> tuple[tuple[str, Footprint]
     )
     pairs = zip(known, case.members, strict=True)
     return tuple((a.id if a else "", footprint_of(a, m.size)) for a, m in pairs)
+
+
+@lru_cache(maxsize=4096)
+def _names_of(case: Group, stands: tuple[bool, ...]) -> Mapping[int, str]:
+    """Names within their group of the members that stand, by number: the category, with a number
+    from the second of its kind on."""
+    names: dict[int, str] = {}
+    for i, (member, there) in enumerate(zip(case.members, stands, strict=True)):
+        if there:
+            names[i] = _name(member.category, names)
+    return names
 
 
 def _name(wanted: str, taken: dict[int, str]) -> str:
