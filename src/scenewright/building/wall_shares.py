@@ -63,7 +63,7 @@ def shared_out(
     solid: BaseGeometry, stretches: list[tuple[str, LineString]], reach: float
 ) -> list[tuple[str, Polygon]]:
     """The solid cut into one piece (or more, numbered) for every stretch that has some."""
-    strips = [_behind(line, reach, "column" in name) for name, line in stretches]
+    strips = [_behind(line, reach, "/column-" in name) for name, line in stretches]
     tree = shapely.STRtree(strips)
     shares: dict[int, list[Polygon]] = {}
     for number, region in enumerate(_within(solid, strips)):
