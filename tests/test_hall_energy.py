@@ -38,7 +38,7 @@ def drawn(problem: HallProblem, seed: int) -> tuple[PreparedHall, State, Scratch
     s.partitions[0] = (1.0 + 0.1 * seed, 9.0) if seed % 2 else (0.0, 0.0)
     build(p, s, 0)
     placed = np.zeros(5)
-    place_units(p, s, work, np.array([4, 3, 2, 0, 1]), 3000, stream, placed)
+    place_units(p, s, work, np.array([4, 3, 2, 0, 1]), 0, 3000, True, stream, placed)
     return (p, s, work, stream) if placed.all() else None
 
 

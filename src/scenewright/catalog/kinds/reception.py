@@ -100,6 +100,21 @@ KINDS = (
         drawn_by=(".reception",),
     ),
     Kind(
+        "glass_barrier",
+        sizes=size_range("20 200 3000", "5 6 12", "80 100 130"),
+        words=(
+            words(
+                en="glass barrier, glass balustrade, glass railing",
+                fr="garde-corps en verre, barrière en verre",
+                de="glasbrüstung, glasabsperrung, glasgeländer",
+                es="barandilla de vidrio, barrera de vidrio",
+                zh="玻璃栏板, 玻璃护栏",
+                ja="ガラス柵, ガラス手摺",
+            ),
+        ),
+        drawn_by=(".barriers",),
+    ),
+    Kind(
         "litter_bin",
         access=ALL_SIDES,
         reach=0.45,

@@ -38,6 +38,8 @@ def split_carried(
             for floor in (*there, *(floor for zones, floor in stages if zones == wish.zones))
         )
     ]
+    shows = [wish.zones for wish in carried if wish.category == SCREEN]
+    wishes = [_at_wall(w) if w.category == STAGE and w.zones in shows else w for w in wishes]
     ids = [wish.id for wish in carried]
     shown = [wish.id for wish in wishes if wish.category == STAGE]
     rest = [wish for wish in wishes if wish not in carried]
@@ -45,6 +47,12 @@ def split_carried(
         wish._replace(facing=shown[0]) if wish.facing in ids and shown else wish for wish in rest
     ]
     return looking, carried
+
+
+def _at_wall(stage: HallDemand) -> HallDemand:
+    """A stage with its back at a wall, as the screen along it has to have."""
+    front, left, _, right = stage.clearance
+    return stage._replace(patterns=("wall",), clearance=(front, left, 0.0, right))
 
 
 def _has_room(floor: Size, wish: HallDemand) -> bool:

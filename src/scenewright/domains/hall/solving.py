@@ -22,11 +22,13 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import Watch
+from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.hall.assemble import Laid, assemble_solution
+from scenewright.domains.hall.barriers import place_barriers
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import grow_table, with_chairs
 from scenewright.domains.hall.desks import turn_desks
@@ -39,6 +41,7 @@ from scenewright.domains.hall.holdings import HallDemand, collect_demands, restr
 from scenewright.domains.hall.low_tables import keep_reached, low_tables
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage, split_carried
+from scenewright.domains.hall.open_gates import drop_units, find_open, report_open
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
@@ -266,7 +269,8 @@ def _lay(
     if may_retry(search):
         best = retouch_layout(fitted.problem, best)
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
-    laid = furnish_layout(hall, wishes, fitted, best, locked, missing, found.evaluations, catalog)
+    search = search._replace(hall=hall)
+    laid = _furnish_closed(search, fitted, best, locked, missing, found.evaluations)
     pieces = (*hall.fixed, *laid.pieces)
     on, groups, out = put_on_stage(hall, carried, pieces, catalog)
     return laid._replace(
@@ -276,6 +280,25 @@ def _lay(
         zones=hall.plan.zones,
         shifts=shifts,
     )
+
+
+def _furnish_closed(
+    search: HallSearch,
+    fitted: Fitted,
+    best: MeasuredLayout,
+    locked: tuple[Piece, ...],
+    missing: tuple[LeftOut, ...],
+    seen: int,
+) -> Laid:
+    """A furnished hall without gates beside which the way stays open."""
+    hall, wishes, catalog = search.hall, search.wishes, search.catalog
+    laid = furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
+    opened = find_open(fitted, best, laid.pieces) if may_retry(search) else ()
+    if not opened:
+        return laid
+    missing = (*missing, *report_open(hall, wishes, fitted, opened))
+    fitted, best = drop_units(hall, wishes, fitted, best, opened, catalog)
+    return furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
 
 
 def furnish_layout(
@@ -300,14 +323,18 @@ def furnish_layout(
     )
     tables = low_tables(groups, (*objects, *chairs), (*hall.fixed, *walls), catalog)
     tables = keep_reached(fitted.problem, best._replace(missed=lost), tables)
+    solid = np.array([boxes_of(piece)[0] for piece in (*hall.fixed, *walls, *chairs, *tables)])
+    solid = solid.reshape(-1, 5)
+    demands = {group.id: group.demand for group in groups}
+    rails = place_barriers(hall.space, fitted.problem, best, solid, demands, catalog)
     parts = parts_of(fitted.problem, p, s, lost)
     layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
     out = {wish.id: wish.chairs for wish in wishes}
     grown = (grow_table(piece, out[piece.function], catalog) for piece in objects)
-    every = (*hall.fixed, *walls, *grown, *tables)
+    every = (*hall.fixed, *walls, *grown, *tables, *rails)
     way = tour(hall.space, every, layout, catalog, hall.route)
     return Laid(
-        (*walls, *objects, *chairs, *tables),
+        (*walls, *objects, *chairs, *tables, *rails),
         groups,
         layout.partitions,
         parts,

@@ -13,12 +13,13 @@ from scenewright.domains.hall.doors import visitor_exits, ways_in, ways_out
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats, VisitorPlan
 from scenewright.domains.hall.roles import is_first, is_till
-from scenewright.domains.hall.terms.visitors import FIRST, LANE, MAIN, TILL
+from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, LANE, MAIN, TILL
 
 EYES = 1.6
 """What rises above this height hides what is behind it, in metres."""
 INSIDE = 0.5
 """How far inside a door a visitor looks round, in metres."""
+ROPES = ("rope_barrier",)
 LANES = ("checkout",)
 """Tills that stand side by side with lanes between them, where there are several."""
 EXHIBITS = ("exhibit_island", "showcase", "plinth", "interactive_table", "stage", "screen")
@@ -67,6 +68,8 @@ def _roles(wishes: list[HallDemand], units: list[Unit]) -> Floats:
             roles[k] = TILL + (LANE if category in LANES and unit.last - unit.first > 1 else 0)
         elif is_first(category, beside):
             roles[k] = FIRST
+        elif category in ROPES:
+            roles[k] = GUIDE
     alone = [
         (size.width * size.depth, -k)
         for k, unit in enumerate(units)

@@ -12,13 +12,15 @@ import shapely
 from scenewright.core.layout import corners
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import CHAIN, SINGLE
-from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.problem import Floats, HallProblem, Ints
+from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.table import ORDER
 from scenewright.domains.hall.terms.visitors import FIRST, LANE, TILL
 
-STEP, PROPOSED = 0.4, 200
-"""Metres between two places that are tried along a wall, and how many of them at most."""
+STEP, PROPOSED, APART = 0.4, 120, 0.9
+"""Metres between two places that are tried along a wall, how many of the best of them, and the
+least distance of as many others."""
 BEHIND, STAFF = 0.3, 0.9
 """Metres that a back or side may be farther from a wall than who serves needs, and what they need
 at least."""
@@ -35,7 +37,9 @@ BACK_TO = 1.5
 """What a back turned to who comes in counts, in metres."""
 FIRST_OF_ALL = 12.0
 """What it costs beside the energy that others lie a metre nearer to the entrance."""
-LONGEST, LINES = 4.0, 24
+LONGEST, LINES, SHORT = 4.0, 24, 6.5
+"""Metres off a wall beyond which more count no more, how many lines through other objects are
+tried, and the longest row that may stand with its side at a wall, in metres."""
 MOST, PARTED = 6, 2.0
 """Desks that one row holds at most, and metres that each further row of a group counts."""
 BACK = 2
@@ -63,20 +67,15 @@ def other_desks(problem: HallProblem) -> Desks:
 def find_desks(desks: Desks, kept: Kept) -> list[int]:
     """The units served from behind that visitors come to first or last, one desk each or a few in
     a row, but for tills in lanes; none without an entrance."""
-    problem = desks.problem
-    roles, units = problem.visitors.roles, problem.units
-    if not len(problem.visitors.inward) or not len(problem.visitors.entrances):
-        return []
+    problem, units = desks.problem, desks.problem.units
+    roles, firsts = problem.visitors.roles, problem.units.spans[:, 0]
     return [
         unit
-        for unit, (first, last) in enumerate(units.spans)
-        if int(roles[unit]) & (FIRST | TILL)
-        and not int(roles[unit]) & LANE
-        and last - first <= MOST
-        and int(kept.rows[unit, 0]) in (SINGLE, CHAIN)
+        for unit in find_met(problem, kept, FIRST | TILL, MOST, (SINGLE, CHAIN))
+        if not int(roles[unit]) & LANE
         and units.targets[unit] < 0
-        and not units.access[first, BACK]
-        and desks.first == (last - first == 1 and _is_at_door(problem, unit))
+        and not units.access[firsts[unit], BACK]
+        and desks.first == (int(np.ptp(units.spans[unit])) == 1 and _is_at_door(problem, unit))
     ]
 
 
@@ -91,7 +90,10 @@ def _is_at_door(problem: HallProblem, unit: int) -> bool:
 def desks_adrift(desks: Desks, kept: Kept, boxes: Floats) -> float:
     """The faults of all desks, in metres, of boxes (n, 5); of several rows of one group, each but
     the first counts as well."""
-    whole = ((unit, _whole(desks.problem, boxes, unit)) for unit in find_desks(desks, kept))
+    whole = (
+        (unit, box_round(boxes[slice(*desks.problem.units.spans[unit])]))
+        for unit in find_desks(desks, kept)
+    )
     return sum(_fault(desks, kept, unit, box) for unit, box in whole)
 
 
@@ -103,17 +105,6 @@ def _fault(desks: Desks, kept: Kept, unit: int, box: Floats) -> float:
     return measure_desk(desks.problem, box, row, far) + parted
 
 
-def _whole(problem: HallProblem, boxes: Floats, unit: int) -> Floats:
-    """The box (5,) round the objects of a unit, its front that of the first."""
-    mine = boxes[slice(*problem.units.spans[unit])]
-    heading = float(mine[0, 2])
-    ahead = np.array([np.cos(heading), np.sin(heading)])
-    axes = np.array([(ahead[1], -ahead[0]), ahead])
-    seen = corners(mine).reshape(-1, 2) @ axes.T
-    low, high = seen.min(0), seen.max(0)
-    return np.array([*(0.5 * (low + high) @ axes), heading, *(high - low)])
-
-
 def measure_desk(problem: HallProblem, box: Floats, row: int, too_far: float = TOO_FAR) -> float:
     """How far a desk (5,) is from where one looks for it: metres its back is off a wall beyond what
     who serves needs, how far it is from the entrance, how much of it and its queue lies on the way
@@ -122,9 +113,10 @@ def measure_desk(problem: HallProblem, box: Floats, row: int, too_far: float = T
     front = np.array([np.cos(box[2]), np.sin(box[2])])
     staff = max(float(problem.units.clear[row, 2]), STAFF)
     right = np.array([front[1], -front[0]])
-    back = _far(problem, box[:2] - 0.5 * box[4] * front) - staff
-    sides = min(_far(problem, box[:2] + side * box[3] * right) for side in (-0.5, 0.5))
-    adrift = max(min(back, sides) - BEHIND, 0.0)
+    adrift = _far(problem, box[:2] - 0.5 * box[4] * front) - staff
+    if box[3] <= SHORT:
+        adrift = min(adrift, *(_far(problem, box[:2] + s * box[3] * right) for s in (-0.5, 0.5)))
+    adrift = max(adrift - BEHIND, 0.0)
     far = float(np.hypot(*(box[:2] - door)))
     turned = BACK_TO if (door - box[:2]) @ front < -0.3 * far else 0.0
     before = box[:2] + 0.5 * (box[4] + QUEUE) * front
@@ -166,10 +158,23 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
         row = int(problem.units.spans[unit, 0])
         places = _places(problem, boxes, unit)
         faults = np.array([measure_desk(problem, box, row, far) for box in places])
-        now = _fault(desks, kept, unit, _whole(problem, boxes, unit))
-        for number in np.argsort(faults, kind="stable")[:PROPOSED]:
-            if faults[number] < now:
-                yield _in_a_row(problem, kept, unit, places[number])
+        now = _fault(desks, kept, unit, box_round(boxes[slice(*problem.units.spans[unit])]))
+        better = np.flatnonzero(faults < now)
+        for number in _spaced(places, better[np.argsort(faults[better], kind="stable")]):
+            yield _in_a_row(problem, kept, unit, places[number])
+
+
+def _spaced(places: Floats, order: Ints) -> list[int]:
+    """The first ``PROPOSED`` of some places (n, 5) in an order, and as many more of which none is
+    near another."""
+    apart: list[int] = []
+    for number in order[PROPOSED:]:
+        if len(apart) == PROPOSED:
+            break
+        off = np.abs(places[apart, :3] - places[number, :3])
+        if not len(apart) or (off.max(1) > APART).all():
+            apart.append(int(number))
+    return [*order[:PROPOSED].tolist(), *apart]
 
 
 def _in_a_row(problem: HallProblem, kept: Kept, unit: int, place: Floats) -> Kept:
@@ -198,7 +203,8 @@ def _places(problem: HallProblem, boxes: Floats, unit: int) -> Floats:
         way = np.array([x1 - x0, y1 - y0]) / max(length, 1e-9)
         left = np.array([-way[1], way[0]])
         heading = float(np.arctan2(left[1], left[0]))
-        for turn, off in ((0.0, staff), (0.5 * np.pi, 0.05), (-0.5 * np.pi, 0.05)):
+        aside = ((0.5 * np.pi, 0.05), (-0.5 * np.pi, 0.05)) if box[3] <= SHORT else ()
+        for turn, off in ((0.0, staff), *aside):
             wide, deep = (box[3], box[4]) if turn == 0.0 else (box[4], box[3])
             near, far = 0.5 * wide + 0.05, length - 0.5 * wide
             along = np.arange(near, far, STEP)

@@ -67,7 +67,7 @@ def first_layout(
     need = np.array([p.sizes[a:b].prod(1).sum() + p.beta[u] for u, (a, b) in enumerate(p.spans)])
     order = np.lexsort([-need, -p.wall_bound]).astype(np.int64)
     placed = np.zeros(len(need))
-    place_units(p, s, work, order, tries, streams(seed, 1)[0], placed)
+    place_units(p, s, work, order, 0, tries, True, streams(seed, 1)[0], placed)
     return kept_of(s), tuple(int(u) for u in order if not placed[u])
 
 

@@ -58,7 +58,7 @@ def random_hall(
         return stand_at_best(chain._replace(best=best))
 
     while done < rounds and not watch.over(done, least, layout):
-        place_units(chain.p, chain.s, chain.work, order, TRIES, stream, placed)
+        place_units(chain.p, chain.s, chain.work, order, 0, TRIES, True, stream, placed)
         done += 1
         energy = whole_energy(chain, least) if placed.all() else math.inf
         if energy < least:

@@ -18,17 +18,20 @@ from scenewright.geometry.compiled import compiled
 
 @compiled
 def place_one(
-    p: PreparedHall, s: State, work: Scratch, unit: int, tries: int, stream: Stream
+    p: PreparedHall, s: State, work: Scratch, unit: int, tries: int, fresh: bool, stream: Stream
 ) -> bool:
-    """Find a place for a unit among those that are filed: gaps shrink with every try.
+    """Find a place for a unit among those that are filed: gaps shrink with every try, unless it
+    keeps its form (not ``fresh``). Without any ``tries`` it stays where it is.
 
     True if found; the unit is filed then.
     """
     first, last = p.spans[unit, 0], p.spans[unit, 1]
-    for count in range(tries):
-        tight = 1.0 - 0.97 * max(2.0 * count / tries - 1.0, 0.0)
-        reseed(p, s, unit, drawn_code(p, unit, stream), uniform(stream), tight)
-        scatter(p, s, unit, stream)
+    for count in range(max(tries, 1)):
+        tight = 1.0 - 0.97 * max(2.0 * count / max(tries, 1) - 1.0, 0.0)
+        if fresh:
+            reseed(p, s, unit, drawn_code(p, unit, stream), uniform(stream), tight)
+        if tries > 0:
+            scatter(p, s, unit, stream)
         forget(work)
         if unfold(p, s, work, unit) and place_all(p, s, work, unit, True)[0] >= 0.0:
             return True
@@ -43,15 +46,19 @@ def place_units(
     s: State,
     work: Scratch,
     order: Ints,
+    stay: int,
     tries: int,
+    fresh: bool,
     stream: Stream,
     placed: Floats,
 ) -> None:
-    """Place units in a given order; ``placed`` (g,) tells which found room."""
+    """Place units in a given order, the first of which ``stay`` where they are, the others in
+    new forms where ``fresh``; ``placed`` (g,) tells which found room."""
     for i in range(s.frames.shape[0]):
         remove(s.buckets, i)
     for k in range(order.shape[0]):
-        placed[order[k]] = 1.0 if place_one(p, s, work, order[k], tries, stream) else 0.0
+        most, anew = (tries, fresh) if k >= stay else (0, False)
+        placed[order[k]] = 1.0 if place_one(p, s, work, order[k], most, anew, stream) else 0.0
 
 
 @compiled

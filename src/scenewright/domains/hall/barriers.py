@@ -1,0 +1,90 @@
+"""Glass barriers that close what a row of gates leaves open, as pieces."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from scenewright.core.catalog import Catalog, footprint_of
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.space import Space
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.rails import RowOfGates, lay_rails, measure_barred, measure_blocked
+from scenewright.domains.hall.retouch.gates import FREE, find_gates, find_row, gates_adrift
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_layout
+
+CATEGORY, BARRIERS = "glass_barrier", "/barriers"
+"""What closes the floor beside gates, and what its function ends with."""
+HEIGHT = 1.0
+"""How high barriers are, in metres."""
+ASTRAY = 4.5
+"""Metres of fault from which on gates stand where no way in is: rails would close nothing."""
+
+
+def place_barriers(
+    space: Space,
+    problem: HallProblem,
+    layout: MeasuredLayout,
+    solid: Floats,
+    demands: dict[str, str],
+    catalog: Catalog,
+) -> tuple[Piece, ...]:
+    """The barriers beside every row of gates of a layout from which the route still leads
+    everywhere, none where others stand in all their places. ``solid`` (n, 5) are boxes of what
+    stands beside the layout, ``demands`` the demand of each group."""
+    found: tuple[Piece, ...] = ()
+    if layout.loose or gates_adrift(problem, layout.kept, layout.boxes) > ASTRAY:
+        return found
+    for unit in find_gates(problem, layout.kept):
+        row = find_row(problem, layout.boxes, unit)
+        row = row._replace(others=np.concatenate([row.others, solid]))
+        for rails in _choices(problem, row):
+            free = measure_blocked(problem, row, rails) <= FREE
+            if free and _leads_on(problem, layout, rails):
+                name = problem.names[unit]
+                found = (*found, *_pieces(space, name, demands[name], rails, catalog))
+                break
+    return found
+
+
+def _choices(problem: HallProblem, row: RowOfGates) -> list[Floats]:
+    """Rails (k, 5) of a row: first those that close floor on which nothing stands, last those with
+    one more end open."""
+    sides = sorted((-1, 1), key=lambda side: measure_barred(problem, row, side))
+    whole = [lay_rails(problem, row, side) for side in sides]
+    less = [np.delete(rails, k, axis=0) for rails in whole for k in range(len(rails))]
+    return [rails for rails in (*whole, *less) if len(rails)]
+
+
+def _leads_on(problem: HallProblem, layout: MeasuredLayout, rails: Floats) -> bool:
+    """Whether the route misses no more with some rails (k, 5), and no passage is narrower."""
+    ground = problem.ground
+    closed = ground._replace(obstacles=np.concatenate([ground.obstacles, rails]))
+    p, s, missed = measure_layout(problem._replace(ground=closed), layout)
+    return missed <= layout.missed and lacking(p, s) <= layout.lacking + 1e-9
+
+
+def _pieces(
+    space: Space, group: str, demand: str, rails: Floats, catalog: Catalog
+) -> tuple[Piece, ...]:
+    """The rails (k, 5) of a group as pieces."""
+    found = []
+    for number, (x, y, heading, width, depth) in enumerate(rails.tolist(), 1):
+        size = Size(width, depth, HEIGHT)
+        asset = catalog.choose(CATEGORY, size)
+        turned = (heading + math.pi) % (2 * math.pi) - math.pi
+        found.append(
+            Piece(
+                id=f"{group}/{CATEGORY}_{number}",
+                category=CATEGORY,
+                asset=asset.id if asset else "",
+                space=space.id,
+                pose=Pose(x, y, 0.0, turned),
+                size=size,
+                group=group,
+                function=f"{demand}{BARRIERS}",
+                footprint=footprint_of(asset, size),
+            )
+        )
+    return tuple(found)

@@ -1,0 +1,156 @@
+"""Rails beside a row of gates: from its ends back to the wall on both sides of the door they belong
+to, or on to the walls; a passage stays open at one end for who cannot pass a gate."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.core.layout import corners
+from scenewright.domains.hall.problem import Floats, HallProblem
+
+INSIDE = 0.6
+"""How far outside the bounds of its zone a door may lie, in metres."""
+BESIDE_DOOR, AT_WALL, SHORTEST, THICK = 0.4, 1.6, 0.2, 0.06
+"""How far beside a door rails begin, how near a wall lies to which they run on instead of turning
+back, the shortest of them, and how thick they are; metres."""
+APART = 0.01
+"""What rails stay off walls, gates and one another, in metres."""
+MARGIN = 0.1
+"""How much wider than a passage the open end is, in metres."""
+
+
+class WayIn(NamedTuple):
+    """Where people come into a zone: a point and the unit direction of their way (2,), half the
+    width of the door there (0: a border), and the clear width that has to stay open."""
+
+    start: Floats
+    way: Floats
+    half: float
+    width: float
+
+
+def find_way_in(problem: HallProblem, unit: int) -> WayIn:
+    """The way into the zone of a unit: by the main entrance, else another door of it, else over the
+    middle of the linked border nearest to the entrance."""
+    zone, ground = int(problem.units.zones[unit]), problem.ground
+    bounds, passage = ground.zone_bounds[zone], max(problem.passage, problem.route)
+    ahead = np.column_stack([np.cos(ground.doors[:, 2]), np.sin(ground.doors[:, 2])])
+    points = ground.doors[:, :2] + (0.5 * ground.doors[:, 4:] + 0.4) * ahead
+    inside = (points >= bounds[:2] - INSIDE) & (points <= bounds[2:] + INSIDE)
+    door = problem.visitors.entrances[0]
+    if inside.all(1).any():
+        far = np.hypot(*(points - door).T) + 1e3 * ~inside.all(1)
+        near = int(far.argmin())
+        return WayIn(points[near], ahead[near], 0.5 * float(ground.doors[near, 3]), passage)
+    rows = [row for row in ground.borders if zone in ground.links[int(row[4]), :2].astype(int)]
+    if not rows:
+        return WayIn(door, problem.visitors.inward[0], 0.0, passage)
+    row = min(rows, key=lambda row: float(np.hypot(*(0.5 * (row[:2] + row[2:4]) - door))))
+    middle, along = 0.5 * (row[:2] + row[2:4]), row[2:4] - row[:2]
+    across = np.array([-along[1], along[0]]) / max(float(np.hypot(*along)), 1e-9)
+    inward = 1.0 if (0.5 * (bounds[:2] + bounds[2:]) - middle) @ across >= 0.0 else -1.0
+    return WayIn(middle, across * inward, 0.0, float(ground.links[int(row[4]), 2]))
+
+
+class RowOfGates(NamedTuple):
+    """A row of gates (5,), the way in it stands across, and the boxes (n, 5) of all else and of
+    what that needs free."""
+
+    box: Floats
+    way_in: WayIn
+    others: Floats
+    needed: Floats
+
+
+def lay_rails(problem: HallProblem, row: RowOfGates, side: int) -> Floats:
+    """Boxes (k, 5) of the rails of a row of gates with the open end on one ``side`` (-1 or 1) of
+    it: to the walls, or to what stands at them."""
+    way_in, way, centre = row.way_in, row.way_in.way, row.box[:2]
+    edges = np.concatenate([problem.ground.edges, _sides(_solid(problem, row))])
+    right = np.array([way[1], -way[0]])
+    aside, half = float((centre - way_in.start) @ right), 0.5 * float(row.box[3])
+    found: list[tuple[Floats, Floats]] = []
+    for end in (-1, 1):
+        begin = half + APART + (way_in.width + MARGIN if end == side else 0.0)
+        wall = reach(edges, centre + end * (half + APART) * right, end * right) + half + APART
+        beyond = max(begin, way_in.half + BESIDE_DOOR - end * aside)
+        turns = way_in.half > 0.0 and wall - beyond > AT_WALL
+        stop = beyond if turns else wall
+        if stop - begin > SHORTEST:
+            found.append((centre + end * begin * right, centre + end * stop * right))
+        if turns:
+            corner = centre + end * (stop + 0.5 * THICK + APART) * right
+            found.append((corner, corner - reach(edges, corner, -way) * way))
+    return np.array([_rail(*line) for line in found]).reshape(-1, 5)
+
+
+def find_open_end(row: RowOfGates, side: int) -> Floats:
+    """The box (5,) of the floor at the open end of a row, and as far before and behind it as it is
+    wide."""
+    way, wide = row.way_in.way, row.way_in.width
+    off = 0.5 * float(row.box[3]) + APART + 0.5 * (wide + MARGIN)
+    x, y = row.box[:2] + side * off * np.array([way[1], -way[0]])
+    return np.array([x, y, np.arctan2(way[1], way[0]), wide, 2.0 * wide])
+
+
+def _solid(problem: HallProblem, row: RowOfGates) -> Floats:
+    """Boxes (n, 5) of what stands beside a row."""
+    return np.concatenate([row.others, problem.ground.obstacles])
+
+
+def _sides(boxes: Floats) -> Floats:
+    """The directed edges (4 n, 4) of boxes (n, 5)."""
+    rings = corners(boxes)
+    return np.concatenate([rings, np.roll(rings, -1, axis=1)], axis=2).reshape(-1, 4)
+
+
+def reach(edges: Floats, point: Floats, way: Floats) -> float:
+    """Metres from a point along a unit direction to the first of the directed edges (e, 4)."""
+    start, end = edges[:, :2] - point, edges[:, 2:] - point
+    one, two = (way[0] * v[:, 1] - way[1] * v[:, 0] for v in (start, end))
+    crossed = (one * two <= 0.0) & (np.abs(one - two) > 1e-12)
+    share = one[crossed] / (one - two)[crossed]
+    far = (start[crossed] + share[:, None] * (end - start)[crossed]) @ way
+    return float(far[far > 1e-6].min(initial=100.0))
+
+
+def measure_barred(problem: HallProblem, row: RowOfGates, side: int) -> float:
+    """Metres of the rails of a row that cannot stand, and square metres of others on the floor they
+    close and at its open end on one ``side``."""
+    rails = lay_rails(problem, row, side)
+    if not len(rails):
+        return 0.0
+    solid = shapely.polygons(corners(_solid(problem, row)))
+    strips = shapely.union_all(shapely.polygons(corners(rails)))
+    gates, end = shapely.polygons(corners(np.stack([row.box, find_open_end(row, side)])))
+    closed = shapely.union(shapely.convex_hull(shapely.union(strips, gates)), end)
+    inside = shapely.area(shapely.intersection(solid, closed)).sum()
+    return float(inside) + measure_blocked(problem, row, rails)
+
+
+def measure_blocked(problem: HallProblem, row: RowOfGates, rails: Floats) -> float:
+    """Metres of some rails (k, 5) that cannot stand where others do, or before doors."""
+    taken = np.concatenate([_solid(problem, row), problem.ground.keep_free])
+    strips = shapely.union_all(shapely.polygons(corners(rails)))
+    return float(
+        strips.intersection(shapely.union_all(shapely.polygons(corners(taken)))).area / THICK
+    )
+
+
+def measure_crowded(problem: HallProblem, row: RowOfGates, side: int) -> float:
+    """Metres of the rails of a row on floor that others need free."""
+    rails = lay_rails(problem, row, side)
+    needed = shapely.union_all(shapely.polygons(corners(row.needed)))
+    strips = shapely.polygons(corners(rails))
+    return float(shapely.area(shapely.intersection(strips, needed)).sum() / THICK)
+
+
+def _rail(start: Floats, end: Floats) -> list[float]:
+    """The box (5,) of a rail between two points."""
+    along = end - start
+    x, y = 0.5 * (start + end)
+    length = float(np.hypot(*along)) - 2 * APART
+    return [x, y, float(np.arctan2(-along[0], along[1])), length, THICK]

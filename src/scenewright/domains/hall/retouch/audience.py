@@ -1,0 +1,150 @@
+"""An audience before its stage: on its axis, within sight of it, looking at it; the stage with its
+back at a wall where that helps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, FAN, GRID, NUMBER, SINGLE
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.terms.state import Kept
+
+VIEW, BEFORE = 0.6, 0.5
+"""Metres a seat may lie beyond the side of its stage for each metre it lies before it, and the
+least it has to."""
+OFF_AXIS, TURNED, MOST, SIDE = 0.3, 2.0, 6.0, 2.0
+"""What a metre of the middle of the seats off the axis counts, what seats that look away do, the
+most that counts, and what a metre by which the mean seat lies out of sight does."""
+FAR, GAPS = (1.3, 2.0, 3.0), (0.92, 0.57)
+"""Metres between stage and first row, and between rows, that are tried."""
+ROWS, FEWEST, AT_WALL = 24, 6, 0.02
+"""Rows at most, seats of an audience at least, and what a stage stays off its wall in metres."""
+
+
+class Audience(NamedTuple):
+    """The unit of the seats, and that of what they look at."""
+
+    seats: int
+    stage: int
+
+
+def find_audiences(problem: HallProblem, kept: Kept) -> list[Audience]:
+    """Seats in rows or arcs that alone look at one object."""
+    targets, spans = problem.units.targets, problem.units.spans
+    return [
+        Audience(unit, int(target))
+        for unit, target in enumerate(targets)
+        if target >= 0
+        and (targets == target).sum() == 1
+        and spans[target, 1] - spans[target, 0] == 1
+        and spans[unit, 1] - spans[unit, 0] >= FEWEST
+        and int(kept.rows[unit, 0]) in (CHAIN, GRID, FAN)
+    ]
+
+
+def sit_aside(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
+    """The faults of all audiences of boxes (n, 5), in metres."""
+    total = 0.0
+    for seats, stage in find_audiences(problem, kept):
+        spans = problem.units.spans
+        total += _fault(boxes[slice(*spans[seats])], boxes[spans[stage, 0]], kept.pose[seats, 2])
+    return total
+
+
+def _fault(seats: Floats, stage: Floats, heading: float) -> float:
+    """How far seats (n, 5) lie beside and off the axis of a stage (5,), in metres."""
+    front = np.array([np.cos(stage[2]), np.sin(stage[2])])
+    off = seats[:, :2] - stage[:2]
+    ahead = off @ front - 0.5 * stage[4]
+    aside = off @ (front[1], -front[0])
+    beyond = np.abs(aside) - 0.5 * stage[3] - VIEW * np.maximum(ahead, 0.0)
+    hidden = np.maximum(beyond, 0.0) + np.maximum(BEFORE - ahead, 0.0)
+    turned = 1.0 + float(np.cos(heading - stage[2]))
+    total = SIDE * float(hidden.mean()) + OFF_AXIS * abs(float(aside.mean())) + TURNED * turned
+    return min(total, MOST)
+
+
+def propose_audiences(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
+    """Layouts with the seats of one audience on the axis of their stage, where it stands or in the
+    middle of a wall."""
+    for audience in find_audiences(problem, kept):
+        for pose in _stages(problem, kept, boxes, audience.stage):
+            moved = kept._replace(pose=kept.pose.copy())
+            if int(kept.rows[audience.stage, 0]) == SINGLE:
+                moved.pose[audience.stage, :3] = pose[:3]
+            for form in _forms(problem, moved, audience.seats):
+                yield from _before(problem, form, audience.seats, pose)
+
+
+def _stages(problem: HallProblem, kept: Kept, boxes: Floats, stage: int) -> Iterator[Floats]:
+    """Boxes (5,) of a stage: as it stands, and with its back at the walls of its zone, in their
+    middle and in that of the zone."""
+    box, zone = boxes[problem.units.spans[stage, 0]], int(problem.units.zones[stage])
+    yield box
+    if int(kept.rows[stage, 0]) != SINGLE:
+        return
+    low, high = problem.ground.zone_bounds[zone].reshape(2, 2)
+    for x0, y0, x1, y1, owner in problem.ground.stretches[:, :5]:
+        start, length = np.array([x0, y0]), float(np.hypot(x1 - x0, y1 - y0))
+        if int(owner) != zone or length < box[3]:
+            continue
+        way = np.array([x1 - x0, y1 - y0]) / length
+        left = np.array([-way[1], way[0]])
+        middle = float(
+            np.clip((0.5 * (low + high) - start) @ way, 0.5 * box[3], length - 0.5 * box[3])
+        )
+        for along in (middle, 0.5 * length):
+            x, y = start + along * way + (0.5 * box[4] + AT_WALL) * left
+            yield np.array([x, y, np.arctan2(left[1], left[0]), *box[3:]])
+
+
+def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
+    """Layouts with the seats in the form they have, and in more and fewer rows."""
+    yield kept
+    counts = np.diff(problem.units.spans, axis=1)[:, 0]
+    row, number = int(capacity(counts)[:seats].sum()), int(counts[seats])
+    room = int(capacity(counts)[seats])
+    if int(kept.rows[seats, 0]) != CHAIN:
+        return
+    along = float(kept.layers[row, ALONG])
+    across = float(kept.layers[row + 1, ACROSS]) if kept.rows[seats, 1] > 1 else GAPS[0]
+    first = problem.units.spans[seats, 0]
+    apart = float(problem.units.clear[first, ::2].sum()) + AT_WALL
+    least = problem.route if problem.units.access[first].any() else 0.0
+    gaps = [gap for gap in (across, apart, *GAPS) if gap >= least]
+    for used, gap in product(_rows(number, room), gaps):
+        layers, rows = kept.layers.copy(), kept.rows.copy()
+        for k in range(used):
+            each = number // used + (1 if k >= used - number % used else 0)
+            layers[row + k, [NUMBER, ALONG, ACROSS, CODE]] = each, along, gap, CHAIN
+        rows[seats, 1] = used
+        yield kept._replace(layers=layers, rows=rows)
+
+
+def _rows(number: int, room: int) -> list[int]:
+    """Numbers of rows that so many seats may stand in, those that divide them first."""
+    most = min(ROWS, room, number // 2)
+    tried = [rows for rows in range(2, most + 1) if number % rows == 0]
+    return tried or list(range(2, most + 1))
+
+
+def _before(problem: HallProblem, kept: Kept, seats: int, stage: Floats) -> Iterator[Kept]:
+    """Layouts with the seats on the axis of a stage (5,), at some distances from it."""
+    counts = np.diff(problem.units.spans, axis=1)[:, 0]
+    row, used = int(capacity(counts)[:seats].sum()), int(kept.rows[seats, 1])
+    deep = float(problem.units.sizes[slice(*problem.units.spans[seats]), 1].max())
+    gaps = float(kept.layers[row + 1 : row + used, ACROSS].sum())
+    whole = used * deep + gaps
+    if int(kept.rows[seats, 0]) == FAN:
+        whole = float(kept.layers[row : row + used, ACROSS].max()) if used else deep
+    front = np.array([np.cos(stage[2]), np.sin(stage[2])])
+    for far in FAR:
+        moved = kept._replace(pose=kept.pose.copy())
+        moved.pose[seats, :2] = stage[:2] + (0.5 * (stage[4] + whole) + far) * front
+        moved.pose[seats, 2] = stage[2] + np.pi
+        yield moved

@@ -1,0 +1,136 @@
+"""Ropes where they guide somebody: in lines before the desk people queue at, and where a zone has
+none, in a row before its main exhibit or before what stands at its walls."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.patterns import CHAIN, SINGLE, WALL
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.arrivals import box_round, find_met
+from scenewright.domains.hall.retouch.desks import BACK
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, LANE, MAIN, TILL
+
+MOST, LINES, LONGEST = 24, 5, 4
+"""Ropes of one group, lines of them, and ropes of one line at most."""
+GAPS = (1.0, 1.3)
+"""Metres between what they guard and the ropes, nearest and farthest."""
+LANES = (1.0, 1.25)
+"""Widths of the lanes between lines of ropes that are tried, in metres."""
+TURNED, ASIDE, MOST_OFF = 2.0, 0.5, 3.0
+"""What ropes along what they should stand across count, what a metre beside it does, and metres
+beyond which more count no more."""
+ANCHORS = 12
+
+
+class Anchor(NamedTuple):
+    """What ropes are to stand before: a box (5,), and whether people queue there."""
+
+    box: Floats
+    queue: bool
+
+
+def find_ropes(problem: HallProblem, kept: Kept) -> list[int]:
+    """The units that are ropes."""
+    return find_met(problem, kept, GUIDE, MOST, (CHAIN, SINGLE))
+
+
+def find_anchors(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> list[Anchor]:
+    """What the ropes of a unit may guard in their zone, of the first kind of which there is any."""
+    units, roles = problem.units, problem.visitors.roles.astype(int)
+    beside = [u for u in range(len(roles)) if units.zones[u] == units.zones[unit] and u != unit]
+    desks = [
+        u
+        for u in beside
+        if roles[u] & (FIRST | TILL)
+        and not roles[u] & LANE
+        and not units.access[units.spans[u, 0], BACK]
+    ]
+    mine = [boxes[slice(*span)] for span in units.spans]
+    if desks:
+        return [Anchor(box_round(mine[u]), True) for u in desks]
+    mains = [mine[u][0] for u in beside if roles[u] & MAIN and kept.rows[u, 0] != WALL]
+    if mains:
+        turned = mains[0] + [0.0, 0.0, 0.5 * np.pi, 0.0, 0.0]
+        turned[3:] = mains[0][[4, 3]]
+        half = np.array([0.0, 0.0, np.pi, 0.0, 0.0])
+        return [Anchor(box, False) for box in (mains[0], turned, mains[0] + half, turned + half)]
+    walls = [box for u in beside if kept.rows[u, 0] == WALL for box in mine[u]]
+    return [Anchor(box, False) for box in walls[:: max(len(walls) // ANCHORS, 1)]]
+
+
+def ropes_adrift(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
+    """The faults of all ropes of boxes (n, 5), in metres."""
+    total = 0.0
+    for unit in find_ropes(problem, kept):
+        anchors = find_anchors(problem, kept, boxes, unit)
+        mine = boxes[slice(*problem.units.spans[unit])]
+        total += min((_fault(mine, anchor) for anchor in anchors), default=0.0)
+    return total
+
+
+def _fault(ropes: Floats, anchor: Anchor) -> float:
+    """How far some ropes (n, 5) are from their place before an anchor, in metres."""
+    box = anchor.box
+    front = np.array([np.cos(box[2]), np.sin(box[2])])
+    run = np.array([-np.sin(ropes[0, 2]), np.cos(ropes[0, 2])])
+    along = abs(float(run @ front))
+    seen = box_round(np.column_stack([ropes[:, :2], np.full(len(ropes), box[2]), ropes[:, 3:]]))
+    if along > 0.7:
+        seen = box_round(
+            np.column_stack([ropes[:, :2], np.full(len(ropes), box[2]), ropes[:, 4], ropes[:, 3]])
+        )
+    off = seen[:2] - box[:2]
+    gap = float(off @ front) - 0.5 * (box[4] + seen[4])
+    aside = abs(float(off @ (front[1], -front[0]))) - 0.5 * max(box[3] - seen[3], 0.0)
+    far = max(GAPS[0] - 0.3 - gap, gap - GAPS[1] - 0.3, 0.0)
+    turned = TURNED * (1.0 - along if anchor.queue else along)
+    return turned + min(far, MOST_OFF) + ASIDE * min(max(aside, 0.0), MOST_OFF)
+
+
+def propose_ropes(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
+    """Layouts with the ropes of one unit before what they may guard."""
+    counts = np.diff(problem.units.spans, axis=1)[:, 0]
+    starts = np.concatenate([[0], np.cumsum(capacity(counts))])
+    for unit in find_ropes(problem, kept):
+        number, start = int(counts[unit]), int(starts[unit])
+        wide, deep = problem.units.sizes[problem.units.spans[unit, 0]]
+        room = int(starts[unit + 1]) - start
+        for anchor in find_anchors(problem, kept, boxes, unit):
+            for lines, lane in _forms(number, anchor, room):
+                whole = np.array([-(-number // lines) * wide, lines * deep + (lines - 1) * lane])
+                for gap in GAPS:
+                    for aside in (0.0, -1.0, 1.0):
+                        pose, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
+                        pose[unit, :3] = _place(anchor, whole, gap, aside)
+                        for k in range(lines):
+                            each = number // lines + (1 if k < number % lines else 0)
+                            layers[start + k] = (float(each), 0.0, lane, CHAIN, 0.0)
+                        if number > 1:
+                            rows[unit] = (CHAIN, lines)
+                        yield kept._replace(pose=pose, layers=layers, rows=rows)
+
+
+def _forms(number: int, anchor: Anchor, room: int) -> list[tuple[int, float]]:
+    """Numbers of lines and widths of lanes that so many ropes may stand in."""
+    if not anchor.queue:
+        return [(1, 0.0)]
+    most = min(LINES, number, room)
+    lines = [n for n in range(min(2, number), most + 1) if -(-number // n) <= LONGEST]
+    return [(n, lane) for n in lines or [most] for lane in LANES]
+
+
+def _place(anchor: Anchor, whole: Floats, gap: float, aside: float) -> tuple[float, float, float]:
+    """The pose of ropes as large as ``whole`` (2,) along and across, ``gap`` metres before an
+    anchor and beside its middle by as much as there is room, times ``aside``."""
+    box = anchor.box
+    front = np.array([np.cos(box[2]), np.sin(box[2])])
+    depth, width = whole if anchor.queue else whole[::-1]
+    off = aside * 0.5 * max(float(box[3]) - width, 0.0)
+    x, y = box[:2] + (0.5 * (box[4] + depth) + gap) * front + off * np.array([front[1], -front[0]])
+    return float(x), float(y), float(box[2] + (0.5 * np.pi if anchor.queue else 0.0))

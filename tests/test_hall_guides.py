@@ -1,0 +1,117 @@
+"""Gates close the way in, ropes stand before the desk they serve, seats before their stage."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import scenewright
+from scenewright.core.brief import Brief
+from scenewright.domains.hall.rails import reach
+from scenewright.domains.hall.retouch.audience import _fault as sits_aside
+
+
+def _solve(demands: list[dict[str, Any]], size: tuple[float, float], at: float) -> Any:
+    room = {
+        "id": "hall",
+        "name": "Hall",
+        "outline": [[0, 0], [size[0], 0], list(size), [0, size[1]]],
+        "height": 4.0,
+        "doors": [{"id": "in", "at": [at, 0], "width": 1.8, "swing": "slide"}],
+        "demands": demands,
+    }
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    return scenewright.solve(brief, seed=1, threads=1)
+
+
+def test_a_ray_ends_at_the_first_edge() -> None:
+    edges = np.array([[0.0, 0, 4, 0], [4, 0, 4, 3], [4, 3, 0, 3], [0, 3, 0, 0]])
+    assert reach(edges, np.array([1.0, 1.0]), np.array([1.0, 0.0])) == pytest.approx(3.0)
+    assert reach(edges, np.array([1.0, 1.0]), np.array([0.0, -1.0])) == pytest.approx(1.0)
+
+
+def test_barriers_run_from_gates_to_the_wall_of_their_door() -> None:
+    demands = [
+        {"id": "gates", "category": "ticket_gate", "count": 3},
+        {"category": "showcase", "count": 6},
+    ]
+    solution = _solve(demands, (14, 11), 7)
+    gates = [p for p in solution.pieces if p.function == "gates"]
+    rails = [p for p in solution.pieces if p.function == "gates/barriers"]
+    assert scenewright.check(solution).valid
+    assert len(gates) == 3
+    ends = [p.pose.y - 0.5 * p.size.width for p in rails if abs(math.sin(p.pose.heading)) < 0.1]
+    assert ends
+    assert max(ends) < 0.05
+    low, high = min(p.pose.x for p in rails), max(p.pose.x for p in rails)
+    assert low < 7 - 0.9
+    assert high > 7 + 0.9
+    for piece in solution.pieces:
+        inside = low < piece.pose.x < high and piece.pose.y < min(p.pose.y for p in gates) - 0.7
+        assert piece in rails or not inside
+
+
+def test_gates_that_close_nothing_are_left_out_by_name() -> None:
+    demands = [
+        {"id": "gates", "category": "ticket_gate", "count": 2},
+        {"category": "stage", "size": [6, 3, 0.6], "place": "wall"},
+        {"id": "seats", "category": "auditorium_seat", "count": 96, "patterns": ["chain"]},
+    ]
+    solution = _solve(demands, (10, 14), 5)
+    gates = [p for p in solution.pieces if p.function == "gates"]
+    barriers = [p for p in solution.pieces if p.function == "gates/barriers"]
+    told = [left.what for left in solution.left_out if "gate" in left.what]
+    assert bool(gates) == bool(barriers)
+    assert bool(gates) != bool(told)
+
+
+def test_ropes_stand_in_lines_before_the_counters() -> None:
+    demands = [
+        {"id": "counters", "category": "counter", "count": 3},
+        {"id": "ropes", "category": "rope_barrier", "count": 4},
+        {"category": "wall_exhibit", "count": 4},
+    ]
+    pieces = _solve(demands, (14, 10), 3).pieces
+    counters = [p for p in pieces if p.function == "counters"]
+    ropes = [p for p in pieces if p.function == "ropes"]
+    heading = counters[0].pose.heading
+    front = np.array([math.cos(heading), math.sin(heading)])
+    middle = np.mean([p.pose[:2] for p in counters], axis=0)
+    off = np.array([p.pose[:2] for p in ropes]) - middle
+    assert (off @ front > 0.5).all()
+    assert (off @ front < 5.5).all()
+    assert np.abs(off @ (front[1], -front[0])).max() < 3.5
+
+
+def test_seats_beside_their_stage_are_at_fault() -> None:
+    stage = np.array([0.0, 0.0, math.pi / 2, 6.0, 3.0])
+    rows = np.array([(x, y, -math.pi / 2, 0.5, 0.5) for y in (4, 5) for x in range(-3, 4)], float)
+    assert sits_aside(rows, stage, -math.pi / 2) == pytest.approx(0.0)
+    assert sits_aside(rows + np.array([6.0, 0, 0, 0, 0]), stage, -math.pi / 2) > 2.0
+    assert sits_aside(rows - np.array([0, 4.5, 0, 0, 0]), stage, -math.pi / 2) > 2.0
+    assert sits_aside(rows, stage, math.pi / 2) > 3.0
+
+
+def test_pews_stand_on_the_axis_of_the_altar() -> None:
+    demands = [
+        {"id": "altar", "category": "stage", "size": [6, 3, 0.3]},
+        {
+            "id": "pews",
+            "category": "bench",
+            "count": 24,
+            "size": [4, 0.6, 0.9],
+            "patterns": ["chain"],
+            "facing": "altar",
+        },
+    ]
+    pieces = _solve(demands, (14, 26), 7).pieces
+    (altar,) = [p for p in pieces if p.function == "altar"]
+    pews = np.array([p.pose[:2] for p in pieces if p.function == "pews"])
+    heading = altar.pose.heading
+    front = np.array([math.cos(heading), math.sin(heading)])
+    off = pews - altar.pose[:2]
+    assert (off @ front > 1.5).all()
+    assert abs((off @ (front[1], -front[0])).mean()) < 1.0
