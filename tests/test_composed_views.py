@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 from math import pi
 
+import numpy as np
 import pytest
 import shapely
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.fronts import measure_share
-from scenewright.domains.home.composing.views import measure_turn
+from scenewright.domains.home.composing.views import leave_out_blind_seats, measure_turn
+from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.groups.dining import dining_wall, tables_with_stools
+from scenewright.domains.home.groups.sleeping import narrow_sides
+from scenewright.domains.home.programme import Wish
 
 SOFA = Pose(0.0, 0.0, 0.0, 0.0)
 
@@ -74,3 +80,34 @@ def test_two_stools_are_pushed_under_a_table_side_by_side(case):
     assert stools[0].distance(stools[1]) > 0.0
     assert all(0.5 < stool.intersection(table).area / stool.area < 1.0 for stool in stools)
     assert [name for name, _ in find_case_faults(case)] == ["stools"]
+
+
+@pytest.mark.parametrize("case", list(narrow_sides()), ids=lambda case: case.name)
+def test_a_narrow_nightstand_is_one_but_leaves_no_way(case):
+    stands = [m for m in case.members if m.category == "nightstand"]
+    assert len(stands) == 2
+    assert [name for name, _ in find_case_faults(case)] == ["one_side"]
+    _floor(case, stands[0])
+    _floor(case, stands[1])
+
+
+def _group(name: str, *pieces: Piece) -> FurnishedGroup:
+    case = Group(name, name, 1.0, 1.0, ())
+    return FurnishedGroup(
+        Wish(name, 0), name, FurnishedPatch(case, np.zeros(5), (True,), 0), pieces
+    )
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "table", "stays"),
+    [(2.5, 0.0, False, True), (0.2, 2.5, False, False), (0.2, 2.5, True, True)],
+    ids=["before the screen", "beside it", "beside it, with its table"],
+)
+def test_a_sofa_by_itself_that_sees_nothing_of_the_screen_is_left_out(x, y, table, stays):
+    sofa = piece("loveseat", 0.0, 0.0, 1.2, 0.8)
+    screen = piece("tv", x, y, 0.9, 0.1)
+    seats = (sofa, piece("coffee_table", 1.0, 0.0, 0.6, 0.4)) if table else (sofa,)
+    placed = (_group("seating", *seats), _group("media", replace(screen, pose=Pose(x, y, 0.5, pi))))
+    answer = leave_out_blind_seats(RoomAnswer(0.0, placed, (), (), None, 0.0, 0))
+    assert [g.name for g in answer.placed] == (["seating", "media"] if stays else ["media"])
+    assert [m.wish.group for m in answer.missing] == ([] if stays else ["seating"])
