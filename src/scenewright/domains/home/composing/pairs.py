@@ -8,7 +8,7 @@ are left out, and of the rest the cheapest are furnished until some of them leav
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from itertools import islice, product, takewhile, zip_longest
+from itertools import islice, product, zip_longest
 from typing import NamedTuple
 
 import numpy as np
@@ -76,7 +76,7 @@ def _furnish_pairs(
     """Pairs of places with their furniture, the cheapest first, of like ones only the first."""
     task, flat = judge.task, flat_kinds(judge.task.catalog)
     empty = standing_of((*task.fixed, *task.beside), flat)
-    listed = list(takewhile(lambda p: p.cost < most, _list_pairs(judge, pair, most)))
+    listed = _list_pairs(judge, pair, most)
     poses = np.array([found.boxes[:, :3] for found in listed]).reshape(-1, 2, 3)
     alike = np.zeros(len(listed), bool)
     for k, found in enumerate(listed):
@@ -103,8 +103,8 @@ def _are_alike(poses: Floats, one: Floats) -> NDArray[np.bool_]:
 def _list_pairs(
     judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float
 ) -> list[PlacedPair]:
-    """The cheapest pairs of places of every two forms, the cheapest of all first; of those that
-    cost ``most`` or more by their faults alone none."""
+    """The cheapest pairs of places of every two forms that cost less than ``most``, the cheapest of
+    all first."""
     rule, energy = judge.task.preset.settings.composing, judge.task.costs.energy
     found: list[PlacedPair] = []
     for one, other in product(*(_list_places(judge.task, group) for group in pair)):
@@ -116,7 +116,8 @@ def _list_pairs(
             continue
         layouts = np.stack([one.boxes[i], other.boxes[j]], axis=1)
         costs = energy * judge.energies_of(layouts) + one.faults[i] + other.faults[j]
-        best = np.argsort(costs, kind="stable")[: rule.pairs]
+        cheap = np.flatnonzero(costs < most)
+        best = cheap[np.argsort(costs[cheap], kind="stable")[: rule.pairs]]
         cases = (one.case, other.case)
         found += [PlacedPair(float(costs[k]), cases, layouts[k]) for k in best]
     return sorted(found, key=lambda p: p.cost)

@@ -37,14 +37,17 @@ def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings
     """What is wrong with one group as it stands, each fault half for being there and half by its
     degree, by the costs of ``rule``."""
     found: list[tuple[float, float]] = []
-    covered, strips = (rule.costs.window, rule.costs.opening), ground.strips.tolist()
+    covered = (rule.costs.window, rule.costs.opening)
+    strips = [(s, s[5] == 1.0, hypot(s[3], s[4]) / 2) for s in ground.strips.tolist()]
     for piece in group.pieces:
-        if piece.pose.z > AT_WALL or piece.category == "rug":
+        (x, y, z, _), size, shades = piece.pose, piece.size, piece.category in SHADES
+        if z > AT_WALL or piece.category == "rug":
             continue
-        for number, strip in enumerate(strips):
-            window = strip[5] == 1.0
-            if (not window or piece.category in SHADES) and not _is_apart(piece, strip):
-                share = _metres_before(piece, ground.strips[number])
+        half = hypot(size.width, size.depth) / 2
+        for strip, window, far in strips:  # circles round both that do not meet settle it
+            apart = (x - strip[0]) ** 2 + (y - strip[1]) ** 2 > (half + far + AT_WALL) ** 2
+            if not apart and (shades or not window):
+                share = _metres_before(piece, strip)
                 if share > SEEN:
                     found.append((covered[0 if window else 1], min(share, 1.0)))
         if piece.category == "single_bed":
@@ -68,16 +71,10 @@ def _box(piece: Piece) -> Floats:
     return np.array([pose.x, pose.y, pose.heading, size.width, size.depth])
 
 
-def _is_apart(piece: Piece, strip: Sequence[float]) -> bool:
-    """Whether the circles round a piece and an opening's floor do not meet."""
-    (x, y, _, _), size = piece.pose, piece.size
-    far = hypot(size.width, size.depth) / 2 + hypot(strip[3], strip[4]) / 2
-    return (x - strip[0]) ** 2 + (y - strip[1]) ** 2 > (far + AT_WALL) ** 2
-
-
-def _metres_before(piece: Piece, strip: Floats) -> float:
+def _metres_before(piece: Piece, strip: Sequence[float]) -> float:
     """Metres of an opening that a piece stands before."""
-    return float(common_area(make_frame(*_box(piece)), make_frame(*strip[:5])) / strip[4])
+    frame = make_frame(*_box(piece).tolist())
+    return float(common_area(frame, make_frame(*strip[:5])) / strip[4])
 
 
 def cost_of_openings(case: Group, boxes: Floats, ground: Ground, rule: ComposingSettings) -> Floats:
@@ -155,7 +152,7 @@ def cost_of_hearth(groups: Sequence[FurnishedGroup], ground: Ground, cost: float
     if away > SEEN:
         sight = make_frame(x + c * away / 2, y + s * away / 2, atan2(s, c), OPEN, away)
         between = (p for g in groups if g is not seats for p in g.pieces if p.pose.z < AT_WALL)
-        off += sum(float(common_area(make_frame(*_box(p)), sight)) for p in between)
+        off += sum(float(common_area(make_frame(*_box(p).tolist()), sight)) for p in between)
     return cost * (1.0 + min(off, 1.0)) / 2 if off > SEEN else 0.0
 
 
