@@ -253,6 +253,22 @@ def test_a_kitchen_that_was_lost_to_the_ways_is_made_to_measure(task):
     assert mend_kitchens([task], [bare], lambda _: shut) == [bare]
 
 
+def test_no_further_kitchen_is_looked_for_once_cancelled(task):
+    wish = Wish("kitchen", 0, core=True)
+    answer = furnish_by_use(task, (wish,), Budget(threads=1, steps=3000))
+    bare, opened = without_kitchen(task, answer), []
+
+    def refuse(trial):
+        opened.append(trial)
+        return [bare]
+
+    mend_kitchens([task], [bare], refuse)
+    assert len(opened) > 1
+    opened.clear()
+    assert mend_kitchens([task._replace(cancel=lambda: bool(opened))], [bare], refuse) == [bare]
+    assert len(opened) == 1
+
+
 def test_a_kitchen_that_lost_its_cabinets_to_the_ways_is_made_to_measure(task):
     wish = Wish("kitchen", 0, core=True)
     answer = furnish_by_use(task, (wish,), Budget(threads=1, steps=3000))

@@ -116,7 +116,8 @@ def _mend(
 ) -> list[RoomAnswer]:
     best, worth = found, _worth(room, task, found) - task.preset.settings.composing.least
     for answer in _list_answers(task, place, found[room]):
-        if best is not found and not _is_at_fault(_see_gone(task, best[room])):
+        sound = best is not found and not _is_at_fault(_see_gone(task, best[room]))
+        if sound or task.cancelled():
             break
         trial = [answer if k == room else other for k, other in enumerate(found)]
         if _worth(room, task, trial) >= worth:

@@ -109,7 +109,7 @@ def list_fitted(
         known: dict[FittedKitchen, bool] = {}
         seen: set[Hashable] = set()
         for fitted in islice(_pick(judge, rest, islice(step(), LISTED), most), TRIED):
-            if len(found) == KEPT:
+            if len(found) == KEPT or task.cancelled():
                 break
             alike = likeness(fitted) if likeness else fitted
             if alike in seen or overlap(fitted) or not is_walked(ways, fitted, known):
