@@ -15,7 +15,7 @@ from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups.living import hung_screens
 from scenewright.domains.home.solving import solve
-from scenewright.domains.home.wall_places import free_boxes
+from scenewright.domains.home.wall_places import free_boxes, stand_free
 
 LONG = {
     "id": "living",
@@ -45,6 +45,9 @@ def test_a_screen_hangs_before_no_window_and_no_door(case) -> None:
     for zone in (*ground.windows[:, :5], *ground.keep_free):
         assert not (shapely.area(shapely.intersection(hung, _outline(zone))) > 0.01).any()
     assert len(boxes) > 10
+    assert stand_free(boxes, case, (), ground, empty, shipped(), 2.6).all()
+    boxes[:, 0] += 20.0
+    assert not stand_free(boxes, case, (), ground, empty, shipped(), 2.6).any()
 
 
 def _outline(box) -> shapely.Polygon:

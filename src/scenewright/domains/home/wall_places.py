@@ -76,8 +76,7 @@ def free_boxes(
     boxes, turns = _list_along(case, along, step)
     needed = needed_of(case)
     if whole:
-        low = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
-        needed = low or tuple(range(len(case.members)))
+        needed = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
     return boxes[_mark(boxes, turns, case, needed, ground, standing, catalog, height)]
 
 
@@ -144,7 +143,8 @@ def stand_free(
     catalog: Catalog,
     height: float,
 ) -> NDArray[np.bool_]:
-    """On which boxes (n, 5) of a case some of its ``members``, by number, stand free."""
+    """On which boxes (n, 5) of a case some of its ``members``, by number, stand free; all of them
+    where none are named, as nothing of a screen on the wall stands on the floor."""
     turns = np.column_stack([np.sin(boxes[:, 2]), np.cos(boxes[:, 2])])
     return _mark(boxes, turns, case, members, ground, standing, catalog, height)
 
@@ -161,6 +161,7 @@ def _mark(
 ) -> NDArray[np.bool_]:
     """The same with ``turns`` (n, 2), sine and cosine of the boxes' headings."""
     free = np.zeros(len(boxes), bool)
+    members = members or tuple(range(len(case.members)))
     shape, spans, flat = _shape_of(case, members, catalog)
     tall = spans[:, 1].max(initial=0.0)
     if not len(boxes) or (tall > height + HAIR and not len(ground.slopes)):
