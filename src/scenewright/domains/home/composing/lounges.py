@@ -12,14 +12,16 @@ from collections.abc import Sequence
 from itertools import islice
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
 from scenewright.domains.home.composing.anew import follow, judge_in_order
-from scenewright.domains.home.composing.judging import JudgedRoom, judge_of, sum_faults
+from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, judge_of, sum_faults
 from scenewright.domains.home.composing.lounge_places import list_lounges
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import do_overlap
 from scenewright.domains.home.composing.trials import take_best
+from scenewright.domains.home.furnishing.whole import RAISED
 
 LEAST = 9.0  # rooms of so many square metres have seats and screen placed together
 WALKED = 60  # pairs of places that are walked past
@@ -54,9 +56,17 @@ def _list_staying(start: JudgedRoom, rest: Sequence[FurnishedGroup]) -> tuple[st
     """The names of the others that neither seats nor screen are in the way of."""
     if not rest:
         return ()
-    new, old = (np.array([p.dressed.box for p in some]) for some in (start.placed, rest))
-    meets = np.atleast_1d(do_overlap(new, old).any(axis=0))
-    return tuple(p.name for p, met in zip(rest, meets, strict=True) if not met)
+    new = np.array([p.dressed.box for p in start.placed])
+    return tuple(p.name for p in rest if not do_overlap(new, _floor_of(p)).any())
+
+
+def _floor_of(group: FurnishedGroup) -> NDArray[np.float64]:
+    """The floor a group takes, as boxes (n, 5): its patch, and of a kitchen each unit as well, as
+    its further lines reach out of the patch."""
+    units = group.pieces if group.wish.group in RUNS else ()
+    low = [p for p in units if p.pose.z < RAISED]
+    boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in low]
+    return np.array([tuple(group.dressed.box.tolist()), *boxes])
 
 
 def _follow_beside(
