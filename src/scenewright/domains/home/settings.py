@@ -89,13 +89,13 @@ class CompositionCosts(NamedTuple):
     which the furnished share of a floor is off what was learned (``share``), and by which the free
     floor beside a group falls short of it (``floor``)."""
 
-    worktop: float = 18.0
-    hob_at_sink: float = 18.0
-    hob_at_end: float = 18.0
+    worktop: float = 24.0
+    hob_at_sink: float = 22.0
+    hob_at_end: float = 22.0
     triangle: float = 16.0
-    sink_alone: float = 0.0
-    fridge_alone: float = 0.0
-    split: float = 0.0
+    sink_alone: float = 14.0
+    fridge_alone: float = 14.0
+    split: float = 30.0
     wardrobe: float = 18.0
     shallow: float = 4.0
     nightstand: float = 14.0
@@ -111,6 +111,7 @@ class CompositionCosts(NamedTuple):
     doors: float = 8.0
     window: float = 15.0
     opening: float = 10.0
+    short_run: float = 20.0
     modest: float = 10.0
     share: float = 300.0
     floor: float = 20.0

@@ -17,6 +17,8 @@ from scenewright.domains.home.programme import FALLBACK, Wish
 
 COVERED = 0.29
 """The share of a living room's floor under furniture up to which it takes more."""
+EVERY = 4
+"""Of the second runs of a kitchen, shipped in steps of 0.05 m, one in so many is tried."""
 FULLER = (("shelf", 9.0), ("sideboard", 9.0), ("plant", 9.0), ("shelf", 14.0))
 """What a bare living room takes, in this order, from so many square metres on."""
 
@@ -81,9 +83,11 @@ def _covered_by(placed: Placed) -> float:
 
 def forms_to_add(task: RoomTask, wish: Wish) -> list[Group]:
     """The forms in which a group is added: the preferred first, then ever smaller ones;
-    with too few places for the residents only if it may be small."""
+    with too few places for the residents only if it may be small. A second run of a kitchen that
+    gave way comes back from 1.2 m on, and for want of worktop as short as it fits."""
     if wish.group == "counter":
-        return list(short_counters())
+        back = shipped_cases("counter").groups[::EVERY]
+        return list(back if wish.small else short_counters())
     seated = wish.group in task.library.seated
     own = cases(wish.group, task.library)
     found = []

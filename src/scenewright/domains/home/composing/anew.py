@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from itertools import islice
-from math import hypot
+from math import hypot, inf
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
 from scenewright.domains.home.composing.forms import list_forms
@@ -29,6 +29,8 @@ from scenewright.domains.home.composing.kitchens.reform import (
     may_reform,
     parts_of,
 )
+from scenewright.domains.home.composing.kitchens.second_runs import price_of_spare, without_spare
+from scenewright.domains.home.composing.kitchens.sound import is_sound
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
 from scenewright.domains.home.composing.trials import take_best, try_forms
@@ -44,11 +46,15 @@ def compose_anew(
     first, or as they were."""
     paired = {p.name for p in find_pair(best.placed)}
     tried: set[str] = set()
-    for name in names[: task.preset.settings.composing.anew]:
-        if name in tried or task.cancelled():
+    rule = task.preset.settings.composing
+    for name in names[: rule.anew]:
+        there = any(p.name == name for p in best.placed)
+        if name in tried or not there or task.cancelled():
             continue
         lay_out = _lay_out_pair if name in paired else _lay_out_anew
-        best = take_best(task, best, list(lay_out(task, best, barred, name)), barred)
+        found = list(lay_out(task, best, barred, name))
+        price = price_of_spare(best.placed, found[0].placed, rule) if found else 0.0
+        best = take_best(task, best, found, barred, price)
         tried |= paired if name in paired else {name}
     return best
 
@@ -56,7 +62,8 @@ def compose_anew(
 def _lay_out_anew(
     task: RoomTask, best: JudgedRoom, barred: frozenset[str], name: str
 ) -> Iterator[JudgedRoom]:
-    """The whole room from each of the best places of one group."""
+    """The whole room from each of the best places of one group; from those of a kitchen without
+    second runs."""
     least = task.preset.settings.composing.least
     most = sum_faults(task, best.placed) - least
     first = next(p for p in best.placed if p.name == name)
@@ -65,8 +72,11 @@ def _lay_out_anew(
     cooks = any(first is part for part in kitchen) and may_reform(task, best.placed)
     parts = kitchen if cooks else (first,)
     own = sum_faults(task, parts) - least
+    if run and cooks and is_sound(task, run):
+        return
     starts = _list_kitchens(task, run, own) if run and cooks else list_starts(task, first, barred)
     rest = [p for p in best.placed if all(p is not part for part in parts)]
+    rest = list(without_spare(tuple(rest))) if cooks else rest
     others = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
     judges = judge_in_order(task, (as_whole(run) if run and cooks else first, *others))
     for start in starts:
@@ -80,8 +90,8 @@ def _list_kitchens(task: RoomTask, run: FurnishedGroup, faults: float) -> Iterat
     """Kitchens made to measure for the room as if it were empty, with less wrong than ``faults``:
     of the first two steps that have some the best."""
     rule, steps = task.preset.settings.composing, 0
-    for found in list_fitted(task, (), run, frozenset()):
-        better = [j for j in found if sum_faults(task, j.placed) < faults]
+    for step in list_fitted(task, (), run, frozenset()):
+        better = [j for j in step(inf) if sum_faults(task, j.placed) < faults]
         yield from better[: rule.starts]
         steps += bool(better)
         if steps == 2:

@@ -22,6 +22,8 @@ from scenewright.domains.home.groups.outdoor import folding_chair
 from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes, narrow_sides
 from scenewright.domains.home.settings import ComposingSettings
 
+RUNS = frozenset(("kitchen", "kitchenette"))
+"""Groups one cooks at."""
 FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
     "dining_wall": further_tables,
     "kitchenette": long_kitchenettes,
@@ -44,7 +46,15 @@ ROOMY = 14.0
 """From so many square metres on a living room has seats for more than two."""
 
 
-FROM = {"seats": ROOMY, "triangle": 9.0}
+WHOLE_FROM = 9.0
+"""From so many square metres on a kitchen is one whole: its parts within reach and not apart."""
+FROM = {
+    "seats": ROOMY,
+    "triangle": WHOLE_FROM,
+    "sink_alone": WHOLE_FROM,
+    "fridge_alone": WHOLE_FROM,
+    "split": WHOLE_FROM,
+}
 """Faults that only rooms from so many square metres on have."""
 
 
@@ -58,7 +68,8 @@ def cost_of_case(case: Group, area: float, rule: ComposingSettings) -> float:
         for name, degree in find_case_faults(case)
         if area >= FROM.get(name, 0.0)
     )
-    return faults + rule.costs.modest * find_shortage(case, area)
+    short = rule.costs.short_run if case.function in RUNS else rule.costs.modest
+    return faults + short * find_shortage(case, area)
 
 
 def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:

@@ -28,6 +28,7 @@ from scenewright.domains.home.composing.judging import (
 )
 from scenewright.domains.home.composing.kitchens.islands import add_island
 from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
+from scenewright.domains.home.composing.kitchens.second_runs import list_given_up
 from scenewright.domains.home.composing.lounges import gather_seats
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.placed_faults import (
@@ -69,7 +70,9 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         best = gather_seats(task, best, barred)
         if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
-    better = add_groups(task, before._replace(placed=best.placed), barred)
+    gone = list_given_up(before.placed, best.placed, "the kitchen takes its wall")
+    before = before._replace(placed=best.placed, missing=(*before.missing, *gone))
+    better = add_groups(task, before, barred)
     better = add_island(task, better, barred)
     better = furnish_bare_floor(task, better, barred)
     return (

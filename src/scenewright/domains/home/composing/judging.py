@@ -12,6 +12,7 @@ from shapely import Polygon
 
 from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
+from scenewright.domains.home.composing.forms import RUNS as RUNS
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_group,
@@ -35,8 +36,6 @@ from scenewright.geometry.paths import RouteGrid
 Floats = NDArray[np.float64]
 Placed = tuple[FurnishedGroup, ...]
 
-RUNS = ("kitchen", "kitchenette")
-"""Groups one cooks at."""
 REWEIGHED = {"route": 0.0, "wish": 0.0, "daylight_kept": 3.0, "openings_kept": 2.0}
 """By how much more terms count while composing. Two do not: ways are walked, and sizes are what is
 looked for."""

@@ -40,18 +40,27 @@ class FormTrial(NamedTuple):
 
 
 def take_best(
-    task: RoomTask, best: JudgedRoom, found: Iterable[JudgedRoom], barred: frozenset[str]
+    task: RoomTask,
+    best: JudgedRoom,
+    found: Iterable[JudgedRoom],
+    barred: frozenset[str],
+    price: float = 0.0,
 ) -> JudgedRoom:
-    """The cheapest of those found that cost less than the best and bar no way."""
-    return take_first(task, best, sorted(found, key=lambda j: j.cost), barred)
+    """The cheapest of those found that bar no way and cost less than the best, by what they give
+    up for it (``price``) as well."""
+    return take_first(task, best, sorted(found, key=lambda j: j.cost), barred, price)
 
 
 def take_first(
-    task: RoomTask, best: JudgedRoom, found: Iterable[JudgedRoom], barred: frozenset[str]
+    task: RoomTask,
+    best: JudgedRoom,
+    found: Iterable[JudgedRoom],
+    barred: frozenset[str],
+    price: float = 0.0,
 ) -> JudgedRoom:
     """:func:`take_best` of what is found with the cheapest first."""
     for judged in found:
-        if judged.cost > best.cost - task.preset.settings.composing.least:
+        if judged.cost > best.cost - price - task.preset.settings.composing.least:
             break
         if barred.issuperset(find_blocked(with_margin(task), judged.placed)):
             return judged

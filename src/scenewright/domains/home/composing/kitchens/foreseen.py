@@ -15,7 +15,7 @@ from scenewright.domains.home.composing.case_faults import (
     TOUCH,
     WORKTOP,
 )
-from scenewright.domains.home.composing.forms import FROM
+from scenewright.domains.home.composing.forms import WHOLE_FROM
 from scenewright.domains.home.composing.modest import CORNER_RUN, EXPECTED
 from scenewright.domains.home.groups.fitted_kitchen import (
     BACK,
@@ -58,18 +58,22 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
         (costs.worktop, 1.0 - longest / AMPLE),
         (costs.hob_at_end, 1.0 - beside / BESIDE),
         (costs.hob_at_sink, 1.0 - cooks.between / BESIDE),
-        (costs.triangle, _off_triangle(kitchen) if area >= FROM["triangle"] else 0.0),
-        (costs.sink_alone, 0.0 if kitchen.corners else 1.0 - max(f.rinsed for f in facts) / BESIDE),
-        (costs.fridge_alone, float(_has_lone_fridge(kitchen))),
-        (costs.split, float(_is_split(kitchen))),
     ]
+    if area >= WHOLE_FROM:
+        rinsed = BESIDE if kitchen.corners else max(f.rinsed for f in facts)
+        found += [
+            (costs.triangle, _off_triangle(kitchen)),
+            (costs.sink_alone, 1.0 - rinsed / BESIDE),
+            (costs.fridge_alone, float(_has_lone_fridge(kitchen))),
+            (costs.split, float(_is_split(kitchen))),
+        ]
     fronts = sum(w for line in kitchen.lines for _, w in line.units)
     fronts += CORNER_RUN * len(kitchen.corners)
     rows = EXPECTED["kitchen"].rows
     least = max((metres for start, metres in rows if area >= start), default=0.0)
     short = max(0.0, 1.0 - fronts / least) if least else 0.0
     faults = sum(cost * (1.0 + degree) / 2 for cost, degree in found if degree > 1e-6)
-    return faults + costs.modest * short
+    return faults + costs.short_run * short
 
 
 @lru_cache(maxsize=4096)

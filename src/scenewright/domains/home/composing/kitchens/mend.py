@@ -32,6 +32,7 @@ from scenewright.domains.home.composing.judging import (
     sum_faults,
 )
 from scenewright.domains.home.composing.kitchens.reform import list_fitted, may_reform, parts_of
+from scenewright.domains.home.composing.kitchens.second_runs import is_spare
 from scenewright.domains.home.composing.moving import make_unplaced, with_margin
 from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.composing.trials import try_forms
@@ -141,12 +142,13 @@ def _list_answers(task: RoomTask, place: Place, before: RoomAnswer) -> Iterator[
     missing = tuple(m for m in before.missing if m.wish.group not in KITCHEN)
     before = before._replace(gone=tuple(g for g in before.gone if g.category not in RUN))
     barred = frozenset(find_blocked(with_margin(task), (*place.rest, *place.parts)))
-    beside = chain.from_iterable(list_fitted(task, place.rest, place.run, barred))
+    steps = list_fitted(task, place.rest, place.run, barred)
+    beside = chain.from_iterable(step(inf) for step in steps)
     for judged in islice(beside, BESIDE):
         yield before._replace(placed=judged.placed, missing=missing)
     most = sum_faults(task, place.parts) if place.parts else inf
-    for found in list_fitted(task, (), place.run, frozenset(), likeness=_measure):
-        for start in found:
+    for step in list_fitted(task, (), place.run, frozenset(), likeness=_measure):
+        for start in step(inf):
             if sum_faults(task, start.placed) >= most:
                 continue
             followed = _follow(task, start, place, barred)
@@ -188,6 +190,7 @@ def _set_beside(
 
 
 def _may_go(group: FurnishedGroup) -> bool:
-    """Whether a group is merely welcome."""
+    """Whether a group is merely welcome, or a second run."""
     wish = group.wish
-    return wish.rank == WELCOME and not wish.required and not is_essential(wish)
+    welcome = wish.rank == WELCOME and not wish.required and not is_essential(wish)
+    return welcome or is_spare(group)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Iterator
+from functools import partial
 from heapq import heappop, heappush
 from itertools import islice
-from math import inf
 
 import numpy as np
 
@@ -18,9 +18,10 @@ from scenewright.domains.home.composing.kitchens.fitted import (
 )
 from scenewright.domains.home.composing.kitchens.foreseen import foresee_cost
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
+from scenewright.domains.home.composing.kitchens.second_runs import price_of_spare, without_spare
+from scenewright.domains.home.composing.kitchens.sound import is_sound
 from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
 from scenewright.domains.home.composing.moving import dress_group
-from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.trials import take_best
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.fitted_kitchen import (
@@ -33,6 +34,9 @@ from scenewright.domains.home.groups.fitted_kitchen import (
 from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, WORKTOP
 
 Likeness = Callable[[FittedKitchen], Hashable]
+Dressed = FurnishedGroup | None
+KitchenStep = Callable[[float], list[JudgedRoom]]
+"""Looks for the kitchens of one make-up that cost less than so much, the cheapest first."""
 
 LISTED, TRIED, KEPT = 900, 250, 4
 """Kitchens of one step that are listed, tried, and kept."""
@@ -41,20 +45,30 @@ SOUGHT = ((UNIT_DEPTH, WORKTOP, 0.45), (FRIDGE.depth, FRIDGE.height, SLIM_FRIDGE
 
 
 def reform_kitchen(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
-    """The groups with a faulty kitchen put together otherwise, or as they were."""
+    """The groups with a faulty kitchen put together otherwise, or as they were; beside all others,
+    then in the place of a second run as well."""
     run = next((p for p in best.placed if p.wish.group in RUNS), None)
-    rule = task.preset.settings.composing
     if run is None or not may_reform(task, best.placed):
-        return best
-    if not cost_of_group(run, task.ground, rule):
         return best
     parts = parts_of(best.placed, run)
     rest = tuple(p for p in best.placed if all(p is not part for part in parts))
-    for found in list_fitted(task, rest, run, barred, best.cost):
-        best = take_best(task, best, found, barred)
+    best = _reform_beside(task, best, rest, run, barred)
+    fewer = without_spare(rest)
+    return _reform_beside(task, best, fewer, run, barred) if len(fewer) < len(rest) else best
+
+
+def _reform_beside(
+    task: RoomTask, best: JudgedRoom, rest: Placed, run: FurnishedGroup, barred: frozenset[str]
+) -> JudgedRoom:
+    """The groups with a kitchen made to measure beside the ``rest`` in the place of a faulty one,
+    or as they were."""
+    rule = task.preset.settings.composing
+    for step in list_fitted(task, rest, run, barred):
         now = next(p for p in best.placed if p.wish.group in RUNS)
-        if not cost_of_group(now, task.ground, rule) or task.cancelled():
+        if is_sound(task, now) or task.cancelled():
             break
+        price = price_of_spare(best.placed, rest, rule)
+        best = take_best(task, best, step(best.cost - price), barred, price)
     return best
 
 
@@ -85,12 +99,10 @@ def list_fitted(
     rest: Placed,
     run: FurnishedGroup,
     barred: frozenset[str],
-    most: float = inf,
     likeness: Likeness | None = None,
-) -> Iterator[list[JudgedRoom]]:
-    """The kitchens made to measure beside the ``rest``, step by step, the cheapest first: those
-    that bar no more than is ``barred`` and cost less than ``most``; of those with the same
-    ``likeness`` one."""
+) -> Iterator[KitchenStep]:
+    """The steps of the kitchens made to measure beside the ``rest``, those that bar no more than is
+    ``barred``; of those with the same ``likeness`` one."""
     standing = standing_of(
         (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces)), flat_kinds(task.catalog)
     )
@@ -104,21 +116,37 @@ def list_fitted(
     whole = as_whole(run)
     judge = judge_of(task, (*rest, whole))
     steps = list_steps if whole.wish.group == "kitchen" else list_bare_steps
-    for step in steps(FreeWalls(low, tall, task.ground.area)):
-        found: list[JudgedRoom] = []
+    for kitchens in steps(FreeWalls(low, tall, task.ground.area)):
         known: dict[FittedKitchen, bool] = {}
-        seen: set[Hashable] = set()
-        for fitted in islice(_pick(judge, rest, islice(step(), LISTED), most), TRIED):
-            if len(found) == KEPT or task.cancelled():
-                break
-            alike = likeness(fitted) if likeness else fitted
-            if alike in seen or overlap(fitted) or not is_walked(ways, fitted, known):
-                continue
-            dressed = dress_group(task, whole, *assemble(fitted), standing)
-            if dressed is not None:
-                seen.add(alike)
-                found.append(judge.cost_of((*rest, dressed)))
-        yield sorted(found, key=lambda judged: judged.cost)
+
+        def dress(fitted: FittedKitchen, known: dict[FittedKitchen, bool] = known) -> Dressed:
+            if overlap(fitted) or not is_walked(ways, fitted, known):
+                return None
+            return dress_group(task, whole, *assemble(fitted), standing)
+
+        yield partial(_take_step, judge, rest, kitchens, dress, likeness)
+
+
+def _take_step(
+    judge: RoomJudge,
+    rest: Placed,
+    kitchens: Callable[[], Iterator[FittedKitchen]],
+    dress: Callable[[FittedKitchen], Dressed],
+    likeness: Likeness | None,
+    most: float,
+) -> list[JudgedRoom]:
+    """The kitchens of one step that cost less than ``most``, the cheapest first."""
+    found: list[JudgedRoom] = []
+    seen: set[Hashable] = set()
+    for fitted in islice(_pick(judge, rest, islice(kitchens(), LISTED), most), TRIED):
+        alike = likeness(fitted) if likeness else fitted
+        if len(found) == KEPT or judge.task.cancelled():
+            break
+        if alike in seen or (dressed := dress(fitted)) is None:
+            continue
+        seen.add(alike)
+        found.append(judge.cost_of((*rest, dressed)))
+    return sorted(found, key=lambda judged: judged.cost)
 
 
 def _pick(
