@@ -156,3 +156,21 @@ def test_beds_that_residents_lack_are_left_out_by_name() -> None:
     assert held < 9
     assert any(f"beds for {held} of 9" in out.reason for out in solution.left_out if out.required)
     assert any(f"beds for {held} of the 9" in note.message for note in check(solution).notes)
+
+
+def test_a_home_without_a_kitchen_is_said_to_have_none() -> None:
+    """Plans that name no kitchen get none, and the programme says so; a single room is no home."""
+
+    def told(functions: list[str]) -> str:
+        sides = [4.0 * k for k in range(len(functions) + 1)]
+        rooms = [
+            {"function": f, "outline": [[a + 0.1, 0], [b, 0], [b, 3], [a + 0.1, 3]], "ask": []}
+            for f, a, b in zip(functions, sides, sides[1:], strict=False)
+        ]
+        home = Brief.model_validate({"rooms": rooms})
+        plan = plan_of(home)
+        return tell_programme(solve(home, plan=plan, steps=10), plan)
+
+    assert "no room is a kitchen" in told(["living", "bedroom", "bathroom"])
+    assert "no room is a kitchen" not in told(["living", "bedroom", "bathroom", "kitchen"])
+    assert "no room is a kitchen" not in told(["bedroom"])

@@ -251,6 +251,12 @@ def tell_programme(solution: Solution, plan: Plan) -> str:
     if household.eats_in:
         seats = sum(p.category in SEATS and p.function in TABLES for p in pieces)
         parts.append(f"they eat in {names[household.eats_in]} ({_count(seats, 'chair')})")
+    if (
+        household.wet
+        and household.bedrooms
+        and not any("kitchen" in r.functions for r in plan.spaces)
+    ):
+        parts.append("no room is a kitchen")
     if household.works_in and any(p.function in DESKS for p in pieces):
         parts.append(f"the desk is in {_where(pieces, DESKS, names)}")
     if household.shoes_in:
