@@ -25,7 +25,7 @@ from scenewright.domains.home.furnishing import facing
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
-FLATS, QUICK = 270, 40
+FLATS, QUICK = 270, 100
 FAR = 0.3
 SEATS = ("sofa", "corner_sofa", "loveseat")
 ONE = tuple(
