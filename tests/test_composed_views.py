@@ -87,8 +87,8 @@ def test_a_narrow_nightstand_is_one_but_leaves_no_way(case):
     stands = [m for m in case.members if m.category == "nightstand"]
     assert len(stands) == 2
     assert [name for name, _ in find_case_faults(case)] == ["one_side"]
-    _floor(case, stands[0])
-    _floor(case, stands[1])
+    assert _floor(case, stands[0]).disjoint(_floor(case, stands[1]))
+    assert min(stand.size.width for stand in stands) == pytest.approx(0.3)
 
 
 def _group(name: str, *pieces: Piece) -> FurnishedGroup:
