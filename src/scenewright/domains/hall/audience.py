@@ -1,4 +1,5 @@
-"""Which demands stand together in a zone, and what seats for an audience look at."""
+"""Which demands stand together in a zone, what seats for an audience look at, and at which tables
+chairs stand."""
 
 from __future__ import annotations
 
@@ -11,6 +12,7 @@ SHOWS = ("stage", "screen", "lectern")
 SEATS = ("auditorium_seat",)
 CHAIRS = ("dining_chair", "reading_chair", "office_chair")
 """Seats of auditoriums always look at what is shown, chairs where no table is in their zone."""
+MEALS = (*TABLES, "reading_table")
 AT_TABLES = (*TABLES, *DESKS, "reading_table", "carrel", "interactive_table")
 
 
@@ -32,6 +34,22 @@ def find_shows(demands: Sequence[Demand], ids: Sequence[str]) -> list[str]:
     for one in demands:
         near = sorted(shows, key=lambda row: not _zones(row[0]) & _zones(one))
         found.append(near[0][1] if near and _is_audience(one, demands) else "")
+    return found
+
+
+def find_tables(demands: Sequence[Demand], ids: Sequence[str]) -> list[str]:
+    """The id of the desk or table at which the chairs of each demand stand, one of its own zone
+    before others, a desk before tables for office chairs; empty for what is no chair, looks
+    somewhere, has a pattern of its own or has none."""
+    named = list(zip(demands, ids, strict=True))
+    found = []
+    for one in demands:
+        kinds = [*DESKS, *MEALS] if one.category == "office_chair" else [*MEALS, *DESKS]
+        free = one.category in CHAIRS and not (one.facing or one.patterns or one.place)
+        near = [row for row in named if free and may_share_zone(one, row[0])]
+        near = [row for row in near if row[0].category in kinds]
+        near.sort(key=lambda row: (_zones(row[0]) != _zones(one), kinds.index(row[0].category)))
+        found.append(near[0][1] if near else "")
     return found
 
 

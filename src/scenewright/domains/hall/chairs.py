@@ -19,7 +19,7 @@ CHAIRS = "/chairs"
 def out_of_table(category: str, asked: Collection[str], catalog: Catalog) -> float:
     """How far the chairs that come with a table stand out before and behind it, in metres; 0 for
     what has none, or where chairs are ``asked`` for by themselves."""
-    company = _company(category, catalog)
+    company = company_of(category, catalog)
     if company is None or company.category in asked:
         return 0.0
     return catalog.of(company.category)[0].usual[1] - company.tuck
@@ -27,7 +27,7 @@ def out_of_table(category: str, asked: Collection[str], catalog: Catalog) -> flo
 
 def seats_around(category: str, catalog: Catalog) -> bool:
     """Whether the chairs that come with a table stand at all its sides, not at two."""
-    company = _company(category, catalog)
+    company = company_of(category, catalog)
     return company is not None and company.around
 
 
@@ -51,7 +51,7 @@ def with_chairs(
     tables = [
         piece
         for piece in pieces
-        if (company := _company(piece.category, catalog))
+        if (company := company_of(piece.category, catalog))
         and (piece.function in bringing or company.category not in asked)
     ]
     chairs: list[Piece] = []
@@ -66,42 +66,43 @@ def with_chairs(
     return tuple(chairs)
 
 
-def _company(category: str, catalog: Catalog) -> TableChairs | None:
+def company_of(category: str, catalog: Catalog) -> TableChairs | None:
     """The chairs that come with a table; None if none do."""
     return catalog.kinds[category].chairs if category in catalog.kinds else None
 
 
 def _chairs(table: Piece, catalog: Catalog) -> list[Piece]:
-    company = _company(table.category, catalog)
+    company = company_of(table.category, catalog)
     if company is None:
         return []
     asset = catalog.of(company.category)[0]
     size = Size(*asset.usual)
+    return [
+        Piece(
+            id=f"{table.id}/{company.category}_{number}",
+            category=company.category,
+            asset=asset.id,
+            space=table.space,
+            pose=pose,
+            size=size,
+            group=table.group,
+            function=f"{table.function}{CHAIRS}",
+        )
+        for number, pose in enumerate(places_at(table, company, size.depth), 1)
+    ]
+
+
+def places_at(table: Piece, company: TableChairs, deep: float) -> list[Pose]:
+    """Where chairs ``deep`` metres deep stand at a table: before it, then behind it, or in turn at
+    all its sides."""
     count = max(int(table.size.width / company.pitch), 1)
-    ahead = table.size.depth / 2 + size.depth / 2 - company.tuck
     if company.around:
-        ahead, count = table.size.width / 2 + size.depth / 2 - company.tuck, 2
-    found = []
-    for side in (0, 1):
-        for k in range(count):
-            if company.around:
-                pose = _beside(_quarter(table.pose, k), 0.0, ahead, side)
-            else:
-                along = (k + 0.5 - count / 2) * table.size.width / count
-                pose = _beside(table.pose, along, ahead, side)
-            found.append(
-                Piece(
-                    id=f"{table.id}/{company.category}_{side * count + k + 1}",
-                    category=company.category,
-                    asset=asset.id,
-                    space=table.space,
-                    pose=pose,
-                    size=size,
-                    group=table.group,
-                    function=f"{table.function}{CHAIRS}",
-                )
-            )
-    return found
+        ahead = table.size.width / 2 + deep / 2 - company.tuck
+        turned = [_quarter(table.pose, k) for k in range(2)]
+        return [_beside(pose, 0.0, ahead, side) for side in (0, 1) for pose in turned]
+    ahead = table.size.depth / 2 + deep / 2 - company.tuck
+    steps = [(k + 0.5 - count / 2) * table.size.width / count for k in range(count)]
+    return [_beside(table.pose, along, ahead, side) for side in (0, 1) for along in steps]
 
 
 def _quarter(pose: Pose, turns: int) -> Pose:

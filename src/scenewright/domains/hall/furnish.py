@@ -16,6 +16,7 @@ from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CODE, NUMBER, PART, PATTERNS
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.seating import bare_tables
 from scenewright.domains.hall.terms.state import Kept
 
 NAMES = tuple(PATTERNS)
@@ -40,11 +41,13 @@ def furnish_hall(
     """
     pieces: list[Piece] = []
     row = 0
+    each = [wishes[unit.demand] for unit in units for _ in range(unit.first, unit.last)]
+    boxes = bare_tables(each, boxes)
     for unit, group in zip(units, problem.names, strict=True):
         wish = wishes[unit.demand]
         for number, size in enumerate(wish.sizes[unit.first : unit.last], 1):
             low = min(size.height, hall.space.height)
-            wide, deep = size.width - 2 * wish.aside, size.depth - 2 * wish.chairs
+            wide, deep = size.width - 2 * wish.aside, size.depth - 2 * wish.chairs - wish.before
             fitted = Size(round(wide, 9), round(deep, 9), low)
             asset = _model_of(wish, number, fitted, catalog)
             x, y, heading = (float(v) for v in boxes[row, :3])

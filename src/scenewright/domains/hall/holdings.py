@@ -11,7 +11,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
-from scenewright.domains.hall.audience import find_shows, may_share_zone
+from scenewright.domains.hall.audience import find_shows, find_tables, may_share_zone
 from scenewright.domains.hall.chairs import out_of_table, seats_around
 from scenewright.domains.hall.demands import ids_of, sizes_of
 from scenewright.domains.hall.patterns import PATTERNS
@@ -28,7 +28,11 @@ class HallDemand(NamedTuple):
 
     Tables that bring chairs are placed with them: ``sizes`` are those of the floor they take
     together, ``chairs`` metres of it before and behind each table and ``aside`` at its sides. Once
-    ``least`` stand nothing is missing (0: all are wanted)."""
+    ``least`` stand nothing is missing (0: all are wanted).
+
+    Chairs asked for by themselves name the demand ``at`` whose tables they stand; once joined
+    (:mod:`.seating`), that holds them as ``seated``. A desk then stands with ``before`` metres for
+    its chair, ``turned`` so that who sits at it looks ahead."""
 
     id: str
     name: str
@@ -42,6 +46,10 @@ class HallDemand(NamedTuple):
     chairs: float = 0.0
     least: int = 0
     aside: float = 0.0
+    at: str = ""
+    before: float = 0.0
+    turned: bool = False
+    seated: tuple[HallDemand, ...] = ()
 
     @property
     def at_wall(self) -> bool:
@@ -55,22 +63,23 @@ def collect_demands(
     """The demands of room ``number`` less what stands there ``locked`` already."""
     room = brief.rooms[number]
     ids = ids_of(room.demands)
-    shows = find_shows(room.demands, ids)
+    shows, tables = find_shows(room.demands, ids), find_tables(room.demands, ids)
     found = []
-    for demand, name, show in zip(room.demands, ids, shows, strict=True):
+    for demand, name, show, table in zip(room.demands, ids, shows, tables, strict=True):
         filled = fill_defaults(demand, name)
-        filled = filled._replace(facing=filled.facing or show)
+        filled = filled._replace(facing=filled.facing or show, at=table)
         sizes = _less(filled.sizes, [piece.size for piece in locked if piece.function == name])
         if sizes:
             asked = {other.category for other in room.demands if may_share_zone(demand, other)}
-            chairs = out_of_table(demand.category, asked, catalog)
+            own = name not in tables
+            chairs = out_of_table(demand.category, asked, catalog) if own else 0.0
             least = filled.least and max(filled.least - len(filled.sizes) + len(sizes), 1)
             filled = filled._replace(sizes=sizes, least=least)
-            found.append(_with_chairs(filled, chairs, seats_around(demand.category, catalog)))
+            found.append(with_floor(filled, chairs, seats_around(demand.category, catalog)))
     return found
 
 
-def _with_chairs(wish: HallDemand, chairs: float, around: bool) -> HallDemand:
+def with_floor(wish: HallDemand, chairs: float, around: bool) -> HallDemand:
     """Tables with their chairs as one footprint. Clearances are measured from the table, so the
     chairs stand on them; a seatway stays behind the chairs."""
     if not chairs:

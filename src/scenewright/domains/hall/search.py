@@ -16,6 +16,7 @@ from scenewright.domains.hall.fit import Fitted, build_hosts
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.seating import bare_tables
 from scenewright.domains.hall.settings import SearchSettings
 from scenewright.domains.hall.solvers import HALL_SOLVERS
 from scenewright.domains.hall.solvers.chains import cooled_hall, first_layout
@@ -200,12 +201,9 @@ def _watch_objects(
     """A listener that tells who watches of the objects, by the ids of their demands and without
     the chairs at them."""
     each = [search.wishes[unit.demand] for unit in fitted.units for _ in range(*unit[2:4])]
-    chairs = np.array([(2.0 * wish.aside, 2.0 * wish.chairs) for wish in each]).reshape(-1, 2)
 
     def rows(layout: MeasuredLayout) -> tuple[NamedBox, ...]:
-        boxes = layout.boxes.copy()
-        boxes[:, 3:] -= chairs
-        return name_rows([wish.id for wish in each], boxes)
+        return name_rows([wish.id for wish in each], bare_tables(each, layout.boxes))
 
     return add_watch(on_progress, search.watch, search.hall.space.id, rows)
 

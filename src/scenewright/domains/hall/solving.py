@@ -45,6 +45,7 @@ from scenewright.domains.hall.open_gates import drop_units, find_open, report_op
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
+from scenewright.domains.hall.seating import grow_desk, join_chairs, seat_chairs
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall, measure_layout
@@ -141,7 +142,7 @@ def problems(
     for number, one in enumerate(halls):
         hall = one._replace(settings=chosen.settings)
         asked = collect_demands(brief, number, _locked_of(hall), catalog)
-        wishes, _ = split_carried(asked, hall.fixed)
+        wishes, _ = split_carried(join_chairs(asked, catalog), hall.fixed)
         if wishes:
             seed = _stream(0, hall.space)
             fitted = fit(hall, wishes, chosen.weights, catalog, seed, whole)
@@ -233,7 +234,7 @@ def _lay(
     hall = task.hall._replace(settings=preset.settings)
     locked = _locked_of(hall)
     asked = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
-    wishes, carried = split_carried(asked, hall.fixed)
+    wishes, carried = split_carried(join_chairs(asked, catalog), hall.fixed)
     fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.settings.whole, cancel)
     if not fitted.units:
         missing = left_out(hall, wishes, fitted.units)
@@ -315,31 +316,42 @@ def furnish_layout(
     p, s, lost = measure_layout(fitted.problem, best)
     objects = furnish_hall(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)
     walls = partitions(hall, fitted.problem, best.kept, best.boxes, catalog)
-    seated = {wish.id for wish in wishes if wish.chairs}
-    chairs = with_chairs(objects, (*hall.fixed, *walls), catalog, seated)
+    joined, alone = seat_chairs(hall, wishes, objects, (*hall.fixed, *walls), catalog)
+    served = {wish.id for wish in wishes if wish.seated}
+    tables = tuple(piece for piece in objects if piece.function not in served)
+    standing = (*hall.fixed, *walls, *(p for p in objects if p.function in served), *joined)
+    bringing = {wish.id for wish in wishes if wish.chairs} - served
+    chairs = (*joined, *with_chairs(tables, standing, catalog, bringing))
     groups = (
         *kept_groups(hall, locked),
         *placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, objects),
     )
-    tables = low_tables(groups, (*objects, *chairs), (*hall.fixed, *walls), catalog)
-    tables = keep_reached(fitted.problem, best._replace(missed=lost), tables)
-    solid = np.array([boxes_of(piece)[0] for piece in (*hall.fixed, *walls, *chairs, *tables)])
+    low = low_tables(groups, (*objects, *chairs), (*hall.fixed, *walls), catalog)
+    low = keep_reached(fitted.problem, best._replace(missed=lost), low)
+    solid = np.array([boxes_of(piece)[0] for piece in (*hall.fixed, *walls, *chairs, *low)])
     solid = solid.reshape(-1, 5)
     demands = {group.id: group.demand for group in groups}
     rails = place_barriers(hall.space, fitted.problem, best, solid, demands, catalog)
     parts = parts_of(fitted.problem, p, s, lost)
     layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
-    out = {wish.id: wish.chairs for wish in wishes}
-    grown = (grow_table(piece, out[piece.function], catalog) for piece in objects)
-    every = (*hall.fixed, *walls, *grown, *tables, *rails)
+    known = {wish.id: wish for wish in wishes}
+    grown = (_with_floor(piece, known[piece.function], catalog) for piece in objects)
+    every = (*hall.fixed, *walls, *grown, *low, *rails)
     way = tour(hall.space, every, layout, catalog, hall.route)
     return Laid(
-        (*walls, *objects, *chairs, *tables, *rails),
+        (*walls, *objects, *chairs, *low, *rails),
         groups,
         layout.partitions,
         parts,
-        missing,
+        (*missing, *alone),
         sum(part.cost for part in parts),
         evaluations,
         way,
     )
+
+
+def _with_floor(piece: Piece, wish: HallDemand, catalog: Catalog) -> Piece:
+    """A piece as large as the floor it takes with its chairs."""
+    if wish.before:
+        return grow_desk(piece, wish.before)
+    return grow_table(piece, wish.chairs, catalog)
