@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import stages
+from benchmarks.counters_r2v import name_kitchens
 from benchmarks.plans_r2v import PLANS, adapt, raw_plans
 from benchmarks.real_data import data_folder, data_set
 
@@ -139,7 +140,7 @@ def work(file: Path, worker: int, most: int) -> None:
     from scenewright.domains import check
     from scenewright.domains.home.solving import solve
 
-    plans = raw_plans()[: most or None]
+    plans = [name_kitchens(raw) for raw in raw_plans()[: most or None]]
     before = {row["index"] for row in _rows(file)}
     check(solve(next(p.brief for p in map(adapt, plans) if p.brief is not None), seed=0))
     for index in range(worker, len(plans), WORKERS):

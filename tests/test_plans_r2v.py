@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from benchmarks.counters_r2v import name_kitchens
 from benchmarks.plans_r2v import adapt, raw_plans
 from benchmarks.r2v import tally
 
@@ -67,6 +68,18 @@ def test_a_flat_of_slivers_is_told_to_be_useless():
     found = adapt({"id": "x", "rooms": [box(0, 0, 4, 0.1)], "openings": []})
     assert found.brief is None
     assert found.words[-1] == "no room is left"
+
+
+def test_a_cooking_counter_names_the_kitchen_of_a_plan_that_names_none():
+    rooms = [box(0, 0, 4, 3, "bedroom"), box(4, 0, 9, 3, "living_room")]
+    counter = {"kind": "cooking_counter", "box": [8.4, 1, 9.1, 2.6]}
+    basin = {"kind": "washing_basin", "box": [0, 0, 0.5, 0.5]}
+    raw = {"id": "x", "rooms": rooms, "openings": [], "icons": [counter, basin]}
+    named = name_kitchens(raw)
+    assert [room["labels"] for room in named["rooms"]] == [["bedroom"], ["living_room", "kitchen"]]
+    assert rooms[1]["labels"] == ["living_room"]
+    assert name_kitchens(named) is named
+    assert name_kitchens(raw | {"icons": [basin]})["rooms"] == rooms
 
 
 def test_the_tally_counts_flats_and_rooms():
