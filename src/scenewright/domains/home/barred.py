@@ -30,7 +30,8 @@ from scenewright.domains.home.home_floor import (
 from scenewright.domains.home.ways import REACH, SIDES, used_from
 
 Shape = Any  # a shapely geometry
-Reach = Callable[[tuple[int, ...]], Shape]
+Shapes = NDArray[np.object_]
+Reach = Callable[[tuple[int, ...]], Shapes]
 
 SIDEWAYS = 0.2  # the radius of a person turned sideways, metres
 TRIED = 12  # pieces taken away on trial, those nearest to the gap
@@ -118,7 +119,8 @@ def _missed_pieces(
     """The pieces of a room that are used from sides none of which the route comes to."""
     within, deep = walked.floor.within[space.id], walked.radius + REACH
     named, regions = _use_regions(pieces, space, catalog, deep)
-    regions = shapely.intersection(regions, within)
+    beyond = ~shapely.covers(within, regions)
+    regions[beyond] = shapely.intersection(regions[beyond], within)
     far = ~shapely.intersects(walked.reached, regions)
     missed = [BarredRegion(space.id, named[k], regions[k]) for k in np.flatnonzero(far)]
     if missed and _is_tight(walked, space.id):
@@ -157,16 +159,23 @@ def _find_openers(walked: FloorWalk, missed: Sequence[BarredRegion]) -> list[tup
     so together."""
     if not missed or not walked.obstacles:
         return [()] * len(missed)
-    tried = _nearest_obstacles(walked, missed)
-    reach: Reach = cache(lambda away: reach_without(walked, away))
+    parts = shapely.get_parts(walked.free)
+    shapely.prepare(parts)
+    tried = _nearest_obstacles(walked, parts, missed)
+    reach: Reach = cache(lambda away: reach_without(walked, parts, away))
     without = {k: reach((k,)) for k in tried if _is_at_hand(walked, k)}
     found: list[tuple[str, ...]] = []
     for target in missed:
         mine = [k for k in tried if walked.obstacles[k].piece != target.piece]
-        one = [k for k in mine if k in without and without[k].intersects(target.region)]
+        one = [k for k in mine if k in without and _meets(without[k], target)]
         chosen = one or _find_least_set(reach, mine, target)
         found.append(tuple(walked.obstacles[k].piece for k in chosen))
     return found
+
+
+def _meets(shapes: Shapes, target: BarredRegion) -> bool:
+    """Whether some of what is reached meets a target."""
+    return bool(shapely.intersects(shapes, target.region).any())
 
 
 def _is_at_hand(walked: FloorWalk, obstacle: int) -> bool:
@@ -178,19 +187,21 @@ def _is_at_hand(walked: FloorWalk, obstacle: int) -> bool:
 def _find_least_set(reach: Reach, tried: Sequence[int], target: BarredRegion) -> list[int]:
     """Obstacles that open the way to a target if all of them are gone, none of them to spare;
     none if not even all together do. ``reach`` tells what is reached without some."""
-    if not reach(tuple(tried)).intersects(target.region):
+    if not _meets(reach(tuple(tried)), target):
         return []
     needed = list(tried)
     for k in reversed(tried):
         fewer = [j for j in needed if j != k]
-        if fewer and reach(tuple(fewer)).intersects(target.region):
+        if fewer and _meets(reach(tuple(fewer)), target):
             needed = fewer
     return needed
 
 
-def _nearest_obstacles(walked: FloorWalk, missed: Sequence[BarredRegion]) -> list[int]:
-    """The obstacles nearest to both what is reached and what is cut off, the larger first."""
-    parts = shapely.get_parts(walked.free)
+def _nearest_obstacles(
+    walked: FloorWalk, parts: Shapes, missed: Sequence[BarredRegion]
+) -> list[int]:
+    """The obstacles nearest to both what is reached and what is cut off, the larger first;
+    ``parts`` are those of the free floor."""
     beyond = [*parts[~shapely.intersects(parts, walked.start)], *(t.region for t in missed)]
     shapes = np.array([obstacle.footprint for obstacle in walked.obstacles], object)
     sides = [shapely.union_all(beyond), *([] if walked.reached.is_empty else [walked.reached])]

@@ -12,7 +12,7 @@ from scenewright.building.ceiling import BENDING, low_floor, strips
 from scenewright.core.layout import Layout
 from scenewright.core.same import Same
 from scenewright.domains.home.problem import Ground, Items, KnownGround, Problem, known_ground
-from scenewright.domains.home.terms.assemble import Costs, Ints, PreparedHome, measure
+from scenewright.domains.home.terms.assemble import Costs, Ints, PreparedHome, measure, measure_next
 from scenewright.domains.home.terms.orientation import inward
 from scenewright.domains.home.terms.table import (
     CLEAR_ITEMS,
@@ -188,15 +188,22 @@ def fill_energies(
     """Write energies and, of these, what the route costs ``(P,)`` for layouts ``(P, n, 5)``; with
     ``weights`` (P, terms), each layout by its own, which replace those of ``p``.
 
-    The rest is scratch; ``costs`` (c, ...) keeps the parts of the last layouts.
+    The rest is scratch; ``costs`` (c, ...) keeps the parts of the last layouts. Where there is room
+    for one, and all are weighed alike, items that stand as in the layout before are not looked at
+    again.
     """
+    alike = costs.sums.shape[0] == 1 and weights.shape[0] == 0
     for k in range(population.shape[0]):
         fill_frames(population[k], frames)
         for t in range(weights.shape[1] if k < weights.shape[0] else 0):
             p.weights[t] = weights[k, t]
         c = k % costs.sums.shape[0]
         parts = Costs(costs.boxes[c], costs.pairs[c], costs.relations[c], costs.sums[c])
-        energies[k], routes[k] = measure(frames, p, parts), 0.0
+        routes[k] = 0.0
+        if alike and k > 0:
+            energies[k] = measure_next(population, k, frames, p, parts)
+        else:
+            energies[k] = measure(frames, p, parts)
         if p.weights[ROUTE] != 0.0:
             routes[k] = p.weights[ROUTE] * route(
                 frames, p.access, p.inset, grid, free, reached, math.inf

@@ -129,11 +129,12 @@ def _join(
     start = shapely.union_all([entry.buffer(2 * SLACK) for entry in entries])
     start = start if start.intersects(clear) else shapely.Point()
     joined = join_to(start, clear)
-    shapely.prepare([inside, joined])
+    within = {name: shapely.union_all([rooms[name], *ways[name]]) for name in mine}
+    shapely.prepare([inside, joined, *within.values()])
     return HomeFloor(
         {name: rooms[name] for name in mine},
         inside,
-        {name: shapely.union_all([rooms[name], *ways[name]]) for name in mine},
+        within,
         whole,
         low,
         entries,
@@ -193,6 +194,8 @@ def list_bearing(pieces: Sequence[Piece], floor: HomeFloor, catalog: Catalog) ->
     """Of the pieces of a storey those that bear on one of its floors: all of its own rooms, and of
     others what is in the way there."""
     strange = [p for p in pieces if p.space not in floor.rooms and _takes_floor(p, catalog)]
+    if not strange:
+        return tuple(p for p in pieces if p.space in floor.rooms)
     shapes = polygons_of(strange)
     met = np.flatnonzero(shapely.intersects(floor.inside, shapes))
     areas = shapely.area(shapely.intersection(shapes[met], floor.inside))
@@ -265,17 +268,33 @@ def join_to(start: Shape, region: Shape) -> Shape:
     return shapely.multipolygons(parts[shapely.intersects(parts, start)])
 
 
-def reach_without(walked: FloorWalk, away: Sequence[int]) -> Shape:
-    """What would be reached if some of the obstacles (by number) were not there.
+def reach_without(
+    walked: FloorWalk, parts: NDArray[np.object_], away: Sequence[int]
+) -> NDArray[np.object_]:
+    """What would be reached if some of the obstacles (by number) were not there, as shapes that
+    overlap; ``parts`` are those of the free floor.
 
     Only middles nearer than r to one of them are new, and only what is nearer than 2 r to it bears
     on these: so just that much of the floor is eroded anew.
     """
     radius, floor = walked.radius, walked.floor
     gone = shapely.union_all([walked.obstacles[k].footprint for k in away])
-    near = gone.buffer(2 * radius + 2 * SLACK)
-    others = [o.footprint for k, o in enumerate(walked.obstacles) if k not in set(away)]
-    others = [shape for shape in others if shape.intersects(near)]
+    near = gone.buffer(2 * radius + 2 * SLACK, join_style="mitre")
+    left = [o.footprint for k, o in enumerate(walked.obstacles) if k not in away]
+    others = np.array(left, object)
+    others = others[shapely.intersects(near, others)]
     opened = erode(floor.whole.intersection(near), others, floor.low, radius)
-    opened = opened.intersection(gone.buffer(radius + SLACK))
-    return join_to(walked.start, shapely.union(walked.free, opened))
+    opened = shapely.get_parts(opened.intersection(gone.buffer(radius + SLACK, join_style="mitre")))
+    return _join_parts(walked.start, np.concatenate([parts, opened]), len(parts))
+
+
+def _join_parts(start: Shape, parts: NDArray[np.object_], old: int) -> NDArray[np.object_]:
+    """Those of the parts that meet a start or another that does; neither the first ``old`` ones
+    meet each other nor the rest."""
+    meet = np.zeros((len(parts), len(parts)), bool)
+    meet[:old, old:] = shapely.intersects(parts[:old, None], parts[None, old:])
+    meet |= meet.T
+    joined = np.asarray(shapely.intersects(parts, start))
+    while (more := meet[joined].any(axis=0) & ~joined).any():
+        joined |= more
+    return np.asarray(parts[joined], object)

@@ -24,7 +24,15 @@ from scenewright.domains.home.composing.moving import (
     make_unplaced,
     with_margin,
 )
-from scenewright.domains.home.composing.voids import RAISED, Void, find_void, may_stand_free
+from scenewright.domains.home.composing.voids import (
+    RAISED,
+    Void,
+    find_circle,
+    find_void,
+    free_beside,
+    free_floor,
+    may_stand_free,
+)
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.groups.living import talking
 from scenewright.domains.home.programme import WELCOME, Wish
@@ -116,11 +124,14 @@ def _list_smaller(
     """A group at the places that make an empty circle smaller, each after the radius that is left,
     more amid the room, and its number in order of cost."""
     pieces = _pieces_of(task, placed)
+    floor = free_floor(task, pieces)
     for number, added in enumerate(_list_added(task, placed, group, void)):
-        radius = find_void(task, (*pieces, *added.pieces)).radius
-        amid = not is_backed(added.dressed.box, task.ground.walls, STEP + BACKED)
-        if radius <= void.radius - LESS and may_stand_free(task, pieces, added.dressed.box):
-            yield radius + AMID * amid, number, added
+        box = added.dressed.box
+        if may_stand_free(task, pieces, box):
+            radius = find_circle(free_beside(task, floor, pieces, added.pieces)).radius
+            if radius <= void.radius - LESS:
+                amid = not is_backed(box, task.ground.walls, STEP + BACKED)
+                yield radius + AMID * amid, number, added
 
 
 def _list_added(

@@ -39,11 +39,30 @@ class Void(NamedTuple):
 def find_void(task: RoomTask, pieces: tuple[Piece, ...]) -> Void:
     """The largest circle on the floor of a room clear of walls, doors, what stands and the sight
     from seats to a screen (Toussaint 1983; by polygons, within :data:`EXACT`)."""
-    zones = [_outline(box) for box in (*task.ground.keep_free, *_list_sights(pieces))]
-    taken = shapely.union_all([*polygons_of(_list_low(task, pieces)), *zones])
-    circle = shapely.maximum_inscribed_circle(_floor_of(task).difference(taken), tolerance=EXACT)
+    return find_circle(free_floor(task, pieces))
+
+
+def find_circle(floor: shapely.Geometry) -> Void:
+    """The largest circle on a floor, within :data:`EXACT`."""
+    circle = shapely.maximum_inscribed_circle(floor, tolerance=EXACT)
     x, y = circle.coords[0]
     return Void(x, y, float(circle.length))
+
+
+def free_floor(task: RoomTask, pieces: tuple[Piece, ...]) -> shapely.Geometry:
+    """The floor of a room clear of doors, what stands and the sight from seats to a screen."""
+    zones = [_outline(box) for box in (*task.ground.keep_free, *_list_sights(pieces))]
+    taken = shapely.union_all([*polygons_of(_list_low(task, pieces)), *zones])
+    return _floor_of(task).difference(taken)
+
+
+def free_beside(
+    task: RoomTask, floor: shapely.Geometry, pieces: tuple[Piece, ...], added: tuple[Piece, ...]
+) -> shapely.Geometry:
+    """A ``floor`` free beside some pieces, with more ``added`` to them."""
+    sights = [_outline(box) for box in _list_sights((*pieces, *added))]
+    taken = shapely.union_all([*polygons_of(_list_low(task, added)), *sights])
+    return floor.difference(taken)
 
 
 def may_stand_free(task: RoomTask, pieces: tuple[Piece, ...], box: Floats) -> bool:

@@ -215,25 +215,82 @@ def make_costs(n: int, relations: int) -> Costs:
 
 
 @inlined
-def measure(frames: Floats, p: PreparedHome, costs: Costs) -> float:
-    """Energy without the route of frames (n, 8); all its parts are written to ``costs``."""
-    shared, own, area, turn = 0.0, 0.0, 0.0, 0.0
+def keep_box(frames: Floats, i: int, p: PreparedHome, costs: Costs) -> None:
+    """Write what item ``i`` of frames (n, 8) costs by itself."""
+    boxes = costs.boxes
+    cost = box_cost(read_frame(frames, i), i, p, 0.0, math.inf)
+    boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3] = cost
+
+
+@inlined
+def keep_pair(frames: Floats, i: int, j: int, p: PreparedHome, costs: Costs) -> None:
+    """Write what items ``i`` and ``j`` of frames (n, 8) cost together."""
+    value = pair_cost(read_frame(frames, i), read_frame(frames, j), i, j, p)
+    costs.pairs[i, j] = costs.pairs[j, i] = value
+
+
+@inlined
+def keep_relation(frames: Floats, r: int, p: PreparedHome, costs: Costs) -> None:
+    """Write what relation ``r`` between items of frames (n, 8) costs."""
+    first, second = read_frame(frames, p.pairs[r, 0]), read_frame(frames, p.pairs[r, 1])
+    costs.relations[r] = relation_cost(first, second, r, p)
+
+
+@inlined
+def sum_parts(frames: Floats, p: PreparedHome, costs: Costs) -> float:
+    """Energy without the route of frames (n, 8) whose parts are in ``costs``; their sums are
+    written there."""
+    shared, own, area, turn, boxes = 0.0, 0.0, 0.0, 0.0, costs.boxes
     for i in range(frames.shape[0]):
-        frame = read_frame(frames, i)
-        cost = box_cost(frame, i, p, 0.0, math.inf)
-        boxes = costs.boxes
-        boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3] = cost
-        shared, own, area, turn = shared + cost[0], own + cost[1], area + cost[2], turn + cost[3]
+        shared, own = shared + boxes[i, 0], own + boxes[i, 1]
+        area, turn = area + boxes[i, 2], turn + boxes[i, 3]
         for j in range(i):
-            value = pair_cost(frame, read_frame(frames, j), i, j, p)
-            costs.pairs[i, j] = costs.pairs[j, i] = value
-            shared += value
+            shared += costs.pairs[i, j]
     for r in range(p.pairs.shape[0]):
-        i, j = p.pairs[r, 0], p.pairs[r, 1]
-        value = relation_cost(read_frame(frames, i), read_frame(frames, j), r, p)
-        costs.relations[r] = value
-        own += value
+        own += costs.relations[r]
     costs.sums[0], costs.sums[1], costs.sums[2], costs.sums[3] = shared, own, area, turn
     nowhere = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     energy = whole_cost(shared, own, area, turn, p)
     return energy + layout_cost(frames, -1, nowhere, p.weights, p.own, p.weights[:0])
+
+
+@inlined
+def measure(frames: Floats, p: PreparedHome, costs: Costs) -> float:
+    """Energy without the route of frames (n, 8); all its parts are written to ``costs``."""
+    for i in range(frames.shape[0]):
+        keep_box(frames, i, p, costs)
+        for j in range(i):
+            keep_pair(frames, i, j, p, costs)
+    for r in range(p.pairs.shape[0]):
+        keep_relation(frames, r, p, costs)
+    return sum_parts(frames, p, costs)
+
+
+@inlined
+def is_as_before(population: Floats, k: int, i: int) -> bool:
+    """Whether item ``i`` of layout ``k`` > 0 of a population (P, n, 5) stands as in the one before
+    it."""
+    same = True
+    for c in range(5):
+        same &= population[k, i, c] == population[k - 1, i, c]
+    return same
+
+
+@inlined
+def measure_next(
+    population: Floats, k: int, frames: Floats, p: PreparedHome, costs: Costs
+) -> float:
+    """:func:`measure` of layout ``k`` > 0 of a population (P, n, 5) with ``frames`` (n, 8), where
+    ``costs`` are those of the layout before it: only what moved is looked at again."""
+    for i in range(frames.shape[0]):
+        stays = is_as_before(population, k, i)
+        if not stays:
+            keep_box(frames, i, p, costs)
+        for j in range(i):
+            if not (stays and is_as_before(population, k, j)):
+                keep_pair(frames, i, j, p, costs)
+    for r in range(p.pairs.shape[0]):
+        i, j = p.pairs[r, 0], p.pairs[r, 1]
+        if not (is_as_before(population, k, i) and is_as_before(population, k, j)):
+            keep_relation(frames, r, p, costs)
+    return sum_parts(frames, p, costs)
