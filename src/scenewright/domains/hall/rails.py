@@ -135,17 +135,21 @@ def measure_blocked(problem: HallProblem, row: RowOfGates, rails: Floats) -> flo
     """Metres of some rails (k, 5) that cannot stand where others do, or before doors."""
     taken = np.concatenate([_solid(problem, row), problem.ground.keep_free])
     strips = shapely.union_all(shapely.polygons(corners(rails)))
-    return float(
-        strips.intersection(shapely.union_all(shapely.polygons(corners(taken)))).area / THICK
-    )
+    return float(strips.intersection(_join_near(taken, strips)).area / THICK)
 
 
 def measure_crowded(problem: HallProblem, row: RowOfGates, side: int) -> float:
     """Metres of the rails of a row on floor that others need free."""
     rails = lay_rails(problem, row, side)
-    needed = shapely.union_all(shapely.polygons(corners(row.needed)))
     strips = shapely.polygons(corners(rails))
+    needed = _join_near(row.needed, shapely.multipolygons(strips))
     return float(shapely.area(shapely.intersection(strips, needed)).sum() / THICK)
+
+
+def _join_near(boxes: Floats, strips: shapely.Geometry) -> shapely.Geometry:
+    """The floor of those boxes (n, 5) that come near some strips: to join all takes long."""
+    shapes = shapely.polygons(corners(boxes))
+    return shapely.union_all(shapes[shapely.intersects(shapely.envelope(shapes), strips)])
 
 
 def _rail(start: Floats, end: Floats) -> list[float]:
