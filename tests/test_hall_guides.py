@@ -12,6 +12,8 @@ import scenewright
 from scenewright.core.brief import Brief
 from scenewright.domains.hall.rails import reach
 from scenewright.domains.hall.retouch.audience import _fault as sits_aside
+from scenewright.domains.hall.retouch.tills import measure_tills
+from scenewright.domains.hall.solving import problems
 
 
 def _solve(demands: list[dict[str, Any]], size: tuple[float, float], at: float) -> Any:
@@ -115,3 +117,54 @@ def test_pews_stand_on_the_axis_of_the_altar() -> None:
     off = pews - altar.pose[:2]
     assert (off @ front > 1.5).all()
     assert abs((off @ (front[1], -front[0])).mean()) < 1.0
+
+
+def test_ropes_with_no_room_before_their_counter_are_left_out_by_name() -> None:
+    demands = [
+        {"id": "counters", "category": "counter", "count": 3},
+        {"id": "ropes", "category": "rope_barrier", "count": 16},
+        {"category": "showcase", "count": 8},
+    ]
+    solution = _solve(demands, (9, 7), 3)
+    standing = [p for p in solution.pieces if p.function == "ropes"]
+    told = [left for left in solution.left_out if "rope" in left.what]
+    assert bool(standing) != bool(told)
+    assert not standing
+    assert any("before what they guide" in left.reason for left in told)
+
+
+def test_lanes_of_tills_lead_to_the_way_out() -> None:
+    demands = [
+        {"id": "tills", "category": "checkout", "count": 4},
+        {"category": "gondola", "count": 24},
+        {"category": "wall_shelving", "count": 10},
+    ]
+    solution = _solve(demands, (22, 16), 5)
+    tills = np.array(
+        [(*p.pose[:2], p.pose.heading) for p in solution.pieces if p.function == "tills"]
+    )
+    assert scenewright.check(solution).valid
+    assert len(tills) == 4
+    assert np.allclose(np.abs(np.cos(tills[:, 2])), 1.0, atol=1e-3)
+    assert math.hypot(*(tills[:, :2].mean(0) - (5.0, 0.0))) < 9.0
+
+
+def test_tills_away_from_the_way_out_or_on_the_way_in_are_at_fault() -> None:
+    demands = [{"id": "tills", "category": "checkout", "count": 3}, {"category": "gondola"}]
+    room = {
+        "id": "hall",
+        "name": "Hall",
+        "outline": [[0, 0], [20, 0], [20, 16], [0, 16]],
+        "doors": [{"id": "in", "at": [4, 0], "width": 1.8, "swing": "slide"}],
+        "demands": demands,
+    }
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    (started,) = problems(brief)
+    tills = np.array([(x, 3.5, 0.0, 2.4, 1.2) for x in (7.0, 9.4, 11.8)])
+    clear = measure_tills(started.problem, tills)
+    for fault, change in (
+        (2.0, np.array([0.0, 0.0, 0.5 * math.pi, 0.0, 0.0])),
+        (0.5, np.array([0.0, 8.0, 0.0, 0.0, 0.0])),
+        (2.0, np.array([-3.0, 0.0, 0.0, 0.0, 0.0])),
+    ):
+        assert measure_tills(started.problem, tills + change) > clear + fault

@@ -38,10 +38,10 @@ from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
 from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
+from scenewright.domains.hall.idle_guides import drop_units, find_idle, report_idle
 from scenewright.domains.hall.low_tables import keep_reached, low_tables
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage, split_carried
-from scenewright.domains.hall.open_gates import drop_units, find_open, report_open
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
@@ -271,7 +271,7 @@ def _lay(
         best = retouch_layout(fitted.problem, best)
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
     search = search._replace(hall=hall)
-    laid = _furnish_closed(search, fitted, best, locked, missing, found.evaluations)
+    laid = _furnish_guided(search, fitted, best, locked, missing, found.evaluations)
     pieces = (*hall.fixed, *laid.pieces)
     on, groups, out = put_on_stage(hall, carried, pieces, catalog)
     return laid._replace(
@@ -283,7 +283,7 @@ def _lay(
     )
 
 
-def _furnish_closed(
+def _furnish_guided(
     search: HallSearch,
     fitted: Fitted,
     best: MeasuredLayout,
@@ -291,14 +291,14 @@ def _furnish_closed(
     missing: tuple[LeftOut, ...],
     seen: int,
 ) -> Laid:
-    """A furnished hall without gates beside which the way stays open."""
+    """A furnished hall without gates beside which the way stays open and ropes before nothing."""
     hall, wishes, catalog = search.hall, search.wishes, search.catalog
     laid = furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
-    opened = find_open(fitted, best, laid.pieces) if may_retry(search) else ()
-    if not opened:
+    idle = find_idle(fitted, best, laid.pieces) if may_retry(search) else {}
+    if not idle:
         return laid
-    missing = (*missing, *report_open(hall, wishes, fitted, opened))
-    fitted, best = drop_units(hall, wishes, fitted, best, opened, catalog)
+    missing = (*missing, *report_idle(hall, wishes, fitted, idle))
+    fitted, best = drop_units(hall, wishes, fitted, best, idle, catalog)
     return furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
 
 

@@ -30,8 +30,9 @@ from scenewright.domains.hall.retouch.gates import (
 )
 from scenewright.domains.hall.retouch.mending import LEAST, Retouch, SeenTouch, mend
 from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
-from scenewright.domains.hall.retouch.ropes import propose_ropes, ropes_adrift
+from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes, ropes_adrift
 from scenewright.domains.hall.retouch.seats import propose_rows, sit_too_near
+from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
 ROUNDS = 4
@@ -50,7 +51,8 @@ RETOUCHES: dict[str, Retouch] = {
     "gates": Retouch(_whole, gates_adrift, propose_gates, forgive_doors, find_gates),
     "desks": Retouch(first_desks, desks_adrift, propose_desks, mind_order, find_desks),
     "counters": Retouch(other_desks, desks_adrift, propose_desks, None, find_desks),
-    "ropes": Retouch(_whole, ropes_adrift, propose_ropes),
+    "tills": Retouch(_whole, tills_adrift, propose_tills, mind_order, find_tills),
+    "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
 }
 """In the order in which they are made."""
 

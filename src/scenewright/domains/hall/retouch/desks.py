@@ -140,7 +140,7 @@ def _far(problem: HallProblem, point: Floats) -> float:
 
 
 def mind_order(
-    desks: Desks,  # noqa: ARG001
+    seen: object,  # noqa: ARG001
     kept: Kept,  # noqa: ARG001
     boxes: Floats,  # noqa: ARG001
     p: PreparedHall,  # noqa: ARG001

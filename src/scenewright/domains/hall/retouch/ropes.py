@@ -4,6 +4,7 @@ none, in a row before its main exhibit or before what stands at its walls."""
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -13,7 +14,8 @@ from scenewright.domains.hall.patterns import CHAIN, SINGLE, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.desks import BACK
-from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
+from scenewright.domains.hall.terms.table import SPACE, space_cost
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, LANE, MAIN, TILL
 
 MOST, LINES, LONGEST = 24, 5, 4
@@ -22,9 +24,9 @@ GAPS = (1.0, 1.3)
 """Metres between what they guard and the ropes, nearest and farthest."""
 LANES = (1.0, 1.25)
 """Widths of the lanes between lines of ropes that are tried, in metres."""
-TURNED, ASIDE, MOST_OFF = 2.0, 0.5, 3.0
-"""What ropes along what they should stand across count, what a metre beside it does, and metres
-beyond which more count no more."""
+TURNED, ALONG, ASIDE, MOST_OFF = 2.0, 0.6, 0.5, 3.0
+"""What ropes across what they should stand along count, those along a desk instead of up to it,
+what a metre beside it does, and metres beyond which more count no more."""
 ANCHORS = 12
 
 
@@ -40,20 +42,47 @@ def find_ropes(problem: HallProblem, kept: Kept) -> list[int]:
     return find_met(problem, kept, GUIDE, MOST, (CHAIN, SINGLE))
 
 
+def find_served(problem: HallProblem, unit: int) -> list[int]:
+    """The units of desks in the zone of a unit of ropes, at which people queue."""
+    units, roles = problem.units, problem.visitors.roles.astype(int)
+    return [
+        u
+        for u in range(len(roles))
+        if units.zones[u] == units.zones[unit]
+        and roles[u] & (FIRST | TILL)
+        and not roles[u] & LANE
+        and not units.access[units.spans[u, 0], BACK]
+    ]
+
+
+def forgive_queues(
+    problem: HallProblem,
+    kept: Kept,
+    boxes: Floats,  # noqa: ARG001
+    p: PreparedHall,
+    s: State,
+) -> float:
+    """What of the energy of a measured state comes from free floor that ropes and the desks in
+    their zones share with others: the queue is on both."""
+    total = 0.0
+    for unit in find_ropes(problem, kept):
+        for one in (unit, *find_served(problem, unit)):
+            least = space_cost(float(s.covered[one, ::2].sum()), float(p.divisor[one]))
+            total += float(p.weights[SPACE]) * (float(s.costs[SPACE, one]) - least)
+    return total
+
+
 def find_anchors(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> list[Anchor]:
     """What the ropes of a unit may guard in their zone, of the first kind of which there is any."""
     units, roles = problem.units, problem.visitors.roles.astype(int)
     beside = [u for u in range(len(roles)) if units.zones[u] == units.zones[unit] and u != unit]
-    desks = [
-        u
-        for u in beside
-        if roles[u] & (FIRST | TILL)
-        and not roles[u] & LANE
-        and not units.access[units.spans[u, 0], BACK]
-    ]
+    desks = find_served(problem, unit)
     mine = [boxes[slice(*span)] for span in units.spans]
     if desks:
         return [Anchor(box_round(mine[u]), True) for u in desks]
+    lanes = [u for u in beside if roles[u] & LANE]
+    if lanes:
+        return [Anchor(_find_queue_end(problem, mine[u]), True) for u in lanes]
     mains = [mine[u][0] for u in beside if roles[u] & MAIN and kept.rows[u, 0] != WALL]
     if mains:
         turned = mains[0] + [0.0, 0.0, 0.5 * np.pi, 0.0, 0.0]
@@ -64,14 +93,28 @@ def find_anchors(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> 
     return [Anchor(box, False) for box in walls[:: max(len(walls) // ANCHORS, 1)]]
 
 
+def _find_queue_end(problem: HallProblem, tills: Floats) -> Floats:
+    """The box (5,) round tills with lanes, its front where people come to the lanes."""
+    turn = 0.5 * np.pi
+    right = np.array([np.sin(tills[0, 2]), -np.cos(tills[0, 2])])
+    middle, doors = tills[:, :2].mean(0), problem.visitors.exits
+    out = doors[np.hypot(*(doors - middle).T).argmin()] - middle if len(doors) else -right
+    heading = float(tills[0, 2]) + (turn if out @ right > 0.0 else -turn)
+    turned = np.full(len(tills), heading)
+    return box_round(np.column_stack([tills[:, :2], turned, tills[:, 4], tills[:, 3]]))
+
+
 def ropes_adrift(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
     """The faults of all ropes of boxes (n, 5), in metres."""
-    total = 0.0
-    for unit in find_ropes(problem, kept):
-        anchors = find_anchors(problem, kept, boxes, unit)
-        mine = boxes[slice(*problem.units.spans[unit])]
-        total += min((_fault(mine, anchor) for anchor in anchors), default=0.0)
-    return total
+    return sum(measure_ropes(problem, kept, boxes, u) for u in find_ropes(problem, kept))
+
+
+def measure_ropes(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> float:
+    """How far the ropes of a unit are from their place before the nearest of what they may guard,
+    in metres; 0 where there is nothing of that."""
+    mine = boxes[slice(*problem.units.spans[unit])]
+    anchors = find_anchors(problem, kept, boxes, unit)
+    return min((_fault(mine, anchor) for anchor in anchors), default=0.0)
 
 
 def _fault(ropes: Floats, anchor: Anchor) -> float:
@@ -89,7 +132,7 @@ def _fault(ropes: Floats, anchor: Anchor) -> float:
     gap = float(off @ front) - 0.5 * (box[4] + seen[4])
     aside = abs(float(off @ (front[1], -front[0]))) - 0.5 * max(box[3] - seen[3], 0.0)
     far = max(GAPS[0] - 0.3 - gap, gap - GAPS[1] - 0.3, 0.0)
-    turned = TURNED * (1.0 - along if anchor.queue else along)
+    turned = ALONG * (1.0 - along) if anchor.queue else TURNED * along
     return turned + min(far, MOST_OFF) + ASIDE * min(max(aside, 0.0), MOST_OFF)
 
 
@@ -102,35 +145,49 @@ def propose_ropes(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[K
         wide, deep = problem.units.sizes[problem.units.spans[unit, 0]]
         room = int(starts[unit + 1]) - start
         for anchor in find_anchors(problem, kept, boxes, unit):
-            for lines, lane in _forms(number, anchor, room):
+            for form in _forms(number, anchor, room):
+                lines, lane = form.lines, form.lane
                 whole = np.array([-(-number // lines) * wide, lines * deep + (lines - 1) * lane])
-                for gap in GAPS:
-                    for aside in (0.0, -1.0, 1.0):
-                        pose, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
-                        pose[unit, :3] = _place(anchor, whole, gap, aside)
-                        for k in range(lines):
-                            each = number // lines + (1 if k < number % lines else 0)
-                            layers[start + k] = (float(each), 0.0, lane, CHAIN, 0.0)
-                        if number > 1:
-                            rows[unit] = (CHAIN, lines)
-                        yield kept._replace(pose=pose, layers=layers, rows=rows)
+                rows, layers = kept.rows.copy(), kept.layers.copy()
+                for k in range(lines):
+                    each = number // lines + (1 if k < number % lines else 0)
+                    layers[start + k] = (float(each), 0.0, lane, CHAIN, 0.0)
+                if number > 1:
+                    rows[unit] = (CHAIN, lines)
+                for gap, aside in product(GAPS, (0.0, -1.0, 1.0)):
+                    pose = kept.pose.copy()
+                    pose[unit, :3] = _place(anchor, whole, form.up, gap, aside)
+                    yield kept._replace(pose=pose, layers=layers, rows=rows)
 
 
-def _forms(number: int, anchor: Anchor, room: int) -> list[tuple[int, float]]:
-    """Numbers of lines and widths of lanes that so many ropes may stand in."""
+class RopeForm(NamedTuple):
+    """Lines of ropes, the width of the lanes between them in metres, and whether they lead ``up``
+    to what they stand before."""
+
+    lines: int
+    lane: float
+    up: bool
+
+
+def _forms(number: int, anchor: Anchor, room: int) -> list[RopeForm]:
+    """Forms that so many ropes may stand in; before a desk those that lead up to it first."""
     if not anchor.queue:
-        return [(1, 0.0)]
+        return [RopeForm(1, 0.0, False)]
     most = min(LINES, number, room)
     lines = [n for n in range(min(2, number), most + 1) if -(-number // n) <= LONGEST]
-    return [(n, lane) for n in lines or [most] for lane in LANES]
+    up = [RopeForm(n, lane, True) for n in lines or [most] for lane in LANES]
+    few = [n for n in (1, 2) if n <= most and -(-number // n) <= LONGEST]
+    return [*up, *(RopeForm(n, LANES[0], False) for n in few)]
 
 
-def _place(anchor: Anchor, whole: Floats, gap: float, aside: float) -> tuple[float, float, float]:
+def _place(
+    anchor: Anchor, whole: Floats, up: bool, gap: float, aside: float
+) -> tuple[float, float, float]:
     """The pose of ropes as large as ``whole`` (2,) along and across, ``gap`` metres before an
     anchor and beside its middle by as much as there is room, times ``aside``."""
     box = anchor.box
     front = np.array([np.cos(box[2]), np.sin(box[2])])
-    depth, width = whole if anchor.queue else whole[::-1]
+    depth, width = whole if up else whole[::-1]
     off = aside * 0.5 * max(float(box[3]) - width, 0.0)
     x, y = box[:2] + (0.5 * (box[4] + depth) + gap) * front + off * np.array([front[1], -front[0]])
-    return float(x), float(y), float(box[2] + (0.5 * np.pi if anchor.queue else 0.0))
+    return float(x), float(y), float(box[2] + (0.5 * np.pi if up else 0.0))

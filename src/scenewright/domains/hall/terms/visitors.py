@@ -135,8 +135,8 @@ def middle_as(s: State, unit: int, moved: int, x: float, y: float) -> tuple[floa
 
 @inlined
 def order_of(p: PreparedHall, s: State, moved: int, x: float, y: float) -> float:
-    """Mean metres by which other groups lie nearer to the entrance than those to be seen first,
-    and nearer to the way out than tills; ``moved`` (-1: none) stands at x, y."""
+    """Mean metres by which other groups but ropes lie nearer to the entrance than those to be seen
+    first, and nearer to the way out than tills; ``moved`` (-1: none) stands at x, y."""
     total, g = 0.0, p.spans.shape[0]
     for u in range(g):
         for role in (FIRST, TILL):
@@ -146,7 +146,7 @@ def order_of(p: PreparedHall, s: State, moved: int, x: float, y: float) -> float
             ux, uy = middle_as(s, u, moved, x, y)
             mine, others, count = nearest(doors, ux, uy), 0.0, 0
             for v in range(g):
-                if not p.roles[v] & role:
+                if not p.roles[v] & (role | GUIDE):
                     vx, vy = middle_as(s, v, moved, x, y)
                     others, count = others + max(mine - nearest(doors, vx, vy), 0.0), count + 1
             total += others / max(count, 1)

@@ -1,8 +1,9 @@
-"""Gates that lead nowhere are left out by name: those beside which the way stays open."""
+"""What guides nobody is left out by name: gates beside which the way stays open, ropes before
+nothing."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 import numpy as np
 
@@ -15,32 +16,42 @@ from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.retouch.gates import find_gates
+from scenewright.domains.hall.retouch.ropes import find_ropes, measure_ropes
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.draws import streams
 
-REASON = "nowhere would they and the barriers beside them close the way in"
+OPEN = "nowhere would they and the barriers beside them close the way in"
+STRAY = "there is no room for them before what they guide people to"
+ASTRAY = 1.5
+"""Metres of fault from which on ropes guide nobody."""
 
 
-def find_open(fitted: Fitted, layout: MeasuredLayout, pieces: tuple[Piece, ...]) -> tuple[int, ...]:
-    """The units of gates of a layout without barriers among its ``pieces``."""
-    closed = {piece.group for piece in pieces if piece.function.endswith(BARRIERS)}
+def find_idle(fitted: Fitted, layout: MeasuredLayout, pieces: tuple[Piece, ...]) -> dict[int, str]:
+    """The units of a layout that guide nobody, and why: gates without barriers among its ``pieces``
+    and ropes off their place."""
     if layout.loose:
-        return ()
-    gates = find_gates(fitted.problem, layout.kept)
-    return tuple(unit for unit in gates if fitted.problem.names[unit] not in closed)
+        return {}
+    problem, kept, boxes = fitted.problem, layout.kept, layout.boxes
+    closed = {piece.group for piece in pieces if piece.function.endswith(BARRIERS)}
+    idle = {u: OPEN for u in find_gates(problem, kept) if problem.names[u] not in closed}
+    astray = (
+        u for u in find_ropes(problem, kept) if measure_ropes(problem, kept, boxes, u) > ASTRAY
+    )
+    return idle | dict.fromkeys(astray, STRAY)
 
 
-def report_open(
-    hall: HallContext, wishes: list[HallDemand], fitted: Fitted, gone: Collection[int]
+def report_idle(
+    hall: HallContext, wishes: list[HallDemand], fitted: Fitted, idle: Mapping[int, str]
 ) -> tuple[LeftOut, ...]:
-    """Units that are left out because they stand open, by the names of their demands."""
+    """Units that are left out because they guide nobody, by the names of their demands."""
     found = []
-    for unit in (fitted.units[number] for number in gone):
+    for number, reason in idle.items():
+        unit = fitted.units[number]
         wish, many = wishes[unit.demand], unit.last - unit.first
         whole = f"{many} of {len(wish.sizes)} {wish.name}" if len(wish.sizes) > 1 else wish.name
-        found.append(LeftOut(hall.space.id, whole, REASON, wish.required))
+        found.append(LeftOut(hall.space.id, whole, reason, wish.required))
     return tuple(found)
 
 
