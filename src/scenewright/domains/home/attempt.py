@@ -59,8 +59,9 @@ class RoomTask(NamedTuple):
     ``welcome`` the welcome groups (none: the usual); ``asked`` is the room of the brief;
     ``beside`` is what stands in other rooms and reaches into this one. In an
     open space groups may stand ``elsewhere``, in another room of it, and this one has others
-    ``instead``. ``entered`` are the doors one comes in by (none: any). ``progress`` gets what
-    the solvers report, ``watch`` the best layouts of groups."""
+    ``instead``. ``entered`` are the doors one comes in by (none: any); ``closet`` says whether
+    clothes can hang in a closet of the room. ``progress`` gets what the solvers report, ``watch``
+    the best layouts of groups."""
 
     space: Space
     ground: Ground
@@ -84,6 +85,7 @@ class RoomTask(NamedTuple):
     elsewhere: frozenset[str] = frozenset()
     instead: tuple[Wish, ...] = ()
     entered: tuple[int, ...] = ()
+    closet: bool = False
     progress: Progress | None = None
     watch: Watch | None = None
 

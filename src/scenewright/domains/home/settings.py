@@ -82,12 +82,12 @@ class CompositionCosts(NamedTuple):
     one piece, a hob beside the sink or at the end of its run, fridge, sink and hob off a work
     triangle (``triangle``), a sink without worktop beside it, a fridge by itself, hob and sink
     apart (``split``), half a wardrobe, a shallow one, a bed for two with one nightstand or
-    one side to get in, a single bed away from walls, too few shelves, too few seats, a screen too
-    small for its distance, a sofa that does not look at it (``view``), one on the wall (``hung``),
-    a table with one chair (``lone``) or with ``stools``, something before the ``doors`` of a
-    wardrobe, before a window or a wide door, a group small for its room (``modest``); a unit by
-    which the furnished share of a floor is off what was learned (``share``), and by which the free
-    floor beside a group falls short of it (``floor``)."""
+    one side to get in, one of 1.9 m (``short_bed``), a single bed away from walls, too few shelves,
+    too few seats, a screen too small for its distance, a sofa that does not look at it (``view``),
+    one on the wall (``hung``), a table with one chair (``lone``) or with ``stools``, something
+    before the ``doors`` of a wardrobe, before a window or a wide door, a group small for its room
+    (``modest``); a unit by which the furnished share of a floor is off what was learned
+    (``share``), and by which the free floor beside a group falls short of it (``floor``)."""
 
     worktop: float = 24.0
     hob_at_sink: float = 22.0
@@ -100,6 +100,7 @@ class CompositionCosts(NamedTuple):
     shallow: float = 4.0
     nightstand: float = 14.0
     one_side: float = 14.0
+    short_bed: float = 4.0
     adrift: float = 30.0
     shelves: float = 10.0
     seats: float = 24.0

@@ -27,6 +27,7 @@ from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_problem
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
+from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.views import leave_out_blind_seats
@@ -224,6 +225,7 @@ def _tasks(
             cancel,
             beside,
             entered_by(space, rooms),
+            has_closet(space, rooms),
         )
         for room, space, fixed, library, beside in each
     ]

@@ -51,10 +51,11 @@ def task_of(
     cancel: Cancel | None = None,
     beside: tuple[Piece, ...] = (),
     entered: tuple[int, ...] = (),
+    closet: bool = False,
 ) -> RoomTask:
     """One room as a task: the ground that ``fixed`` pieces leave, its stream of random numbers,
     and what no route reaches even while the room is empty; ``entered`` are the doors that one comes
-    in by."""
+    in by, ``closet`` says whether clothes can hang in a closet of the room."""
     shape = shapely.Polygon(space.outline, list(space.holes))
     taken = sum(p.size.width * p.size.depth for p in fixed if p.size.height > 0.05)
     taken += covered_by(shape, beside)
@@ -80,6 +81,7 @@ def task_of(
         asked=room,
         beside=beside,
         entered=entered,
+        closet=closet,
     )
     return task._replace(tight=out_of_reach(task, ()))
 

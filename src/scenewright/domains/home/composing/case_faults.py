@@ -24,6 +24,7 @@ MANY = 3  # seats of a room that is roomy
 SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
 FULL = 1.0  # width of a wardrobe, metres
 DEEP = 0.4  # depth of a wardrobe, metres: with less, clothes hang on a rail that is pulled out
+LONG = 2.0  # a bed for two, metres
 SLIM = 0.35  # a nightstand that is narrower leaves no way beside the bed, metres
 ACROSS = 2.7  # between hob and sink that face each other across an aisle, metres
 LEG = (1.2, 2.7)  # of a work triangle, metres
@@ -56,7 +57,12 @@ def _faults(case: Group) -> list[tuple[str, float]]:
         stands = [m.size.width for m in case.members if m.category == "nightstand"]
         narrow = sum(width < SLIM for width in stands) / 2
         one_side = max(narrow, float(len(stands) < 2))
-        return [("nightstand", 1.0 - min(len(stands), 2) / 2), ("one_side", one_side)]
+        short = any(m.size.depth < LONG for m in case.members if m.category == "double_bed")
+        return [
+            ("nightstand", 1.0 - min(len(stands), 2) / 2),
+            ("one_side", one_side),
+            ("short_bed", float(short)),
+        ]
     if case.function == "seating":
         return [("seats", float(count_seats(case) < MANY))]
     if case.function == "media":

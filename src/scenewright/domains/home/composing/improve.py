@@ -14,7 +14,9 @@ from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
+from scenewright.domains.home.composing.bed_places import move_double_bed
 from scenewright.domains.home.composing.beds import restore_double_bed
+from scenewright.domains.home.composing.clothes import hang_in_closet, list_hung
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.freeing import free_ways
 from scenewright.domains.home.composing.fronts import cost_of_fronts
@@ -70,7 +72,10 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         best = gather_seats(task, best, barred)
         if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
+        best = hang_in_closet(task, best, barred)
+        best = move_double_bed(task, best, barred)
     gone = list_given_up(before.placed, best.placed, "the kitchen takes its wall")
+    gone = (*gone, *list_hung(before.placed, best.placed))
     before = before._replace(placed=best.placed, missing=(*before.missing, *gone))
     better = add_groups(task, before, barred)
     better = add_island(task, better, barred)

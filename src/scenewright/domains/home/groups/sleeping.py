@@ -9,6 +9,7 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 
 BED_LENGTH = 2.05
+SHORT = 1.9  # a mattress of 140 x 190 cm without a footboard, metres
 NARROW = 0.34  # room for a narrow nightstand, metres
 SHALLOW = 14  # wardrobes of so many decimetres or fewer may be shallow
 
@@ -53,11 +54,14 @@ def _along(bed: float, length: float, stand: float, side: float) -> Group:
 
 def narrow_sides() -> Iterator[Group]:
     """Double beds with a narrow nightstand on one side or both, where two usual ones have no
-    place."""
+    place, and short beds (:data:`SHORT`) past whose foot one walks where a longer one bars the
+    way."""
     for bed in (1.4, 1.6):
         yield _bed("sleeping", "double_bed", bed, NARROW, 0.5)
         yield _bed("sleeping", "double_bed", bed, NARROW, 0.5, mirrored=True)
         yield _bed("sleeping", "double_bed", bed, NARROW, NARROW)
+    for wing in (0.45, NARROW):
+        yield _bed("sleeping", "double_bed", 1.4, wing, wing, SHORT)
 
 
 def bunk() -> Iterator[Group]:

@@ -1,0 +1,64 @@
+"""A chest of drawers for half a wardrobe, where clothes hang in the closet of the room.
+
+Where doors and windows leave less than a metre of wall for a wardrobe, and a closet opens into the
+room, nobody puts half a wardrobe before it: clothes hang in the closet, and a chest of drawers
+takes the rest.
+"""
+
+from __future__ import annotations
+
+from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of
+from scenewright.domains.home.composing.moving import make_unplaced
+from scenewright.domains.home.composing.trials import take_first, try_forms
+from scenewright.domains.home.programme import WELCOME
+
+METRE = 20.0  # what a metre of drawers is worth
+WARDROBE, CHEST = "wardrobe", "chest"
+REASON = "clothes hang in the closet of the room; a chest of drawers stands instead"
+
+
+def hang_in_closet(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
+    """The groups with a chest of drawers for a wardrobe under a metre, a wide one if
+    that costs little more; as they were in a room without a closet, or with a chest."""
+    narrow = _find_narrow(best.placed)
+    known = any(p.wish.group == CHEST for p in best.placed)
+    if not task.closet or narrow is None or known or not _may_stand(task):
+        return best
+    rest = tuple(p for p in best.placed if p is not narrow)
+    forms = cases(CHEST, task.library).groups
+    chest = make_unplaced(task, rest, narrow.wish._replace(group=CHEST), forms[0])
+    whole, most = (*rest, chest), best.cost - task.preset.settings.composing.least
+    found = try_forms(judge_of(task, whole), whole, len(rest), forms, len(forms), most)
+    also = {chest.name} if narrow.name in barred else set()
+    worth = sorted(found, key=lambda j: j.cost - METRE * j.placed[-1].dressed.case.width)
+    return take_first(task, best, (j for j in worth if j.cost <= most), barred | also)
+
+
+def list_hung(before: Placed, after: Placed) -> tuple[Missing, ...]:
+    """The wardrobe that a chest of drawers stands for, and why."""
+    chests = {p.name for p in after if p.wish.group == CHEST} - {p.name for p in before}
+    gone = [p for p in before if p.wish.group == WARDROBE] if chests else []
+    there = {p.name for p in after}
+    return tuple(
+        Missing(p.wish._replace(rank=WELCOME, core=False), REASON)
+        for p in gone
+        if p.name not in there
+    )
+
+
+def _find_narrow(placed: Placed) -> FurnishedGroup | None:
+    """The wardrobe under a metre that nobody asked for."""
+    wardrobes = (p for p in placed if p.wish.group == WARDROBE and not p.wish.required)
+    faulty = (p for p in wardrobes if dict(find_case_faults(p.dressed.case)).get(WARDROBE))
+    return next(faulty, None)
+
+
+def _may_stand(task: RoomTask) -> bool:
+    """Whether the household may have a chest for a wardrobe: neither is a case of its own, and a
+    chest is not forbidden."""
+    own = {WARDROBE, CHEST} & task.library.own.keys()
+    listed = task.asked is not None and task.asked.ask is not None
+    return not own and not listed and "chest_of_drawers" not in task.forbidden

@@ -1,0 +1,91 @@
+"""Bedrooms composed: clothes in the closet, double beds past which one can walk."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from scenewright.building.plan import spaces
+from scenewright.core.brief import Brief, Room
+from scenewright.domains import check
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.closets import has_closet
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.forms import list_further
+from scenewright.domains.home.solving import solve
+
+SLEEPS = {
+    "id": "bed",
+    "function": "bedroom",
+    "outline": [[0, 0], [2.4, 0], [2.4, 2.4], [0, 2.4]],
+    "doors": [
+        {"at": [1.2, 2.4], "width": 1.6, "to": "closet", "swing": "slide"},
+        {"at": [0.0, 1.2], "width": 1.0, "swing": "slide"},
+        {"at": [2.4, 1.4], "width": 1.6, "swing": "slide"},
+    ],
+    "windows": [{"at": [1.2, 0.0], "width": 1.8}],
+}
+CLOSET = {
+    "id": "closet",
+    "function": "storage",
+    "outline": [[0, 2.5], [2.4, 2.5], [2.4, 3.3], [0, 3.3]],
+}
+
+
+def furnish(closet):
+    rooms = [SLEEPS, CLOSET | closet]
+    brief = Brief(rooms=[Room.model_validate(room) for room in rooms])
+    return brief, solve(brief, seed=0, threads=1)
+
+
+def held(solution):
+    return {p.category: p.size.width for p in solution.pieces if p.space == "bed"}
+
+
+def test_clothes_hang_in_the_closet_where_half_a_wardrobe_would_stand():
+    _, solution = furnish({})
+    there = held(solution)
+    assert check(solution).valid
+    assert "wardrobe" not in there
+    assert there["chest_of_drawers"] >= 0.6
+    (out,) = [out for out in solution.left_out if out.what == "wardrobe"]
+    assert "closet" in out.reason
+    assert not out.required
+
+
+def test_a_closet_that_is_entered_from_elsewhere_too_is_nobodys():
+    own, _ = furnish({})
+    other, solution = furnish({"doors": [{"at": [1.2, 3.3], "width": 0.8}]})
+    assert [has_closet(spaces(b)[0], spaces(b)) for b in (own, other)] == [True, False]
+    assert "wardrobe" in held(solution)
+
+
+def test_a_bed_for_two_in_a_narrow_room_has_two_sides_and_a_way_past_its_foot():
+    room = {
+        "function": "double_bedroom",
+        "outline": [[0, 0], [2.6, 0], [2.6, 3.5], [0, 3.5]],
+        "doors": [
+            {"at": [0.5, 0.0], "width": 0.8, "swing": "out"},
+            {"at": [0.5, 3.5], "width": 0.8, "swing": "out"},
+        ],
+    }
+    solution = solve(Brief(rooms=[Room.model_validate(room)]), seed=0, threads=1)
+    assert check(solution).valid
+    beds = [p for p in solution.pieces if p.category == "double_bed"]
+    assert len(beds) == 1
+    assert sum(p.category == "nightstand" for p in solution.pieces) == 2
+
+
+@pytest.mark.parametrize("case", [*cases("sleeping").groups, *list_further("sleeping")])
+def test_faults_of_beds_for_two_are_those_of_their_sides_and_length(case):
+    bed = next(m for m in case.members if m.category == "double_bed")
+    left, right = (case.width / 2 + sign * bed.x - bed.size.width / 2 for sign in (1, -1))
+    faults = dict(find_case_faults(case))
+    assert ("one_side" in faults) == (min(left, right) < 0.449)
+    assert ("short_bed" in faults) == (bed.size.depth < 2.0)
+    stands = [m for m in case.members if m.category == "nightstand"]
+    for stand in stands:
+        assert abs(stand.x) + stand.size.width / 2 <= case.width / 2 + 1e-9
+        beside = abs(stand.x - bed.x) - (stand.size.width + bed.size.width) / 2
+        assert beside >= -1e-9
+    assert np.isclose(bed.y - bed.size.depth / 2, -case.depth / 2)
