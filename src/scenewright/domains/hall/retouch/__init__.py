@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.retouch.audience import propose_audiences, sit_aside
+from scenewright.domains.hall.retouch.bare import find_floor, measure_bare, propose_moves
 from scenewright.domains.hall.retouch.columns import (
     find_columns,
     forgive_columns,
@@ -53,6 +54,7 @@ RETOUCHES: dict[str, Retouch] = {
     "counters": Retouch(other_desks, desks_adrift, propose_desks, None, find_desks),
     "tills": Retouch(_whole, tills_adrift, propose_tills, mind_order, find_tills),
     "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
+    "bare": Retouch(find_floor, measure_bare, propose_moves),
 }
 """In the order in which they are made."""
 

@@ -1,0 +1,149 @@
+"""Bare floor: where much of a zone is empty, groups that stand free move there or spread."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, GRID, WALL
+from scenewright.domains.hall.problem import Floats, HallProblem, Ints
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, TILL
+
+STEP = 0.7
+"""Metres between the points at which floor is looked at."""
+LEAST, SHARE, MOST = 3.0, 0.15, 2.0
+"""Radius of a circle of floor that may be empty, in metres and as a share of the root of the floor
+of its zone, and metres beyond which more count no more."""
+PART, NEAR = (0.5, 0.75, 1.0), (-1.5, 0.0, 1.5)
+"""Parts of the way to the middle of an empty circle, and metres beside it, that are tried."""
+SMALL = 2.5
+"""Square metres that the objects of a group have to stand on, else they fill no floor."""
+WIDER = (0.4, 0.8, 1.2)
+"""Metres by which gaps of rows are made wider."""
+
+
+class BareFloor(NamedTuple):
+    """Points (k, 2) of the floor of a problem, the zone (k,) of each, and how far it is from walls
+    and from the main entrance (k,)."""
+
+    problem: HallProblem
+    points: Floats
+    zones: Ints
+    walls: Floats
+
+
+def find_floor(problem: HallProblem) -> BareFloor:
+    """Points all over the floor of a problem that zones have."""
+    ground = problem.ground
+    x0, y0, x1, y1 = ground.bounds
+    grid = np.meshgrid(np.arange(x0 + 0.5 * STEP, x1, STEP), np.arange(y0 + 0.5 * STEP, y1, STEP))
+    points = np.stack([part.ravel() for part in grid], axis=1)
+    zones = np.full(len(points), -1)
+    for zone, (first, last) in enumerate(ground.zone_spans.astype(int)):
+        zones[_is_within(points, ground.zone_edges[first:last])] = zone
+    points, zones = points[zones >= 0], zones[zones >= 0]
+    lines = shapely.linestrings(ground.edges[:, :4].reshape(-1, 2, 2))
+    far = shapely.distance(shapely.points(points), shapely.multilinestrings(lines))
+    for door in problem.visitors.entrances[:1]:
+        far = np.minimum(far, np.hypot(*(points - door).T))
+    return BareFloor(problem, points, zones, far)
+
+
+def _is_within(points: Floats, edges: Floats) -> np.ndarray:
+    """Which points (k, 2) lie within directed edges (e, 4), by crossings."""
+    x, y = points.T[:, :, None]
+    x0, y0, x1, y1 = edges[:, :4].T
+    cut = (y0 > y) != (y1 > y)
+    at = x0 + (y - y0) * (x1 - x0) / np.where(y1 == y0, 1.0, y1 - y0)
+    return (cut & (x < at)).sum(1) % 2 == 1
+
+
+def find_circles(floor: BareFloor, boxes: Floats) -> Floats:
+    """The largest circle (z, 3) of each zone with nothing of boxes (n, 5) in it: its middle, and
+    its radius in metres."""
+    far = floor.walls.copy()
+    for x, y, heading, width, depth in np.concatenate([boxes, floor.problem.ground.obstacles]):
+        off = floor.points - (x, y)
+        ahead, aside = (
+            off @ (np.cos(heading), np.sin(heading)),
+            off @ (np.sin(heading), -np.cos(heading)),
+        )
+        u, v = np.abs(aside) - 0.5 * width, np.abs(ahead) - 0.5 * depth
+        np.minimum(far, np.hypot(np.maximum(u, 0.0), np.maximum(v, 0.0)), out=far)
+    circles = np.zeros((len(floor.problem.ground.zone_areas), 3))
+    for zone in range(len(circles)):
+        mine = np.flatnonzero(floor.zones == zone)
+        if len(mine):
+            best = mine[far[mine].argmax()]
+            circles[zone] = (*floor.points[best], far[best])
+    return circles
+
+
+def measure_bare(floor: BareFloor, kept: Kept, boxes: Floats) -> float:
+    """Metres by which the largest empty circles of zones with groups that may move are too wide."""
+    movable = {int(floor.problem.units.zones[unit]) for unit in _find_movable(floor.problem, kept)}
+    if not movable:
+        return 0.0
+    beyond = find_circles(floor, boxes)[:, 2] - _find_allowed(floor.problem)
+    return float(sum(min(max(beyond[zone], 0.0), MOST) for zone in movable))
+
+
+def _find_allowed(problem: HallProblem) -> Floats:
+    """The radius (z,) of an empty circle that each zone may have, in metres."""
+    return np.maximum(LEAST, SHARE * np.sqrt(problem.ground.zone_areas))
+
+
+def _find_movable(problem: HallProblem, kept: Kept) -> list[int]:
+    """The units that stand free and are large enough to fill floor, and neither serve, guide nor
+    look at something, nor are looked at."""
+    units, roles = problem.units, problem.visitors.roles.astype(int)
+    floor = [float(units.sizes[slice(*span)].prod(1).sum()) for span in units.spans]
+    return [
+        unit
+        for unit in range(len(roles))
+        if floor[unit] >= SMALL
+        and not roles[unit] & (FIRST | TILL | GUIDE)
+        and int(kept.rows[unit, 0]) != WALL
+        and units.targets[unit] < 0
+        and unit not in units.targets
+    ]
+
+
+def propose_moves(floor: BareFloor, kept: Kept, boxes: Floats) -> Iterator[Kept]:
+    """Layouts with one group moved towards the largest empty circle of its zone, or its rows
+    wider apart."""
+    problem, circles = floor.problem, find_circles(floor, boxes)
+    allowed = _find_allowed(problem)
+    for unit in _find_movable(problem, kept):
+        x, y, radius = circles[problem.units.zones[unit]]
+        if radius <= allowed[problem.units.zones[unit]]:
+            continue
+        way = np.array([x, y]) - kept.pose[unit, :2]
+        left = np.array([-way[1], way[0]]) / max(float(np.hypot(*way)), 1e-9)
+        for form in (kept, *_spread(problem, kept, unit)):
+            for part in PART if form is kept else (0.25, 0.5):
+                for aside in NEAR if form is kept else (0.0,):
+                    pose = form.pose.copy()
+                    pose[unit, :2] += part * way + aside * left
+                    yield form._replace(pose=pose)
+
+
+def _spread(problem: HallProblem, kept: Kept, unit: int) -> Iterator[Kept]:
+    """Layouts with wider gaps between the rows of a unit, and between its objects where they have
+    gaps."""
+    if int(kept.rows[unit, 0]) not in (CHAIN, GRID):
+        return
+    counts = np.diff(problem.units.spans, axis=1)[:, 0]
+    first = int(capacity(counts)[:unit].sum())
+    mine = slice(first, first + int(kept.rows[unit, 1]))
+    gaps = kept.layers[mine, ALONG] > 0.1
+    for more in WIDER:
+        layers = kept.layers.copy()
+        layers[mine, ACROSS] += more
+        layers[mine, ALONG] += more * gaps
+        yield kept._replace(layers=layers)
