@@ -153,9 +153,9 @@ _PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
         ProgrammeRow("storage", 2, 7.5),
     ),
     "balcony": (
-        ProgrammeRow("terrace", 1, 3.5),
-        ProgrammeRow("lounger", 1, 1.6, 3.5),
-        ProgrammeRow("planter", 1, 3),
+        ProgrammeRow("terrace", 1, 2.8),
+        ProgrammeRow("lounger", 1, 1.6, 2.8),
+        ProgrammeRow("planter", 1, 2),
         ProgrammeRow("drying", 2, 6),
     ),
     "other": (),

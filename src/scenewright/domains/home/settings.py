@@ -84,10 +84,12 @@ class CompositionCosts(NamedTuple):
     apart (``split``), half a wardrobe, a shallow one, a bed for two with one nightstand or
     one side to get in, one of 1.9 m (``short_bed``), a single bed away from walls, too few shelves,
     too few seats, a screen too small for its distance, a sofa that does not look at it (``view``),
-    one on the wall (``hung``), a table with one chair (``lone``) or with ``stools``, something
-    before the ``doors`` of a wardrobe, before a window or a wide door, a group small for its room
-    (``modest``); a unit by which the furnished share of a floor is off what was learned
-    (``share``), and by which the free floor beside a group falls short of it (``floor``)."""
+    is off its ``axis``, at a bad ``distance`` or behind what stands ``between``, one on the wall
+    (``hung``), a table with one chair (``lone``) or with ``stools``, outdoor chairs side by side
+    (``abreast``), something before the ``doors`` of a wardrobe, before a window or a wide door, a
+    group small for its room (``modest``); a unit by which the furnished share of a floor is off
+    what was learned (``share``), and by which the free floor beside a group falls short of it
+    (``floor``)."""
 
     worktop: float = 24.0
     hob_at_sink: float = 22.0
@@ -106,9 +108,13 @@ class CompositionCosts(NamedTuple):
     seats: float = 24.0
     screen: float = 18.0
     view: float = 30.0
+    axis: float = 12.0
+    distance: float = 8.0
+    between: float = 16.0
     hung: float = 8.0
     lone: float = 16.0
     stools: float = 4.0
+    abreast: float = 4.0
     doors: float = 8.0
     window: float = 15.0
     opening: float = 10.0

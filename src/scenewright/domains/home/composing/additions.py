@@ -17,6 +17,8 @@ from scenewright.domains.home.programme import FALLBACK, Wish
 
 COVERED = 0.29
 """The share of a living room's floor under furniture up to which it takes more."""
+SMALLER = frozenset(("dining_wall", "lounger"))
+"""What is added instead of what is lacking and finds no place."""
 EVERY = 4
 """Of the second runs of a kitchen, shipped in steps of 0.05 m, one in so many is tried."""
 FULLER = (("shelf", 9.0), ("sideboard", 9.0), ("plant", 9.0), ("shelf", 14.0))
@@ -31,7 +33,7 @@ def list_additions(
         own = task.library.own.keys() - task.library.seated
         if lack.wish.rank < 2 and lack.wish.group not in own:
             other = FALLBACK.get(lack.wish.group)
-            named = (lack.wish.group, *((other,) if other == "dining_wall" else ()))
+            named = (lack.wish.group, *((other,) if other in SMALLER else ()))
             for small in (False, True) if task.library.seated else (True,):
                 for group in named:
                     yield lack.wish._replace(group=group, small=small), (lack,)

@@ -67,6 +67,9 @@ def _faults(case: Group) -> list[tuple[str, float]]:
         return [("seats", float(count_seats(case) < MANY))]
     if case.function == "media":
         return [("hung", float(is_hung(case)))]
+    if case.function == "terrace":
+        chairs = {m.heading for m in case.members if m.category == "outdoor_chair"}
+        return [("abreast", float(len(chairs) == 1))]
     if case.function == "dining_wall":
         seats = [m.category for m in case.members if m.category in ("dining_chair", "stool")]
         return [("lone", float(len(seats) < 2)), ("stools", float("stool" in seats))]

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.anew import compose_anew
+from scenewright.domains.home.composing.axis import slide_to_axis
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bed_places import move_double_bed
 from scenewright.domains.home.composing.beds import restore_double_bed
@@ -39,8 +40,11 @@ from scenewright.domains.home.composing.placed_faults import (
     cost_of_screen,
     cost_of_shelves,
 )
+from scenewright.domains.home.composing.rows import close_gaps
 from scenewright.domains.home.composing.trials import take_first, try_forms
-from scenewright.domains.home.composing.views import cost_of_view
+from scenewright.domains.home.composing.views import cost_of_view, list_between
+
+IN_SIGHT = 100.0  # by so much what stands between seats and screen is tried before them
 
 
 def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
@@ -74,12 +78,13 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
         best = hang_in_closet(task, best, barred)
         best = move_double_bed(task, best, barred)
+    best = slide_to_axis(task, best, barred)
     gone = list_given_up(before.placed, best.placed, "the kitchen takes its wall")
     gone = (*gone, *list_hung(before.placed, best.placed))
     before = before._replace(placed=best.placed, missing=(*before.missing, *gone))
     better = add_groups(task, before, barred)
     better = add_island(task, better, barred)
-    better = furnish_bare_floor(task, better, barred)
+    better = close_gaps(task, furnish_bare_floor(task, better, barred), barred)
     return (
         better if count_unmet(task, better.placed) <= count_unmet(task, answer.placed) else answer
     )
@@ -99,9 +104,10 @@ def _improve_all(judge: RoomJudge, best: JudgedRoom, barred: frozenset[str]) -> 
 
 
 def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
-    """The names of groups with a fault, the costliest first; of all where a wish is not met."""
+    """The names of groups with a fault, the costliest first, what stands between seats and screen
+    before these; of all where a wish is not met."""
     rule = task.preset.settings.composing
-    view = 0.0 if len(task.ground.hearths) else cost_of_view(placed, rule.costs.view)
+    view = 0.0 if len(task.ground.hearths) else cost_of_view(placed, rule.costs)
     whole = {
         "wardrobe": cost_of_fronts(placed, rule.costs.doors),
         "storage": cost_of_shelves(placed, task.ground, rule.costs.shelves),
@@ -109,8 +115,12 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
         "seating": cost_of_hearth(placed, task.ground, rule.costs.screen) + view,
     }
     unmet = float(count_unmet(task, placed) > 0)
+    between = list_between(placed) if view > 0.0 else frozenset()
     costs = {
-        p.name: cost_of_group(p, task.ground, rule) + whole.get(p.wish.group, 0.0) + unmet
+        p.name: cost_of_group(p, task.ground, rule)
+        + whole.get(p.wish.group, 0.0)
+        + unmet
+        + IN_SIGHT * (p.name in between)
         for p in placed
         if p.wish.group not in task.library.own
     }

@@ -101,7 +101,7 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     if len(task.ground.hearths):
         return each + shelves + cost_of_hearth(placed, task.ground, rule.costs.screen)
     screen = cost_of_screen(placed, task.ground, rule.costs.screen)
-    return each + shelves + screen + cost_of_view(placed, rule.costs.view)
+    return each + shelves + screen + cost_of_view(placed, rule.costs)
 
 
 def share_of(task: RoomTask, placed: Placed) -> float:

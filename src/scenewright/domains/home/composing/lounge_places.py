@@ -11,7 +11,7 @@ from math import atan2, cos, pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.core.catalog import Group
+from scenewright.core.catalog import Group, Member
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import MANY, count_seats, is_hung
 from scenewright.domains.home.composing.forms import list_forms
@@ -26,11 +26,13 @@ Floats = NDArray[np.float64]
 
 AWAY = (2.1, 2.5, 2.9)  # from the screen to the sofa, metres
 NEAR = (1.8, 2.2, 2.6)  # from the front of a fireplace to it
+FAR = 3.6  # to a sofa with its back at the wall across, at most
 SPACED = 0.8  # between places of the screen that are tried, metres
 STANDS, HUNG, SCREENS, SEATS = 4, 1, 6, 10
 """Forms of the screen on stands and on walls, places of each, and forms of the seats that are
 tried."""
 SEATED = 8  # places of the seats before one place of a screen
+HAIR = 1e-9
 UNLIKE = 0.15  # forms that differ by more than this in width or depth are unlike, metres
 
 
@@ -97,18 +99,43 @@ def _seat_before(
     standing = standing_of(pieces, flat_kinds(task.catalog))
     found = []
     for case in forms:
-        boxes = _look_at(spot, case, AWAY if screen else NEAR)
+        boxes = _look_at(spot, case, _list_distances(task, spot, case) if screen else NEAR)
         boxes = boxes[_stand(task, case, boxes, standing)]
         seated = (dress_group(task, seating, case, box, standing) for box in boxes)
         each = [judge.cost_of((*screen, seats)) for seats in seated if seats is not None]
-        found += sorted(each, key=lambda judged: judged.cost)[: len(AWAY) if screen else 1]
+        found += sorted(each, key=lambda judged: judged.cost)[: len(boxes) if screen else 1]
     return sorted(found, key=lambda judged: judged.cost)[:SEATED] if screen else found
+
+
+def _list_distances(task: RoomTask, spot: Floats, case: Group) -> tuple[float, ...]:
+    """How far from a spot (x, y, heading) of a screen seats are tried: at :data:`AWAY`, and with
+    their back at the wall across where that is no farther than :data:`FAR`."""
+    sofa = _find_sofa(case)
+    across = _measure_across(spot, task.ground.walls) - sofa.y - case.depth / 2
+    near = all(abs(across - away) > UNLIKE for away in AWAY)
+    return (*AWAY, across) if AWAY[0] / 2 < across < FAR and near else AWAY
+
+
+def _measure_across(spot: Floats, walls: Floats) -> float:
+    """Metres from a spot (x, y, heading) straight ahead to the next of walls (w, 4)."""
+    (x, y), ahead = spot[:2], np.array([cos(spot[2]), sin(spot[2])])
+    ways, starts = walls[:, 2:] - walls[:, :2], walls[:, :2] - (x, y)
+    turn = ahead[0] * ways[:, 1] - ahead[1] * ways[:, 0]
+    turn = np.where(np.abs(turn) < HAIR, np.inf, turn)
+    reach = (starts[:, 0] * ways[:, 1] - starts[:, 1] * ways[:, 0]) / turn
+    share = (starts[:, 0] * ahead[1] - starts[:, 1] * ahead[0]) / turn
+    met = (share >= 0.0) & (share <= 1.0) & (reach > UNLIKE)
+    return float(reach[met].min(initial=np.inf))
+
+
+def _find_sofa(case: Group) -> Member:
+    return next((m for m in case.members if m.category in SOFAS), case.members[0])
 
 
 def _look_at(spot: Floats, case: Group, distances: tuple[float, ...]) -> Floats:
     """Boxes (n, 5) of seats whose sofa looks straight at a spot from each of the distances."""
     x, y, heading = spot.tolist()
-    sofa = next((m for m in case.members if m.category in SOFAS), case.members[0])
+    sofa = _find_sofa(case)
     facing = heading + pi
     rows = []
     for away in distances:

@@ -8,48 +8,110 @@ open are taken; what they are not in the way of stays, all other groups follow.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import islice
+from collections.abc import Iterator, Sequence
+from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
 from scenewright.domains.home.composing.anew import follow, judge_in_order
-from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, judge_of, sum_faults
+from scenewright.domains.home.composing.judging import (
+    RUNS,
+    JudgedRoom,
+    Placed,
+    judge_of,
+    sum_faults,
+)
 from scenewright.domains.home.composing.lounge_places import list_lounges
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import do_overlap
 from scenewright.domains.home.composing.trials import take_best
+from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.whole import RAISED
+
+Floats = NDArray[np.float64]
 
 LEAST = 9.0  # rooms of so many square metres have seats and screen placed together
 WALKED = 60  # pairs of places that are walked past
+MOVED, KITCHEN = 6.0, 60.0
+"""What a pair of places costs for each group it is in the way of, and for a kitchen."""
+ONE_WAY = 2  # of pairs with the screen at one place so many are followed
+APART = 0.8  # nearer places of a screen are one, metres
 
 
 def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
-    """The groups with seats and screen placed together where either has a fault, or the seats
-    before a fireplace that they do not look at, or as they were."""
+    """The groups with seats and screen placed together where either has a fault or something is
+    between them, or the seats before a fireplace that they do not look at, or as they were."""
     rule = task.preset.settings.composing
     names = ("seating",) if len(task.ground.hearths) else ("media", "seating")
     pair = tuple(p for name in names for p in best.placed if p.wish.group == name)
     if len(pair) != len(names) or task.ground.area < LEAST or task.cancelled():
         return best
-    if not sum_faults(task, pair) or any(p.wish.group in task.library.own for p in pair):
+    view = 0.0 if len(task.ground.hearths) else cost_of_view(best.placed, rule.costs)
+    if sum_faults(task, pair) + view < rule.least or any(
+        p.wish.group in task.library.own for p in pair
+    ):
         return best
     rest = [p for p in best.placed if p not in pair]
-    most, found = sum_faults(task, best.placed), []
-    starts = islice(list_lounges(judge_of(task, pair), pair), WALKED)
-    margin = with_margin(task)
-    open_ = (s for s in starts if barred.issuperset(find_blocked(margin, s.placed)))
-    for start in islice(open_, rule.starts):
-        stay = _list_staying(start, rest)
-        for there in dict.fromkeys((stay, ())):
-            whole = _follow_beside(task, start, there, rest, barred, most)
-            if whole is not None:
-                found.append(whole)
-                break
+    most = sum_faults(task, best.placed)
+    found = [
+        whole
+        for start in _list_starts(task, pair, rest, barred)
+        if (whole := _follow_first(task, start, rest, barred, most)) is not None
+    ]
     return take_best(task, best, found, barred)
+
+
+def _list_starts(
+    task: RoomTask, pair: Placed, rest: Sequence[FurnishedGroup], barred: frozenset[str]
+) -> Iterator[JudgedRoom]:
+    """Seats and screen at the pairs of places that bar no way, those first that cost least with
+    what they are in the way of; of those with one place of the screen not all."""
+    listed = list(list_lounges(judge_of(task, pair), pair))
+    costs = [start.cost for start in listed] + _price_moved(listed, rest)
+    order = np.argsort(costs, kind="stable")[:WALKED].tolist()
+    margin, kept = with_margin(task), list[tuple[float, float]]()
+    for start in (listed[k] for k in order):
+        x, y = start.placed[0].dressed.box[:2].tolist()
+        like = sum(hypot(x - a, y - b) < APART for a, b in kept)
+        if like < ONE_WAY and barred.issuperset(find_blocked(margin, start.placed)):
+            yield start
+            kept.append((x, y))
+            if len(kept) == task.preset.settings.composing.starts:
+                return
+
+
+def _price_moved(starts: Sequence[JudgedRoom], rest: Sequence[FurnishedGroup]) -> Floats:
+    """What the groups in whose way seats and screen are cost each of the ``starts`` (n,)."""
+    total = np.zeros(len(starts))
+    if not starts:
+        return total
+    boxes = np.array([[p.dressed.box for p in start.placed] for start in starts])
+    for group in rest:
+        meet = do_overlap(boxes.reshape(-1, 5), _floor_of(group)).any(axis=1)
+        price = KITCHEN if group.wish.group in RUNS else MOVED
+        total[meet.reshape(len(starts), -1).any(axis=1)] += price
+    return total
+
+
+def _follow_first(
+    task: RoomTask,
+    start: JudgedRoom,
+    rest: Sequence[FurnishedGroup],
+    barred: frozenset[str],
+    most: float,
+) -> JudgedRoom | None:
+    """The room with as many of the rest as can stay where they are, all others after them, or with
+    the essential ones, or with none; the first in which every way is open."""
+    stay = _list_staying(start, rest)
+    essential = tuple(p.name for p in rest if p.name in stay and p.wish.rank == 0)
+    cooked = any(p.wish.group in RUNS for p in rest)
+    for there in dict.fromkeys((stay, essential) if cooked else (stay, essential, ())):
+        whole = _follow_beside(task, start, there, rest, barred, most)
+        if whole is not None and barred.issuperset(find_blocked(with_margin(task), whole.placed)):
+            return whole
+    return None
 
 
 def _list_staying(start: JudgedRoom, rest: Sequence[FurnishedGroup]) -> tuple[str, ...]:
@@ -60,7 +122,7 @@ def _list_staying(start: JudgedRoom, rest: Sequence[FurnishedGroup]) -> tuple[st
     return tuple(p.name for p in rest if not do_overlap(new, _floor_of(p)).any())
 
 
-def _floor_of(group: FurnishedGroup) -> NDArray[np.float64]:
+def _floor_of(group: FurnishedGroup) -> Floats:
     """The floor a group takes, as boxes (n, 5): its patch, and of a kitchen each unit as well, as
     its further lines reach out of the patch."""
     units = group.pieces if group.wish.group in RUNS else ()

@@ -61,6 +61,7 @@ EXPECTED: dict[str, Expected] = {
     ),
     "seating": Expected(_seat, ((11.0, 1.8), (16.0, 2.0), (20.0, 2.6), (27.0, 3.2))),
     "media": Expected(_metres("tv_stand", "wall_shelf"), ((16.0, 1.2), (20.0, 1.4), (27.0, 1.8))),
+    "lounger": Expected(_count("outdoor_chair", "side_table"), ((1.8, 2.0),)),
     "planter": Expected(_metres("planter"), ((2.5, 0.8), (5.0, 1.0))),
     "washer": Expected(_metres("washing_machine"), ((4.0, 0.6),)),
     "wardrobe": Expected(_metres("wardrobe"), ((10.0, 1.4), (13.0, 1.8))),

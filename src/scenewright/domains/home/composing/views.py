@@ -3,15 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import atan2, pi, radians, remainder
+from math import atan2, cos, hypot, pi, radians, remainder, sin
 
-from scenewright.core.scene import Pose
+from scenewright.core.scene import Piece, Pose
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer
 from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.domains.home.furnishing.whole import RAISED
+from scenewright.domains.home.settings import CompositionCosts
+from scenewright.geometry.boxes import common_area, make_frame
 
 ASIDE, AWAY = radians(35.0), radians(90.0)
 """A screen is seen well up to so far off the axis of a sofa, and from so far on not at all: the
 head turns 30 to 45 degrees with ease (Panero, Zelnik 1979)."""
+
+ON_AXIS, OFF_AXIS = 0.15, 1.2
+"""A screen so many metres beside the axis of a sofa counts as on it, and so many as off it."""
+
+NEAR, FAR, MOST = 1.5, 4.0, 2.0
+"""Nearer to a screen, and farther from it, nobody sits with comfort, metres; by how many metres at
+most that counts."""
+
+SIGHT, FILLED = 0.8, 0.6
+"""Width of the sight from a sofa to a screen, metres, and the square metres that fill it."""
+
+SEEN_PAST = frozenset(("seating", "media", "kitchen", "kitchenette", "counter", "fridge"))
+"""Groups that do not stand between seats and screen: themselves, and a kitchen, which keeps to its
+walls."""
 
 BLIND = radians(60.0)
 """A sofa for want of a better one that is turned so far off is not placed."""
@@ -31,17 +48,60 @@ def leave_out_blind_seats(answer: RoomAnswer) -> RoomAnswer:
     return answer._replace(placed=placed, missing=(*answer.missing, gone))
 
 
-def cost_of_view(groups: Sequence[FurnishedGroup], cost: float) -> float:
-    """What is wrong with a sofa that does not look at the screen or that the screen is turned away
-    from, half for being so and half by its degree; 0 where there is no screen or no sofa."""
-    pieces = [p for g in groups for p in g.pieces]
-    screen = next((p.pose for p in pieces if p.category == "tv"), None)
-    sofas = [p.pose for p in pieces if p.category in SOFAS]
+def cost_of_view(groups: Sequence[FurnishedGroup], costs: CompositionCosts) -> float:
+    """What is wrong with a sofa and the screen before it: not looking at one another (half for
+    being so and half by its degree), off each other's axis, too near or too far, and what of other
+    groups stands between them; 0 where there is no screen or no sofa."""
+    screen, sofas = _find_pair(groups)
     if screen is None or not sofas:
         return 0.0
-    off = min(measure_turn(sofa, screen) for sofa in sofas)
+    off = min(measure_turn(sofa.pose, screen.pose) for sofa in sofas)
     degree = min((off - ASIDE) / (AWAY - ASIDE), 1.0)
-    return cost * (1.0 + degree) / 2 if degree > 0.0 else 0.0
+    turned = costs.view * (1.0 + degree) / 2 if degree > 0.0 else 0.0
+    (x, y, _, turn), away = sofas[0].pose, _measure_distance(sofas[0].pose, screen.pose)
+    aside = abs((screen.pose.x - x) * sin(turn) - (screen.pose.y - y) * cos(turn))
+    beside = min(max(aside - ON_AXIS, 0.0) / (OFF_AXIS - ON_AXIS), 1.0)
+    reach = min(max(NEAR - away, away - FAR, 0.0), MOST)
+    between = min(sum(_fill_sight(sofas[0], screen, groups).values()) / FILLED, 1.0)
+    return turned + costs.axis * beside + costs.distance * reach + costs.between * between
+
+
+def list_between(groups: Sequence[FurnishedGroup]) -> frozenset[str]:
+    """The names of the groups that stand between the main sofa and its screen."""
+    screen, sofas = _find_pair(groups)
+    return frozenset(_fill_sight(sofas[0], screen, groups)) if screen and sofas else frozenset()
+
+
+def _find_pair(groups: Sequence[FurnishedGroup]) -> tuple[Piece | None, list[Piece]]:
+    """The screen of a room and its sofas, the largest first."""
+    pieces = [p for g in groups for p in g.pieces]
+    sofas = [p for p in pieces if p.category in SOFAS]
+    screen = next((p for p in pieces if p.category == "tv"), None)
+    return screen, sorted(sofas, key=lambda p: -p.size.width * p.size.depth)
+
+
+def _measure_distance(one: Pose, other: Pose) -> float:
+    return hypot(other.x - one.x, other.y - one.y)
+
+
+def _fill_sight(sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup]) -> dict[str, float]:
+    """Square metres that each other group takes of the floor between a sofa and its screen, of
+    those that take some, by name."""
+    a, b = sofa.pose, screen.pose
+    long, x, y = _measure_distance(a, b), (a.x + b.x) / 2, (a.y + b.y) / 2
+    sight = make_frame(x, y, atan2(b.y - a.y, b.x - a.x), SIGHT, long)
+    found, far = dict[str, float](), hypot(long, SIGHT) / 2
+    for group in groups:
+        if group.wish.group in SEEN_PAST:
+            continue
+        for p in group.pieces:
+            (u, v, z, turn), (width, depth, _) = p.pose, p.size
+            low = z < RAISED and p.category != "rug"
+            if low and hypot(u - x, v - y) < far + hypot(width, depth) / 2:
+                area = float(common_area(make_frame(u, v, turn, width, depth), sight))
+                if area > 0.0:
+                    found[group.name] = found.get(group.name, 0.0) + area
+    return found
 
 
 def measure_turn(one: Pose, other: Pose) -> float:
