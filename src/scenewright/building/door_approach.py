@@ -5,12 +5,14 @@ Every box is (x, y, heading, width, depth), its front looking into the room.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scenewright.core.same import Same
 from scenewright.core.space import Opening, Space, StairEnd
 
 Floats = NDArray[np.float64]
@@ -40,8 +42,14 @@ def edges_of(space: Space) -> Floats:
 
 def gates(space: Space) -> tuple[DoorApproach, ...]:
     """The openings of a space with the wall face and inward normal they have here."""
-    walls = edges_of(space)
-    return tuple(_gate(opening, walls) for opening in space.openings)
+    return _gates(Same(space))
+
+
+@lru_cache(maxsize=256)
+def _gates(same: Same[Space]) -> tuple[DoorApproach, ...]:
+    """The same, of the same space made once."""
+    walls = edges_of(same.value)
+    return tuple(_gate(opening, walls) for opening in same.value.openings)
 
 
 def _gate(opening: Opening, walls: Floats) -> DoorApproach:

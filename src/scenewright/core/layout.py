@@ -88,15 +88,10 @@ def corners(boxes: Boxes) -> Boxes:
     [[[1.0, -0.5], [1.0, 0.5], [-1.0, 0.5], [-1.0, -0.5]]]
     """
     cos, sin = np.cos(boxes[..., 2]), np.sin(boxes[..., 2])
-    right = np.stack([sin, -cos], -1) * boxes[..., 3:4] / 2
-    front = np.stack([cos, sin], -1) * boxes[..., 4:5] / 2
-    centre = boxes[..., :2]
-    return np.stack(
-        [
-            centre + right - front,
-            centre + right + front,
-            centre - right + front,
-            centre - right - front,
-        ],
-        -2,
-    )
+    found = np.empty((*boxes.shape[:-1], 4, 2))
+    for k, (right, front) in enumerate(((sin, cos), (-cos, sin))):
+        right, front = right * boxes[..., 3] / 2, front * boxes[..., 4] / 2
+        least, most = boxes[..., k] - right, boxes[..., k] + right
+        found[..., 0, k], found[..., 1, k] = most - front, most + front
+        found[..., 2, k], found[..., 3, k] = least + front, least - front
+    return found

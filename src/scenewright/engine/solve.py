@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.layout import Layout
 from scenewright.engine.asked import rate_unrated
+from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 L = TypeVar("L")
@@ -170,13 +171,34 @@ def distinct(
 
     ``boxes`` (P, n, 5), ``energies`` (P,); best first, at most ``keep``.
     """
-    chosen: list[int] = []
-    left = np.argsort(energies, kind="stable")
-    while len(left) and len(chosen) < keep:
-        first, left = int(left[0]), left[1:]
-        gaps = boxes[left, :, :3] - boxes[first, :, :3]
-        turned = np.abs((gaps[..., 2] + np.pi) % (2 * np.pi) - np.pi)
-        near = (np.hypot(gaps[..., 0], gaps[..., 1]) <= apart) & (turned <= apart)
-        chosen.append(first)
-        left = left[~near.all(axis=1)]
-    return tuple(Layout(boxes[k].copy(), float(energies[k])) for k in chosen)
+    order, chosen = np.argsort(energies, kind="stable"), np.empty(keep, np.int64)
+    count = choose_apart(np.ascontiguousarray(boxes, np.float64), order, apart, chosen)
+    return tuple(Layout(boxes[k].copy(), float(energies[k])) for k in chosen[:count].tolist())
+
+
+@compiled
+def choose_apart(
+    boxes: Floats, order: NDArray[np.int64], apart: float, chosen: NDArray[np.int64]
+) -> int:
+    """Write to ``chosen`` (k,) the first boxes (P, n, 5) in their ``order`` (P,) of which some item
+    is more than ``apart`` metres or radians away from where each one before has it; how many."""
+    count = 0
+    for number in range(order.shape[0]):
+        here, unlike = order[number], True
+        for c in range(count):
+            unlike &= are_apart(boxes[here], boxes[chosen[c]], apart)
+        if unlike and count < chosen.shape[0]:
+            chosen[count] = here
+            count += 1
+    return count
+
+
+@inlined
+def are_apart(one: Floats, other: Floats, apart: float) -> bool:
+    """Whether some item of boxes (n, 5) is more than ``apart`` metres or radians away."""
+    for i in range(one.shape[0]):
+        dx, dy = one[i, 0] - other[i, 0], one[i, 1] - other[i, 1]
+        turned = abs((one[i, 2] - other[i, 2] + np.pi) % (2 * np.pi) - np.pi)
+        if math.sqrt(dx * dx + dy * dy) > apart or turned > apart:
+            return True
+    return False

@@ -25,6 +25,9 @@ GROUP = "scenewright.terms"
 """Entry points by which packages add terms: ``"home.symmetry" = "package.module:ROW"``."""
 
 
+NOTHING: Floats = np.zeros(0)
+
+
 class TermData(NamedTuple):
     """The numbers of all such terms, one after another: ``values`` (m,), and where those of each
     term ``starts`` (t + 1,)."""
@@ -48,9 +51,15 @@ def with_data(rows: Sequence[TermRow]) -> tuple[TermRow, ...]:
     return tuple(row for row in rows if row.data)
 
 
-def gather(rows: Sequence[TermRow], problem: Any) -> TermData:
-    """What the terms with data make of a ``problem``."""
-    parts = [np.ravel(load_function(row.data)(problem)) for row in with_data(rows)]
+def gather(rows: Sequence[TermRow], problem: Any, weights: Floats | None = None) -> TermData:
+    """What the terms with data make of a ``problem``; nothing of those that weigh nothing, where
+    ``weights`` (terms,) are given."""
+    parts = [
+        np.ravel(load_function(row.data)(problem))
+        if weights is None or weights[row.number] != 0.0
+        else NOTHING
+        for row in with_data(rows)
+    ]
     starts = np.cumsum([0, *map(len, parts)]).astype(np.int64)
     return TermData(np.concatenate([np.zeros(0), *parts]).astype(np.float64), starts)
 

@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.geometry.boxes import area_in_polygon, common_area, distance_to_segment, make_frame
+from scenewright.geometry.boxes import (
+    Frame,
+    area_in_polygon,
+    common_area,
+    distance_to_segment,
+    make_frame,
+)
 from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
@@ -95,6 +103,17 @@ def mark_free(
 
 
 @inlined
+def shared_area(frame: Frame, box: Floats) -> float:
+    """Area of a frame ∩ a box (5,), square metres; boxes the circles round which do not meet need
+    no frame of their own."""
+    dx, dy, w, d = box[0] - frame[0], box[1] - frame[1], 0.5 * box[3], 0.5 * box[4]
+    reach = frame[6] + math.sqrt(w * w + d * d)
+    if dx * dx + dy * dy >= reach * reach:
+        return 0.0
+    return common_area(frame, make_frame(box[0], box[1], box[2], box[3], box[4]))
+
+
+@inlined
 def _fault(
     box: Row,
     span: Floats,
@@ -114,17 +133,14 @@ def _fault(
         return FITS, -1
     if span[0] < 2.0:
         for k in range(zones.shape[0]):
-            z = zones[k]
-            if common_area(frame, make_frame(z[0], z[1], z[2], z[3], z[4])) > _NOTHING:
+            if shared_area(frame, zones[k]) > _NOTHING:
                 return IN_ZONE, k
     for k in range(windows.shape[0]):
-        z = windows[k]
-        if span[1] > z[5] and common_area(frame, make_frame(z[0], z[1], z[2], z[3], z[4])) > 0:
+        if span[1] > windows[k, 5] and shared_area(frame, windows[k]) > 0:
             return AT_WINDOW, k
     for k in range(others.shape[0]):
-        z = others[k]
         meets = span[0] < other_spans[k, 1] - 1e-3 and other_spans[k, 0] < span[1] - 1e-3
-        if meets and common_area(frame, make_frame(z[0], z[1], z[2], z[3], z[4])) > _NOTHING:
+        if meets and shared_area(frame, others[k]) > _NOTHING:
             return COLLIDES, k
     return FITS, -1
 
@@ -178,12 +194,11 @@ def _stands(x: float, y: float, boxes: Floats, me: int, edges: Floats, zones: Fl
     if width * depth - area_in_polygon(frame, edges) > _NOTHING:
         return False
     for k in range(boxes.shape[0]):
-        z = boxes[k]
-        if k != me and common_area(frame, make_frame(z[0], z[1], z[2], z[3], z[4])) > _NOTHING:
+        if k != me and shared_area(frame, boxes[k]) > _NOTHING:
             return False
     for k in range(zones.shape[0]):
         z = zones[k]
-        if common_area(frame, make_frame(z[0], z[1], z[2], z[3], z[4])) > _NOTHING:
+        if shared_area(frame, z) > _NOTHING:
             return False
     return True
 

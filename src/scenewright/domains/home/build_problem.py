@@ -58,6 +58,10 @@ RELATIONS: tuple[Relation, ...] = (
 )
 
 
+OF_AREAS = frozenset(row.name for row in TERMS if row.per_area)
+"""Terms that count square metres."""
+
+
 def build_problem(
     ground: Ground,
     wishes: tuple[Wish, ...],
@@ -92,8 +96,7 @@ def scale_area_weights(weights: dict[str, float], items: Items) -> dict[str, flo
     {'keep_free': 200.0, 'pairs': 10.0}
     """
     share = max(float(np.nansum(items.wish.prod(-1))) / USUAL, 1.0)
-    areas = {row.name for row in TERMS if row.per_area}
-    return {name: w * share if name in areas else w for name, w in weights.items()}
+    return {name: w * share if name in OF_AREAS else w for name, w in weights.items()}
 
 
 def items_of(wishes: tuple[Wish, ...], area: float, library: Library = SHIPPED) -> Items:

@@ -146,7 +146,7 @@ def _prepare(same: Same[Problem]) -> PreparedHome:
         spots=_fresh(items.spots, 4),
         weights=weights,
         bounds=fixed.bounds,
-        own=gather(TERMS, problem),
+        own=gather(TERMS, problem, weights),
         paths=fixed.paths,
         strips=fixed.strips,
         area=float(ground.area),

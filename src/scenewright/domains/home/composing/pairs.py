@@ -23,6 +23,7 @@ from scenewright.domains.home.composing.moving import dress_group, find_places, 
 from scenewright.domains.home.composing.placed_faults import are_adrift, cost_of_openings
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, join_standing, standing_of
 from scenewright.domains.home.programme import BEDS
+from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 
@@ -44,12 +45,14 @@ class FormPlaces(NamedTuple):
     faults: Floats
 
 
-class PlacedPair(NamedTuple):
-    """Two forms, the box of each, and what they cost there."""
+class PlacedPairs(NamedTuple):
+    """Pairs of forms, those of each pair (k,) by the number of two ``cases``, the boxes of both
+    (k, 2, 5), and what they cost there (k,)."""
 
-    cost: float
-    cases: tuple[Group, Group]
+    cases: tuple[tuple[Group, Group], ...]
+    forms: NDArray[np.int64]
     boxes: Floats
+    costs: Floats
 
 
 def find_pair(placed: Iterable[FurnishedGroup]) -> tuple[FurnishedGroup, ...]:
@@ -76,19 +79,18 @@ def _furnish_pairs(
     """Pairs of places with their furniture, the cheapest first, of like ones only the first."""
     task, flat = judge.task, flat_kinds(judge.task.catalog)
     empty = standing_of((*task.fixed, *task.beside), flat)
-    listed = _list_pairs(judge, pair, most)
-    poses = np.array([found.boxes[:, :3] for found in listed]).reshape(-1, 2, 3)
-    alike = np.zeros(len(listed), bool)
-    for k, found in enumerate(listed):
+    cases, forms, boxes, _ = _list_pairs(judge, pair, most)
+    alike = np.zeros(len(boxes), bool)
+    for k, form in enumerate(forms.tolist()):
         if alike[k]:
             continue
-        one = dress_group(task, pair[0], found.cases[0], found.boxes[0], empty)
+        one = dress_group(task, pair[0], cases[form][0], boxes[k, 0], empty)
         if one is None:
             continue
         beside = join_standing(empty, standing_of(one.pieces, flat))
-        other = dress_group(task, pair[1], found.cases[1], found.boxes[1], beside)
+        other = dress_group(task, pair[1], cases[form][1], boxes[k, 1], beside)
         if other is not None:
-            alike |= _are_alike(poses, poses[k])
+            alike |= _are_alike(boxes[..., :3], boxes[k, :, :3])
             yield judge.cost_of((one, other))
 
 
@@ -100,27 +102,32 @@ def _are_alike(poses: Floats, one: Floats) -> NDArray[np.bool_]:
     return near[:, 0] & near[:, 1]
 
 
-def _list_pairs(
-    judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float
-) -> list[PlacedPair]:
+def _list_pairs(judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float) -> PlacedPairs:
     """The cheapest pairs of places of every two forms that cost less than ``most``, the cheapest of
     all first."""
     rule, energy = judge.task.preset.settings.composing, judge.task.costs.energy
-    found: list[PlacedPair] = []
-    for one, other in product(*(_list_places(judge.task, group) for group in pair)):
+    both = tuple(product(*(_list_places(judge.task, group) for group in pair)))
+    found, rated, forms = [np.empty((0, 2, 5))], [np.empty(0)], [np.empty(0, np.int64)]
+    for number, (one, other) in enumerate(both):
         faults = one.faults[:, None] + other.faults
-        if not (faults < most + HAIR).any():
+        sound = faults < most + HAIR
+        if not sound.any():
             continue
-        i, j = np.nonzero(~do_overlap(one.boxes, other.boxes) & (faults < most + HAIR))
+        i, j = np.nonzero(~do_overlap(one.boxes, other.boxes) & sound)
         if not len(i):
             continue
         layouts = np.stack([one.boxes[i], other.boxes[j]], axis=1)
         costs = energy * judge.energies_of(layouts) + one.faults[i] + other.faults[j]
         cheap = np.flatnonzero(costs < most)
         best = cheap[np.argsort(costs[cheap], kind="stable")[: rule.pairs]]
-        cases = (one.case, other.case)
-        found += [PlacedPair(float(costs[k]), cases, layouts[k]) for k in best]
-    return sorted(found, key=lambda p: p.cost)
+        found.append(layouts[best])
+        rated.append(costs[best])
+        forms.append(np.full(len(best), number))
+    costs = np.concatenate(rated)
+    order = np.argsort(costs, kind="stable")
+    cases = tuple((one.case, other.case) for one, other in both)
+    boxes = np.concatenate(found)[order]
+    return PlacedPairs(cases, np.concatenate(forms)[order], boxes, costs[order])
 
 
 def _list_places(task: RoomTask, group: FurnishedGroup) -> list[FormPlaces]:
@@ -188,14 +195,35 @@ def do_overlap(one: Floats, other: Floats) -> NDArray[np.bool_]:
     >>> do_overlap(boxes[:1], boxes + [0.4, 0.0, 0.0, 0.0, 0.0]).tolist()
     [[True, False]]
     """
-    dx, dy = (other[None, :, k] - one[:, None, k] for k in (0, 1))
-    turn = other[None, :, 2] - one[:, None, 2]
-    c, s = np.abs(np.cos(turn)), np.abs(np.sin(turn))
-    meet = np.ones(dx.shape, bool)
-    for boxes, rest, shape in ((one, other, (-1, 1)), (other, one, (1, -1))):
-        cos, sin = (f(boxes[:, 2]).reshape(shape) for f in (np.cos, np.sin))
-        width, depth = boxes[:, 3].reshape(shape), boxes[:, 4].reshape(shape)
-        w, d = rest[:, 3].reshape(shape[::-1]), rest[:, 4].reshape(shape[::-1])
-        meet &= np.abs(dx * cos + dy * sin) < (depth + d * c + w * s) / 2 - TOUCH
-        meet &= np.abs(dx * sin - dy * cos) < (width + w * c + d * s) / 2 - TOUCH
+    meet = np.empty((len(one), len(other)), bool)
+    turns, their = (np.column_stack([np.cos(b[:, 2]), np.sin(b[:, 2])]) for b in (one, other))
+    mark_overlap(np.ascontiguousarray(one), np.ascontiguousarray(other), turns, their, meet)
     return meet
+
+
+@compiled
+def mark_overlap(
+    one: Floats, other: Floats, turns: Floats, their: Floats, meet: NDArray[np.bool_]
+) -> None:
+    """Write :func:`do_overlap` of boxes with the cosine and sine of their headings (n, 2), (m, 2)
+    into ``meet`` (n, m)."""
+    for i in range(one.shape[0]):
+        for j in range(other.shape[0]):
+            dx, dy = other[j, 0] - one[i, 0], other[j, 1] - one[i, 1]
+            c = abs(turns[i, 0] * their[j, 0] + turns[i, 1] * their[j, 1])
+            s = abs(turns[i, 0] * their[j, 1] - turns[i, 1] * their[j, 0])
+            meet[i, j] = within(one[i], other[j], turns[i], dx, dy, c, s) and within(
+                other[j], one[i], their[j], dx, dy, c, s
+            )
+
+
+@inlined
+def within(
+    box: Floats, other: Floats, turn: Floats, dx: float, dy: float, c: float, s: float
+) -> bool:
+    """Whether neither axis of a box (5,) has another, ``dx`` and ``dy`` from it, apart from it;
+    ``turn`` (2,) is its own cosine and sine, ``c`` and ``s`` those of the angle between both."""
+    ahead, aside = abs(dx * turn[0] + dy * turn[1]), abs(dx * turn[1] - dy * turn[0])
+    deep = (box[4] + other[4] * c + other[3] * s) / 2 - TOUCH
+    wide = (box[3] + other[3] * c + other[4] * s) / 2 - TOUCH
+    return ahead < deep and aside < wide

@@ -28,6 +28,7 @@ from scenewright.domains.home.furnishing.whole import below
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.wished.plugged import out_of_reach
+from scenewright.geometry.compiled import compiled
 from scenewright.geometry.fit import (
     AT_WINDOW,
     COLLIDES,
@@ -235,12 +236,23 @@ def world(
     """Members of a group on a box as boxes ``(m, 5)``, underside and top ``(m, 2)``, and which
     are flat: the latter two are those of all boxes, and not to be written to."""
     local, spans, flat = _laid(members, catalog)
-    cos, sin = np.cos(box[2]), np.sin(box[2])
-    boxes = local.copy()
-    boxes[:, 0] = box[0] + local[:, 0] * sin + local[:, 1] * cos
-    boxes[:, 1] = box[1] - local[:, 0] * cos + local[:, 1] * sin
-    boxes[:, 2] = box[2] + local[:, 2]
+    boxes = np.empty_like(local)
+    x, y, heading = box[:3].tolist()
+    place_boxes(local, x, y, heading, np.cos(box[2]), np.sin(box[2]), boxes)
     return boxes, spans, flat
+
+
+@compiled
+def place_boxes(
+    local: Floats, x: float, y: float, heading: float, cos: float, sin: float, boxes: Floats
+) -> None:
+    """Write boxes (m, 5) of a group's frame, its front to +x, as they stand with the group at x,
+    y and a heading with its cosine and sine."""
+    for i in range(local.shape[0]):
+        boxes[i, 0] = x + local[i, 0] * sin + local[i, 1] * cos
+        boxes[i, 1] = y - local[i, 0] * cos + local[i, 1] * sin
+        boxes[i, 2] = heading + local[i, 2]
+        boxes[i, 3], boxes[i, 4] = local[i, 3], local[i, 4]
 
 
 @lru_cache(maxsize=4096)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from itertools import combinations
-from math import atan2, cos, pi, sin
+from math import atan2, cos, hypot, pi, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -131,10 +131,15 @@ def overlap(kitchen: FittedKitchen) -> bool:
     """Whether two of its lines and corner cabinets run into each other."""
     boxes = [box_of(line) for line in kitchen.lines]
     boxes += [place(wall, 0.0, CORNER, CORNER, 0.0) for wall in kitchen.corners]
-    return any(
-        common_area(make_frame(*one), make_frame(*other)) > SHARED
-        for one, other in combinations(boxes, 2)
-    )
+    return any(_meet(one, other) for one, other in combinations(boxes, 2))
+
+
+def _meet(one: Box, other: Box) -> bool:
+    """Whether two boxes run into each other; not if the circles round them do not."""
+    reach = (hypot(*one[3:]) + hypot(*other[3:])) / 2
+    if hypot(one[0] - other[0], one[1] - other[1]) > reach:
+        return False
+    return bool(common_area(make_frame(*one), make_frame(*other)) > SHARED)
 
 
 def list_solid(kitchen: FittedKitchen) -> list[Box]:
