@@ -63,6 +63,17 @@ def test_who_sits_at_desks_looks_at_the_screen() -> None:
         assert way @ look > 0.6 * math.hypot(*way)
 
 
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_lectern_stands_beside_the_screen_and_looks_at_the_audience(seed: int) -> None:
+    found = scenewright.solve(seminar(DESKS, CHAIRS, SCREEN, {"category": "lectern"}), seed=seed)
+    ((screen,), (lectern,)) = of(found, "screen"), of(found, "lectern")
+    front = np.array([math.cos(screen.pose.heading), math.sin(screen.pose.heading)])
+    off = np.array(lectern.pose[:2]) - np.array(screen.pose[:2])
+    assert 0.3 < off @ front < 3.0
+    assert 0.5 * screen.size.width < abs(off @ (front[1], -front[0])) < screen.size.width + 1.5
+    assert math.cos(lectern.pose.heading - screen.pose.heading) > 0.99
+
+
 def test_chairs_beyond_the_desks_stand_by_themselves() -> None:
     found = scenewright.solve(seminar(DESKS, CHAIRS | {"count": 8}), seed=1)
     chairs = of(found, "office_chair")

@@ -13,7 +13,7 @@ from scenewright.domains.hall.doors import visitor_exits, ways_in, ways_out
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats, VisitorPlan
 from scenewright.domains.hall.roles import is_first, is_till
-from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, LANE, MAIN, TILL
+from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, LANE, MAIN, SPEAKER, TILL
 
 EYES = 1.6
 """What rises above this height hides what is behind it, in metres."""
@@ -70,6 +70,8 @@ def _roles(wishes: list[HallDemand], units: list[Unit]) -> Floats:
             roles[k] = FIRST
         elif category in ROPES:
             roles[k] = GUIDE
+        elif category == "lectern":
+            roles[k] = SPEAKER
     alone = [
         (size.width * size.depth, -k)
         for k, unit in enumerate(units)

@@ -29,6 +29,7 @@ from scenewright.domains.hall.retouch.gates import (
     gates_adrift,
     propose_gates,
 )
+from scenewright.domains.hall.retouch.lecterns import lecterns_adrift, propose_lecterns
 from scenewright.domains.hall.retouch.mending import LEAST, Retouch, SeenTouch, mend
 from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
 from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes, ropes_adrift
@@ -48,6 +49,7 @@ RETOUCHES: dict[str, Retouch] = {
     "columns": Retouch(find_columns, stand_in_aisles, propose_pitches, forgive_columns),
     "audience": Retouch(_whole, sit_aside, propose_audiences),
     "seats": Retouch(_whole, sit_too_near, propose_rows),
+    "lecterns": Retouch(_whole, lecterns_adrift, propose_lecterns),
     "rings": Retouch(_whole, rings_off, propose_rings),
     "gates": Retouch(_whole, gates_adrift, propose_gates, forgive_doors, find_gates),
     "desks": Retouch(first_desks, desks_adrift, propose_desks, mind_order, find_desks),

@@ -12,7 +12,7 @@ from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, GRID, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.terms.state import Kept
-from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, TILL
+from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, SPEAKER, TILL
 
 STEP = 0.7
 """Metres between the points at which floor is looked at."""
@@ -107,7 +107,7 @@ def _find_movable(problem: HallProblem, kept: Kept) -> list[int]:
         unit
         for unit in range(len(roles))
         if floor[unit] >= SMALL
-        and not roles[unit] & (FIRST | TILL | GUIDE)
+        and not roles[unit] & (FIRST | TILL | GUIDE | SPEAKER)
         and int(kept.rows[unit, 0]) != WALL
         and units.targets[unit] < 0
         and unit not in units.targets
