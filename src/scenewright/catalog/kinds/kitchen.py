@@ -141,8 +141,7 @@ KINDS = (
         drawn_by=(".kitchen", ".styled.kitchens"),
     ),
     Kind(
-        "corner_cabinet",
-        access=FRONT,
+        "corner_cabinet",  # opens inwards, to who stands before the units beside it
         reach=0.9,
         sizes=size_range("78 90 110", "78 90 110", "80 90 96"),
         words=(

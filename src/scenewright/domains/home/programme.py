@@ -221,6 +221,8 @@ STANDS_FOR: dict[str, tuple[str, ...]] = {
 
 NOTED = frozenset(("shoes",))  # usual, and all that a hall is for
 BEDS = ("sleeping", "single", "bunk")
+GUESTS = {"wardrobe": (1.2, 0.62), "washer": (0.62, 0.64)}
+"""Groups that in a kitchen leave their wall to the run: at most so wide and deep, metres."""
 HEARTH = PlacementPreference(
     draws=(Attraction(("fireplace",), near=0.6, far=2.6, facing=1.0, middle=True),)
 )
@@ -289,6 +291,16 @@ def _usual_place(group: str, shared: bool) -> PlacementPreference:
     if group in BEDS and shared:
         return PRIVATE
     return HEARTH if group == "seating" else PlacementPreference()
+
+
+def most_of(functions: Iterable[str], group: str) -> tuple[float, float] | None:
+    """The largest width and depth that a group has in a room for these functions unless somebody
+    says so; None where it may be as large as any.
+
+    >>> most_of(("kitchen",), "wardrobe"), most_of(("kitchen", "bedroom"), "wardrobe")
+    ((1.2, 0.62), None)
+    """
+    return GUESTS.get(group) if set(functions) == {"kitchen"} else None
 
 
 def _once(wishes: list[Wish]) -> list[Wish]:

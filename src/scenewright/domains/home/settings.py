@@ -79,12 +79,13 @@ class TrySettings(NamedTuple):
 
 class CompositionCosts(NamedTuple):
     """What faults of composition cost, beside those of :class:`FaultCosts`: too little worktop in
-    one piece, a hob beside the sink or at the end of its run, fridge, sink and hob off a work
-    triangle (``triangle``), a sink without worktop beside it, a fridge by itself, hob and sink
-    apart (``split``), half a wardrobe, a shallow one, a bed for two with one nightstand or
-    one side to get in, one of 1.9 m (``short_bed``), a single bed away from walls, too few shelves,
-    too few seats, a screen too small for its distance, a sofa that does not look at it (``view``),
-    is off its ``axis``, at a bad ``distance`` or behind what stands ``between``, one on the wall
+    one piece, a hob beside the sink or at the end of its run, or one of ``few_rings``, fridge, sink
+    and hob off a work triangle (``triangle``), a sink without worktop beside it, a fridge by
+    itself, hob and sink apart (``split``), a washing machine away from the run (``loose``), half a
+    wardrobe, a shallow one, a bed for two with one nightstand or one side to get in, one of 1.9 m
+    (``short_bed``), a single bed away from walls, too few shelves, too few seats, a screen too
+    small for its distance, a sofa that does not look at it (``view``), is off its ``axis``, at a
+    bad ``distance`` or behind what stands ``between``, one on the wall
     (``hung``), a table with one chair (``lone``) or with ``stools``, outdoor chairs side by side
     (``abreast``), something before the ``doors`` of a wardrobe, before a window or a wide door, a
     group small for its room (``modest``); a unit by which the furnished share of a floor is off
@@ -94,10 +95,12 @@ class CompositionCosts(NamedTuple):
     worktop: float = 24.0
     hob_at_sink: float = 22.0
     hob_at_end: float = 22.0
-    triangle: float = 16.0
+    few_rings: float = 12.0
+    triangle: float = 30.0
     sink_alone: float = 14.0
     fridge_alone: float = 14.0
     split: float = 30.0
+    loose: float = 14.0
     wardrobe: float = 18.0
     shallow: float = 4.0
     nightstand: float = 14.0

@@ -21,6 +21,7 @@ from scenewright.domains.home.attempt import (
     build_task_problem,
     furnish_layout,
 )
+from scenewright.domains.home.composing.kitchens.relaid import refit_kitchen
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.home_floor import join_floors
@@ -65,7 +66,7 @@ def _furnish(task: RoomTask, asked: tuple[Wish, ...], rows: Sequence[NamedBox]) 
     problem = build_task_problem(task, chosen, task.ground)
     boxes = np.array([row.box for row in rows], np.float64)
     energy = float(evaluate(problem, boxes[None])[0])
-    answer = furnish_layout(task, chosen, problem, boxes, energy)
+    answer = refit_kitchen(task, furnish_layout(task, chosen, problem, boxes, energy), rows)
     return answer._replace(missing=(*answer.missing, *missing))
 
 

@@ -27,6 +27,7 @@ from scenewright.domains.home.programme import (
     STANDS_FOR,
     WELCOME,
     Wish,
+    most_of,
     programme,
     resolve_bedrooms,
 )
@@ -131,7 +132,12 @@ def wishes_of(
     there = have | standing.keys() | instead
     if room.ask is not None:
         asked = tuple(
-            Wish(ask.group, 0 if ask.required else 1, required=ask.required, most=ask.size)
+            Wish(
+                ask.group,
+                0 if ask.required else 1,
+                required=ask.required,
+                most=ask.size or most_of(task.space.functions, ask.group),
+            )
             for ask in room.ask
             for _ in range(ask.count)
         )

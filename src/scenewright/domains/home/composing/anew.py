@@ -16,10 +16,10 @@ from math import hypot, inf
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import (
-    RUNS,
     JudgedRoom,
     Placed,
     RoomJudge,
+    find_run,
     judge_of,
     sum_faults,
 )
@@ -30,11 +30,14 @@ from scenewright.domains.home.composing.kitchens.reform import (
     parts_of,
 )
 from scenewright.domains.home.composing.kitchens.second_runs import price_of_spare, without_spare
-from scenewright.domains.home.composing.kitchens.sound import is_sound
+from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen, is_sound
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
 from scenewright.domains.home.composing.trials import take_best, try_forms
 
+TABLES = ("dining", "dining_wall")
+MANY = 12
+"""Forms and places in which a table is tried beside a run."""
 Judges = Callable[[int], RoomJudge]
 """The judge of the first so many groups of a room."""
 
@@ -45,6 +48,8 @@ def compose_anew(
     """The groups laid out anew for the first of the faulty ones by their ``names``, the worst
     first, or as they were."""
     paired = {p.name for p in find_pair(best.placed)}
+    if is_mere_kitchen(task):  # whatever is at fault there, the run takes its wall
+        names = sorted(names, key=lambda n: not any(p.name == n for p in find_run(best.placed)))
     tried: set[str] = set()
     rule = task.preset.settings.composing
     for name in names[: rule.anew]:
@@ -67,23 +72,29 @@ def _lay_out_anew(
     least = task.preset.settings.composing.least
     most = sum_faults(task, best.placed) - least
     first = next(p for p in best.placed if p.name == name)
-    run = next((p for p in best.placed if p.wish.group in RUNS), None)
+    run = next(iter(find_run(best.placed)), None)
     kitchen = parts_of(best.placed, run) if run else ()
     cooks = any(first is part for part in kitchen) and may_reform(task, best.placed)
     parts = kitchen if cooks else (first,)
-    own = sum_faults(task, parts) - least
-    if run and cooks and is_sound(task, run):
+    own = most if cooks and is_mere_kitchen(task) else sum_faults(task, parts) - least
+    if run and cooks and is_sound(task, run) and not is_mere_kitchen(task):
         return
     starts = _list_kitchens(task, run, own) if run and cooks else list_starts(task, first, barred)
     rest = [p for p in best.placed if all(p is not part for part in parts)]
     rest = list(without_spare(tuple(rest))) if cooks else rest
-    others = sorted(rest, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
+    others = sorted(rest, key=lambda p: _turn(p, cooks))
     judges = judge_in_order(task, (as_whole(run) if run and cooks else first, *others))
     for start in starts:
         better = sum_faults(task, start.placed) < own
         whole = follow(task, judges, start, others, barred, most) if better else None
         if whole is not None:
             yield whole
+
+
+def _turn(group: FurnishedGroup, cooks: bool) -> tuple[int, bool, float]:
+    """Who follows first: the essential, after a kitchen (``cooks``) the table, the largest."""
+    away = cooks and group.wish.group not in TABLES
+    return group.wish.rank, away, -float(group.dressed.box[3:].prod())
 
 
 def _list_kitchens(task: RoomTask, run: FurnishedGroup, faults: float) -> Iterator[JudgedRoom]:
@@ -168,7 +179,10 @@ def follow(
             return None
         whole, at = (*best.placed, other), len(best.placed)
         forms = list_forms(task, other)
-        found = islice(try_forms(judges(at + 1), whole, at, forms, rule.other_forms), rule.places)
+        count, places = rule.other_forms, rule.places
+        if other.wish.group in TABLES and is_mere_kitchen(task):
+            count = places = MANY  # of tables beside a run most bar a way
+        found = islice(try_forms(judges(at + 1), whole, at, forms, count), places)
         open_ = (j for j in found if barred >= set(find_blocked(wide, j.placed)))
         following = next(open_, None)
         if following is None:

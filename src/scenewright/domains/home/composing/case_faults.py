@@ -20,6 +20,7 @@ WORKTOP = frozenset(("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwa
 RUN = WORKTOP | {"sink_cabinet", "hob_cabinet", "fridge"}
 RAISED = 0.3  # what begins so high is no unit of a run, metres
 AMPLE, BESIDE = 0.6, 0.3  # worktop in one piece, and beside a hob, metres
+FOUR_RINGS = 0.6  # width of a hob of four rings, metres
 MANY = 3  # seats of a room that is roomy
 SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
 FULL = 1.0  # width of a wardrobe, metres
@@ -108,6 +109,7 @@ def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
         ("worktop", max(0.0, 1.0 - longest / AMPLE)),
         ("hob_at_sink", max(0.0, 1.0 - apart / BESIDE)),
         ("hob_at_end", max(0.0, 1.0 - beside / BESIDE)),
+        ("few_rings", 1.0 - hob.size.width / FOUR_RINGS),
         ("triangle", _off_triangle(units)),
         ("sink_alone", 0.0 if sink is None else 1.0 - _longest_beside(sink, units) / BESIDE),
         ("fridge_alone", float(any(_is_alone(m, units) for m in units if m.category == "fridge"))),

@@ -48,23 +48,28 @@ ROOMY = 14.0
 
 WHOLE_FROM = 9.0
 """From so many square metres on a kitchen is one whole: its parts within reach and not apart."""
+RINGS_FROM = 8.0
+"""From so many square metres on a kitchen has a hob of four rings."""
 FROM = {
     "seats": ROOMY,
+    "few_rings": RINGS_FROM,
     "triangle": WHOLE_FROM,
     "sink_alone": WHOLE_FROM,
     "fridge_alone": WHOLE_FROM,
     "split": WHOLE_FROM,
 }
 """Faults that only rooms from so many square metres on have."""
+GRADED = frozenset(("triangle",))
+"""Faults that a little of hardly costs anything."""
 
 
 @lru_cache(maxsize=16384)
 def cost_of_case(case: Group, area: float, rule: ComposingSettings) -> float:
     """What is wrong with a case wherever it stands in a room of ``area`` square metres: each fault
-    half for being there, half by its degree; what it falls short of its room's size by its
-    degree."""
+    half for being there, half by its degree; what it falls short of its room's size, and what is
+    :data:`GRADED`, by its degree."""
     faults = sum(
-        float(getattr(rule.costs, name)) * (1.0 + degree) / 2
+        float(getattr(rule.costs, name)) * (degree if name in GRADED else (1.0 + degree) / 2)
         for name, degree in find_case_faults(case)
         if area >= FROM.get(name, 0.0)
     )

@@ -39,6 +39,7 @@ from scenewright.domains.home.composing.placed_faults import (
     cost_of_hearth,
     cost_of_screen,
     cost_of_shelves,
+    cost_of_washer,
 )
 from scenewright.domains.home.composing.rows import close_gaps
 from scenewright.domains.home.composing.trials import take_first, try_forms
@@ -73,6 +74,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     if _worst_first(task, best.placed):
         best = _improve_all(judge_of(task, best.placed), best, barred)
         best = reform_kitchen(task, best, barred)
+        best = _join_washer(task, best, barred)
         best = gather_seats(task, best, barred)
         if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
@@ -103,12 +105,21 @@ def _improve_all(judge: RoomJudge, best: JudgedRoom, barred: frozenset[str]) -> 
     return best
 
 
+def _join_washer(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
+    """The groups with a washing machine of a kitchen at the side of the run that stands by now."""
+    if cost_of_washer(best.placed, 1.0) == 0.0 or task.cancelled():
+        return best
+    name = next(p.name for p in best.placed if p.wish.group == "washer")
+    return _improve(judge_of(task, best.placed), best, name, barred)
+
+
 def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     """The names of groups with a fault, the costliest first, what stands between seats and screen
     before these; of all where a wish is not met."""
     rule = task.preset.settings.composing
     view = 0.0 if len(task.ground.hearths) else cost_of_view(placed, rule.costs)
     whole = {
+        "washer": cost_of_washer(placed, rule.costs.loose),
         "wardrobe": cost_of_fronts(placed, rule.costs.doors),
         "storage": cost_of_shelves(placed, task.ground, rule.costs.shelves),
         "media": cost_of_screen(placed, task.ground, rule.costs.screen) + view,

@@ -14,11 +14,14 @@ from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.forms import RUNS as RUNS
 from scenewright.domains.home.composing.fronts import cost_of_fronts
+from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_group,
     cost_of_hearth,
     cost_of_screen,
     cost_of_shelves,
+    cost_of_table,
+    cost_of_washer,
 )
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
@@ -84,6 +87,11 @@ class RoomJudge(NamedTuple):
         return JudgedRoom(placed, task.costs.energy * energy + room)
 
 
+def find_run(placed: Placed) -> Placed:
+    """The group one cooks at, if there is one."""
+    return tuple(p for p in placed if p.wish.group in RUNS)[:1]
+
+
 def cost_each(task: RoomTask, placed: Placed) -> tuple[float, ...]:
     """What is wrong with each group by itself."""
     rule = task.preset.settings.composing
@@ -98,6 +106,9 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     each = sum(cost_of_group(p, task.ground, rule) if isnan(c) else c for p, c in pairs)
     shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
     shelves += cost_of_fronts(placed, rule.costs.doors)
+    shelves += cost_of_washer(placed, rule.costs.loose)
+    if is_mere_kitchen(task):
+        each += cost_of_table(placed, task.ground, rule.costs.modest)
     if len(task.ground.hearths):
         return each + shelves + cost_of_hearth(placed, task.ground, rule.costs.screen)
     screen = cost_of_screen(placed, task.ground, rule.costs.screen)

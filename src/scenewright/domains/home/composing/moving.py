@@ -11,7 +11,10 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.composing.case_faults import RUN
+from scenewright.domains.home.composing.flush import list_flush
 from scenewright.domains.home.composing.judging import RUNS, Placed
+from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen
 from scenewright.domains.home.composing.stretches import Reach, longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
@@ -50,6 +53,9 @@ def find_places(
         if reach not in longest:
             longest[reach] = longest_stretch(task.ground, standing, reach)
         free = _free(task, case, standing, walls) if case.width <= longest[reach] else NOWHERE
+        if case.function == "washer" and is_mere_kitchen(task):
+            flush = _stand(task, case, list_flush(case, walls, standing, RUN), standing)
+            free = flush if len(flush) else free
         if case.function in FREE and _may_stand_amid(task):
             free = np.concatenate([free, list_amid(task, case, standing)])
         if amid:
@@ -67,10 +73,14 @@ def _in_place(task: RoomTask, case: Group, standing: StandingObstacles, box: Flo
     boxes[:, 0] += ahead * np.cos(box[2])
     boxes[:, 1] += ahead * np.sin(box[2])
     boxes[:, 3:] = case.width, case.depth
+    return _stand(task, case, boxes, standing)
+
+
+def _stand(task: RoomTask, case: Group, boxes: Floats, standing: StandingObstacles) -> Floats:
+    """Those of the boxes (n, 5) on which a case stands free."""
     members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
     height = task.space.height
-    free = stand_free(boxes, case, members, task.ground, standing, task.catalog, height)
-    return boxes[free]
+    return boxes[stand_free(boxes, case, members, task.ground, standing, task.catalog, height)]
 
 
 def _may_stand_amid(task: RoomTask) -> bool:
@@ -89,9 +99,7 @@ def list_amid(task: RoomTask, case: Group, standing: StandingObstacles) -> Float
     x, y, turn = (a.ravel() for a in np.meshgrid(*axes))
     size = np.tile((case.width, case.depth), (len(x), 1))
     boxes = np.column_stack([x, y, turn, size])
-    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
-    height = task.space.height
-    return boxes[stand_free(boxes, case, members, task.ground, standing, task.catalog, height)]
+    return _stand(task, case, boxes, standing)
 
 
 def _free(task: RoomTask, case: Group, standing: StandingObstacles, walls: WallRows) -> Floats:

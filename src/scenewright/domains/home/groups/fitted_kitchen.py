@@ -23,13 +23,14 @@ from scenewright.domains.home.groups.kitchen import (
     BEYOND,
     FRIDGE,
     LOW_FRIDGE,
-    SMALL_HOB,
+    SMALL_SINK,
     UNIT_DEPTH,
     WORKTOP,
     Unit,
     fill,
     hang_above,
     sequence,
+    widest_hob,
 )
 from scenewright.geometry.boxes import common_area, make_frame
 
@@ -85,7 +86,7 @@ def cook_and_wash(length: float) -> list[Unit]:
 
 def cook(length: float) -> list[Unit]:
     """A hob with 0.3 m of worktop behind it and the rest before it, in ``length`` metres."""
-    wide = next((w for w in (0.6, 0.45) if length >= w + 3 * BEYOND - 1e-9), SMALL_HOB)
+    wide = widest_hob(length - 3 * BEYOND)
     rest = length - wide
     beyond = 2 * BEYOND if rest >= 4 * BEYOND else min(BEYOND, rest / 2)
     if 0.6 + AMPLY_BEYOND - 1e-9 <= rest < 4 * BEYOND:
@@ -95,7 +96,8 @@ def cook(length: float) -> list[Unit]:
 
 def wash(length: float) -> list[Unit]:
     """A sink and worktop behind it, with a dishwasher if ``length`` metres hold one."""
-    wide = next((w for w in (0.8, 0.6, 0.45) if length >= w + 0.6 - 1e-9), min(length, 0.6))
+    short = SMALL_SINK if length >= SMALL_SINK + BEYOND - 1e-9 else length
+    wide = next((w for w in (0.8, 0.6, SMALL_SINK) if length >= w + 0.6 - 1e-9), short)
     rest = length - wide
     washer: list[Unit] = [("dishwasher", 0.6)] if rest >= 0.9 else []
     return [("sink_cabinet", wide), *washer, *fill(rest - width_of(washer))]
@@ -150,8 +152,9 @@ def list_solid(kitchen: FittedKitchen) -> list[Box]:
 
 
 def list_fronts(kitchen: FittedKitchen, depth: float) -> list[Box]:
-    """The floor before each unit from which it is used, so many metres deep."""
-    found = [place(wall, 0.0, CORNER, depth, CORNER) for wall in kitchen.corners]
+    """The floor before each unit from which it is used, so many metres deep; a corner cabinet is
+    used from that of its neighbours."""
+    found: list[Box] = []
     for line in kitchen.lines:
         at = line.start
         for category, wide in line.units:

@@ -17,6 +17,7 @@ BEYOND = 0.3  # worktop between a hob and the end of its run, metres
 AMPLY_BEYOND = 0.35  # the same where it fits: one stands before it in a corner, metres
 BETWEEN = 0.6  # worktop between sink and hob, metres
 SMALL_SINK, SMALL_HOB = 0.45, 0.3  # the usual small ones, metres
+HOBS = (0.6, 0.45, SMALL_HOB)  # of four rings, three and two, metres
 LEAST_SINK = 0.4  # the narrowest, where that leaves 0.6 m of worktop, metres
 Unit = tuple[str, float]
 
@@ -94,8 +95,9 @@ def sequence(length: float) -> list[Unit]:
     """Units of a run of the given length from the fridge on: worktop, sink, worktop, hob, worktop.
 
     Kitchen planners ask for 0.6 m of worktop between sink and hob and 0.3 m beyond the hob. A run
-    shorter than 2.4 m keeps them by a sink of 0.45 m and a hob of two rings; one under 1.65 m keeps
-    0.3 m on both sides of the hob, one under 1.35 m what there is between the two.
+    shorter than 2.4 m keeps them by a narrower sink, one shorter than 1.9 m by a hob of three or
+    two rings; one under 1.6 m keeps 0.3 m on both sides of the hob, one under 1.35 m what there is
+    between the two.
     """
     if length < 2.4:
         return _short_sequence(length)
@@ -118,20 +120,28 @@ def sequence(length: float) -> list[Unit]:
 
 def _short_sequence(length: float) -> list[Unit]:
     """Sink and hob as wide as the worktop beside the hob allows."""
-    slim = LEAST_SINK + SMALL_HOB + BETWEEN + BEYOND
-    small = LEAST_SINK if slim - 1e-9 <= length < slim + 0.05 - 1e-9 else SMALL_SINK
-    least = small + SMALL_HOB
-    if length < least + BEYOND - 1e-9:
+    small = SMALL_SINK + SMALL_HOB
+    if length < small + BEYOND - 1e-9:
         return [("sink_cabinet", length / 2), ("hob_cabinet", length / 2)]
-    beyond = BEYOND if length >= least + 2 * BEYOND - 1e-9 else 0.0
-    between = min(BETWEEN, length - least - beyond)
-    spare = length - least - beyond - between
+    hob = widest_hob(length - LEAST_SINK - BETWEEN - BEYOND)
+    spare = length - hob - BETWEEN - BEYOND
+    sink = min(spare, SMALL_SINK) if spare >= LEAST_SINK - 1e-9 else SMALL_SINK
+    beyond = BEYOND if length >= small + 2 * BEYOND - 1e-9 else 0.0
+    spare = max(spare - sink, 0.0)
     if spare >= AMPLY_BEYOND - BEYOND - 1e-9:
         beyond, spare = AMPLY_BEYOND, spare - (AMPLY_BEYOND - BEYOND)
-    sink = small + min(spare, 0.6 - small)
-    hob = SMALL_HOB + min(spare - (sink - small), 0.6 - SMALL_HOB)
+    sink += min(spare, 0.6 - sink)
     run = [("sink_cabinet", sink), *fill(length - sink - hob - beyond), ("hob_cabinet", hob)]
     return [*run, *fill(beyond)]
+
+
+def widest_hob(length: float) -> float:
+    """The width of the hob with most rings in so many metres, that of two where none fits.
+
+    >>> widest_hob(0.7), widest_hob(0.5), widest_hob(0.2)
+    (0.6, 0.45, 0.3)
+    """
+    return next((wide for wide in HOBS if wide <= length + 1e-9), SMALL_HOB)
 
 
 def _beyond(rest: float) -> float:

@@ -27,6 +27,7 @@ from scenewright.domains.home.groups.kitchen import (
     SMALL_SINK,
     Unit,
     fill,
+    widest_hob,
 )
 
 LEAST_OF_ARM = {"hs": 1.05, "h": 0.6, "s": 0.45}
@@ -70,11 +71,13 @@ def _arms(spare: float, holds: str, cold: bool, most: float) -> Iterator[Units]:
     fridge: Units = (("fridge", FRIDGE.width),) if cold else ()
     spare -= width_of(fridge)
     if not holds and spare > -HAIR:
-        yield fridge
+        side = floor_length(min(spare, most))
+        yield (*(fill(side) if side >= BEYOND else ()), *fridge)
     elif holds:
         least = LEAST_OF_ARM[holds]
         full = floor_length(min(spare, max(most, least)))
-        for length in [full] * (full >= least) + [least] * (full >= least + 0.3):
+        wider = least + (0.3 if full >= least + 0.6 else 0.0)
+        for length in [full] * (full >= least) + [wider] * (full >= least + 0.3):
             yield (*_units_of_arm(holds, length), *fridge)
 
 
@@ -82,7 +85,7 @@ def _units_of_arm(holds: str, length: float) -> Units:
     """Units from a corner cabinet on, whose worktop is one side of a hob next to it."""
     if holds == "s":
         return tuple(wash(length))
-    wide = next((w for w in (0.6, 0.45) if length >= w + 2 * BEYOND + len(holds) * 0.3), SMALL_HOB)
+    wide = widest_hob(length - LEAST_OF_ARM[holds] + SMALL_HOB)
     rest: list[Unit] = fill(min(AMPLY_BEYOND, length - wide))
     if holds == "hs":
         sink = 0.6 if length - wide >= 0.6 + BETWEEN else SMALL_SINK

@@ -11,11 +11,12 @@ from scenewright.domains.home.composing.case_faults import (
     ACROSS,
     AMPLE,
     BESIDE,
+    FOUR_RINGS,
     LEG,
     TOUCH,
     WORKTOP,
 )
-from scenewright.domains.home.composing.forms import WHOLE_FROM
+from scenewright.domains.home.composing.forms import RINGS_FROM, WHOLE_FROM
 from scenewright.domains.home.composing.modest import CORNER_RUN, EXPECTED
 from scenewright.domains.home.groups.fitted_kitchen import (
     BACK,
@@ -36,13 +37,15 @@ STATIONS = {"sink_cabinet": 0, "hob_cabinet": 1, "fridge": 2, LOW: 2}
 
 class LineFacts(NamedTuple):
     """Metres of worktop of a line: the longest piece, on either side of the hob, and between hob
-    and sink (infinite where the line has none), and on the better side of the sink (``rinsed``)."""
+    and sink (infinite where the line has none), on the better side of the sink (``rinsed``); and
+    the width of its hob."""
 
     longest: float
     before: float
     after: float
     between: float
     rinsed: float
+    hob: float
 
 
 def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -> float:
@@ -59,10 +62,11 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
         (costs.hob_at_end, 1.0 - beside / BESIDE),
         (costs.hob_at_sink, 1.0 - cooks.between / BESIDE),
     ]
+    if area >= RINGS_FROM:
+        found.append((costs.few_rings, 1.0 - cooks.hob / FOUR_RINGS))
     if area >= WHOLE_FROM:
         rinsed = BESIDE if kitchen.corners else max(f.rinsed for f in facts)
         found += [
-            (costs.triangle, _off_triangle(kitchen)),
             (costs.sink_alone, 1.0 - rinsed / BESIDE),
             (costs.fridge_alone, float(_has_lone_fridge(kitchen))),
             (costs.split, float(_is_split(kitchen))),
@@ -73,6 +77,8 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
     least = max((metres for start, metres in rows if area >= start), default=0.0)
     short = max(0.0, 1.0 - fronts / least) if least else 0.0
     faults = sum(cost * (1.0 + degree) / 2 for cost, degree in found if degree > 1e-6)
+    if area >= WHOLE_FROM:
+        faults += costs.triangle * _off_triangle(kitchen)
     return faults + costs.short_run * short
 
 
@@ -84,14 +90,13 @@ def _facts_of(units: tuple[Unit, ...]) -> LineFacts:
         rinsed = max(_worktop(units[:sink][::-1]), _worktop(units[sink + 1 :]))
     longest = max(_worktop(units[i:]) for i in range(len(units)))
     if "hob_cabinet" not in names:
-        return LineFacts(longest, inf, inf, inf, rinsed)
+        return LineFacts(longest, inf, inf, inf, rinsed, inf)
     hob, between = names.index("hob_cabinet"), inf
     if "sink_cabinet" in names:
         ends = sorted((hob, names.index("sink_cabinet")))
         between = sum(w for _, w in units[ends[0] + 1 : ends[1]])
-    return LineFacts(
-        longest, _worktop(units[:hob][::-1]), _worktop(units[hob + 1 :]), between, rinsed
-    )
+    sides = _worktop(units[:hob][::-1]), _worktop(units[hob + 1 :])
+    return LineFacts(longest, *sides, between, rinsed, units[hob][1])
 
 
 def _worktop(units: tuple[Unit, ...]) -> float:

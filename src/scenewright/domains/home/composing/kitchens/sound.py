@@ -5,13 +5,21 @@ from __future__ import annotations
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 
+COOKING = ("kitchen",)
+"""What a room is for that is a kitchen and nothing else."""
 SHORT = 0.2
 """The share by which a sound kitchen may be shorter than its room asks."""
 
 
+def is_mere_kitchen(task: RoomTask) -> bool:
+    """Whether a room is a kitchen and nothing else."""
+    return task.space.functions == COOKING
+
+
 def is_sound(task: RoomTask, run: FurnishedGroup) -> bool:
-    """Whether nothing is wrong with a kitchen but that sink, hob and fridge are off a work
-    triangle: then another make-up would rather take them apart."""
+    """Whether nothing is wrong with a kitchen; where there is more in its room, sink, hob and
+    fridge may be off a work triangle: another make-up would rather take them apart."""
     rule = task.preset.settings.composing
-    whole = rule._replace(costs=rule.costs._replace(triangle=0.0))
-    return cost_of_group(run, task.ground, whole) <= SHORT * rule.costs.short_run
+    if not is_mere_kitchen(task):
+        rule = rule._replace(costs=rule.costs._replace(triangle=0.0))
+    return cost_of_group(run, task.ground, rule) <= SHORT * rule.costs.short_run
