@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from scenewright.building.ceiling import lowest
 from scenewright.core.catalog import Catalog, Group
+from scenewright.core.same import Same
 from scenewright.domains.home.furnishing.furnish import SLACK, needed_of, world
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import RAISED
@@ -49,7 +50,13 @@ class WallRows(NamedTuple):
 
 
 def read_walls(ground: Ground) -> WallRows:
-    """The walls of a ground."""
+    """The walls of a ground, of the same one read once."""
+    return _read_walls(Same(ground))
+
+
+@lru_cache(maxsize=64)
+def _read_walls(same: Same[Ground]) -> WallRows:
+    ground = same.value
     start, way = ground.walls[:, :2], ground.walls[:, 2:] - ground.walls[:, :2]
     length = np.hypot(way[:, 0], way[:, 1])
     unit = way / np.maximum(length, TINY)[:, None]

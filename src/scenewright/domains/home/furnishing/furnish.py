@@ -94,7 +94,7 @@ def furnish_patch(
         drawn = _drawn_in(case, box, ground)
         tried = _try(function, case, drawn, ground, standing, catalog, height)
         if outlets and isinstance(tried, FurnishedPatch):
-            boxes = world(case.members, drawn, catalog)[0]
+            boxes = lay_case(case, drawn, catalog)[0]
             tried = tried._replace(far=out_of_reach(case.members, boxes, outlets))
         if isinstance(tried, Refused):
             reason = tried
@@ -159,7 +159,7 @@ def _try(
         return Refused("its closed end would face open floor")
     if GROUPS[function].back == 1 and not is_backed(box, ground.walls, OPEN):
         return Refused("no free wall to stand against")
-    boxes, spans, flat = world(case.members, box, catalog)
+    boxes, spans, flat = lay_case(case, box, catalog)
     codes, offenders = faults(
         boxes,
         spans,
@@ -172,7 +172,9 @@ def _try(
         SLACK,
     )
     codes = too_tall(boxes, spans, ground, height, codes)
-    stands = _find_supported(case.members, codes == 0, boxes, ground, catalog)
+    stands = _find_supported(case, (codes == 0).tolist(), boxes, ground, catalog)
+    if all(stands):
+        return FurnishedPatch(case, box, stands, 0)
     essential = essential_of(case)
     for i, member in enumerate(case.members):
         if member.category in essential and not stands[i]:
@@ -236,10 +238,22 @@ def world(
     """Members of a group on a box as boxes ``(m, 5)``, underside and top ``(m, 2)``, and which
     are flat: the latter two are those of all boxes, and not to be written to."""
     local, spans, flat = _laid(members, catalog)
-    boxes = np.empty_like(local)
-    x, y, heading = box[:3].tolist()
+    return _as_placed(local, box), spans, flat
+
+
+def lay_case(
+    case: Group, box: Floats, catalog: Catalog
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """:func:`world` of all members of a case."""
+    local, spans, flat = _laid_case(case, catalog)
+    return _as_placed(local, box), spans, flat
+
+
+def _as_placed(local: Floats, box: Floats) -> Floats:
+    """Boxes (m, 5) of a group's frame as they stand on the box (5,) of the group."""
+    boxes, (x, y, heading) = np.empty_like(local), box[:3].tolist()
     place_boxes(local, x, y, heading, np.cos(box[2]), np.sin(box[2]), boxes)
-    return boxes, spans, flat
+    return boxes
 
 
 @compiled
@@ -266,30 +280,41 @@ def _laid(
     return local, spans, np.array([catalog.kinds[m.category].flat for m in members])
 
 
+@lru_cache(maxsize=4096)
+def _laid_case(case: Group, catalog: Catalog) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """The same of all members of a case: its own hash is quicker than theirs."""
+    return _laid(case.members, catalog)
+
+
 def _find_supported(
-    members: tuple[Member, ...],
-    fits: NDArray[np.bool_],
-    boxes: Floats,
-    ground: Ground,
-    catalog: Catalog,
+    case: Group, fits: list[bool], boxes: Floats, ground: Ground, catalog: Catalog
 ) -> tuple[bool, ...]:
     """Which members stand: those that fit, hang on a wall if they hang, stand on what stands; what
     hangs above another only where that one stands."""
     stands: list[bool] = []
-    under = _below(members)
-    for i, member in enumerate(members):
-        held = bool(fits[i])
-        if held and member.on < 0 and catalog.kinds[member.category].support == "wall":
+    held_by = _held_by(case, catalog)
+    for i, (on, hangs, _) in enumerate(held_by):
+        held = fits[i]
+        if held and hangs:
             held = bool(is_backed(boxes[i], ground.walls, BACKED))
-        if held and member.on >= 0:
-            held = stands[member.on]
+        if held and on >= 0:
+            held = stands[on]
         stands.append(held)
-    return tuple(held and (under[i] < 0 or stands[under[i]]) for i, held in enumerate(stands))
+    return tuple(
+        held and (under < 0 or stands[under])
+        for held, (_, _, under) in zip(stands, held_by, strict=True)
+    )
 
 
 @lru_cache(maxsize=4096)
-def _below(members: tuple[Member, ...]) -> tuple[int, ...]:
-    return below(members)
+def _held_by(case: Group, catalog: Catalog) -> tuple[tuple[int, bool, int], ...]:
+    """Of each member of a case the number of the one it stands on (-1: none), whether it hangs on
+    a wall by itself, and the number of the one it hangs above."""
+    pairs = zip(case.members, below(case.members), strict=True)
+    return tuple(
+        (m.on, m.on < 0 and catalog.kinds[m.category].support == "wall", under)
+        for m, under in pairs
+    )
 
 
 def why_not(member: Member, code: int, offender: int, standing: StandingObstacles) -> str:
@@ -318,7 +343,7 @@ def pieces_of(
     dressed: FurnishedPatch, space: str, group: str, function: str, catalog: Catalog
 ) -> tuple[Piece, ...]:
     """The standing members as placed pieces, named ``space/group/category``."""
-    boxes = world(dressed.case.members, dressed.box, catalog)[0][:, :3].tolist()
+    boxes = lay_case(dressed.case, dressed.box, catalog)[0][:, :3].tolist()
     shown, names = _choose_models(dressed.case, catalog), _names_of(dressed.case, dressed.stands)
     found = []
     for i, member in enumerate(dressed.case.members):

@@ -121,7 +121,7 @@ def assemble(kitchen: FittedKitchen) -> tuple[Group, Floats]:
         placed += _units_of(line)
     size = Size(CORNER, CORNER, WORKTOP)
     for wall in kitchen.corners:
-        x, y = _at(wall, CORNER / 2, CORNER / 2 + BACK / 2)
+        x, y = point_at(wall, CORNER / 2, CORNER / 2 + BACK / 2)
         placed.append(Member("corner_cabinet", x, y, 0, wall.heading, size))
     members = tuple(_seen_from(member, box) for member in placed)
     whole = any(m.category == "fridge" for m in members)
@@ -176,14 +176,14 @@ def _floor_of(units: tuple[Unit, ...]) -> tuple[float, float]:
 
 def place(wall: KitchenWall, start: float, width: float, depth: float, out: float) -> Box:
     """The box of what is so wide and deep, at a wall from ``start`` on and ``out`` from it."""
-    return (*_at(wall, start + width / 2, out + depth / 2), wall.heading, width, depth)
+    return (*point_at(wall, start + width / 2, out + depth / 2), wall.heading, width, depth)
 
 
 def middle_of(line: UnitLine, name: str) -> tuple[float, float]:
     """Where the middle of a unit of a line would stand, were it as deep as worktop."""
     number = next(k for k, unit in enumerate(line.units) if unit[0] == name)
     at = line.start + width_of(line.units[:number])
-    return place(line.wall, at, line.units[number][1], UNIT_DEPTH, BACK)[:2]
+    return point_at(line.wall, at + line.units[number][1] / 2, BACK + UNIT_DEPTH / 2)
 
 
 def _name(kitchen: FittedKitchen) -> str:
@@ -210,7 +210,7 @@ def _units_of(line: UnitLine) -> list[Member]:
         low = low._replace(category=name)
         above = [] if name == "fridge" else hang_above(category, at + wide / 2, wide, BACK)
         for member in (low, *above):
-            x, y = _at(line.wall, member.x, member.y)
+            x, y = point_at(line.wall, member.x, member.y)
             members.append(member._replace(x=x, y=y, heading=turn))
         at += wide
     return members
@@ -222,7 +222,7 @@ def _size(category: str, wide: float) -> Size:
     return FRIDGE._replace(width=wide) if category == "fridge" else Size(wide, UNIT_DEPTH, WORKTOP)
 
 
-def _at(wall: KitchenWall, along: float, out: float) -> tuple[float, float]:
+def point_at(wall: KitchenWall, along: float, out: float) -> tuple[float, float]:
     """A point so far along a wall and out from it."""
     return (wall.x + wall.ux * along - wall.uy * out, wall.y + wall.uy * along + wall.ux * out)
 

@@ -25,7 +25,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     FittedKitchen,
     UnitLine,
     middle_of,
-    place,
+    point_at,
     width_of,
 )
 from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, Unit
@@ -105,7 +105,7 @@ def _worktop(units: tuple[Unit, ...]) -> float:
 
 
 def _line_of(kitchen: FittedKitchen, name: str) -> UnitLine:
-    return next(line for line in kitchen.lines if name in dict(line.units))
+    return next(line for line in kitchen.lines if any(unit[0] == name for unit in line.units))
 
 
 def _has_lone_fridge(kitchen: FittedKitchen) -> bool:
@@ -139,7 +139,7 @@ def _off_triangle(kitchen: FittedKitchen) -> float:
         for name, wide in line.units:
             if name in STATIONS:
                 deep = FRIDGE.depth if name == "fridge" else UNIT_DEPTH
-                places[STATIONS[name]] = place(line.wall, at, wide, deep, BACK)[:2]
+                places[STATIONS[name]] = point_at(line.wall, at + wide / 2, BACK + deep / 2)
                 lines[STATIONS[name]] = line
             at += wide
     legs = [hypot(a[0] - b[0], a[1] - b[1]) for a, b in combinations(places.values(), 2)]
