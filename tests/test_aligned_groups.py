@@ -18,6 +18,8 @@ from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.axis import slide_to_axis
+from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
+from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
 from scenewright.domains.home.composing.forms import list_further
 from scenewright.domains.home.composing.judging import judge_of
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
@@ -29,6 +31,7 @@ from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.settings import CompositionCosts
 from scenewright.domains.home.solving import prepare_rooms, solve
+from scenewright.geometry.fit import is_backed
 
 COSTS = CompositionCosts()
 
@@ -118,6 +121,28 @@ def test_shelves_of_one_wall_close_up_to_the_corner():
     shelves = sorted(g.dressed.box[0] for g in close_gaps(task, answer, frozenset()).placed)
     assert shelves[1] - shelves[0] == pytest.approx(case.width, abs=0.03)
     assert shelves[0] == pytest.approx(case.width / 2, abs=0.03)
+
+
+def test_walls_round_a_wide_empty_floor_take_a_sideboard_and_a_shelf():
+    task = _task("living", 6.5, 4.5)
+    answer = RoomAnswer(0.0, (), (), (), None, 0.0, 0)
+    more = furnish_bare_walls(task, answer, frozenset()).placed
+    assert [g.wish.group for g in more][:2] == ["sideboard", "shelf"]
+    assert all(is_backed(g.dressed.box, task.ground.walls, 0.05) for g in more)
+    small = _task("living", 4.0, 3.0)
+    assert furnish_bare_walls(small, answer, frozenset()).placed == ()
+
+
+@pytest.mark.parametrize(("wide", "chairs"), [(6.5, 2), (4.0, 1)], ids=["large", "small"])
+def test_two_armchairs_stand_in_a_large_bare_room_where_one_did(wide, chairs):
+    task = _task("living", wide, 4.5)
+    one = next(c for c in cases("reading").groups if len(c.members) == 2)
+    lone = _stand(task, one, wide - one.width / 2, one.depth / 2, pi / 2)
+    lone = lone._replace(wish=lone.wish._replace(rank=2))
+    answer = RoomAnswer(0.0, (lone,), (), (), None, 0.0, 0)
+    held = furnish_bare_floor(task, answer, frozenset()).placed
+    first = next(g for g in held if g.wish == lone.wish)
+    assert sum(p.category == "armchair" for p in first.pieces) == chairs
 
 
 BALCONIES = {

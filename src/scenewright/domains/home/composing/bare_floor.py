@@ -44,6 +44,7 @@ Floats = NDArray[np.float64]
 LARGE = 14.0  # rooms of so many square metres have a second zone
 BARE = 1.0  # an empty circle of so many metres of radius is bare
 LESS = 0.1  # by so many metres a group is to make it smaller
+TWO = 24.0  # from so many square metres on two armchairs stand where one stood by itself
 ZONES = 3  # groups that are added to a room at most
 TWICE = 2  # of one kind a room has at most so many
 TRIED = 16  # places of one form that are furnished
@@ -76,15 +77,14 @@ ZONED: dict[str, Zones] = {
 
 def furnish_bare_floor(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
     """The answer with further groups in the bare part of a large room that is left to us."""
-    listed = task.asked is not None and task.asked.ask is not None
-    if task.ground.area < LARGE or listed or task.welcome is not None:
+    if task.ground.area < LARGE or not is_left_to_us(task):
         return answer
-    added = 0
+    answer, added = _seat_two(task, answer, barred), 0
     for group, forms in next((ZONED[f] for f in task.space.functions if f in ZONED), ()):
         there = sum(p.wish.group == group for p in answer.placed)
         if there >= TWICE or group in task.elsewhere or task.cancelled():
             continue
-        void = find_void(task, _pieces_of(task, answer.placed))
+        void = find_void(task, pieces_of(task, answer.placed))
         if void.radius < BARE or added == ZONES:
             break
         more = _add(task, answer.placed, group, forms(), void, barred)
@@ -93,7 +93,32 @@ def furnish_bare_floor(task: RoomTask, answer: RoomAnswer, barred: frozenset[str
     return answer
 
 
-def _pieces_of(task: RoomTask, placed: Placed) -> tuple[Piece, ...]:
+def _seat_two(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
+    """The answer with two armchairs where one stands by itself in what is bare without it."""
+    lone = next((p for p in answer.placed if p.wish.group == "reading" and _is_lone(p)), None)
+    small = task.ground.area < TWO or "living" not in task.space.functions
+    if lone is None or small or lone.wish.required:
+        return answer
+    rest = tuple(p for p in answer.placed if p is not lone)
+    void = find_void(task, pieces_of(task, rest))
+    if void.radius < BARE:
+        return answer
+    two = _add(task, rest, "reading", talking(), void, barred)
+    return answer._replace(placed=(*rest, two._replace(wish=lone.wish))) if two else answer
+
+
+def _is_lone(group: FurnishedGroup) -> bool:
+    return sum(piece.category == "armchair" for piece in group.pieces) == 1
+
+
+def is_left_to_us(task: RoomTask) -> bool:
+    """Whether nobody listed what a room is to hold, nor learned what is welcome there."""
+    listed = task.asked is not None and task.asked.ask is not None
+    return not listed and task.welcome is None
+
+
+def pieces_of(task: RoomTask, placed: Placed) -> tuple[Piece, ...]:
+    """All that stands in a room or reaches into it."""
     return (*task.fixed, *task.beside, *(piece for group in placed for piece in group.pieces))
 
 
@@ -123,7 +148,7 @@ def _list_smaller(
 ) -> Iterator[tuple[float, int, FurnishedGroup]]:
     """A group at the places that make an empty circle smaller, each after the radius that is left,
     more amid the room, and its number in order of cost."""
-    pieces = _pieces_of(task, placed)
+    pieces = pieces_of(task, placed)
     floor = free_floor(task, pieces)
     for number, added in enumerate(_list_added(task, placed, group, void)):
         box = added.dressed.box
@@ -139,9 +164,9 @@ def _list_added(
 ) -> Iterator[FurnishedGroup]:
     """A group in its form at the places in an empty circle at which the room costs least and has no
     further fault."""
-    case, standing = group.dressed.case, standing_of(_pieces_of(task, placed), _flat(task))
+    case, standing = group.dressed.case, standing_of(pieces_of(task, placed), _flat(task))
     faults, found = sum_faults(task, placed), 0
-    for box in _order(task, (*placed, group), _list_boxes(task, group, standing, void)):
+    for box in order_boxes(task, (*placed, group), _list_boxes(task, group, standing, void)):
         added = dress_group(task, group, case, box, standing)
         if added is not None and sum_faults(task, (*placed, added)) <= faults:
             yield added
@@ -175,7 +200,7 @@ def _step_before(task: RoomTask, case: Group, standing: StandingObstacles) -> Fl
     return boxes[stand_free(boxes, case, members, task.ground, standing, task.catalog, height)]
 
 
-def _order(task: RoomTask, whole: Placed, boxes: Floats) -> Floats:
+def order_boxes(task: RoomTask, whole: Placed, boxes: Floats) -> Floats:
     """The boxes (n, 5) for the last group, where the room costs least first."""
     if not len(boxes):
         return boxes

@@ -15,6 +15,7 @@ from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.axis import slide_to_axis
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
+from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
 from scenewright.domains.home.composing.bed_places import move_double_bed
 from scenewright.domains.home.composing.beds import restore_double_bed
 from scenewright.domains.home.composing.clothes import hang_in_closet, list_hung
@@ -86,7 +87,8 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     before = before._replace(placed=best.placed, missing=(*before.missing, *gone))
     better = add_groups(task, before, barred)
     better = add_island(task, better, barred)
-    better = close_gaps(task, furnish_bare_floor(task, better, barred), barred)
+    better = furnish_bare_walls(task, furnish_bare_floor(task, better, barred), barred)
+    better = close_gaps(task, better, barred)
     return (
         better if count_unmet(task, better.placed) <= count_unmet(task, answer.placed) else answer
     )

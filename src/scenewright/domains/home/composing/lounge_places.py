@@ -17,6 +17,7 @@ from scenewright.domains.home.composing.case_faults import MANY, count_seats, is
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
 from scenewright.domains.home.composing.moving import dress_group, find_places
+from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import RAISED
@@ -33,15 +34,24 @@ STANDS, HUNG, SCREENS, SEATS = 4, 1, 6, 10
 tried."""
 SEATED = 8  # places of the seats before one place of a screen
 HAIR = 1e-9
+TWO, SMALL, BLIND = 2, 4, 22.0
+"""Seats that are enough where those of the room see nothing of the screen, how many of the smallest
+forms are tried there, and what that costs."""
 UNLIKE = 0.15  # forms that differ by more than this in width or depth are unlike, metres
 
 
 def list_lounges(judge: RoomJudge, pair: Placed) -> Iterator[JudgedRoom]:
-    """Screen and seats by themselves, the cheapest first, or the seats before a fireplace."""
+    """Screen and seats by themselves, the cheapest first, or the seats before a fireplace; seats
+    that see nothing of the screen may be fewer elsewhere."""
     task, seating = judge.task, pair[-1]
-    least = min(count_seats(seating.dressed.case), MANY)
+    blind = cost_of_view(pair, task.preset.settings.composing.costs) > BLIND
+    least = min(count_seats(seating.dressed.case), TWO if blind else MANY)
     known = (form for form in list_forms(task, seating) if count_seats(form) >= least)
-    seats = list(islice(_pick_unlike(known, UNLIKE), SEATS))
+    seats = list(_pick_unlike(known, UNLIKE))
+    if blind:
+        small = sorted(seats[SEATS - SMALL :], key=lambda form: form.width * form.depth)
+        seats[SEATS - SMALL :] = small
+    seats = seats[:SEATS]
     found = [
         judged
         for screen, spot in _list_spots(task, pair[:-1])

@@ -34,8 +34,9 @@ Floats = NDArray[np.float64]
 
 LEAST = 9.0  # rooms of so many square metres have seats and screen placed together
 WALKED = 60  # pairs of places that are walked past
-MOVED, KITCHEN = 6.0, 60.0
-"""What a pair of places costs for each group it is in the way of, and for a kitchen."""
+MOVED, ESSENTIAL, KITCHEN = 6.0, 25.0, 60.0
+"""What a pair of places costs for each group it is in the way of, one the room fails without, and a
+kitchen."""
 ONE_WAY = 2  # of pairs with the screen at one place so many are followed
 APART = 0.8  # nearer places of a screen are one, metres
 
@@ -90,7 +91,8 @@ def _price_moved(starts: Sequence[JudgedRoom], rest: Sequence[FurnishedGroup]) -
     boxes = np.array([[p.dressed.box for p in start.placed] for start in starts])
     for group in rest:
         meet = do_overlap(boxes.reshape(-1, 5), _floor_of(group)).any(axis=1)
-        price = KITCHEN if group.wish.group in RUNS else MOVED
+        price = ESSENTIAL if group.wish.rank == 0 else MOVED
+        price = KITCHEN if group.wish.group in RUNS else price
         total[meet.reshape(len(starts), -1).any(axis=1)] += price
     return total
 

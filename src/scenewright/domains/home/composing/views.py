@@ -57,6 +57,8 @@ def cost_of_view(groups: Sequence[FurnishedGroup], costs: CompositionCosts) -> f
         return 0.0
     off = min(measure_turn(sofa.pose, screen.pose) for sofa in sofas)
     degree = min((off - ASIDE) / (AWAY - ASIDE), 1.0)
+    if degree == 1.0:  # it sees nothing, wherever the screen is
+        return costs.view + costs.axis + costs.between + MOST * costs.distance
     turned = costs.view * (1.0 + degree) / 2 if degree > 0.0 else 0.0
     (x, y, _, turn), away = sofas[0].pose, _measure_distance(sofas[0].pose, screen.pose)
     aside = abs((screen.pose.x - x) * sin(turn) - (screen.pose.y - y) * cos(turn))

@@ -43,8 +43,13 @@ def find_void(task: RoomTask, pieces: tuple[Piece, ...]) -> Void:
 
 
 def find_circle(floor: shapely.Geometry) -> Void:
-    """The largest circle on a floor, within :data:`EXACT`."""
-    circle = shapely.maximum_inscribed_circle(floor, tolerance=EXACT)
+    """The largest circle on a floor, within :data:`EXACT`; of radius 0 where none is left."""
+    parts = shapely.get_parts(floor)
+    polygons = parts[shapely.area(parts) > 0.0]
+    if not len(polygons):
+        return Void(0.0, 0.0, 0.0)
+    whole = shapely.multipolygons(polygons)
+    circle = shapely.maximum_inscribed_circle(whole, tolerance=EXACT)
     x, y = circle.coords[0]
     return Void(x, y, float(circle.length))
 
@@ -54,6 +59,11 @@ def free_floor(task: RoomTask, pieces: tuple[Piece, ...]) -> shapely.Geometry:
     zones = [_outline(box) for box in (*task.ground.keep_free, *_list_sights(pieces))]
     taken = shapely.union_all([*polygons_of(_list_low(task, pieces)), *zones])
     return _floor_of(task).difference(taken)
+
+
+def open_floor(task: RoomTask, pieces: tuple[Piece, ...]) -> shapely.Geometry:
+    """The floor of a room clear of what stands, before doors and screens as well."""
+    return _floor_of(task).difference(shapely.union_all(polygons_of(_list_low(task, pieces))))
 
 
 def free_beside(

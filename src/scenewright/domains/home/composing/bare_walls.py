@@ -1,0 +1,83 @@
+"""Walls beside what is bare of a large living room, also before its doors: a sideboard, a
+shelf, where no second zone has a place (:mod:`.bare_floor`)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.bare_floor import (
+    LARGE,
+    NOWHERE,
+    is_left_to_us,
+    order_boxes,
+    pieces_of,
+)
+from scenewright.domains.home.composing.judging import Placed, sum_faults
+from scenewright.domains.home.composing.moving import (
+    dress_group,
+    find_places,
+    make_unplaced,
+    with_margin,
+)
+from scenewright.domains.home.composing.voids import Void, find_circle, open_floor
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+from scenewright.domains.home.programme import WELCOME, Wish
+
+Floats = NDArray[np.float64]
+
+WIDE = 1.2  # an empty circle of so many metres of radius is bare, doors or not
+BESIDE = 0.6  # what stands so near to its edge stands at it, metres
+ADDED = (("sideboard", 1), ("shelf", 2))
+"""What is added, in this order, and how many of it a room has at most."""
+FORMS, PLACES, EACH = 3, 4, 5
+"""Forms that are tried of each, and places of a form: of those in a row one in so many."""
+
+
+def furnish_bare_walls(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
+    """The answer with low and high pieces at the walls round the widest empty floor."""
+    if task.ground.area < LARGE or "living" not in task.space.functions or not is_left_to_us(task):
+        return answer
+    for group, most in ADDED:
+        there = sum(p.wish.group == group for p in answer.placed)
+        if there >= most or group in task.elsewhere or task.cancelled():
+            continue
+        void = find_circle(open_floor(task, pieces_of(task, answer.placed)))
+        if void.radius < WIDE:
+            break
+        more = next(_list_beside(task, answer.placed, group, void, barred), None)
+        if more is not None:
+            answer = answer._replace(placed=(*answer.placed, more))
+    return answer
+
+
+def _list_beside(
+    task: RoomTask, placed: Placed, name: str, void: Void, barred: frozenset[str]
+) -> Iterator[FurnishedGroup]:
+    """A group in some of its forms at the walls round an empty circle, where it bars no way and the
+    room has no further fault: the widest first, each where the room costs least."""
+    forms = sorted(cases(name, task.library).groups, key=lambda form: -form.width)
+    standing = standing_of(pieces_of(task, placed), flat_kinds(task.catalog))
+    faults, margin = sum_faults(task, placed), with_margin(task)
+    for case in forms[:: max(len(forms) // FORMS, 1)]:
+        group = make_unplaced(task, placed, Wish(name, WELCOME), case)
+        for box in _list_boxes(task, (*placed, group), standing, void):
+            added = dress_group(task, group, case, box, standing)
+            whole = (*placed, *((added,) if added else ()))
+            if added is None or sum_faults(task, whole) > faults:
+                continue
+            if barred.issuperset(find_blocked(margin, whole)):
+                yield added
+
+
+def _list_boxes(task: RoomTask, whole: Placed, standing: StandingObstacles, void: Void) -> Floats:
+    """Some boxes (n, 5) at the walls round an empty circle for the last group."""
+    group = whole[-1]
+    rows = [boxes for _, boxes in find_places(task, (group.dressed.case,), standing, group)]
+    boxes = np.concatenate([NOWHERE, *rows])
+    near = np.hypot(boxes[:, 0] - void.x, boxes[:, 1] - void.y) < void.radius + BESIDE
+    return order_boxes(task, whole, boxes[near])[: PLACES * EACH : EACH]
