@@ -114,3 +114,24 @@ def test_chairs_for_which_no_desk_is_left_are_named() -> None:
     assert lacking > 0
     assert len(of(found, "office_chair")) == len(of(found, "desk"))
     assert f"{lacking} of 60 office chair" in {row.what for row in found.left_out}
+
+
+@pytest.mark.parametrize("seed", [0, 2])
+def test_chairs_are_shared_by_tables_of_several_kinds(seed: int) -> None:
+    tables = [{"category": kind, "count": 3} for kind in ("round_table", "dining_table")]
+    found = scenewright.solve(
+        seminar(*tables, {"category": "dining_chair", "count": 24}), seed=seed, steps=3000
+    )
+    chairs = of(found, "dining_chair")
+    at = [sum(chair.id.startswith(f"{table.id}/") for chair in chairs) for table in found.pieces]
+    assert sorted(count for count in at if count) == [4] * 6
+    assert scenewright.check(found).valid
+    assert not found.left_out
+
+
+def test_a_hall_nobody_can_enter_is_noted() -> None:
+    brief = seminar(DESKS)
+    shut = brief.model_copy(update={"rooms": [brief.rooms[0].model_copy(update={"doors": []})]})
+    for one, noted in ((brief, False), (shut, True)):
+        notes = scenewright.check(scenewright.solve(one, steps=500)).notes
+        assert any("nobody can enter it" in str(note) for note in notes) is noted

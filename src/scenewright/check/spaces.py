@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -45,21 +46,23 @@ def lived_in(functions: tuple[str, ...], shape: Shape) -> bool:
     return bool(shape.area >= least.area) and inscribed_width(shape) >= least.width
 
 
-def find_doorless(bodies: Bodies, rooms: Rooms) -> list[Note]:
+def find_doorless(bodies: Bodies, rooms: Rooms, visited: Collection[str] = ()) -> list[Note]:
     """A note for each room of usable size that no door or passage joins to anything.
 
     Rooms of function ``other`` (shafts, voids) and balconies, often stepped onto through a
-    window, are left out, and those reached by a staircase in them.
+    window, are left out, and those reached by a staircase in them, but for the spaces ``visited``
+    whatever their functions.
     """
     stairs = with_stairs(bodies, rooms)
     notes = []
     for space, shape in zip(rooms.spaces, rooms.shapes, strict=True):
         joined = any(opening.kind != "window" for opening in space.openings)
-        if joined or space.id in stairs or not lived_in(space.functions, shape):
+        used = space.id in visited or lived_in(space.functions, shape)
+        if joined or space.id in stairs or not used:
             continue
-        functions = ", ".join(space.functions)
-        text = f"{space.id} ({functions}, {shape.area:.1f} m²) has no door: nobody can enter it"
-        notes.append(Note(space.id, space.functions[0], "a door", text))
+        functions = "".join(f"{name}, " for name in space.functions if name != "other")
+        text = f"{space.id} ({functions}{shape.area:.1f} m²) has no door: nobody can enter it"
+        notes.append(Note(space.id, next(iter(space.functions), ""), "a door", text))
     return notes
 
 

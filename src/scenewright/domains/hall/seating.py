@@ -7,9 +7,10 @@ desks stand in rows before it, turned so that who sits at them looks ahead.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from itertools import zip_longest
+from itertools import cycle, pairwise, zip_longest
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.kind import TableChairs
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut
-from scenewright.domains.hall.audience import SHOWS
+from scenewright.domains.hall.audience import MEALS, SHOWS
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.chairs import company_of, places_at, seats_around
 from scenewright.domains.hall.holdings import SEATWAY, HallDemand, with_floor
@@ -32,17 +33,47 @@ REASON = "no desk or table is left for them to stand at"
 
 def join_chairs(wishes: list[HallDemand], catalog: Catalog) -> list[HallDemand]:
     """Demands whose chairs have joined the desks and tables they stand at; chairs beyond the places
-    there stay demands by themselves."""
+    there stay demands by themselves. Where tables of several demands will do, each gets its share
+    by the places it has."""
     joined = {wish.id: wish for wish in wishes}
     for chairs in (wish for wish in wishes if wish.at in joined):
-        table = joined[chairs.at]
-        places = sum(_count_places(table.category, size, catalog) for size in table.sizes)
-        free = places - sum(len(others.sizes) for others in table.seated)
-        seated = chairs._replace(sizes=chairs.sizes[: max(free, 0)])
-        if seated.sizes:
-            joined[table.id] = _with_company(table, seated, wishes, catalog)
-            joined[chairs.id] = chairs._replace(sizes=chairs.sizes[len(seated.sizes) :], at="")
+        tables = [joined[name] for name in _tables_for(chairs, joined)]
+        free = [_count_free(table, catalog) for table in tables]
+        for table, count in zip(tables, _share_chairs(len(chairs.sizes), free), strict=True):
+            left = joined[chairs.id].sizes
+            if count:
+                seated = chairs._replace(sizes=left[:count])
+                joined[table.id] = _with_company(table, seated, wishes, catalog)
+                joined[chairs.id] = chairs._replace(sizes=left[count:], at="")
     return [wish for wish in joined.values() if wish.sizes]
+
+
+def _tables_for(chairs: HallDemand, joined: Mapping[str, HallDemand]) -> list[str]:
+    """The ids of the demands at whose tables chairs stand: that they name, and where it is of
+    tables to eat or read at all others of these in the same zones."""
+    named = joined[chairs.at]
+    others = (w for w in joined.values() if w.category in MEALS and w.zones == named.zones)
+    alike = [w.id for w in others if w.id != named.id and named.category in MEALS]
+    return [named.id, *alike]
+
+
+def _count_free(table: HallDemand, catalog: Catalog) -> int:
+    """Places at the tables of a demand that no chair has taken."""
+    places = sum(_count_places(table.category, size, catalog) for size in table.sizes)
+    return max(places - sum(len(others.sizes) for others in table.seated), 0)
+
+
+def _share_chairs(count: int, free: list[int]) -> list[int]:
+    """How many of ``count`` chairs go to each of some tables with ``free`` places.
+
+    >>> _share_chairs(24, [16, 20]), _share_chairs(9, [4, 4])
+    ([11, 13], [4, 4])
+    """
+    whole = sum(free)
+    count = min(count, whole)
+    upto = [count * sum(free[:k]) // max(whole, 1) for k in range(len(free) + 1)]
+    upto[-1] = count
+    return [after - before for before, after in pairwise(upto)]
 
 
 def _count_places(category: str, size: Size, catalog: Catalog) -> int:
@@ -119,20 +150,47 @@ def seat_chairs(
     catalog: Catalog,
 ) -> tuple[tuple[Piece, ...], tuple[LeftOut, ...]]:
     """The chairs that have joined tables among ``pieces``, shared evenly by them, and those for
-    which none of these is left."""
-    found, missing = list[Piece](), list[LeftOut]()
+    which none of these is left: where tables are lacking the others take their chairs too."""
+    found, taken = list[Piece](), Counter[str]()
+    asked = _count_seated(wishes)
+    spare: list[tuple[HallDemand, list[tuple[Piece, int, Pose]]]] = []
     for table in wishes:
         tables = [piece for piece in pieces if piece.function == table.id]
         places = _places(tables, table, (*pieces, *others), catalog)
         for chairs in table.seated:
-            taken, places = places[: len(chairs.sizes)], places[len(chairs.sizes) :]
-            pairs = zip(chairs.sizes, taken, strict=False)
-            found += [_chair(chairs, Size(*size), *place, catalog) for size, place in pairs]
-            lacking = len(chairs.sizes) - len(taken)
-            if lacking:
-                whole = f"{lacking} of {len(chairs.sizes)} {chairs.name}"
-                missing.append(LeftOut(hall.space.id, whole, REASON, chairs.required))
-    return tuple(found), tuple(missing)
+            mine, places = places[: len(chairs.sizes)], places[len(chairs.sizes) :]
+            found += _chairs_at(chairs, mine, catalog)
+            taken[chairs.id] += len(mine)
+            spare.append((chairs, places))
+    for chairs, places in spare:
+        more = places[: asked[chairs.id] - taken[chairs.id]]
+        found += _chairs_at(chairs, more, catalog)
+        taken[chairs.id] += len(more)
+    kinds = {chairs.id: chairs for table in wishes for chairs in table.seated}
+    lacking = asked - taken
+    return tuple(found), tuple(_report(hall, kinds[k], n, asked[k]) for k, n in lacking.items())
+
+
+def _count_seated(wishes: list[HallDemand]) -> Counter[str]:
+    """How many chairs of each demand have joined tables."""
+    counted = Counter[str]()
+    for chairs in (chairs for table in wishes for chairs in table.seated):
+        counted[chairs.id] += len(chairs.sizes)
+    return counted
+
+
+def _chairs_at(
+    chairs: HallDemand, places: list[tuple[Piece, int, Pose]], catalog: Catalog
+) -> list[Piece]:
+    """Chairs of a demand at some places."""
+    sizes = cycle(chairs.sizes)
+    pairs = zip(sizes, places, strict=False)
+    return [_chair(chairs, Size(*size), *place, catalog) for size, place in pairs]
+
+
+def _report(hall: HallContext, chairs: HallDemand, lacking: int, count: int) -> LeftOut:
+    """That some of the chairs of a demand find no table."""
+    return LeftOut(hall.space.id, f"{lacking} of {count} {chairs.name}", REASON, chairs.required)
 
 
 def _places(

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from scenewright.building.plan import room_ids
 from scenewright.check.plan_notes import note_reading
 from scenewright.check.rooms import count_findings, judge_rooms, walk_rooms
 from scenewright.check.spaces import find_doorless
+from scenewright.core.brief import Room
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.report import Finding, Report
@@ -34,12 +36,17 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
             brief, asked, halls, walked.bodies, walked.grounds, walked.walks, walked.narrow
         )
     findings = (*shared.findings, *faults, *verdict.findings)
-    doorless = find_doorless(walked.bodies, walked.rooms)
+    doorless = find_doorless(walked.bodies, walked.rooms, _find_visited(asked))
     notes = (*note_reading(brief), *doorless, *shared.notes, *verdict.notes)
     figures = {**count_findings(solution.pieces, findings), **shared.figures}
     if halls:
         figures["halls"] = _add_energies(solution, verdict.figures)
     return Report(findings, notes, figures)
+
+
+def _find_visited(asked: Mapping[str, Room]) -> list[str]:
+    """The spaces that hold something for visitors."""
+    return [space for space, room in asked.items() if room.demands]
 
 
 def _add_energies(
