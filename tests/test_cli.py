@@ -74,6 +74,13 @@ def save_brief(**changes: Any) -> str:
         (["arrange", "sample:home-flat", "-o", "home.obj"], ".glb"),
         (["arrange", "sample:home-flat", "-o", "home"], "no suffix"),
         (["arrange", "sample:nowhere"], "sample:home-flat"),
+        (["arrange", "missing"], "missing: there is no such file or folder"),
+        (["arrange", "sample:hall-exhibition", "--accessible"], "--accessible is for homes"),
+        (["arrange", "--batch", "sample:home-flat", "-o", "a.svg"], "give it with -o FOLDER"),
+        (
+            ["arrange", "--batch", "sample:home-flat", "-o", "all", "--format", "pdf"],
+            "--format: '.pdf' files cannot be written",
+        ),
         (["arrange", "missing.json"], "missing.json: there is no such file"),
         (["arrange", "plan.dwg"], "use one of: .json"),
         (["arrange", "."], "is a folder; add --batch"),
@@ -107,6 +114,16 @@ def test_a_bad_brief_is_one_line_and_writes_nothing(text: str, told: str, capsys
     assert "bad.json" in found
     assert told in found
     assert os.listdir() == ["bad.json"]
+
+
+def test_a_brief_is_no_solution_and_is_not_replaced(capsys: Captured) -> None:
+    source = save_brief()
+    text = Path(source).read_text()
+    for verb in ("check", "explain"):
+        assert "is a brief, not a solution; arrange it first" in fault(capsys, verb, source)
+    replaced = fault(capsys, "arrange", "sample:home-room", "-o", source)
+    assert "is a brief and would be replaced; give -o another name" in replaced
+    assert Path(source).read_text() == text
 
 
 def test_version_and_help(capsys: Captured) -> None:

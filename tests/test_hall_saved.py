@@ -143,3 +143,17 @@ def test_an_unknown_solver_is_refused_when_it_is_to_solve(
     path, out = str(damaged(lambda d: d.update(solver="x"))), str(tmp_path / "again.json")
     assert cli.run(["adjust", path, "-o", out, "--again", "hall"]) == 2
     assert "unknown solver 'x'" in capsys.readouterr().err
+
+
+def test_a_piece_moved_out_of_its_hall_is_named(
+    damaged: Callable[[Callable[[Document], object]], Path],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    path, out = damaged(lambda _: None), tmp_path / "moved.json"
+    piece = next(p["id"] for p in json.loads(path.read_text())["pieces"] if "showcase" in p["id"])
+    assert cli.run(["adjust", str(path), "-o", str(out), "--move", f"{piece}=-30,4"]) == 2
+    error = capsys.readouterr().err
+    assert f"moved there, '{piece}' would stand" in error
+    assert "outside the hall" in error
+    assert not out.exists()

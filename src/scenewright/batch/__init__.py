@@ -139,7 +139,6 @@ def _tell(progress: OnResult | None, row: ResultRow, done: int, total: int, befo
 def _check_limits(limits: Limits, options: BatchOptions) -> Limits:
     """Limits and options that can be used; whatever cannot is reported before anything starts."""
     from scenewright import domains
-    from scenewright.formats import writer
 
     for what, value in (("jobs", limits.jobs), ("memory", limits.memory), ("limit", limits.time)):
         if not (isfinite(value) and value > 0):
@@ -151,7 +150,7 @@ def _check_limits(limits: Limits, options: BatchOptions) -> Limits:
             raise InputError(
                 f"'{suffix}' is not a supported format", "give suffixes, such as .json,.glb"
             )
-        writer(f"scene{suffix}")
+        _check_written(suffix)
     _known(
         "preset", options.preset, [n for d in domains.domain_names() for n in domains.presets(d)]
     )
@@ -162,6 +161,15 @@ def _check_limits(limits: Limits, options: BatchOptions) -> Limits:
             [n for d in domains.domain_names() for n in domains.solvers(d)],
         )
     return limits
+
+
+def _check_written(suffix: str) -> None:
+    from scenewright.formats import writer
+
+    try:
+        writer(f"scene{suffix}")
+    except InputError as error:
+        raise InputError(error.fault, error.remedy, file="--format") from None
 
 
 def _known(what: str, name: str, names: Collection[str]) -> None:

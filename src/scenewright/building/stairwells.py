@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scenewright.building.stair_walls import check_walls
 from scenewright.core.brief import Brief
 from scenewright.core.brief.stairs import StairsBrief
 from scenewright.core.errors import InputError
@@ -108,6 +109,7 @@ def with_stairs(
             arrival = height[level] > entered if kind == "head" else height[level] < entered
             ends[room].append(StairEnd(stairs.id, kind, *end, arrival))
             entries[kind] = room
+        check_walls(stairs, entries["foot"], spaces, floors, place)
         for kind, level in (("foot", stairs.level), ("head", stairs.upper)):
             own = np.array([space.level == level for space in spaces])
             most = rise[stairs.id] if kind == "foot" else RAILING

@@ -62,6 +62,14 @@ def check_single(sources: Sequence[str], terms: BatchTerms) -> None:
         raise InputError("--format, --jobs, --memory, --limit are of a batch", "add --batch")
 
 
+def _is_name_of_file(path: Path) -> bool:
+    """Whether there is a file of this name, or no folder and a suffix that can be written."""
+    from scenewright.formats import formats, suffix_of
+
+    written = {row.suffix for row in formats() if row.writer}
+    return path.is_file() or (suffix_of(path) in written and not path.is_dir())
+
+
 def run(
     sources: Sequence[str], request: ArrangeRequest, terms: BatchTerms, as_json: bool, quiet: bool
 ) -> int:
@@ -69,7 +77,7 @@ def run(
     interrupted."""
     from scenewright.batch import MEMORY, TIME, batch
 
-    if len(request.outputs) != 1 or request.outputs[0].is_file():
+    if len(request.outputs) != 1 or _is_name_of_file(request.outputs[0]):
         raise InputError("a batch writes into one folder", "give it with -o FOLDER")
     if request.alternatives > 1:
         raise InputError("--alternatives and --batch exclude each other", "give one of them")

@@ -237,6 +237,6 @@ def _place(where: tuple[int | str, ...]) -> str:
     for part in where:
         if isinstance(part, int):
             path += f"[{part}]"
-        elif "[" not in part and part != "constrained-str" and not part.endswith("Brief"):
+        elif "[" not in part and not part.startswith("constrained-") and not part.endswith("Brief"):
             path += f".{part}"
     return path.removeprefix(".")

@@ -55,7 +55,8 @@ def _nearest(name: str, pieces: Sequence[Piece]) -> str:
     known = {word: p.id for p in pieces for word in (p.category, p.id.rpartition("/")[2], p.id)}
     near = get_close_matches(name, known, MOST, 0.5)
     names = list(dict.fromkeys(known[word] for word in near)) or [p.id for p in pieces[:MOST]]
-    return f"use one of: {', '.join(names)}" if names else "the file holds no pieces"
+    more = ", …" * (len(names) < len(pieces))
+    return f"use one of: {', '.join(names)}{more}" if names else "the file holds no pieces"
 
 
 def carry_pieces(pieces: Iterable[Piece], start: Frame, end: Frame) -> tuple[Piece, ...]:
@@ -143,7 +144,8 @@ def find_spaces(spaces: Sequence[Space], names: Iterable[str]) -> frozenset[str]
         if name not in known:
             near = get_close_matches(name, known, MOST, 0.5) or [s.id for s in spaces][:20]
             offered = dict.fromkeys(known.get(n, n) for n in near)
-            raise InputError(f"unknown space '{name}'", f"use one of: {', '.join(offered)}")
+            more = ", …" * (len(offered) < len(spaces))
+            raise InputError(f"unknown space '{name}'", f"use one of: {', '.join(offered)}{more}")
     return frozenset(known[name] for name in names)
 
 

@@ -220,6 +220,8 @@ def _read(source: str | os.PathLike[str], keep: bool, hidden_levels: bool) -> Br
     if f"{SAMPLE}{source}" in samples() and not Path(source).exists():
         raise InputError("is the name of a sample", f"say {SAMPLE}{source}")
     path = Path(source)
+    if not path.suffix and not path.exists():
+        raise InputError("there is no such file or folder", "check the path")
     row = _row(source, "reader") if not path.is_dir() else None
     if row is not None and not path.exists():
         raise InputError("there is no such file", "check the path")

@@ -12,7 +12,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from scenewright.core.brief import Brief, brief_schema
-from scenewright.core.brief.domain_keys import check_parts
+from scenewright.core.brief.domain_keys import check_parts, is_brief
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
 from scenewright.core.registry import domain_names, domain_of
@@ -56,6 +56,17 @@ def _brief(raw: dict[str, Any], folder: Path) -> Brief:
         return Brief.model_validate(document)
     except ValidationError as error:
         raise to_input_error(error, brief_schema) from None
+
+
+def holds_brief(path: Path) -> bool:
+    """Whether there is a JSON file that is meant as a brief: what somebody wrote by hand."""
+    if path.suffix.lower() != ".json" or not path.is_file():
+        return False
+    try:
+        check_size(path, "")
+        return is_brief(parse_document(path.read_bytes(), ""))
+    except (InputError, OSError):
+        return False
 
 
 def dumps(brief: Brief) -> str:

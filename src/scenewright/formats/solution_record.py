@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError, model_validator
 
 from scenewright.core.brief import Brief
+from scenewright.core.brief.domain_keys import is_brief
 from scenewright.core.brief.fields import (
     BUILT_IN,
     Coordinate,
@@ -117,6 +118,8 @@ def check_document(
     """A document as a record and the plan of its brief, or :class:`InputError` naming the place and
     the fault. A brief equal to the ``known`` one has that one's plan."""
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
+        if is_brief(document):
+            raise InputError("is a brief, not a solution", "arrange it first, with -o NAME.json")
         raise InputError(f'is not a solution: "format" must be "{FORMAT}"')
     if document.get("version") != 1:
         raise InputError(

@@ -13,7 +13,7 @@ from scenewright.core.catalog import OWN
 from scenewright.core.errors import InputError
 from scenewright.core.solution import Solution
 from scenewright.domains import domain_of, presets, solvers
-from scenewright.formats import SWEET_HOME, check_output, read_planned, writer
+from scenewright.formats import SWEET_HOME, brief_json, check_output, read_planned, writer
 from scenewright.workflow.events import Notice, Planned
 
 HEAVY = 50_000
@@ -56,6 +56,7 @@ def plan_request(request: ArrangeRequest) -> Planned:
     for path in request.outputs:
         check_output(path, brief)
     if request.accessible:
+        check_can_be_accessible(brief, request.source)
         brief = make_accessible(brief)
     check_name("preset", request.preset, presets(brief.domain))
     if request.solver is not None:
@@ -67,6 +68,13 @@ def make_accessible(brief: Brief) -> Brief:
     """The brief with room for wheelchairs, as its domain makes it; the plan stays the same."""
     changed: Brief = domain_of(brief.domain).verb("accessible")(brief)
     return changed
+
+
+def check_can_be_accessible(brief: Brief, source: str) -> None:
+    """Raise :class:`InputError` for ``--accessible`` with what is no home."""
+    if not domain_of(brief.domain).has("accessible"):
+        fault = f"--accessible is for homes, but the brief is of a {brief.domain}"
+        raise InputError(fault, "leave it out", file=source)
 
 
 def note_ineffective(request: ArrangeRequest, brief: Brief) -> Iterator[Notice]:
@@ -89,11 +97,16 @@ def note_heavy(solution: Solution) -> Iterator[Notice]:
 
 
 def check_outputs(outputs: Sequence[Path]) -> None:
-    """Every suffix can be written, no file is named twice, none is a folder or a file that is
-    read."""
+    """Every suffix can be written, no file is named twice, none is a folder, a file that is read
+    or a brief."""
     for path in outputs:
         writer(path)
     check_targets(outputs)
+    for path in outputs:
+        if brief_json.holds_brief(path):
+            raise InputError(
+                "is a brief and would be replaced", "give -o another name", file=str(path)
+            )
 
 
 def check_name(what: str, name: str, known: Collection[str]) -> None:

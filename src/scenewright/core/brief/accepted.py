@@ -26,7 +26,8 @@ class AcceptedFinding(StrictModel):
     @classmethod
     def _known(cls, kind: str) -> str:
         if kind not in KINDS:
-            near = difflib.get_close_matches(kind, KINDS, 3) or KINDS
+            begun = [known for known in KINDS if known.startswith(kind)]
+            near = begun or difflib.get_close_matches(kind, KINDS, 3) or KINDS
             expected = ", ".join(f"'{known}'" for known in near)
             raise PydanticKnownError("literal_error", {"expected": expected})
         return kind

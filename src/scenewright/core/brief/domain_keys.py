@@ -9,6 +9,8 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.registry import DEFAULT, SHIPPED, domain_names, domain_of
 
+FORMAT = Brief.model_fields["format"].default
+
 
 def check_domain(brief: Brief) -> None:
     """InputError where a brief says what its domain does not know (:attr:`Domain.lacks`).
@@ -45,6 +47,20 @@ out, or set "domain": "site"
         for key in domain_of(name).part_model().model_fields:
             if document.get(key) and key not in shared:
                 raise _foreign(own, (name,), key)
+
+
+def is_brief(document: object) -> bool:
+    """Whether a JSON document is meant as a brief: it says so, or has rooms or the part of a
+    domain and no other format.
+
+    >>> is_brief({"rooms": []}), is_brief({"format": "scenewright/solution", "brief": {}})
+    (True, False)
+    """
+    if not isinstance(document, Mapping) or document.get("format", FORMAT) != FORMAT:
+        return False
+    parts = (domain_of(name).part_model() for name in domain_names() if _has_part(name))
+    keys = {"rooms"}.union(*(part.model_fields for part in parts))
+    return "format" in document or not keys.isdisjoint(document)
 
 
 def _has_part(name: object) -> bool:

@@ -6,10 +6,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Protocol, TypeVar
 
+import numpy as np
+import shapely
+
 from scenewright.building.plan import plan_rooms
 from scenewright.core.edits import Adjusted, Edits
 from scenewright.core.errors import InputError
-from scenewright.core.piece_edits import apply_edits, find_piece, list_adjusted, with_locks
+from scenewright.core.layout import corners
+from scenewright.core.piece_edits import Edited, apply_edits, find_piece, list_adjusted, with_locks
 from scenewright.core.plan import Plan
 from scenewright.core.scene import STAIRS, Piece
 from scenewright.core.solution import Solution
@@ -21,6 +25,8 @@ from scenewright.domains.hall.solving import solve
 from scenewright.engine.rows import solver_again
 
 PARTITION = "partition"
+OUTSIDE = 0.05
+"""How far outside its hall a piece may be put, metres: outlines are not drawn more exactly."""
 
 
 class _Placed(Protocol):
@@ -47,6 +53,7 @@ def adjust(
     moved as one, an object by its own; locks are of whole groups."""
     plan = plan or plan_rooms(solution.brief)
     edited = apply_edits(solution.pieces, plan, edits, _find_together, _group_of)
+    _check_inside(edited, plan)
     touched = edited.again | {p.space for p in edited.pieces if p.id in edited.moved}
     locked = {p.id for p in edited.pieces if p.fixed}
     chosen = solution.seed if seed is None else seed
@@ -91,6 +98,22 @@ def _check_movable(piece: Piece) -> None:
         raise InputError(f"'{piece.id}' is of the building", "move the stairs in the brief")
     if piece.function.endswith(CHAIRS):
         raise InputError(f"'{piece.id}' goes with its table", "move or lock the table")
+
+
+def _check_inside(edited: Edited, plan: Plan) -> None:
+    """InputError for a piece that was moved out of its hall, alone or with its group."""
+    halls = {s.id: shapely.Polygon(s.outline, list(s.holes)) for s in plan.spaces}
+    for piece in edited.pieces:
+        if piece.id not in edited.moved:
+            continue
+        x, y, _, heading = piece.pose
+        box = np.array([[x, y, heading, piece.size.width, piece.size.depth]])
+        away = halls[piece.space].distance(shapely.Polygon(corners(box)[0]))
+        if away > OUTSIDE:
+            raise InputError(
+                f"moved there, '{piece.id}' would stand {away:.2f} m outside the hall",
+                "move it further in, or a single piece by its own id",
+            )
 
 
 def _merge_halls(before: Solution, found: Solution, touched: frozenset[str]) -> Solution:
