@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, FAN, GRID, NUMBER, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.lines import count_objects, find_layers
 from scenewright.domains.hall.terms.state import Kept
 
 VIEW, BEFORE = 0.6, 0.5
@@ -106,9 +106,7 @@ def _stages(problem: HallProblem, kept: Kept, boxes: Floats, stage: int) -> Iter
 def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
     """Layouts with the seats in the form they have, and in more and fewer rows."""
     yield kept
-    counts = np.diff(problem.units.spans, axis=1)[:, 0]
-    row, number = int(capacity(counts)[:seats].sum()), int(counts[seats])
-    room = int(capacity(counts)[seats])
+    (row, room), number = find_layers(problem, seats), int(count_objects(problem)[seats])
     if int(kept.rows[seats, 0]) != CHAIN:
         return
     along = float(kept.layers[row, ALONG])
@@ -135,8 +133,7 @@ def _rows(number: int, room: int) -> list[int]:
 
 def _before(problem: HallProblem, kept: Kept, seats: int, stage: Floats) -> Iterator[Kept]:
     """Layouts with the seats on the axis of a stage (5,), at some distances from it."""
-    counts = np.diff(problem.units.spans, axis=1)[:, 0]
-    row, used = int(capacity(counts)[:seats].sum()), int(kept.rows[seats, 1])
+    row, used = find_layers(problem, seats)[0], int(kept.rows[seats, 1])
     deep = float(problem.units.sizes[slice(*problem.units.spans[seats]), 1].max())
     gaps = float(kept.layers[row + 1 : row + used, ACROSS].sum())
     whole = used * deep + gaps

@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, GRID, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
+from scenewright.domains.hall.retouch.lines import find_layers
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, SPEAKER, TILL
 
@@ -138,8 +138,7 @@ def _spread(problem: HallProblem, kept: Kept, unit: int) -> Iterator[Kept]:
     gaps."""
     if int(kept.rows[unit, 0]) not in (CHAIN, GRID):
         return
-    counts = np.diff(problem.units.spans, axis=1)[:, 0]
-    first = int(capacity(counts)[:unit].sum())
+    first = find_layers(problem, unit)[0]
     mine = slice(first, first + int(kept.rows[unit, 1]))
     gaps = kept.layers[mine, ALONG] > 0.1
     for more in WIDER:

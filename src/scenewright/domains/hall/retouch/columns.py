@@ -14,8 +14,8 @@ import numpy as np
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.lines import count_objects, find_layers, forgive_space
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
-from scenewright.domains.hall.terms.table import SPACE, space_cost
 
 LARGEST = 1.2
 OFF_LINE = 0.2
@@ -92,8 +92,7 @@ def forgive_columns(
         covered = float(np.maximum(common, 0.0).prod(2).sum())
         if covered > 0.0:
             less = max(float(s.covered[unit].sum()) - covered, 0.0)
-            least = space_cost(less, float(p.divisor[unit]))
-            total += float(p.weights[SPACE]) * (float(s.costs[SPACE, unit]) - least)
+            total += forgive_space(p, s, unit, less)
     return total
 
 
@@ -112,7 +111,7 @@ def propose_pitches(columns: Columns, kept: Kept, boxes: Floats) -> Iterator[Kep
 
 def _rows_of(problem: HallProblem, kept: Kept) -> list[int]:
     """The units that stand in rows."""
-    counts = np.diff(problem.units.spans, axis=1)[:, 0]
+    counts = count_objects(problem)
     codes = kept.rows[:, 0].astype(int)
     return [u for u in range(len(codes)) if codes[u] in (CHAIN, GRID) and counts[u] > 2]
 
@@ -249,8 +248,7 @@ def _laid(
     kept: Kept, problem: HallProblem, unit: int, heading: float, at: Floats, form: RowForm
 ) -> Kept:
     """The layout with a unit in rows of a form about a point."""
-    counts = np.diff(problem.units.spans, axis=1)[:, 0]
-    row, number = int(capacity(counts)[:unit].sum()), int(counts[unit])
+    row, number = find_layers(problem, unit)[0], int(count_objects(problem)[unit])
     first, last = problem.units.spans[unit]
     wide, deep = problem.units.sizes[first:last].max(0)
     pose, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()

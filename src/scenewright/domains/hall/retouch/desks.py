@@ -10,10 +10,10 @@ import numpy as np
 import shapely
 
 from scenewright.core.layout import corners
-from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
+from scenewright.domains.hall.retouch.lines import line_up
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.table import ORDER
 from scenewright.domains.hall.terms.visitors import FIRST, LANE, TILL
@@ -161,7 +161,7 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
         now = _fault(desks, kept, unit, box_round(boxes[slice(*problem.units.spans[unit])]))
         better = np.flatnonzero(faults < now)
         for number in _spaced(places, better[np.argsort(faults[better], kind="stable")]):
-            yield _in_a_row(problem, kept, unit, places[number])
+            yield line_up(problem, kept, unit, places[number])
 
 
 def _spaced(places: Floats, order: Ints) -> list[int]:
@@ -175,17 +175,6 @@ def _spaced(places: Floats, order: Ints) -> list[int]:
         if not len(apart) or (off.max(1) > APART).all():
             apart.append(int(number))
     return [*order[:PROPOSED].tolist(), *apart]
-
-
-def _in_a_row(problem: HallProblem, kept: Kept, unit: int, place: Floats) -> Kept:
-    """The layout with a unit side by side at a place (5,)."""
-    pose, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
-    pose[unit, :3] = place[:3]
-    counts = np.diff(problem.units.spans, axis=1)[:, 0]
-    if counts[unit] > 1:
-        layers[int(capacity(counts)[:unit].sum())] = (float(counts[unit]), 0.0, 0.0, CHAIN, 0.0)
-        rows[unit] = (CHAIN, 1)
-    return kept._replace(pose=pose, layers=layers, rows=rows)
 
 
 def _places(problem: HallProblem, boxes: Floats, unit: int) -> Floats:

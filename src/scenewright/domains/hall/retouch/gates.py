@@ -5,16 +5,16 @@ they come into their zone, where rails close what they leave open.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 
 import numpy as np
 
-from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.rails import RowOfGates, find_way_in, measure_barred, measure_crowded
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
+from scenewright.domains.hall.retouch.lines import forgive_space, line_up
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
-from scenewright.domains.hall.terms.table import SPACE, space_cost
 from scenewright.domains.hall.terms.visitors import FIRST
 
 MOST = 12
@@ -104,23 +104,14 @@ def forgive_doors(
     of the door they belong to, or at walls: both are for the same people."""
     total = 0.0
     for unit in find_gates(problem, kept):
-        least = space_cost(float(s.covered[unit, :2].sum()), float(p.divisor[unit]))
-        total += float(p.weights[SPACE]) * (float(s.costs[SPACE, unit]) - least)
+        total += forgive_space(p, s, unit, float(s.covered[unit, :2].sum()))
     return FORGIVEN * total
 
 
 def propose_gates(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:  # noqa: ARG001
     """Layouts with the gates of one unit side by side across the way."""
-    counts = np.diff(problem.units.spans, axis=1)[:, 0]
-    starts = np.concatenate([[0], np.cumsum(capacity(counts))])
     for unit in find_gates(problem, kept):
         start, way = find_way_in(problem, unit)[:2]
-        for ahead in STEPS:
-            for aside in SHIFTS:
-                pose, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
-                pose[unit, :2] = start + ahead * way + aside * np.array([-way[1], way[0]])
-                pose[unit, 2] = np.arctan2(-way[1], -way[0])
-                if counts[unit] > 1:
-                    layers[int(starts[unit])] = (float(counts[unit]), 0.0, 0.0, CHAIN, 0.0)
-                    rows[unit] = (CHAIN, 1)
-                yield kept._replace(pose=pose, layers=layers, rows=rows)
+        for ahead, aside in product(STEPS, SHIFTS):
+            at = start + ahead * way + aside * np.array([-way[1], way[0]])
+            yield line_up(problem, kept, unit, (*at, np.arctan2(-way[1], -way[0])))

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import ACROSS, CODE, NUMBER, PART, RADIATION
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.lines import count_objects, find_layers
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import MAIN
 
@@ -26,7 +26,7 @@ def find_ring(problem: HallProblem, kept: Kept) -> tuple[int, int, int] | None:
     mains = [unit for unit in range(len(roles)) if roles[unit] & MAIN]
     if not mains:
         return None
-    sizes, zones = np.diff(problem.units.spans, axis=1)[:, 0], problem.units.zones
+    sizes, zones = count_objects(problem), problem.units.zones
     rings = [
         unit
         for unit in range(len(roles))
@@ -37,7 +37,7 @@ def find_ring(problem: HallProblem, kept: Kept) -> tuple[int, int, int] | None:
     if not rings:
         return None
     ring = max(rings, key=lambda unit: int(sizes[unit]))
-    return mains[0], ring, int(capacity(sizes)[:ring].sum())
+    return mains[0], ring, find_layers(problem, ring)[0]
 
 
 def rings_off(problem: HallProblem, kept: Kept, boxes: Floats) -> float:

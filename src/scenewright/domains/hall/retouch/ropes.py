@@ -9,13 +9,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import CHAIN, SINGLE, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.desks import BACK
+from scenewright.domains.hall.retouch.lines import (
+    count_objects,
+    find_layers,
+    forgive_space,
+    line_up,
+)
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
-from scenewright.domains.hall.terms.table import SPACE, space_cost
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, LANE, MAIN, TILL
 
 MOST, LINES, LONGEST = 24, 5, 4
@@ -67,8 +71,7 @@ def forgive_queues(
     total = 0.0
     for unit in find_ropes(problem, kept):
         for one in (unit, *find_served(problem, unit)):
-            least = space_cost(float(s.covered[one, ::2].sum()), float(p.divisor[one]))
-            total += float(p.weights[SPACE]) * (float(s.costs[SPACE, one]) - least)
+            total += forgive_space(p, s, one, float(s.covered[one, ::2].sum()))
     return total
 
 
@@ -138,26 +141,16 @@ def _fault(ropes: Floats, anchor: Anchor) -> float:
 
 def propose_ropes(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
     """Layouts with the ropes of one unit before what they may guard."""
-    counts = np.diff(problem.units.spans, axis=1)[:, 0]
-    starts = np.concatenate([[0], np.cumsum(capacity(counts))])
     for unit in find_ropes(problem, kept):
-        number, start = int(counts[unit]), int(starts[unit])
+        number, room = int(count_objects(problem)[unit]), find_layers(problem, unit)[1]
         wide, deep = problem.units.sizes[problem.units.spans[unit, 0]]
-        room = int(starts[unit + 1]) - start
         for anchor in find_anchors(problem, kept, boxes, unit):
             for form in _forms(number, anchor, room):
                 lines, lane = form.lines, form.lane
                 whole = np.array([-(-number // lines) * wide, lines * deep + (lines - 1) * lane])
-                rows, layers = kept.rows.copy(), kept.layers.copy()
-                for k in range(lines):
-                    each = number // lines + (1 if k < number % lines else 0)
-                    layers[start + k] = (float(each), 0.0, lane, CHAIN, 0.0)
-                if number > 1:
-                    rows[unit] = (CHAIN, lines)
                 for gap, aside in product(GAPS, (0.0, -1.0, 1.0)):
-                    pose = kept.pose.copy()
-                    pose[unit, :3] = _place(anchor, whole, form.up, gap, aside)
-                    yield kept._replace(pose=pose, layers=layers, rows=rows)
+                    pose = _place(anchor, whole, form.up, gap, aside)
+                    yield line_up(problem, kept, unit, pose, lines, lane)
 
 
 class RopeForm(NamedTuple):

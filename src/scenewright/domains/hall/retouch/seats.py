@@ -10,10 +10,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import ACROSS, CHAIN, GRID
 from scenewright.domains.hall.patterns.fan import ROW
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.lines import find_layers
 from scenewright.domains.hall.terms.state import Kept
 
 NEAREST, MOST = 0.6, 3.0
@@ -47,9 +47,8 @@ def sit_too_near(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
 
 def propose_rows(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
     """Layouts with the rows of one unit behind one another from the least distance on."""
-    counts = np.diff(problem.units.spans, axis=1)[:, 0]
     for unit, target in find_rows(problem, kept):
-        row, used = int(capacity(counts)[:unit].sum()), int(kept.rows[unit, 1])
+        row, used = find_layers(problem, unit)[0], int(kept.rows[unit, 1])
         ahead, screen = _ahead(kept, unit), boxes[target]
         deep = float(problem.units.sizes[slice(*problem.units.spans[unit]), 1].max())
         for gap in (float(kept.layers[row, ACROSS]), *GAPS):

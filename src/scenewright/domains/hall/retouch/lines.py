@@ -1,0 +1,53 @@
+"""Where the layers of a unit lie in a layout, and units set up in straight lines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.patterns import CHAIN
+from scenewright.domains.hall.problem import Floats, HallProblem, Ints
+from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
+from scenewright.domains.hall.terms.table import SPACE, space_cost
+
+
+def count_objects(problem: HallProblem) -> Ints:
+    """The objects (g,) of each unit."""
+    counts: Ints = np.diff(problem.units.spans, axis=1)[:, 0]
+    return counts
+
+
+def find_layers(problem: HallProblem, unit: int) -> tuple[int, int]:
+    """The first row of the layers of a unit, and how many it may have."""
+    room = capacity(count_objects(problem))
+    return int(room[:unit].sum()), int(room[unit])
+
+
+def line_up(
+    problem: HallProblem,
+    kept: Kept,
+    unit: int,
+    pose: Sequence[float] | Floats,
+    lines: int = 1,
+    apart: float = 0.0,
+) -> Kept:
+    """The layout with a unit at a pose (3,), side by side in so many lines, ``apart`` metres from
+    one another; one object by itself keeps its pattern."""
+    first, number = find_layers(problem, unit)[0], int(count_objects(problem)[unit])
+    poses, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
+    poses[unit, :3] = pose[:3]
+    if number > 1:
+        for k in range(lines):
+            each = number // lines + (1 if k < number % lines else 0)
+            layers[first + k] = (float(each), 0.0, apart, CHAIN, 0.0)
+        rows[unit] = (CHAIN, lines)
+    return kept._replace(pose=poses, layers=layers, rows=rows)
+
+
+def forgive_space(p: PreparedHall, s: State, unit: int, covered: float) -> float:
+    """By how much the energy of a measured state would be less if only ``covered`` square metres of
+    the free floor of a unit were."""
+    least = space_cost(covered, float(p.divisor[unit]))
+    return float(p.weights[SPACE]) * (float(s.costs[SPACE, unit]) - least)
