@@ -10,6 +10,7 @@ import shapely
 
 import scenewright
 from scenewright.building.plan import spaces
+from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
 from scenewright.domains.hall.desks import SERVING
 
@@ -36,3 +37,35 @@ def test_the_desk_of_a_reading_room_looks_to_visitors(seed: int) -> None:
     assert len(looks) == 1
     assert looks[0] > 0.0
     assert scenewright.check(found).valid
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_serving_counters_stand_with_their_backs_at_the_wall_between_the_doors(seed: int) -> None:
+    """Their free floor reaches into that of the doors: that is no reason to stand amid the hall."""
+    box = [[0.0, 0.0], [26.0, 0.0], [26.0, 16.0], [0.0, 16.0]]
+    serving = [[0.0, 0.0], [26.0, 0.0], [26.0, 5.5], [0.0, 5.5]]
+    eating = [[0.0, 5.5], [26.0, 5.5], [26.0, 16.0], [0.0, 16.0]]
+    room = {
+        "name": "Canteen",
+        "outline": box,
+        "doors": [
+            {"at": [4.0, 0.0], "width": 2.4, "use": "entrance"},
+            {"at": [20.0, 0.0], "width": 2.4, "use": "exit"},
+        ],
+        "zones": [{"id": "serving", "outline": serving}, {"id": "eating", "outline": eating}],
+        "demands": [
+            {"category": "counter", "count": 6, "zone": "serving"},
+            {"category": "checkout", "count": 2, "zone": "serving"},
+            {"category": "dining_table", "count": 24, "zone": "eating"},
+        ],
+    }
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    found = scenewright.solve(brief, seed=seed, threads=1)
+    counters = [piece for piece in found.pieces if piece.category == "counter"]
+    assert scenewright.check(found).valid
+    assert len(counters) == 6
+    walls = shapely.Polygon(box).exterior
+    for piece in counters:
+        ahead = np.array([math.cos(piece.pose.heading), math.sin(piece.pose.heading)])
+        back = np.array(piece.pose[:2]) - 0.5 * piece.size.depth * ahead
+        assert walls.distance(shapely.Point(back)) < 1.3

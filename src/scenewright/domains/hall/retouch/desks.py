@@ -13,7 +13,7 @@ from scenewright.core.layout import corners
 from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
-from scenewright.domains.hall.retouch.lines import line_up
+from scenewright.domains.hall.retouch.lines import forgive_space, line_up
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.table import ORDER
 from scenewright.domains.hall.terms.visitors import FIRST, LANE, TILL
@@ -149,6 +149,19 @@ def mind_order(
     """What is taken off the energy of a measured state: nothing, but more for every metre by which
     others lie nearer to the entrance than desks; no desk leaves its turn for a wall."""
     return -FIRST_OF_ALL * float(s.costs[ORDER, 0])
+
+
+def forgive_walls(
+    desks: Desks,
+    kept: Kept,
+    boxes: Floats,  # noqa: ARG001
+    p: PreparedHall,
+    s: State,
+) -> float:
+    """What of the energy of a measured state comes from free floor of counters that lies at walls
+    and doors: their back stands at a wall."""
+    covered = ((unit, float(s.covered[unit, :2].sum())) for unit in find_desks(desks, kept))
+    return sum(forgive_space(p, s, unit, area) for unit, area in covered)
 
 
 def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
