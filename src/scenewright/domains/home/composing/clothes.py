@@ -7,12 +7,13 @@ takes the rest.
 
 from __future__ import annotations
 
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
+from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, find_blocked
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of
-from scenewright.domains.home.composing.moving import make_unplaced
-from scenewright.domains.home.composing.trials import take_first, try_forms
+from scenewright.domains.home.composing.moving import make_unplaced, with_margin
+from scenewright.domains.home.composing.walked_places import try_places
+from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.programme import WELCOME
 
 METRE = 20.0  # what a metre of drawers is worth
@@ -28,13 +29,13 @@ def hang_in_closet(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> 
     if not task.closet or narrow is None or known or not _may_stand(task):
         return best
     rest = tuple(p for p in best.placed if p is not narrow)
-    forms = cases(CHEST, task.library).groups
+    forms = (*cases(CHEST, task.library).groups, *LEAST[CHEST]())
     chest = make_unplaced(task, rest, narrow.wish._replace(group=CHEST), forms[0])
     whole, most = (*rest, chest), best.cost - task.preset.settings.composing.least
-    found = try_forms(judge_of(task, whole), whole, len(rest), forms, len(forms), most)
-    also = {chest.name} if narrow.name in barred else set()
-    worth = sorted(found, key=lambda j: j.cost - METRE * j.placed[-1].dressed.case.width)
-    return take_first(task, best, (j for j in worth if j.cost <= most), barred | also)
+    found = try_places(judge_of(task, whole), whole, len(rest), forms, most, METRE)
+    margin, open_ = with_margin(task), barred | ({chest.name} if narrow.name in barred else set())
+    free = (j for j in found if open_.issuperset(find_blocked(margin, j.placed)))
+    return next(free, best)
 
 
 def list_hung(before: Placed, after: Placed) -> tuple[Missing, ...]:

@@ -16,10 +16,13 @@ ON_FLOOR = 0.12  # what begins higher stands on something or hangs, metres
 SEEN = 0.05  # share of the doors that is not noticed
 
 
-def cost_of_fronts(groups: Sequence[FurnishedGroup], cost: float) -> float:
-    """What is wrong with wardrobes whose doors something stands before: Σ over them of half the
-    cost for being so and half by the share of the floor before their doors that is taken."""
-    pieces = [p for g in groups for p in g.pieces if p.pose.z < ON_FLOOR]
+def cost_of_fronts(
+    groups: Sequence[FurnishedGroup], cost: float, fixed: Sequence[Piece] = ()
+) -> float:
+    """What is wrong with wardrobes, built in or not, whose doors something stands before: Σ over
+    them of half the cost for being so and half by the share of the floor before their doors that
+    is taken; ``fixed`` pieces stand already."""
+    pieces = [p for p in (*fixed, *(q for g in groups for q in g.pieces)) if p.pose.z < ON_FLOOR]
     shares = (measure_share(p, pieces) for p in pieces if p.category == "wardrobe")
     return sum(cost * (1.0 + min(share, 1.0)) / 2 for share in shares if share > SEEN)
 

@@ -16,8 +16,7 @@ from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.axis import slide_to_axis
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
-from scenewright.domains.home.composing.bed_places import move_double_bed
-from scenewright.domains.home.composing.beds import restore_double_bed
+from scenewright.domains.home.composing.beds import move_double_bed, restore_double_bed
 from scenewright.domains.home.composing.clothes import hang_in_closet, list_hung
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.freeing import free_ways
@@ -73,13 +72,14 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     judge = judge_of(task, placed)
     best = restore_double_bed(task, judge.cost_of(placed), barred)
     if _worst_first(task, best.placed):
+        best = move_double_bed(task, best, barred)
         best = _improve_all(judge_of(task, best.placed), best, barred)
         best = reform_kitchen(task, best, barred)
         best = _join_washer(task, best, barred)
         best = gather_seats(task, best, barred)
+        best = hang_in_closet(task, best, barred)
         if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
-        best = hang_in_closet(task, best, barred)
         best = move_double_bed(task, best, barred)
     best = slide_to_axis(task, best, barred)
     gone = list_given_up(before.placed, best.placed, "the kitchen takes its wall")

@@ -105,7 +105,7 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     pairs = zip(placed, known or (nan,) * len(placed), strict=True)
     each = sum(cost_of_group(p, task.ground, rule) if isnan(c) else c for p, c in pairs)
     shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
-    shelves += cost_of_fronts(placed, rule.costs.doors)
+    shelves += cost_of_fronts(placed, rule.costs.doors, task.fixed)
     shelves += cost_of_washer(placed, rule.costs.loose)
     if is_mere_kitchen(task):
         each += cost_of_table(placed, task.ground, rule.costs.modest)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import atan2, cos, hypot, sin
 
 import numpy as np
@@ -27,6 +27,8 @@ _CHESTS = ("chest_of_drawers", "sideboard", "tv_stand", "bookcase", "wardrobe", 
 SHADES = frozenset((*_SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
 """What takes a window's light, or is not to stand in it."""
 AT_WALL = 0.12  # a bed's side nearer than this is at its wall, metres
+ROOMY = 8.0  # from so many square metres on a bed leaves the floor at doors free
+NEAR_DOOR = 0.3  # a bed nearer to where a door opens is in the entrance, metres
 SHELVED = 0.75  # share of the longest wall that shelves of a storage room stand along
 OPEN = 1.0  # width of the sight from a sofa to a fireplace in which nothing stands, metres
 OFF_AXIS = 0.3  # a sofa this near to the axis of a fireplace is on it, metres
@@ -55,11 +57,25 @@ def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings
                 share = _metres_before(piece, strip)
                 if share > SEEN:
                     found.append((covered[0 if window else 1], min(share, 1.0)))
+        if piece.category in _BEDS and ground.area >= ROOMY:
+            found += [(rule.costs.at_door, share) for share in _near_doors(piece, ground, half)]
         if piece.category == "single_bed":
             gap = min(side_gaps(_box(piece), ground.walls))
             found.append((rule.costs.adrift * (gap > AT_WALL), 1.0))
     standing = sum(cost * (1.0 + degree) / 2 for cost, degree in found)
     return standing + cost_of_case(list_standing(group), ground.area, rule)
+
+
+def _near_doors(bed: Piece, ground: Ground, half: float) -> Iterator[float]:
+    """For each door leaf or threshold that a bed is nearer to than :data:`NEAR_DOOR`, by what
+    share."""
+    frame = make_frame(*_box(bed).tolist())
+    for x, y, heading, width, depth in ground.keep_free.tolist():
+        if hypot(bed.pose.x - x, bed.pose.y - y) < half + hypot(width, depth) / 2 + NEAR_DOOR:
+            wide, deep = width + 2 * NEAR_DOOR, depth + 2 * NEAR_DOOR
+            near = float(common_area(frame, make_frame(x, y, heading, wide, deep)))
+            if near > SEEN:
+                yield min(near / NEAR_DOOR, 1.0)
 
 
 def list_standing(group: FurnishedGroup) -> Group:
