@@ -7,13 +7,23 @@ import pytest
 
 from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief, Room
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
+from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import list_further
+from scenewright.domains.home.composing.forms import cost_of_case, list_further
+from scenewright.domains.home.composing.fronts import cost_of_fronts
+from scenewright.domains.home.composing.placed_faults import cost_of_group
+from scenewright.domains.home.furnishing.furnish import FurnishedPatch
+from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import solve
 
+RULE = PRESETS["default"].settings.composing
+CASE = next(c for c in cases("single").groups if len(c.members) == 1)
 SLEEPS = {
     "id": "bed",
     "function": "bedroom",
@@ -24,6 +34,12 @@ SLEEPS = {
         {"at": [2.4, 1.4], "width": 1.6, "swing": "slide"},
     ],
     "windows": [{"at": [1.2, 0.0], "width": 1.8}],
+}
+ENTERED = {
+    "id": "a",
+    "function": "bedroom",
+    "outline": [[0, 0], [4, 0], [4, 3], [0, 3]],
+    "doors": [{"at": [3.0, 0.0], "width": 0.9, "swing": "out"}],
 }
 CLOSET = {
     "id": "closet",
@@ -89,3 +105,34 @@ def test_faults_of_beds_for_two_are_those_of_their_sides_and_length(case):
         beside = abs(stand.x - bed.x) - (stand.size.width + bed.size.width) / 2
         assert beside >= -1e-9
     assert np.isclose(bed.y - bed.size.depth / 2, -case.depth / 2)
+
+
+def test_a_bed_in_the_entrance_costs_more_the_nearer_it_is_to_where_the_door_opens():
+    brief = Brief(rooms=[Room.model_validate(ENTERED)])
+    (space,) = spaces(brief)
+    ground = ground_of(space, (), 12.0)
+    end = ground.keep_free[:, 1].max() + ground.keep_free[:, 4].max() / 2
+    far, near, tight = (
+        cost_of_group(_bed_at(1.0 + end + gap), ground, RULE) for gap in (0.31, 0.2, 0.1)
+    )
+    assert far < near < tight <= far + RULE.costs.at_door
+    small = ground._replace(area=6.0)
+    assert cost_of_group(_bed_at(1.0 + end), small, RULE) == cost_of_case(CASE, 6.0, RULE)
+
+
+def test_what_stands_before_the_doors_of_a_built_in_wardrobe_counts():
+    wardrobe = Piece("w", "wardrobe", "", "a", Pose(0.0, 0.0, 0.0, 0.0), Size(2.0, 0.6, 2.2))
+    before, beside = (Piece("b", "bed", "", "a", Pose(x, 0, 0, 0), Size(1, 1, 0.5)) for x in (1, 3))
+    for bed, cost in ((before, True), (beside, False)):
+        group = _bed_at(0.0)._replace(pieces=(bed,))
+        assert (cost_of_fronts((group,), 8.0, (wardrobe,)) > 0.0) == cost
+        assert cost_of_fronts((group,), 8.0) == 0.0
+
+
+def _bed_at(y):
+    """A single bed along the wall on the right, its foot at ``y`` - 1."""
+    piece = Piece("b", "single_bed", "", "a", Pose(3.0, y, 0.0, -np.pi / 2), Size(2.0, 2.0, 0.9))
+    box = np.array([3.0, y, -np.pi / 2, CASE.width, CASE.depth])
+    return FurnishedGroup(
+        Wish("single", 0), "single", FurnishedPatch(CASE, box, (True,), 0), (piece,)
+    )

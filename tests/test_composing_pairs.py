@@ -74,14 +74,14 @@ def test_faults_before_openings_of_many_places_are_those_of_each():
             own = cost_of_case(case, ground.area, RULE)
             group = _stand(case, box)
             single = next((p for p in group.pieces if p.category == "single_bed"), None)
-            wanted = cost_of_group(group, ground, RULE._replace(costs=_never_adrift()))
+            wanted = cost_of_group(group, ground, RULE._replace(costs=_by_openings()))
             assert cost == pytest.approx(wanted - own, abs=1e-9), (function, single)
             seen += cost
     assert seen > 0.0
 
 
-def _never_adrift():
-    return RULE.costs._replace(adrift=0.0)
+def _by_openings():
+    return RULE.costs._replace(adrift=0.0, at_door=0.0)
 
 
 def _stand(case, box):
