@@ -33,8 +33,8 @@ def hang_in_closet(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> 
     chest = make_unplaced(task, rest, narrow.wish._replace(group=CHEST), forms[0])
     whole, most = (*rest, chest), best.cost - task.preset.settings.composing.least
     found = try_places(judge_of(task, whole), whole, len(rest), forms, most, METRE)
-    margin, open_ = with_margin(task), barred | ({chest.name} if narrow.name in barred else set())
-    free = (j for j in found if open_.issuperset(find_blocked(margin, j.placed)))
+    margin = with_margin(task)
+    free = (j for j in found if barred.issuperset(find_blocked(margin, j.placed)))
     return next(free, best)
 
 
