@@ -174,3 +174,37 @@ def test_a_home_without_a_kitchen_is_said_to_have_none() -> None:
     assert "no room is a kitchen" in told(["living", "bedroom", "bathroom"])
     assert "no room is a kitchen" not in told(["living", "bedroom", "bathroom", "kitchen"])
     assert "no room is a kitchen" not in told(["bedroom"])
+
+
+def test_one_child_in_a_large_room_sleeps_alone_where_beds_suffice() -> None:
+    """A room of 16 m² holds two children; of a family of three only one sleeps there."""
+    rooms = (space("parents", "bedroom", 4, 4), space("child", "child_bedroom", 4, 4))
+    asked = (Wish("bunk", 0), Wish("wardrobe", 0))
+
+    def beds(stated: int | None) -> str:
+        return share_out(decide_household(rooms, stated), "child", asked, frozenset())[0].group
+
+    assert [beds(stated) for stated in (None, 3, 4, 6)] == ["bunk", "single", "bunk", "bunk"]
+
+
+def test_chairs_are_told_room_by_room() -> None:
+    """Chairs of the kitchen are not added to those of the room in which they eat."""
+    rooms = [
+        {
+            "id": "live",
+            "function": ["living", "dining"],
+            "outline": [[0, 0], [6, 0], [6, 5], [0, 5]],
+        },
+        {"id": "cook", "function": ["kitchen"], "outline": [[6.1, 0], [10, 0], [10, 4], [6.1, 4]]},
+    ]
+    rooms[1]["wishes"] = [{"what": "dining_wall", "required": True}]
+    home = Brief.model_validate({"rooms": rooms})
+    plan = plan_of(home)
+    solution = solve(home, plan=plan, threads=1)
+    held = {
+        room: sum(p.category == "dining_chair" and p.space == room for p in solution.pieces)
+        for room in ("live", "cook")
+    }
+    assert min(held.values()) >= 2
+    told = tell_programme(solution, plan)
+    assert all(f"{plan.names[room]} ({n} chairs)" in told for room, n in held.items())

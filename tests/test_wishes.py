@@ -91,6 +91,28 @@ def test_what_is_wanted_comes_beside_the_usual() -> None:
 
 
 @pytest.mark.parametrize(
+    ("function", "what", "bed"),
+    [
+        ("child_bedroom", "double_bed", "double_bed"),
+        ("child_bedroom", "bunk", "bunk_bed"),
+        ("double_bedroom", "single_bed", "single_bed"),
+    ],
+)
+def test_the_bed_that_is_wished_for_is_the_bed_of_the_room(
+    function: str, what: str, bed: str
+) -> None:
+    """It takes the place of the usual bed; a wish for a nightstand takes that of none."""
+
+    def beds(*wishes: dict[str, Any]) -> list[str]:
+        pieces = solved(room(function, *wishes, width=3.0)).pieces
+        return [p.category for p in pieces if p.category.endswith("_bed")]
+
+    usual = "double_bed" if function == "double_bedroom" else "single_bed"
+    assert beds({"what": what, "required": True}) == [bed]
+    assert beds({"what": "nightstand"}) == [usual]
+
+
+@pytest.mark.parametrize(
     "wish", [{"what": "chest", "by": "window"}, {"what": "desk", "near": "bed", "metres": 0.8}]
 )
 def test_places_draw(wish: dict[str, Any]) -> None:

@@ -9,6 +9,7 @@ and sofas with a place for each.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
@@ -64,8 +65,8 @@ WET = ("bathroom", "toilet", "washroom")
 class Household(NamedTuple):
     """What is decided for a home as a whole: how many live there, in how many bedrooms; the rooms
     (their ids, empty: none) where they eat, where shoes stand and where one works; the wet rooms;
-    where a number of residents is ``stated``, the rooms that get ``bunks`` and the area of each
-    room, square metres.
+    where a number of residents is ``stated``, the rooms that get ``bunks``, those large enough for
+    two children in which one sleeps ``alone``, and the area of each room, square metres.
     """
 
     residents: int
@@ -76,6 +77,7 @@ class Household(NamedTuple):
     wet: tuple[str, ...]
     stated: bool = False
     bunks: tuple[str, ...] = ()
+    alone: tuple[str, ...] = ()
     areas: Mapping[str, float] = MappingProxyType({})
 
 
@@ -116,6 +118,7 @@ def decide_household(rooms: Sequence[Space], stated: int | None = None) -> House
         wet=tuple(room.id for room in rooms if set(WET) & set(uses[room.id])),
         stated=stated is not None,
         bunks=_bunks(uses, areas, (stated or 0) - sum(beds)),
+        alone=_alone(uses, areas, sum(beds) - (stated or sum(beds))),
         areas=areas,
     )
 
@@ -130,6 +133,19 @@ def _bunks(
         if areas[room] >= LEAST_BUNK and _sleepers(functions, areas[room]) == 1
     ]
     return tuple(sorted(single, key=lambda room: -areas[room])[: max(short, 0)])
+
+
+def _alone(
+    uses: Mapping[str, Sequence[str]], areas: Mapping[str, float], spare: int
+) -> tuple[str, ...]:
+    """The rooms large enough for two children that one has while beds are to spare, the smallest
+    first."""
+    shared = [
+        room
+        for room, functions in uses.items()
+        if "double_bedroom" not in functions and _sleepers(functions, areas[room]) > 1
+    ]
+    return tuple(sorted(shared, key=lambda room: areas[room])[: max(spare, 0)])
 
 
 def _area(room: Space) -> float:
@@ -173,9 +189,12 @@ def share_out(
 
 
 def _for_residents(household: Household, room: str, wish: Wish) -> Wish:
-    """A wish as the stated residents need it: a bunk for a single bed, a table all round."""
+    """A wish as the stated residents need it: a bunk for a single bed or, where beds suffice, a
+    single bed for a bunk, a table all round."""
     if wish.group == "single" and room in household.bunks:
         return wish._replace(group="bunk")
+    if wish.group == "bunk" and room in household.alone:
+        return wish._replace(group="single")
     if not household.stated or wish.group not in TABLES:
         return wish
     area, people = household.areas.get(room, 0.0), household.residents
@@ -249,8 +268,7 @@ def tell_programme(solution: Solution, plan: Plan) -> str:
     if household.stated:
         parts.append(_tell_places(pieces, people))
     if household.eats_in:
-        seats = sum(p.category in SEATS and p.function in TABLES for p in pieces)
-        parts.append(f"they eat in {names[household.eats_in]} ({_count(seats, 'chair')})")
+        parts.append(f"they eat in {_tell_chairs(household.eats_in, pieces, names)}")
     if (
         household.wet
         and household.bedrooms
@@ -275,6 +293,13 @@ def _tell_places(pieces: Sequence[Piece], people: int) -> str:
         short = f" ({people - count} short)" if count < people else ""
         parts.append(f"{what} for {count}{short}")
     return ", ".join(parts)
+
+
+def _tell_chairs(eats_in: str, pieces: Sequence[Piece], names: Mapping[str, str]) -> str:
+    """The room in which they eat and every other with chairs at a table, with how many."""
+    chairs = Counter(p.space for p in pieces if p.category in SEATS and p.function in TABLES)
+    rooms = dict.fromkeys((eats_in, *chairs))
+    return " and ".join(f"{names[room]} ({_count(chairs[room], 'chair')})" for room in rooms)
 
 
 def _count(number: int, what: str) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from scenewright.domains.home.attempt import RoomTask
 from scenewright.domains.home.household import Household, share_out
 from scenewright.domains.home.programme import STANDS_FOR, Wish
+from scenewright.domains.home.wished.beds import list_wished_beds
 from scenewright.domains.home.wished.wishes import list_barred_groups
 
 
@@ -26,9 +27,15 @@ def share_with_home(
     household: Household, task: RoomTask, asked: tuple[Wish, ...], others: frozenset[str]
 ) -> tuple[Wish, ...]:
     """The wishes of one room as the home has them, those of a room of which all is listed as asked;
-    ``others`` are the groups in all its rooms."""
+    ``others`` are the groups in all its rooms. A bed that is wished for stays, however many live
+    there."""
     listed = task.asked is not None and task.asked.ask is not None
-    shared = asked if listed else share_out(household, task.space.id, asked, others)
+    room = "" if task.asked and list_wished_beds(task.asked) else task.space.id
+    settled = household._replace(
+        bunks=tuple(k for k in household.bunks if k == room),
+        alone=tuple(k for k in household.alone if k == room),
+    )
+    shared = asked if listed else share_out(settled, task.space.id, asked, others)
     barred = list_barred_groups(task.asked, task.library) if task.asked else frozenset()
     return tuple(wish for wish in shared if wish in asked or wish.group not in barred)
 

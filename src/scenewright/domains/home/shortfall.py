@@ -56,13 +56,13 @@ def complete_account(
 def list_short_beds(
     residents: int | None, spaces: Sequence[Space], pieces: Iterable[Piece]
 ) -> list[LeftOut]:
-    """The beds that the stated residents lack, of the first bedroom."""
+    """The beds that the stated residents lack, one by one, of the first bedroom."""
     held = sum(BEDS.get(piece.category, 0) for piece in pieces)
     if residents is None or held >= residents:
         return []
     room = next((s for s in spaces if "bedroom" in s.functions), spaces[0])
     reason = f"beds for {held or 'none'} of {residents} residents: no bedroom has room for more"
-    return [LeftOut(room.id, "single", reason, True)]
+    return [LeftOut(room.id, "single", reason, True)] * (residents - held)
 
 
 def list_lacking(space: Space, pieces: Iterable[Piece], catalog: Catalog) -> list[Essential]:

@@ -32,6 +32,7 @@ from scenewright.domains.home.programme import (
     resolve_bedrooms,
 )
 from scenewright.domains.home.requests import limit_sizes
+from scenewright.domains.home.wished.beds import take_wished_bed
 from scenewright.domains.home.wished.wishes import apply_wishes
 
 Cancel = Callable[[], bool]
@@ -156,6 +157,7 @@ def wishes_of(
     given = {kind for wish in task.instead for kind in STANDS_FOR.get(wish.group, ())}
     usual = tuple(w for w in usual if not given.intersection(STANDS_FOR.get(w.group, ())))
     usual = tuple(w for w in (*task.instead, *usual) if w.group not in out)
+    usual = take_wished_bed(usual, room)
     return apply_wishes(_less(usual, standing), room, task.library, there)
 
 

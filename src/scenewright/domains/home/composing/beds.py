@@ -21,6 +21,7 @@ from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.trials import take_first, try_forms
 from scenewright.domains.home.composing.walked_places import try_places
 from scenewright.domains.home.programme import BEDS, resolve_bedrooms
+from scenewright.domains.home.wished.beds import list_wished_beds
 
 DOUBLE, SINGLE = "sleeping", "single"
 
@@ -55,6 +56,8 @@ def wants_double_bed(task: RoomTask) -> bool:
     if ask is not None:
         asked = {one.group for one in ask if one.count}
         return DOUBLE in asked and SINGLE not in asked
+    if task.asked and (wished := list_wished_beds(task.asked)):
+        return DOUBLE in wished
     return "double_bedroom" in resolve_bedrooms(task.space.functions, floor_of(task.ground))
 
 
