@@ -140,3 +140,42 @@ def test_accessible_on_the_command_line(tmp_path: Path) -> None:
     assert (saved.accessible, saved.route_width) == (True, 0.9)
     assert cli.run(["arrange", "sample:hall-shop", "--accessible", "-q"]) == 2
     assert cli.run([*command, "--batch"]) == 2
+
+
+@pytest.mark.parametrize("seed", [1, 3])
+def test_showers_stand_for_baths_and_beds_are_of_full_width(seed: int) -> None:
+    """Also in a bathroom so large that it would have both, unless the bath is wished for."""
+
+    def held(function: str, width: float, *names: str) -> list[Piece]:
+        document = brief(width, 2.2 if function == "bathroom" else 3.1, function).model_dump()
+        document["rooms"][0]["wishes"] = [{"what": name, "required": True} for name in names]
+        return list(home.solve(Brief.model_validate(document), seed=seed).pieces)
+
+    washed = [p for p in held("bathroom", 3.5) if p.category in ("bathtub", "shower")]
+    assert [p.category for p in washed] == ["shower"]
+    assert min(washed[0].size[:2]) >= 0.9
+    assert "bathtub" in [p.category for p in held("bathroom", 3.5, "bath")]
+    assert [p.size.width >= 0.9 for p in held("child_bedroom", 3.5) if "bed" in p.category] == [
+        True
+    ]
+
+
+def test_under_slopes_the_essential_stands_before_the_rest() -> None:
+    """A wardrobe has one place at the gables of this loft, which a bookcase would take."""
+    slopes = [{"edge": edge, "knee": 0.9, "pitch": 0.75} for edge in (0, 2)]
+    loft = {
+        "id": "loft",
+        "function": ["double_bedroom", "study"],
+        "height": 3.2,
+        "outline": [[0, 0], [7, 0], [7, 5], [0, 5]],
+        "slopes": slopes,
+        "doors": [{"at": [7, 2.5], "width": 0.85}],
+        "windows": [
+            {"at": [3, 0], "width": 1.1, "sill": 1.0, "height": 1.3},
+            {"at": [0, 2.5], "width": 1.2},
+        ],
+    }
+    solution = home.solve(Brief.model_validate({"rooms": [loft], "accessible": True}))
+    assert {"wardrobe", "double_bed", "desk"} <= {p.category for p in solution.pieces}
+    assert not any(out.required for out in solution.left_out)
+    assert check(solution).valid

@@ -20,10 +20,12 @@ from scenewright.core.piece_edits import frame_of, transfer_frame
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask, penalty
 from scenewright.domains.home.cases.library import Library, cases, index_cases
+from scenewright.domains.home.easy_forms import keep_roomy, prefer_easy
 from scenewright.domains.home.furnishing.furnish import SLACK
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.room import furnish
+from scenewright.domains.home.room import fill_rest, furnish, share_of
+from scenewright.domains.home.systematic import essential_layouts
 from scenewright.engine.solve import Budget
 from scenewright.geometry.fit import COLLIDES, faults
 
@@ -35,7 +37,6 @@ ALONG = 1.2  # length of it along a bed, from its foot, metres
 SPARE = 0.03  # what is reserved more than needed, metres
 BEDS = ("double_bed", "single_bed")
 WIDENED = {"sleeping": "double_bed", "single": "single_bed", "toilet": "toilet"}
-INSTEAD = {"bunk": "single", "bath": "shower"}
 NARROWEST = 0.002  # the same where there is no room for that, metres
 SPARED = frozenset(("washer",))  # what a room without space to turn gives up before that
 APART = frozenset(("storage", "balcony", "other"))
@@ -101,21 +102,83 @@ def furnish_by_use(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> 
 
 
 def for_wheelchairs(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
-    """The best answer for a room with room to turn in it, if there is any place for that."""
-    wishes, turns = _prefer_accessible(wishes), spots(task)
+    """The best answer for a room with room to turn in it, if there is any place for that: with what
+    is easy to use; where something essential lacks, with smaller forms, with what is essential
+    before all else, last with what is less easy."""
+    easy = prefer_easy(task, wishes)
+    essential = tuple(w for w in easy if w.rank == 0 or w.required)
+    roomy = task._replace(library=keep_roomy(task.library))
+    ways = (
+        (roomy, easy, easy),
+        (task, easy, easy),
+        (task, easy, essential),
+        (task, wishes, wishes),
+    )
+    tried: list[tuple[float, RoomAnswer]] = []
+    for one, asked, first in ways:
+        tried.append(_turn_in(one, asked, first, budget))
+        if tried[-1][0] == 0.0:
+            break
+    _, best = min(tried, key=lambda way: way[0])
+    return best._replace(evaluations=sum(answer.evaluations for _, answer in tried))
+
+
+def _count_lacking(answer: RoomAnswer) -> int:
+    """How much of what is essential, or required, is missing."""
+    return sum(m.wish.rank == 0 or m.wish.required for m in answer.missing)
+
+
+def _cost_faults(task: RoomTask, answer: RoomAnswer) -> float:
+    """What it costs that essentials are missing, and beds and toilets out of reach."""
+    lost = [m.wish for m in answer.missing if m.wish.rank == 0 or m.wish.required]
+    shut = task.costs.no_transfer * count_shut(task, answer)
+    return shut + sum(penalty(wish, task.costs) for wish in lost)
+
+
+def _turn_in(
+    task: RoomTask, wishes: tuple[Wish, ...], first: tuple[Wish, ...], budget: Budget
+) -> tuple[float, RoomAnswer]:
+    """The best answer with room to turn, and what its faults cost; what is asked for ``first``
+    stands before the rest."""
+    turns = spots(task)
     if not turns and _opens_on_others(task):
         wishes = tuple(wish for wish in wishes if wish.rank == 0 or wish.required)
     answers = [
-        _clear_approaches(task, furnish(_reserve_turning_circle(task, spot), wishes, budget))
+        _furnish_in_order(_reserve_turning_circle(task, spot), wishes, first, budget)
         for spot in turns
     ]
+    more = 0.0
     if not answers or any(map(_is_needed, min(answers, key=_score).missing)):
-        plain = _clear_approaches(task, furnish(task, wishes, budget))
+        plain = _furnish_in_order(task, wishes, first, budget)
         more = task.costs.no_turn if answers else 0.0
         answers.append(plain._replace(score=plain.score + more))
     best = min(answers, key=_score)
+    cost = _cost_faults(task, best) + more * (best is answers[-1])
     missing = tuple(m._replace(reason=_reword_reason(m.reason)) for m in best.missing)
-    return best._replace(missing=missing, evaluations=sum(a.evaluations for a in answers))
+    looked = sum(a.evaluations for a in answers)
+    return cost, best._replace(missing=missing, evaluations=looked)
+
+
+def _furnish_in_order(
+    task: RoomTask, wishes: tuple[Wish, ...], first: tuple[Wish, ...], budget: Budget
+) -> RoomAnswer:
+    """A room with what is asked for ``first``, then the rest of its wishes, all within reach."""
+    rest = tuple(wish for wish in wishes if wish not in first)
+    answer = furnish(task, tuple(w for w in wishes if w in first), budget)
+    laid = (
+        next(essential_layouts(task, wishes, answer), None)
+        if rest and _count_lacking(answer)
+        else None
+    )
+    if laid is not None and _count_lacking(laid) < _count_lacking(answer):
+        answer = fill_rest(task, laid, share_of(budget, 1.0, task.preset.settings.tries))
+    elif rest:
+        more = tuple(Missing(wish, "no room is left beside the rest") for wish in rest)
+        lost = sum(penalty(wish, task.costs) for wish in rest)
+        answer = answer._replace(missing=(*answer.missing, *more), score=answer.score + lost)
+        rule = task.preset.settings.tries
+        answer = fill_rest(task, answer, share_of(budget, rule.fill, rule))
+    return _clear_approaches(task, answer)
 
 
 def _opens_on_others(task: RoomTask) -> bool:
@@ -127,17 +190,6 @@ def _opens_on_others(task: RoomTask) -> bool:
 def _is_needed(lack: Missing) -> bool:
     """Whether a room is of no use without what is missing, so that it may lack space to turn."""
     return lack.wish.core and lack.wish.group not in SPARED
-
-
-def _prefer_accessible(wishes: tuple[Wish, ...]) -> tuple[Wish, ...]:
-    """Wishes with what is easier to use in the place of what is not, unless both are wished."""
-    have = {w.group for w in wishes}
-    return tuple(
-        w._replace(group=INSTEAD[w.group])
-        if w.group in INSTEAD and INSTEAD[w.group] not in have and not w.required
-        else w
-        for w in wishes
-    )
 
 
 def _reword_reason(reason: str) -> str:
