@@ -14,6 +14,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.report import Finding, Report
 from scenewright.core.solution import Solution
+from scenewright.domains.hall.check.facing import note_seats_turned_away
 from scenewright.domains.hall.check.figures import HallVerdict, judge_halls
 from scenewright.domains.hall.check.halls import JudgedHall, halls_of
 
@@ -37,7 +38,8 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
         )
     findings = (*shared.findings, *faults, *verdict.findings)
     doorless = find_doorless(walked.bodies, walked.rooms, _find_visited(asked))
-    notes = (*note_reading(brief), *doorless, *shared.notes, *verdict.notes)
+    turned = note_seats_turned_away(walked.bodies, plan.spaces, asked)
+    notes = (*note_reading(brief), *doorless, *turned, *shared.notes, *verdict.notes)
     figures = {**count_findings(solution.pieces, findings), **shared.figures}
     if halls:
         figures["halls"] = _add_energies(solution, verdict.figures)

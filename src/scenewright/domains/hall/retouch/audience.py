@@ -9,9 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, FAN, GRID, NUMBER, SINGLE
+from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, FAN, GRID, NUMBER
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers
+from scenewright.domains.hall.retouch.stages import AT_WALL, propose_stages
 from scenewright.domains.hall.terms.state import Kept
 
 VIEW, BEFORE = 0.6, 0.5
@@ -20,10 +21,11 @@ least it has to."""
 OFF_AXIS, TURNED, MOST, SIDE = 0.3, 2.0, 6.0, 2.0
 """What a metre of the middle of the seats off the axis counts, what seats that look away do, the
 most that counts, and what a metre by which the mean seat lies out of sight does."""
-FAR, GAPS = (1.3, 2.0, 3.0), (0.92, 0.57)
+FAR, GAPS = (1.3, 2.0, 3.0), (1.1, 0.92, 0.57)
 """Metres between stage and first row, and between rows, that are tried."""
-ROWS, FEWEST, AT_WALL = 24, 6, 0.02
-"""Rows at most, seats of an audience at least, and what a stage stays off its wall in metres."""
+ROWS, FEWEST, CLOSE, OFF_WALL = 24, 6, 0.05, 0.02
+"""Rows at most, seats of an audience at least, and metres between neighbours in close rows
+and from the edge of the zone."""
 
 
 class Audience(NamedTuple):
@@ -73,34 +75,9 @@ def propose_audiences(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterat
     """Layouts with the seats of one audience on the axis of their stage, where it stands or in the
     middle of a wall."""
     for audience in find_audiences(problem, kept):
-        for pose in _stages(problem, kept, boxes, audience.stage):
-            moved = kept._replace(pose=kept.pose.copy())
-            if int(kept.rows[audience.stage, 0]) == SINGLE:
-                moved.pose[audience.stage, :3] = pose[:3]
+        for moved, stage in propose_stages(problem, kept, boxes, audience.stage):
             for form in _forms(problem, moved, audience.seats):
-                yield from _before(problem, form, audience.seats, pose)
-
-
-def _stages(problem: HallProblem, kept: Kept, boxes: Floats, stage: int) -> Iterator[Floats]:
-    """Boxes (5,) of a stage: as it stands, and with its back at the walls of its zone, in their
-    middle and in that of the zone."""
-    box, zone = boxes[problem.units.spans[stage, 0]], int(problem.units.zones[stage])
-    yield box
-    if int(kept.rows[stage, 0]) != SINGLE:
-        return
-    low, high = problem.ground.zone_bounds[zone].reshape(2, 2)
-    for x0, y0, x1, y1, owner in problem.ground.stretches[:, :5]:
-        start, length = np.array([x0, y0]), float(np.hypot(x1 - x0, y1 - y0))
-        if int(owner) != zone or length < box[3]:
-            continue
-        way = np.array([x1 - x0, y1 - y0]) / length
-        left = np.array([-way[1], way[0]])
-        middle = float(
-            np.clip((0.5 * (low + high) - start) @ way, 0.5 * box[3], length - 0.5 * box[3])
-        )
-        for along in (middle, 0.5 * length):
-            x, y = start + along * way + (0.5 * box[4] + AT_WALL) * left
-            yield np.array([x, y, np.arctan2(left[1], left[0]), *box[3:]])
+                yield from _before(problem, form, audience.seats, stage)
 
 
 def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
@@ -115,11 +92,11 @@ def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
     apart = float(problem.units.clear[first, ::2].sum()) + AT_WALL
     least = problem.route if problem.units.access[first].any() else 0.0
     gaps = [gap for gap in (across, apart, *GAPS) if gap >= least]
-    for used, gap in product(_rows(number, room), gaps):
+    for used, gap, beside in product(_rows(number, room), gaps, sorted({along, min(along, CLOSE)})):
         layers, rows = kept.layers.copy(), kept.rows.copy()
         for k in range(used):
             each = number // used + (1 if k >= used - number % used else 0)
-            layers[row + k, [NUMBER, ALONG, ACROSS, CODE]] = each, along, gap, CHAIN
+            layers[row + k, [NUMBER, ALONG, ACROSS, CODE]] = each, beside, gap, CHAIN
         rows[seats, 1] = used
         yield kept._replace(layers=layers, rows=rows)
 
@@ -140,8 +117,24 @@ def _before(problem: HallProblem, kept: Kept, seats: int, stage: Floats) -> Iter
     if int(kept.rows[seats, 0]) == FAN:
         whole = float(kept.layers[row : row + used, ACROSS].max()) if used else deep
     front = np.array([np.cos(stage[2]), np.sin(stage[2])])
+    aside = _shift_aside(problem, kept, seats, stage)
     for far in FAR:
         moved = kept._replace(pose=kept.pose.copy())
-        moved.pose[seats, :2] = stage[:2] + (0.5 * (stage[4] + whole) + far) * front
+        moved.pose[seats, :2] = stage[:2] + (0.5 * (stage[4] + whole) + far) * front + aside
         moved.pose[seats, 2] = stage[2] + np.pi
         yield moved
+
+
+def _shift_aside(problem: HallProblem, kept: Kept, seats: int, stage: Floats) -> Floats:
+    """How far rows move off the axis of a stage (5,) to stay within their zone (2,)."""
+    row, used = find_layers(problem, seats)[0], int(kept.rows[seats, 1])
+    wide = float(problem.units.sizes[slice(*problem.units.spans[seats]), 0].max())
+    layers = kept.layers[row : row + used]
+    half = 0.5 * float((layers[:, NUMBER] * (wide + layers[:, ALONG]) - layers[:, ALONG]).max())
+    way = np.array([-np.sin(stage[2]), np.cos(stage[2])])
+    if int(kept.rows[seats, 0]) == FAN or np.abs(way).min() > 1e-6:
+        return np.zeros(2)
+    low, high = problem.ground.zone_bounds[int(problem.units.zones[seats])].reshape(2, 2)
+    ends = sorted(((low - stage[:2]) @ way, (high - stage[:2]) @ way))
+    least, most = ends[0] + half + OFF_WALL, ends[1] - half - OFF_WALL
+    return way * (0.5 * (least + most) if least > most else float(np.clip(0.0, least, most)))

@@ -1,0 +1,72 @@
+"""Where a stage may stand that its audience is to sit before."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from scenewright.domains.hall.patterns import SINGLE, WALL
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.solvers.chains import begin_chain
+from scenewright.domains.hall.solvers.guided_metropolis import bring_back
+from scenewright.domains.hall.solvers.start import copy_frames
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.engine.draws import streams
+
+AT_WALL = 0.02
+"""What a stage that stands by itself stays off its wall, in metres."""
+SIDES = (0.0, -1.0, 1.0)
+"""Middle and ends of a wall, as rows along walls count them."""
+
+
+def propose_stages(
+    problem: HallProblem, kept: Kept, boxes: Floats, stage: int
+) -> Iterator[tuple[Kept, Floats]]:
+    """Layouts with the unit of a stage as it stands and elsewhere at the walls of its zone, each
+    with the box (5,) it has there."""
+    yield kept, boxes[problem.units.spans[stage, 0]]
+    code = int(kept.rows[stage, 0])
+    if code == SINGLE:
+        yield from _stand_free(problem, kept, boxes, stage)
+    elif code == WALL:
+        yield from _stand_at_walls(problem, kept, stage)
+
+
+def _stand_free(
+    problem: HallProblem, kept: Kept, boxes: Floats, stage: int
+) -> Iterator[tuple[Kept, Floats]]:
+    """With its back at each wall, in the middle of that and of the zone."""
+    box, zone = boxes[problem.units.spans[stage, 0]], int(problem.units.zones[stage])
+    low, high = problem.ground.zone_bounds[zone].reshape(2, 2)
+    for x0, y0, x1, y1, owner in problem.ground.stretches[:, :5]:
+        start, length = np.array([x0, y0]), float(np.hypot(x1 - x0, y1 - y0))
+        if int(owner) != zone or length < box[3]:
+            continue
+        way = np.array([x1 - x0, y1 - y0]) / length
+        left = np.array([-way[1], way[0]])
+        middle = float(
+            np.clip((0.5 * (low + high) - start) @ way, 0.5 * box[3], length - 0.5 * box[3])
+        )
+        for along in (middle, 0.5 * length):
+            x, y = start + along * way + (0.5 * box[4] + AT_WALL) * left
+            placed = np.array([x, y, np.arctan2(left[1], left[0]), *box[3:]])
+            moved = kept._replace(pose=kept.pose.copy())
+            moved.pose[stage, :3] = placed[:3]
+            yield moved, placed
+
+
+def _stand_at_walls(problem: HallProblem, kept: Kept, stage: int) -> Iterator[tuple[Kept, Floats]]:
+    """In the middle and at the ends of each wall it finds room at."""
+    chain, zone = begin_chain(problem, kept, streams(0, 1)[0]), problem.units.zones[stage]
+    first, last = chain.p.loop_spans[zone]
+    lengths = chain.s.stretches[chain.p.loops[first:last], 4].copy()
+    row = int(problem.units.spans[stage, 0])
+    for along in np.cumsum(lengths) - 0.5 * lengths:
+        for side in SIDES:
+            moved = kept._replace(pose=kept.pose.copy())
+            moved.pose[stage, :2] = along, side
+            bring_back(chain.p, chain.s, chain.work, moved)
+            boxes = np.zeros((len(chain.p.sizes), 5))
+            copy_frames(chain.s, boxes)
+            yield moved, boxes[row]
