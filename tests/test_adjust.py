@@ -238,3 +238,16 @@ def test_adjust_on_the_command_line(
     for fault in ("--move bed", "--move bed=1", "--move bed=1,x", "--swap sofa"):
         assert cli.run(["adjust", str(source), "-o", str(out), *fault.split(" ")]) == 2
         assert not out.exists()
+
+
+def test_a_room_again_from_its_own_seed_says_that_nothing_changed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, out = tmp_path / "room.json", tmp_path / "room.svg"
+    assert cli.run(["arrange", "sample:home-room", "-o", str(source), "-q"]) == 0
+    room = solution_json.read(source).pieces[0].space
+    again = ["adjust", str(source), "-o", str(out), "--again", room]
+    assert cli.run(again) == 0
+    assert "nothing changed; try --seed 1" in capsys.readouterr().out
+    assert cli.run([*again, "--seed", "1"]) == 0
+    assert "nothing changed" not in capsys.readouterr().out

@@ -208,3 +208,28 @@ def test_chairs_are_told_room_by_room() -> None:
     assert min(held.values()) >= 2
     told = tell_programme(solution, plan)
     assert all(f"{plan.names[room]} ({n} chairs)" in told for room, n in held.items())
+
+
+def test_further_beds_stand_where_residents_would_have_none() -> None:
+    """Six in one bedroom of 22 m² and one of 8 m²: bunks come before a vanity and armchairs."""
+    rooms = [
+        {
+            "id": "big",
+            "function": "double_bedroom",
+            "outline": [[0, 0], [5.5, 0], [5.5, 4], [0, 4]],
+        },
+        {
+            "id": "small",
+            "function": "single_bedroom",
+            "outline": [[5.6, 0], [8.6, 0], [8.6, 2.7], [5.6, 2.7]],
+        },
+    ]
+    rooms[0]["doors"] = [{"at": [1, 0], "width": 0.85}]
+    rooms[1]["doors"] = [{"at": [7.8, 0], "width": 0.85}]
+    solution = solve(Brief.model_validate({"rooms": rooms, "residents": 6}), threads=1)
+    held = [p.category for p in solution.pieces]
+    assert sum(BEDS.get(category, 0) for category in held) >= 6
+    assert "double_bed" in held
+    assert held.count("wardrobe") == 2
+    assert not any(out.required for out in solution.left_out)
+    assert not check(solution).findings

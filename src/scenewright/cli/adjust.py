@@ -85,9 +85,19 @@ def _run(request: AdjustRequest, as_json: bool, quiet: bool) -> int:
         tables.print_json(shown | {"changed": list_changes(changes), "changes": listed})
     elif not quiet:
         show.print_adjusted(
-            tables.output_console(), request.outputs, solution, plan, report, lines(changes)
+            tables.output_console(),
+            request.outputs,
+            solution,
+            plan,
+            report,
+            lines(changes) or _tell_same(request, solution.seed),
         )
     return code
+
+
+def _tell_same(request: AdjustRequest, seed: int) -> list[str]:
+    """What helps where a room arranged again is as it was: its seed was that of the file."""
+    return [f"nothing changed; try --seed {seed + 1}"] if request.again else []
 
 
 def list_changes(changes: Sequence[Change]) -> dict[str, list[str]]:

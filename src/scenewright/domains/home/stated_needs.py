@@ -9,7 +9,7 @@ to bunks, and what is merely usual or welcome waits until what was stated stands
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
@@ -27,7 +27,10 @@ wider on the grid, metres: chairs in the way of an exact walk give way."""
 FEWER_SEATS = 3
 """Tries of a room in which sofas may seat fewer than there are residents."""
 SLEEPING_PLACES = 2
-"""The most that sleep in a room."""
+"""The most that sleep in a room while other rooms have fewer."""
+SLEEPER = 3.5
+"""The least floor for each who sleeps in a room where beds are short, square metres: two bunks with
+a way between them."""
 REQUIRED, BED = 6, 4
 """What a thing required by name, and a bed, weigh."""
 PLACES = ((("dining", "dining_wall"), 2), (("seating", "reading"), 1))
@@ -49,7 +52,12 @@ def meet_stated_needs(
     """The answers after further tries of the rooms in which stated needs are not met; an answer
     is taken where less is short and no room loses what makes it."""
     found = answers
-    for change, short in ((_list_beds, _lack_beds), (_list_fewer, measure_shortage)):
+    changes: tuple[tuple[ListChanges, Callable[..., int]], ...] = (
+        (_list_beds, _lack_beds),
+        (_list_further_beds, _lack_beds),
+        (_list_fewer, measure_shortage),
+    )
+    for change, short in changes:
         for room, task, wishes in change(household, rooms, found):
             if not short(household, found) or task.cancelled():
                 break
@@ -122,6 +130,7 @@ def _furnish_again(
 
 
 Change = Iterator[tuple[int, RoomTask, tuple[Wish, ...]]]
+ListChanges = Callable[[Household, AskedRooms, Sequence[RoomAnswer]], Change]
 
 
 def _list_beds(household: Household, rooms: AskedRooms, found: Sequence[RoomAnswer]) -> Change:
@@ -136,11 +145,35 @@ def _list_beds(household: Household, rooms: AskedRooms, found: Sequence[RoomAnsw
             continue
         if held < (1 if bed.group == "single" else SLEEPING_PLACES):
             yield room, task, tuple(w for w in wishes if w == bed or w.required)
-        if task.accessible or task.ground.area < LEAST_BUNK:
+        if task.accessible or bed.required or task.ground.area < LEAST_BUNK:
             continue
         bunks = tuple(w._replace(group="bunk") if w == bed else w for w in wishes)
         yield room, task, bunks
         yield room, task, tuple(w for w in bunks if w.group == "bunk" or w.required)
+
+
+def _list_further_beds(
+    household: Household, rooms: AskedRooms, found: Sequence[RoomAnswer]
+) -> Change:
+    """Bedrooms with ever more beds beside the first, as many as their floor is for, the largest
+    room first; of all else what is essential."""
+    del household
+    for room in sorted(range(len(found)), key=lambda k: -rooms.tasks[k].ground.area):
+        task, held = rooms.tasks[room], _count_beds([found[room]])
+        stands = [g.wish for g in found[room].placed if g.wish.group in SLEEPING]
+        if not stands:
+            continue
+        needed = (w for w in rooms.wishes[room] if w.rank == 0 or w.required)
+        first = (*stands, *(w for w in needed if w.group not in SLEEPING))
+        for more in _list_bunks(task, int(task.ground.area / SLEEPER) - held):
+            yield room, task, (*first, *(Wish(group, 0, small=True) for group in more))
+
+
+def _list_bunks(task: RoomTask, sleepers: int) -> list[tuple[str, ...]]:
+    """Ever more bunks, or single beds where there are to be none, for up to so many sleepers."""
+    if task.accessible or task.ground.area < LEAST_BUNK:
+        return [("single",) * k for k in range(1, sleepers + 1)]
+    return [("bunk",) * (k // 2) + ("single",) * (k % 2) for k in range(1, sleepers + 1)]
 
 
 def _lack_beds(household: Household, answers: Sequence[RoomAnswer]) -> int:
