@@ -91,7 +91,7 @@ def search_layout(
         on_progress = _make_progress_reporter(progress, attempt, shared, rule)
         on_progress = _watch_objects(search, fitted, on_progress)
         run = HALL_SOLVERS[search.solver].run
-        problem = _heavy(fitted.problem) if shared and attempt else fitted.problem
+        problem = weigh_wrong(fitted.problem) if shared and attempt else fitted.problem
         found = run(StartedHall(problem, fitted.start), budget, seed, on_progress, cancel)
         answers.append(_answer(fitted, found))
         if _suffices(answers, rule) or (cancel is not None and cancel()):
@@ -114,7 +114,7 @@ def may_retry(search: HallSearch) -> bool:
 
 def _answer(fitted: Fitted, found: HallFound) -> Answer:
     best = found.layouts[0]
-    return Answer(_wrong(best), measure_crowding(fitted.problem, best), fitted, found)
+    return Answer(measure_wrong(best), measure_crowding(fitted.problem, best), fitted, found)
 
 
 def _suffices(answers: list[Answer], rule: SearchSettings) -> bool:
@@ -132,12 +132,13 @@ def measure_crowding(problem: HallProblem, layout: MeasuredLayout) -> float:
     return float((s.costs[SPACE, : len(p.spans)] - least).sum())
 
 
-def _wrong(layout: MeasuredLayout) -> float:
+def measure_wrong(layout: MeasuredLayout) -> float:
+    """Objects and doors nobody reaches, and metres that passages lack."""
     return layout.missed + layout.lacking
 
 
 def _rank(layout: MeasuredLayout) -> tuple[float, float]:
-    return _wrong(layout), layout.energy
+    return measure_wrong(layout), layout.energy
 
 
 def take_share(budget: Budget, share: float) -> Budget:
@@ -161,14 +162,14 @@ def _improve_answer(
     wrong, that weighs more than all else."""
     if rest.steps == 0 or rest.seconds == 0.0:
         return answer.found
-    problem = answer.fitted.problem if answer.wrong == 0.0 else _heavy(answer.fitted.problem)
+    problem = answer.fitted.problem if answer.wrong == 0.0 else weigh_wrong(answer.fitted.problem)
     start = answer.found.layouts[0].kept
     more = cooled_hall(problem, start, rest, seed, progress, cancel)
     layouts = sorted((*answer.found.layouts, *more.layouts), key=_rank)
     return Found(tuple(layouts), answer.found.evaluations + more.evaluations)
 
 
-def _heavy(problem: HallProblem) -> HallProblem:
+def weigh_wrong(problem: HallProblem) -> HallProblem:
     """The same problem with more weight on what must not be wrong."""
     wrong = problem.settings.search.wrong
     heavy = {name: wrong * weight for name, weight in problem.weights.items() if name in WAYS}

@@ -12,10 +12,15 @@ import numpy as np
 from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import build_problem
 from scenewright.domains.hall.fit import Fitted
-from scenewright.domains.hall.search import HallSearch, search_layout
+from scenewright.domains.hall.problem import Ints
+from scenewright.domains.hall.search import HallSearch, measure_wrong, search_layout, weigh_wrong
 from scenewright.domains.hall.solvers.chains import first_layout
 from scenewright.domains.hall.solvers.outcome import HallFound, measure_layout
 from scenewright.domains.hall.terms.table import REACH
+
+AFRESH, AGAIN, NOTHING, GIVEN = 3, 7919, 1e-6, 0.3
+"""How often all is tried at other places, the distance of the seeds of these, metres and objects
+that count as none, and the share of what is missed that is given up at a time."""
 
 
 class Reached(NamedTuple):
@@ -28,14 +33,17 @@ class Reached(NamedTuple):
 
 
 def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reached:
-    """Solve again without what the route misses, until it misses nothing or nothing is left to
-    give up. What cannot be solved without is kept, for the referee to find."""
+    """Solve again, elsewhere first and then without some of what the route misses, until it misses
+    nothing and no passage is too narrow, or nothing is left to give up. What cannot be solved
+    without is kept, for the referee to find."""
     given_up: frozenset[int] = frozenset()
+    fitted, found = try_elsewhere(search, fitted, found)
     whole = _complete(search, fitted.units)
     for attempt in range(search.preset.settings.search.given_up):
-        if found.layouts[0].missed == 0.0:
+        if measure_wrong(found.layouts[0]) <= NOTHING:
             break
-        units = _fewer(search, fitted, found)
+        last = attempt + 1 == search.preset.settings.search.given_up
+        units = _fewer(search, fitted, found, 1.0 if last else GIVEN)
         if not units:
             break
         smaller = _fit_units(search, fitted, units, search.seed + 31 * (attempt + 1))
@@ -45,8 +53,26 @@ def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reac
         seen = found.evaluations
         fitted, found = search_layout(_tried_once(search), smaller, None, None)
         found = found._replace(evaluations=found.evaluations + seen)
+        fitted, found = try_elsewhere(search, fitted, found)
         given_up |= dropped
     return Reached(fitted, found, given_up & whole)
+
+
+def try_elsewhere(search: HallSearch, fitted: Fitted, found: HallFound) -> tuple[Fitted, HallFound]:
+    """The same groups from other first places where something is wrong: the first layout in which
+    everything is reached and no passage too narrow, else what was found. What is wrong weighs more
+    than all else meanwhile."""
+    once, seen = _tried_once(search), found.evaluations
+    for attempt in range(AFRESH if measure_wrong(found.layouts[0]) > NOTHING else 0):
+        again = _fit_units(search, fitted, fitted.units, search.seed + AGAIN * (attempt + 1))
+        if again is None:
+            continue
+        heavy = again._replace(problem=weigh_wrong(again.problem))
+        _, other = search_layout(once, heavy, None, None)
+        seen += other.evaluations
+        if measure_wrong(other.layouts[0]) <= NOTHING:
+            return again, other._replace(evaluations=seen)
+    return fitted, found._replace(evaluations=seen)
 
 
 def _complete(search: HallSearch, units: list[Unit]) -> frozenset[int]:
@@ -64,9 +90,10 @@ def _tried_once(search: HallSearch) -> HallSearch:
     return search._replace(preset=search.preset._replace(settings=once))
 
 
-def _fewer(search: HallSearch, fitted: Fitted, found: HallFound) -> list[Unit]:
-    """Units less one optional group where a required one is not reached, else less as many
-    objects of each group as the route misses of it; doors it misses cost the largest group one."""
+def _fewer(search: HallSearch, fitted: Fitted, found: HallFound, share: float) -> list[Unit]:
+    """Units less one optional group where a required one is not reached, else less a share of as
+    many objects as the route misses, of the groups that have most of them; doors it misses cost
+    the largest group one."""
     units, wishes = fitted.units, search.wishes
     _, s, _ = measure_layout(fitted.problem, found.layouts[0])
     missed = s.costs[REACH, : len(units)].astype(int)
@@ -79,8 +106,25 @@ def _fewer(search: HallSearch, fitted: Fitted, found: HallFound) -> list[Unit]:
         missed[last] = counts[last]
     elif not missed.any():
         missed[int(np.argmax(counts))] = 1
+    else:
+        missed = _take_share(missed, counts, share)
     left = zip(units, missed, strict=True)
     return [u._replace(last=u.last - int(n)) for u, n in left if u.last - u.first > n]
+
+
+def _take_share(missed: Ints, counts: Ints, share: float) -> Ints:
+    """How many objects of each group (g,) to give up for a share of those missed (g,) of
+    ``counts`` (g,): one after another of the group that has most left, of like ones that asked
+    for last; nothing there is one of goes before the others.
+
+    >>> _take_share(np.array([2, 4, 1, 0]), np.array([2, 4, 1, 6]), 0.4).tolist()
+    [0, 3, 0, 0]
+    """
+    given = np.zeros(len(missed), np.int64)
+    for _ in range(int(np.ceil(share * missed.sum()))):
+        left = np.where(given < missed, counts - given, -1)
+        given[len(left) - 1 - int(np.argmax(left[::-1]))] += 1
+    return given
 
 
 def _fit_units(search: HallSearch, fitted: Fitted, units: list[Unit], seed: int) -> Fitted | None:
