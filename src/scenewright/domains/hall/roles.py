@@ -6,6 +6,8 @@ from collections.abc import Collection
 
 GOODS = ("gondola", "wall_shelving", "ring_shelf", "fridge_shelf", "clothes_rail", "round_rack")
 """Where one of these is, counters are tills; elsewhere visitors come to them first."""
+DECOR = ("plant", "potted_tree", "planter", "litter_bin", "rope_barrier")
+"""What nobody comes to see."""
 DESKS = ("info_desk", "ticket_gate")
 
 

@@ -18,6 +18,7 @@ from scenewright.core.space import Opening, Points, Space
 from scenewright.domains.hall.doors import visitor_exits, ways_in
 from scenewright.domains.hall.floor import WalkingFloor, find_floor
 from scenewright.domains.hall.hall_layout import HallLayout, Stop, Tour
+from scenewright.domains.hall.roles import DECOR
 from scenewright.domains.hall.visits import find_places, find_visits, search_from
 from scenewright.geometry.distance_raster import DistanceRaster, distances
 from scenewright.geometry.travel import TravelSearch, make_search, round_off, string_pull
@@ -39,7 +40,7 @@ def tour(
 
     It keeps to ways ``width`` metres wide and passes narrower ones only to groups with no other
     way; the tour tells the true clear width at each of its points. Groups with no way at all
-    have no stop.
+    have no stop, nor have plants, bins and ropes.
     """
     floor = find_floor(space, pieces, catalog, width)
     entrances, exits = ways_in(space), visitor_exits(space)
@@ -50,7 +51,9 @@ def tour(
     start = _cell(floor, entrances[0])
     search_from(search, floor, [start])
     doors = _last_doors(floor, search.times, entrances[0], exits)
+    decor = {piece.id for piece in pieces if piece.category in DECOR}
     groups = [group for group in graph.groups if group.space == space.id]
+    groups = [group for group in groups if not decor.issuperset(group.objects)]
     places = find_places(floor, search.times, groups, pieces, catalog, width, start)
     order, cells = find_visits(search, floor, places, [_cell(floor, door) for door in doors])
     way_out = [_cell(floor, door) for door in doors].index(cells[-1])

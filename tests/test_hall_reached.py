@@ -1,4 +1,4 @@
-"""What no way leads to is tried elsewhere before it is left out, and little at a time."""
+"""What no way leads to is tried elsewhere before it is left out; what a tour stops at."""
 
 from __future__ import annotations
 
@@ -67,3 +67,20 @@ def test_a_shop_with_a_passage_too_narrow_is_laid_out_anew() -> None:
     found = _solve(room, 0)
     assert scenewright.check(found).valid
     assert not found.left_out
+
+
+def test_a_tour_stops_at_no_plants_or_bins() -> None:
+    room = {
+        "outline": [[0, 0], [12, 0], [12, 8], [0, 8]],
+        "doors": [{"at": [2, 0], "width": 1.4}],
+        "demands": [
+            {"category": "showcase", "count": 3},
+            {"category": "potted_tree", "count": 2},
+            {"category": "litter_bin"},
+        ],
+    }
+    found = _solve(room, 0)
+    demand = {group.id: group.demand for group in found.detail.layout.groups}
+    stops = {demand[stop.group] for stop in found.detail.tours[0].stops}
+    assert set(demand.values()) >= {"potted_tree", "litter_bin"}
+    assert stops == {"showcase"}
