@@ -154,6 +154,6 @@ def test_a_piece_moved_out_of_its_hall_is_named(
     piece = next(p["id"] for p in json.loads(path.read_text())["pieces"] if "showcase" in p["id"])
     assert cli.run(["adjust", str(path), "-o", str(out), "--move", f"{piece}=-30,4"]) == 2
     error = capsys.readouterr().err
-    assert f"moved there, '{piece}' would stand" in error
-    assert "outside the hall" in error
+    assert f"'{piece}' cannot stand at (-30, 4)" in error
+    assert "'hall' lies within (0, 0) and (12, 8)" in error
     assert not out.exists()
