@@ -120,7 +120,7 @@ def test_a_brief_is_no_solution_and_is_not_replaced(capsys: Captured) -> None:
     source = save_brief()
     text = Path(source).read_text()
     for verb in ("check", "explain"):
-        assert "is a brief, not a solution; arrange it first" in fault(capsys, verb, source)
+        assert "is not a solution but a brief; arrange it first" in fault(capsys, verb, source)
     replaced = fault(capsys, "arrange", "sample:home-room", "-o", source)
     assert "is a brief and would be replaced; give -o another name" in replaced
     assert Path(source).read_text() == text

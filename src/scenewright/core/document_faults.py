@@ -181,7 +181,7 @@ def _keys(loc: Sequence[int | str], schema: dict[str, Any], defs: dict[str, Any]
 def _fault(error: Any) -> tuple[str, str]:
     kind, given, limits = error["type"], error.get("input"), error.get("ctx", {})
     if kind == "missing":
-        return "is missing", "add it"
+        return "is missing", "list one more" if isinstance(error["loc"][-1], int) else "add it"
     if kind == "extra_forbidden":
         return "is not a known key", "correct its spelling or leave it out"
     if kind in ("too_short", "too_long"):

@@ -119,7 +119,7 @@ def check_document(
     the fault. A brief equal to the ``known`` one has that one's plan."""
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
         if is_brief(document):
-            raise InputError("is a brief, not a solution", "arrange it first, with -o NAME.json")
+            raise InputError("is not a solution but a brief", "arrange it first, with -o NAME.json")
         raise InputError(f'is not a solution: "format" must be "{FORMAT}"')
     if document.get("version") != 1:
         raise InputError(

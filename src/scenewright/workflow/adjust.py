@@ -15,7 +15,7 @@ from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.formats import solution_json
 from scenewright.workflow.events import Event, Judged, Planned, Solved
-from scenewright.workflow.request import check_outputs
+from scenewright.workflow.request import check_outputs, keep_briefs
 from scenewright.workflow.writing import write_all
 
 
@@ -50,6 +50,7 @@ def adjust_file(request: AdjustRequest) -> Generator[Event, None, AdjustedFile]:
     before, plan = solution_json.read_planned(request.file)
     allow_replacing(request.file)
     check_outputs(request.outputs)
+    keep_briefs(request.outputs)
     yield Planned(before.brief, plan)
     try:
         solution, changes = domains.adjust(

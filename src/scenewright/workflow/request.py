@@ -53,6 +53,7 @@ def plan_request(request: ArrangeRequest) -> Planned:
         style=request.style,
     )
     check_targets(request.outputs)
+    keep_briefs(request.outputs)
     for path in request.outputs:
         check_output(path, brief)
     if request.accessible:
@@ -97,11 +98,15 @@ def note_heavy(solution: Solution) -> Iterator[Notice]:
 
 
 def check_outputs(outputs: Sequence[Path]) -> None:
-    """Every suffix can be written, no file is named twice, none is a folder, a file that is read
-    or a brief."""
+    """Every suffix can be written, no file is named twice, none is a folder or a file that is
+    read."""
     for path in outputs:
         writer(path)
     check_targets(outputs)
+
+
+def keep_briefs(outputs: Sequence[Path]) -> None:
+    """Raise :class:`InputError` for an output in the place of a brief, read by this run or not."""
     for path in outputs:
         if brief_json.holds_brief(path):
             raise InputError(

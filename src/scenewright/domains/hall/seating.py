@@ -67,7 +67,7 @@ def _share_chairs(count: int, free: list[int]) -> list[int]:
     """How many of ``count`` chairs go to each of some tables with ``free`` places.
 
     >>> _share_chairs(24, [16, 20]), _share_chairs(9, [4, 4])
-    ([11, 13], [4, 4])
+    ([10, 14], [4, 4])
     """
     whole = sum(free)
     count = min(count, whole)

@@ -49,8 +49,9 @@ def tried_again(
         for number, wider in enumerate(rule.wider[:most], 1):
             if _lacks(found[room], costs) <= wanted:
                 break
-            other = furnish_by_use(_otherwise(task, number, wider), wishes[room], budgets[room])
-            other = compose(_otherwise(task, number, wider), other)
+            anew = _otherwise(task, number, wider)
+            other = furnish_by_use(anew, wishes[room], budgets[room], roomy=False)
+            other = compose(anew, other)
             if _lacks(other, costs) < _lacks(found[room], costs):
                 found = min(
                     found, opened(_with(found, room, other)), key=partial(_lacking, costs=costs)

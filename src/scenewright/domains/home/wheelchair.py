@@ -94,22 +94,27 @@ def _strip(main: Member, sign: float) -> tuple[float, float, float, float]:
     return min(inner, outer), max(inner, outer), main.y + d / 2 - long, main.y + d / 2
 
 
-def furnish_by_use(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
-    """Furnish a room, with room to turn and to get to bed and toilet if the home is accessible."""
-    return (
-        for_wheelchairs(task, wishes, budget) if task.accessible else furnish(task, wishes, budget)
-    )
+def furnish_by_use(
+    task: RoomTask, wishes: tuple[Wish, ...], budget: Budget, roomy: bool = True
+) -> RoomAnswer:
+    """Furnish a room, with room to turn and to get to bed and toilet if the home is accessible;
+    there in ``roomy`` forms first."""
+    if not task.accessible:
+        return furnish(task, wishes, budget)
+    return for_wheelchairs(task, wishes, budget, roomy)
 
 
-def for_wheelchairs(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
+def for_wheelchairs(
+    task: RoomTask, wishes: tuple[Wish, ...], budget: Budget, roomy: bool = True
+) -> RoomAnswer:
     """The best answer for a room with room to turn in it, if there is any place for that: with what
-    is easy to use; where something essential lacks, with smaller forms, with what is essential
-    before all else, last with what is less easy."""
+    is easy to use, in ``roomy`` forms; where something essential lacks, with smaller ones, with
+    what is essential before all else, last with what is less easy."""
     easy = prefer_easy(task, wishes)
     essential = tuple(w for w in easy if w.rank == 0 or w.required)
-    roomy = task._replace(library=keep_roomy(task.library))
+    wide = task._replace(library=keep_roomy(task.library))
     ways = (
-        (roomy, easy, easy),
+        *[(wide, easy, easy)] * roomy,
         (task, easy, easy),
         (task, easy, essential),
         (task, wishes, wishes),

@@ -17,6 +17,8 @@ Floats = NDArray[np.float64]
 
 AT = 0.06  # what begins nearer to a wall than this stands at it, metres
 APART = 0.001  # between pieces that touch, metres
+NARROWEST, WIDEST = 0.03, 0.4  # between these a gap is a slot, metres
+ALIKE = 0.99  # cosine between headings that are one, at least
 LOW = 0.05  # what begins so low stands on the floor, metres
 
 
@@ -48,6 +50,28 @@ def list_flush(
         middles = middles[(middles >= case.width / 2) & (middles <= length - case.width / 2)]
         found.append(_boxes_at(middles, (x, y, ux, uy), heading, case))
     return np.concatenate(found) if found else np.empty((0, 5))
+
+
+def measure_slots(box: Floats, walls: WallRows, standing: StandingObstacles) -> float:
+    """Metres of floor beside what stands on a box ``(5,)`` at its wall that are too narrow for
+    anything: between it and its neighbours, or the ends of the wall."""
+    boxes = standing.boxes[standing.spans[:, 0] < LOW]
+    for (x, y, ux, uy, length), heading in zip(walls.rows, walls.heading, strict=True):
+        (at,), (out,), _, _ = _seen_from(box[None], x, y, ux, uy)
+        if np.cos(heading - box[2]) < ALIKE or abs(out - box[4] / 2) > AT:
+            continue
+        if 0.0 <= at <= length:
+            along, ahead, half, deep = _seen_from(boxes, x, y, ux, uy)
+            near = (ahead - deep < box[4]) & (ahead > 0)
+            ends = np.concatenate([(along + half)[near], [0.0]])
+            starts = np.concatenate([(along - half)[near], [length]])
+            left, right = at - box[3] / 2 + NARROWEST, at + box[3] / 2 - NARROWEST
+            gaps = (
+                left - NARROWEST - ends[ends <= left].max(initial=0.0),
+                starts[starts >= right].min(initial=length) - right - NARROWEST,
+            )
+            return float(sum(gap for gap in gaps if NARROWEST < gap < WIDEST))
+    return 0.0
 
 
 def _seen_from(boxes: Floats, x: float, y: float, ux: float, uy: float) -> tuple[Floats, ...]:

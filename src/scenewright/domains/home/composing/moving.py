@@ -54,7 +54,7 @@ def find_places(
             longest[reach] = longest_stretch(task.ground, standing, reach)
         free = _free(task, case, standing, walls) if case.width <= longest[reach] else NOWHERE
         if case.function == "washer" and is_mere_kitchen(task):
-            flush = _stand(task, case, list_flush(case, walls, standing, RUN), standing)
+            flush = stand_at(task, case, list_flush(case, walls, standing, RUN), standing)
             free = flush if len(flush) else free
         if case.function in FREE and _may_stand_amid(task):
             free = np.concatenate([free, list_amid(task, case, standing)])
@@ -73,10 +73,10 @@ def _in_place(task: RoomTask, case: Group, standing: StandingObstacles, box: Flo
     boxes[:, 0] += ahead * np.cos(box[2])
     boxes[:, 1] += ahead * np.sin(box[2])
     boxes[:, 3:] = case.width, case.depth
-    return _stand(task, case, boxes, standing)
+    return stand_at(task, case, boxes, standing)
 
 
-def _stand(task: RoomTask, case: Group, boxes: Floats, standing: StandingObstacles) -> Floats:
+def stand_at(task: RoomTask, case: Group, boxes: Floats, standing: StandingObstacles) -> Floats:
     """Those of the boxes (n, 5) on which a case stands free."""
     members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
     height = task.space.height
@@ -99,7 +99,7 @@ def list_amid(task: RoomTask, case: Group, standing: StandingObstacles) -> Float
     x, y, turn = (a.ravel() for a in np.meshgrid(*axes))
     size = np.tile((case.width, case.depth), (len(x), 1))
     boxes = np.column_stack([x, y, turn, size])
-    return _stand(task, case, boxes, standing)
+    return stand_at(task, case, boxes, standing)
 
 
 def _free(task: RoomTask, case: Group, standing: StandingObstacles, walls: WallRows) -> Floats:

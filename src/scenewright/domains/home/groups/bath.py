@@ -72,6 +72,14 @@ def linen() -> Iterator[Group]:
         yield Group("linen", "bathroom cabinet", width, 0.35, (piece,))
 
 
+def fitted_cabinets() -> Iterator[Group]:
+    """Tall bathroom cabinets as wide as what is left of a wall, 0.4 to 0.9 m."""
+    for width in range(8, 19):
+        size = Size(width / 20, 0.34, 1.7)
+        piece = Member("bathroom_cabinet", 0, 0, 0, 0, size)
+        yield Group("linen", f"{width / 20:.2f} m bathroom cabinet", width / 20, 0.35, (piece,))
+
+
 def basket() -> Iterator[Group]:
     """A laundry basket."""
     piece = Member("laundry_basket", 0, 0, 0, 0, Size(0.4, 0.36, 0.55))
