@@ -161,14 +161,16 @@ def seat_chairs(
             mine, places = places[: len(chairs.sizes)], places[len(chairs.sizes) :]
             found += _chairs_at(chairs, mine, catalog)
             taken[chairs.id] += len(mine)
-            spare.append((chairs, places))
-    for chairs, places in spare:
-        more = places[: asked[chairs.id] - taken[chairs.id]]
-        found += _chairs_at(chairs, more, catalog)
-        taken[chairs.id] += len(more)
+        spare.append((table, places))
+    for table, places in spare:
+        for chairs in table.seated:
+            lacking = asked[chairs.id] - taken[chairs.id]
+            more, places = places[:lacking], places[lacking:]
+            found += _chairs_at(chairs, more, catalog)
+            taken[chairs.id] += len(more)
     kinds = {chairs.id: chairs for table in wishes for chairs in table.seated}
-    lacking = asked - taken
-    return tuple(found), tuple(_report(hall, kinds[k], n, asked[k]) for k, n in lacking.items())
+    short = asked - taken
+    return tuple(found), tuple(_report(hall, kinds[k], n, asked[k]) for k, n in short.items())
 
 
 def _count_seated(wishes: list[HallDemand]) -> Counter[str]:
