@@ -13,9 +13,11 @@ from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.lines import find_layers
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, SPEAKER, TILL
+from scenewright.geometry.inside import lie_inside
 
-STEP = 0.7
-"""Metres between the points at which floor is looked at."""
+STEP, POINTS = 0.7, 20_000
+"""Metres between the points at which floor is looked at, at least, and how many there are at
+most."""
 LEAST, SHARE, MOST = 3.0, 0.15, 2.0
 """Radius of a circle of floor that may be empty, in metres and as a share of the root of the floor
 of its zone, and metres beyond which more count no more."""
@@ -38,29 +40,21 @@ class BareFloor(NamedTuple):
 
 
 def find_floor(problem: HallProblem) -> BareFloor:
-    """Points all over the floor of a problem that zones have."""
+    """Points all over the floor of a problem that zones have, in very large halls farther apart."""
     ground = problem.ground
     x0, y0, x1, y1 = ground.bounds
-    grid = np.meshgrid(np.arange(x0 + 0.5 * STEP, x1, STEP), np.arange(y0 + 0.5 * STEP, y1, STEP))
+    step = max(STEP, float(np.sqrt((x1 - x0) * (y1 - y0) / POINTS)))
+    grid = np.meshgrid(np.arange(x0 + 0.5 * step, x1, step), np.arange(y0 + 0.5 * step, y1, step))
     points = np.stack([part.ravel() for part in grid], axis=1)
     zones = np.full(len(points), -1)
     for zone, (first, last) in enumerate(ground.zone_spans.astype(int)):
-        zones[_is_within(points, ground.zone_edges[first:last])] = zone
+        zones[lie_inside(ground.zone_edges[first:last], *points.T)] = zone
     points, zones = points[zones >= 0], zones[zones >= 0]
     lines = shapely.linestrings(ground.edges[:, :4].reshape(-1, 2, 2))
     far = shapely.distance(shapely.points(points), shapely.multilinestrings(lines))
     for door in problem.visitors.entrances[:1]:
         far = np.minimum(far, np.hypot(*(points - door).T))
     return BareFloor(problem, points, zones, far)
-
-
-def _is_within(points: Floats, edges: Floats) -> np.ndarray:
-    """Which points (k, 2) lie within directed edges (e, 4), by crossings."""
-    x, y = points.T[:, :, None]
-    x0, y0, x1, y1 = edges[:, :4].T
-    cut = (y0 > y) != (y1 > y)
-    at = x0 + (y - y0) * (x1 - x0) / np.where(y1 == y0, 1.0, y1 - y0)
-    return (cut & (x < at)).sum(1) % 2 == 1
 
 
 def find_circles(floor: BareFloor, boxes: Floats) -> Floats:

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.solvers.moves import drawn_edge
@@ -17,6 +16,7 @@ from scenewright.domains.hall.terms.state import Floats, PreparedHall, State
 from scenewright.engine.draws import Stream, below, uniform
 from scenewright.geometry.boxes import Frame, common_area, make_frame, read_frame
 from scenewright.geometry.compiled import compiled, inlined
+from scenewright.geometry.inside import lie_inside
 
 TRIES = 400
 CELLS = 10_000
@@ -39,7 +39,7 @@ def make_ways(problem: HallProblem) -> Ways:
     points = shapely.points(x0 + cell * x, y0 + cell * y)
     edges = np.asarray(problem.ground.edges, np.float64)
     walls = shapely.multilinestrings(shapely.linestrings(edges.reshape(-1, 2, 2)))
-    inside = _inside(edges, x0 + cell * x, y0 + cell * y)
+    inside = lie_inside(edges, x0 + cell * x, y0 + cell * y)
     cover = np.where(inside & ~shapely.dwithin(points, walls, radius), 0, 1).astype(np.int64)
     return Ways(
         x0,
@@ -52,15 +52,6 @@ def make_ways(problem: HallProblem) -> Ways:
         np.zeros(cover.size, np.int64),
         np.zeros(cover.size + 4, np.int64),
     )
-
-
-def _inside(edges: Floats, x: Floats, y: Floats) -> NDArray[np.bool_]:
-    """Which points lie inside directed edges, by the parity of edges to their right."""
-    odd = np.zeros(x.shape, bool)
-    for x0, y0, x1, y1 in edges:
-        if y0 != y1:
-            odd ^= ((y0 > y) != (y1 > y)) & (x < (x1 - x0) * (y - y0) / (y1 - y0) + x0)
-    return odd
 
 
 @inlined
