@@ -14,6 +14,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.accepted import AcceptedFinding
 from scenewright.core.errors import InputError
 from scenewright.core.report import Finding, Report
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home import solving as homes
 from scenewright.formats import solution_json
@@ -46,6 +47,24 @@ def test_the_reason_is_shown_with_what_was_given_too() -> None:
 def test_a_piece_may_be_named_as_adjust_takes_it() -> None:
     found = replace(FOUND, piece="a/wardrobe/wardrobe")
     assert accept_findings(Report((found,)), [accepted(piece="a/wardrobe")]).valid
+
+
+@pytest.mark.parametrize(
+    ("name", "is_meant"),
+    [("parents/oma", True), ("wardrobe", True), ("parents/opa", False), ("guests/oma", False)],
+)
+def test_a_piece_with_an_id_of_its_own_is_named_by_its_room_too(name: str, is_meant: bool) -> None:
+    chest = Piece("oma", "wardrobe", "", "parents", Pose(0, 0, 0, 0), Size(1, 1, 1), "", "")
+    report = Report((replace(FOUND, space="parents", piece="oma"),))
+    assert accept_findings(report, [accepted(piece=name)], [chest]).valid is is_meant
+
+
+def test_of_two_pieces_that_a_name_may_mean_neither_is_accepted() -> None:
+    box = Piece("a/x/box", "box", "", "a", Pose(0, 0, 0, 0), Size(1, 1, 1), "a/x", "")
+    both = (box, replace(box, id="a/y/box", group="a/y"))
+    report = Report((replace(FOUND, piece="a/x/box"),))
+    assert not accept_findings(report, [accepted(piece="box")], both).valid
+    assert accept_findings(report, [accepted(piece="box")], both[:1]).valid
 
 
 @pytest.mark.parametrize(

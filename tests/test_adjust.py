@@ -175,6 +175,8 @@ def test_a_piece_may_change_rooms_but_not_leave_the_home(house: Solution) -> Non
         ({"lock": ["bed"]}, "'bed' may be any of 3 pieces; say which: .*double_bed"),
         ({"again": ["kitchn"]}, "unknown space 'kitchn'; use one of: kitchen"),
         ({"swap": [("living/sofa", "living/coffee_table")]}, "are of one group"),
+        ({"move": {"bedroom/bed": (1.0, 1.0, 90.0)}}, "90 is no heading; headings are radians"),
+        ({"move": {"bedroom/bed": (1.0,)}}, r"give \(x, y\) or \(x, y, heading\)"),
         ({"unlock": ["stairs"]}, "is of the building; move the stairs in the brief"),
     ],
 )
@@ -235,9 +237,25 @@ def test_adjust_on_the_command_line(
     assert bed.id in document["changed"]["moved"]
     assert piece(solution_json.read(out), bed.id).pose.y == pytest.approx(y, abs=1e-3)
     out.unlink()
-    for fault in ("--move bed", "--move bed=1", "--move bed=1,x", "--swap sofa"):
+    for fault in (
+        "--move bed",
+        "--move bedroom/bed=1,1,400",
+        "--move bed=1",
+        "--move bed=1,x",
+        "--swap sofa",
+    ):
         assert cli.run(["adjust", str(source), "-o", str(out), *fault.split(" ")]) == 2
         assert not out.exists()
+
+
+@pytest.mark.parametrize(
+    ("heading", "meant"), [("1.5708", "90"), ("3.14", "180"), ("-0.785", "-45")]
+)
+def test_headings_in_radians_are_refused_on_the_command_line(
+    heading: str, meant: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.run(["adjust", "home.json", "-o", "o.json", "--move", f"bed=1,2,{heading}"]) == 2
+    assert f"seems to be in radians; give degrees: {meant}\n" in capsys.readouterr().err
 
 
 def test_a_room_again_from_its_own_seed_says_that_nothing_changed(

@@ -24,7 +24,9 @@ from scenewright import cli
 from scenewright.cli import bench as cli_bench
 from scenewright.cli import show
 from scenewright.core.errors import InputError
+from scenewright.core.report import Report
 from scenewright.core.solution import LeftOut, Solution, TermValue
+from scenewright.domains import plan_of
 from scenewright.formats import brief_json, solution_json
 from scenewright.workflow.events import run_to_end
 from scenewright.workflow.writing import write_all
@@ -236,6 +238,23 @@ def test_keep_without_furniture_is_noted(capsys: Captured) -> None:
         assert ("--keep has no effect" in capsys.readouterr().err) is noted
 
 
+def test_seconds_with_a_seed_are_noted(capsys: Captured) -> None:
+    for more, noted in (["--seconds", "0.01"], True), (["--steps", "10"], False):
+        cli.run(["arrange", save_brief(), "--seed", "1", *more])
+        assert ("ends by the clock" in capsys.readouterr().err) is noted
+
+
+def test_the_look_of_a_home_is_told_with_what_chose_it(capsys: Captured) -> None:
+    """A style or palette that nobody named may be another with another seed."""
+    drawn = named = flat_solution()
+    named = replace(named, brief=named.brief.model_copy(update={"style": "nordic fjord"}))
+    for solution, told in ((drawn, " (drawn by seed 7)"), (named, "style nordic, palette fjord")):
+        plan = plan_of(solution.brief)
+        show.print_arranged(Console(), [], solution, plan, Report(()))
+        line = next(line for line in capsys.readouterr().out.splitlines() if "palette" in line)
+        assert line.endswith(told)
+
+
 def test_nothing_asked_shows_the_help_only(capsys: Captured) -> None:
     assert cli.run([]) == 2
     told = capsys.readouterr()
@@ -254,19 +273,6 @@ def test_check_tells_every_violation(solution: Solution, capsys: Captured) -> No
     assert "collision" in out
     assert cli.run(["check", "bad.json", "--quiet"]) == 1
     assert capsys.readouterr().out == ""
-
-
-@pytest.mark.parametrize(
-    "what",
-    ["solvers", "terms", "patterns", "presets", "formats", "groups", "styles", "assets", "samples"],
-)
-def test_lists(what: str, capsys: Captured) -> None:
-    assert cli.run(["list", what, "--json"]) == 0
-    rows = json.loads(capsys.readouterr().out)
-    assert rows
-    assert cli.run(["list", what]) == 0
-    first = next(iter(rows[0].values()))
-    assert str(first) in capsys.readouterr().out
 
 
 def test_schemas_accept_what_is_written(solution: Solution, capsys: Captured) -> None:

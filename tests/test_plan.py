@@ -230,6 +230,26 @@ def test_levels_and_heights() -> None:
     assert [space.level for space in found] == ["o", "u"]
 
 
+@pytest.mark.parametrize(
+    ("room", "level", "place"),
+    [
+        ({"height": 0.5}, {}, r"rooms\[0\] 'room-1': "),
+        ({}, {"height": 0.99}, r"rooms\[0\] 'room-1', level 'u': "),
+    ],
+)
+def test_a_room_too_low_to_stand_in_is_refused(
+    room: dict[str, Any], level: dict[str, Any], place: str
+) -> None:
+    listed = [{"id": "u"} | level]
+    with pytest.raises(InputError, match=rf"^{place}.* m high.*at least 1 \(metres\)"):
+        spaces(brief({"outline": box(0, 0, 3, 3)} | room, levels=listed))
+
+
+def test_a_low_level_without_rooms_is_no_fault() -> None:
+    listed = [{"id": "u"}, {"id": "crawl", "height": 0.4}]
+    assert len(spaces(brief({"outline": box(0, 0, 3, 3)}, levels=listed))) == 1
+
+
 def test_rooms_of_two_levels_may_lie_over_each_other() -> None:
     room = {"outline": box(0, 0, 3, 3)}
     two = [{"id": "0"}, {"id": "1", "elevation": 3}]

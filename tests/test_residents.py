@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from benchmarks.briefs import state
 from benchmarks.briefs_households import BRIEFS
 
+from flat import flat_brief, flat_solution
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains import check, plan_of, solve
 from scenewright.domains.home.cases.library import SHIPPED, cases
@@ -84,6 +87,25 @@ def test_a_number_stays_in_the_file_and_is_told() -> None:
     told = tell_programme(solve(two, plan=plan, steps=200), plan)
     assert told.startswith("2 people in")
     assert "short)" in told or "beds for 2" in told
+
+
+@pytest.mark.parametrize(
+    ("beds", "told"),
+    [
+        (("single_bed",), "1 person in 1 bedroom"),
+        (("single_bed", "bunk_bed"), "3 people in 1 bedroom"),
+        ((), "no bed"),
+    ],
+)
+def test_unstated_residents_are_those_who_have_a_bed(beds: tuple[str, ...], told: str) -> None:
+    """A room for two in which a single bed was asked for is a bedroom for one."""
+    plan = plan_of(flat_brief())
+    stood = [
+        Piece(f"{k}", kind, "", "bedroom", Pose(0, 0, 0, 0), Size(1, 2, 1), "", "")
+        for k, kind in enumerate(beds)
+    ]
+    paragraph = tell_programme(replace(flat_solution(), pieces=tuple(stood)), plan)
+    assert paragraph.split(";")[0] == told
 
 
 @pytest.mark.parametrize("number", [0, -1, 21, 1.5, "two"])

@@ -27,6 +27,8 @@ from scenewright.core.space import Level, Points, Slope, Space
 
 DEFAULT_LEVEL = Level("0", "", 0.0, 2.6)
 OVERLAP = 0.02
+LOWEST_ROOM = 1.0
+"""The least height of a room, metres: below nobody can even crawl through it."""
 
 
 def levels(brief: Brief) -> tuple[Level, ...]:
@@ -151,6 +153,13 @@ def _space(
             place=where,
         )
     outline, holes = outlines.rings(floor)
+    height = room.height or level.height
+    if height < LOWEST_ROOM:
+        raise InputError(
+            f"a room {height:g} m high is not possible",
+            f"give a height of at least {LOWEST_ROOM:g} (metres)",
+            place=where if room.height else f"{where}, level '{level.id}'",
+        )
     return Space(
         id=space_id,
         name=room.name or space_id,
@@ -158,9 +167,9 @@ def _space(
         level=level.id,
         outline=outline,
         holes=holes,
-        height=room.height or level.height,
+        height=height,
         main_wall=_main_wall(room, outline, where),
-        slopes=_slopes(room, outline, room.height or level.height, where),
+        slopes=_slopes(room, outline, height, where),
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import isfinite, radians
+from math import isfinite, pi, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 
 Names = list[str] | None
+RADIANS_MEANT = 0.003
+"""A heading so near to eighths of a turn in radians, 1.57 as well as 1.5708, is not in degrees."""
 
 
 def adjust(
@@ -132,7 +134,26 @@ def _pose(argument: str) -> tuple[str, tuple[float, ...]]:
             f"--move {argument} is not a place",
             "give PIECE=X,Y or PIECE=X,Y,DEGREES, as bed=1.2,3.4,90",
         )
+    for angle in numbers[2:]:
+        _check_degrees(angle, argument)
     return name, (*numbers[:2], *(radians(angle) for angle in numbers[2:]))
+
+
+def _check_degrees(angle: float, argument: str) -> None:
+    """InputError for what is no angle in degrees: beyond a full turn, or an eighth of a turn or
+    several written in radians.
+
+    >>> _check_degrees(90.0, "bed=1,2,90"), _check_degrees(1.5, "bed=1,2,1.5")
+    (None, None)
+    """
+    if abs(angle) > 360:
+        raise InputError(f"--move {argument}: {angle:g} is no heading", "give degrees, -360 to 360")
+    eighths = round(angle / (pi / 4))
+    if eighths and abs(eighths) <= 8 and abs(angle - eighths * pi / 4) < RADIANS_MEANT:
+        raise InputError(
+            f"--move {argument}: the heading seems to be in radians",
+            f"give degrees: {45 * eighths}",
+        )
 
 
 def _pair(argument: str) -> tuple[str, str]:

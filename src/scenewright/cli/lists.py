@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
 
 from scenewright.workflow.request import check_name
+
+if TYPE_CHECKING:
+    from scenewright.core.brief import Brief
 
 Row = dict[str, Any]
 
@@ -19,7 +22,29 @@ def rows(what: str) -> list[Row]:
 def select_columns(what: str, rows: list[Row]) -> list[Row]:
     """The columns a person reads; machines get them all."""
     columns = SHOWN.get(what)
+    rows = _join_models(rows) if what == "assets" else rows
     return [{key: row[key] for key in columns} for row in rows] if columns else rows
+
+
+def _join_models(assets: list[Row]) -> list[Row]:
+    """One row a category: how many models draw it, and from which size to which they are made."""
+    kinds: dict[str, list[Row]] = {}
+    for asset in assets:
+        kinds.setdefault(asset["category"], []).append(asset)
+    return [
+        alike[0] | {"models": len(alike), "usual": _span([row["usual"] for row in alike])}
+        for alike in kinds.values()
+    ]
+
+
+def _span(sizes: list[list[float]]) -> list[str]:
+    """Each side of several sizes, from the least to the greatest.
+
+    >>> _span([[2.1, 0.9], [2.4, 0.9]])
+    ['2.1–2.4', '0.9']
+    """
+    sides = [(min(side), max(side)) for side in zip(*sizes, strict=True)]
+    return [f"{low:g}" if low == high else f"{low:g}–{high:g}" for low, high in sides]
 
 
 def schema(what: str) -> dict[str, Any]:
@@ -153,10 +178,25 @@ def _samples() -> list[Row]:
             "demands": sum(len(room.demands) for room in brief.rooms),
         }
         lines = ("zones", "demands") if counts["demands"] else ("rooms", "levels")
-        holds = ", ".join(f"{counts[key]} {key if counts[key] > 1 else key[:-1]}" for key in lines)
+        holds = _count_parts({key: counts[key] for key in lines} if brief.rooms else _parts(brief))
         row = {"domain": brief.domain, "name": name, "about": brief.name, "holds": holds}
         rows.append(row | counts)
     return rows
+
+
+def _parts(brief: Brief) -> dict[str, int]:
+    """How many of each there are in what only the brief's domain knows."""
+    lists = {key: value for key, value in brief.part if isinstance(value, list)}
+    return {key: len(value) for key, value in lists.items() if value}
+
+
+def _count_parts(counts: Mapping[str, int]) -> str:
+    """What there is of each, in words.
+
+    >>> _count_parts({"rooms": 3, "levels": 1})
+    '3 rooms, 1 level'
+    """
+    return ", ".join(f"{count} {key if count > 1 else key[:-1]}" for key, count in counts.items())
 
 
 LISTS: dict[str, Callable[[], list[Row]]] = {
@@ -177,7 +217,7 @@ SHOWN: dict[str, tuple[str, ...]] = {
     "terms": ("domain", "name", "form", "kind", "weight", "doc"),
     "patterns": ("name", "about", "used_for"),
     "presets": ("domain", "name", "solver", "steps", "about"),
-    "assets": ("category", "usual", "in halls"),
+    "assets": ("category", "models", "usual", "in halls"),
     "samples": ("name", "about", "holds"),
 }
 """Columns for people, where not all."""

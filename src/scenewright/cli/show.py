@@ -43,6 +43,8 @@ def print_arranged(
     table(console, rows, title, whole=(_space_word(solution),))
     _left_out(console, solution, plan.names)
     print_line(console, _work(solution, len(plan.names)))
+    if appearance := _appearance(solution):
+        print_line(console, appearance, "dim")
     print_report(console, report)
     for path in outputs:
         print_line(console, f"wrote {path}", "dim", whole=True)
@@ -64,6 +66,12 @@ def print_adjusted(
     print_report(console, report)
     for path in outputs:
         print_line(console, f"wrote {path}", "dim", whole=True)
+
+
+def _appearance(solution: Solution) -> str:
+    """How the scene looks, where its domain tells it."""
+    domain = domain_of(solution.brief.domain)
+    return str(domain.verb("appearance")(solution)) if domain.has("appearance") else ""
 
 
 def describe_interruption(outputs: Sequence[Path]) -> str:
@@ -179,11 +187,11 @@ def _format_usage(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
         "hall": name,
         "floor used": f"{figures['floor_used']:.0%}",
         "walkable": f"{figures['walkable_share']:.0%}",
-        "passages": None if least is None else f"{least:.2f} m",
-        "tour": f"{tour['length']:.0f} m" if tour else None,
-        "tour width": f"{tour['least_width']:.2f} m" if tour else None,
-        "seen": f"{tour['seen']:.0%}" if tour else None,
-        "way out": None if distance is None else f"{distance:.0f} m",
+        "least passage": None if least is None else f"{least:.2f} m",
+        "tour length": f"{tour['length']:.0f} m" if tour else None,
+        "least on tour": f"{tour['least_width']:.2f} m" if tour else None,
+        "seen on tour": f"{tour['seen']:.0%}" if tour else None,
+        "farthest way out": None if distance is None else f"{distance:.0f} m",
     }
 
 
@@ -302,6 +310,7 @@ def arranged_document(
         "brief_hash": solution.brief_hash,
         "seconds": float(solution.seconds),
         "evaluations": int(solution.evaluations),
+        **({"appearance": appearance} if (appearance := _appearance(solution)) else {}),
         "rooms": rooms,
         "left_out": [entry._asdict() for entry in solution.left_out],
         "check": report.to_dict(),

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 
 from scenewright.core.brief.accepted import AcceptedFinding
+from scenewright.core.errors import InputError
+from scenewright.core.piece_edits import find_piece
 from scenewright.core.report import Finding, Note, Report
+from scenewright.core.scene import Piece
 
 MOST_NAMED = 4
 """Pieces that the note of what was accepted in vain names."""
 
 
-def accept_findings(report: Report, accepted: Sequence[AcceptedFinding]) -> Report:
+def accept_findings(
+    report: Report, accepted: Sequence[AcceptedFinding], pieces: Sequence[Piece] = ()
+) -> Report:
     """The report with the reasons for which findings were accepted; what was accepted but is not
-    found is noted.
+    found is noted. Names may be any by which ``adjust`` finds one of the ``pieces``.
 
     >>> found = Finding("blocked_window", "0", "a", "a/bed_1", "w1", "a bed stands before it")
     >>> like = AcceptedFinding(kind="blocked_window", piece="a/bed_1", reason="she likes it so")
@@ -23,28 +29,51 @@ def accept_findings(report: Report, accepted: Sequence[AcceptedFinding]) -> Repo
     """
     if not accepted:
         return report
-    reasons = [next((a.reason for a in accepted if covers(a, f)), "") for f in report.findings]
+    meant = resolve_names((a.piece for a in accepted), pieces)
+    reasons = [
+        next((a.reason for a in accepted if covers(a, f, meant)), "") for f in report.findings
+    ]
     findings = tuple(
         replace(found, accepted=reason) if reason else found
         for found, reason in zip(report.findings, reasons, strict=True)
     )
-    idle = [a for a in accepted if not any(covers(a, found) for found in report.findings)]
+    idle = [a for a in accepted if not any(covers(a, found, meant) for found in report.findings)]
     notes = tuple(Note(a.space, "", "accepted", _tell_idle(a, report)) for a in idle)
     return replace(report, findings=findings, notes=(*report.notes, *notes))
 
 
-def covers(accepted: AcceptedFinding, found: Finding) -> bool:
+def resolve_names(names: Iterable[str], pieces: Sequence[Piece]) -> Mapping[str, str]:
+    """The id of the piece that each name means to ``adjust``, of those that mean one.
+
+    >>> from scenewright.core.scene import Pose, Size
+    >>> box = Piece("oma", "chest", "", "parents", Pose(0, 0, 0, 0), Size(1, 1, 1), "", "")
+    >>> resolve_names(["parents/oma", "parents/opa"], [box])
+    {'parents/oma': 'oma'}
+    """
+    meant = {}
+    for name in filter(None, names):
+        try:
+            meant[name] = find_piece(pieces, name, lambda _piece: False).id
+        except InputError:
+            continue
+    return meant
+
+
+def covers(
+    accepted: AcceptedFinding, found: Finding, meant: Mapping[str, str] = MappingProxyType({})
+) -> bool:
     """Whether a finding is of the kind, piece and space that were accepted; ``a/sofa`` names what
-    is ``a/sofa/sofa``, too.
+    is ``a/sofa/sofa``, too, and whatever id it is ``meant`` for.
 
     >>> found = Finding("collision", "0", "a", "a/sofa_1", "a/tv_1", "they overlap")
     >>> covers(AcceptedFinding(kind="collision", piece="a/tv_1", reason="built in"), found)
     True
     """
+    name = accepted.piece
     return (
         accepted.kind == found.kind
         and accepted.space in ("", found.space)
-        and (not accepted.piece or any(_is_named(p, accepted.piece) for p in _named_in(found)))
+        and (not name or any(_is_named(p, name) or p == meant.get(name) for p in _named_in(found)))
     )
 
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import isfinite, tau
 from typing import NamedTuple
 
+from scenewright.core.document_faults import RADIANS
+from scenewright.core.errors import InputError
 from scenewright.core.solution import Solution
 
 
@@ -35,3 +38,21 @@ class Adjusted(NamedTuple):
 
     solution: Solution
     changes: tuple[Change, ...]
+
+
+def check_moves(move: Mapping[str, tuple[float, ...]]) -> None:
+    """InputError for a place that is not (x, y) or (x, y, heading) in metres and radians: a
+    heading of 90 is meant in degrees.
+
+    >>> check_moves({"bed": (1.0, 2.0, 90.0)})
+    Traceback (most recent call last):
+    scenewright.core.errors.InputError: move 'bed': 90 is no heading; headings are radians, \
+-6.283 to 6.283: 1.5708 is a quarter turn
+    """
+    for name, place in move.items():
+        if len(place) not in (2, 3) or not all(map(isfinite, place)):
+            raise InputError(
+                f"move '{name}': {place} is not a place", "give (x, y) or (x, y, heading)"
+            )
+        if len(place) > 2 and abs(place[2]) > tau:
+            raise InputError(f"move '{name}': {place[2]:g} is no heading", RADIANS)

@@ -16,7 +16,7 @@ from scenewright.core.breeding import Breeder, Gene
 from scenewright.core.brief import Brief
 from scenewright.core.brief.domain_keys import check_domain
 from scenewright.core.catalog import Catalog
-from scenewright.core.edits import Adjusted, Edits
+from scenewright.core.edits import Adjusted, Edits, check_moves
 from scenewright.core.layout import Layouts, Watch
 from scenewright.core.learned import LearnedGroups
 from scenewright.core.plan import Plan
@@ -170,7 +170,7 @@ def check(
     made = made if spaces is None else made._replace(spaces=spaces)
     kinds = catalog or catalog_of(solution.brief.catalogs)
     report: Report = domain_of(solution.brief.domain).verb("check")(solution, made, kinds)
-    return accept_findings(report, solution.brief.accepted)
+    return accept_findings(report, solution.brief.accepted, solution.pieces)
 
 
 def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:
@@ -247,6 +247,7 @@ def adjust(
     ``again`` are laid out anew around what is locked (give another ``seed`` for another answer).
     The answer is the ``solution`` and every one of its ``changes`` with the reason.
     """
+    check_moves(move or {})
     edits = Edits(move or {}, tuple(swap), tuple(lock), tuple(unlock), tuple(again))
     adjusted: Adjusted = domain_of(solution.brief.domain).verb("adjust")(
         solution, edits, plan=plan or plan_of(solution.brief), steps=steps, seed=seed

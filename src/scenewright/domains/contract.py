@@ -48,17 +48,18 @@ Verb = Literal[
     "refuse_style",
     "floors",
     "programme",
+    "appearance",
     "detail_document",
     "detail_of",
     "features",
     "breeder",
 ]
-"""What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged;
-of the others ``validate``, ``refuse_style`` (a style named on the command line that it does not
-know), ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups``, ``styles`` (rows to
-list), ``floors`` (the least the energy of each space could be), ``programme`` (what was decided for
-the whole, in words), ``features``, ``breeder`` and the two of the detail are passed over where a
-domain has none, the rest refused by name."""
+"""What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged; of
+the others ``validate``, ``refuse_style`` (a style named on the command line that it does not know),
+``alternatives``, ``compare``, ``describe``, ``locked``, ``groups``, ``styles`` (rows to list),
+``floors`` (the least the energy of each space could be), ``programme`` (what was decided for the
+whole, in words), ``appearance`` (its style, and what chose it), ``features``, ``breeder`` and the
+two of the detail are passed over where a domain has none, the rest refused by name."""
 Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels", "reasons"]
 
 NEEDED: tuple[Verb, ...] = ("plan", "solve", "check", "scene", "draw")

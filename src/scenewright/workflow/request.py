@@ -85,6 +85,10 @@ def note_ineffective(request: ArrangeRequest, brief: Brief) -> Iterator[Notice]:
         yield Notice("--keep has no effect: the file holds no furniture to keep")
     if request.hidden_levels and not home:
         yield Notice("--hidden-levels has no effect: only Sweet Home 3D homes have hidden levels")
+    if request.seconds is not None and request.seed:
+        yield Notice(
+            "--seconds ends by the clock: only with --steps is a seed the same layout again"
+        )
 
 
 def note_heavy(solution: Solution) -> Iterator[Notice]:

@@ -29,6 +29,7 @@ DOMAIN = Domain(
         "refuse_style": ".furnishing.look:refuse_style",
         "learn": ".learned.from_homes:learn_from_homes",
         "programme": ".household:tell_programme",
+        "appearance": ".furnishing.look:tell_palette",
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",
     },

@@ -262,11 +262,10 @@ def _places(case: Group) -> int:
 def tell_programme(solution: Solution, plan: Plan) -> str:
     """The programme of a home and what came of it, in one paragraph."""
     household = decide_household(plan.spaces, solution.brief.residents)
-    names, people, rooms = plan.names, household.residents, household.bedrooms
-    pieces = solution.pieces
-    parts = [f"{people} {'person' if people == 1 else 'people'} in {_count(rooms, 'bedroom')}"]
+    names, pieces = plan.names, solution.pieces
+    parts = [_tell_people(household, pieces)]
     if household.stated:
-        parts.append(_tell_places(pieces, people))
+        parts.append(_tell_places(pieces, household.residents))
     if household.eats_in:
         parts.append(f"they eat in {_tell_chairs(household.eats_in, pieces, names)}")
     if (
@@ -283,6 +282,19 @@ def tell_programme(solution: Solution, plan: Plan) -> str:
         parts.append(f"water is in {', '.join(names[room] for room in household.wet)}")
     metres = sum(p.size.width for p in pieces if p.category in STORING)
     return f"{'; '.join(parts)}; {metres:.1f} m of storage."
+
+
+def _tell_people(household: Household, pieces: Sequence[Piece]) -> str:
+    """How many live here, or sleep here where that is not stated, and in how many rooms: those
+    with beds."""
+    beds = [p for p in pieces if p.category in BEDS]
+    people = household.residents if household.stated else sum(BEDS[p.category] for p in beds)
+    rooms = _count(len({p.space for p in beds}), "bedroom")
+    return (
+        f"{people or 'no'} {'person' if people == 1 else 'people'} in {rooms}"
+        if people
+        else "no bed"
+    )
 
 
 def _tell_places(pieces: Sequence[Piece], people: int) -> str:

@@ -18,10 +18,23 @@ from scenewright.core.solution import Solution
 from scenewright.domains.home.furnishing.rugs import match_rugs
 from scenewright.domains.home.furnishing.style_words import knows_style
 
+MANY = 24
+"""Seeds that draw more than one palette wherever there is a choice."""
+
 
 def palette_of(brief: Brief, seed: int) -> Palette:
     """The palette of a home: by the words of its brief, among those by its seed."""
     return choose_palette(brief.style, brief.colour, brief.name, seed)
+
+
+def tell_palette(solution: Solution) -> str:
+    """The style and palette of a home, and what chose them: the brief, or the seed among those
+    that are left to it."""
+    brief = solution.brief
+    palette = palette_of(brief, solution.seed)
+    others = {choose_palette(brief.style, brief.colour, brief.name, k) for k in range(MANY)}
+    by = f" (drawn by seed {solution.seed})" if len(others) > 1 else ""
+    return f"style {palette.style}, palette {palette.name}{by}"
 
 
 def keep_palette(brief: Brief, before: int, after: int) -> Brief:
