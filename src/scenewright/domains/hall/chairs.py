@@ -6,6 +6,8 @@ import math
 from collections.abc import Collection
 from dataclasses import replace
 
+import numpy as np
+
 from scenewright.core.catalog import Catalog
 from scenewright.core.kind import TableChairs
 from scenewright.core.scene import Piece, Pose, Size
@@ -54,16 +56,24 @@ def with_chairs(
         if (company := company_of(piece.category, catalog))
         and (piece.function in bringing or company.category not in asked)
     ]
-    chairs: list[Piece] = []
-    solid = [_frame(piece) for piece in (*pieces, *others)] if tables else []
-    for table in tables:
-        for chair in _chairs(table, catalog):
-            frame = _frame(chair)
-            mine = [_frame(table)]
-            if all(common_area(frame, f) <= TOUCH for f in solid if f not in mine):
-                chairs.append(chair)
-                solid.append(frame)
-    return tuple(chairs)
+    found = [(table, chair) for table in tables for chair in _chairs(table, catalog)]
+    return _keep_free(found, (*pieces, *others))
+
+
+def _keep_free(chairs: list[tuple[Piece, Piece]], solid: tuple[Piece, ...]) -> tuple[Piece, ...]:
+    """Those of some chairs, each with its table, that stand in nothing solid but that table nor in
+    a chair kept before."""
+    frames = [_frame(piece) for piece in (*solid, *(chair for _, chair in chairs))]
+    rows = np.array(frames).reshape(-1, 8)
+    stands = np.arange(len(frames)) < len(solid)
+    for number, (table, _) in enumerate(chairs, len(solid)):
+        off = rows[:, :2] - rows[number, :2]
+        near = stands & ((off**2).sum(1) < (rows[:, 6] + rows[number, 6]) ** 2)
+        others = (frames[k] for k in np.flatnonzero(near) if frames[k] != _frame(table))
+        stands[number] = all(common_area(frames[number], other) <= TOUCH for other in others)
+    return tuple(
+        chair for (_, chair), kept in zip(chairs, stands[len(solid) :], strict=True) if kept
+    )
 
 
 def company_of(category: str, catalog: Catalog) -> TableChairs | None:

@@ -117,10 +117,16 @@ def reach(edges: Floats, point: Floats, way: Floats) -> float:
     return float(far[far > 1e-6].min(initial=100.0))
 
 
-def measure_barred(problem: HallProblem, row: RowOfGates, side: int) -> float:
-    """Metres of the rails of a row that cannot stand, and square metres of others on the floor they
-    close and at its open end on one ``side``."""
+def measure_rails(problem: HallProblem, row: RowOfGates, side: int) -> tuple[float, float]:
+    """What bars the rails of a row with its open end on one ``side`` (:func:`measure_barred`), and
+    metres of them on floor that others need free."""
     rails = lay_rails(problem, row, side)
+    return measure_barred(problem, row, side, rails), _measure_crowded(row, rails)
+
+
+def measure_barred(problem: HallProblem, row: RowOfGates, side: int, rails: Floats) -> float:
+    """Metres of the ``rails`` (k, 5) of a row that cannot stand, and square metres of others on the
+    floor they close and at its open end on one ``side``."""
     if not len(rails):
         return 0.0
     solid = shapely.polygons(corners(_solid(problem, row)))
@@ -138,9 +144,8 @@ def measure_blocked(problem: HallProblem, row: RowOfGates, rails: Floats) -> flo
     return float(strips.intersection(_join_near(taken, strips)).area / THICK)
 
 
-def measure_crowded(problem: HallProblem, row: RowOfGates, side: int) -> float:
-    """Metres of the rails of a row on floor that others need free."""
-    rails = lay_rails(problem, row, side)
+def _measure_crowded(row: RowOfGates, rails: Floats) -> float:
+    """Metres of the rails (k, 5) of a row on floor that others need free."""
     strips = shapely.polygons(corners(rails))
     needed = _join_near(row.needed, shapely.multipolygons(strips))
     return float(shapely.area(shapely.intersection(strips, needed)).sum() / THICK)

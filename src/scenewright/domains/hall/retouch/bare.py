@@ -13,6 +13,8 @@ from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.lines import find_layers
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, SPEAKER, TILL
+from scenewright.geometry.boxes import frames_of
+from scenewright.geometry.empty_circles import find_empty_circles
 from scenewright.geometry.inside import lie_inside
 
 STEP, POINTS = 0.7, 20_000
@@ -60,21 +62,9 @@ def find_floor(problem: HallProblem) -> BareFloor:
 def find_circles(floor: BareFloor, boxes: Floats) -> Floats:
     """The largest circle (z, 3) of each zone with nothing of boxes (n, 5) in it: its middle, and
     its radius in metres."""
-    far = floor.walls.copy()
-    for x, y, heading, width, depth in np.concatenate([boxes, floor.problem.ground.obstacles]):
-        off = floor.points - (x, y)
-        ahead, aside = (
-            off @ (np.cos(heading), np.sin(heading)),
-            off @ (np.sin(heading), -np.cos(heading)),
-        )
-        u, v = np.abs(aside) - 0.5 * width, np.abs(ahead) - 0.5 * depth
-        np.minimum(far, np.hypot(np.maximum(u, 0.0), np.maximum(v, 0.0)), out=far)
+    around = np.concatenate([boxes, floor.problem.ground.obstacles])
     circles = np.zeros((len(floor.problem.ground.zone_areas), 3))
-    for zone in range(len(circles)):
-        mine = np.flatnonzero(floor.zones == zone)
-        if len(mine):
-            best = mine[far[mine].argmax()]
-            circles[zone] = (*floor.points[best], far[best])
+    find_empty_circles(floor.points, floor.zones, floor.walls, frames_of(around), circles)
     return circles
 
 

@@ -102,41 +102,47 @@ def _fault(desks: Desks, kept: Kept, unit: int, box: Floats) -> float:
     row, rows = int(desks.problem.units.spans[unit, 0]), int(kept.rows[unit, 1])
     parted = PARTED * (rows - 1) if int(kept.rows[unit, 0]) == CHAIN else 0.0
     far = TOO_FAR if desks.first else LITTLE
-    return measure_desk(desks.problem, box, row, far) + parted
+    return float(measure_desks(desks.problem, box[None], row, far)[0]) + parted
 
 
-def measure_desk(problem: HallProblem, box: Floats, row: int, too_far: float = TOO_FAR) -> float:
-    """How far a desk (5,) is from where one looks for it: metres its back is off a wall beyond what
-    who serves needs, how far it is from the entrance, how much of it and its queue lies on the way
-    in, and whether it turns its back to who comes in."""
+def measure_desks(problem: HallProblem, boxes: Floats, row: int, too_far: float) -> Floats:
+    """How far desks (n, 5) are from where one looks for them (n,): metres their back is off a wall
+    beyond what who serves needs, how far they are from the entrance, how much of them and their
+    queue lies on the way in, and whether they turn their back to who comes in."""
     door, inward = problem.visitors.entrances[0], problem.visitors.inward[0]
-    front = np.array([np.cos(box[2]), np.sin(box[2])])
+    middles, (width, depth) = boxes[:, :2], boxes[:, 3:, None].swapaxes(0, 1)
+    front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], axis=1)
     staff = max(float(problem.units.clear[row, 2]), STAFF)
-    right = np.array([front[1], -front[0]])
-    adrift = _far(problem, box[:2] - 0.5 * box[4] * front) - staff
-    if box[3] <= SHORT:
-        adrift = min(adrift, *(_far(problem, box[:2] + s * box[3] * right) for s in (-0.5, 0.5)))
-    adrift = max(adrift - BEHIND, 0.0)
-    far = float(np.hypot(*(box[:2] - door)))
-    turned = BACK_TO if (door - box[:2]) @ front < -0.3 * far else 0.0
-    before = box[:2] + 0.5 * (box[4] + QUEUE) * front
-    queue = np.array([*before, box[2], box[3], QUEUE])
+    side = 0.5 * width * np.stack([front[:, 1], -front[:, 0]], axis=1)
+    adrift = _far(problem, middles - 0.5 * depth * front) - staff
+    aside = np.minimum(_far(problem, middles - side), _far(problem, middles + side))
+    adrift = np.where(boxes[:, 3] <= SHORT, np.minimum(adrift, aside), adrift)
+    far = np.hypot(*(middles - door).T)
+    turned = np.where(((door - middles) * front).sum(1) < -0.3 * far, BACK_TO, 0.0)
+    adrift = np.minimum(np.maximum(adrift - BEHIND, 0.0), LONGEST)
+    before = middles + 0.5 * (depth + QUEUE) * front
+    queues = np.column_stack([before, boxes[:, 2:4], np.full(len(boxes), QUEUE)])
     middle, ahead = door + 0.5 * WAY * inward, np.arctan2(inward[1], inward[0])
-    way = np.array([*middle, ahead, 2 * WIDE, WAY])
-    desk, waiting, free = shapely.polygons(corners(np.stack([box, queue, way])))
-    across = float(desk.intersection(free).area + WAITING * waiting.intersection(free).area)
-    return min(adrift, LONGEST) + too_far * max(far - FAR, 0.0) + across + turned
+    free = shapely.polygons(corners(np.array([[*middle, ahead, 2 * WIDE, WAY]])))[0]
+    across = _share(boxes, free) + WAITING * _share(queues, free)
+    return adrift + too_far * np.maximum(far - FAR, 0.0) + across + turned
 
 
-def _far(problem: HallProblem, point: Floats) -> float:
-    """Metres from a point to the nearest wall of the hall."""
+def _share(boxes: Floats, free: shapely.Polygon) -> Floats:
+    """Square metres (n,) of boxes (n, 5) on some floor."""
+    return shapely.area(shapely.intersection(shapely.polygons(corners(boxes)), free))
+
+
+def _far(problem: HallProblem, points: Floats) -> Floats:
+    """Metres (n,) from points (n, 2) to the nearest wall of the hall."""
     start, way = (
         problem.ground.edges[:, :2],
         problem.ground.edges[:, 2:] - problem.ground.edges[:, :2],
     )
-    along = ((point - start) * way).sum(1) / np.maximum((way**2).sum(1), 1e-12)
-    nearest = start + np.clip(along, 0.0, 1.0)[:, None] * way
-    return float(np.hypot(*(point - nearest).T).min())
+    off = points[:, None] - start
+    along = (off * way).sum(2) / np.maximum((way**2).sum(1), 1e-12)
+    off = off - np.clip(along, 0.0, 1.0)[..., None] * way
+    return np.hypot(off[..., 0], off[..., 1]).min(1)
 
 
 def mind_order(
@@ -170,7 +176,7 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
     for unit in find_desks(desks, kept):
         row = int(problem.units.spans[unit, 0])
         places = _places(problem, boxes, unit)
-        faults = np.array([measure_desk(problem, box, row, far) for box in places])
+        faults = measure_desks(problem, places, row, far)
         now = _fault(desks, kept, unit, box_round(boxes[slice(*problem.units.spans[unit])]))
         better = np.flatnonzero(faults < now)
         for number in _spaced(places, better[np.argsort(faults[better], kind="stable")]):

@@ -11,7 +11,7 @@ import numpy as np
 
 from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.rails import RowOfGates, find_way_in, measure_barred, measure_crowded
+from scenewright.domains.hall.rails import RowOfGates, find_way_in, measure_rails
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.lines import forgive_space, line_up
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
@@ -64,10 +64,7 @@ def _fault(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> float:
     if turned > 0.01 or parted:
         return total + MOST_BARRED
     row = find_row(problem, boxes, unit)
-    barred, crowded = min(
-        (measure_barred(problem, row, side), measure_crowded(problem, row, side))
-        for side in (-1, 1)
-    )
+    barred, crowded = min(measure_rails(problem, row, side) for side in (-1, 1))
     total += CROWDED * min(crowded, MOST_BARRED)
     return total + (min(SHUT + BARRED * barred, MOST_BARRED) if barred > FREE else 0.0)
 
