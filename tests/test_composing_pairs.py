@@ -14,11 +14,12 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose
-from scenewright.domains.home.attempt import FurnishedGroup, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, find_blocked
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import judge_of, sum_faults
+from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
 from scenewright.domains.home.composing.moving import make_unplaced, with_margin
 from scenewright.domains.home.composing.pairs import do_overlap, find_pair, list_pair_starts
 from scenewright.domains.home.composing.placed_faults import cost_of_group, cost_of_openings
@@ -145,3 +146,34 @@ def test_pairs_that_cost_too_much_are_not_furnished(narrow):
     half = sorted(start.cost for start in every)[len(every) // 2]
     assert len(list(list_pair_starts(judge_of(task, pair), pair, frozenset(), half))) < len(every)
     assert list(list_pair_starts(judge_of(task, pair), pair, frozenset(), 0.0)) == []
+
+
+@pytest.fixture(scope="module")
+def finished(narrow):
+    """The narrow room with its bed, and half a wardrobe where a whole one would stand."""
+    task, pair = narrow
+    starts = list_pair_starts(judge_of(task, pair), pair, frozenset(), inf)
+    bed, wide = min(starts, key=lambda start: sum_faults(task, start.placed)).placed
+    case = cases("wardrobe").groups[0]
+    half = _stand(case, np.array([*wide.dressed.box[:3], case.width, case.depth]))
+    return task, RoomAnswer(0.0, (bed, half), (), (), None, 0.0, 0)
+
+
+def test_half_a_wardrobe_of_a_finished_home_becomes_a_whole_one(finished):
+    task, answer = finished
+    (mended,) = mend_bedrooms([task], [answer], list)
+    bed, wardrobe = mended.placed
+    assert wardrobe.dressed.case.width >= 0.999
+    assert find_case_faults(bed.dressed.case) == ()
+    was, now = (g.pieces[0].size for g in (answer.placed[0], bed))
+    assert min(now.width - was.width, now.depth - was.depth) > -1e-9 or now.width >= 0.8
+    assert not find_blocked(task, mended.placed)
+
+
+def test_a_bedroom_is_mended_only_where_the_ways_of_the_home_allow_it(finished):
+    task, answer = finished
+    lost = answer._replace(placed=(), missing=tuple(Missing(g.wish, "") for g in answer.placed))
+    assert mend_bedrooms([task], [answer], lambda _: [lost]) == [answer]
+    asked = answer.placed[1].wish._replace(required=True)
+    stated = answer._replace(placed=(answer.placed[0], answer.placed[1]._replace(wish=asked)))
+    assert mend_bedrooms([task], [stated], list) == [stated]

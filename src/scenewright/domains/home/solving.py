@@ -30,6 +30,7 @@ from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
+from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
 from scenewright.domains.home.composing.views import leave_out_blind_seats
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
@@ -147,6 +148,7 @@ def _walk_home(
     if again:
         found = meet_stated_needs(household, every, found, opened)
     mended = mend_kitchens(every.tasks, found, opened)
+    mended = mend_bedrooms(every.tasks, mended, opened)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
     return [leave_out_blind_seats(answer) for answer in (found if fewer else mended)]
 

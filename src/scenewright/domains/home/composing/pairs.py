@@ -7,7 +7,7 @@ are left out, and of the rest the cheapest are furnished until some of them leav
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import islice, product, zip_longest
 from typing import NamedTuple
 
@@ -27,6 +27,8 @@ from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 
+Forms = Callable[[RoomTask, FurnishedGroup], Iterable[Group]]
+"""The forms in which a group of a pair is tried, those without a like one before them."""
 HAIR = 1e-9
 TOUCH = 0.004  # boxes that share a strip narrower than this touch, metres
 NEAR = 0.2  # of places of one form nearer than this to a better one, one is taken, metres
@@ -68,20 +70,21 @@ def list_pair_starts(
     """Both groups by themselves at the best pairs of places that bar no further way and cost less
     than ``most``, the cheapest first; ``judge`` is that of these two."""
     margin, most_tried = with_margin(judge.task), judge.task.preset.settings.composing.pairs
-    for tried in islice(_furnish_pairs(judge, pair, most), most_tried):
+    for tried in islice(furnish_pairs(judge, pair, most, list_by_turns), most_tried):
         if barred.issuperset(find_blocked(margin, tried.placed)):
             yield tried
 
 
-def _furnish_pairs(
-    judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float
+def furnish_pairs(
+    judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float, forms: Forms
 ) -> Iterator[JudgedRoom]:
-    """Pairs of places with their furniture, the cheapest first, of like ones only the first."""
+    """Pairs of places that cost less than ``most`` with their furniture, the cheapest first, of
+    like ones only the first."""
     task, flat = judge.task, flat_kinds(judge.task.catalog)
     empty = standing_of((*task.fixed, *task.beside), flat)
-    cases, forms, boxes, _ = _list_pairs(judge, pair, most)
+    cases, numbers, boxes, _ = _list_pairs(judge, pair, most, forms)
     alike = np.zeros(len(boxes), bool)
-    for k, form in enumerate(forms.tolist()):
+    for k, form in enumerate(numbers.tolist()):
         if alike[k]:
             continue
         one = dress_group(task, pair[0], cases[form][0], boxes[k, 0], empty)
@@ -102,11 +105,13 @@ def _are_alike(poses: Floats, one: Floats) -> NDArray[np.bool_]:
     return near[:, 0] & near[:, 1]
 
 
-def _list_pairs(judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float) -> PlacedPairs:
+def _list_pairs(
+    judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float, tried: Forms
+) -> PlacedPairs:
     """The cheapest pairs of places of every two forms that cost less than ``most``, the cheapest of
     all first."""
     rule, energy = judge.task.preset.settings.composing, judge.task.costs.energy
-    both = tuple(product(*(_list_places(judge.task, group) for group in pair)))
+    both = tuple(product(*(_list_places(judge.task, group, tried) for group in pair)))
     found, rated, forms = [np.empty((0, 2, 5))], [np.empty(0)], [np.empty(0, np.int64)]
     for number, (one, other) in enumerate(both):
         faults = one.faults[:, None] + other.faults
@@ -130,11 +135,11 @@ def _list_pairs(judge: RoomJudge, pair: tuple[FurnishedGroup, ...], most: float)
     return PlacedPairs(cases, np.concatenate(forms)[order], boxes, costs[order])
 
 
-def _list_places(task: RoomTask, group: FurnishedGroup) -> list[FormPlaces]:
+def _list_places(task: RoomTask, group: FurnishedGroup, tried: Forms) -> list[FormPlaces]:
     """The places of a group's better forms in the empty room."""
     rule, found = task.preset.settings.composing, []
     empty = standing_of((*task.fixed, *task.beside), flat_kinds(task.catalog))
-    forms = _list_unlike(_list_by_turns(task, group))
+    forms = _list_unlike(tried(task, group))
     for case, boxes in islice(find_places(task, forms, empty, group), rule.pair_forms):
         faults = cost_of_openings(case, boxes, task.ground, rule)
         if case.function == "single":
@@ -145,7 +150,7 @@ def _list_places(task: RoomTask, group: FurnishedGroup) -> list[FormPlaces]:
     return found
 
 
-def _list_by_turns(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
+def list_by_turns(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     """The better forms of a group and, of those without a fault, the smaller ones by turns."""
     better = list(list_forms(task, group))
     sound = [form for form in better if {name for name, _ in find_case_faults(form)} <= MINOR]

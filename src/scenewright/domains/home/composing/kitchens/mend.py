@@ -115,21 +115,21 @@ def _is_at_fault(answer: RoomAnswer) -> bool:
 def _mend(
     room: int, task: RoomTask, place: Place, found: list[RoomAnswer], opened: Opened
 ) -> list[RoomAnswer]:
-    best, worth = found, _worth(room, task, found) - task.preset.settings.composing.least
+    best, worth = found, cost_of_home(room, task, found) - task.preset.settings.composing.least
     for answer in _list_answers(task, place, found[room]):
         sound = best is not found and not _is_at_fault(_see_gone(task, best[room]))
         if sound or task.cancelled():
             break
         trial = [answer if k == room else other for k, other in enumerate(found)]
-        if _worth(room, task, trial) >= worth:
+        if cost_of_home(room, task, trial) >= worth:
             continue
         trial = opened(trial)
-        if (cost := _worth(room, task, trial)) < worth:
+        if (cost := cost_of_home(room, task, trial)) < worth:
             best, worth = trial, cost
     return best
 
 
-def _worth(room: int, task: RoomTask, answers: Sequence[RoomAnswer]) -> float:
+def cost_of_home(room: int, task: RoomTask, answers: Sequence[RoomAnswer]) -> float:
     """What is missing from a home, what gave way, and what one room costs as it stands."""
     lost = sum(penalty(m.wish, task.costs) for answer in answers for m in answer.missing)
     gone = task.costs.piece * sum(len(answer.gone) for answer in answers)

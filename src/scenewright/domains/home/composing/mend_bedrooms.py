@@ -1,0 +1,112 @@
+"""Bedrooms of a finished home whose wardrobe is too narrow, tried again beside its ways.
+
+Rooms are furnished one by one on a grid that is stricter than the walk through the whole home; what
+finds no way on it comes back in the least forms, wherever it fits. So once all rooms stand, a bed
+and a wardrobe with a fault are placed together once more, beside all else, in the smaller of their
+sound forms, the bed no smaller than it is. A change stays if the whole home, its ways opened, costs
+less.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import chain, islice
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.composing.case_faults import FULL, find_case_faults
+from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.judging import Placed, judge_of
+from scenewright.domains.home.composing.kitchens.mend import cost_of_home
+from scenewright.domains.home.composing.pairs import find_pair, furnish_pairs
+from scenewright.domains.home.groups.least import LEAST
+from scenewright.domains.home.programme import BEDS
+from scenewright.domains.home.second_try import Opened
+
+WALKED, TRIED = 40, 3
+"""Pairs of places walked past in their room, and of these those through the whole home."""
+WIDEST = 1.25
+"""A wider wardrobe is not looked for where there was no place for one, metres."""
+LEAST_BED = (0.8, 1.9)
+"""No bed becomes smaller than this, or than it is, metres."""
+NARROWER = 0.08
+"""By so much narrower ways a grid of 0.04 m bars no more than an exact walk does, metres."""
+HAIR = 1e-6
+
+
+def mend_bedrooms(
+    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers for all rooms with bed and wardrobe placed anew where the wardrobe is narrow,
+    their ways ``opened``."""
+    found = answers
+    for room, task in enumerate(tasks):
+        pair = _find_faulty(task, found[room].placed)
+        if pair and not task.cancelled():
+            found = _mend(room, task, pair, found, opened)
+    return found
+
+
+def _find_faulty(task: RoomTask, placed: Placed) -> Placed:
+    """The bed and the wardrobe of a room, if that is narrow and both may be changed."""
+    pair = find_pair(placed)
+    own = task.library.own.keys() or task.accessible or not task.preset.settings.exact
+    if not pair or own or any(p.wish.required or p.wish.most for p in pair):
+        return ()
+    return pair if dict(find_case_faults(pair[1].dressed.case)).get("wardrobe") else ()
+
+
+def _mend(
+    room: int, task: RoomTask, pair: Placed, found: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers with the pair of one room at the first places that leave the home cheaper."""
+    worth = cost_of_home(room, task, found) - task.preset.settings.composing.least
+    rest = tuple(p for p in found[room].placed if all(p is not q for q in pair))
+    for placed in islice(_list_open(task, pair, rest), TRIED):
+        answer = found[room]._replace(placed=placed)
+        trial = [answer if k == room else other for k, other in enumerate(found)]
+        if cost_of_home(room, task, trial) < worth:
+            trial = opened(trial)
+            if cost_of_home(room, task, trial) < worth:
+                return trial
+    return found
+
+
+def _list_open(task: RoomTask, pair: Placed, rest: Placed) -> Iterator[Placed]:
+    """Those of the pairs that bar nothing more than now on a grid with narrower ways."""
+    width, use = task.route_width - NARROWER, task.use_width - NARROWER
+    narrow = task._replace(route_width=width, use_width=use)
+    barred = frozenset(find_blocked(narrow, (*rest, *pair)))
+    for placed in islice(_list_pairs(task, pair, rest), WALKED):
+        if barred.issuperset(find_blocked(narrow, placed)):
+            yield placed
+
+
+def _list_pairs(task: RoomTask, pair: Placed, rest: Placed) -> Iterator[Placed]:
+    """The groups of a room with the pair at other places beside the rest, the cheapest first."""
+    beside = task._replace(beside=(*task.beside, *(p for group in rest for p in group.pieces)))
+    judge = judge_of(beside, pair)
+    most = judge.cost_of(pair).cost - task.preset.settings.composing.least
+    for judged in furnish_pairs(judge, pair, most, _list_forms):
+        yield (*rest, *judged.placed)
+
+
+def _list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
+    """The sound forms of a wardrobe, the smaller first, those of a bed that are no smaller than it
+    is."""
+    forms = sorted(list_forms(task, group), key=lambda form: form.width * form.depth)
+    if group.wish.group not in BEDS:
+        yield from (form for form in forms if FULL - HAIR < form.width < WIDEST)
+        return
+    wide, deep = (min(pair) for pair in zip(_size_of(group.dressed.case), LEAST_BED, strict=True))
+    least = LEAST[group.wish.group]() if group.wish.group in LEAST else ()
+    for form in chain(least, forms):
+        width, depth = _size_of(form)
+        if width > wide - HAIR and depth > deep - HAIR:
+            yield form
+
+
+def _size_of(case: Group) -> tuple[float, float]:
+    """Width and length of the bed of a case, metres."""
+    bed = next(m for m in case.members if m.category.endswith("_bed"))
+    return bed.size.width, bed.size.depth
