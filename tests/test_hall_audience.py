@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import pytest
 
 import scenewright
 from scenewright.core.brief import Brief
+from scenewright.core.solution import Solution
 
 CONFERENCE = Brief.model_validate(
     {
@@ -58,3 +61,35 @@ def test_seats_that_look_away_are_noted() -> None:
     )
     notes = scenewright.check(replace(found, pieces=turned)).notes
     assert any("of 110 seats (auditorium seat) look away" in note.message for note in notes)
+
+
+def lay_out(outline: list[list[float]], seed: int, *demands: dict[str, Any]) -> Solution:
+    """A hall with its door in the south."""
+    room = {"outline": outline, "doors": [{"at": [4, 0], "width": 1.8}], "demands": list(demands)}
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    return scenewright.solve(brief, seed=seed, threads=1)
+
+
+def test_chairs_of_a_narrow_hall_look_along_it_at_a_stage_amid_a_wall() -> None:
+    chairs = {"category": "dining_chair", "count": 60}
+    narrow = [[0, 0], [8, 0], [8, 20], [0, 20]]
+    found = lay_out(narrow, 1, {"category": "stage", "size": [4, 2, 0.4]}, chairs)
+    (stage,) = (piece for piece in found.pieces if piece.category == "stage")
+    assert scenewright.check(found).valid
+    assert (stage.pose.x, stage.pose.y) == pytest.approx((4.0, 19.0), abs=0.1)
+    seats = [piece for piece in found.pieces if piece.category == "dining_chair"]
+    assert all(math.cos(seat.pose.heading - stage.pose.heading) < -0.99 for seat in seats)
+
+
+def test_long_rows_before_a_stage_have_aisles(tmp_path: Path) -> None:
+    seats = {"category": "auditorium_seat", "count": 220}
+    demands = {"category": "stage", "size": [12, 6, 1]}, seats
+    found = lay_out([[0, 0], [20, 0], [20, 26], [0, 26]], 0, *demands)
+    assert scenewright.check(found).valid
+    (group,) = (group for group in found.detail.layout.groups if "seat" in group.demand)
+    (part,) = group.parts
+    assert max(layer.number for layer in part.layers) > 14
+    assert part.aisle == 1.2
+    scenewright.write(found, tmp_path / "saved.json")
+    saved = scenewright.read_solution(tmp_path / "saved.json")
+    assert saved.detail.layout.groups == found.detail.layout.groups

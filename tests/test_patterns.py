@@ -12,7 +12,7 @@ import shapely
 from benchmarks.hall_instances import example_hall
 
 from scenewright.domains.hall.energy import capacity, make_state, prepare
-from scenewright.domains.hall.patterns import ACROSS, ALONG, CODE, NUMBER, PART, PATTERNS
+from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, NUMBER, PART, PATTERNS
 from scenewright.domains.hall.patterns.expand import expand, seed, stretch
 from scenewright.domains.hall.patterns.fan import AISLE, BLOCK
 from scenewright.domains.hall.problem import Floats
@@ -330,3 +330,14 @@ def test_a_pose_moves_all_boxes_rigidly() -> None:
         assert boxes[0][mine] == pytest.approx(boxes[1][mine], abs=1e-9)
         checked += 1
     assert checked >= 4
+
+
+def test_aisles_divide_long_rows_of_a_chain_and_no_others() -> None:
+    layers = np.array([[30.0, 0.0, 1.0, CHAIN, 0.0], [14.0, 0.0, 1.0, CHAIN, 0.0]])
+    sizes, out = np.full((44, 2), 0.5), np.zeros((44, 3))
+    assert expand(CHAIN, layers, 1.2, sizes, 0, out) == 44
+    gaps = np.diff(out[:30, 0]) - 0.5
+    assert np.flatnonzero(gaps > 1e-9).tolist() == [9, 19]
+    assert gaps[[9, 19]] == pytest.approx(1.2)
+    assert np.diff(out[30:, 0]) == pytest.approx(0.5)
+    assert [out[:30, 0].mean(), out[30:, 0].mean()] == pytest.approx([0.0, 0.0])

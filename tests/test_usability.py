@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -101,6 +102,13 @@ def test_the_narrowest_way_is_the_gap(gap):
 def test_what_no_way_leads_to_counts_as_none():
     wardrobe = piece("wardrobe", 1, 2.75, 1, 0.5, 2, heading=SOUTH)
     assert usability(piece("box", 2, 1.2, 4, 0.5), wardrobe)["mcw"] == 0.0
+
+
+def test_ways_lead_to_the_stage_not_to_what_stands_on_it():
+    stage = piece("stage", 1.5, 2.3, 3, 1.4, 0.5, heading=SOUTH, id="stage")
+    speaker = piece("wardrobe", 1.5, 2.4, 0.5, 0.5, z=0.5, heading=SOUTH, on="stage", id="w")
+    assert usability(stage)["mcw"] == usability(stage, speaker)["mcw"] > 0.5
+    assert usability(stage, replace(speaker, on=None))["mcw"] == 0.0
 
 
 def test_sides_are_clear_or_not():

@@ -124,7 +124,7 @@ def _missed_pieces(
         grouped = {int(row) for group in groups for row in group.rows}
         here = np.flatnonzero(bodies.room == room).tolist()
         rows = [i for i in here if bodies.kinds[i].access or i in grouped]
-        rows = [i for i in rows if not _stepped_up_to(bodies, i)]
+        rows = [i for i in rows if not stands_on_stage(bodies, i)]
         if not rows:
             continue
         within = _with_doorways(rooms, ground, room)
@@ -149,7 +149,7 @@ def _missed_pieces(
     return missed
 
 
-def _stepped_up_to(bodies: Bodies, row: int) -> bool:
+def stands_on_stage(bodies: Bodies, row: int) -> bool:
     """Whether a piece stands on a stage, onto which one steps: reached as the stage is."""
     on = bodies.pieces[row].on
     return on is not None and any(p.id == on and p.category == STAGE for p in bodies.pieces)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from scenewright.check.bodies import Bodies, Rooms, Shape, standing_in
 from scenewright.check.occupancy import label_parts, lead_from, measure_widths
-from scenewright.check.reach import before_sides
+from scenewright.check.reach import before_sides, stands_on_stage
 from scenewright.check.routes import JoinedFloor, blocking_in
 from scenewright.core.report import Finding
 
@@ -183,10 +183,11 @@ def _find_narrowest(bodies: Bodies, rooms: Rooms, ground: JoinedFloor, grid: Flo
 
 
 def _find_used(bodies: Bodies, ground: JoinedFloor) -> list[int]:
-    """Rows of the pieces of a floor that are used from a side, seats left out: they are pushed to
-    where one sits."""
+    """Rows of the pieces of a floor that are used from a side, without seats, which are pushed to
+    where one sits, and what stands on a stage, onto which one steps."""
     here = np.flatnonzero(standing_in(bodies, ground.rooms) & ~bodies.seat)
-    return [row for row in here.tolist() if bodies.kinds[row].access]
+    used = (row for row in here.tolist() if bodies.kinds[row].access)
+    return [row for row in used if not stands_on_stage(bodies, row)]
 
 
 def _round(value: float | None) -> float | None:

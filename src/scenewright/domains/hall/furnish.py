@@ -190,6 +190,7 @@ def _parts(pattern: str, layers: Floats, extra: float, count: int) -> tuple[Patt
                 NAMES[int(rows[0, CODE])],
                 tuple(Layer(int(r[NUMBER]), float(r[ALONG]), float(r[ACROSS])) for r in rows),
                 extra if pattern == "fan" else 0.0,
+                extra if pattern == "chain" else 0.0,
             )
         )
     return tuple(parts)

@@ -45,11 +45,13 @@ class Layer(NamedTuple):
 
 
 class PatternPart(NamedTuple):
-    """One pattern with its parameters; ``sector`` is the angle of a fan in radians, else 0."""
+    """One pattern with its parameters; ``sector`` is the angle of a fan in radians, else 0, and
+    ``aisle`` the width of the aisles through the rows of a chain in metres, 0 without."""
 
     pattern: str
     layers: tuple[Layer, ...]
     sector: float = 0.0
+    aisle: float = 0.0
 
 
 class PlacedGroup(NamedTuple):

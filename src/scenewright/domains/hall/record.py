@@ -62,6 +62,7 @@ class PartRecord(StrictModel):
     pattern: str
     layers: Annotated[list[tuple[Index, Number, Number]], Many]
     sector: Number = 0.0
+    aisle: Number = 0.0
 
 
 class GroupRecord(StrictModel):
@@ -136,11 +137,17 @@ def graph_document(graph: HallLayout) -> dict[str, Any]:
         "zones": [zone._asdict() | _rings(zone) for zone in graph.zones],
         "links": [link._asdict() for link in graph.links],
         "groups": [
-            group._asdict() | {"parts": [part._asdict() for part in group.parts]}
+            group._asdict() | {"parts": [_part_document(part) for part in group.parts]}
             for group in graph.groups
         ],
         "partitions": list(graph.partitions),
     }
+
+
+def _part_document(part: PatternPart) -> dict[str, Any]:
+    """A pattern as plain lists and numbers; without aisles where it has none."""
+    whole = part._asdict()
+    return whole if part.aisle else {key: whole[key] for key in whole if key != "aisle"}
 
 
 def tour_document(tour: Tour) -> dict[str, Any]:
@@ -175,7 +182,9 @@ def tour_of(record: TourRecord) -> Tour:
 
 def _group_of(group: GroupRecord) -> PlacedGroup:
     parts = tuple(
-        PatternPart(part.pattern, tuple(Layer(*layer) for layer in part.layers), part.sector)
+        PatternPart(
+            part.pattern, tuple(Layer(*layer) for layer in part.layers), part.sector, part.aisle
+        )
         for part in group.parts
     )
     values = dict(group) | {"parts": parts, "objects": tuple(group.objects)}

@@ -109,17 +109,18 @@ def shift_to(
 def expand(code: int, layers: Floats, extra: float, sizes: Floats, start: int, out: Floats) -> int:
     """Write x (right), y (ahead) and turn of a unit's objects in its own frame to ``out``.
 
-    ``layers`` are the used ones; ``extra`` is the angle of a fan or the gap of a mixture. The
-    origin is the middle of the bounds, for rings their centre. Not for wall rows. ``layers`` (k,
-    5), ``sizes`` (n, 2) width and depth in metres from row ``start``, ``out`` (m, 3) from row 0;
-    returns how many were placed.
+    ``layers`` are the used ones; ``extra`` is the angle of a fan, the width of the aisles of a
+    chain or the gap of a mixture. The origin is the middle of the bounds, for rings their centre.
+    Not for wall rows. ``layers`` (k, 5), ``sizes`` (n, 2) width and depth in metres from row
+    ``start``, ``out`` (m, 3) from row 0; returns how many were placed.
     """
     used, first, i, left = layers.shape[0], 0, 0, 0.0
     while first < used:
         last = first + 1
         while last < used and layers[last, PART] == layers[first, PART]:
             last += 1
-        placed = place_part(layers, first, last, extra, sizes, start + i, out, i)
+        own = 0.0 if code == MIXTURE else extra
+        placed = place_part(layers, first, last, own, sizes, start + i, out, i)
         if code == MIXTURE:
             left += extra + shift_to(out, i, i + placed, sizes, start + i, left, False)
         i, first = i + placed, last

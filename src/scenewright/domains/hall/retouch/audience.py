@@ -1,5 +1,5 @@
-"""An audience before its stage: on its axis, within sight of it, looking at it; the stage with its
-back at a wall where that helps."""
+"""An audience before its stage: on its axis, within sight of it, looking at it, long rows with
+aisles; the stage with its back at a wall where that helps."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, FAN, GRID, NUMBER
+from scenewright.domains.hall.patterns.chain import BLOCK
+from scenewright.domains.hall.patterns.fan import AISLE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers
-from scenewright.domains.hall.retouch.stages import AT_WALL, propose_stages
+from scenewright.domains.hall.retouch.stages import AT_WALL, measure_stage, propose_stages
 from scenewright.domains.hall.terms.state import Kept
 
 VIEW, BEFORE = 0.6, 0.5
@@ -21,11 +23,16 @@ least it has to."""
 OFF_AXIS, TURNED, MOST, SIDE = 0.3, 2.0, 6.0, 2.0
 """What a metre of the middle of the seats off the axis counts, what seats that look away do, the
 most that counts, and what a metre by which the mean seat lies out of sight does."""
+PASSED, LONG = 0.5, 0.25
+"""Metres between neighbours through which one leaves a row, and what each seat counts that a row
+without has more than between two aisles; metres."""
 FAR, GAPS = (1.3, 2.0, 3.0), (1.1, 0.92, 0.57)
 """Metres between stage and first row, and between rows, that are tried."""
 ROWS, FEWEST, CLOSE, OFF_WALL = 24, 6, 0.05, 0.02
 """Rows at most, seats of an audience at least, and metres between neighbours in close rows
 and from the edge of the zone."""
+SHORT, UNEVEN = 6, 3
+"""Seats of the longer of uneven rows at least, and how many numbers of such rows are tried."""
 
 
 class Audience(NamedTuple):
@@ -55,7 +62,28 @@ def sit_aside(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
     for seats, stage in find_audiences(problem, kept):
         spans = problem.units.spans
         total += _fault(boxes[slice(*spans[seats])], boxes[spans[stage, 0]], kept.pose[seats, 2])
+        if kept.pose[seats, 3] == 0.0:
+            total += LONG * max(_find_longest(problem, kept, seats) - BLOCK, 0)
+        total += measure_stage(problem, boxes, stage)
     return total
+
+
+def _find_longest(problem: HallProblem, kept: Kept, seats: int) -> int:
+    """Seats of the longest row of a unit in rows that one leaves at its ends only, else 0."""
+    row, used = find_layers(problem, seats)[0], int(kept.rows[seats, 1])
+    layers = kept.layers[row : row + used]
+    close = layers[layers[:, ALONG] < PASSED, NUMBER]
+    return int(close.max(initial=0)) if int(kept.rows[seats, 0]) == CHAIN else 0
+
+
+def _cut_aisles(problem: HallProblem, kept: Kept, seats: int) -> Kept:
+    """The layout with aisles through the rows of a unit that are long."""
+    long = _find_longest(problem, kept, seats) > BLOCK
+    if int(kept.rows[seats, 0]) != CHAIN or long == (kept.pose[seats, 3] > 0.0):
+        return kept
+    pose = kept.pose.copy()
+    pose[seats, 3] = AISLE if long else 0.0
+    return kept._replace(pose=pose)
 
 
 def _fault(seats: Floats, stage: Floats, heading: float) -> float:
@@ -75,37 +103,53 @@ def propose_audiences(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterat
     """Layouts with the seats of one audience on the axis of their stage, where it stands or in the
     middle of a wall."""
     for audience in find_audiences(problem, kept):
+        yield from _where_they_sit(problem, kept, audience.seats)
         for moved, stage in propose_stages(problem, kept, boxes, audience.stage):
             for form in _forms(problem, moved, audience.seats):
                 yield from _before(problem, form, audience.seats, stage)
 
 
+def _where_they_sit(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
+    """Layouts with aisles through long rows, which move to a side for them by half of their width
+    or not at all."""
+    cut = _cut_aisles(problem, kept, seats)
+    heading = float(kept.pose[seats, 2])
+    right = 0.5 * cut.pose[seats, 3] * np.array([np.sin(heading), -np.cos(heading)])
+    for side in (0.0, -1.0, 1.0) if cut is not kept else ():
+        pose = cut.pose.copy()
+        pose[seats, :2] += side * right
+        yield cut._replace(pose=pose)
+
+
 def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
-    """Layouts with the seats in the form they have, and in more and fewer rows."""
-    yield kept
+    """Layouts with the seats in the form they have, and in more and fewer rows; long ones with
+    aisles."""
+    yield _cut_aisles(problem, kept, seats)
     (row, room), number = find_layers(problem, seats), int(count_objects(problem)[seats])
-    if int(kept.rows[seats, 0]) != CHAIN:
+    if not problem.units.choices[seats, CHAIN] or int(kept.rows[seats, 0]) == FAN:
         return
     along = float(kept.layers[row, ALONG])
     across = float(kept.layers[row + 1, ACROSS]) if kept.rows[seats, 1] > 1 else GAPS[0]
     first = problem.units.spans[seats, 0]
     apart = float(problem.units.clear[first, ::2].sum()) + AT_WALL
     least = problem.route if problem.units.access[first].any() else 0.0
-    gaps = [gap for gap in (across, apart, *GAPS) if gap >= least]
+    gaps = sorted({round(gap, 1): gap for gap in (*GAPS, apart, across) if gap >= least}.values())
     for used, gap, beside in product(_rows(number, room), gaps, sorted({along, min(along, CLOSE)})):
         layers, rows = kept.layers.copy(), kept.rows.copy()
         for k in range(used):
             each = number // used + (1 if k >= used - number % used else 0)
             layers[row + k, [NUMBER, ALONG, ACROSS, CODE]] = each, beside, gap, CHAIN
-        rows[seats, 1] = used
-        yield kept._replace(layers=layers, rows=rows)
+        rows[seats] = CHAIN, used
+        yield _cut_aisles(problem, kept._replace(layers=layers, rows=rows), seats)
 
 
 def _rows(number: int, room: int) -> list[int]:
-    """Numbers of rows that so many seats may stand in, those that divide them first."""
-    most = min(ROWS, room, number // 2)
-    tried = [rows for rows in range(2, most + 1) if number % rows == 0]
-    return tried or list(range(2, most + 1))
+    """Numbers of rows that so many seats may stand in: those that divide them, and a few of rows
+    neither short nor long, of which the last have a seat more."""
+    most = range(2, min(ROWS, room, number // 2) + 1)
+    uneven = [n for n in most if number % n and SHORT <= -(-number // n) <= BLOCK]
+    fewest = sorted(uneven, key=lambda rows: -number % rows)[:UNEVEN]
+    return sorted([*(rows for rows in most if number % rows == 0), *fewest])
 
 
 def _before(problem: HallProblem, kept: Kept, seats: int, stage: Floats) -> Iterator[Kept]:
@@ -130,7 +174,10 @@ def _shift_aside(problem: HallProblem, kept: Kept, seats: int, stage: Floats) ->
     row, used = find_layers(problem, seats)[0], int(kept.rows[seats, 1])
     wide = float(problem.units.sizes[slice(*problem.units.spans[seats]), 0].max())
     layers = kept.layers[row : row + used]
-    half = 0.5 * float((layers[:, NUMBER] * (wide + layers[:, ALONG]) - layers[:, ALONG]).max())
+    long = layers[:, NUMBER] * (wide + layers[:, ALONG]) - layers[:, ALONG]
+    if int(kept.rows[seats, 0]) == CHAIN and kept.pose[seats, 3]:
+        long = long + (np.ceil(layers[:, NUMBER] / BLOCK) - 1.0) * kept.pose[seats, 3]
+    half = 0.5 * float(long.max())
     way = np.array([-np.sin(stage[2]), np.cos(stage[2])])
     if int(kept.rows[seats, 0]) == FAN or np.abs(way).min() > 1e-6:
         return np.zeros(2)

@@ -42,7 +42,7 @@ def line_up(
         for k in range(lines):
             each = number // lines + (1 if k < number % lines else 0)
             layers[first + k] = (float(each), 0.0, apart, CHAIN, 0.0)
-        rows[unit] = (CHAIN, lines)
+        rows[unit], poses[unit, 3] = (CHAIN, lines), 0.0
     return kept._replace(pose=poses, layers=layers, rows=rows)
 
 

@@ -16,9 +16,11 @@ from scenewright.domains.hall.solvers.start import copy_frames
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.engine.draws import streams
 
-WEIGHT, LEAST, LOOKED, WALKED = 6.0, 0.05, 24, 6
+WEIGHT, LEAST, LOOKED, WALKED = 6.0, 0.05, 24, 8
 """What a metre of fault costs beside the energy, metres not worth a change, how many proposals are
 held against the other touches at most, and how many are walked through."""
+ALIKE = 0.02
+"""By how much the cost of two proposals differs at least that are both looked at."""
 BARRED, WORTH, APART = 6, 0.4, 0.9
 """For how many proposals at most that run into others room is made, by how many metres their fault
 has to be less than that of the best that gains, and how far they lie from one another."""
@@ -71,12 +73,20 @@ def mend(
         found += [_weigh(chain, mine, kept) for kept in made]
     better = sorted((p for p in found if p.cost < now.cost - LEAST), key=lambda p: p.cost)
     whole = _weigh(chain, upto, layout.kept).cost if better else 0.0
-    gaining = (p for p in better[:LOOKED] if _weigh(chain, upto, p.kept).cost < whole - LEAST)
+    gaining = (
+        p for p in _differing(better)[:LOOKED] if _weigh(chain, upto, p.kept).cost < whole - LEAST
+    )
     for _, proposal in zip(range(WALKED), gaining, strict=False):
         tried = layout_of(chain._replace(best=proposal.kept))
         if tried.missed <= layout.missed and tried.lacking <= layout.lacking + 1e-9:
             return tried
     return layout
+
+
+def _differing(proposals: list[Proposal]) -> list[Proposal]:
+    """Proposals by rising cost less those that cost the same as the one before: most are alike."""
+    costs = np.array([-np.inf, *(one.cost for one in proposals)])
+    return [one for one, more in zip(proposals, np.diff(costs), strict=True) if more > ALIKE]
 
 
 def _weigh(chain: HallChain, touches: list[SeenTouch], kept: Kept) -> Proposal:

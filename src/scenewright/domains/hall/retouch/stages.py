@@ -16,6 +16,9 @@ from scenewright.engine.draws import streams
 
 AT_WALL = 0.02
 """What a stage that stands by itself stays off its wall, in metres."""
+WIDE, OFF_WALL, OFF_MIDDLE, MOST = 2.0, 0.5, 0.15, 4.0
+"""From which width on something stands amid its wall, in metres, what a metre off the wall and off
+its middle count, and beyond how many more count no more."""
 SIDES = (0.0, -1.0, 1.0)
 """Middle and ends of a wall, as rows along walls count them."""
 
@@ -33,6 +36,28 @@ def propose_stages(
         yield from _stand_at_walls(problem, kept, stage)
 
 
+def measure_stage(problem: HallProblem, boxes: Floats, stage: int) -> float:
+    """How far a wide stage among boxes (n, 5) is from standing with its back amid a wall of its
+    zone, in metres: in the middle of that, or of the zone."""
+    unit = int(problem.units.spans[stage, 0])
+    x, y, heading, width, depth = boxes[unit]
+    front = np.array([np.cos(heading), np.sin(heading)])
+    back = np.array([x, y]) - 0.5 * depth * front
+    zone = int(problem.units.zones[stage])
+    middle = problem.ground.zone_bounds[zone].reshape(2, 2).mean(0)
+    found = [OFF_WALL * MOST] if width >= WIDE else [0.0]
+    for x0, y0, x1, y1, owner in problem.ground.stretches[:, :5]:
+        start, way = np.array([x0, y0]), np.array([x1 - x0, y1 - y0])
+        way, length = way / max(float(np.hypot(*way)), 1e-9), float(np.hypot(*way))
+        if int(owner) == zone and np.array([-way[1], way[0]]) @ front > 0.99:
+            along, off = float((back - start) @ way), float((back - start) @ (-way[1], way[0]))
+            aside = min(abs(along - 0.5 * length), abs(along - float((middle - start) @ way)))
+            inside = 0.0 <= along <= length
+            if inside:
+                found.append(OFF_WALL * min(off, MOST) + OFF_MIDDLE * min(aside, MOST))
+    return min(found)
+
+
 def _stand_free(
     problem: HallProblem, kept: Kept, boxes: Floats, stage: int
 ) -> Iterator[tuple[Kept, Floats]]:
@@ -48,7 +73,7 @@ def _stand_free(
         middle = float(
             np.clip((0.5 * (low + high) - start) @ way, 0.5 * box[3], length - 0.5 * box[3])
         )
-        for along in (middle, 0.5 * length):
+        for along in sorted({round(middle, 3), round(0.5 * length, 3)}):
             x, y = start + along * way + (0.5 * box[4] + AT_WALL) * left
             placed = np.array([x, y, np.arctan2(left[1], left[0]), *box[3:]])
             moved = kept._replace(pose=kept.pose.copy())
