@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -51,7 +52,8 @@ def boxes_of(piece: Piece) -> list[list[float]]:
     return found
 
 
-def _slices(footprint: Footprint) -> list[tuple[float, float, float, float]]:
+@lru_cache(maxsize=1024)
+def _slices(footprint: Footprint) -> tuple[tuple[float, float, float, float], ...]:
     """Bounds of upright slices that cover a footprint, cut at its corners."""
     shape = shapely.Polygon(footprint)
     low, high = np.min(footprint, 0), np.max(footprint, 0)
@@ -64,7 +66,8 @@ def _slices(footprint: Footprint) -> list[tuple[float, float, float, float]]:
         parts = [_between(shape, c, e) for c, e in pairwise(edges.tolist())]
         slices += [part.bounds for group in parts for part in shapely.get_parts(group)]
     kept = [row for row in slices if min(row[2] - row[0], row[3] - row[1]) > EXACT]
-    return kept or [(float(low[0]), float(low[1]), float(high[0]), float(high[1]))]
+    whole = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+    return tuple(kept) or (whole,)
 
 
 def _between(shape: shapely.Polygon, west: float, east: float) -> shapely.Geometry:

@@ -95,14 +95,16 @@ def scale_area_weights(weights: dict[str, float], items: Items) -> dict[str, flo
     >>> scale_area_weights({"keep_free": 100.0, "pairs": 10.0}, items)
     {'keep_free': 200.0, 'pairs': 10.0}
     """
-    share = max(float(np.nansum(items.wish.prod(-1))) / USUAL, 1.0)
+    areas = items.wish.prod(-1)
+    areas[np.isnan(areas)] = 0.0
+    share = max(float(areas.sum()) / USUAL, 1.0)
     return {name: w * share if name in OF_AREAS else w for name, w in weights.items()}
 
 
 def items_of(wishes: tuple[Wish, ...], area: float, library: Library = SHIPPED) -> Items:
     """Patches as arrays: size range from the case library, behaviour from the table of groups."""
     if not wishes:
-        return empty_items(0)
+        return NO_ITEMS
     of = _shipped_row if library is SHIPPED else partial(_row_of, library=library)
     rows = np.array([of(w, area) for w in wishes], np.float64)
     pairs, targets, weights = relate([w.group for w in wishes], library, RELATIONS)
@@ -110,11 +112,10 @@ def items_of(wishes: tuple[Wish, ...], area: float, library: Library = SHIPPED) 
     for name, width in COLUMNS.items():
         field = rows[:, start] if width == 1 else rows[:, start : start + width]
         columns[name], start = np.ascontiguousarray(field), start + width
-    return empty_items(len(wishes))._replace(
-        **columns, pairs=pairs, pair_targets=targets, pair_weights=weights
-    )
+    return NO_ITEMS._replace(**columns, pairs=pairs, pair_targets=targets, pair_weights=weights)
 
 
+NO_ITEMS = empty_items(0)
 COLUMNS = {
     "low": 2,
     "high": 2,

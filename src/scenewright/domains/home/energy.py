@@ -37,7 +37,7 @@ from scenewright.geometry.paths import RouteGrid, make_grid
 
 
 def _fresh(array: Floats, *shape: int) -> Floats:
-    return np.array(array, dtype=np.float64, order="C").reshape(-1, *shape)
+    return np.array(array, np.float64, order="C").reshape(-1, *shape)
 
 
 def _zones(ground: Ground, tops: Floats) -> Floats:
@@ -63,8 +63,12 @@ def _zones(ground: Ground, tops: Floats) -> Floats:
 
 
 def _traits(items: Items, reach: Floats, role: Floats) -> Floats:
-    columns = (items.height, items.back_to_wall, role, items.daylight, items.nestle, items.wish)
-    return np.array(np.column_stack((*columns, reach, items.shades)), np.float64, order="C")
+    traits = np.empty((len(items.height), 9))
+    columns = (items.height, items.back_to_wall, role, items.daylight, items.nestle)
+    for k, column in enumerate(columns):
+        traits[:, k] = column
+    traits[:, 5:7], traits[:, 7], traits[:, 8] = items.wish, reach, items.shades
+    return traits
 
 
 def _strips(ground: Ground) -> Floats:
@@ -75,6 +79,8 @@ def _strips(ground: Ground) -> Floats:
 
 def _index_relations(pairs: Ints, n: int) -> tuple[Ints, Ints]:
     """For each item the relations it is in, as one list, and where each item's part starts."""
+    if not len(pairs):
+        return np.zeros(n + 1, np.int64), np.zeros(0, np.int64)
     items = pairs.ravel()
     order = np.argsort(items, kind="stable").astype(np.int64)
     start = np.searchsorted(items[order], np.arange(n + 1)).astype(np.int64)
@@ -124,7 +130,7 @@ def _prepare(same: Same[Problem]) -> PreparedHome:
     weights = read_weights(problem.weights, problem.printed)
     fixed = _prepare_ground(known_ground(ground))
     zoned = weights[CLEAR_ROOM] != 0.0 or weights[CLEAR_ITEMS] != 0.0
-    reach = items.clear.max(axis=1, initial=0.0) * (1.0 if zoned else 0.0)
+    reach = items.clear.max(axis=1, initial=0.0) if zoned else np.zeros(len(items.clear))
     pairs = np.array(items.pairs, np.int64, order="C").reshape(-1, 2)
     placed = np.argsort(items.placed, kind="stable")
     start, related = _index_relations(pairs, len(items.low))
@@ -136,9 +142,11 @@ def _prepare(same: Same[Problem]) -> PreparedHome:
         access=_fresh(items.access, 4),
         inset=_fresh(items.inset, 4),
         traits=_traits(items, reach, items.main_wall * (1.0 if len(fixed.main) else 0.0)),
-        limits=np.hstack([_fresh(items.low, 2), _fresh(items.high, 2)]),
+        limits=np.concatenate([_fresh(items.low, 2), _fresh(items.high, 2)], axis=1),
         pairs=pairs,
-        targets=np.hstack([_fresh(items.pair_targets, 3), _fresh(items.pair_weights, 1)]),
+        targets=np.concatenate(
+            [_fresh(items.pair_targets, 3), _fresh(items.pair_weights, 1)], axis=1
+        ),
         related_start=start,
         related=related,
         place_start=np.searchsorted(items.placed[placed], np.arange(len(items.low) + 1)),

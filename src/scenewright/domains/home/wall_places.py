@@ -14,7 +14,7 @@ from scenewright.core.catalog import Catalog, Group
 from scenewright.core.same import Same
 from scenewright.domains.home.furnishing.furnish import SLACK, needed_of, world
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
-from scenewright.domains.home.furnishing.whole import RAISED
+from scenewright.domains.home.furnishing.whole import list_grounded
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.fit import mark_free, side_gaps
@@ -81,9 +81,7 @@ def free_boxes(
     are known."""
     along = walls or read_walls(ground)
     boxes, turns = _list_along(case, along, step)
-    needed = needed_of(case)
-    if whole:
-        needed = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
+    needed = list_grounded(case) if whole else needed_of(case)
     return boxes[_mark(boxes, turns, case, needed, ground, standing, catalog, height)]
 
 
@@ -169,8 +167,7 @@ def _mark(
     """The same with ``turns`` (n, 2), sine and cosine of the boxes' headings."""
     free = np.zeros(len(boxes), bool)
     members = members or tuple(range(len(case.members)))
-    shape, spans, flat = _shape_of(case, members, catalog)
-    tall = spans[:, 1].max(initial=0.0)
+    shape, spans, flat, tall = _shape_of(case, members, catalog)
     if not len(boxes) or (tall > height + HAIR and not len(ground.slopes)):
         return free
     mark_free(
@@ -196,10 +193,11 @@ def _mark(
 @lru_cache(maxsize=4096)
 def _shape_of(
     case: Group, members: tuple[int, ...], catalog: Catalog
-) -> tuple[Floats, Floats, NDArray[np.bool_]]:
-    """Members of a case, its front to +y: as :func:`world` gives them."""
+) -> tuple[Floats, Floats, NDArray[np.bool_], float]:
+    """Members of a case, its front to +y: as :func:`world` gives them, and the greatest top."""
     chosen = tuple(case.members[i] for i in members)
-    return world(chosen, np.array([0.0, 0.0, np.pi / 2, case.width, case.depth]), catalog)
+    shape = world(chosen, np.array([0.0, 0.0, np.pi / 2, case.width, case.depth]), catalog)
+    return (*shape, float(shape[1][:, 1].max(initial=0.0)))
 
 
 def _rank(boxes: Floats, ground: Ground) -> Floats:

@@ -47,7 +47,8 @@ def find_unreached(
         return frozenset()
     walked = list_walked(ground, pieces, catalog, width)
     far, joined = walk(ground, walked, width, entered)
-    return frozenset(far | {f"door {k + 1}" for k in np.flatnonzero(~joined)})
+    far.update(f"door {k}" for k, met in enumerate(joined.tolist(), 1) if not met)
+    return frozenset(far)
 
 
 class Walked(NamedTuple):
@@ -82,7 +83,7 @@ def walk(
     cells = np.empty((4, *grid.free.shape), np.uint64)
     joined, found = np.empty(len(grid.doors), bool), np.empty(len(walked.zones), bool)
     walk_cells(grid, walked.solid, walked.zones, come_in, cells, joined, found)
-    near = {name for name, seen in zip(walked.owner, found, strict=True) if seen}
+    near = {name for name, seen in zip(walked.owner, found.tolist(), strict=True) if seen}
     return set(walked.owner) - near, joined
 
 

@@ -107,7 +107,8 @@ def nearest_first(
     >>> nearest_first(sizes, (4.0, 0.0)).tolist(), nearest_first(sizes, (4.0, 1.0), 0.5).tolist()
     ([1, 2, 0], [0])
     """
-    fits = np.flatnonzero((sizes <= np.add(size, most)).all(axis=1))
+    width, depth = float(size[0]) + most, float(size[1]) + most
+    fits = np.flatnonzero((sizes[:, 0] <= width) & (sizes[:, 1] <= depth))
     off = (sizes[fits] - size).astype(np.longdouble)
     far = np.hypot(off[:, 0], off[:, 1]).astype(np.float64)  # rounded once: ties stay ties
     return fits[np.argsort(far, kind="stable")]

@@ -15,7 +15,7 @@ from scenewright.domains.home.composing.trials import take_first
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.facing import FACING, SHARES
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
-from scenewright.domains.home.furnishing.whole import RAISED
+from scenewright.domains.home.furnishing.whole import list_grounded
 from scenewright.domains.home.wall_places import stand_free
 
 Floats = NDArray[np.float64]
@@ -66,9 +66,8 @@ def _list_moved(
     standing = standing_of((*task.fixed, *task.beside, *rest), flat_kinds(task.catalog))
     boxes = np.repeat(group.dressed.box[None], len(SHARES), axis=0)
     boxes[:, :2] += np.array(SHARES)[:, None] * way
-    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
     height = task.space.height
-    free = stand_free(boxes, case, members, task.ground, standing, task.catalog, height)
+    free = stand_free(boxes, case, list_grounded(case), task.ground, standing, task.catalog, height)
     for box in boxes[free]:
         moved = dress_group(task, group, case, box, standing)
         if moved is not None:

@@ -22,10 +22,10 @@ from scenewright.domains.home.composing.moving import (
     find_places,
     list_amid,
     make_unplaced,
+    stand_at,
     with_margin,
 )
 from scenewright.domains.home.composing.voids import (
-    RAISED,
     Void,
     find_circle,
     find_void,
@@ -36,7 +36,7 @@ from scenewright.domains.home.composing.voids import (
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.groups.living import talking
 from scenewright.domains.home.programme import WELCOME, Wish
-from scenewright.domains.home.wall_places import along_walls, stand_free
+from scenewright.domains.home.wall_places import along_walls
 from scenewright.geometry.fit import is_backed
 
 Floats = NDArray[np.float64]
@@ -195,9 +195,7 @@ def _step_before(task: RoomTask, case: Group, standing: StandingObstacles) -> Fl
     """The boxes (n, 5) a step before each wall on which a case stands free."""
     boxes = along_walls(case, task.ground, task.preset.settings.composing.step)
     boxes[:, :2] += STEP * np.column_stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])])
-    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
-    height = task.space.height
-    return boxes[stand_free(boxes, case, members, task.ground, standing, task.catalog, height)]
+    return stand_at(task, case, boxes, standing)
 
 
 def order_boxes(task: RoomTask, whole: Placed, boxes: Floats) -> Floats:

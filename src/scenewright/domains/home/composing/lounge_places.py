@@ -20,7 +20,7 @@ from scenewright.domains.home.composing.moving import dress_group, find_places
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
-from scenewright.domains.home.furnishing.whole import RAISED
+from scenewright.domains.home.furnishing.whole import list_grounded
 from scenewright.domains.home.wall_places import stand_free
 
 Floats = NDArray[np.float64]
@@ -166,6 +166,5 @@ def _stand(
     task: RoomTask, case: Group, boxes: Floats, standing: StandingObstacles
 ) -> NDArray[np.bool_]:
     """On which of the boxes (n, 5) all of a case stands free."""
-    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
     height = task.space.height
-    return stand_free(boxes, case, members, task.ground, standing, task.catalog, height)
+    return stand_free(boxes, case, list_grounded(case), task.ground, standing, task.catalog, height)

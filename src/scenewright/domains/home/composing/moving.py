@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from itertools import count
 
 import numpy as np
@@ -18,7 +19,7 @@ from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen
 from scenewright.domains.home.composing.stretches import Reach, longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
-from scenewright.domains.home.furnishing.whole import RAISED
+from scenewright.domains.home.furnishing.whole import list_grounded
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.wall_places import WallRows, free_boxes, read_walls, stand_free
 from scenewright.geometry.fit import is_backed, side_gaps
@@ -78,9 +79,10 @@ def _in_place(task: RoomTask, case: Group, standing: StandingObstacles, box: Flo
 
 def stand_at(task: RoomTask, case: Group, boxes: Floats, standing: StandingObstacles) -> Floats:
     """Those of the boxes (n, 5) on which a case stands free."""
-    members = tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
     height = task.space.height
-    return boxes[stand_free(boxes, case, members, task.ground, standing, task.catalog, height)]
+    return boxes[
+        stand_free(boxes, case, list_grounded(case), task.ground, standing, task.catalog, height)
+    ]
 
 
 def _may_stand_amid(task: RoomTask) -> bool:
@@ -106,11 +108,17 @@ def _free(task: RoomTask, case: Group, standing: StandingObstacles, walls: WallR
     step = task.preset.settings.composing.step
     height = task.space.height
     free = free_boxes(case, task.ground, standing, task.catalog, height, step, True, walls)
-    side = next((m.x for m in case.members if m.category == "corner_cabinet"), 0.0)
-    if not side or not len(free):
+    side = _side_of_corner(case) if len(free) else 0.0
+    if not side:
         return free
     gaps = np.array([side_gaps(box, task.ground.walls) for box in free])
     return free[gaps[:, int(side > 0.0)] < BACKED]
+
+
+@lru_cache(maxsize=4096)
+def _side_of_corner(case: Group) -> float:
+    """How far to the right the corner cabinet of a case stands, metres; 0 without one."""
+    return next((m.x for m in case.members if m.category == "corner_cabinet"), 0.0)
 
 
 def dress_group(

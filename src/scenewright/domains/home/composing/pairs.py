@@ -100,9 +100,12 @@ def furnish_pairs(
 def _are_alike(poses: Floats, one: Floats) -> NDArray[np.bool_]:
     """Of pairs of boxes (n, 2, 3: x, y, heading) those with both nearly where ``one`` (2, 3) has
     them."""
-    off = np.abs(poses - one)
+    alike = np.abs(poses[:, 0, 0] - one[0, 0]) < NEAR
+    some = np.flatnonzero(alike)  # the rest is looked at of these only
+    off = np.abs(poses[some] - one)
     near = (np.hypot(off[..., 0], off[..., 1]) < NEAR) & (off[..., 2] < 0.1)
-    return near[:, 0] & near[:, 1]
+    alike[some] = near[:, 0] & near[:, 1]
+    return alike
 
 
 def _list_pairs(

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from itertools import chain, product
 from math import cos, hypot, sin
 
@@ -16,6 +17,7 @@ import numpy as np
 
 from scenewright.catalog.kinds import SIZES
 from scenewright.core.catalog import OWN, Catalog
+from scenewright.core.same import Same
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.home.furnishing.furnish import too_tall
 from scenewright.domains.home.furnishing.obstacles import (
@@ -120,7 +122,15 @@ def _screens(screen: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
 
 def find_widest_screen(stand: Piece, ground: Ground, others: Sequence[Piece] = ()) -> float:
     """Metres of the widest screen that walls, windows, doors and ``others`` that stand in the room
-    leave room for on a stand."""
+    leave room for on a stand; beside the same pieces looked for once."""
+    near = tuple(Same(p) for p in others if _is_beside(p, stand))
+    return _find_widest(Same(stand), Same(ground), near)
+
+
+@lru_cache(maxsize=256)
+def _find_widest(stood: Same[Piece], on: Same[Ground], near: tuple[Same[Piece], ...]) -> float:
+    """The same beside what is ``near`` enough to matter."""
+    stand = stood.value
     widths = np.arange(stand.size.width + OVERHANG, LEAST_SCREEN, -STEP)
     over = np.maximum(widths - stand.size.width, 0.0) / 2
     aside = np.concatenate([np.zeros_like(over), over, -over])
@@ -129,8 +139,8 @@ def find_widest_screen(stand: Piece, ground: Ground, others: Sequence[Piece] = (
     boxes = np.column_stack([x - sin(heading) * aside, y + cos(heading) * aside, turn, wide, deep])
     low = z + stand.size.height
     spans = np.column_stack([np.full_like(wide, low), low + SCREEN_RATIO * wide])
-    near = standing_of(tuple(p for p in others if _is_beside(p, stand)), frozenset())
-    codes = find_faults(boxes, spans, ground, near)
+    standing = standing_of(tuple(p.value for p in near), frozenset())
+    codes = find_faults(boxes, spans, on.value, standing)
     return float(wide[codes == 0].max(initial=LEAST_SCREEN))
 
 

@@ -171,7 +171,8 @@ def _try(
         standing.spans,
         SLACK,
     )
-    codes = too_tall(boxes, spans, ground, height, codes)
+    if len(ground.slopes) or _top_of(case, catalog) > height:
+        codes = too_tall(boxes, spans, ground, height, codes)
     stands = _find_supported(case, (codes == 0).tolist(), boxes, ground, catalog)
     if all(stands):
         return FurnishedPatch(case, box, stands, 0)
@@ -286,6 +287,12 @@ def _laid_case(case: Group, catalog: Catalog) -> tuple[Floats, Floats, NDArray[n
     return _laid(case.members, catalog)
 
 
+@lru_cache(maxsize=4096)
+def _top_of(case: Group, catalog: Catalog) -> float:
+    """How high the tallest member of a case reaches, metres."""
+    return float(_laid_case(case, catalog)[1][:, 1].max())
+
+
 def _find_supported(
     case: Group, fits: list[bool], boxes: Floats, ground: Ground, catalog: Catalog
 ) -> tuple[bool, ...]:
@@ -294,11 +301,9 @@ def _find_supported(
     stands: list[bool] = []
     held_by = _held_by(case, catalog)
     for i, (on, hangs, _) in enumerate(held_by):
-        held = fits[i]
+        held = fits[i] and (on < 0 or stands[on])
         if held and hangs:
             held = bool(is_backed(boxes[i], ground.walls, BACKED))
-        if held and on >= 0:
-            held = stands[on]
         stands.append(held)
     return tuple(
         held and (under < 0 or stands[under])
@@ -356,7 +361,7 @@ def pieces_of(
                 category=member.category,
                 asset=shown[i][0],
                 space=space,
-                pose=Pose(x, y, member.z, _wrap_angle(heading)),
+                pose=Pose(x, y, member.z, (heading + np.pi) % (2 * np.pi) - np.pi),
                 size=member.size,
                 group=group,
                 function=function,
@@ -391,7 +396,3 @@ def _names_of(case: Group, stands: tuple[bool, ...]) -> Mapping[int, str]:
 def _name(wanted: str, taken: dict[int, str]) -> str:
     count = sum(n == wanted or n.startswith(f"{wanted}_") for n in taken.values())
     return f"{wanted}_{count + 1}" if count else wanted
-
-
-def _wrap_angle(angle: float) -> float:
-    return float((angle + np.pi) % (2 * np.pi) - np.pi)

@@ -8,12 +8,13 @@ the whole group goes instead, for another place or a smaller form.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.core.catalog import Member
+from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece
 from scenewright.domains.home.groups import GROUPS
 
@@ -87,6 +88,12 @@ def _hangs_over(piece: Piece, lower: Piece) -> bool:
         return False
     at, size = lower.pose, lower.size
     return _within((piece.pose.x, piece.pose.y), (at.x, at.y, at.heading, size.width, size.depth))
+
+
+@lru_cache(maxsize=4096)
+def list_grounded(case: Group) -> tuple[int, ...]:
+    """The numbers of the members of a case that stand on the floor."""
+    return tuple(i for i, m in enumerate(case.members) if m.on < 0 and m.z < RAISED)
 
 
 def below(members: Sequence[Member]) -> tuple[int, ...]:

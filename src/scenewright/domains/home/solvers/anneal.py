@@ -81,7 +81,7 @@ def plan(steps: int, n: int) -> tuple[AnnealingStage, ...]:
     >>> [stage.chains for stage in plan(200_000, 3)], [stage.chains for stage in plan(200_000, 20)]
     ([32, 8, 2], [2, 1])
     """
-    chains = int(np.clip(0.5 * steps / max(500 * n, 100 * n * n), 1, 32))
+    chains = int(min(max(0.5 * steps / max(500 * n, 100 * n * n), 1), 32))
     if chains >= 4:
         return (
             AnnealingStage(chains, 0.5, 0.0),
@@ -99,9 +99,9 @@ def scatter_boxes(p: PreparedHome, count: int, rng: np.random.Generator) -> Floa
     """Boxes ``(count, n, 5)`` drawn anywhere within the bounds, sizes within their limits."""
     shape, low, high = (count, len(p.limits)), p.limits[:, :2], p.limits[:, 2:]
     boxes = np.empty((*shape, 5))
-    boxes[..., :2] = rng.uniform(p.bounds[:2], p.bounds[2:], (*shape, 2))
-    boxes[..., 2] = rng.uniform(0.0, 2.0 * math.pi, shape)
-    boxes[..., 3:] = rng.uniform(low, high, (*shape, 2))
+    boxes[..., :2] = p.bounds[:2] + (p.bounds[2:] - p.bounds[:2]) * rng.random((*shape, 2))
+    boxes[..., 2] = 2.0 * math.pi * rng.random(shape)
+    boxes[..., 3:] = low + (high - low) * rng.random((*shape, 2))
     return boxes
 
 
@@ -134,8 +134,9 @@ def _advance(setup: Setup, chains: Chains, steps: int, first: float, last: float
             some = (chains.now[few], chains.bests[few], chains.energies[few], chains.draws[few])
             run_chains(*scratch, *some, *ends, steps, schedule)
 
-    cuts = np.linspace(0, count, min(setup.threads, count) + 1).astype(int)
-    parts = [slice(int(a), int(b)) for a, b in pairwise(cuts)]
+    many = min(setup.threads, count)
+    cuts = np.linspace(0, count, many + 1).astype(int).tolist() if many > 1 else [0, count]
+    parts = [slice(a, b) for a, b in pairwise(cuts)]
     list(setup.pool.map(run, parts) if len(parts) > 1 else map(run, parts))
 
 
