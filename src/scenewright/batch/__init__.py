@@ -142,7 +142,7 @@ def _check_limits(limits: Limits, options: BatchOptions) -> Limits:
 
     for what, value in (("jobs", limits.jobs), ("memory", limits.memory), ("limit", limits.time)):
         if not (isfinite(value) and value > 0):
-            raise InputError(f"{what} {value:g} is not possible", "give a positive number")
+            raise InputError(f"--{what} {value:g} is not possible", "give a positive number")
     if not options.formats:
         raise InputError("no format is given", "name one, such as .json")
     for suffix in options.formats:

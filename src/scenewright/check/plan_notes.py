@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from statistics import median
 
 import shapely
 
+from scenewright.catalog.suggestions import offer_kinds, suggest_kinds
 from scenewright.core.brief import Brief
+from scenewright.core.kind import Kind
 from scenewright.core.report import Note
 from scenewright.core.space import Space
 
@@ -24,6 +27,25 @@ VAST = 1000.0
 def note_reading(brief: Brief) -> list[Note]:
     """What was left out or assumed on reading."""
     return [Note("", "plan", "", text) for text in brief.notes]
+
+
+def note_unknown_kinds(brief: Brief, kinds: Mapping[str, Kind]) -> list[Note]:
+    """A note for each word for fixed items that is not a kind but like one: they stand as boxes.
+
+    >>> from scenewright.catalog.kinds import KINDS
+    >>> items = [{"category": word, "at": [1, 1], "size": [1, 1, 1]} for word in ("couch", "well")]
+    >>> room = {"outline": [[0, 0], [4, 0], [4, 3], [0, 3]], "fixed": items}
+    >>> [note.message[:56] for note in note_unknown_kinds(Brief(rooms=[room]), KINDS)]
+    ["a fixed 'couch' is no kind of the catalog and drawn as a"]
+    """
+    items = Counter(item.category for room in brief.rooms for item in room.fixed)
+    notes = []
+    for word, count in items.items():
+        if word not in kinds and suggest_kinds(word, kinds):
+            some = f"a fixed '{word}' is" if count == 1 else f"{count} fixed '{word}' are"
+            text = f"{some} no kind of the catalog and drawn as a box; {offer_kinds(word, kinds)}"
+            notes.append(Note("", "plan", "kind", text))
+    return notes
 
 
 def note_small_doors(spaces: Sequence[Space]) -> list[Note]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from math import isfinite, pi, radians
 from pathlib import Path
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
 
 
 Names = list[str] | None
+MOST_OF_ONE = 6
+"""Pieces of one group that are named one by one."""
 RADIANS_MEANT = 0.003
 """A heading so near to eighths of a turn in radians, 1.57 as well as 1.5708, is not in degrees."""
 
@@ -114,7 +117,23 @@ def lines(changes: Sequence[Change]) -> list[str]:
         renamed = change.was not in ("", change.piece)
         name = f"{change.was} -> {change.piece}" if renamed else change.piece
         values.setdefault((change.change, change.reason), []).append(name)
-    return [f"{how}: {', '.join(names)} ({why})" for (how, why), names in values.items()]
+    return [f"{how}: {', '.join(_join(names))} ({why})" for (how, why), names in values.items()]
+
+
+def _join(names: Sequence[str]) -> list[str]:
+    """Names of pieces, those of one group together where there are more than :data:`MOST_OF_ONE`.
+
+    >>> _join(["a/bed", *(f"hall/seats/seat_{k}" for k in range(40))])
+    ['a/bed', 'hall/seats (40 pieces)']
+    """
+    groups = Counter(name.rpartition("/")[0] for name in names)
+    many = {group for group, count in groups.items() if group and count > MOST_OF_ONE}
+    owners = {name: name.rpartition("/")[0] for name in names}
+    shown = (
+        f"{owners[name]} ({groups[owners[name]]} pieces)" if owners[name] in many else name
+        for name in names
+    )
+    return list(dict.fromkeys(shown))
 
 
 def _pose(argument: str) -> tuple[str, tuple[float, ...]]:

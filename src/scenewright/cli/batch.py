@@ -152,7 +152,7 @@ def _tell(console: Console, rows: Sequence[ResultRow], folder: Path, watch: Batc
     counted = [{"files": status, "": count} for status, count in totals(rows).items() if count]
     tables.table(console, counted, title="batch")
     rate = watch.made / max(watch.seconds(), 1e-9)
-    words = [f"{len(rows)} files in {folder}"]
+    words = [f"{len(rows)} file{'s' * (len(rows) != 1)} in {folder}"]
     words += [f"{watch.made} in {watch.seconds():.0f} s, {rate:.1f} a second"] * bool(watch.made)
     words += [f"{watch.before} already done"] * bool(watch.before)
     words += [f"{len(entries) - MOST} more need attention"] * (len(entries) > MOST)

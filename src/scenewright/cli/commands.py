@@ -101,7 +101,9 @@ def _format_usage_error(usage_fault: Any) -> str:
     """The fault in our words; empty if the help was shown instead."""
     message = str(usage_fault.format_message()).rstrip(".")
     message = re.sub(r"Input should be a valid integer.*", "give a whole number", message)
-    return re.sub(r"Input should be a valid number.*", "give a number", message)
+    message = re.sub(r"Input should be a valid number.*", "give a number", message)
+    message = message.replace("Input should be greater than or equal to", "give at least")
+    return message.replace("Input should be less than or equal to", "give at most")
 
 
 def _fault(message: str, code: int = 2) -> int:

@@ -14,6 +14,7 @@ from scenewright.core.errors import InputError
 from scenewright.text import HALF, is_whole
 
 RADIANS = "headings are radians, -6.283 to 6.283: 1.5708 is a quarter turn"
+PITCH = "pitches are radians, 0.02 to 1.55: 0.7854 is 45 degrees"
 METRES = "lengths are metres"
 LENGTHS = frozenset(
     (
@@ -214,6 +215,8 @@ def _describe_expected(
     """What to write instead."""
     if limits.get("le") == tau or limits.get("ge") == -tau:
         return RADIANS
+    if loc[-1:] == ("pitch",) and limits:
+        return PITCH
     if kind in KINDS:
         asked = "ask" in loc[-2:-1] and isinstance(given, str)
         return f'write {{"group": {_quote_value(given)}}}' if asked else f"give {KINDS[kind]}"

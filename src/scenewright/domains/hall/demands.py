@@ -9,6 +9,7 @@ import numpy as np
 from scenewright.building.plan import place
 from scenewright.catalog.assets import shipped
 from scenewright.catalog.kinds import SIZES, hall_use, name_of
+from scenewright.catalog.suggestions import offer_kinds
 from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand, Sizes
 from scenewright.core.errors import InputError
@@ -102,9 +103,8 @@ def check_demands(brief: Brief, number: int, space: Space) -> None:
 def _check_category(demand: Demand, where: str) -> None:
     kinds = shipped().kinds
     if demand.category not in kinds:
-        near = difflib.get_close_matches(demand.category, kinds, 4)
-        remedy = f"use one of: {', '.join(near)}" if near else "see: scenewright list assets"
-        raise InputError(f"'{demand.category}' is not a kind of the catalog", remedy, place=where)
+        fault = f"'{demand.category}' is not a kind of the catalog"
+        raise InputError(fault, offer_kinds(demand.category, kinds), place=where)
     if kinds[demand.category].support != "floor":
         raise InputError(
             f"a {name_of(demand.category)} does not stand on the floor",

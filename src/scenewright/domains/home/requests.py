@@ -4,11 +4,14 @@ and forbidden."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from difflib import get_close_matches
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.building.plan import place
+from scenewright.catalog.kinds import KINDS
+from scenewright.catalog.suggestions import suggest_kinds
 from scenewright.core.brief import Brief, Room
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
@@ -26,9 +29,22 @@ def check_asks(brief: Brief) -> None:
             if ask.group not in GROUPS:
                 raise InputError(
                     f"unknown furniture group '{ask.group}'",
-                    "use one of: " + ", ".join(GROUPS),
+                    _offer_groups(ask.group),
                     place=place(brief, number, f"ask[{k}]"),
                 )
+
+
+def _offer_groups(name: str) -> str:
+    """What to write instead of a name that is no group: those spelt like it, or that hold what it
+    names, else all.
+
+    >>> _offer_groups("couch")
+    'use one of: seating'
+    """
+    kinds = (name, *suggest_kinds(name, KINDS))
+    held = dict.fromkeys(group for kind in kinds for group in groups_of(kind))
+    near = get_close_matches(name, GROUPS, 2) or list(held)[:4] or list(GROUPS)
+    return f"use one of: {', '.join(near)}"
 
 
 def check_possible(brief: Brief, libraries: Sequence[Library]) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from scenewright.building.plan import room_ids
-from scenewright.check.plan_notes import note_reading
+from scenewright.check.plan_notes import note_reading, note_unknown_kinds
 from scenewright.check.rooms import count_findings, judge_rooms, walk_rooms
 from scenewright.check.spaces import find_doorless
 from scenewright.core.brief import Room
@@ -39,7 +39,8 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     findings = (*shared.findings, *faults, *verdict.findings)
     doorless = find_doorless(walked.bodies, walked.rooms, _find_visited(asked))
     turned = note_seats_turned_away(walked.bodies, plan.spaces, asked)
-    notes = (*note_reading(brief), *doorless, *turned, *shared.notes, *verdict.notes)
+    read = (*note_reading(brief), *note_unknown_kinds(brief, kinds.kinds))
+    notes = (*read, *doorless, *turned, *shared.notes, *verdict.notes)
     figures = {**count_findings(solution.pieces, findings), **shared.figures}
     if halls:
         figures["halls"] = _add_energies(solution, verdict.figures)

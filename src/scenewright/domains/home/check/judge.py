@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from scenewright.building.plan import room_ids
 from scenewright.check.bodies import bodies_of
-from scenewright.check.plan_notes import note_reading, note_small_doors, note_vast_rooms
+from scenewright.check.plan_notes import (
+    note_reading,
+    note_small_doors,
+    note_unknown_kinds,
+    note_vast_rooms,
+)
 from scenewright.check.rooms import Walked, count_findings, judge_rooms, walk_rooms
 from scenewright.check.spaces import find_doorless
 from scenewright.check.stairs import find_cut_off
@@ -21,7 +26,7 @@ from scenewright.domains.home.check.complete import (
     find_unmet_asks,
 )
 from scenewright.domains.home.check.wishes import wishes_told
-from scenewright.domains.home.furnishing.style_words import note_styles
+from scenewright.domains.home.furnishing.style_words import note_colours, note_styles
 
 
 def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
@@ -35,9 +40,11 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     asked = dict(zip(room_ids(brief), brief.rooms, strict=True))
     notes = (
         *note_reading(brief),
+        *note_unknown_kinds(brief, kinds.kinds),
         *note_small_doors(rooms.spaces),
         *note_vast_rooms(rooms.spaces),
         *note_styles(brief, kinds),
+        *note_colours(brief, kinds),
         *find_doorless(bodies, rooms),
         *find_cut_off(brief, bodies, rooms),
         *find_incomplete(bodies, rooms),

@@ -24,6 +24,28 @@ def knows_style(words: str, catalog: Catalog) -> bool:
     )
 
 
+def knows_colour(words: str, catalog: Catalog) -> bool:
+    """Whether some words name the hue of a palette, or the colour of a model of the user's own.
+
+    >>> from scenewright.catalog.assets import shipped
+    >>> [knows_colour(words, shipped()) for words in ("", "dark blue", "#ff0000")]
+    [True, True, False]
+    """
+    own = {asset.colour.casefold() for assets in stock_of(catalog).values() for asset in assets}
+    return not words.strip() or answers(words) or words.casefold() in own
+
+
+def note_colours(brief: Brief, catalog: Catalog) -> list[Note]:
+    """A note for each colour of a brief, of the home or a room, that means nothing."""
+    named = dict.fromkeys((brief.colour, *(room.colour for room in brief.rooms)))
+    remedy = "name a hue, such as blue, or a palette of scenewright list styles"
+    return [
+        Note("", "plan", "colour", f"colour '{words[:40]}' means nothing here; {remedy}")
+        for words in named
+        if not knows_colour(words, catalog)
+    ]
+
+
 def note_styles(brief: Brief, catalog: Catalog) -> list[Note]:
     """A note for each style of a brief, of the home or a room, that means nothing."""
     named = dict.fromkeys((brief.style, *(room.style for room in brief.rooms)))

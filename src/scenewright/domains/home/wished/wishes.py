@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from scenewright.building.plan import place
 from scenewright.catalog.kinds import name_of
+from scenewright.catalog.suggestions import suggest_kinds
 from scenewright.core.brief import Brief, Room
 from scenewright.core.brief.wishes import OPENINGS, WishBrief
 from scenewright.core.catalog import Catalog, Group, Member
@@ -46,10 +47,12 @@ def check_wishes(brief: Brief, catalog: Catalog) -> None:
             named |= {key: name for key, name in others.items() if name not in OPENINGS}
             for key, name in named.items():
                 if name is not None and name not in known:
-                    near = get_close_matches(name, known, 4, 0.5) or list(GROUPS)
+                    near = get_close_matches(name, GROUPS, 2, 0.75)
+                    near = near or suggest_kinds(name, catalog.kinds)
+                    offered = f"use one of: {', '.join(near)}" if near else ""
                     raise InputError(
                         f"unknown furniture group or kind of piece '{name}'",
-                        f"use one of: {', '.join(near)}",
+                        offered or "see: scenewright list groups",
                         place=place(brief, number, f"wishes[{k}].{key}"),
                     )
             if not wish.forbid and not groups_of(wish.what):
