@@ -1,6 +1,8 @@
-"""Machines and cabinets of bathrooms as wide as their stretch of wall, and no slots there."""
+"""Bathrooms, halls and stores: what stands along their walls fills its stretch of wall."""
 
 from __future__ import annotations
+
+from functools import cache
 
 import numpy as np
 import pytest
@@ -10,23 +12,23 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.flush import measure_slots
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.wet_rooms import fill_wet_room
+from scenewright.domains.home.composing.widening import widen_groups
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms
-from scenewright.domains.home.wall_places import read_walls
 
 NOTHING = standing_of((), frozenset())
 
 
-def task_of(function, wide):
+@cache
+def task_of(function, wide, deep=2.2):
     room = Room(
         id="room",
         function=function,
-        outline=[[0, 0], [wide, 0], [wide, 2.2], [0, 2.2]],
+        outline=[[0, 0], [wide, 0], [wide, deep], [0, deep]],
         doors=[{"at": [wide / 2, 0.0], "width": 0.7}],
     )
     brief = Brief(rooms=[room])
@@ -38,43 +40,75 @@ def stood(task, group, name, x) -> FurnishedGroup:
     """A group in one of its forms at the upper wall."""
     case = next(c for c in cases(group).groups if c.name == name)
     made = make_unplaced(task, (), Wish(group, 1), case)
-    box = np.array([x, 2.2 - case.depth / 2, -np.pi / 2, case.width, case.depth])
+    y = task.ground.bounds[3] - case.depth / 2
+    box = np.array([x, y, -np.pi / 2, case.width, case.depth])
     found = dress_group(task, made, case, box, NOTHING)
     assert found is not None
     return found
 
 
-def filled(task, *groups):
+def run(change, task, *groups):
     answer = RoomAnswer(0.0, groups, (), (), None, 0.0, 0)
-    return fill_wet_room(task, answer, frozenset()).placed
+    return change(task, answer, frozenset()).placed
 
 
-def test_a_small_machine_becomes_one_of_the_usual_size_and_leaves_no_slot():
+def width_of(placed, name):
+    return next(p for p in placed if p.wish.group == name).pieces[0].size.width
+
+
+def test_a_small_machine_becomes_one_of_the_usual_size_in_a_corner():
     task = task_of("bathroom", 2.4)
-    small = stood(task, "washer", "small washing machine", 2.0)
-    (now,) = filled(task, small)
+    small = stood(task, "washer", "small washing machine", 1.9)
+    (now,) = run(fill_wet_room, task, small)
     assert now.pieces[0].size.width == pytest.approx(0.6)
-    assert measure_slots(now.dressed.box, read_walls(task.ground), NOTHING) == 0.0
-    assert measure_slots(small.dressed.box, read_walls(task.ground), NOTHING) == pytest.approx(0.15)
+    x, _, _, width, _ = now.dressed.box
+    assert min(x - width / 2, 2.4 - x - width / 2) == pytest.approx(0.0, abs=0.01)
 
 
 def test_a_machine_that_fits_nowhere_larger_stays():
-    task = task_of("bathroom", 2.4)
-    bath = stood(task, "bath", "1.8 m bath", 0.9)
-    small = stood(task, "washer", "small washing machine", 2.1)
-    now = next(p for p in filled(task, bath, small) if p.wish.group == "washer")
-    assert now.pieces[0].size.width == pytest.approx(small.pieces[0].size.width)
+    task = task_of("bathroom", 1.3, 1.25)
+    small = stood(task, "washer", "small washing machine", 1.05)
+    assert run(fill_wet_room, task, small)[0].pieces[0].size.width == pytest.approx(0.48)
 
 
-def test_a_cabinet_fills_its_stretch():
+def test_a_cabinet_fills_the_niche_beside_a_bath():
     task = task_of("bathroom", 2.4)
     bath = stood(task, "bath", "1.6 m bath", 0.8)
     cabinet = stood(task, "linen", "bathroom cabinet", 2.0)
-    now = next(p for p in filled(task, bath, cabinet) if p.wish.group == "linen")
-    assert now.pieces[0].size.width == pytest.approx(0.8)
+    assert width_of(run(fill_wet_room, task, bath, cabinet), "linen") == pytest.approx(0.8)
 
 
-def test_other_rooms_stay_as_they_are():
+def test_rooms_that_are_more_than_a_bathroom_stay_as_they_are():
     task = task_of("kitchen", 2.4)
     small = stood(task, "washer", "small washing machine", 2.0)
-    assert filled(task, small) == (small,)
+    assert run(fill_wet_room, task, small) == (small,)
+
+
+def test_a_shower_fills_its_niche_from_wall_to_wall():
+    task = task_of("bathroom", 1.0)
+    shower = stood(task, "shower", "0.7 m shower", 0.4)
+    (now,) = run(widen_groups, task, shower)
+    assert now.pieces[0].size.width == pytest.approx(1.0)
+
+
+def test_a_basin_grows_with_its_room_and_leaves_the_toilet_its_elbow_room():
+    task = task_of("bathroom", 1.5)
+    toilet = stood(task, "toilet", "toilet", 1.15)
+    basin = stood(task, "basin", "0.4 m basin", 0.3)
+    now = run(widen_groups, task, basin, toilet)
+    free = 1.15 - toilet.dressed.case.width / 2
+    assert 0.4 < width_of(now, "basin") <= free
+
+
+@pytest.mark.parametrize(("deep", "width"), [(1.4, 1.0), (1.0, 0.6)])
+def test_a_shoe_cabinet_grows_where_the_way_before_it_stays_wide(deep, width):
+    task = task_of("hall", 4.0, deep)
+    shoes = stood(task, "shoes", "0.6 m shoe cabinet", 1.0)
+    assert width_of(run(widen_groups, task, shoes), "shoes") == pytest.approx(width)
+
+
+def test_shelves_of_a_store_reach_from_wall_to_wall():
+    task = task_of("storage", 1.65, 1.6)
+    shelf = stood(task, "storage", "1.2 m of shelving", 0.7)
+    (now,) = run(widen_groups, task, shelf)
+    assert sum(p.size.width for p in now.pieces) == pytest.approx(1.65)

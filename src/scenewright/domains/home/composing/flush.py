@@ -42,39 +42,17 @@ def list_flush(
     boxes = standing.boxes[named & (standing.spans[:, 0] < LOW)]
     found = []
     for (x, y, ux, uy, length), heading in zip(walls.rows, walls.heading, strict=True):
-        along, out, half, deep = _seen_from(boxes, x, y, ux, uy)
+        along, out, half, deep = seen_from(boxes, x, y, ux, uy)
         there = (out - deep < AT) & (out > 0) & (along + half > 0) & (along - half < length)
         after = (along + half)[there] + APART + case.width / 2
         before = (along - half)[there] - APART - case.width / 2
         middles = np.concatenate([after, before])
         middles = middles[(middles >= case.width / 2) & (middles <= length - case.width / 2)]
-        found.append(_boxes_at(middles, (x, y, ux, uy), heading, case))
+        found.append(boxes_along(middles, (x, y, ux, uy), heading, case))
     return np.concatenate(found) if found else np.empty((0, 5))
 
 
-def measure_slots(box: Floats, walls: WallRows, standing: StandingObstacles) -> float:
-    """Metres of floor beside what stands on a box ``(5,)`` at its wall that are too narrow for
-    anything: between it and its neighbours, or the ends of the wall."""
-    boxes = standing.boxes[standing.spans[:, 0] < LOW]
-    for (x, y, ux, uy, length), heading in zip(walls.rows, walls.heading, strict=True):
-        (at,), (out,), _, _ = _seen_from(box[None], x, y, ux, uy)
-        if np.cos(heading - box[2]) < ALIKE or abs(out - box[4] / 2) > AT:
-            continue
-        if 0.0 <= at <= length:
-            along, ahead, half, deep = _seen_from(boxes, x, y, ux, uy)
-            near = (ahead - deep < box[4]) & (ahead > 0)
-            ends = np.concatenate([(along + half)[near], [0.0]])
-            starts = np.concatenate([(along - half)[near], [length]])
-            left, right = at - box[3] / 2 + NARROWEST, at + box[3] / 2 - NARROWEST
-            gaps = (
-                left - NARROWEST - ends[ends <= left].max(initial=0.0),
-                starts[starts >= right].min(initial=length) - right - NARROWEST,
-            )
-            return float(sum(gap for gap in gaps if NARROWEST < gap < WIDEST))
-    return 0.0
-
-
-def _seen_from(boxes: Floats, x: float, y: float, ux: float, uy: float) -> tuple[Floats, ...]:
+def seen_from(boxes: Floats, x: float, y: float, ux: float, uy: float) -> tuple[Floats, ...]:
     """Middle of each box along a wall and out from it, and half of what it takes of both."""
     dx, dy = boxes[:, 0] - x, boxes[:, 1] - y
     across = np.abs(np.sin(boxes[:, 2]) * ux - np.cos(boxes[:, 2]) * uy)
@@ -84,9 +62,11 @@ def _seen_from(boxes: Floats, x: float, y: float, ux: float, uy: float) -> tuple
     return dx * ux + dy * uy, dy * ux - dx * uy, half, deep
 
 
-def _boxes_at(
+def boxes_along(
     middles: Floats, wall: tuple[float, float, float, float], heading: float, case: Group
 ) -> Floats:
+    """The boxes ``(n, 5)`` of a case with its back at a wall (x, y of its start, its unit
+    direction) and its middle so many metres (n,) along it."""
     x, y, ux, uy = wall
     found = np.empty((len(middles), 5))
     found[:, 0] = x + ux * middles - uy * case.depth / 2

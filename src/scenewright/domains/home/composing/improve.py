@@ -45,6 +45,7 @@ from scenewright.domains.home.composing.rows import close_gaps
 from scenewright.domains.home.composing.trials import take_first, try_forms
 from scenewright.domains.home.composing.views import cost_of_view, list_between
 from scenewright.domains.home.composing.wet_rooms import fill_wet_room
+from scenewright.domains.home.composing.widening import widen_groups
 
 IN_SIGHT = 100.0  # by so much what stands between seats and screen is tried before them
 
@@ -90,7 +91,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     better = add_island(task, better, barred)
     better = furnish_bare_walls(task, furnish_bare_floor(task, better, barred), barred)
     better = close_gaps(task, better, barred)
-    better = fill_wet_room(task, better, barred)
+    better = widen_groups(task, fill_wet_room(task, better, barred), barred)
     return (
         better if count_unmet(task, better.placed) <= count_unmet(task, answer.placed) else answer
     )

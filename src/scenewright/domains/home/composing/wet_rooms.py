@@ -1,91 +1,127 @@
-"""Bathrooms and washrooms once they stand: machines and cabinets as wide as their stretch of wall.
+"""Bathrooms and washrooms once they stand: machines, cabinets and baskets in their niches.
 
-In a tight room the search ends with the smallest forms. Here a machine of 0.48 m becomes one of
-0.6 m, and a cabinet as wide as what is left beside it, where nothing else has to move and no way is
-barred; of two places that in which fewer slots too narrow for anything are left beside it.
+In a tight room the search ends with the smallest forms, wherever they fit. Here a machine of
+0.48 m becomes one of 0.6 m, and a cabinet goes where it touches what stands on both sides, as wide
+as that niche, where nothing else has to move and no way is barred.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
+from math import hypot
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
-from scenewright.domains.home.composing.flush import list_flush, measure_slots
-from scenewright.domains.home.composing.judging import JudgedRoom, judge_of
-from scenewright.domains.home.composing.moving import dress_group, stand_at, with_margin
-from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
-from scenewright.domains.home.groups.bath import fitted_cabinets, washer
-from scenewright.domains.home.wall_places import along_walls, read_walls
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.composing.beside_others import (
+    list_others,
+    list_taken_beside,
+    take_first_place,
+)
+from scenewright.domains.home.composing.flush import WIDEST
+from scenewright.domains.home.composing.moving import stand_at
+from scenewright.domains.home.composing.wall_stretch import (
+    WallStretch,
+    find_stretch,
+    list_stretches,
+)
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.groups.bath import (
+    basket,
+    fitted_cabinets,
+    fitted_closets,
+    fitted_machines,
+)
 
 Floats = NDArray[np.float64]
 
-ROOMS = frozenset(("bathroom", "washroom"))
-FORMS = {"washer": washer, "linen": fitted_cabinets}
-NEAR, STEP = 1.0, 0.1  # how far from where it stood, and between places, metres
-TRIED = 4  # places of a form that are furnished
-WORTH = 1.0  # what a room may cost more for it
+ROOMS = frozenset(("bathroom", "washroom", "toilet"))
+"""Rooms with nothing but these functions."""
+
+
+class Movable(NamedTuple):
+    """Forms of what may stand anywhere in a bathroom, and what a metre of width is worth."""
+
+    forms: Callable[[], Iterator[Group]]
+    gain: float
+
+
+MOVED = {
+    "washer": Movable(fitted_machines, 2.0),
+    "linen": Movable(fitted_cabinets, 0.5),
+    "wardrobe": Movable(fitted_closets, 0.5),
+    "basket": Movable(basket, 0.0),
+}
+"""By group, in the order in which they are moved."""
+NEAR = 0.06  # a side nearer than this to a wall or a neighbour touches it, metres
+TOUCHING = 0.15  # what a side that touches something is worth
+SLOT = 0.5  # what a metre of slots beside it costs
+BETTER = 0.05  # by how much a place is better at least
+
+
+class Niche(NamedTuple):
+    """A form on a box (5,), and what it is worth there."""
+
+    form: Group
+    box: Floats
+    worth: float
 
 
 def fill_wet_room(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
-    """The answer for a room with its machine and its cabinet in larger forms near to where they
-    stood, where that bars no way and leaves no more slots."""
-    if not ROOMS.intersection(task.space.functions):
+    """The answer for a room with its machine, its cabinet and its basket in larger forms or in
+    niches, where that bars no way."""
+    if not task.space.functions or not ROOMS.issuperset(task.space.functions):
         return answer
-    for group in answer.placed:
-        if group.wish.group in FORMS and group.wish.most is None and not task.cancelled():
-            answer = _enlarge(task, answer, group, barred)
+    for name in MOVED:
+        for group in answer.placed:
+            fits = group.wish.group == name and len(group.pieces) == 1
+            if fits and group.wish.most is None and not task.cancelled():
+                placed, standing = answer.placed, list_others(task, answer.placed, group)
+                taken = list_taken_beside(task, placed, group, standing)
+                found = _list_niches(task, group, standing, taken)
+                placed = take_first_place(task, placed, group, found, standing, barred)
+                answer = answer._replace(placed=placed)
     return answer
 
 
 @cache
-def _list_forms(function: str) -> tuple[Group, ...]:
-    """The forms of one piece of a group, the widest first."""
-    single = (form for form in FORMS[function]() if len(form.members) == 1)
-    return tuple(sorted(single, key=lambda form: -form.width))
+def _list_forms(name: str) -> tuple[Group, ...]:
+    """The forms of a group, the widest first."""
+    return tuple(sorted(MOVED[name].forms(), key=lambda form: -form.width))
 
 
-def _enlarge(
-    task: RoomTask, answer: RoomAnswer, group: FurnishedGroup, barred: frozenset[str]
-) -> RoomAnswer:
-    placed, at = answer.placed, answer.placed.index(group)
-    rest = (p for other in placed if other is not group for p in other.pieces)
-    standing = standing_of((*task.fixed, *task.beside, *rest), flat_kinds(task.catalog))
-    judge, margin = judge_of(task, placed), with_margin(task)
-    most = judge.cost_of(placed).cost + WORTH
-    for form in _list_forms(group.wish.group):
-        if form.width <= group.dressed.case.width:
-            break
-        for box in _list_places(task, form, group.dressed.box, standing):
-            dressed = dress_group(task, group, form, box, standing)
-            if dressed is None:
-                continue
-            judged: JudgedRoom = judge.cost_of((*placed[:at], dressed, *placed[at + 1 :]))
-            if judged.cost <= most and barred.issuperset(find_blocked(margin, judged.placed)):
-                return answer._replace(placed=judged.placed)
-    return answer
+def _list_niches(
+    task: RoomTask, group: FurnishedGroup, standing: StandingObstacles, taken: Floats
+) -> Iterator[tuple[Group, Floats]]:
+    """Where a group is worth more than where it stands, on free floor, the best first."""
+    name, (x, y, _, width, depth) = group.wish.group, group.dressed.box.tolist()
+    forms, here = _list_forms(name), find_stretch(task.ground, group.dressed.box, depth, taken)
+    now = 0.0
+    if here is not None:
+        now = float(_measure_worth(name, here, np.array([here.at - width / 2]), width)[0])
+    found: list[Niche] = []
+    for stretch in list_stretches(task.ground, forms[-1].depth, taken, forms[-1].width):
+        form = next(form for form in forms if form.width <= stretch.length)
+        starts = np.array([0.0, stretch.length - form.width])
+        worth = _measure_worth(name, stretch, starts, form.width)
+        if worth.max() > now + BETTER:
+            boxes = stretch.boxes_at(starts, form)
+            found += [Niche(form, b, w) for b, w in zip(boxes, worth.tolist(), strict=True)]
+    found = [niche for niche in found if niche.worth > now + BETTER]
+    found.sort(key=lambda n: (-round(n.worth, 2), hypot(n.box[0] - x, n.box[1] - y)))
+    for niche in found:
+        if len(stand_at(task, niche.form, niche.box[None], standing)):
+            yield niche.form, niche.box
 
 
-def _list_places(
-    task: RoomTask, form: Group, box: Floats, standing: StandingObstacles
-) -> Iterator[Floats]:
-    """Where a form stands free near to a box ``(5,)`` and looks the same way, at most
-    :data:`TRIED`, those with fewer slots beside them first, then the nearer."""
-    walls = read_walls(task.ground)
-    found = np.concatenate(
-        [
-            along_walls(form, task.ground, STEP),
-            list_flush(form, walls, standing, frozenset(standing.names)),
-        ]
-    )
-    away = np.hypot(found[:, 0] - box[0], found[:, 1] - box[1])
-    found = found[(away < NEAR) & (np.cos(found[:, 2] - box[2]) > 0.9)]
-    found = stand_at(task, form, found, standing)
-    away = np.hypot(found[:, 0] - box[0], found[:, 1] - box[1])
-    slots = [measure_slots(place, walls, standing) for place in found]
-    order = sorted(range(len(found)), key=lambda k: (slots[k], away[k]))
-    yield from (found[k] for k in order[:TRIED])
+def _measure_worth(name: str, stretch: WallStretch, starts: Floats, width: float) -> Floats:
+    """What places (n,) along a stretch are worth to a group so wide: its width, the sides that
+    touch something, less the slots beside it."""
+    gaps = np.column_stack([starts, stretch.length - width - starts])
+    slots = np.where((gaps > NEAR) & (gaps < WIDEST), gaps, 0.0).sum(1)
+    touching = (gaps <= NEAR).sum(1)
+    return np.asarray(MOVED[name].gain * width + TOUCHING * touching - SLOT * slots)

@@ -22,13 +22,23 @@ def basin() -> Iterator[Group]:
     """A wash basin, on a cabinet where wide enough, with its mirror."""
     sizes = ((0.4, 0.32), (0.5, 0.42), (0.6, 0.46), (0.8, 0.48), (1.0, 0.5), (1.2, 0.5))
     for width, depth in sizes:
-        category = "basin" if width >= 0.6 else "pedestal_basin"
-        back = -depth / 2
-        members = (
-            Member(category, 0, 0, 0, 0, Size(width, depth - 0.01, 0.88)),
-            Member("mirror", 0, back + 0.02, 1.15, 0, Size(width - 0.05, 0.03, 0.75)),
-        )
-        yield Group("basin", f"{width:.1f} m basin", width, depth, members)
+        yield _basin(width, depth, f"{width:.1f} m basin")
+
+
+def fitted_basins() -> Iterator[Group]:
+    """Wash basins as wide as what is left of a wall, 0.4 to 1.2 m."""
+    for width in range(8, 25):
+        depth = 0.32 if width < 10 else 0.42 if width < 12 else 0.46 if width < 16 else 0.5
+        yield _basin(width / 20, depth, f"{width / 20:.2f} m basin")
+
+
+def _basin(width: float, depth: float, name: str) -> Group:
+    category = "basin" if width >= 0.6 else "pedestal_basin"
+    members = (
+        Member(category, 0, 0, 0, 0, Size(width, depth - 0.01, 0.88)),
+        Member("mirror", 0, 0.02 - depth / 2, 1.15, 0, Size(width - 0.05, 0.03, 0.75)),
+    )
+    return Group("basin", name, width, depth, members)
 
 
 def bath() -> Iterator[Group]:
@@ -38,11 +48,27 @@ def bath() -> Iterator[Group]:
         yield Group("bath", f"{width:.1f} m bath", width, depth, (tub,))
 
 
+def fitted_baths() -> Iterator[Group]:
+    """Bathtubs from wall to wall, 1.25 to 1.9 m long."""
+    for depth in (0.7, 0.75, 0.8):
+        for width in range(25, 39):
+            tub = Member("bathtub", 0, 0, 0, 0, Size(width / 20, depth, 0.58))
+            yield Group("bath", f"{width / 20:.2f} m bath", width / 20, depth, (tub,))
+
+
 def shower() -> Iterator[Group]:
     """A shower tray with its screen."""
     for width, depth in ((0.7, 0.7), (0.8, 0.8), (0.9, 0.9), (1.2, 0.8)):
         tray = Member("shower", 0, 0, 0, 0, Size(width, depth, 2.0))
         yield Group("shower", f"{width:.1f} m shower", width, depth, (tray,))
+
+
+def fitted_showers() -> Iterator[Group]:
+    """Showers made to measure for a niche, 0.7 to 1.4 m wide."""
+    for depth in (0.7, 0.8, 0.9):
+        for width in range(14, 29):
+            tray = Member("shower", 0, 0, 0, 0, Size(width / 20, depth, 2.0))
+            yield Group("shower", f"{width / 20:.2f} m shower", width / 20, depth, (tray,))
 
 
 def washer() -> Iterator[Group]:
@@ -65,6 +91,13 @@ def washer() -> Iterator[Group]:
     yield Group("washer", "washing machine and dryer", 1.24, 0.64, pair)
 
 
+def fitted_machines() -> Iterator[Group]:
+    """Washing machines as they stand between walls and cabinets, without room beside them."""
+    for name, side in (("washing machine", 0.6), ("small washing machine", 0.48)):
+        piece = Member("washing_machine", 0, 0, 0, 0, Size(side, side, 0.85))
+        yield Group("washer", name, side, side + 0.01, (piece,))
+
+
 def linen() -> Iterator[Group]:
     """A tall bathroom cabinet, or a laundry basket."""
     for width in (0.4, 0.6):
@@ -78,6 +111,13 @@ def fitted_cabinets() -> Iterator[Group]:
         size = Size(width / 20, 0.34, 1.7)
         piece = Member("bathroom_cabinet", 0, 0, 0, 0, size)
         yield Group("linen", f"{width / 20:.2f} m bathroom cabinet", width / 20, 0.35, (piece,))
+
+
+def fitted_closets() -> Iterator[Group]:
+    """Shallow wardrobes of bathrooms as wide as what is left of a wall, 0.45 to 1.2 m."""
+    for width in range(9, 25):
+        piece = Member("wardrobe", 0, 0, 0, 0, Size(width / 20, 0.4, 2.0))
+        yield Group("wardrobe", f"{width / 20:.2f} m wardrobe", width / 20, 0.41, (piece,))
 
 
 def basket() -> Iterator[Group]:

@@ -64,12 +64,23 @@ def shoes() -> Iterator[Group]:
     """A shoe cabinet with a mirror above."""
     for width in (0.5, 0.6, 0.8, 1.0, 1.2):
         for depth in (0.22, 0.34):
-            members = (
-                Member("shoe_cabinet", 0, 0, 0, 0, Size(width, depth, 1.0)),
-                Member("bowl", 0, 0, 1.0, 0, Size(0.2, 0.2, 0.08), on=0),
-                Member("mirror", 0, 0.015 - depth / 2, 1.2, 0, Size(min(width, 0.6), 0.03, 0.8)),
-            )
-            yield Group("shoes", f"{width:.1f} m shoe cabinet", width, depth + 0.01, members)
+            yield _shoes(width, depth)
+
+
+def fitted_shoes() -> Iterator[Group]:
+    """Shoe cabinets as wide as what is left of a wall, 0.5 to 1.8 m."""
+    for width in range(5, 19):
+        for depth in (0.22, 0.34):
+            yield _shoes(width / 10, depth)
+
+
+def _shoes(width: float, depth: float) -> Group:
+    members = (
+        Member("shoe_cabinet", 0, 0, 0, 0, Size(width, depth, 1.0)),
+        Member("bowl", 0, 0, 1.0, 0, Size(0.2, 0.2, 0.08), on=0),
+        Member("mirror", 0, 0.015 - depth / 2, 1.2, 0, Size(min(width, 0.6), 0.03, 0.8)),
+    )
+    return Group("shoes", f"{width:.1f} m shoe cabinet", width, depth + 0.01, members)
 
 
 def coats() -> Iterator[Group]:
@@ -82,12 +93,22 @@ def coats() -> Iterator[Group]:
 def console() -> Iterator[Group]:
     """A narrow console table with a vase and a picture above."""
     for width in (0.8, 1.0, 1.2):
-        members = (
-            Member("console_table", 0, 0, 0, 0, Size(width, 0.3, 0.8)),
-            Member("vase", width / 4, 0, 0.8, 0, Size(0.16, 0.16, 0.3), on=0),
-            Member("picture", 0, -0.135, 1.3, 0, Size(0.6, 0.03, 0.5)),
-        )
-        yield Group("console", f"{width:.1f} m console", width, 0.31, members)
+        yield _console(width)
+
+
+def long_consoles() -> Iterator[Group]:
+    """Console tables for long walls, 1.0 to 1.6 m."""
+    for width in range(10, 17):
+        yield _console(width / 10)
+
+
+def _console(width: float) -> Group:
+    members = (
+        Member("console_table", 0, 0, 0, 0, Size(width, 0.3, 0.8)),
+        Member("vase", width / 4, 0, 0.8, 0, Size(0.16, 0.16, 0.3), on=0),
+        Member("picture", 0, -0.135, 1.3, 0, Size(0.6, 0.03, 0.5)),
+    )
+    return Group("console", f"{width:.1f} m console", width, 0.31, members)
 
 
 def storage() -> Iterator[Group]:
@@ -102,6 +123,13 @@ def fitted_storage() -> Iterator[Group]:
     for width in range(7, 31):
         for depth in (0.2, 0.3, 0.4):
             yield _shelving(width / 10, depth)
+
+
+def fitted_shelving() -> Iterator[Group]:
+    """Shelving from wall to wall, 0.5 to 3.6 m long in steps of 0.05 m."""
+    for width in range(10, 73):
+        for depth in (0.2, 0.3, 0.4):
+            yield _shelving(width / 20, depth)
 
 
 def _shelving(width: float, depth: float) -> Group:

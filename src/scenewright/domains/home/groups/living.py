@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import cos, pi, sin
+from math import ceil, cos, pi, sin
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
@@ -282,13 +282,22 @@ def talking() -> Iterator[Group]:
 def shelf() -> Iterator[Group]:
     """Bookcases, alone or in a row."""
     for width in (0.6, 0.8, 1.0, 1.2, 1.6, 2.0, 2.4):
-        count = 1 if width <= 1.2 else 2
-        each = width / count
-        members = tuple(
-            Member("bookcase", (i - (count - 1) / 2) * each, 0, 0, 0, Size(each, 0.32, 2.0))
-            for i in range(count)
-        )
-        yield Group("shelf", f"{width:.1f} m of bookcase", width, 0.33, members)
+        yield _bookcases(width, 1 if width <= 1.2 else 2)
+
+
+def fitted_bookcases() -> Iterator[Group]:
+    """Rows of bookcases as wide as what is left of a wall, 0.6 to 3.6 m."""
+    for width in range(6, 37):
+        yield _bookcases(width / 10, ceil(width / 12))
+
+
+def _bookcases(width: float, count: int) -> Group:
+    each = width / count
+    members = tuple(
+        Member("bookcase", (i - (count - 1) / 2) * each, 0, 0, 0, Size(each, 0.32, 2.0))
+        for i in range(count)
+    )
+    return Group("shelf", f"{width:.1f} m of bookcase", width, 0.33, members)
 
 
 def sideboard() -> Iterator[Group]:

@@ -1,0 +1,66 @@
+"""One group of a room on another place, beside all others as they stand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import islice
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.composing.judging import Placed, RoomJudge, judge_of
+from scenewright.domains.home.composing.moving import dress_group, with_margin
+from scenewright.domains.home.composing.placed_faults import cost_of_group
+from scenewright.domains.home.composing.wall_stretch import list_taken
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+
+Floats = NDArray[np.float64]
+
+TRIED = 4  # places that are furnished
+WORTH = 1.0  # what a room may cost more for it
+ELBOWS = frozenset(("toilet",))
+"""Groups with elbow room beside what stands."""
+
+
+def list_others(task: RoomTask, placed: Placed, group: FurnishedGroup) -> StandingObstacles:
+    """What stands in a room but for one group."""
+    rest = (q for p in placed if p is not group for q in p.pieces)
+    return standing_of((*task.fixed, *task.beside, *rest), flat_kinds(task.catalog))
+
+
+def list_taken_beside(
+    task: RoomTask, placed: Placed, group: FurnishedGroup, standing: StandingObstacles
+) -> Floats:
+    """The boxes (k, 5) in which nothing of a group's height stands, elbow room of others too."""
+    elbows = [p.dressed.box for p in placed if p is not group and p.wish.group in ELBOWS]
+    height = group.pieces[0].size.height
+    return list_taken(task.ground, standing, np.array(elbows).reshape(-1, 5), height)
+
+
+def take_first_place(
+    task: RoomTask,
+    placed: Placed,
+    group: FurnishedGroup,
+    found: Iterable[tuple[Group, Floats]],
+    standing: StandingObstacles,
+    barred: frozenset[str],
+) -> Placed:
+    """The groups with one of them in the first of some forms, each on a box (5,), in which it has
+    no more faults, the room costs hardly more and no further way is barred; or as they were."""
+    at, rule = placed.index(group), task.preset.settings.composing
+    judge: RoomJudge | None = None
+    for form, box in islice(found, TRIED):
+        dressed = dress_group(task, group, form, box, standing)
+        if dressed is None or cost_of_group(dressed, task.ground, rule) > cost_of_group(
+            group, task.ground, rule
+        ):
+            continue
+        judge = judge or judge_of(task, placed)
+        other = (*placed[:at], dressed, *placed[at + 1 :])
+        if judge.cost_of(other).cost > judge.cost_of(placed).cost + WORTH:
+            continue
+        if barred.issuperset(find_blocked(with_margin(task), other)):
+            return other
+    return placed

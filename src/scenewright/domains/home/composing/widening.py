@@ -1,0 +1,89 @@
+"""What stands along the walls of bathrooms, halls and stores in the width of its stretch of wall.
+
+In a tight room the search ends with the smallest forms. Here a shower fills the niche it stands in,
+a basin, a shoe cabinet or a shelf becomes as wide as its room lets it, beside all others as they
+stand: from wall to wall where that is little more, else where fewer slots are left beside it. In a
+hall 0.9 m stay free before what grows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.composing.beside_others import (
+    list_others,
+    list_taken_beside,
+    take_first_place,
+)
+from scenewright.domains.home.composing.moving import stand_at
+from scenewright.domains.home.composing.wall_stretch import WallStretch, find_stretch, measure_front
+from scenewright.domains.home.composing.widths import Growth, bound_width, list_growing, list_sizes
+from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+
+Floats = NDArray[np.float64]
+
+MORE = 0.04  # what grows by less is not seen, metres
+WAY = 0.9  # left free before what grows in a hall, metres
+
+
+def widen_groups(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
+    """The answer for a bathroom, a hall or a store with each group that may grow there as wide as
+    its stretch of wall, where it bars no way and the room costs hardly more."""
+    for name, growth in list_growing(task.space.functions).items():
+        for group in answer.placed:
+            if group.wish.group == name and group.wish.most is None and not task.cancelled():
+                placed, standing = answer.placed, list_others(task, answer.placed, group)
+                taken = list_taken_beside(task, placed, group, standing)
+                found = _list_larger(task, group, growth, standing, taken)
+                placed = take_first_place(task, placed, group, found, standing, barred)
+                answer = answer._replace(placed=placed)
+    return answer
+
+
+def _list_larger(
+    task: RoomTask,
+    group: FurnishedGroup,
+    growth: Growth,
+    standing: StandingObstacles,
+    taken: Floats,
+) -> Iterator[tuple[Group, Floats]]:
+    """Larger forms of a group, the largest first, each on a box (5,) of its stretch of wall where
+    it stands free."""
+    box, case = group.dressed.box, group.dressed.case
+    known: dict[float, tuple[WallStretch | None, float]] = {}
+    for form in list_sizes(growth):
+        if form.width * form.depth <= case.width * case.depth:
+            break
+        if form.width < case.width or form.width + form.depth < case.width + case.depth + MORE:
+            continue
+        if form.depth not in known:
+            known[form.depth] = _measure(task, box, form.depth, growth, taken)
+        stretch, most = known[form.depth]
+        if stretch is None or form.width > most:
+            continue
+        boxes = stand_at(task, form, _list_boxes(stretch, form), standing)
+        if len(boxes) and not (growth.walked and measure_front(task.ground, boxes[0]) < WAY):
+            yield form, boxes[0]
+
+
+def _measure(
+    task: RoomTask, box: Floats, depth: float, growth: Growth, taken: Floats
+) -> tuple[WallStretch | None, float]:
+    """The stretch of wall that a box (5,) stands in, so deep, and how wide it may be there."""
+    stretch = find_stretch(task.ground, box, depth, taken)
+    return stretch, bound_width(growth, task.ground.area, stretch.length) if stretch else 0.0
+
+
+def _list_boxes(stretch: WallStretch, form: Group) -> Floats:
+    """The boxes (3, 5) of a form where it stands now and at both ends of its stretch, those with
+    fewer slots beside them first, then the nearer."""
+    spare = stretch.length - form.width
+    starts = np.array([min(max(stretch.at - form.width / 2, 0.0), spare), 0.0, spare])
+    away = np.abs(starts + form.width / 2 - stretch.at)
+    order = np.lexsort([away, stretch.slots_beside(starts, form.width).round(2)])
+    return stretch.boxes_at(starts[order], form)

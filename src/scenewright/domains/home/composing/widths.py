@@ -1,0 +1,80 @@
+"""How wide what stands along walls of bathrooms, halls and stores may be by square metres."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cache, lru_cache
+from math import inf
+from typing import NamedTuple
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.groups.bath import fitted_basins, fitted_baths, fitted_showers
+from scenewright.domains.home.groups.entry import fitted_shelving, fitted_shoes, long_consoles
+from scenewright.domains.home.groups.living import fitted_bookcases
+from scenewright.domains.home.groups.sleeping import chest
+
+
+class Growth(NamedTuple):
+    """Forms a group may grow to; rows (area, usual, most), the smallest room first: from so many
+    square metres on it is ``usual`` metres wide, and up to ``most`` where it then fills its stretch
+    of wall; whether a way stays free before it (``walked``)."""
+
+    forms: Callable[[], Iterator[Group]]
+    rows: tuple[tuple[float, float, float], ...]
+    walked: bool = False
+
+
+SHOWER = Growth(
+    fitted_showers, ((0.0, 0.8, 1.05), (2.2, 0.9, 1.1), (3.5, 1.0, 1.3), (5.0, 1.2, 1.4))
+)
+BATH = Growth(fitted_baths, ((0.0, 1.4, 1.8), (4.0, 1.6, 1.85), (5.0, 1.7, 1.9)))
+BASIN = Growth(
+    fitted_basins,
+    ((0.0, 0.4, 0.5), (1.6, 0.5, 0.6), (2.4, 0.6, 0.8), (4.0, 0.8, 1.0), (6.0, 1.0, 1.2)),
+)
+SHOES = Growth(
+    fitted_shoes,
+    ((0.0, 0.5, 0.7), (2.5, 0.8, 1.0), (4.0, 1.0, 1.2), (6.0, 1.2, 1.4), (9.0, 1.4, 1.8)),
+    True,
+)
+CONSOLE = Growth(long_consoles, ((0.0, 1.2, 1.4), (9.0, 1.4, 1.6)), True)
+CHEST = Growth(chest, ((0.0, 0.8, 1.0), (6.0, 1.0, 1.2), (9.0, 1.2, 1.2)), True)
+BOOKS = Growth(fitted_bookcases, ((0.0, 0.8, 1.2), (6.0, 1.2, 1.6), (9.0, 1.6, 2.4)), True)
+SHELVES = Growth(fitted_shelving, ((0.0, inf, inf),))
+ROWS = Growth(fitted_bookcases, ((0.0, inf, inf),))
+
+WET = {"shower": SHOWER, "bath": BATH, "basin": BASIN}
+GROWING: dict[str, dict[str, Growth]] = {
+    "bathroom": WET,
+    "washroom": WET,
+    "toilet": WET,
+    "hall": {"shoes": SHOES, "console": CONSOLE, "chest": CHEST, "shelf": BOOKS},
+    "storage": {"storage": SHELVES},
+    "other": {"shelf": ROWS, "storage": SHELVES},
+}
+"""By function of a room what may grow there, in this order."""
+
+
+@cache
+def list_growing(functions: tuple[str, ...]) -> dict[str, Growth]:
+    """What may grow in a room for these functions; nothing where one of them is none of
+    :data:`GROWING`."""
+    if not functions or not GROWING.keys() >= set(functions):
+        return {}
+    return {name: growth for f in functions for name, growth in GROWING[f].items()}
+
+
+@lru_cache(maxsize=64)
+def list_sizes(growth: Growth) -> tuple[Group, ...]:
+    """The forms of a group, the largest first."""
+    return tuple(sorted(growth.forms(), key=lambda form: (-form.width * form.depth, -form.width)))
+
+
+def bound_width(growth: Growth, area: float, stretch: float) -> float:
+    """How wide a group may be in a room of ``area`` square metres on a ``stretch`` of wall, m.
+
+    >>> bound_width(BASIN, 3.0, 0.75), bound_width(BASIN, 3.0, 1.5)
+    (0.75, 0.6)
+    """
+    _, usual, most = next(row for row in reversed(growth.rows) if row[0] <= area)
+    return stretch if stretch <= most else usual
