@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from itertools import islice
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,15 +52,16 @@ def take_first_place(
     no more faults, the room costs hardly more and no further way is barred; or as they were."""
     at, rule = placed.index(group), task.preset.settings.composing
     judge: RoomJudge | None = None
+    most, faults = inf, cost_of_group(group, task.ground, rule)
     for form, box in islice(found, TRIED):
         dressed = dress_group(task, group, form, box, standing)
-        if dressed is None or cost_of_group(dressed, task.ground, rule) > cost_of_group(
-            group, task.ground, rule
-        ):
+        if dressed is None or cost_of_group(dressed, task.ground, rule) > faults:
             continue
-        judge = judge or judge_of(task, placed)
+        if judge is None:
+            judge = judge_of(task, placed)
+            most = judge.cost_of(placed).cost + WORTH
         other = (*placed[:at], dressed, *placed[at + 1 :])
-        if judge.cost_of(other).cost > judge.cost_of(placed).cost + WORTH:
+        if judge.cost_of(other).cost > most:
             continue
         if barred.issuperset(find_blocked(with_margin(task), other)):
             return other

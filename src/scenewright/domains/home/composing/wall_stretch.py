@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from math import cos
 from typing import NamedTuple
 
 import numpy as np
@@ -68,21 +69,28 @@ def find_stretch(ground: Ground, box: Floats, depth: float, taken: Floats) -> Wa
     >>> round(stretch.length, 3), stretch.at
     (1.499, 1.0)
     """
+    return next(find_deeper(ground, box, (depth,), taken), None)
+
+
+def find_deeper(
+    ground: Ground, box: Floats, depths: Iterable[float], taken: Floats
+) -> Iterator[WallStretch]:
+    """The stretches of :func:`find_stretch` for several depths in turn."""
     walls = read_walls(ground)
-    out = (box[1] - walls.rows[:, 1]) * walls.rows[:, 2]
-    out -= (box[0] - walls.rows[:, 0]) * walls.rows[:, 3]
-    behind = (np.cos(walls.heading - box[2]) > ALIKE) & (np.abs(out - box[4] / 2) < AT)
-    for k in np.flatnonzero(behind):
-        x, y, ux, uy, length = walls.rows[k].tolist()
-        at = (box[0] - x) * ux + (box[1] - y) * uy
-        if 0.0 <= at <= length:
-            low, high = _list_spans(walls.rows[k].tolist(), depth, taken)
-            start = max(high[high <= at].max(initial=0.0), 0.0)
-            end = min(low[(low + high) / 2 > at].min(initial=length), length)
-            row = (x + ux * start, y + uy * start, ux, uy)
-            heading = float(walls.heading[k])
-            return WallStretch(row, heading, float(end - start), float(at - start))
-    return None
+    x, y, heading, _, deep = box.tolist()
+    for row, turn in zip(walls.rows.tolist(), walls.heading.tolist(), strict=True):
+        ux, uy, length = row[2:]
+        out, at = ((y - row[1]) * ux - (x - row[0]) * uy, (x - row[0]) * ux + (y - row[1]) * uy)
+        behind = cos(turn - heading) > ALIKE and abs(out - deep / 2) < AT
+        if behind and 0.0 <= at <= length:
+            seen = seen_from(taken, *row[:4])
+            for depth in depths:
+                low, high = _list_spans(seen, depth)
+                start = max(high[high <= at].max(initial=0.0), 0.0)
+                end = min(low[(low + high) / 2 > at].min(initial=length), length)
+                there = (row[0] + ux * start, row[1] + uy * start, ux, uy)
+                yield WallStretch(there, turn, float(end - start), float(at - start))
+            return
 
 
 def list_stretches(
@@ -96,7 +104,7 @@ def list_stretches(
         if length < least:
             continue
         start = 0.0
-        low, high = _list_spans(row, depth, taken)
+        low, high = _list_spans(seen_from(taken, *row[:4]), depth)
         for a, b in sorted([*zip(low.tolist(), high.tolist(), strict=True), (length, length)]):
             if min(a, length) - start >= least:
                 there = (x + ux * start, y + uy * start, ux, uy)
@@ -104,10 +112,9 @@ def list_stretches(
             start = max(start, b)
 
 
-def _list_spans(row: list[float], depth: float, taken: Floats) -> tuple[Floats, Floats]:
-    """From where to where along a wall (5,) what is ``taken`` (k, 5) stands within so many metres
-    of it."""
-    along, ahead, half, deep = seen_from(taken, *row[:4])
+def _list_spans(seen: tuple[Floats, ...], depth: float) -> tuple[Floats, Floats]:
+    """From where to where along a wall boxes, as ``seen`` from it, stand within so many metres."""
+    along, ahead, half, deep = seen
     near = (ahead - deep < depth - INSIDE) & (ahead + deep > INSIDE)
     return (along - half - APART)[near], (along + half + APART)[near]
 

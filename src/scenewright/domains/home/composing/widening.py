@@ -21,8 +21,8 @@ from scenewright.domains.home.composing.beside_others import (
     take_first_place,
 )
 from scenewright.domains.home.composing.moving import stand_at
-from scenewright.domains.home.composing.wall_stretch import WallStretch, find_stretch, measure_front
-from scenewright.domains.home.composing.widths import Growth, bound_width, list_growing, list_sizes
+from scenewright.domains.home.composing.wall_stretch import WallStretch, find_deeper, measure_front
+from scenewright.domains.home.composing.widths import Growth, bound_width, list_depths, list_growing
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 
 Floats = NDArray[np.float64]
@@ -54,29 +54,27 @@ def _list_larger(
 ) -> Iterator[tuple[Group, Floats]]:
     """Larger forms of a group, the largest first, each on a box (5,) of its stretch of wall where
     it stands free."""
-    box, case = group.dressed.box, group.dressed.case
-    known: dict[float, tuple[WallStretch | None, float]] = {}
-    for form in list_sizes(growth):
-        if form.width * form.depth <= case.width * case.depth:
+    case, found = group.dressed.case, list[tuple[Group, WallStretch]]()
+    sizes = list_depths(growth)
+    stretches = find_deeper(task.ground, group.dressed.box, (deep for deep, _ in sizes), taken)
+    for (_, forms), stretch in zip(sizes, stretches, strict=False):
+        if stretch.length < case.width:
             break
-        if form.width < case.width or form.width + form.depth < case.width + case.depth + MORE:
-            continue
-        if form.depth not in known:
-            known[form.depth] = _measure(task, box, form.depth, growth, taken)
-        stretch, most = known[form.depth]
-        if stretch is None or form.width > most:
-            continue
+        most = bound_width(growth, task.ground.area, stretch.length)
+        form = next((form for form in forms if form.width <= most), None)
+        if form is not None and _is_larger(form, case):
+            found.append((form, stretch))
+    for form, stretch in sorted(found, key=lambda row: -row[0].width * row[0].depth):
         boxes = stand_at(task, form, _list_boxes(stretch, form), standing)
         if len(boxes) and not (growth.walked and measure_front(task.ground, boxes[0]) < WAY):
             yield form, boxes[0]
 
 
-def _measure(
-    task: RoomTask, box: Floats, depth: float, growth: Growth, taken: Floats
-) -> tuple[WallStretch | None, float]:
-    """The stretch of wall that a box (5,) stands in, so deep, and how wide it may be there."""
-    stretch = find_stretch(task.ground, box, depth, taken)
-    return stretch, bound_width(growth, task.ground.area, stretch.length) if stretch else 0.0
+def _is_larger(form: Group, case: Group) -> bool:
+    """Whether a form covers more than a case, is as wide and seen to have grown."""
+    wider, deeper = form.width - case.width, form.depth - case.depth
+    more = form.width * form.depth > case.width * case.depth
+    return more and wider > -MORE / 4 and wider + deeper >= MORE
 
 
 def _list_boxes(stretch: WallStretch, form: Group) -> Floats:

@@ -65,9 +65,11 @@ def list_growing(functions: tuple[str, ...]) -> dict[str, Growth]:
 
 
 @lru_cache(maxsize=64)
-def list_sizes(growth: Growth) -> tuple[Group, ...]:
-    """The forms of a group, the largest first."""
-    return tuple(sorted(growth.forms(), key=lambda form: (-form.width * form.depth, -form.width)))
+def list_depths(growth: Growth) -> tuple[tuple[float, tuple[Group, ...]], ...]:
+    """The depths of a group's forms, each with its forms, the widest first."""
+    forms = sorted(growth.forms(), key=lambda form: -form.width)
+    depths = sorted({form.depth for form in forms})
+    return tuple((deep, tuple(f for f in forms if f.depth == deep)) for deep in depths)
 
 
 def bound_width(growth: Growth, area: float, stretch: float) -> float:
