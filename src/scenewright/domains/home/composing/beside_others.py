@@ -19,7 +19,7 @@ from scenewright.domains.home.furnishing.obstacles import StandingObstacles, fla
 
 Floats = NDArray[np.float64]
 
-TRIED = 4  # places that are furnished
+TRIED = 6  # places that are furnished
 WORTH = 1.0  # what a room may cost more for it
 ELBOWS = frozenset(("toilet",))
 """Groups with elbow room beside what stands."""

@@ -28,6 +28,7 @@ from scenewright.domains.home.composing.wall_stretch import (
     WallStretch,
     find_stretch,
     list_stretches,
+    measure_front,
 )
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.groups.bath import (
@@ -39,8 +40,7 @@ from scenewright.domains.home.groups.bath import (
 
 Floats = NDArray[np.float64]
 
-ROOMS = frozenset(("bathroom", "washroom", "toilet"))
-"""Rooms with nothing but these functions."""
+ROOMS = frozenset(("bathroom", "washroom"))
 
 
 class Movable(NamedTuple):
@@ -60,6 +60,7 @@ MOVED = {
 NEAR = 0.06  # a side nearer than this to a wall or a neighbour touches it, metres
 TOUCHING = 0.15  # what a side that touches something is worth
 SLOT = 0.5  # what a metre of slots beside it costs
+FRONT = 0.5  # free before what is used from its front, metres
 BETTER = 0.05  # by how much a place is better at least
 
 
@@ -74,7 +75,7 @@ class Niche(NamedTuple):
 def fill_wet_room(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
     """The answer for a room with its machine, its cabinet and its basket in larger forms or in
     niches, where that bars no way."""
-    if not task.space.functions or not ROOMS.issuperset(task.space.functions):
+    if not ROOMS.intersection(task.space.functions):
         return answer
     for name in MOVED:
         for group in answer.placed:
@@ -114,7 +115,8 @@ def _list_niches(
     found = [niche for niche in found if niche.worth > now + BETTER]
     found.sort(key=lambda n: (-round(n.worth, 2), hypot(n.box[0] - x, n.box[1] - y)))
     for niche in found:
-        if len(stand_at(task, niche.form, niche.box[None], standing)):
+        reached = measure_front(task.ground, niche.box) >= FRONT
+        if reached and len(stand_at(task, niche.form, niche.box[None], standing)):
             yield niche.form, niche.box
 
 
