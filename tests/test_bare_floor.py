@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+from math import pi
+
+import numpy as np
 import pytest
 import shapely
 
 from scenewright.building.plan import spaces
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief, Room
+from scenewright.core.catalog import Group
 from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
+from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.composing.bare_floor import list_other
+from scenewright.domains.home.composing.placed_faults import cost_of_group
+from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.ground import ground_of
-from scenewright.domains.home.groups.living import hung_screens
+from scenewright.domains.home.groups.living import hung_screens, talking
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import solve
 from scenewright.domains.home.wall_places import free_boxes, stand_free
 
@@ -52,3 +63,24 @@ def test_a_screen_hangs_before_no_window_and_no_door(case) -> None:
 
 def _outline(box) -> shapely.Polygon:
     return shapely.Polygon(corners(box[None])[0])
+
+
+def test_an_armchair_at_a_door_is_a_fault_and_one_a_step_aside_is_none() -> None:
+    ground = ground_of(spaces(Brief(rooms=[Room.model_validate(LONG)]))[0], (), 30.0)
+    rule, case = PRESETS["default"].settings.composing, Group("reading", "", 0.8, 0.8, ())
+
+    def cost(x: float) -> float:
+        chair = Piece("a", "armchair", "", "r", Pose(x, 3.1, 0.0, -pi / 2), Size(0.78, 0.8, 0.85))
+        dressed = FurnishedPatch(case, np.zeros(5), (), 0)
+        group = FurnishedGroup(Wish("reading", 2), "reading", dressed, (chair,))
+        return cost_of_group(group, ground, rule)
+
+    assert cost(4.4) > cost(3.8) == 0.0
+
+
+def test_a_pair_of_armchairs_that_stands_is_not_put_a_second_time() -> None:
+    one, *others = talking()
+    dressed = FurnishedPatch(one, np.zeros(5), (), 0)
+    placed = (FurnishedGroup(Wish("reading", 2), "reading", dressed, ()),)
+    assert list(list_other(placed, talking())) == others
+    assert list(list_other((), talking())) == [one, *others]

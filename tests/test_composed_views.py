@@ -1,4 +1,4 @@
-"""Sofas look at their screens, doors of wardrobes are free, tables have two chairs."""
+"""Sofas look at their screens, doors of wardrobes are free, tables have two chairs and room."""
 
 from __future__ import annotations
 
@@ -10,16 +10,20 @@ import numpy as np
 import pytest
 import shapely
 
+from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
+from scenewright.domains import check
+from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.fronts import measure_share
-from scenewright.domains.home.composing.views import leave_out_blind_seats, measure_turn
+from scenewright.domains.home.composing.placed_faults import cost_of_crowding
+from scenewright.domains.home.composing.views import is_unseen, measure_turn
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.groups.dining import dining_wall, tables_with_stools
 from scenewright.domains.home.groups.sleeping import narrow_sides
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.solving import solve
 
 SOFA = Pose(0.0, 0.0, 0.0, 0.0)
 
@@ -94,23 +98,51 @@ def test_a_narrow_nightstand_is_one_but_leaves_no_way(case):
     assert width == pytest.approx(0.3) or (bed.depth < 2.0 and width >= 0.4)
 
 
-def _group(name: str, *pieces: Piece) -> FurnishedGroup:
+def _group(name: str, *pieces: Piece, box: tuple[float, ...] = (0.0,) * 5) -> FurnishedGroup:
     case = Group(name, name, 1.0, 1.0, ())
-    return FurnishedGroup(
-        Wish(name, 0), name, FurnishedPatch(case, np.zeros(5), (True,), 0), pieces
-    )
+    dressed = FurnishedPatch(case, np.array(box), (True,), 0)
+    return FurnishedGroup(Wish(name, 0), name, dressed, pieces)
 
 
 @pytest.mark.parametrize(
-    ("x", "y", "table", "stays"),
-    [(2.5, 0.0, False, True), (0.2, 2.5, False, False), (0.2, 2.5, True, True)],
-    ids=["before the screen", "beside it", "beside it, with its table"],
+    ("x", "y", "unseen"), [(2.5, 0.0, False), (2.2, 1.0, False), (0.2, 2.5, True)]
 )
-def test_a_sofa_by_itself_that_sees_nothing_of_the_screen_is_left_out(x, y, table, stays):
-    sofa = piece("loveseat", 0.0, 0.0, 1.2, 0.8)
-    screen = piece("tv", x, y, 0.9, 0.1)
-    seats = (sofa, piece("coffee_table", 1.0, 0.0, 0.6, 0.4)) if table else (sofa,)
-    placed = (_group("seating", *seats), _group("media", replace(screen, pose=Pose(x, y, 0.5, pi))))
-    answer = leave_out_blind_seats(RoomAnswer(0.0, placed, (), (), None, 0.0, 0))
-    assert [g.name for g in answer.placed] == (["seating", "media"] if stays else ["media"])
-    assert [m.wish.group for m in answer.missing] == ([] if stays else ["seating"])
+def test_a_screen_that_the_sofa_does_not_look_at_is_unseen(x, y, unseen):
+    screen = replace(piece("tv", x, y, 0.9, 0.1), pose=Pose(x, y, 0.5, pi))
+    seats = _group("seating", piece("loveseat", 0.0, 0.0, 1.2, 0.8))
+    assert is_unseen((seats, _group("media", screen))) == unseen
+    assert not is_unseen((_group("media", screen),))
+
+
+ASIDE = {
+    "id": "living",
+    "function": "living",
+    "outline": [[3.7, 0], [3.7, 1.8], [0, 1.8], [0, 0.6], [1.2, 0.6], [1.2, 0]],
+    "doors": [{"at": [1.5, 1.8], "width": 0.7}, {"at": [2.45, 0], "width": 2.3, "swing": "slide"}],
+}
+
+
+def test_a_low_cabinet_stands_for_a_screen_that_would_hang_beside_the_sofa():
+    home = solve(Brief(rooms=[Room.model_validate(ASIDE)]), seed=0)
+    there = {p.category for p in home.pieces}
+    assert {"loveseat", "sideboard"} <= there
+    assert not {"tv", "tv_stand"} & there
+    assert [out.what for out in home.left_out] == ["media"]
+    assert "seen from the sofa" in home.left_out[0].reason
+    assert check(home).valid
+
+
+def test_a_screen_that_was_asked_for_stands_wherever_it_may():
+    ask = [{"group": g, "required": True} for g in ("seating", "media")]
+    home = solve(Brief(rooms=[Room.model_validate(ASIDE | {"ask": ask})]), seed=0)
+    assert any(p.category == "tv" for p in home.pieces)
+
+
+def test_a_sofa_at_the_chairs_of_a_table_crowds_it():
+    table = _group("dining", piece("dining_table", 0.0, 0.0, 0.8, 1.2), box=(0, 0, 0, 1.8, 1.2))
+
+    def cost(x: float, category: str) -> float:
+        return cost_of_crowding((table, _group("seating", piece(category, x, 0, 2.0, 0.9))), 10.0)
+
+    assert cost(1.0, "sofa") > cost(1.15, "sofa") > 5.0
+    assert cost(1.3, "sofa") == cost(1.0, "tv_stand") == 0.0

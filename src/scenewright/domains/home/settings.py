@@ -87,10 +87,10 @@ class CompositionCosts(NamedTuple):
     shelves, too few seats, a screen too small for its distance, a sofa that does not look at it
     (``view``), is off its ``axis``, at a bad ``distance`` or behind what stands ``between``, one on
     the wall (``hung``), a table with one chair (``lone``) or with ``stools``, outdoor chairs side
-    by side (``abreast``), something before the ``doors`` of a wardrobe, before a window or a wide
-    door, a group small for its room (``modest``); a unit by which the furnished share of a floor is
-    off what was learned (``share``), and by which the free floor beside a group falls short of it
-    (``floor``)."""
+    by side (``abreast``), a table ``crowded`` by seats, something before the ``doors`` of a
+    wardrobe, before a window or a wide door, a group small for its room (``modest``); a unit by
+    which the furnished share of a floor is off what was learned (``share``), and by which the free
+    floor beside a group falls short of it (``floor``)."""
 
     worktop: float = 24.0
     hob_at_sink: float = 22.0
@@ -119,6 +119,7 @@ class CompositionCosts(NamedTuple):
     lone: float = 16.0
     stools: float = 4.0
     abreast: float = 4.0
+    crowded: float = 8.0
     doors: float = 8.0
     window: float = 15.0
     opening: float = 10.0

@@ -31,7 +31,7 @@ from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
-from scenewright.domains.home.composing.views import leave_out_blind_seats
+from scenewright.domains.home.composing.unseen import leave_out_unseen_screen
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.home_floor import HomeFloor, join_floors
@@ -133,7 +133,7 @@ def _walk_home(
 ) -> list[RoomAnswer]:
     """The answers with the ways of the whole home open, rooms tried again that lose something
     essential to that, and ``again`` those that lack what the household states it needs; then
-    kitchens with a fault, made to measure, and no sofas that see nothing."""
+    kitchens with a fault, made to measure, and no screens that nobody sees."""
     rooms = tuple(task.space for task in every.tasks)
     opened = partial(
         remove_blockers,
@@ -150,7 +150,8 @@ def _walk_home(
     mended = mend_kitchens(every.tasks, found, opened)
     mended = mend_bedrooms(every.tasks, mended, opened)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
-    return [leave_out_blind_seats(answer) for answer in (found if fewer else mended)]
+    answers = found if fewer else mended
+    return [leave_out_unseen_screen(*each) for each in zip(every.tasks, answers, strict=True)]
 
 
 def problems(

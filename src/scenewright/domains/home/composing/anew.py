@@ -37,7 +37,7 @@ from scenewright.domains.home.composing.trials import take_best, try_forms
 
 TABLES = ("dining", "dining_wall")
 MANY = 12
-"""Forms and places in which a table is tried beside a run."""
+"""Forms and places in which a table is tried beside a run, or beside seats and screen."""
 Judges = Callable[[int], RoomJudge]
 """The judge of the first so many groups of a room."""
 
@@ -170,9 +170,11 @@ def follow(
     others: Sequence[FurnishedGroup],
     barred: frozenset[str],
     most: float,
+    eats: bool = False,
 ) -> JudgedRoom | None:
     """The others beside the first, one after the other, as the ``judges`` of so many tell; None
-    where one finds no place, or where faults cost ``most`` before all stand."""
+    where one finds no place, or where faults cost ``most`` before all stand. Of tables, most of
+    which bar a way in a small room, :data:`MANY` are tried beside a run, or where one ``eats``."""
     rule, best, wide = task.preset.settings.composing, start, with_margin(task)
     for other in others:
         if sum_faults(task, best.placed) >= most:
@@ -180,8 +182,8 @@ def follow(
         whole, at = (*best.placed, other), len(best.placed)
         forms = list_forms(task, other)
         count, places = rule.other_forms, rule.places
-        if other.wish.group in TABLES and is_mere_kitchen(task):
-            count = places = MANY  # of tables beside a run most bar a way
+        if other.wish.group in TABLES and (eats or is_mere_kitchen(task)):
+            count = places = MANY
         found = islice(try_forms(judges(at + 1), whole, at, forms, count), places)
         open_ = (j for j in found if barred >= set(find_blocked(wide, j.placed)))
         following = next(open_, None)

@@ -87,10 +87,16 @@ def furnish_bare_floor(task: RoomTask, answer: RoomAnswer, barred: frozenset[str
         void = find_void(task, pieces_of(task, answer.placed))
         if void.radius < BARE or added == ZONES:
             break
-        more = _add(task, answer.placed, group, forms(), void, barred)
+        more = _add(task, answer.placed, group, list_other(answer.placed, forms()), void, barred)
         if more is not None:
             answer, added = answer._replace(placed=(*answer.placed, more)), added + 1
     return answer
+
+
+def list_other(placed: Placed, forms: Iterable[Group]) -> Iterator[Group]:
+    """Of some forms those in which no pair of armchairs stands yet."""
+    there = {p.dressed.case.name for p in placed} & FREE
+    return (form for form in forms if form.name not in there)
 
 
 def _seat_two(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:

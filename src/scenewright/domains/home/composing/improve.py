@@ -12,7 +12,7 @@ from collections.abc import Iterator
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.adding import add_groups
-from scenewright.domains.home.composing.anew import compose_anew
+from scenewright.domains.home.composing.anew import TABLES, compose_anew
 from scenewright.domains.home.composing.axis import slide_to_axis
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
@@ -33,8 +33,10 @@ from scenewright.domains.home.composing.kitchens.islands import add_island
 from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
 from scenewright.domains.home.composing.kitchens.second_runs import list_given_up
 from scenewright.domains.home.composing.lounges import gather_seats
+from scenewright.domains.home.composing.lounges import list_given_up as list_yielded
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.placed_faults import (
+    cost_of_crowding,
     cost_of_group,
     cost_of_hearth,
     cost_of_screen,
@@ -86,6 +88,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     best = slide_to_axis(task, best, barred)
     gone = list_given_up(before.placed, best.placed, "the kitchen takes its wall")
     gone = (*gone, *list_hung(before.placed, best.placed))
+    gone = (*gone, *list_yielded(before.placed, best.placed))
     before = before._replace(placed=best.placed, missing=(*before.missing, *gone))
     better = add_groups(task, before, barred)
     better = add_island(task, better, barred)
@@ -130,6 +133,7 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
         "media": cost_of_screen(placed, task.ground, rule.costs.screen) + view,
         "seating": cost_of_hearth(placed, task.ground, rule.costs.screen) + view,
     }
+    whole |= dict.fromkeys(TABLES, cost_of_crowding(placed, rule.costs.crowded))
     unmet = float(count_unmet(task, placed) > 0)
     between = list_between(placed) if view > 0.0 else frozenset()
     costs = {

@@ -16,6 +16,7 @@ from scenewright.domains.home.composing.forms import RUNS as RUNS
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen
 from scenewright.domains.home.composing.placed_faults import (
+    cost_of_crowding,
     cost_of_group,
     cost_of_hearth,
     cost_of_screen,
@@ -107,6 +108,7 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
     shelves += cost_of_fronts(placed, rule.costs.doors, task.fixed)
     shelves += cost_of_washer(placed, rule.costs.loose)
+    shelves += cost_of_crowding(placed, rule.costs.crowded)
     if is_mere_kitchen(task):
         each += cost_of_table(placed, task.ground, rule.costs.modest)
     if len(task.ground.hearths):

@@ -3,7 +3,8 @@ before the fireplace that stands in the room.
 
 Along the walls of a room a sofa and a screen are either far apart or in one corner of it. So of the
 pairs of places at which they face one another (:mod:`.lounge_places`) those that leave every way
-open are taken; what they are not in the way of stays, all other groups follow.
+open are taken; what they are not in the way of stays, all other groups follow. What is merely
+welcome and in their way is given up: it is added again where it finds another place.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, find_blocked
 from scenewright.domains.home.composing.anew import follow, judge_in_order
 from scenewright.domains.home.composing.judging import (
     RUNS,
@@ -29,6 +30,7 @@ from scenewright.domains.home.composing.pairs import do_overlap
 from scenewright.domains.home.composing.trials import take_best
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.whole import RAISED
+from scenewright.domains.home.programme import WELCOME
 
 Floats = NDArray[np.float64]
 
@@ -38,6 +40,10 @@ MOVED, ESSENTIAL, KITCHEN = 6.0, 25.0, 60.0
 """What a pair of places costs for each group it is in the way of, one the room fails without, and a
 kitchen."""
 ONE_WAY = 2  # of pairs with the screen at one place so many are followed
+GIVEN_UP = frozenset(("plant", "shelf", "sideboard"))
+"""What gives up its place where it is merely welcome: it finds another, or none is missed."""
+PLACE = 6.0  # what a place at a table is worth that is given up for the view
+PLACES = {"dining_chair": 1.0, "stool": 0.5}
 APART = 0.8  # nearer places of a screen are one, metres
 
 
@@ -45,9 +51,8 @@ def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Ju
     """The groups with seats and screen placed together where either has a fault or something is
     between them, or the seats before a fireplace that they do not look at, or as they were."""
     rule = task.preset.settings.composing
-    names = ("seating",) if len(task.ground.hearths) else ("media", "seating")
-    pair = tuple(p for name in names for p in best.placed if p.wish.group == name)
-    if len(pair) != len(names) or task.ground.area < LEAST or task.cancelled():
+    pair = _find_pair(task, best.placed)
+    if not pair or task.ground.area < LEAST or task.cancelled():
         return best
     view = 0.0 if len(task.ground.hearths) else cost_of_view(best.placed, rule.costs)
     if sum_faults(task, pair) + view < rule.least or any(
@@ -57,11 +62,45 @@ def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Ju
     rest = [p for p in best.placed if p not in pair]
     most = sum_faults(task, best.placed)
     found = [
-        whole
+        _charge_given_up(task, best, whole)
         for start in _list_starts(task, pair, rest, barred)
         if (whole := _follow_first(task, start, rest, barred, most)) is not None
     ]
-    return take_best(task, best, found, barred)
+    taken = take_best(task, best, found, barred)
+    return taken if taken is best else judge_of(task, taken.placed).cost_of(taken.placed)
+
+
+def list_given_up(before: Placed, after: Placed) -> tuple[Missing, ...]:
+    """What was merely welcome, stood before and is not there now that the seats see the screen."""
+    there = {p.name for p in after}
+    gone = (p for p in before if _may_give_up(p) and p.name not in there)
+    return tuple(Missing(p.wish, "seats and screen take its place") for p in gone)
+
+
+def _find_pair(task: RoomTask, placed: Placed) -> Placed:
+    """The screen and the seats of a room, or the seats alone before a fireplace; none where either
+    is lacking."""
+    names = ("seating",) if len(task.ground.hearths) else ("media", "seating")
+    pair = tuple(p for name in names for p in placed if p.wish.group == name)
+    return pair if len(pair) == len(names) else ()
+
+
+def _may_give_up(group: FurnishedGroup) -> bool:
+    wish = group.wish
+    return wish.group in GIVEN_UP and wish.rank >= WELCOME and not wish.required
+
+
+def _charge_given_up(task: RoomTask, before: JudgedRoom, after: JudgedRoom) -> JudgedRoom:
+    """The room after, at its cost and that of what it gives up: groups, and places at tables."""
+    gone = list_given_up(before.placed, after.placed)
+    lost = max(_count_places(before.placed) - _count_places(after.placed), 0.0)
+    price = task.costs.missing[WELCOME] * len(gone) + PLACE * lost
+    return after._replace(cost=after.cost + price)
+
+
+def _count_places(placed: Placed) -> float:
+    """Places at the tables of a room; one on a stool is half of one."""
+    return sum(PLACES.get(p.category, 0.0) for group in placed for p in group.pieces)
 
 
 def _list_starts(
@@ -104,8 +143,9 @@ def _follow_first(
     barred: frozenset[str],
     most: float,
 ) -> JudgedRoom | None:
-    """The room with as many of the rest as can stay where they are, all others after them, or with
-    the essential ones, or with none; the first in which every way is open."""
+    """The room with as many of the rest as can stay where they are, all others that are not merely
+    welcome after them, or with the essential ones, or with none; the first in which every way is
+    open."""
     stay = _list_staying(start, rest)
     essential = tuple(p.name for p in rest if p.name in stay and p.wish.rank == 0)
     cooked = any(p.wish.group in RUNS for p in rest)
@@ -143,9 +183,9 @@ def _follow_beside(
 ) -> JudgedRoom | None:
     """The room with those of the rest that stay ``there``, by name, and the others after them."""
     stay = tuple(p for p in rest if p.name in there)
-    others = [p for p in rest if p.name not in there]
+    others = [p for p in rest if p.name not in there and not _may_give_up(p)]
     order = sorted(others, key=lambda p: (p.wish.rank, -float(p.dressed.box[3:].prod())))
     standing = (*start.placed, *stay)
     judges = judge_in_order(task, (*standing, *order))
     begun = judges(len(standing)).cost_of(standing)
-    return follow(task, judges, begun, order, barred, most)
+    return follow(task, judges, begun, order, barred, most, eats=True)

@@ -24,6 +24,7 @@ Floats = NDArray[np.float64]
 _SEATS = ("sofa", "corner_sofa", "loveseat", "armchair")
 _BEDS = ("single_bed", "double_bed", "bunk_bed")
 _CHESTS = ("chest_of_drawers", "sideboard", "tv_stand", "bookcase", "wardrobe", "shelf_unit")
+_AWAY_FROM_DOORS = (*_BEDS, "armchair")
 SHADES = frozenset((*_SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
 """What takes a window's light, or is not to stand in it."""
 AT_WALL = 0.12  # a bed's side nearer than this is at its wall, metres
@@ -36,6 +37,7 @@ FARTHEST = 3.1  # a screen is watched from so many of its widths at most
 EAT_IN, FOUR = 9.0, 4  # square metres of a kitchen whose table seats so many
 PLACES = ("dining_chair", "stool")
 ALIKE = 0.99  # cosine between headings that are one, at least
+BESIDE_TABLE = 0.2  # a seat nearer than this to where one sits at a table crowds it, metres
 TOGETHER = 0.03  # pieces nearer to one another than this touch, metres
 SEEN = 0.02  # less of an opening that something stands before is not seen, metres
 
@@ -57,7 +59,7 @@ def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings
                 share = _metres_before(piece, strip)
                 if share > SEEN:
                     found.append((covered[0 if window else 1], min(share, 1.0)))
-        if piece.category in _BEDS and ground.area >= ROOMY:
+        if piece.category in _AWAY_FROM_DOORS and ground.area >= ROOMY:
             found += [(rule.costs.at_door, share) for share in _near_doors(piece, ground, half)]
         if piece.category == "single_bed":
             gap = min(side_gaps(_box(piece), ground.walls))
@@ -67,8 +69,8 @@ def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings
 
 
 def _near_doors(bed: Piece, ground: Ground, half: float) -> Iterator[float]:
-    """For each door leaf or threshold that a bed is nearer to than :data:`NEAR_DOOR`, by what
-    share."""
+    """For each door leaf or threshold that a bed or an armchair is nearer to than
+    :data:`NEAR_DOOR`, by what share."""
     frame = make_frame(*_box(bed).tolist())
     for x, y, heading, width, depth in ground.keep_free.tolist():
         if hypot(bed.pose.x - x, bed.pose.y - y) < half + hypot(width, depth) / 2 + NEAR_DOOR:
@@ -185,6 +187,24 @@ def cost_of_table(groups: Sequence[FurnishedGroup], ground: Ground, cost: float)
     tables = [g for g in groups if g.wish.group in ("dining", "dining_wall")]
     seats = (sum(p.category in PLACES for p in g.pieces) for g in tables)
     return sum(cost * max(0.0, 1.0 - count / FOUR) for count in seats)
+
+
+def cost_of_crowding(groups: Sequence[FurnishedGroup], cost: float) -> float:
+    """What is wrong with tables that sofas and armchairs crowd: seats nearer than
+    :data:`BESIDE_TABLE` to the floor of those who eat, half for being so and half by the share of a
+    square metre that they take of it."""
+    seats = [p for g in groups for p in g.pieces if p.category in _SEATS]
+    total = 0.0
+    for group in groups if seats else ():
+        if group.wish.group in ("dining", "dining_wall"):
+            x, y, heading, width, depth = group.dressed.box.tolist()
+            wide, deep = width + 2 * BESIDE_TABLE, depth + 2 * BESIDE_TABLE
+            far, frame = hypot(wide, deep) / 2, make_frame(x, y, heading, wide, deep)
+            for p in seats:
+                if hypot(p.pose.x - x, p.pose.y - y) < far + hypot(*p.size[:2]) / 2:
+                    area = float(common_area(make_frame(*_box(p).tolist()), frame))
+                    total += cost * (1.0 + min(area, 1.0)) / 2 if area > SEEN else 0.0
+    return total
 
 
 def cost_of_washer(groups: Sequence[FurnishedGroup], cost: float) -> float:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import atan2, cos, hypot, pi, radians, remainder, sin
 
 from scenewright.core.scene import Piece, Pose
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer
+from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.whole import RAISED
 from scenewright.domains.home.settings import CompositionCosts
@@ -30,23 +30,6 @@ SEEN_PAST = frozenset(("seating", "media", "kitchen", "kitchenette", "counter", 
 """Groups that do not stand between seats and screen: themselves, and a kitchen, which keeps to its
 walls."""
 
-BLIND = radians(60.0)
-"""A sofa for want of a better one that is turned so far off is not placed."""
-
-
-def leave_out_blind_seats(answer: RoomAnswer) -> RoomAnswer:
-    """The answer without a sofa by itself, its table lost or none, that sees nothing of the screen:
-    the last resort of a room that holds no seats."""
-    seats = next((g for g in answer.placed if any(p.category in SOFAS for p in g.pieces)), None)
-    if seats is None or len(seats.pieces) > 1:
-        return answer
-    screens = [p.pose for g in answer.placed for p in g.pieces if p.category == "tv"]
-    if not screens or min(measure_turn(seats.pieces[0].pose, s) for s in screens) < BLIND:
-        return answer
-    gone = Missing(seats.wish, "the only place left for a sofa does not look at the screen")
-    placed = tuple(g for g in answer.placed if g is not seats)
-    return answer._replace(placed=placed, missing=(*answer.missing, gone))
-
 
 def cost_of_view(groups: Sequence[FurnishedGroup], costs: CompositionCosts) -> float:
     """What is wrong with a sofa and the screen before it: not looking at one another (half for
@@ -66,6 +49,14 @@ def cost_of_view(groups: Sequence[FurnishedGroup], costs: CompositionCosts) -> f
     reach = min(max(NEAR - away, away - FAR, 0.0), MOST)
     between = min(sum(_fill_sight(sofas[0], screen, groups).values()) / FILLED, 1.0)
     return turned + costs.axis * beside + costs.distance * reach + costs.between * between
+
+
+def is_unseen(groups: Sequence[FurnishedGroup]) -> bool:
+    """Whether there is a screen that no sofa of the room looks at."""
+    screen, sofas = _find_pair(groups)
+    if screen is None or not sofas:
+        return False
+    return min(measure_turn(sofa.pose, screen.pose) for sofa in sofas) > ASIDE
 
 
 def list_between(groups: Sequence[FurnishedGroup]) -> frozenset[str]:

@@ -24,7 +24,7 @@ RAISED = 0.3  # what begins so high does not fill a floor, metres
 SIGHT = 1.0  # width of the floor between seats and screen that is left free, metres
 AHEAD = 1.2  # what stands free has so many metres of floor before it
 TURNED = 3.0  # it turns its back on no sofa that is nearer than this, metres
-COOKS = 1.2  # and keeps so many metres from a kitchen
+COOKS, EATS = 1.2, 0.6  # and keeps so many metres from a kitchen, and from chairs at a table
 TOUCH = 0.05
 
 
@@ -77,7 +77,7 @@ def free_beside(
 
 def may_stand_free(task: RoomTask, pieces: tuple[Piece, ...], box: Floats) -> bool:
     """Whether seats on a box (5,) have the floor before them free, no sofa behind them and no
-    kitchen beside them; ``pieces`` are all others."""
+    kitchen or table beside them; ``pieces`` are all others."""
     x, y, heading, width, depth = box.tolist()
     c, s = cos(heading), sin(heading)
     out = (depth + AHEAD) / 2
@@ -87,6 +87,9 @@ def may_stand_free(task: RoomTask, pieces: tuple[Piece, ...], box: Floats) -> bo
         return False
     units = tuple(p for p in pieces if p.category in RUN)
     if any(_outline(box).distance(unit) < COOKS for unit in polygons_of(units)):
+        return False
+    chairs = tuple(p for p in pieces if p.category == "dining_chair")
+    if any(_outline(box).distance(chair) < EATS for chair in polygons_of(chairs)):
         return False
     low = polygons_of(_list_low(task, pieces))
     return _floor_of(task).buffer(TOUCH).contains(front) and not front.intersects(low).any()

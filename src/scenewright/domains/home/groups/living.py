@@ -41,6 +41,16 @@ def hung_screens() -> Iterator[Group]:
         yield Group("media", f"TV on the wall over a {width:.1f} m shelf", width, 0.18, members)
 
 
+def low_board(width: float) -> Group:
+    """A low cabinet on the floor of a stand of that width, with a vase and a lamp."""
+    members = (
+        Member("sideboard", 0, 0, 0, 0, Size(width, 0.4, 0.7)),
+        Member("vase", -width / 2 + 0.2, 0, 0.7, 0, Size(0.16, 0.16, 0.3), on=0),
+        Member("table_lamp", width / 2 - 0.22, 0, 0.7, 0, Size(0.28, 0.28, 0.48), on=0),
+    )
+    return Group("media", f"{width:.1f} m low cabinet", width, 0.42, members)
+
+
 def seating() -> Iterator[Group]:
     """A sofa and coffee table on a rug, with armchairs or a lamp table where there is room."""
     yield _alone(1.2)
