@@ -120,7 +120,7 @@ class Group(NamedTuple):
 
     def __hash__(self) -> int:
         """A hash without the members, which take as long as what is looked up by it."""
-        return hash((self.function, self.name, self.width, self.depth))
+        return hash(self[:4])
 
 
 @dataclass(frozen=True, eq=False)

@@ -101,6 +101,7 @@ def _are_alike(poses: Floats, one: Floats) -> NDArray[np.bool_]:
     """Of pairs of boxes (n, 2, 3: x, y, heading) those with both nearly where ``one`` (2, 3) has
     them."""
     alike = np.abs(poses[:, 0, 0] - one[0, 0]) < NEAR
+    alike &= np.abs(poses[:, 0, 1] - one[0, 1]) < NEAR
     some = np.flatnonzero(alike)  # the rest is looked at of these only
     off = np.abs(poses[some] - one)
     near = (np.hypot(off[..., 0], off[..., 1]) < NEAR) & (off[..., 2] < 0.1)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from heapq import heappop, heappush
-from itertools import islice, pairwise
+from itertools import islice
 from math import hypot, inf, isnan, nan
 from typing import NamedTuple
 
@@ -116,11 +116,12 @@ def _list_trials(
     layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(free), axis=0)
     layouts[:, at] = free
     energies = judge.energies_of(layouts)
-    ends = np.cumsum([0, *(len(boxes) for _, boxes in places)]).tolist()
-    for (case, boxes), (start, end) in zip(places, pairwise(ends), strict=True):
-        own = cost_of_case(case, task.ground.area, rule)
+    start = 0
+    for case, boxes in places:
+        own, end = cost_of_case(case, task.ground.area, rule), start + len(boxes)
         for box, energy in _least_cost(task, case, boxes, energies[start:end]):
             yield FormTrial(case, box, energy, faults + own + task.costs.energy * energy)
+        start = end
 
 
 def _least_cost(

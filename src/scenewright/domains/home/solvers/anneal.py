@@ -12,6 +12,7 @@ import os
 import time
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import nullcontext
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -70,7 +71,7 @@ class Setup(NamedTuple):
     grid: RouteGrid
     heat: Heat
     watch: BudgetWatch
-    pool: ThreadPoolExecutor
+    pool: ThreadPoolExecutor | None
     threads: int
     settings: ChainSettings
 
@@ -137,7 +138,7 @@ def _advance(setup: Setup, chains: Chains, steps: int, first: float, last: float
     many = min(setup.threads, count)
     cuts = np.linspace(0, count, many + 1).astype(int).tolist() if many > 1 else [0, count]
     parts = [slice(a, b) for a, b in pairwise(cuts)]
-    list(setup.pool.map(run, parts) if len(parts) > 1 else map(run, parts))
+    list(setup.pool.map(run, parts) if setup.pool and len(parts) > 1 else map(run, parts))
 
 
 def _cut(part: slice, steps: int) -> Iterator[tuple[slice, tuple[int, int]]]:
@@ -245,7 +246,7 @@ def anneal(
         return Found((empty_layout(problem),), 1)
     chains = _begin(p, grid, problem.settings.chains.samples, seed)
     threads = threads or budget.threads or min(os.cpu_count() or 1, 16)
-    with ThreadPoolExecutor(threads) as pool:
+    with ThreadPoolExecutor(threads) if threads > 1 else nullcontext() as pool:
         settings = problem.settings.chains
         heat = _heat(chains.energies[:, 0], settings)
         setup = Setup(p, grid, heat, watch, pool, threads, settings)

@@ -144,7 +144,7 @@ def _with_fridge(free: FreeWalls, kitchens: Iterable[FittedKitchen]) -> Iterator
                     continue
                 for at in sorted({start, end - wide}):
                     line = UnitLine(stretch.wall, at, (("fridge", wide),))
-                    yield kitchen._replace(lines=(*kitchen.lines, line))
+                    yield FittedKitchen((*kitchen.lines, line), kitchen.corners)
 
 
 def _with_low_fridge(free: FreeWalls, kitchens: Iterable[FittedKitchen]) -> Iterator[FittedKitchen]:
@@ -155,7 +155,7 @@ def _with_low_fridge(free: FreeWalls, kitchens: Iterable[FittedKitchen]) -> Iter
             for start, end in _left_beside(kitchen, stretch):
                 for at in sorted({start, end - wide}) if end - start >= wide else ():
                     line = UnitLine(stretch.wall, at, ((LOW, wide),))
-                    yield kitchen._replace(lines=(*kitchen.lines, line))
+                    yield FittedKitchen((*kitchen.lines, line), kitchen.corners)
 
 
 def _left_beside(kitchen: FittedKitchen, stretch: KitchenStretch) -> list[tuple[float, float]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from itertools import combinations, takewhile
+from itertools import chain, combinations, takewhile
 from math import hypot, inf
 from typing import NamedTuple
 
@@ -38,7 +38,7 @@ STATIONS = {"sink_cabinet": 0, "hob_cabinet": 1, "fridge": 2, LOW: 2}
 class LineFacts(NamedTuple):
     """Metres of worktop of a line: the longest piece, on either side of the hob, and between hob
     and sink (infinite where the line has none), on the better side of the sink (``rinsed``); and
-    the width of its hob."""
+    the widths of its hob and of all its units."""
 
     longest: float
     before: float
@@ -46,6 +46,7 @@ class LineFacts(NamedTuple):
     between: float
     rinsed: float
     hob: float
+    widths: tuple[float, ...]
 
 
 def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -> float:
@@ -71,10 +72,9 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
             (costs.fridge_alone, float(_has_lone_fridge(kitchen))),
             (costs.split, float(_is_split(kitchen))),
         ]
-    fronts = sum(w for line in kitchen.lines for _, w in line.units)
+    fronts = sum(chain.from_iterable(f.widths for f in facts))
     fronts += CORNER_RUN * len(kitchen.corners)
-    rows = EXPECTED["kitchen"].rows
-    least = max((metres for start, metres in rows if area >= start), default=0.0)
+    least = _least_front(area)
     short = max(0.0, 1.0 - fronts / least) if least else 0.0
     faults = sum(cost * (1.0 + degree) / 2 for cost, degree in found if degree > 1e-6)
     if area >= WHOLE_FROM:
@@ -82,21 +82,28 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
     return faults + costs.short_run * short
 
 
+@lru_cache(maxsize=256)
+def _least_front(area: float) -> float:
+    """Metres of front that a room of ``area`` square metres asks for."""
+    rows = EXPECTED["kitchen"].rows
+    return max((metres for start, metres in rows if area >= start), default=0.0)
+
+
 @lru_cache(maxsize=4096)
 def _facts_of(units: tuple[Unit, ...]) -> LineFacts:
-    names, rinsed = [name for name, _ in units], 0.0
+    names, widths, rinsed = [name for name, _ in units], tuple(wide for _, wide in units), 0.0
     if "sink_cabinet" in names:
         sink = names.index("sink_cabinet")
         rinsed = max(_worktop(units[:sink][::-1]), _worktop(units[sink + 1 :]))
     longest = max(_worktop(units[i:]) for i in range(len(units)))
     if "hob_cabinet" not in names:
-        return LineFacts(longest, inf, inf, inf, rinsed, inf)
+        return LineFacts(longest, inf, inf, inf, rinsed, inf, widths)
     hob, between = names.index("hob_cabinet"), inf
     if "sink_cabinet" in names:
         ends = sorted((hob, names.index("sink_cabinet")))
         between = sum(w for _, w in units[ends[0] + 1 : ends[1]])
     sides = _worktop(units[:hob][::-1]), _worktop(units[hob + 1 :])
-    return LineFacts(longest, *sides, between, rinsed, units[hob][1])
+    return LineFacts(longest, *sides, between, rinsed, units[hob][1], widths)
 
 
 def _worktop(units: tuple[Unit, ...]) -> float:

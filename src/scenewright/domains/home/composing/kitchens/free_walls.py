@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -40,17 +41,18 @@ def list_stretches(
     met = (standing.spans[:, 0] < height) & (standing.spans[:, 1] > 0.05)
     low = ground.windows[ground.windows[:, 5] < height, :5]
     boxes = np.concatenate([ground.keep_free, low, standing.boxes[met]])
-    sides = _sides_of(boxes)
+    sides = np.concatenate([_sides_of(boxes), ground.edges])
     found = []
     for number, (x0, y0, x1, y1) in enumerate(ground.walls.tolist()):
         length = float(np.hypot(x1 - x0, y1 - y0))
         if length < least:
             continue
         wall = KitchenWall(x0, y0, (x1 - x0) / length, (y1 - y0) / length)
-        taken = _cut(wall, sides, depth).reshape(-1, 4, 2)
-        spans = [(t[:, 0].min(), t[:, 1].max()) for t in taken if np.isfinite(t).any()]
-        edges = _cut(wall, ground.edges, depth)
-        spans += [(a, b) for a, b in edges if a <= b]
+        first, last = _cut(wall, sides, depth)
+        taken = 4 * len(boxes)
+        starts = np.concatenate([first[:taken].reshape(-1, 4).min(1), first[taken:]])
+        ends = np.concatenate([last[:taken].reshape(-1, 4).max(1), last[taken:]])
+        spans = zip(starts[starts <= ends].tolist(), ends[starts <= ends].tolist(), strict=True)
         for start, end in _gaps(spans, length):
             if end - start >= least:
                 found.append(KitchenStretch(wall, start, end, number, length))
@@ -68,9 +70,9 @@ def _sides_of(boxes: Floats) -> Floats:
     return ends.reshape(-1, 4)
 
 
-def _cut(wall: KitchenWall, sides: Floats, depth: float) -> Floats:
-    """Of each segment ``(n, 4)`` the least and greatest place along the wall of its part in the
-    strip before it ``(n, 2)``; (inf, -inf) where there is none."""
+def _cut(wall: KitchenWall, sides: Floats, depth: float) -> tuple[Floats, Floats]:
+    """Of each segment ``(n, 4)`` the least and greatest place ``(n,)`` along the wall of its part
+    in the strip before it; inf and -inf where there is none."""
     from_start = sides - np.array([wall.x, wall.y, wall.x, wall.y])
     along = from_start[:, ::2] * wall.ux + from_start[:, 1::2] * wall.uy
     out = from_start[:, 1::2] * wall.ux - from_start[:, ::2] * wall.uy
@@ -82,14 +84,12 @@ def _cut(wall: KitchenWall, sides: Floats, depth: float) -> Floats:
     low = np.where(level, np.where(inside, 0.0, 2.0), np.minimum(first, last).clip(0.0, None))
     high = np.where(level, np.where(inside, 1.0, -2.0), np.maximum(first, last).clip(None, 1.0))
     step = along[:, 1] - along[:, 0]
-    ends = np.stack([along[:, 0] + low * step, along[:, 0] + high * step])
-    met = low <= high
-    return np.stack(
-        [np.where(met, ends.min(0), np.inf), np.where(met, ends.max(0), -np.inf)], axis=1
-    )
+    one, other, met = along[:, 0] + low * step, along[:, 0] + high * step, low <= high
+    least, most = np.minimum(one, other), np.maximum(one, other)
+    return np.where(met, least, np.inf), np.where(met, most, -np.inf)
 
 
-def _gaps(taken: list[tuple[float, float]], length: float) -> list[tuple[float, float]]:
+def _gaps(taken: Iterable[tuple[float, float]], length: float) -> list[tuple[float, float]]:
     """What of 0 to ``length`` is not taken.
 
     >>> _gaps([(1.0, 2.0), (1.5, 2.5)], 4.0)

@@ -26,6 +26,7 @@ from scenewright.domains.home.composing.trials import take_best
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.fitted_kitchen import (
     SLIM_FRIDGE,
+    Box,
     FittedKitchen,
     assemble,
     box_of,
@@ -149,6 +150,16 @@ def _take_step(
     return sorted(found, key=lambda judged: judged.cost)
 
 
+def _boxes_of(listed: Iterable[FittedKitchen]) -> list[Box]:
+    """The floor that the first line of each kitchen takes; most share it with the one before."""
+    found, before = list[Box](), None
+    for fitted in listed:
+        first = fitted.lines[0]
+        found.append(found[-1] if first is before else box_of(first))
+        before = first
+    return found
+
+
 def _pick(
     judge: RoomJudge, rest: Placed, kitchens: Iterable[FittedKitchen], most: float
 ) -> Iterator[FittedKitchen]:
@@ -160,7 +171,7 @@ def _pick(
     rule = task.preset.settings.composing
     layouts = np.empty((len(listed), len(rest) + 1, 5))
     layouts[:, :-1] = np.array([p.dressed.box for p in rest]).reshape(-1, 5)
-    layouts[:, -1] = [box_of(fitted.lines[0]) for fitted in listed]
+    layouts[:, -1] = _boxes_of(listed)
     costs = (task.costs.energy * judge.energies_of(layouts)).tolist()
     found: list[tuple[float, int]] = []
     for i in np.argsort(costs, kind="stable").tolist():
