@@ -117,21 +117,33 @@ def _missed_pieces(
     walked: FloorWalk, space: Space, pieces: Sequence[Piece], catalog: Catalog
 ) -> list[BarredRegion]:
     """The pieces of a room that are used from sides none of which the route comes to."""
-    within, deep = walked.floor.within[space.id], walked.radius + REACH
-    named, regions = _use_regions(pieces, space, catalog, deep)
-    beyond = ~shapely.covers(within, regions)
-    regions[beyond] = shapely.intersection(regions[beyond], within)
+    here = tuple(map(Same, pieces))
+    named, regions = _regions_within(Same(walked.floor), Same(space), here, Same(catalog))
     far = ~shapely.intersects(walked.reached, regions)
     missed = [BarredRegion(space.id, named[k], regions[k]) for k in np.flatnonzero(far)]
     if missed and _is_tight(walked, space.id):
-        near = _squeeze(walked, within)
+        near = _squeeze(walked, walked.floor.within[space.id])
         missed = [t for t in missed if not near.intersects(t.region)]
     return missed
 
 
+@lru_cache(maxsize=256)
+def _regions_within(
+    on: Same[HomeFloor], of: Same[Space], here: tuple[Same[Piece], ...], stock: Same[Catalog]
+) -> tuple[list[str], Shapes]:
+    """What :func:`_use_regions` gives, as far as it is in the room and its doorways; of a room in
+    which all stands as before found once."""
+    floor, space = on.value, of.value
+    within, pieces = floor.within[space.id], [p.value for p in here]
+    named, regions = _use_regions(pieces, space, stock.value, floor.radius + REACH)
+    beyond = ~shapely.covers(within, regions)
+    regions[beyond] = shapely.intersection(regions[beyond], within)
+    return named, regions
+
+
 def _use_regions(
     pieces: Sequence[Piece], space: Space, catalog: Catalog, depth: float
-) -> tuple[list[str], NDArray[np.object_]]:
+) -> tuple[list[str], Shapes]:
     """The pieces that are used from some side, by id, and the floor before these sides."""
     slopes, named = planes(space), list[str]()
     boxes, owner = list[list[float]](), list[int]()

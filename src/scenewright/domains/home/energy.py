@@ -235,7 +235,7 @@ def _measure_all(
     energies, routes = np.empty(count), np.empty(count)
     costs = Costs(*map(np.zeros, ((kept, n, 4), (kept, n, n), (kept, r), (kept, 4))))
     free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
-    boxes = np.array(population, np.float64, order="C").reshape(count, n, 5)
+    boxes = np.ascontiguousarray(population, np.float64).reshape(count, n, 5)
     filled = (energies, routes, np.empty((n, 8)), costs, free, reached)
     fill_energies(p, grid, boxes, weights, *filled)
     return energies, routes, costs

@@ -211,9 +211,9 @@ def _rank(boxes: Floats, ground: Ground) -> Floats:
 
 def _apart(boxes: Floats) -> Floats:
     """The boxes (n, 5), of those nearly in one place only the first."""
-    kept: list[int] = []
-    for i, box in enumerate(boxes):
-        near = np.hypot(*(boxes[kept, :2] - box[:2]).T) < APART
-        if not (near & (np.abs(boxes[kept, 2] - box[2]) < 0.1)).any():
-            kept.append(i)
+    kept, left = list[int](), np.ones(len(boxes), bool)
+    while left.any():
+        kept.append(int(left.argmax()))
+        off = boxes[:, :3] - boxes[kept[-1], :3]
+        left &= (np.hypot(off[:, 0], off[:, 1]) >= APART) | (np.abs(off[:, 2]) >= 0.1)
     return boxes[kept]

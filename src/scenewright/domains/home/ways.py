@@ -47,7 +47,9 @@ def find_unreached(
         return frozenset()
     walked = list_walked(ground, pieces, catalog, width)
     far, joined = walk(ground, walked, width, entered)
-    far.update(f"door {k}" for k, met in enumerate(joined.tolist(), 1) if not met)
+    for number, met in enumerate(joined.tolist(), 1):
+        if not met:
+            far.add(f"door {number}")
     return frozenset(far)
 
 

@@ -92,10 +92,10 @@ def _pick_unlike(forms: Iterator[Group], unlike: float) -> Iterator[Group]:
 
 def _space_out(boxes: Floats) -> list[Floats]:
     """At most :data:`SCREENS` of the boxes (n, 5) of a screen, :data:`SPACED` metres apart."""
-    kept: list[Floats] = []
-    for box in boxes:
-        if all(np.hypot(*(box[:2] - k[:2])) >= SPACED for k in kept):
-            kept.append(box)
+    kept, left = list[Floats](), np.ones(len(boxes), bool)
+    while left.any():
+        kept.append(boxes[left.argmax()])
+        left &= np.hypot(*(boxes[:, :2] - kept[-1][:2]).T) >= SPACED
     return kept[:: -(-len(kept) // SCREENS) or 1]
 
 

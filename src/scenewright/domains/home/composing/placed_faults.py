@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from math import atan2, cos, hypot, sin
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
+from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import IN_LINE, RUN
@@ -47,7 +49,7 @@ def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings
     degree, by the costs of ``rule``."""
     found: list[tuple[float, float]] = []
     covered = (rule.costs.window, rule.costs.opening)
-    strips = [(s, s[5] == 1.0, hypot(s[3], s[4]) / 2) for s in ground.strips.tolist()]
+    strips = _read_strips(Same(ground))
     for piece in group.pieces:
         (x, y, z, _), size, shades = piece.pose, piece.size, piece.category in SHADES
         if z > AT_WALL or piece.category == "rug":
@@ -66,6 +68,13 @@ def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings
             found.append((rule.costs.adrift * (gap > AT_WALL), 1.0))
     standing = sum(cost * (1.0 + degree) / 2 for cost, degree in found)
     return standing + cost_of_case(list_standing(group), ground.area, rule)
+
+
+@lru_cache(maxsize=64)
+def _read_strips(same: Same[Ground]) -> list[tuple[list[float], bool, float]]:
+    """The floor before openings: each strip, whether it is a window's, and how far its corners are
+    from its middle, metres."""
+    return [(s, s[5] == 1.0, hypot(s[3], s[4]) / 2) for s in same.value.strips.tolist()]
 
 
 def _near_doors(bed: Piece, ground: Ground, half: float) -> Iterator[float]:
