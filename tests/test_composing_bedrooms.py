@@ -15,12 +15,17 @@ from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case, list_further
 from scenewright.domains.home.composing.fronts import cost_of_fronts
-from scenewright.domains.home.composing.placed_faults import cost_of_group
+from scenewright.domains.home.composing.placed_faults import (
+    are_adrift,
+    cost_of_group,
+    find_darkness,
+)
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import solve
+from scenewright.geometry.flanks import measure_flank_gaps
 
 RULE = PRESETS["default"].settings.composing
 CASE = next(c for c in cases("single").groups if len(c.members) == 1)
@@ -136,3 +141,40 @@ def _bed_at(y):
     return FurnishedGroup(
         Wish("single", 0), "single", FurnishedPatch(CASE, box, (True,), 0), (piece,)
     )
+
+
+def test_a_desk_away_from_the_window_costs_the_more_the_farther_it_is():
+    ground = _lit_ground(ENTERED | {"windows": [{"at": [2.0, 3.0], "width": 1.0}]})
+    near, amid, far = (_desk_at(2.0, y) for y in (2.5, 1.4, 0.3))
+    assert find_darkness(near, ground) == 0.0
+    assert 0.0 < find_darkness(amid, ground) < find_darkness(far, ground) == 1.0
+    assert find_darkness(_desk_at(0.3, 2.7), ground) == pytest.approx(
+        (1.2366 - 1.05) / 1.05, abs=0.01
+    )
+    assert find_darkness(far, _lit_ground(ENTERED)) == 0.0
+    group = _bed_at(0.0)._replace(pieces=(far,))
+    lit = group._replace(pieces=(near,))
+    costs = [cost_of_group(g, ground, RULE) for g in (group, lit)]
+    assert costs[0] - costs[1] == pytest.approx(RULE.costs.dark)
+
+
+def _lit_ground(room):
+    brief = Brief(rooms=[Room.model_validate(room)])
+    return ground_of(spaces(brief)[0], (), 12.0)
+
+
+def _desk_at(x, y):
+    return Piece("d", "desk", "", "a", Pose(x, y, 0.0, 0.0), Size(1.0, 0.6, 0.75))
+
+
+def test_a_bed_half_past_the_end_of_a_wall_is_adrift():
+    walls = np.array([[0.0, 0.0, 4.0, 0.0], [4.0, 0.0, 4.0, 1.4], [4.0, 1.4, 5.0, 1.4]])
+    along = np.array([[3.5, 1.0, np.pi / 2, 1.0, 2.0]])
+    past = np.array([[3.5, 1.5, np.pi / 2, 1.0, 2.0]])
+    whole = np.array([[4.0, 0.0, 4.0, 4.0]])
+    assert measure_flank_gaps(along, whole).min() == pytest.approx(0.0)
+    assert measure_flank_gaps(along, walls).min() > 0.12
+    assert [bool(are_adrift(CASE, b, w)[0]) for b, w in ((past, walls), (past, whole))] == [
+        True,
+        False,
+    ]

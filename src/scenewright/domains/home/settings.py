@@ -83,7 +83,8 @@ class CompositionCosts(NamedTuple):
     and hob off a work triangle (``triangle``), a sink without worktop beside it, a fridge by
     itself, hob and sink apart (``split``), a washing machine away from the run (``loose``), half a
     wardrobe, a shallow one, a bed for two with one nightstand or one side to get in, one of 1.9 m
-    (``short_bed``), a single bed away from walls, a bed in the entrance (``at_door``), too few
+    (``short_bed``), a single bed away from walls, a bed in the entrance (``at_door``), a desk
+    away from daylight (``dark``), too few
     shelves, too few seats, a screen too small for its distance, a sofa that does not look at it
     (``view``), is off its ``axis``, at a bad ``distance`` or behind what stands ``between``, one on
     the wall (``hung``), a table with one chair (``lone``) or with ``stools``, outdoor chairs side
@@ -108,6 +109,7 @@ class CompositionCosts(NamedTuple):
     short_bed: float = 4.0
     adrift: float = 30.0
     at_door: float = 8.0
+    dark: float = 12.0
     shelves: float = 10.0
     seats: float = 24.0
     screen: float = 18.0

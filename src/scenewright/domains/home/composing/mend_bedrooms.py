@@ -14,19 +14,20 @@ from itertools import chain, islice
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
-from scenewright.domains.home.composing.case_faults import FULL, find_case_faults
+from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.mend import cost_of_home
 from scenewright.domains.home.composing.pairs import find_pair, furnish_pairs
+from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.programme import BEDS
 from scenewright.domains.home.second_try import Opened
 
 WALKED, TRIED = 40, 3
 """Pairs of places walked past in their room, and of these those through the whole home."""
-WIDEST = 1.25
-"""A wider wardrobe is not looked for where there was no place for one, metres."""
+FAULTS = frozenset(("wardrobe", "one_side"))
+"""What makes a pair one to be tried again."""
 LEAST_BED = (0.8, 1.9)
 """No bed becomes smaller than this, or than it is, metres."""
 NARROWER = 0.08
@@ -53,7 +54,11 @@ def _find_faulty(task: RoomTask, placed: Placed) -> Placed:
     own = task.library.own.keys() or task.accessible or not task.preset.settings.exact
     if not pair or own or any(p.wish.required or p.wish.most for p in pair):
         return ()
-    return pair if dict(find_case_faults(pair[1].dressed.case)).get("wardrobe") else ()
+    return pair if any(FAULTS & _faults_of(list_standing(group)) for group in pair) else ()
+
+
+def _faults_of(case: Group) -> set[str]:
+    return {name for name, _ in find_case_faults(case)}
 
 
 def _mend(
@@ -96,13 +101,14 @@ def _list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     is."""
     forms = sorted(list_forms(task, group), key=lambda form: form.width * form.depth)
     if group.wish.group not in BEDS:
-        yield from (form for form in forms if FULL - HAIR < form.width < WIDEST)
+        yield from (form for form in forms if not FAULTS & _faults_of(form))
         return
     wide, deep = (min(pair) for pair in zip(_size_of(group.dressed.case), LEAST_BED, strict=True))
     least = LEAST[group.wish.group]() if group.wish.group in LEAST else ()
     for form in chain(least, forms):
         width, depth = _size_of(form)
-        if width > wide - HAIR and depth > deep - HAIR:
+        sound = not FAULTS & _faults_of(form)
+        if sound and width > wide - HAIR and depth > deep - HAIR:
             yield form
 
 

@@ -19,7 +19,7 @@ from scenewright.domains.home.furnishing.enlarge import SOFAS, find_widest_scree
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.settings import ComposingSettings
 from scenewright.geometry.boxes import common_area, make_frame
-from scenewright.geometry.fit import side_gaps
+from scenewright.geometry.flanks import measure_flank_gaps
 
 Floats = NDArray[np.float64]
 
@@ -29,6 +29,11 @@ _CHESTS = ("chest_of_drawers", "sideboard", "tv_stand", "bookcase", "wardrobe", 
 _AWAY_FROM_DOORS = (*_BEDS, "armchair")
 SHADES = frozenset((*_SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
 """What takes a window's light, or is not to stand in it."""
+DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
+BRIGHT, DAYLIT = 1.05, 2.1
+"""Metres from a window up to which a desk is in full daylight, and from which it has hardly any: a
+window lights the floor as deep as its head is high (the primary sidelighted area of ASHRAE 90.1,
+2019, 3.2), by half of that well."""
 AT_WALL = 0.12  # a bed's side nearer than this is at its wall, metres
 ROOMY = 8.0  # from so many square metres on a bed leaves the floor at doors free
 NEAR_DOOR = 0.3  # a bed nearer to where a door opens is in the entrance, metres
@@ -47,7 +52,7 @@ SEEN = 0.02  # less of an opening that something stands before is not seen, metr
 def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings) -> float:
     """What is wrong with one group as it stands, each fault half for being there and half by its
     degree, by the costs of ``rule``."""
-    found: list[tuple[float, float]] = []
+    found, standing = list[tuple[float, float]](), 0.0
     covered = (rule.costs.window, rule.costs.opening)
     strips = _read_strips(Same(ground))
     for piece in group.pieces:
@@ -64,9 +69,11 @@ def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings
         if piece.category in _AWAY_FROM_DOORS and ground.area >= ROOMY:
             found += [(rule.costs.at_door, share) for share in _near_doors(piece, ground, half)]
         if piece.category == "single_bed":
-            gap = min(side_gaps(_box(piece), ground.walls))
+            gap = float(measure_flank_gaps(_box(piece)[None], ground.walls).min())
             found.append((rule.costs.adrift * (gap > AT_WALL), 1.0))
-    standing = sum(cost * (1.0 + degree) / 2 for cost, degree in found)
+        if piece.category in DESKS:
+            standing += rule.costs.dark * find_darkness(piece, ground)
+    standing += sum(cost * (1.0 + degree) / 2 for cost, degree in found)
     return standing + cost_of_case(list_standing(group), ground.area, rule)
 
 
@@ -75,6 +82,18 @@ def _read_strips(same: Same[Ground]) -> list[tuple[list[float], bool, float]]:
     """The floor before openings: each strip, whether it is a window's, and how far its corners are
     from its middle, metres."""
     return [(s, s[5] == 1.0, hypot(s[3], s[4]) / 2) for s in same.value.strips.tolist()]
+
+
+def find_darkness(desk: Piece, ground: Ground) -> float:
+    """How far a desk is from the daylight of the nearest window, from 0 (up to :data:`BRIGHT`) to 1
+    (from :data:`DAYLIT` on); 0 in a room without windows."""
+    x, y, away = desk.pose.x, desk.pose.y, list[float]()
+    for u, v, heading, width, depth, _ in ground.windows.tolist():
+        along = abs((x - u) * sin(heading) - (y - v) * cos(heading)) - width / 2
+        ahead = (x - u) * cos(heading) + (y - v) * sin(heading) + depth / 2
+        away.append(hypot(max(along, 0.0), max(ahead, 0.0)))
+    nearest = min(away, default=BRIGHT)
+    return min(max(nearest - BRIGHT, 0.0) / (DAYLIT - BRIGHT), 1.0)
 
 
 def _near_doors(bed: Piece, ground: Ground, half: float) -> Iterator[float]:
@@ -148,12 +167,13 @@ def _lengths_before(boxes: Floats, strip: Floats) -> Floats:
 
 
 def are_adrift(case: Group, boxes: Floats, walls: Floats) -> NDArray[np.bool_]:
-    """On which of the boxes (n, 5) of a case neither long side of its single bed is at a wall."""
+    """On which of the boxes (n, 5) of a case neither long side of its single bed is at a wall over
+    most of its length."""
     bed = next(m for m in case.members if m.category == "single_bed")
     if abs(np.sin(bed.heading)) > 0.5:
         return np.zeros(len(boxes), bool)
     left, right = (case.width / 2 + sign * bed.x - bed.size.width / 2 for sign in (1, -1))
-    gaps = np.array([side_gaps(box, walls) for box in boxes])
+    gaps = measure_flank_gaps(boxes, walls)
     return np.asarray(np.minimum(gaps[:, 0] + left, gaps[:, 1] + right) > AT_WALL)
 
 
