@@ -46,6 +46,7 @@ from scenewright.domains.home.composing.placed_faults import (
 from scenewright.domains.home.composing.rows import close_gaps
 from scenewright.domains.home.composing.trials import take_first, try_forms
 from scenewright.domains.home.composing.views import cost_of_view, list_between
+from scenewright.domains.home.composing.wardrobes import trim_wardrobe
 from scenewright.domains.home.composing.wet_rooms import fill_wet_room
 from scenewright.domains.home.composing.widening import widen_groups
 
@@ -85,7 +86,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
         best = move_double_bed(task, best, barred)
-    best = slide_to_axis(task, best, barred)
+    best = trim_wardrobe(task, slide_to_axis(task, best, barred))
     gone = list_given_up(before.placed, best.placed, "the kitchen takes its wall")
     gone = (*gone, *list_hung(before.placed, best.placed))
     gone = (*gone, *list_yielded(before.placed, best.placed))
