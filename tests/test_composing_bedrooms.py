@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -24,6 +26,7 @@ from scenewright.domains.home.composing.placed_faults import (
 )
 from scenewright.domains.home.composing.wardrobes import trim_wardrobe
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
+from scenewright.domains.home.furnishing.window_dressing import dress_windows
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
@@ -203,3 +206,16 @@ def test_a_wardrobe_far_too_wide_for_a_bed_for_one_is_cut_at_an_end():
     stated = (_bed_at(1.0), asked)
     before = judge_of(task, stated).cost_of(stated)
     assert trim_wardrobe(task, before) is before
+
+
+def test_a_blind_hangs_where_a_curtain_would_lie_on_a_desk():
+    room = ENTERED | {"windows": [{"at": [2.0, 3.0], "width": 1.4}]}
+    brief = Brief(rooms=[Room.model_validate(room)])
+    (space,) = spaces(brief)
+    ground, catalog = ground_of(space, (), 12.0), catalog_of(())
+    desk = Piece("d", "desk", "", "a", Pose(2.0, 2.7, 0.0, -np.pi / 2), Size(1.2, 0.6, 0.75))
+    low = replace(desk, size=desk.size._replace(height=0.45))
+    away = replace(desk, pose=desk.pose._replace(y=1.0))
+    for piece, hung in ((desk, "blind"), (low, "curtain"), (away, "curtain")):
+        (found,) = dress_windows(space, ground, (piece,), catalog)
+        assert found.category == hung

@@ -20,13 +20,16 @@ from scenewright.domains.home.furnishing.obstacles import (
     standing_of,
 )
 from scenewright.domains.home.problem import Ground
+from scenewright.geometry.boxes import common_area, make_frame
 
 CURTAINED = frozenset(
     ("living", "dining", "study", "bedroom", "double_bedroom", "single_bedroom", "child_bedroom")
 )
 DEPTH = {"curtain": 0.09, "blind": 0.06}
 """How far each stands out from its wall, metres."""
+REACH, SEEN = 0.15, 0.005  # floor below a curtain, metres, and what of it is not noticed, m²
 LET_DOWN = 0.35  # of a window's height that a blind covers
+RESTING = 0.2  # a curtain ends at least so far above a desk or chest that stands below it, metres
 COOKING = 0.8  # no curtain nearer than this to kitchen units, metres
 NARROWEST = 0.3  # a window narrower than this is left bare, metres
 
@@ -68,10 +71,11 @@ def _forms(
     space: Space, ground: Ground, gate: DoorApproach, pieces: tuple[Piece, ...], hung: list[Piece]
 ) -> Iterator[Piece]:
     """A curtain to the floor, else one that ends below the sill; wide, else as the window; a blind
-    where none of these fits or where one cooks."""
+    where none of these fits, would lie on a desk, or where one cooks."""
     opening = gate.opening
     if not _cooked_at(gate, pieces):
-        for low in (0.02, max(opening.sill - 0.12, 0.02)):
+        short = max(opening.sill - 0.12, 0.02)
+        for low in (0.02,) if _would_lie(gate, short, pieces) else (0.02, short):
             for wider in (0.5, 0.24, 0.0):
                 yield from _at_window("curtain", space, ground, gate, wider, low, hung)
     low = opening.head - LET_DOWN * (opening.head - opening.sill)
@@ -84,6 +88,16 @@ def _cooked_at(gate: DoorApproach, pieces: tuple[Piece, ...]) -> bool:
     near = gate.opening.width / 2 + COOKING
     units = (p for p in pieces if p.function in ("kitchen", "kitchenette", "counter"))
     return any(np.hypot(*(gate.face - np.array(p.pose[:2]))) < near for p in units)
+
+
+def _would_lie(gate: DoorApproach, low: float, pieces: tuple[Piece, ...]) -> bool:
+    """Whether a curtain whose foot is at ``low`` would lie on what stands below the window."""
+    x, y = gate.face + gate.inward * REACH / 2
+    heading = float(np.arctan2(gate.inward[1], gate.inward[0]))
+    below = make_frame(x, y, heading, gate.opening.width, REACH)
+    tops = (p for p in pieces if p.on is None and abs(p.pose.z + p.size.height - low) < RESTING)
+    boxes = ((p.pose.x, p.pose.y, p.pose.heading, *p.size[:2]) for p in tops)
+    return any(float(common_area(make_frame(*box), below)) > SEEN for box in boxes)
 
 
 def _at_window(
