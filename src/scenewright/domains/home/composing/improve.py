@@ -18,10 +18,12 @@ from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
 from scenewright.domains.home.composing.beds import move_double_bed, restore_double_bed
 from scenewright.domains.home.composing.clothes import hang_in_closet, list_hung
+from scenewright.domains.home.composing.coats import move_coats
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.freeing import free_ways
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.habitual import keep_habits
+from scenewright.domains.home.composing.hall_tables import furnish_hall
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
     Placed,
@@ -95,7 +97,8 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     better = add_island(task, better, barred)
     better = furnish_bare_walls(task, furnish_bare_floor(task, better, barred), barred)
     better = close_gaps(task, better, barred)
-    better = widen_groups(task, fill_wet_room(task, better, barred), barred)
+    better = furnish_hall(task, fill_wet_room(task, better, barred), barred)
+    better = move_coats(task, widen_groups(task, better, barred), barred)
     return (
         better if count_unmet(task, better.placed) <= count_unmet(task, answer.placed) else answer
     )

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.groups.bath import fitted_basins, fitted_baths, fitted_showers
-from scenewright.domains.home.groups.entry import fitted_shelving, fitted_shoes, long_consoles
+from scenewright.domains.home.groups.entry import fitted_consoles, fitted_shelving, fitted_shoes
 from scenewright.domains.home.groups.living import fitted_bookcases
 from scenewright.domains.home.groups.sleeping import chest
 
@@ -37,7 +37,7 @@ SHOES = Growth(
     ((0.0, 0.5, 0.7), (2.5, 0.8, 1.0), (4.0, 1.0, 1.2), (6.0, 1.2, 1.4), (9.0, 1.4, 1.8)),
     True,
 )
-CONSOLE = Growth(long_consoles, ((0.0, 1.2, 1.4), (9.0, 1.4, 1.6)), True)
+CONSOLE = Growth(fitted_consoles, ((0.0, 1.2, 1.4), (9.0, 1.4, 1.6)), True)
 CHEST = Growth(chest, ((0.0, 0.8, 1.0), (6.0, 1.0, 1.2), (9.0, 1.2, 1.2)), True)
 BOOKS = Growth(fitted_bookcases, ((0.0, 0.8, 1.2), (6.0, 1.2, 1.6), (9.0, 1.6, 2.4)), True)
 SHELVES = Growth(fitted_shelving, ((0.0, inf, inf),))

@@ -96,19 +96,20 @@ def console() -> Iterator[Group]:
         yield _console(width)
 
 
-def long_consoles() -> Iterator[Group]:
-    """Console tables for long walls, 1.0 to 1.6 m."""
-    for width in range(10, 17):
-        yield _console(width / 10)
+def fitted_consoles() -> Iterator[Group]:
+    """Console tables as wide as what is left of a wall, 0.7 to 1.6 m; slim ones for corridors."""
+    for width in range(7, 17):
+        for depth in (0.22, 0.3):
+            yield _console(width / 10, depth)
 
 
-def _console(width: float) -> Group:
+def _console(width: float, depth: float = 0.3) -> Group:
     members = (
-        Member("console_table", 0, 0, 0, 0, Size(width, 0.3, 0.8)),
+        Member("console_table", 0, 0, 0, 0, Size(width, depth, 0.8)),
         Member("vase", width / 4, 0, 0.8, 0, Size(0.16, 0.16, 0.3), on=0),
-        Member("picture", 0, -0.135, 1.3, 0, Size(0.6, 0.03, 0.5)),
+        Member("picture", 0, 0.015 - depth / 2, 1.3, 0, Size(0.6, 0.03, 0.5)),
     )
-    return Group("console", f"{width:.1f} m console", width, 0.31, members)
+    return Group("console", f"{width:.1f} m console", width, depth + 0.01, members)
 
 
 def storage() -> Iterator[Group]:
