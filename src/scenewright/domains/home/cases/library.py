@@ -12,7 +12,7 @@ or made with the furniture of its catalogues.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cache
+from functools import cache, lru_cache
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
+from scenewright.core.same import Same
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.habits import NONE, Habits
 
@@ -135,8 +136,9 @@ def each_fitting(
 ) -> Iterator[Group]:
     """The same one by one, as far as they are asked for."""
     found = cases(function, library)
-    slack = LARGER if found.real.any() else SLACK
-    order = nearest_first(found.sizes, (width, depth), slack)
+    if not found.real.any():
+        return (found.groups[i] for i in nearest_first(found.sizes, (width, depth), SLACK))
+    order = nearest_first(found.sizes, (width, depth), LARGER)
     order = order[np.argsort(~found.real[order], kind="stable")]
     return (found.groups[i] for i in order)
 
@@ -151,7 +153,14 @@ def find_preferred_case(function: str, area: float, library: Library = SHIPPED) 
     found = cases(function, library)
     if np.isfinite(found.areas).any():
         return found.groups[int(np.nanargmin(np.abs(np.log(found.areas / area))))]
+    order = _order_by_footprint(Same(found))
+    share = min(max((area - small) / (large - small), 0.0), 1.0)
+    return found.groups[order[round(share * (len(order) - 1))]]
+
+
+@lru_cache(maxsize=256)
+def _order_by_footprint(known: Same[Cases]) -> list[int]:
+    """The numbers of cases, the smallest first; of those a user has real models of, if any."""
+    found = known.value
     order = np.argsort(found.sizes.prod(-1), kind="stable")
-    order = order[found.real[order]] if found.real.any() else order
-    share = np.clip((area - small) / (large - small), 0, 1)
-    return found.groups[int(order[round(share * (len(order) - 1))])]
+    return (order[found.real[order]] if found.real.any() else order).tolist()

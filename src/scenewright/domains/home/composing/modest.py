@@ -77,7 +77,6 @@ EXPECTED: dict[str, Expected] = {
 """By group."""
 
 
-@lru_cache(maxsize=8192)
 def find_shortage(case: Group, area: float) -> float:
     """How far a case falls short of what a room of ``area`` square metres has, from 0 (it does
     not) to 1.
@@ -91,4 +90,10 @@ def find_shortage(case: Group, area: float) -> float:
     if expected is None:
         return 0.0
     least = max((value for start, value in expected.rows if area >= start), default=0.0)
-    return max(0.0, 1.0 - expected.measure(case) / least - 1e-6) if least else 0.0
+    return max(0.0, 1.0 - _measure(case) / least - 1e-6) if least else 0.0
+
+
+@lru_cache(maxsize=4096)
+def _measure(case: Group) -> float:
+    """How much a case has of what rooms expect of its group."""
+    return EXPECTED[case.function].measure(case)

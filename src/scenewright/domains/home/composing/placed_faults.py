@@ -51,7 +51,16 @@ SEEN = 0.02  # less of an opening that something stands before is not seen, metr
 
 def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings) -> float:
     """What is wrong with one group as it stands, each fault half for being there and half by its
-    degree, by the costs of ``rule``."""
+    degree, by the costs of ``rule``; of the same group on the same ground found once."""
+    return _cost_of_group(Same(group), Same(ground), Same(rule))
+
+
+@lru_cache(maxsize=256)
+def _cost_of_group(
+    known: Same[FurnishedGroup], on: Same[Ground], by: Same[ComposingSettings]
+) -> float:
+    """The same."""
+    group, ground, rule = known.value, on.value, by.value
     found, standing = list[tuple[float, float]](), 0.0
     covered = (rule.costs.window, rule.costs.opening)
     strips = _read_strips(Same(ground))

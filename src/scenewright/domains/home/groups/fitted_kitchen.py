@@ -133,13 +133,14 @@ def overlap(kitchen: FittedKitchen) -> bool:
     """Whether two of its lines and corner cabinets run into each other."""
     boxes = [box_of(line) for line in kitchen.lines]
     boxes += [place(wall, 0.0, CORNER, CORNER, 0.0) for wall in kitchen.corners]
-    return any(_meet(one, other) for one, other in combinations(boxes, 2))
+    wide = [(box, hypot(box[3], box[4])) for box in boxes]
+    return any(_meet(*one, *other) for one, other in combinations(wide, 2))
 
 
-def _meet(one: Box, other: Box) -> bool:
-    """Whether two boxes run into each other; not if the circles round them do not."""
-    reach = (hypot(*one[3:]) + hypot(*other[3:])) / 2
-    if hypot(one[0] - other[0], one[1] - other[1]) > reach:
+def _meet(one: Box, wide: float, other: Box, across: float) -> bool:
+    """Whether two boxes of such diagonals run into each other; not if the circles round them do
+    not."""
+    if hypot(one[0] - other[0], one[1] - other[1]) > (wide + across) / 2:
         return False
     return bool(common_area(make_frame(*one), make_frame(*other)) > SHARED)
 

@@ -83,9 +83,10 @@ def is_walked(ways: RoomWays, kitchen: FittedKitchen, known: dict[FittedKitchen,
     joined = [kitchen] if kitchen.corners else []
     parts = joined or [FittedKitchen(kitchen.lines[: k + 1]) for k in range(len(kitchen.lines))]
     for part in parts:
-        if part not in known:
-            known[part] = _is_walked(ways, part)
-        if not known[part]:
+        open_ = known.get(part)
+        if open_ is None:
+            open_ = known[part] = _is_walked(ways, part)
+        if not open_:
             return False
     return True
 
