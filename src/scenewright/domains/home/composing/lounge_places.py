@@ -112,7 +112,7 @@ def _seat_before(
         boxes = _look_at(spot, case, _list_distances(task, spot, case) if screen else NEAR)
         boxes = boxes[_stand(task, case, boxes, standing)]
         seated = (dress_group(task, seating, case, box, standing) for box in boxes)
-        each = [judge.cost_of((*screen, seats)) for seats in seated if seats is not None]
+        each = judge.cost_each([(*screen, seats) for seats in seated if seats is not None])
         found += sorted(each, key=lambda judged: judged.cost)[: len(boxes) if screen else 1]
     return sorted(found, key=lambda judged: judged.cost)[:SEATED] if screen else found
 

@@ -349,27 +349,27 @@ def pieces_of(
 ) -> tuple[Piece, ...]:
     """The standing members as placed pieces, named ``space/group/category``."""
     boxes = lay_case(dressed.case, dressed.box, catalog)[0][:, :3].tolist()
-    shown, names = _choose_models(dressed.case, catalog), _names_of(dressed.case, dressed.stands)
     found = []
-    for i, member in enumerate(dressed.case.members):
-        if not dressed.stands[i]:
-            continue
+    for i, name, on, member, asset, shape in _name_standing(dressed.case, dressed.stands, catalog):
         x, y, heading = boxes[i]
-        found.append(
-            Piece(
-                id=f"{group}/{names[i]}",
-                category=member.category,
-                asset=shown[i][0],
-                space=space,
-                pose=Pose(x, y, member.z, (heading + np.pi) % (2 * np.pi) - np.pi),
-                size=member.size,
-                group=group,
-                function=function,
-                on=f"{group}/{names[member.on]}" if member.on in names else None,
-                footprint=shown[i][1],
-            )
-        )
+        pose = Pose(x, y, member.z, (heading + np.pi) % (2 * np.pi) - np.pi)
+        what = (f"{group}/{name}", member.category, asset, space, pose, member.size)
+        under = f"{group}/{on}" if on else None
+        found.append(Piece(*what, group, function, under, footprint=shape))
     return tuple(found)
+
+
+@lru_cache(maxsize=4096)
+def _name_standing(
+    case: Group, stands: tuple[bool, ...], catalog: Catalog
+) -> tuple[tuple[int, str, str, Member, str, Footprint], ...]:
+    """Each member that stands: its number, its name within the group and that of what it stands on
+    (empty: none of it), the model that draws it, by id, and the footprint it covers."""
+    shown, names = _choose_models(case, catalog), _names_of(case, stands)
+    return tuple(
+        (i, name, names.get(case.members[i].on, ""), case.members[i], *shown[i])
+        for i, name in names.items()
+    )
 
 
 @lru_cache(maxsize=4096)
