@@ -169,7 +169,17 @@ def test_three_walls_hold_a_u_with_two_corner_cabinets(free):
     assert not [k for k in found if overlap(k)]
     sound = [dict(find_case_faults(assemble(k)[0])) for k in found]
     assert min(max(faults.values(), default=0.0) for faults in sound) < 0.1
-    assert {name for faults in sound for name in faults} <= {"triangle", "few_rings"}
+    assert {name for faults in sound for name in faults} <= {"triangle", "few_rings", "small_sink"}
+
+
+def test_kitchens_of_rooms_people_live_in_are_no_longer_than_these_ask_for(free):
+    def longest(walls):
+        return max(
+            sum(wide for line in kitchen.lines for _, wide in line.units)
+            for kitchen in list_steps(walls)[2]()
+        )
+
+    assert longest(free._replace(more=0.4)) < longest(free) - 0.3
 
 
 def test_lines_that_share_floor_overlap():
@@ -223,6 +233,9 @@ def test_sinks_without_worktop_and_units_by_themselves_are_faults():
         <= faults_of(cooking, UnitLine(west, 0.0, (sink,)), UnitLine(north, 0.0, (fridge,))).keys()
     )
     assert not named & faults_of(cooking, UnitLine(north, 1.0, (top, sink, fridge))).keys()
+    facing = faults_of(cooking, UnitLine(north, 1.0, (top, sink, fridge)))
+    assert facing["across"] == 1.0
+    assert "across" not in faults_of(run)
     beyond = KitchenWall(4.0, 5.0, -1.0, 0.0)
     assert named & faults_of(cooking, UnitLine(beyond, 1.0, (top, sink, fridge))).keys() == {
         "split"

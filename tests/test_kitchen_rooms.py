@@ -11,10 +11,14 @@ from scenewright.core.brief import Ask, Brief, Room
 from scenewright.core.layout import NamedBox
 from scenewright.domains import check, solution_of
 from scenewright.domains.home.composing.flush import list_flush
+from scenewright.domains.home.composing.kitchen_faults import (
+    cost_of_fridge,
+    cost_of_table,
+    cost_of_washer,
+)
 from scenewright.domains.home.composing.kitchens.fitted import list_round_corners
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.ways import is_walked, ways_of
-from scenewright.domains.home.composing.placed_faults import cost_of_table, cost_of_washer
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
 from scenewright.domains.home.groups.kitchen import sequence
 from scenewright.domains.home.presets import PRESETS
@@ -139,6 +143,27 @@ def test_a_washing_machine_away_from_the_run_costs(x, cost):
     )
     assert cost_of_washer(groups, 14.0) == cost
     assert cost_of_washer(groups[1:], 14.0) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("x", "wide", "cost"), [(0.9, 3.6, 0.0), (1.2, 3.6, 26.0), (1.2, 2.0, 10.4)]
+)
+def test_a_fridge_of_its_own_away_from_the_units_costs(x, wide, cost):
+    groups = Stood("kitchenette", "sink_cabinet", 0.3, 0.6), Stood("fridge", "fridge", x, 0.6)
+    task = task_of(kitchen(wide=wide))
+    rule = task.preset.settings.composing
+    assert cost_of_fridge(groups, task.ground, rule) == pytest.approx(cost)
+    assert cost_of_fridge(groups[1:], task.ground, rule) == 0.0
+
+
+def test_arms_round_a_corner_hold_sinks_as_wide_as_they_are():
+    task = task_of(kitchen(wide=3.6, deep=3.4))
+    low = list_stretches(task.ground, NOTHING, 0.6, 0.9, 0.45)
+    lines = [x.units for k in list_round_corners(low, 2.3, False) for x in k.lines]
+    washing = [units for units in lines if {name for name, _ in units} & {"sink_cabinet"}]
+    bare = [units for units in washing if "hob_cabinet" not in dict(units)]
+    assert {len(units) for units in bare if sum(w for _, w in units) < 0.9} == {1}
+    assert all(dict(u)["sink_cabinet"] >= 0.6 for u in bare if sum(w for _, w in u) >= 0.6)
 
 
 def test_a_table_for_one_costs_in_a_kitchen_one_may_eat_in():

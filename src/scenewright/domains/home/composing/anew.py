@@ -77,7 +77,7 @@ def _lay_out_anew(
     cooks = any(first is part for part in kitchen) and may_reform(task, best.placed)
     parts = kitchen if cooks else (first,)
     own = most if cooks and is_mere_kitchen(task) else sum_faults(task, parts) - least
-    if run and cooks and is_sound(task, run) and not is_mere_kitchen(task):
+    if run and cooks and is_sound(task, run, best.placed) and not is_mere_kitchen(task):
         return
     starts = _list_kitchens(task, run, own) if run and cooks else list_starts(task, first, barred)
     rest = [p for p in best.placed if all(p is not part for part in parts)]

@@ -21,13 +21,14 @@ RUN = WORKTOP | {"sink_cabinet", "hob_cabinet", "fridge"}
 RAISED = 0.3  # what begins so high is no unit of a run, metres
 AMPLE, BESIDE = 0.6, 0.3  # worktop in one piece, and beside a hob, metres
 FOUR_RINGS = 0.6  # width of a hob of four rings, metres
+FULL_SINK = 0.6  # width of a sink for a household, metres
 MANY = 3  # seats of a room that is roomy
 SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
 FULL = 1.0  # width of a wardrobe, metres
 DEEP = 0.4  # depth of a wardrobe, metres: with less, clothes hang on a rail that is pulled out
 LONG = 2.0  # a bed for two, metres
 SLIM = 0.35  # a nightstand that is narrower leaves no way beside the bed, metres
-ACROSS = 2.7  # between hob and sink that face each other across an aisle, metres
+ACROSS = 2.45  # between hob and sink that face each other across an aisle, metres
 LEG = (1.2, 2.7)  # of a work triangle, metres
 TOUCH, IN_LINE = 0.03, 0.3  # units nearer, and less far ahead, than this are in one line, metres
 TURNED = 0.1  # units turned by more are not in one line, radians
@@ -113,7 +114,9 @@ def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
         ("triangle", _off_triangle(units)),
         ("sink_alone", 0.0 if sink is None else 1.0 - _longest_beside(sink, units) / BESIDE),
         ("fridge_alone", float(any(_is_alone(m, units) for m in units if m.category == "fridge"))),
-        ("split", 0.0 if sink is None else float(_is_split(hob, sink, units))),
+        ("small_sink", 0.0 if sink is None else max(0.0, 1.0 - sink.size.width / FULL_SINK)),
+        ("across", float(sink is not None and _are_across(hob, sink, units))),
+        ("split", float(sink is not None and _are_split(hob, sink, units))),
     ]
 
 
@@ -127,16 +130,29 @@ def _is_alone(unit: Member, units: list[Member]) -> bool:
     return not any(_meet(unit, m) for m in units if m is not unit)
 
 
-def _is_split(hob: Member, sink: Member, units: list[Member]) -> bool:
+def _are_across(hob: Member, sink: Member, units: list[Member]) -> bool:
+    """Whether hob and sink are in lines that face each other across an aisle and are not joined."""
+    return _do_face(hob, sink) and not _are_joined(hob, sink, units)
+
+
+def _are_split(hob: Member, sink: Member, units: list[Member]) -> bool:
     """Whether hob and sink are in lines that neither are joined nor face each other across an
     aisle."""
-    joined, edge = [hob], [hob]
+    return not (_do_face(hob, sink) or _are_joined(hob, sink, units))
+
+
+def _do_face(one: Member, other: Member) -> bool:
+    turned = abs(remainder(one.heading - other.heading - pi, 2 * pi))
+    return turned < TURNED and hypot(one.x - other.x, one.y - other.y) <= ACROSS
+
+
+def _are_joined(one: Member, other: Member, units: list[Member]) -> bool:
+    """Whether units without a gap lead from one to the other, round corners as well."""
+    joined, edge = [one], [one]
     while edge:
         edge = [m for m in units if m not in joined and any(_meet(at, m) for at in edge)]
         joined += edge
-    turned = abs(remainder(hob.heading - sink.heading - pi, 2 * pi))
-    near = hypot(hob.x - sink.x, hob.y - sink.y) <= ACROSS
-    return sink not in joined and not (turned < TURNED and near)
+    return other in joined
 
 
 def _meet(one: Member, other: Member) -> bool:

@@ -54,13 +54,22 @@ FROM = {
     "seats": ROOMY,
     "few_rings": RINGS_FROM,
     "triangle": WHOLE_FROM,
+    "small_sink": WHOLE_FROM,
     "sink_alone": WHOLE_FROM,
     "fridge_alone": WHOLE_FROM,
+    "across": WHOLE_FROM,
     "split": WHOLE_FROM,
 }
 """Faults that only rooms from so many square metres on have."""
+TIGHT = {"fridge_alone": 0.4, "across": 0.4, "split": 0.6}
+"""By how much less faults of them count in smaller rooms, instead of not at all."""
 GRADED = frozenset(("triangle",))
 """Faults that a little of hardly costs anything."""
+
+
+def share_in(area: float, fault: str) -> float:
+    """How much of its usual cost a fault has in a room of ``area`` square metres."""
+    return 1.0 if area >= FROM.get(fault, 0.0) else TIGHT.get(fault, 0.0)
 
 
 @lru_cache(maxsize=16384)
@@ -69,9 +78,10 @@ def cost_of_case(case: Group, area: float, rule: ComposingSettings) -> float:
     half for being there, half by its degree; what it falls short of its room's size, and what is
     :data:`GRADED`, by its degree."""
     faults = sum(
-        float(getattr(rule.costs, name)) * (degree if name in GRADED else (1.0 + degree) / 2)
+        share_in(area, name)
+        * float(getattr(rule.costs, name))
+        * (degree if name in GRADED else (1.0 + degree) / 2)
         for name, degree in find_case_faults(case)
-        if area >= FROM.get(name, 0.0)
     )
     short = rule.costs.short_run if case.function in RUNS else rule.costs.modest
     return faults + short * find_shortage(case, area)

@@ -31,6 +31,7 @@ from scenewright.domains.home.composing.judging import (
     count_unmet,
     judge_of,
 )
+from scenewright.domains.home.composing.kitchen_faults import cost_of_fridge, cost_of_washer
 from scenewright.domains.home.composing.kitchens.islands import add_island
 from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
 from scenewright.domains.home.composing.kitchens.second_runs import list_given_up
@@ -43,7 +44,6 @@ from scenewright.domains.home.composing.placed_faults import (
     cost_of_hearth,
     cost_of_screen,
     cost_of_shelves,
-    cost_of_washer,
 )
 from scenewright.domains.home.composing.rows import close_gaps
 from scenewright.domains.home.composing.trials import take_first, try_forms
@@ -132,6 +132,7 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     view = 0.0 if len(task.ground.hearths) else cost_of_view(placed, rule.costs)
     whole = {
         "washer": cost_of_washer(placed, rule.costs.loose),
+        "fridge": cost_of_fridge(placed, task.ground, rule),
         "wardrobe": cost_of_fronts(placed, rule.costs.doors),
         "storage": cost_of_shelves(placed, task.ground, rule.costs.shelves),
         "media": cost_of_screen(placed, task.ground, rule.costs.screen) + view,

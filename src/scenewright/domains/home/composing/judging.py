@@ -15,6 +15,11 @@ from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.forms import RUNS as RUNS
 from scenewright.domains.home.composing.fronts import cost_of_fronts
+from scenewright.domains.home.composing.kitchen_faults import (
+    cost_of_fridge,
+    cost_of_table,
+    cost_of_washer,
+)
 from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_crowding,
@@ -22,8 +27,6 @@ from scenewright.domains.home.composing.placed_faults import (
     cost_of_hearth,
     cost_of_screen,
     cost_of_shelves,
-    cost_of_table,
-    cost_of_washer,
 )
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
@@ -116,10 +119,10 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     each = sum(cost_of_group(p, task.ground, rule) if isnan(c) else c for p, c in pairs)
     shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
     shelves += cost_of_fronts(placed, rule.costs.doors, task.fixed)
-    shelves += cost_of_washer(placed, rule.costs.loose)
+    shelves += cost_of_washer(placed, rule.costs.loose) + cost_of_fridge(placed, task.ground, rule)
     shelves += cost_of_crowding(placed, rule.costs.crowded)
     if is_mere_kitchen(task):
-        each += cost_of_table(placed, task.ground, rule.costs.modest)
+        each += cost_of_table(placed, task.ground, rule.costs.few_places)
     if len(task.ground.hearths):
         return each + shelves + cost_of_hearth(placed, task.ground, rule.costs.screen)
     screen = cost_of_screen(placed, task.ground, rule.costs.screen)

@@ -54,7 +54,7 @@ def find_places(
         if reach not in longest:
             longest[reach] = longest_stretch(task.ground, standing, reach)
         free = _free(task, case, standing, walls) if case.width <= longest[reach] else NOWHERE
-        if case.function == "washer" and is_mere_kitchen(task):
+        if case.function == "fridge" or (case.function == "washer" and is_mere_kitchen(task)):
             flush = stand_at(task, case, list_flush(case, walls, standing, RUN), standing)
             free = flush if len(flush) else free
         if case.function in FREE and _may_stand_amid(task):

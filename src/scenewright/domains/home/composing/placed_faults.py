@@ -13,7 +13,6 @@ from scenewright.core.catalog import Group
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.composing.case_faults import IN_LINE, RUN
 from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.furnishing.enlarge import SOFAS, find_widest_screen
 from scenewright.domains.home.problem import Ground
@@ -41,11 +40,7 @@ SHELVED = 0.75  # share of the longest wall that shelves of a storage room stand
 OPEN = 1.0  # width of the sight from a sofa to a fireplace in which nothing stands, metres
 OFF_AXIS = 0.3  # a sofa this near to the axis of a fireplace is on it, metres
 FARTHEST = 3.1  # a screen is watched from so many of its widths at most
-EAT_IN, FOUR = 9.0, 4  # square metres of a kitchen whose table seats so many
-PLACES = ("dining_chair", "stool")
-ALIKE = 0.99  # cosine between headings that are one, at least
 BESIDE_TABLE = 0.2  # a seat nearer than this to where one sits at a table crowds it, metres
-TOGETHER = 0.03  # pieces nearer to one another than this touch, metres
 SEEN = 0.02  # less of an opening that something stands before is not seen, metres
 
 
@@ -217,16 +212,6 @@ def cost_of_hearth(groups: Sequence[FurnishedGroup], ground: Ground, cost: float
     return cost * (1.0 + min(off, 1.0)) / 2 if off > SEEN else 0.0
 
 
-def cost_of_table(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:
-    """What is wrong with a table for fewer than four in a kitchen of :data:`EAT_IN` square
-    metres."""
-    if ground.area < EAT_IN:
-        return 0.0
-    tables = [g for g in groups if g.wish.group in ("dining", "dining_wall")]
-    seats = (sum(p.category in PLACES for p in g.pieces) for g in tables)
-    return sum(cost * max(0.0, 1.0 - count / FOUR) for count in seats)
-
-
 def cost_of_crowding(groups: Sequence[FurnishedGroup], cost: float) -> float:
     """What is wrong with tables that sofas and armchairs crowd: seats nearer than
     :data:`BESIDE_TABLE` to the floor of those who eat, half for being so and half by the share of a
@@ -243,26 +228,6 @@ def cost_of_crowding(groups: Sequence[FurnishedGroup], cost: float) -> float:
                     area = float(common_area(make_frame(*_box(p).tolist()), frame))
                     total += cost * (1.0 + min(area, 1.0)) / 2 if area > SEEN else 0.0
     return total
-
-
-def cost_of_washer(groups: Sequence[FurnishedGroup], cost: float) -> float:
-    """What is wrong with a washing machine in a kitchen with no unit of the run at its side."""
-    washer = next((g for g in groups if g.wish.group == "washer"), None)
-    if washer is None:
-        return 0.0
-    units = [p for g in groups for p in g.pieces if p.category in RUN and p.pose.z < AT_WALL]
-    if not units:
-        return 0.0
-    return cost * (not any(_stand_together(p, u) for p in washer.pieces for u in units))
-
-
-def _stand_together(one: Piece, other: Piece) -> bool:
-    """Whether two pieces stand side by side along a wall and touch."""
-    dx, dy = other.pose.x - one.pose.x, other.pose.y - one.pose.y
-    s, c = sin(one.pose.heading), cos(one.pose.heading)
-    gap = abs(dx * s - dy * c) - (one.size.width + other.size.width) / 2
-    alike = cos(one.pose.heading - other.pose.heading) > ALIKE
-    return alike and abs(gap) < TOGETHER and abs(dx * c + dy * s) < IN_LINE
 
 
 def cost_of_shelves(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:

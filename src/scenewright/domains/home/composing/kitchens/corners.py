@@ -32,6 +32,10 @@ from scenewright.domains.home.groups.kitchen import (
 
 LEAST_OF_ARM = {"hs": 1.05, "h": 0.6, "s": 0.45}
 """Metres that sink and hob take at least beside a corner cabinet without a fault beside them."""
+LONG = 1.2
+"""Metres by which an arm is longer than the least that is tried in a length between as well."""
+WIDE_SINK = 0.9
+"""A sink with its drainer is narrower than so many metres."""
 HAIR = 1e-6
 Units = tuple[Unit, ...]
 
@@ -77,21 +81,34 @@ def _arms(spare: float, holds: str, cold: bool, most: float) -> Iterator[Units]:
         least = LEAST_OF_ARM[holds]
         full = floor_length(min(spare, max(most, least)))
         wider = least + (0.3 if full >= least + 0.6 else 0.0)
-        for length in [full] * (full >= least) + [wider] * (full >= least + 0.3):
+        lengths = [full] * (full >= least) + [wider] * (full >= least + 0.3)
+        for length in lengths + [floor_length((wider + full) / 2)] * (full >= wider + LONG):
             yield (*_units_of_arm(holds, length), *fridge)
 
 
 def _units_of_arm(holds: str, length: float) -> Units:
     """Units from a corner cabinet on, whose worktop is one side of a hob next to it."""
     if holds == "s":
-        return tuple(wash(length))
+        return _wash_in_corner(length)
     wide = widest_hob(length - LEAST_OF_ARM[holds] + SMALL_HOB)
     rest: list[Unit] = fill(min(AMPLY_BEYOND, length - wide))
     if holds == "hs":
-        sink = 0.6 if length - wide >= 0.6 + BETWEEN else SMALL_SINK
+        sink = next((w for w in (0.8, 0.6) if length - wide >= w + BETWEEN), SMALL_SINK)
         rest = [*fill(length - wide - sink), ("sink_cabinet", sink)]
     before = fill(length - wide - width_of(rest))
     return (*before, ("hob_cabinet", wide), *rest)
+
+
+def _wash_in_corner(length: float) -> Units:
+    """A sink beside a corner cabinet, which is worktop: as wide as ``length`` metres hold."""
+    if length < WIDE_SINK:
+        return (("sink_cabinet", length),)
+    return tuple(wash(length)) if length >= 0.6 + WIDE_SINK else _sink_and_rest(length)
+
+
+def _sink_and_rest(length: float) -> Units:
+    sink = 0.8 if length >= 0.8 + BEYOND - HAIR else 0.6
+    return (("sink_cabinet", sink), *fill(length - sink))
 
 
 def _join(one: KitchenStretch, other: KitchenStretch, left: Units, right: Units) -> FittedKitchen:

@@ -36,6 +36,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
 from scenewright.domains.home.groups.kitchen import FRIDGE, LOW_FRIDGE, Unit, fill
 
 MORE = 1.0  # metres of front that a kitchen has beyond what its room asks for, at most
+BESIDE = 0.4  # the same where people live in the room as well
 LEAST_RUN = 3.0  # metres of front with its fridge that a run in any room may have
 LEAST = {"hs": 1.7, "h": 0.95, "s": 0.45, "": 0.6}
 """Metres that sink and hob take at least without a fault beside them, by what a line holds."""
@@ -49,11 +50,13 @@ Units = tuple[Unit, ...]
 
 
 class FreeWalls(NamedTuple):
-    """Where units stand free (``low``), and where what is as tall as a fridge does."""
+    """Where units stand free (``low``), and where what is as tall as a fridge does, in a room of
+    ``area`` square metres; a kitchen in it has at most so much ``more`` front than it asks for."""
 
     low: list[KitchenStretch]
     tall: list[KitchenStretch]
     area: float
+    more: float = MORE
 
 
 def list_steps(free: FreeWalls) -> list[Callable[[], Iterator[FittedKitchen]]]:
@@ -81,8 +84,8 @@ def list_bare_steps(free: FreeWalls) -> list[Callable[[], Iterator[FittedKitchen
 
 def _most(free: FreeWalls) -> float:
     """Metres of front a kitchen has at most."""
-    rows = EXPECTED["kitchen"].rows
-    return MORE + max((least for start, least in rows if free.area >= start), default=LEAST_RUN)
+    asked = (least for start, least in EXPECTED["kitchen"].rows if free.area >= start)
+    return free.more + max(asked, default=LEAST_RUN)
 
 
 def _units_in(holds: str, length: float) -> Units:

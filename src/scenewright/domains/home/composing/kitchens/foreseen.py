@@ -12,11 +12,12 @@ from scenewright.domains.home.composing.case_faults import (
     AMPLE,
     BESIDE,
     FOUR_RINGS,
+    FULL_SINK,
     LEG,
     TOUCH,
     WORKTOP,
 )
-from scenewright.domains.home.composing.forms import RINGS_FROM, WHOLE_FROM
+from scenewright.domains.home.composing.forms import WHOLE_FROM, share_in
 from scenewright.domains.home.composing.modest import CORNER_RUN, EXPECTED
 from scenewright.domains.home.groups.fitted_kitchen import (
     BACK,
@@ -38,7 +39,7 @@ STATIONS = {"sink_cabinet": 0, "hob_cabinet": 1, "fridge": 2, LOW: 2}
 class LineFacts(NamedTuple):
     """Metres of worktop of a line: the longest piece, on either side of the hob, and between hob
     and sink (infinite where the line has none), on the better side of the sink (``rinsed``); and
-    the widths of its hob and of all its units."""
+    the widths of its hob, of its sink (none where it has none) and of all its units."""
 
     longest: float
     before: float
@@ -46,6 +47,7 @@ class LineFacts(NamedTuple):
     between: float
     rinsed: float
     hob: float
+    sink: float
     widths: tuple[float, ...]
 
 
@@ -63,15 +65,16 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
         (costs.hob_at_end, 1.0 - beside / BESIDE),
         (costs.hob_at_sink, 1.0 - cooks.between / BESIDE),
     ]
-    if area >= RINGS_FROM:
-        found.append((costs.few_rings, 1.0 - cooks.hob / FOUR_RINGS))
-    if area >= WHOLE_FROM:
-        rinsed = BESIDE if kitchen.corners else max(f.rinsed for f in facts)
-        found += [
-            (costs.sink_alone, 1.0 - rinsed / BESIDE),
-            (costs.fridge_alone, float(_has_lone_fridge(kitchen))),
-            (costs.split, float(_is_split(kitchen))),
-        ]
+    rinsed = BESIDE if kitchen.corners else max(f.rinsed for f in facts)
+    sink = max(f.sink for f in facts)
+    lone, split = float(_has_lone_fridge(kitchen)), _tell_split(kitchen)
+    found += [
+        (costs.few_rings * share_in(area, "few_rings"), 1.0 - cooks.hob / FOUR_RINGS),
+        (costs.small_sink * share_in(area, "small_sink"), 1.0 - sink / FULL_SINK),
+        (costs.sink_alone * share_in(area, "sink_alone"), 1.0 - rinsed / BESIDE),
+        (costs.fridge_alone * share_in(area, "fridge_alone"), lone),
+        (getattr(costs, split, 0.0) * share_in(area, split), 1.0),
+    ]
     fronts = sum(chain.from_iterable(f.widths for f in facts))
     fronts += CORNER_RUN * len(kitchen.corners)
     least = _least_front(area)
@@ -92,18 +95,19 @@ def _least_front(area: float) -> float:
 @lru_cache(maxsize=4096)
 def _facts_of(units: tuple[Unit, ...]) -> LineFacts:
     names, widths, rinsed = [name for name, _ in units], tuple(wide for _, wide in units), 0.0
+    wide = dict(units).get("sink_cabinet", 0.0)
     if "sink_cabinet" in names:
         sink = names.index("sink_cabinet")
         rinsed = max(_worktop(units[:sink][::-1]), _worktop(units[sink + 1 :]))
     longest = max(_worktop(units[i:]) for i in range(len(units)))
     if "hob_cabinet" not in names:
-        return LineFacts(longest, inf, inf, inf, rinsed, inf, widths)
+        return LineFacts(longest, inf, inf, inf, rinsed, inf, wide, widths)
     hob, between = names.index("hob_cabinet"), inf
     if "sink_cabinet" in names:
         ends = sorted((hob, names.index("sink_cabinet")))
         between = sum(w for _, w in units[ends[0] + 1 : ends[1]])
     sides = _worktop(units[:hob][::-1]), _worktop(units[hob + 1 :])
-    return LineFacts(longest, *sides, between, rinsed, units[hob][1], widths)
+    return LineFacts(longest, *sides, between, rinsed, units[hob][1], wide, widths)
 
 
 def _worktop(units: tuple[Unit, ...]) -> float:
@@ -127,14 +131,16 @@ def _has_lone_fridge(kitchen: FittedKitchen) -> bool:
     return all(min(abs(lone.start - at), abs(end - at)) > TOUCH for at in ends)
 
 
-def _is_split(kitchen: FittedKitchen) -> bool:
-    """Whether hob and sink are in lines that neither meet in a corner nor face each other."""
+def _tell_split(kitchen: FittedKitchen) -> str:
+    """The fault of hob and sink in lines that do not meet in a corner: they face each other or do
+    not even that; empty where there is none."""
     cooking, washing = _line_of(kitchen, "hob_cabinet"), _line_of(kitchen, "sink_cabinet")
     if kitchen.corners or cooking is washing:
-        return False
+        return ""
     one, other = middle_of(cooking, "hob_cabinet"), middle_of(washing, "sink_cabinet")
     across = cooking.wall.ux * washing.wall.ux + cooking.wall.uy * washing.wall.uy < FACING
-    return not (across and hypot(one[0] - other[0], one[1] - other[1]) <= ACROSS)
+    near = hypot(one[0] - other[0], one[1] - other[1]) <= ACROSS
+    return "across" if across and near else "split"
 
 
 def _off_triangle(kitchen: FittedKitchen) -> float:

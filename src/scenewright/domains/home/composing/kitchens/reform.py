@@ -12,6 +12,8 @@ import numpy as np
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, Placed, RoomJudge, judge_of
 from scenewright.domains.home.composing.kitchens.fitted import (
+    BESIDE,
+    MORE,
     FreeWalls,
     list_bare_steps,
     list_steps,
@@ -19,7 +21,7 @@ from scenewright.domains.home.composing.kitchens.fitted import (
 from scenewright.domains.home.composing.kitchens.foreseen import foresee_cost
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.second_runs import price_of_spare, without_spare
-from scenewright.domains.home.composing.kitchens.sound import is_sound
+from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen, is_sound
 from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
 from scenewright.domains.home.composing.moving import dress_group
 from scenewright.domains.home.composing.trials import take_best
@@ -66,7 +68,7 @@ def _reform_beside(
     rule = task.preset.settings.composing
     for step in list_fitted(task, rest, run, barred):
         now = next(p for p in best.placed if p.wish.group in RUNS)
-        if is_sound(task, now) or task.cancelled():
+        if is_sound(task, now, best.placed) or task.cancelled():
             break
         price = price_of_spare(best.placed, rest, rule)
         best = take_best(task, best, step(best.cost - price), barred, price)
@@ -117,7 +119,8 @@ def list_fitted(
     whole = as_whole(run)
     judge = judge_of(task, (*rest, whole))
     steps = list_steps if whole.wish.group == "kitchen" else list_bare_steps
-    for kitchens in steps(FreeWalls(low, tall, task.ground.area)):
+    more = MORE if is_mere_kitchen(task) else BESIDE
+    for kitchens in steps(FreeWalls(low, tall, task.ground.area, more)):
         known: dict[FittedKitchen, bool] = {}
 
         def dress(fitted: FittedKitchen, known: dict[FittedKitchen, bool] = known) -> Dressed:

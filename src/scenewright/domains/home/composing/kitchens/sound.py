@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.composing.kitchen_faults import cost_of_fridge
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 
 COOKING = ("kitchen",)
@@ -16,10 +17,12 @@ def is_mere_kitchen(task: RoomTask) -> bool:
     return task.space.functions == COOKING
 
 
-def is_sound(task: RoomTask, run: FurnishedGroup) -> bool:
-    """Whether nothing is wrong with a kitchen; where there is more in its room, sink, hob and
-    fridge may be off a work triangle: another make-up would rather take them apart."""
+def is_sound(task: RoomTask, run: FurnishedGroup, placed: tuple[FurnishedGroup, ...]) -> bool:
+    """Whether nothing is wrong with a kitchen, nor with a fridge of its own among those ``placed``;
+    where there is more in its room, sink, hob and fridge may be off a work triangle: another
+    make-up would rather take them apart."""
     rule = task.preset.settings.composing
     if not is_mere_kitchen(task):
         rule = rule._replace(costs=rule.costs._replace(triangle=0.0))
-    return cost_of_group(run, task.ground, rule) <= SHORT * rule.costs.short_run
+    faults = cost_of_group(run, task.ground, rule) + cost_of_fridge(placed, task.ground, rule)
+    return faults <= SHORT * rule.costs.short_run
