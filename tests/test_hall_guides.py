@@ -168,3 +168,16 @@ def test_tills_away_from_the_way_out_or_on_the_way_in_are_at_fault() -> None:
         (2.0, np.array([-3.0, 0.0, 0.0, 0.0, 0.0])),
     ):
         assert measure_tills(started.problem, tills + change) > clear + fault
+
+
+def test_where_not_all_ropes_find_room_fewer_stand_before_their_desk() -> None:
+    demands = [{"category": "counter"}, {"category": "rope_barrier", "count": 6}]
+    solution = _solve(demands, (7, 5), 2)
+    (desk,) = (p for p in solution.pieces if p.category == "counter")
+    ropes = [p for p in solution.pieces if p.category == "rope_barrier"]
+    assert scenewright.check(solution).valid
+    assert 2 <= len(ropes) < 6
+    assert [out.what for out in solution.left_out] == [f"{6 - len(ropes)} of 6 rope barrier"]
+    front = np.array([math.cos(desk.pose.heading), math.sin(desk.pose.heading)])
+    ahead = [(np.array(p.pose[:2]) - desk.pose[:2]) @ front for p in ropes]
+    assert min(ahead) > 0.5 * desk.size.depth + 0.6

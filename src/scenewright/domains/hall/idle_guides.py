@@ -55,6 +55,16 @@ def report_idle(
     return tuple(found)
 
 
+def report_fewer(
+    hall: HallContext, wishes: list[HallDemand], before: Fitted, after: Fitted, unit: int
+) -> tuple[LeftOut, ...]:
+    """The ropes of a unit that found no room beside the others of it."""
+    wish = wishes[after.units[unit].demand]
+    gone = before.units[unit].last - after.units[unit].last
+    whole = f"{gone} of {len(wish.sizes)} {wish.name}"
+    return (LeftOut(hall.space.id, whole, STRAY, wish.required),) if gone else ()
+
+
 def drop_units(
     hall: HallContext,
     wishes: list[HallDemand],

@@ -33,12 +33,19 @@ from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import grow_table, with_chairs
 from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.energy import parts_of
+from scenewright.domains.hall.fewer_ropes import place_fewer
 from scenewright.domains.hall.filling import fill_halls, settle_counts
 from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
 from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
-from scenewright.domains.hall.idle_guides import drop_units, find_idle, report_idle
+from scenewright.domains.hall.idle_guides import (
+    STRAY,
+    drop_units,
+    find_idle,
+    report_fewer,
+    report_idle,
+)
 from scenewright.domains.hall.low_tables import keep_reached, low_tables
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage, split_carried
@@ -297,6 +304,11 @@ def _furnish_guided(
     idle = find_idle(fitted, best, laid.pieces) if may_retry(search) else {}
     if not idle:
         return laid
+    for unit in [unit for unit, why in idle.items() if why == STRAY]:
+        fewer = place_fewer(search, fitted, best, unit)
+        if fewer is not None:
+            missing = (*missing, *report_fewer(hall, wishes, fitted, fewer[0], unit))
+            (fitted, best), idle = fewer, {u: why for u, why in idle.items() if u != unit}
     missing = (*missing, *report_idle(hall, wishes, fitted, idle))
     fitted, best = drop_units(hall, wishes, fitted, best, idle, catalog)
     return furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
