@@ -93,3 +93,23 @@ def test_long_rows_before_a_stage_have_aisles(tmp_path: Path) -> None:
     scenewright.write(found, tmp_path / "saved.json")
     saved = scenewright.read_solution(tmp_path / "saved.json")
     assert saved.detail.layout.groups == found.detail.layout.groups
+
+
+def test_chairs_of_a_long_zone_look_at_the_screen_on_its_side() -> None:
+    room = {
+        "id": "f",
+        "name": "Trade fair",
+        "outline": [[0, 0], [22, 0], [22, 14], [0, 14]],
+        "doors": [{"id": "in", "at": [11, 0], "width": 3, "swing": "slide"}],
+        "zones": [{"id": "talks", "area": 90}, {"id": "stands"}],
+        "demands": [
+            {"category": "screen", "zone": "talks"},
+            {"category": "dining_chair", "count": 40, "zone": "talks"},
+            {"category": "exhibit_island", "count": 6, "size": [3, 3, 2.5], "zone": "stands"},
+            {"category": "rope_barrier", "count": 4},
+        ],
+    }
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    report = scenewright.check(scenewright.solve(brief, seed=0, threads=1))
+    assert report.valid
+    assert not any("look away" in note.message for note in report.notes)

@@ -20,7 +20,7 @@ from scenewright.domains.hall.terms.state import Kept
 VIEW, BEFORE = 0.6, 0.5
 """Metres a seat may lie beyond the side of its stage for each metre it lies before it, and the
 least it has to."""
-OFF_AXIS, TURNED, MOST, SIDE = 0.3, 2.0, 6.0, 2.0
+OFF_AXIS, TURNED, MOST, SIDE = 0.3, 6.0, 12.0, 2.0
 """What a metre of the middle of the seats off the axis counts, what seats that look away do, the
 most that counts, and what a metre by which the mean seat lies out of sight does."""
 PASSED, LONG = 0.5, 0.25
@@ -31,6 +31,8 @@ FAR, GAPS = (1.3, 2.0, 3.0), (1.1, 0.92, 0.57)
 ROWS, FEWEST, CLOSE, OFF_WALL = 24, 6, 0.05, 0.02
 """Rows at most, seats of an audience at least, and metres between neighbours in close rows
 and from the edge of the zone."""
+LOOSE = (0.25,)
+"""Metres between chairs of looser rows that are tried besides."""
 SHORT, UNEVEN = 6, 3
 """Seats of the longer of uneven rows at least, and how many numbers of such rows are tried."""
 
@@ -134,7 +136,8 @@ def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
     apart = float(problem.units.clear[first, ::2].sum()) + AT_WALL
     least = problem.route if problem.units.access[first].any() else 0.0
     gaps = sorted({round(gap, 1): gap for gap in (*GAPS, apart, across) if gap >= least}.values())
-    for used, gap, beside in product(_rows(number, room), gaps, sorted({along, min(along, CLOSE)})):
+    besides = sorted({along, min(along, CLOSE), *(gap for gap in LOOSE if gap < along - CLOSE)})
+    for used, gap, beside in product(_rows(number, room), gaps, besides):
         layers, rows = kept.layers.copy(), kept.rows.copy()
         for k in range(used):
             each = number // used + (1 if k >= used - number % used else 0)

@@ -16,7 +16,7 @@ from scenewright.domains.hall.solvers.start import copy_frames
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.engine.draws import streams
 
-WEIGHT, LEAST, LOOKED, WALKED = 6.0, 0.05, 24, 8
+WEIGHT, LEAST, LOOKED, WALKED = 6.0, 0.05, 24, 16
 """What a metre of fault costs beside the energy, metres not worth a change, how many proposals are
 held against the other touches at most, and how many are walked through."""
 ALIKE = 0.02
