@@ -43,12 +43,10 @@ class WallStretch(NamedTuple):
         """The boxes ``(n, 5)`` of a form that begins so many metres (n,) along the stretch."""
         return boxes_along(starts + form.width / 2, self.row, self.heading, form)
 
-    def slots_beside(self, starts: Floats, width: float) -> Floats:
-        """Metres ``(n,)`` that are too narrow for anything beside what is so wide and begins at
-        ``starts`` (n,)."""
-        gaps = np.column_stack([starts, self.length - width - starts])
-        slots = np.where((gaps > NARROWEST) & (gaps < WIDEST), gaps, 0.0)
-        return np.asarray(slots.sum(1))
+    def slots_beside(self, start: float, width: float) -> float:
+        """Metres that are too narrow for anything beside what is so wide and begins there."""
+        gaps = (start, self.length - width - start)
+        return sum(gap for gap in gaps if NARROWEST < gap < WIDEST)
 
 
 def list_taken(ground: Ground, standing: StandingObstacles, more: Floats, height: float) -> Floats:
@@ -83,13 +81,14 @@ def find_deeper(
         out, at = ((y - row[1]) * ux - (x - row[0]) * uy, (x - row[0]) * ux + (y - row[1]) * uy)
         behind = cos(turn - heading) > ALIKE and abs(out - deep / 2) < AT
         if behind and 0.0 <= at <= length:
-            seen = seen_from(taken, *row[:4])
+            seen = _list_seen(taken, row)
             for depth in depths:
-                low, high = _list_spans(seen, depth)
-                start = max(high[high <= at].max(initial=0.0), 0.0)
-                end = min(low[(low + high) / 2 > at].min(initial=length), length)
+                spans = _list_spans(seen, depth)
+                start = max((high for _, high in spans if high <= at), default=0.0)
+                end = min((low for low, high in spans if low + high > 2 * at), default=length)
+                start, end = max(start, 0.0), min(end, length)
                 there = (row[0] + ux * start, row[1] + uy * start, ux, uy)
-                yield WallStretch(there, turn, float(end - start), float(at - start))
+                yield WallStretch(there, turn, end - start, at - start)
             return
 
 
@@ -104,19 +103,27 @@ def list_stretches(
         if length < least:
             continue
         start = 0.0
-        low, high = _list_spans(seen_from(taken, *row[:4]), depth)
-        for a, b in sorted([*zip(low.tolist(), high.tolist(), strict=True), (length, length)]):
+        spans = _list_spans(_list_seen(taken, row), depth)
+        for a, b in sorted([*spans, (length, length)]):
             if min(a, length) - start >= least:
                 there = (x + ux * start, y + uy * start, ux, uy)
                 yield WallStretch(there, heading, min(a, length) - start, 0.0)
             start = max(start, b)
 
 
-def _list_spans(seen: tuple[Floats, ...], depth: float) -> tuple[Floats, Floats]:
-    """From where to where along a wall boxes, as ``seen`` from it, stand within so many metres."""
-    along, ahead, half, deep = seen
-    near = (ahead - deep < depth - INSIDE) & (ahead + deep > INSIDE)
-    return (along - half - APART)[near], (along + half + APART)[near]
+def _list_seen(taken: Floats, row: list[float]) -> list[tuple[float, float, float, float]]:
+    """Each of boxes (k, 5) as a wall sees it: from where to where along it and before it."""
+    along, ahead, half, deep = (part.tolist() for part in seen_from(taken, *row[:4]))
+    rows = zip(along, ahead, half, deep, strict=True)
+    return [(a - h - APART, a + h + APART, o - d, o + d) for a, o, h, d in rows]
+
+
+def _list_spans(
+    seen: list[tuple[float, float, float, float]], depth: float
+) -> list[tuple[float, float]]:
+    """From where to where along a wall something stands within so many metres of it."""
+    reach = depth - INSIDE
+    return [(low, high) for low, high, near, far in seen if near < reach and far > INSIDE]
 
 
 def measure_front(ground: Ground, box: Floats) -> float:

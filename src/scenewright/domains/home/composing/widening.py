@@ -80,8 +80,11 @@ def _is_larger(form: Group, case: Group) -> bool:
 def _list_boxes(stretch: WallStretch, form: Group) -> Floats:
     """The boxes (3, 5) of a form where it stands now and at both ends of its stretch, those with
     fewer slots beside them first, then the nearer."""
-    spare = stretch.length - form.width
-    starts = np.array([min(max(stretch.at - form.width / 2, 0.0), spare), 0.0, spare])
-    away = np.abs(starts + form.width / 2 - stretch.at)
-    order = np.lexsort([away, stretch.slots_beside(starts, form.width).round(2)])
-    return stretch.boxes_at(starts[order], form)
+    spare, half = stretch.length - form.width, form.width / 2
+
+    def rank(start: float) -> tuple[float, float]:
+        slots = stretch.slots_beside(start, form.width)
+        return round(slots, 2), abs(start + half - stretch.at)
+
+    here = min(max(stretch.at - half, 0.0), spare)
+    return stretch.boxes_at(np.array(sorted((here, 0.0, spare), key=rank)), form)
