@@ -121,7 +121,7 @@ def build_stairs(asked: StairsBrief, name: str, level: str, upper: str, height: 
             [x + cos(turn) * px - sin(turn) * py, y + sin(turn) * px + cos(turn) * py], -1
         )
 
-    def boxed(box: Box) -> Box:
+    def place_box(box: Box) -> Box:
         px, py = place(np.array(box[:2])).tolist()
         heading = box.heading if side > 0 else pi - box.heading
         return Box(px, py, _wrap_angle(heading + turn), *box[3:])
@@ -147,8 +147,8 @@ def build_stairs(asked: StairsBrief, name: str, level: str, upper: str, height: 
         going,
         tuple(tread(k, outline) for k, outline in enumerate(flight.treads)),
         place(np.array(flight.walk)),
-        tuple(boxed(box) for box in flight.boxes),
-        tuple(boxed(box) for box in _list_open_boxes(flight, min(closed, flight.first))),
+        tuple(place_box(box) for box in flight.boxes),
+        tuple(place_box(box) for box in _list_open_boxes(flight, min(closed, flight.first))),
         End(x, y, _wrap_angle(asked.heading + pi), w),
         End(hx, hy, _wrap_angle(heading + turn), w),
     )

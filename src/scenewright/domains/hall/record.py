@@ -127,8 +127,8 @@ def lock_halls(solution: Solution) -> Brief:
     """The brief to solve again: locked pieces are fixed items, and zones lie where they lay."""
     brief = locked_rooms(solution)
     ids = room_ids(brief)
-    zoned = _make_zone_filler(solution)
-    return brief.model_copy(update={"rooms": [*map(zoned, brief.rooms, ids)]})
+    restore_zones = _make_zone_filler(solution)
+    return brief.model_copy(update={"rooms": [*map(restore_zones, brief.rooms, ids)]})
 
 
 def graph_document(graph: HallLayout) -> dict[str, Any]:
@@ -200,7 +200,7 @@ def _make_zone_filler(solution: Solution) -> Callable[[Room, str], Room]:
     zones = () if solution.detail is None else solution.detail.layout.zones
     outlines = {(zone.space, zone.id): zone.outline.tolist() for zone in zones}
 
-    def zoned(room: Room, space: str) -> Room:
+    def restore_zones(room: Room, space: str) -> Room:
         drawn = [
             zone
             if (zone.outline is not None and not zone.slack) or (space, zone.id) not in outlines
@@ -209,4 +209,4 @@ def _make_zone_filler(solution: Solution) -> Callable[[Room, str], Room]:
         ]
         return room.model_copy(update={"zones": drawn})
 
-    return zoned
+    return restore_zones

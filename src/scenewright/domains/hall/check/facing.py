@@ -35,7 +35,7 @@ def note_seats_turned_away(
             seats, stages = _rows(bodies, space.id, name), _rows(bodies, space.id, shown)
             if demand.category not in (*SEATS, *CHAIRS) or not shown or not len(stages):
                 continue
-            away = int((_turned(bodies, seats, stages) > TURNED).sum())
+            away = int((_measure_turns(bodies, seats, stages) > TURNED).sum())
             if away > SHARE * len(seats):
                 what, where = name_of(demand.category), bodies.pieces[stages[0]].category
                 text = f"{space.id}: {away} of {len(seats)} seats ({what}) look away from the "
@@ -49,7 +49,7 @@ def _rows(bodies: Bodies, space: str, function: str) -> Indices:
     return np.array(rows if function else [], np.int64)
 
 
-def _turned(bodies: Bodies, seats: Indices, stages: Indices) -> NDArray[np.float64]:
+def _measure_turns(bodies: Bodies, seats: Indices, stages: Indices) -> NDArray[np.float64]:
     """Degrees between where each seat looks and the nearest of what it is to look at (n,)."""
     whole = shapely.union_all(bodies.footprints[stages])
     poses = np.array([bodies.pieces[k].pose for k in seats], float).reshape(-1, 4)

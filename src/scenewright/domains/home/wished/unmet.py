@@ -49,7 +49,7 @@ def count_unmet_wishes(
 
 def is_met(wish: WishBrief, space: Space, pieces: Sequence[Piece]) -> bool:
     """Whether what is wished for stands in a room among its ``pieces``, and where it is to."""
-    mine = _named(pieces, wish.what)
+    mine = _select_pieces(pieces, wish.what)
     boxes, others = boxes_of(mine), [p for p in pieces if p not in mine]
     return (
         bool(mine)
@@ -60,7 +60,7 @@ def is_met(wish: WishBrief, space: Space, pieces: Sequence[Piece]) -> bool:
     )
 
 
-def _named(pieces: Sequence[Piece], name: str) -> list[Piece]:
+def _select_pieces(pieces: Sequence[Piece], name: str) -> list[Piece]:
     """The pieces of a group or kind."""
     return [p for p in pieces if name in (p.category, p.function)]
 
@@ -82,7 +82,7 @@ def _gap(boxes: Floats, name: str, space: Space, others: Sequence[Piece]) -> flo
     """The distance from boxes (n, 5) to what a name means; infinite if there is none."""
     if name in OPENINGS:
         return distance_to_segments(boxes, spots_of((name,), space, ()))
-    return distance_between(boxes, boxes_of(_named(others, name)))
+    return distance_between(boxes, boxes_of(_select_pieces(others, name)))
 
 
 def _keeps_away(wish: WishBrief, boxes: Floats, space: Space, others: Sequence[Piece]) -> bool:
@@ -99,7 +99,7 @@ def _faces(wish: WishBrief, mine: Sequence[Piece], space: Space, others: Sequenc
     if name in OPENINGS:
         there = spots_of((name,), space, ())
     else:
-        there = sides_of(boxes_of(_named(others, name)))
+        there = sides_of(boxes_of(_select_pieces(others, name)))
     look = largest.pose.heading + (np.pi if largest.category in BACKWARD else 0.0)
     eye = np.array([largest.pose.x, largest.pose.y])
     return len(there) > 0 and sees_any(eye, look, SIGHT, there)

@@ -38,7 +38,7 @@ FreeRegions = dict[tuple[bytes, float], tuple[shapely.Geometry, int]]
 many of those that stand were cut out of it."""
 
 
-class Standing(NamedTuple):
+class StandingBuilding(NamedTuple):
     """A building that stands: its polygon in the plan, and its height."""
 
     shape: shapely.Polygon
@@ -88,7 +88,9 @@ def _set_all(
     made, outlines = problem.buildings, problem.buildings.outlines()
     boxes, present = start.boxes.copy(), start.present.copy()
     forms = list(start.forms or ("",) * len(present))
-    standing = [_standing(outlines[i], boxes[i], made.sizes[i, 2]) for i in np.flatnonzero(present)]
+    standing = [
+        _make_standing(outlines[i], boxes[i], made.sizes[i, 2]) for i in np.flatnonzero(present)
+    ]
     for block in blocks_of(problem):
         free: FreeRegions = {}
         for i in order:
@@ -100,12 +102,12 @@ def _set_all(
             box = _best_place(problem, block, outlines[i], made.sizes[i], standing, corner, free)
             if box is not None:
                 boxes[i], present[i], forms[i] = box, True, ""
-                standing.append(_standing(outlines[i], boxes[i], made.sizes[i, 2]))
+                standing.append(_make_standing(outlines[i], boxes[i], made.sizes[i, 2]))
     return start._replace(boxes=boxes, present=present, forms=tuple(forms), score={})
 
 
-def _standing(outline: Floats, box: Floats, height: float) -> Standing:
-    return Standing(shapely.Polygon(place_outline(outline, *box[:3])), float(height))
+def _make_standing(outline: Floats, box: Floats, height: float) -> StandingBuilding:
+    return StandingBuilding(shapely.Polygon(place_outline(outline, *box[:3])), float(height))
 
 
 def _best_place(
@@ -113,7 +115,7 @@ def _best_place(
     block: shapely.Polygon,
     outline: Floats,
     size: Floats,
-    standing: Sequence[Standing],
+    standing: Sequence[StandingBuilding],
     corner: int,
     free: FreeRegions,
 ) -> Floats | None:
@@ -265,7 +267,7 @@ def _is_convex(shape: shapely.Polygon) -> bool:
 
 
 def keep_away(
-    problem: SiteProblem, standing: Sequence[Standing], height: float
+    problem: SiteProblem, standing: Sequence[StandingBuilding], height: float
 ) -> list[shapely.Polygon]:
     """What a building so high must stay off: the spacing, or a way, around what stands; behind it
     so many of its heights as are asked for the sun, and as many of the building's before it."""
