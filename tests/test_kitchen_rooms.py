@@ -98,8 +98,10 @@ def test_both_arms_of_a_corner_are_reached_though_the_corner_has_no_floor_of_its
     assert sum(is_walked(ways, k, {}) for k in whole if len(k.lines) == 2) > len(whole) / 4
 
 
-def test_a_layout_that_tells_one_line_of_a_kitchen_gets_a_whole_one():
-    home = solve(kitchen("kitchen"), seed=0, threads=1)
+@pytest.mark.parametrize("side", [2.2, 3.0])
+def test_a_layout_that_tells_one_line_of_a_kitchen_gets_a_whole_one(side):
+    """Also in a room so small that no straight run stands free of its door."""
+    home = solve(kitchen("kitchen", wide=side, deep=side), seed=0, threads=1)
     (patch,) = home.patches
     for wide in (patch.box[3], 0.9):
         row = NamedBox("kitchen", (*patch.box[:3], wide, 0.6))

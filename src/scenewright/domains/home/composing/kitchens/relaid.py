@@ -16,15 +16,15 @@ KITCHEN = "kitchen"
 
 
 def refit_kitchen(task: RoomTask, answer: RoomAnswer, rows: Sequence[NamedBox]) -> RoomAnswer:
-    """The answer with the kitchen whose patch is shorter than any run made to measure, its hob as
-    near to that patch as can be; as it was where no such kitchen stands free."""
+    """The answer with the kitchen whose patch holds no run, or is shorter than any, made to
+    measure, its hob as near to that patch as can be; as it was where none stands free."""
     row = next((row for row in rows if row.name == KITCHEN), None)
     known = cases(KITCHEN, task.library)
-    if row is None or row.box[3] >= min(case.width for case in known.groups):
+    lost = [m for m in answer.missing if m.wish.group == KITCHEN]
+    if row is None or (row.box[3] >= min(case.width for case in known.groups) and not lost):
         return answer
     placed = find_run(answer.placed)
     rest = tuple(p for p in answer.placed if p not in placed)
-    lost = [m for m in answer.missing if m.wish.group == KITCHEN]
     wish = next(iter([*(p.wish for p in placed), *(m.wish for m in lost)]), None)
     if wish is None:
         return answer
