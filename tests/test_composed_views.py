@@ -112,6 +112,8 @@ def test_a_screen_that_the_sofa_does_not_look_at_is_unseen(x, y, unseen):
     seats = _group("seating", piece("loveseat", 0.0, 0.0, 1.2, 0.8))
     assert is_unseen((seats, _group("media", screen))) == unseen
     assert not is_unseen((_group("media", screen),))
+    table = _group("dining", piece("dining_table", x / 2, y / 2, 1.2, 0.8))
+    assert is_unseen((seats, _group("media", screen), table))
 
 
 ASIDE = {

@@ -26,6 +26,9 @@ most that counts."""
 SIGHT, FILLED = 0.8, 0.6
 """Width of the sight from a sofa to a screen, metres, and the square metres that fill it."""
 
+HIDDEN = 0.3
+"""So many square metres of what stands in the sight hide a screen."""
+
 SEEN_PAST = frozenset(("seating", "media", "kitchen", "kitchenette", "counter", "fridge"))
 """Groups that do not stand between seats and screen: themselves, and a kitchen, which keeps to its
 walls."""
@@ -52,11 +55,13 @@ def cost_of_view(groups: Sequence[FurnishedGroup], costs: CompositionCosts) -> f
 
 
 def is_unseen(groups: Sequence[FurnishedGroup]) -> bool:
-    """Whether there is a screen that no sofa of the room looks at."""
+    """Whether there is a screen that no sofa of the room looks at, or only past a table or the
+    like."""
     screen, sofas = _find_pair(groups)
     if screen is None or not sofas:
         return False
-    return min(measure_turn(sofa.pose, screen.pose) for sofa in sofas) > ASIDE
+    behind = sum(_fill_sight(sofas[0], screen, groups).values()) > HIDDEN
+    return behind or min(measure_turn(sofa.pose, screen.pose) for sofa in sofas) > ASIDE
 
 
 def list_between(groups: Sequence[FurnishedGroup]) -> frozenset[str]:
