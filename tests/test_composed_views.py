@@ -16,12 +16,16 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.fronts import measure_share
+from scenewright.domains.home.composing.modest import find_shortage
 from scenewright.domains.home.composing.placed_faults import cost_of_crowding
 from scenewright.domains.home.composing.views import is_unseen, measure_turn
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.groups.dining import dining_wall, tables_with_stools
+from scenewright.domains.home.groups.living import shelf
 from scenewright.domains.home.groups.sleeping import narrow_sides
+from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import solve
 
@@ -148,3 +152,16 @@ def test_a_sofa_at_the_chairs_of_a_table_crowds_it():
 
     assert cost(1.0, "sofa") > cost(1.15, "sofa") > 5.0
     assert cost(1.3, "sofa") == cost(1.0, "tv_stand") == 0.0
+
+
+def test_a_table_short_of_places_costs_twice_what_a_narrow_shelf_does():
+    rule = PRESETS["default"].settings.composing
+    two = next(case for case in dining_wall() if count_chairs(case) == 2)
+    small = next(shelf())
+    assert find_shortage(two, 13.0) == pytest.approx(0.5, abs=1e-3)
+    assert cost_of_case(two, 13.0, rule) == pytest.approx(10.0, abs=0.1)
+    assert cost_of_case(small, 13.0, rule) == pytest.approx(5.0, abs=0.1)
+
+
+def count_chairs(case: Group) -> int:
+    return sum(member.category == "dining_chair" for member in case.members)

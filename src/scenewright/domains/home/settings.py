@@ -91,9 +91,9 @@ class CompositionCosts(NamedTuple):
     the wall (``hung``), a table with one chair (``lone``), for fewer than four (``few_places``) in
     a kitchen one may eat in, or with ``stools``, outdoor chairs side by side (``abreast``), a table
     ``crowded`` by seats, something before the ``doors`` of a wardrobe, before a window or a wide
-    door, a group small for its room (``modest``); a unit by which the furnished share of a floor is
-    off what was learned (``share``), and by which the free floor beside a group falls short of it
-    (``floor``)."""
+    door, a group small for its room (``modest``), a table by its ``places``; a unit by which the
+    furnished share of a floor is off what was learned (``share``), and by which the free floor
+    beside a group falls short of it (``floor``)."""
 
     worktop: float = 24.0
     hob_at_sink: float = 22.0
@@ -132,6 +132,7 @@ class CompositionCosts(NamedTuple):
     opening: float = 10.0
     short_run: float = 20.0
     modest: float = 10.0
+    places: float = 20.0
     share: float = 300.0
     floor: float = 20.0
 

@@ -14,7 +14,7 @@ from itertools import islice
 from math import hypot, inf
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
-from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.forms import TABLES, list_forms
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
     Placed,
@@ -35,7 +35,6 @@ from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
 from scenewright.domains.home.composing.trials import take_best, try_forms
 
-TABLES = ("dining", "dining_wall")
 MANY = 12
 """Forms and places in which a table is tried beside a run, or beside seats and screen."""
 Judges = Callable[[int], RoomJudge]

@@ -24,6 +24,8 @@ from scenewright.domains.home.settings import ComposingSettings
 
 RUNS = frozenset(("kitchen", "kitchenette"))
 """Groups one cooks at."""
+TABLES = frozenset(("dining", "dining_wall"))
+"""Groups one eats at."""
 FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
     "dining_wall": further_tables,
     "kitchenette": long_kitchenettes,
@@ -83,8 +85,14 @@ def cost_of_case(case: Group, area: float, rule: ComposingSettings) -> float:
         * (degree if name in GRADED else (1.0 + degree) / 2)
         for name, degree in find_case_faults(case)
     )
-    short = rule.costs.short_run if case.function in RUNS else rule.costs.modest
-    return faults + short * find_shortage(case, area)
+    return faults + _cost_of_size(case.function, rule) * find_shortage(case, area)
+
+
+def _cost_of_size(function: str, rule: ComposingSettings) -> float:
+    """What it costs that a group is small for its room."""
+    if function in RUNS:
+        return rule.costs.short_run
+    return rule.costs.places if function in TABLES else rule.costs.modest
 
 
 def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:

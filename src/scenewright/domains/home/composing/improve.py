@@ -12,14 +12,14 @@ from collections.abc import Iterator
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.adding import add_groups
-from scenewright.domains.home.composing.anew import TABLES, compose_anew
+from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.axis import slide_to_axis
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
 from scenewright.domains.home.composing.beds import move_double_bed, restore_double_bed
 from scenewright.domains.home.composing.clothes import hang_in_closet, list_hung
 from scenewright.domains.home.composing.coats import move_coats
-from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.forms import TABLES, list_forms
 from scenewright.domains.home.composing.freeing import free_ways
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.habitual import keep_habits

@@ -13,7 +13,7 @@ from scenewright.core.catalog import Group
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.composing.forms import cost_of_case
+from scenewright.domains.home.composing.forms import TABLES, cost_of_case
 from scenewright.domains.home.furnishing.enlarge import SOFAS, find_widest_screen
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.settings import ComposingSettings
@@ -219,7 +219,7 @@ def cost_of_crowding(groups: Sequence[FurnishedGroup], cost: float) -> float:
     seats = [p for g in groups for p in g.pieces if p.category in _SEATS]
     total = 0.0
     for group in groups if seats else ():
-        if group.wish.group in ("dining", "dining_wall"):
+        if group.wish.group in TABLES:
             x, y, heading, width, depth = group.dressed.box.tolist()
             wide, deep = width + 2 * BESIDE_TABLE, depth + 2 * BESIDE_TABLE
             far, frame = hypot(wide, deep) / 2, make_frame(x, y, heading, wide, deep)
