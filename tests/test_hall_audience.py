@@ -39,7 +39,7 @@ CONFERENCE = Brief.model_validate(
 )
 
 
-@pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.parametrize("seed", [2, 5])
 def test_a_large_audience_sits_before_its_stage(seed: int) -> None:
     found = scenewright.solve(CONFERENCE, seed=seed, threads=1)
     stage = next(piece for piece in found.pieces if piece.category == "stage")
