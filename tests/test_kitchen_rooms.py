@@ -168,6 +168,19 @@ def test_arms_round_a_corner_hold_sinks_as_wide_as_they_are():
     assert all(dict(u)["sink_cabinet"] >= 0.6 for u in bare if sum(w for _, w in u) >= 0.6)
 
 
+def test_beyond_the_worktop_between_hob_and_sink_a_long_arm_goes_on_behind_the_sink():
+    task = task_of(kitchen(wide=5.3, deep=2.2))
+    low = list_stretches(task.ground, NOTHING, 0.6, 0.9, 0.45)
+    lines = [x.units for k in list_round_corners(low, 3.3, False) for x in k.lines]
+    arms = [u for u in lines if {"hob_cabinet", "sink_cabinet"} <= {name for name, _ in u}]
+    assert max(sum(wide for _, wide in units) for units in arms) > 3.0
+    for units in arms:
+        names = [name for name, _ in units]
+        ends = sorted((names.index("hob_cabinet"), names.index("sink_cabinet")))
+        assert sum(wide for _, wide in units[ends[0] + 1 : ends[1]]) < 0.9 + 0.6
+        assert all(wide > 0.25 for _, wide in units)
+
+
 def test_a_table_for_one_costs_in_a_kitchen_one_may_eat_in():
     table = (Stood("dining_wall", "dining_chair", 0.3, 0.5),)
     small, large = (task_of(kitchen(wide=w)).ground for w in (2.0, 3.6))

@@ -36,6 +36,9 @@ LONG = 1.2
 """Metres by which an arm is longer than the least that is tried in a length between as well."""
 WIDE_SINK = 0.9
 """A sink with its drainer is narrower than so many metres."""
+WORKED = 0.9
+"""Metres of worktop between hob and sink (NKBA, Planning Guidelines, 2012, 12): what more there is,
+if it is a unit, lies beyond the sink."""
 HAIR = 1e-6
 Units = tuple[Unit, ...]
 
@@ -94,7 +97,9 @@ def _units_of_arm(holds: str, length: float) -> Units:
     rest: list[Unit] = fill(min(AMPLY_BEYOND, length - wide))
     if holds == "hs":
         sink = next((w for w in (0.8, 0.6) if length - wide >= w + BETWEEN), SMALL_SINK)
-        rest = [*fill(length - wide - sink), ("sink_cabinet", sink)]
+        top = length - wide - sink
+        between = WORKED if top >= WORKED + BETWEEN else top
+        rest = [*fill(between), ("sink_cabinet", sink), *fill(top - between)]
     before = fill(length - wide - width_of(rest))
     return (*before, ("hob_cabinet", wide), *rest)
 

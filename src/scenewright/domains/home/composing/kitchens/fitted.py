@@ -35,7 +35,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
 )
 from scenewright.domains.home.groups.kitchen import FRIDGE, LOW_FRIDGE, Unit, fill
 
-MORE = 1.0  # metres of front that a kitchen has beyond what its room asks for, at most
+MORE = 3.0  # metres of front that a mere kitchen has beyond what its room asks for, at most
 BESIDE = 0.4  # the same where people live in the room as well
 LEAST_RUN = 3.0  # metres of front with its fridge that a run in any room may have
 LEAST = {"hs": 1.7, "h": 0.95, "s": 0.45, "": 0.6}
