@@ -15,7 +15,7 @@ from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.hall_tables import furnish_hall
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.wall_stretch import measure_front
-from scenewright.domains.home.composing.wet_rooms import fill_wet_room
+from scenewright.domains.home.composing.wet_rooms import can_stand_before, fill_wet_room
 from scenewright.domains.home.composing.widening import widen_groups
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.presets import PRESETS
@@ -78,6 +78,16 @@ def test_a_cabinet_fills_the_niche_beside_a_bath():
     bath = stood(task, "bath", "1.6 m bath", 0.8)
     cabinet = stood(task, "linen", "bathroom cabinet", 2.0)
     assert width_of(run(fill_wet_room, task, bath, cabinet), "linen") == pytest.approx(0.8)
+
+
+@pytest.mark.parametrize(
+    ("niche", "deep", "free"), [(0.7, 0.35, True), (0.45, 0.35, False), (0.45, 0.61, True)]
+)
+def test_one_cannot_stand_before_a_shallow_cabinet_in_a_narrow_niche(niche, deep, free):
+    task = task_of("bathroom", 1.6 + niche)
+    bath = stood(task, "bath", "1.6 m bath", 0.8)
+    box = np.array([1.6 + niche / 2, 2.2 - deep / 2, -np.pi / 2, niche, deep])
+    assert can_stand_before(task.ground, box, standing_of(bath.pieces, frozenset())) == free
 
 
 def test_rooms_that_are_more_than_a_bathroom_stay_as_they_are():

@@ -57,9 +57,12 @@ def list_taken(ground: Ground, standing: StandingObstacles, more: Floats, height
     return np.concatenate([standing.boxes[met], more, ground.keep_free, low])
 
 
-def find_stretch(ground: Ground, box: Floats, depth: float, taken: Floats) -> WallStretch | None:
+def find_stretch(
+    ground: Ground, box: Floats, depth: float, taken: Floats, beyond: float = INSIDE
+) -> WallStretch | None:
     """The stretch of the wall behind a box (5,) on which nothing ``taken`` (k, 5) stands within so
-    many metres of the wall; None for what stands at no wall.
+    many metres of the wall, what ends before ``beyond`` metres of it apart; None for what stands at
+    no wall.
 
     >>> class Room: walls = np.array([[0.0, 0.0, 4.0, 0.0]])
     >>> box, other = np.array([1.0, 0.2, np.pi / 2, 0.5, 0.4]), np.array([[2.0, 0.3, 0, 0.6, 1.0]])
@@ -67,11 +70,11 @@ def find_stretch(ground: Ground, box: Floats, depth: float, taken: Floats) -> Wa
     >>> round(stretch.length, 3), stretch.at
     (1.499, 1.0)
     """
-    return next(find_deeper(ground, box, (depth,), taken), None)
+    return next(find_deeper(ground, box, (depth,), taken, beyond), None)
 
 
 def find_deeper(
-    ground: Ground, box: Floats, depths: Iterable[float], taken: Floats
+    ground: Ground, box: Floats, depths: Iterable[float], taken: Floats, beyond: float = INSIDE
 ) -> Iterator[WallStretch]:
     """The stretches of :func:`find_stretch` for several depths in turn."""
     walls = read_walls(ground)
@@ -83,7 +86,7 @@ def find_deeper(
         if behind and 0.0 <= at <= length:
             seen = _list_seen(taken, row)
             for depth in depths:
-                spans = _list_spans(seen, depth)
+                spans = _list_spans(seen, depth, beyond)
                 start = max((high for _, high in spans if high <= at), default=0.0)
                 end = min((low for low, high in spans if low + high > 2 * at), default=length)
                 start, end = max(start, 0.0), min(end, length)
@@ -119,11 +122,12 @@ def _list_seen(taken: Floats, row: list[float]) -> list[tuple[float, float, floa
 
 
 def _list_spans(
-    seen: list[tuple[float, float, float, float]], depth: float
+    seen: list[tuple[float, float, float, float]], depth: float, beyond: float = INSIDE
 ) -> list[tuple[float, float]]:
-    """From where to where along a wall something stands within so many metres of it."""
+    """From where to where along a wall something stands within so many metres of it that ends
+    ``beyond`` so many."""
     reach = depth - INSIDE
-    return [(low, high) for low, high, near, far in seen if near < reach and far > INSIDE]
+    return [(low, high) for low, high, near, far in seen if near < reach and far > beyond]
 
 
 def measure_front(ground: Ground, box: Floats) -> float:

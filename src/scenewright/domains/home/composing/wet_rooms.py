@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import cache
+from itertools import groupby
 from math import hypot
 from typing import NamedTuple
 
@@ -37,6 +38,7 @@ from scenewright.domains.home.groups.bath import (
     fitted_closets,
     fitted_machines,
 )
+from scenewright.domains.home.problem import Ground
 
 Floats = NDArray[np.float64]
 
@@ -56,11 +58,13 @@ MOVED = {
     "wardrobe": Movable(fitted_closets, 0.5),
     "basket": Movable(basket, 0.0),
 }
-"""By group, in the order in which they are moved."""
+"""By group, in the order in which they are moved; a machine once more when all others stand."""
 NEAR = 0.06  # a side nearer than this to a wall or a neighbour touches it, metres
 TOUCHING = 0.15  # what a side that touches something is worth
 SLOT = 0.5  # what a metre of slots beside it costs
 FRONT = 0.5  # free before what is used from its front, metres
+PAST, STAND = 0.2, 0.55  # what ends no farther past its front is no bar; one stands so wide, metres
+HUNG = 1.0  # what hangs higher is no bar, metres
 BETTER = 0.05  # by how much a place is better at least
 
 
@@ -77,7 +81,7 @@ def fill_wet_room(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) ->
     niches, where that bars no way."""
     if not ROOMS.intersection(task.space.functions):
         return answer
-    for name in MOVED:
+    for name in (*MOVED, "washer"):
         for group in answer.placed:
             fits = group.wish.group == name and len(group.pieces) == 1
             if fits and group.wish.most is None and not task.cancelled():
@@ -90,9 +94,10 @@ def fill_wet_room(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) ->
 
 
 @cache
-def _list_forms(name: str) -> tuple[Group, ...]:
-    """The forms of a group, the widest first."""
-    return tuple(sorted(MOVED[name].forms(), key=lambda form: -form.width))
+def _list_forms(name: str) -> tuple[tuple[Group, ...], ...]:
+    """The forms of a group by their depth, the shallowest first, of each the widest first."""
+    forms = sorted(MOVED[name].forms(), key=lambda form: (form.depth, -form.width))
+    return tuple(tuple(alike) for _, alike in groupby(forms, key=lambda form: form.depth))
 
 
 def _list_niches(
@@ -100,24 +105,34 @@ def _list_niches(
 ) -> Iterator[tuple[Group, Floats]]:
     """Where a group is worth more than where it stands, on free floor, the best first."""
     name, (x, y, _, width, depth) = group.wish.group, group.dressed.box.tolist()
-    forms, here = _list_forms(name), find_stretch(task.ground, group.dressed.box, depth, taken)
+    here = find_stretch(task.ground, group.dressed.box, depth, taken)
     now = 0.0
     if here is not None:
         now = float(_measure_worth(name, here, np.array([here.at - width / 2]), width)[0])
     found: list[Niche] = []
-    for stretch in list_stretches(task.ground, forms[-1].depth, taken, forms[-1].width):
-        form = next(form for form in forms if form.width <= stretch.length)
-        starts = np.array([0.0, stretch.length - form.width])
-        worth = _measure_worth(name, stretch, starts, form.width)
-        if worth.max() > now + BETTER:
-            boxes = stretch.boxes_at(starts, form)
-            found += [Niche(form, b, w) for b, w in zip(boxes, worth.tolist(), strict=True)]
+    for forms in _list_forms(name):
+        for stretch in list_stretches(task.ground, forms[-1].depth, taken, forms[-1].width):
+            form = next(form for form in forms if form.width <= stretch.length)
+            starts = np.array([0.0, stretch.length - form.width])
+            worth = _measure_worth(name, stretch, starts, form.width)
+            if worth.max() > now + BETTER:
+                boxes = stretch.boxes_at(starts, form)
+                found += [Niche(form, b, w) for b, w in zip(boxes, worth.tolist(), strict=True)]
     found = [niche for niche in found if niche.worth > now + BETTER]
     found.sort(key=lambda n: (-round(n.worth, 2), hypot(n.box[0] - x, n.box[1] - y)))
     for niche in found:
-        reached = measure_front(task.ground, niche.box) >= FRONT
-        if reached and len(stand_at(task, niche.form, niche.box[None], standing)):
+        free = len(stand_at(task, niche.form, niche.box[None], standing))
+        if free and can_stand_before(task.ground, niche.box, standing):
             yield niche.form, niche.box
+
+
+def can_stand_before(ground: Ground, box: Floats, standing: StandingObstacles) -> bool:
+    """Whether one can stand before a box (5,): no wall is near, and what stands beside it does not
+    end far beyond its front."""
+    depth, low = float(box[4]), standing.spans[:, 0] < HUNG
+    before = find_stretch(ground, box, depth + FRONT, standing.boxes[low], depth + PAST)
+    wide = before is not None and before.length >= STAND
+    return wide and measure_front(ground, box) >= FRONT
 
 
 def _measure_worth(name: str, stretch: WallStretch, starts: Floats, width: float) -> Floats:

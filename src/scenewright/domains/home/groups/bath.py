@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
@@ -106,11 +107,12 @@ def linen() -> Iterator[Group]:
 
 
 def fitted_cabinets() -> Iterator[Group]:
-    """Tall bathroom cabinets as wide as what is left of a wall, 0.4 to 0.9 m."""
-    for width in range(8, 19):
-        size = Size(width / 20, 0.34, 1.7)
-        piece = Member("bathroom_cabinet", 0, 0, 0, 0, size)
-        yield Group("linen", f"{width / 20:.2f} m bathroom cabinet", width / 20, 0.35, (piece,))
+    """Tall bathroom cabinets as wide as what is left of a wall, 0.4 to 0.9 m, and deep ones
+    that end nearly where a bath beside them does."""
+    for deep, width in product((0.34, 0.6), range(8, 19)):
+        wide = width / 20
+        piece = Member("bathroom_cabinet", 0, 0, 0, 0, Size(wide, deep, 1.7))
+        yield Group("linen", f"{wide:.2f} m bathroom cabinet", wide, deep + 0.01, (piece,))
 
 
 def fitted_closets() -> Iterator[Group]:
