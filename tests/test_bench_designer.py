@@ -117,14 +117,17 @@ def test_limits() -> None:
 @pytest.mark.usefixtures("real_data")
 def test_a_home() -> None:
     """Every room with groups is judged; all groups asked for stand, none with more faults than
-    before, and by the energy ours is nearly always at least as good."""
+    before; by the energy, which is not what rooms are composed by alone, the whole home is far
+    better and no room much worse."""
     found = list(homes(1))
     pairs = [pair for home in found for pair in home.rooms]
     assert len(pairs) == 6  # the toilet is built in
     assert not any(pair.left_out for pair in pairs)
     assert all(pair.ours.faults <= pair.designer.faults for pair in pairs)
-    better = [sum(p.our_terms.values()) <= sum(p.designer_terms.values()) + NEAR for p in pairs]
-    assert sum(better) >= 5
+    ours = [sum(pair.our_terms.values()) for pair in pairs]
+    theirs = [sum(pair.designer_terms.values()) for pair in pairs]
+    assert sum(ours) < 0.7 * sum(theirs)
+    assert all(our <= 1.5 * their + NEAR for our, their in zip(ours, theirs, strict=True))
     assert len(values(GUIDELINES[1], pairs)) == 6
     told = "\n".join(lines(pairs))
     assert all(f"| {row.name}: " in told for row in GUIDELINES)

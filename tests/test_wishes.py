@@ -196,7 +196,7 @@ def test_places_are_measured(wish: dict[str, Any], fulfilled: bool) -> None:
     ("function", "wish"),
     [
         ("living", {"what": "sideboard", "by": "door"}),
-        ("living", {"what": "dining", "by": "wall"}),
+        ("living", {"what": "dining", "by": "window"}),
         ("single_bedroom", {"what": "desk", "face": "window"}),
         ("double_bedroom", {"what": "double_bed", "face": "window"}),
         ("living", {"what": "tv", "away_from": "window", "metres": 3.0}),

@@ -23,7 +23,7 @@ def measure_flank_gaps(boxes: Floats, walls: Floats) -> Floats:
     >>> walls = np.array([[0.0, 0.0, 4.0, 0.0], [4.0, 0.0, 4.0, 4.0]])
     >>> box = np.array([[3.5, 1.2, np.pi / 2, 0.9, 2.0]])
     >>> measure_flank_gaps(box, walls).round(2).tolist()
-    [[1.8, 0.05]]
+    [[0.95, 0.05]]
     """
     gaps = np.empty((len(boxes), 2))
     fill_flank_gaps(np.ascontiguousarray(boxes), np.ascontiguousarray(walls), gaps)

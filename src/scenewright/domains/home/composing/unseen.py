@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scenewright.building.room_needs import ESSENTIALS
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
     Missing,
@@ -9,19 +10,28 @@ from scenewright.domains.home.attempt import (
     RoomTask,
     find_blocked,
 )
+from scenewright.domains.home.composing.amid_walls import list_amid_walls
 from scenewright.domains.home.composing.case_faults import is_hung
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.moving import dress_group, with_margin
 from scenewright.domains.home.composing.views import is_unseen
+from scenewright.domains.home.composing.widths import BOOKS
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.living import low_board
+from scenewright.domains.home.programme import WELCOME, Wish
+from scenewright.domains.home.shortfall import kinds_serving
 
+FOCAL = "screen or focal point"
+"""What kinds that a living room may be furnished towards are essential for."""
+BEFORE = 0.6
+"""Metres left free before books."""
 REASON = "no place for it is seen from the sofa"
 
 
 def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     """The answer without a screen that no sofa looks at, unless somebody asked for it; where it was
-    on a stand, a low cabinet takes the same floor."""
+    on a stand, a low cabinet takes the same floor. Where the room would keep nothing to look at,
+    books stand at a wall; where they find no place, the screen stays."""
     media = next((p for p in answer.placed if p.wish.group == "media"), None)
     if media is None or media.wish.required or "media" in task.library.own:
         return answer
@@ -29,8 +39,32 @@ def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         return answer
     rest = tuple(p for p in answer.placed if p is not media)
     board = () if is_hung(media.dressed.case) else _put_board(task, rest, media)
-    missing = (*answer.missing, Missing(media.wish, REASON))
-    return answer._replace(placed=(*rest, *board), missing=missing)
+    placed = (*rest, *board)
+    if _lacks_focus(task, placed):
+        shelf = _put_books(task, rest)
+        placed = (*rest, *shelf) if shelf else answer.placed
+    if media in placed:
+        return answer
+    welcome = media.wish._replace(rank=WELCOME, core=False)
+    return answer._replace(placed=placed, missing=(*answer.missing, Missing(welcome, REASON)))
+
+
+def _lacks_focus(task: RoomTask, placed: Placed) -> bool:
+    """Whether a room needs something to look at and has nothing of the kind."""
+    if not any(need.name == FOCAL for f in task.space.functions for need in ESSENTIALS.get(f, ())):
+        return False
+    pieces = (*task.fixed, *task.beside, *(piece for group in placed for piece in group.pieces))
+    return kinds_serving(FOCAL).isdisjoint(piece.category for piece in pieces)
+
+
+def _put_books(task: RoomTask, rest: Placed) -> Placed:
+    """Bookcases amid the longest free stretch of wall where they bar nothing."""
+    if "bookcase" in task.forbidden:
+        return ()
+    margin, wish = with_margin(task), Wish("shelf", WELCOME)
+    barred = frozenset(find_blocked(margin, rest))
+    found = list_amid_walls(task, rest, wish, BOOKS, BEFORE)
+    return next(((g,) for g in found if barred.issuperset(find_blocked(margin, (*rest, g)))), ())
 
 
 def _put_board(task: RoomTask, rest: Placed, media: FurnishedGroup) -> Placed:
