@@ -28,6 +28,7 @@ from scenewright.domains.home.groups.sleeping import narrow_sides
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import solve
+from scenewright.formats import read
 
 SOFA = Pose(0.0, 0.0, 0.0, 0.0)
 
@@ -118,6 +119,20 @@ def test_a_screen_that_the_sofa_does_not_look_at_is_unseen(x, y, unseen):
     assert not is_unseen((_group("media", screen),))
     table = _group("dining", piece("dining_table", x / 2, y / 2, 1.2, 0.8))
     assert is_unseen((seats, _group("media", screen), table))
+
+
+@pytest.mark.parametrize("books", [True, False])
+def test_a_room_keeps_something_to_look_at_where_no_screen_is_seen(books):
+    """Books take the place of the screen; where there may be none, it stays."""
+    asked = read("sample:home-studio").model_dump(mode="json", exclude_unset=True)
+    for room in asked["rooms"]:
+        room["wishes"] = [] if books else [{"what": "bookcase", "forbid": True}]
+    home = solve(Brief.model_validate(asked), seed=0, threads=1)
+    there = {p.category for p in home.pieces} & {"tv", "bookcase"}
+    assert there == ({"bookcase"} if books else {"tv"})
+    assert [out.what for out in home.left_out] == ["media"] * books
+    assert not any(out.required for out in home.left_out)
+    assert not check(home).notes
 
 
 ASIDE = {

@@ -11,7 +11,7 @@ from scenewright.domains.home.composing.bare_floor import pieces_of
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced, stand_at
 from scenewright.domains.home.composing.wall_stretch import (
-    list_stretches,
+    list_free_stretches,
     list_taken,
     measure_front,
 )
@@ -29,7 +29,7 @@ def list_amid_walls(
     for depth, forms in reversed(list_depths(growth)):
         height = forms[0].members[0].size.height
         taken = list_taken(task.ground, standing, np.empty((0, 5)), height)
-        stretches = list_stretches(task.ground, depth, taken, forms[-1].width)
+        stretches = list_free_stretches(task.ground, depth, taken, forms[-1].width)
         for stretch in sorted(stretches, key=lambda s: -s.length):
             most = bound_width(growth, task.ground.area, stretch.length)
             form = next(form for form in forms if form.width <= most)

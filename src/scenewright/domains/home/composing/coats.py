@@ -18,7 +18,7 @@ from scenewright.domains.home.composing.beside_others import (
 )
 from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.moving import stand_at
-from scenewright.domains.home.composing.wall_stretch import list_stretches
+from scenewright.domains.home.composing.wall_stretch import list_free_stretches
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.geometry.boxes import common_area, make_frame
 
@@ -52,7 +52,7 @@ def _list_places(
 ) -> Iterator[tuple[Group, Floats]]:
     """Where coats stand free and away from units, the nearest first."""
     form, (x, y) = coats.dressed.case, coats.dressed.box[:2]
-    stretches = list_stretches(task.ground, form.depth, taken, form.width)
+    stretches = list_free_stretches(task.ground, form.depth, taken, form.width)
     ends = [s.boxes_at(np.array([0.0, s.length - form.width]), form) for s in stretches]
     boxes = np.concatenate([np.empty((0, 5)), *ends])
     boxes = boxes[np.argsort(np.hypot(boxes[:, 0] - x, boxes[:, 1] - y), kind="stable")]

@@ -1,4 +1,4 @@
-"""Bedrooms of a finished home whose wardrobe is too narrow, tried again beside its ways.
+"""Bedrooms of a finished home with a narrow wardrobe or a bed for two with one side, tried again.
 
 Rooms are furnished one by one on a grid that is stricter than the walk through the whole home; what
 finds no way on it comes back in the least forms, wherever it fits. So once all rooms stand, a bed
@@ -38,8 +38,8 @@ HAIR = 1e-6
 def mend_bedrooms(
     tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
 ) -> list[RoomAnswer]:
-    """The answers for all rooms with bed and wardrobe placed anew where the wardrobe is narrow,
-    their ways ``opened``."""
+    """The answers for all rooms with bed and wardrobe placed anew where either has one of
+    :data:`FAULTS`, their ways ``opened``."""
     found = answers
     for room, task in enumerate(tasks):
         pair = _find_faulty(task, found[room].placed)
@@ -49,7 +49,7 @@ def mend_bedrooms(
 
 
 def _find_faulty(task: RoomTask, placed: Placed) -> Placed:
-    """The bed and the wardrobe of a room, if that is narrow and both may be changed."""
+    """The bed and the wardrobe of a room, if either has such a fault and both may be changed."""
     pair = find_pair(placed)
     own = task.library.own.keys() or task.accessible or not task.preset.settings.exact
     if not pair or own or any(p.wish.required or p.wish.most for p in pair):

@@ -29,7 +29,7 @@ INSIDE = 0.01  # what is less deep in something than this is not in it, metres
 ON_FLOOR = 0.1  # what ends lower is stood over, metres
 
 
-class WallStretch(NamedTuple):
+class FreeStretch(NamedTuple):
     """A free stretch of a wall: x, y of its start and its unit direction (``row``), the heading of
     what has its back there, its ``length``, and the middle of what stands in it (``at``), metres
     from its start."""
@@ -59,7 +59,7 @@ def list_taken(ground: Ground, standing: StandingObstacles, more: Floats, height
 
 def find_stretch(
     ground: Ground, box: Floats, depth: float, taken: Floats, beyond: float = INSIDE
-) -> WallStretch | None:
+) -> FreeStretch | None:
     """The stretch of the wall behind a box (5,) on which nothing ``taken`` (k, 5) stands within so
     many metres of the wall, what ends before ``beyond`` metres of it apart; None for what stands at
     no wall.
@@ -75,7 +75,7 @@ def find_stretch(
 
 def find_deeper(
     ground: Ground, box: Floats, depths: Iterable[float], taken: Floats, beyond: float = INSIDE
-) -> Iterator[WallStretch]:
+) -> Iterator[FreeStretch]:
     """The stretches of :func:`find_stretch` for several depths in turn."""
     walls = read_walls(ground)
     x, y, heading, _, deep = box.tolist()
@@ -91,13 +91,13 @@ def find_deeper(
                 end = min((low for low, high in spans if low + high > 2 * at), default=length)
                 start, end = max(start, 0.0), min(end, length)
                 there = (row[0] + ux * start, row[1] + uy * start, ux, uy)
-                yield WallStretch(there, turn, end - start, at - start)
+                yield FreeStretch(there, turn, end - start, at - start)
             return
 
 
-def list_stretches(
+def list_free_stretches(
     ground: Ground, depth: float, taken: Floats, least: float
-) -> Iterator[WallStretch]:
+) -> Iterator[FreeStretch]:
     """All stretches of walls, at least so long, on which nothing ``taken`` (k, 5) stands within so
     many metres of the wall."""
     walls = read_walls(ground)
@@ -110,7 +110,7 @@ def list_stretches(
         for a, b in sorted([*spans, (length, length)]):
             if min(a, length) - start >= least:
                 there = (x + ux * start, y + uy * start, ux, uy)
-                yield WallStretch(there, heading, min(a, length) - start, 0.0)
+                yield FreeStretch(there, heading, min(a, length) - start, 0.0)
             start = max(start, b)
 
 

@@ -26,9 +26,9 @@ from scenewright.domains.home.composing.beside_others import (
 from scenewright.domains.home.composing.flush import WIDEST
 from scenewright.domains.home.composing.moving import stand_at
 from scenewright.domains.home.composing.wall_stretch import (
-    WallStretch,
+    FreeStretch,
     find_stretch,
-    list_stretches,
+    list_free_stretches,
     measure_front,
 )
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
@@ -111,7 +111,7 @@ def _list_niches(
         now = float(_measure_worth(name, here, np.array([here.at - width / 2]), width)[0])
     found: list[Niche] = []
     for forms in _list_forms(name):
-        for stretch in list_stretches(task.ground, forms[-1].depth, taken, forms[-1].width):
+        for stretch in list_free_stretches(task.ground, forms[-1].depth, taken, forms[-1].width):
             form = next(form for form in forms if form.width <= stretch.length)
             starts = np.array([0.0, stretch.length - form.width])
             worth = _measure_worth(name, stretch, starts, form.width)
@@ -135,7 +135,7 @@ def can_stand_before(ground: Ground, box: Floats, standing: StandingObstacles) -
     return wide and measure_front(ground, box) >= FRONT
 
 
-def _measure_worth(name: str, stretch: WallStretch, starts: Floats, width: float) -> Floats:
+def _measure_worth(name: str, stretch: FreeStretch, starts: Floats, width: float) -> Floats:
     """What places (n,) along a stretch are worth to a group so wide: its width, the sides that
     touch something, less the slots beside it."""
     gaps = np.column_stack([starts, stretch.length - width - starts])

@@ -21,7 +21,7 @@ from scenewright.domains.home.composing.beside_others import (
     take_first_place,
 )
 from scenewright.domains.home.composing.moving import stand_at
-from scenewright.domains.home.composing.wall_stretch import WallStretch, find_deeper, measure_front
+from scenewright.domains.home.composing.wall_stretch import FreeStretch, find_deeper, measure_front
 from scenewright.domains.home.composing.widths import Growth, bound_width, list_depths, list_growing
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 
@@ -54,7 +54,7 @@ def _list_larger(
 ) -> Iterator[tuple[Group, Floats]]:
     """Larger forms of a group, the largest first, each on a box (5,) of its stretch of wall where
     it stands free."""
-    case, found = group.dressed.case, list[tuple[Group, WallStretch]]()
+    case, found = group.dressed.case, list[tuple[Group, FreeStretch]]()
     sizes = list_depths(growth)
     stretches = find_deeper(task.ground, group.dressed.box, (deep for deep, _ in sizes), taken)
     for (_, forms), stretch in zip(sizes, stretches, strict=False):
@@ -77,7 +77,7 @@ def _is_larger(form: Group, case: Group) -> bool:
     return more and wider > -MORE / 4 and wider + deeper >= MORE
 
 
-def _list_boxes(stretch: WallStretch, form: Group) -> Floats:
+def _list_boxes(stretch: FreeStretch, form: Group) -> Floats:
     """The boxes (3, 5) of a form where it stands now and at both ends of its stretch, those with
     fewer slots beside them first, then the nearer."""
     spare, half = stretch.length - form.width, form.width / 2
