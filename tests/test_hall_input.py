@@ -46,6 +46,10 @@ FAULTS: dict[str, tuple[Room, str]] = {
         hall(zones=TWO, links=[{"between": ["a", "b"], "width": 9}]),
         "only 8.00 m long",
     ),
+    "a passage wider than the hall": (
+        hall(zones=[{"id": "a"}, {"id": "b"}], links=[{"between": ["a", "b"], "width": 8.5}]),
+        "links[0].width: 8.5 m is wider than Hall is anywhere",
+    ),
     "a negative passage": (
         hall(zones=TWO, links=[{"between": ["a", "b"], "width": -1}]),
         "links[0].width",
@@ -173,3 +177,19 @@ def test_a_bad_hall_is_one_line_and_writes_nothing(
     assert told in line
     assert re.search(r"; \w.{7,}$", line), "no remedy"
     assert os.listdir() == ["hall.json"]
+
+
+def test_passages_are_at_most_as_wide_as_the_hall(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    zones = [{"id": "a"}, {"id": "b"}]
+    columns = [box(3.9, 3.9, 4.1, 4.1), box(7.9, 3.9, 8.1, 4.1)]
+    for holes, width, code in (([], 8.5, 2), ([], 7.9, 1), (columns, 7.9, 2)):
+        text = json.dumps(document("h", hall(zones=zones, holes=holes)) | {"passage_width": width})
+        Path("hall.json").write_text(text)
+        assert cli.run(["arrange", "hall.json", "--steps", "1"]) == code
+    first, second = capsys.readouterr().err.splitlines()
+    assert "hall.json: passage_width: 8.5 m is wider than Hall is anywhere" in first
+    assert first.endswith("give at most 8 (metres)")
+    assert "a disc of at most 4.8" in second

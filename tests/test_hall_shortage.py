@@ -265,3 +265,10 @@ def test_what_is_left_out_is_exit_code_1(
         out = " ".join(capsys.readouterr().out.split())
         assert "no place in the hall is large enough for one of 20 by 9 m" in out
         assert sorted(os.listdir()) == ["hall.json", "out.json"]
+
+
+def test_what_would_narrow_a_passage_is_left_out_for_that_reason() -> None:
+    tables = [{"id": z, "category": "display_table", "count": 10, "zone": z} for z in ("a", "b")]
+    room = hall(zones=TWO, demands=tables, links=[{"between": ["a", "b"], "width": 5.0}])
+    reasons = {entry.reason for entry in answer(room).left_out}
+    assert reasons == {"a passage between zones would be narrower than asked for with it"}

@@ -170,3 +170,17 @@ def test_other_files_have_no_hidden_levels(
     path.write_text(json.dumps(plan(0.85)))
     run(["arrange", str(path), "--hidden-levels", "--steps", "50"])
     assert "--hidden-levels has no effect" in " ".join(capsys.readouterr().err.split())
+
+
+@pytest.mark.parametrize("domain", ["home", "hall"])
+def test_openings_above_the_ceiling_are_noted(domain: str) -> None:
+    room = plan(0.9, domain=domain)["rooms"][0] | {"height": 2.4}
+    high = {"doors": [{"at": [1, 0], "height": 2.6}, {"at": [3, 0], "height": 2.45}]}
+    rooms = [room | high | {"windows": [{"at": [2, 3], "sill": 0.9, "height": 2.0}]}]
+    noted = [n for n in judged({"domain": domain, "rooms": rooms}).notes if n.missing == "height"]
+    assert [note.message for note in noted] == [
+        "doors[0] of Bedroom reaches 2.6 m, above the ceiling at 2.4 m, and ends there "
+        "(as does 1 more); lower its sill or height"
+    ]
+    usual = [n.missing for n in judged({"domain": domain, "rooms": [room]}).notes]
+    assert "height" not in usual

@@ -20,6 +20,8 @@ homes is about 0.61 to 0.63 m, for toilets and cupboards."""
 USUAL = 0.8
 """A usual width of such doors, in metres; it gives the factor."""
 LEAST_DOORS = 2
+CUT = 0.1
+"""Metres an opening may reach above the ceiling without a note: a usual height in a low room."""
 VAST = 1000.0
 """Square metres that a room of a home hardly has."""
 
@@ -70,6 +72,36 @@ def note_small_doors(spaces: Sequence[Space]) -> list[Note]:
         f'if so, add --scale {factor} or "scale": {factor} to the brief'
     )
     return [Note("", "plan", "scale", text)]
+
+
+def note_cut_openings(brief: Brief, spaces: Sequence[Space]) -> list[Note]:
+    """A note if doors or windows reach above a flat ceiling, where they are cut off: the first of
+    them. Under a slope most of a window must remain, else it is refused.
+
+    >>> from scenewright.building.plan import spaces
+    >>> room = {"id": "hut", "outline": [[0, 0], [4, 0], [4, 3], [0, 3]]}
+    >>> high = [{"at": [1, 0], "height": 3.0}, {"at": [1, 3], "sill": 1.6}]
+    >>> brief = Brief.model_validate({"rooms": [room | {"windows": high}]})
+    >>> note_cut_openings(brief, spaces(brief))[0].message[:61]
+    'windows[0] of hut reaches 3.9 m, above the ceiling at 2.6 m, '
+    """
+    cut = [
+        (f"{kind}[{k}] of {space.name or space.id}", sill + opening.height, space.height)
+        for room, space in zip(brief.rooms, spaces, strict=True)
+        for kind, openings in (("doors", room.doors), ("windows", room.windows))
+        for k, opening in enumerate(openings)
+        if not space.slopes
+        and (sill := getattr(opening, "sill", 0.0)) + opening.height > space.height + CUT
+    ]
+    if not cut:
+        return []
+    which, reach, ceiling = cut[0]
+    others = f" (as {'does' if len(cut) == 2 else 'do'} {len(cut) - 1} more)" if cut[1:] else ""
+    text = (
+        f"{which} reaches {reach:g} m, above the ceiling at {ceiling:g} m, and ends there{others}; "
+        "lower its sill or height"
+    )
+    return [Note("", "plan", "height", text)]
 
 
 def note_vast_rooms(spaces: Sequence[Space]) -> list[Note]:

@@ -25,7 +25,7 @@ from scenewright.cli import evolve as cli_evolve
 from scenewright.cli import fold as cli_fold
 from scenewright.cli import learn as cli_learn
 from scenewright.cli import show, tables, terminal
-from scenewright.cli.arguments import check_words
+from scenewright.cli.arguments import check_repeated, check_words
 from scenewright.cli.reading import (
     CatalogOption,
     GroupsOption,
@@ -70,8 +70,10 @@ def run(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     try:
         check_words(arguments)
+        command = typer.main.get_command(app)
+        check_repeated(sys.argv[1:] if arguments is None else arguments, command)
         with orderly_termination(), recorded_run():
-            return int(app(arguments, standalone_mode=False) or 0)
+            return int(command(arguments, standalone_mode=False) or 0)
     except Terminated as stop:
         return _fault("terminated", stop.code)
     except InputError as error:

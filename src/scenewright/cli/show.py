@@ -22,6 +22,7 @@ MOST_BOTTLENECKS = 5
 MEASURED = (
     "widths are twice the distance from the tour to the nearest object; plans show whole gaps"
 )
+BETTER = "aesthetic: more is better; uniformity, circulation and excess: less is better"
 LEAST_COST = 0.005
 """Costs below this round to 0.00."""
 
@@ -161,6 +162,7 @@ def _halls(console: Console, halls: Mapping[str, Mapping[str, Any]]) -> None:
         return
     first = dict(list(halls.items())[:MOST_FINDINGS])
     table(console, [_format_measures(name, figures) for name, figures in first.items()], "halls")
+    print_line(console, BETTER, "dim")
     table(console, [_format_usage(name, figures) for name, figures in first.items()], "on foot")
     if len(halls) > len(first):
         print_line(console, f"  and {len(halls) - len(first)} more halls", "dim")

@@ -44,6 +44,10 @@ def read_planned(
 ) -> tuple[Solution, Plan]:
     """Read a solution and the plan of its brief; a brief equal to the ``known`` one is not planned
     again. Raises :class:`InputError` naming file, place and fault."""
+    if not Path(path).suffix and not Path(path).exists():
+        raise InputError(
+            "there is no such file", "check the path; solutions are .json files", file=str(path)
+        )
     if Path(path).suffix.lower() != ".json":
         raise InputError("is not a Scenewright solution", "give a solution .json", file=str(path))
     note_read(path)

@@ -91,9 +91,11 @@ def left_out(
     wishes: list[HallDemand],
     units: list[Unit],
     unreached: frozenset[int] = frozenset(),
+    crowding: frozenset[int] = frozenset(),
 ) -> tuple[LeftOut, ...]:
     """What was not placed, and by how much it does not fit; of the demands ``unreached``
-    something found room, but no way to it."""
+    something found room, but no way to it; of those that are ``crowding`` with it passages were
+    narrower than asked for."""
     areas = zone_areas(hall)
     used = np.zeros(len(areas))
     placed: list[set[int]] = [set() for _ in wishes]
@@ -107,7 +109,9 @@ def left_out(
             many = len(wish.sizes) > 1
             what = f"{len(absent)} of {len(wish.sizes)} {wish.name}" if many else wish.name
             reason = f"no route {hall.route:.2f} m wide would reach everything with it"
-            if number not in unreached:
+            if number in crowding:
+                reason = "a passage between zones would be narrower than asked for with it"
+            elif number not in unreached:
                 reason = _reason(hall, wish, absent, areas, used)
             found.append(LeftOut(hall.space.id, what, reason, wish.required))
     return tuple(found)

@@ -267,12 +267,12 @@ def _lay(
     slack = read_slack(brief.rooms[task.number], hall)
     begun = search_with_borders(search, slack)
     fitted, found = search_layout(begun, fitted, progress, cancel)
-    given_up: frozenset[int] = frozenset()
+    given_up, crowding = frozenset[int](), frozenset[int]()
     shifts: tuple[tuple[str, float], ...] = ()
     if may_retry(search) and not (cancel is not None and cancel()):
-        fitted, found, given_up = drop_unreached(search, fitted, found)
+        fitted, found, given_up, crowding = drop_unreached(search, fitted, found)
         hall, fitted, found, shifts = move_borders(search, fitted, found, slack, progress, cancel)
-    missing = left_out(hall, wishes, fitted.units, given_up)
+    missing = left_out(hall, wishes, fitted.units, given_up, crowding)
     best = found.layouts[0]
     if may_retry(search):
         best = retouch_layout(fitted.problem, best)

@@ -24,19 +24,20 @@ that count as none, and the share of what is missed that is given up at a time."
 
 
 class Reached(NamedTuple):
-    """What was found in the end, and the numbers of the demands of which something was given up
-    for want of a way to it."""
+    """What was found in the end, and the numbers of the demands of which something was given up:
+    for want of a way to it, or (``crowding``) only because passages were too narrow with it."""
 
     fitted: Fitted
     found: HallFound
     given_up: frozenset[int]
+    crowding: frozenset[int] = frozenset()
 
 
 def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reached:
     """Solve again, elsewhere first and then without some of what the route misses, until it misses
     nothing and no passage is too narrow, or nothing is left to give up. What cannot be solved
     without is kept, for the referee to find."""
-    given_up: frozenset[int] = frozenset()
+    given_up, crowding = frozenset[int](), frozenset[int]()
     fitted, found = try_elsewhere(search, fitted, found)
     whole = _complete(search, fitted.units)
     for attempt in range(search.preset.settings.search.given_up):
@@ -50,12 +51,14 @@ def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reac
         if smaller is None:
             break
         dropped = _demands_with_fewer(fitted.units, units)
+        if found.layouts[0].missed <= NOTHING:
+            crowding |= dropped - given_up
         seen = found.evaluations
         fitted, found = search_layout(_tried_once(search), smaller, None, None)
         found = found._replace(evaluations=found.evaluations + seen)
         fitted, found = try_elsewhere(search, fitted, found)
         given_up |= dropped
-    return Reached(fitted, found, given_up & whole)
+    return Reached(fitted, found, given_up & whole, crowding & whole)
 
 
 def try_elsewhere(search: HallSearch, fitted: Fitted, found: HallFound) -> tuple[Fitted, HallFound]:

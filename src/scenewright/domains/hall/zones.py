@@ -28,6 +28,7 @@ from scenewright.domains.hall.borders import (
 )
 from scenewright.domains.hall.demands import check_demands
 from scenewright.domains.hall.hall_layout import Zone, ZoneLink
+from scenewright.domains.hall.passage_widths import check_widths
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.zone_wishes import check_names, wishes_of
 from scenewright.domains.hall.zoning import LEAST_ZONE, ZoneWish, proposals
@@ -95,6 +96,8 @@ def check_halls(brief: Brief, plan: Plan) -> None:
         wishes = wishes_of(brief, number, space, given_zones(brief, number, space))
         if room.links or all(wish.zone for wish in wishes):
             zones_of(brief, number, space)
+        if len(wishes) > 1:
+            check_widths(brief, number, space)
 
 
 def borders_of(plan: HallPlan, space: Space) -> tuple[Border, ...]:
@@ -246,7 +249,7 @@ def _given_links(
     )
 
 
-_WIDEN = "give the zones outlines that share a longer border, or leave out the link"
+_WIDEN = "give the zones a longer border or the passage a smaller width, or leave out the link"
 
 
 def _no_passage(between: tuple[str, str], length: float, width: float) -> str:

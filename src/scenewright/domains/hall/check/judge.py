@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from scenewright.building.plan import room_ids
-from scenewright.check.plan_notes import note_reading, note_unknown_kinds
+from scenewright.check.plan_notes import note_cut_openings, note_reading, note_unknown_kinds
 from scenewright.check.rooms import count_findings, judge_rooms, walk_rooms
 from scenewright.check.spaces import find_doorless
 from scenewright.core.brief import Room
@@ -39,7 +39,11 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     findings = (*shared.findings, *faults, *verdict.findings)
     doorless = find_doorless(walked.bodies, walked.rooms, _find_visited(asked))
     turned = note_seats_turned_away(walked.bodies, plan.spaces, asked)
-    read = (*note_reading(brief), *note_unknown_kinds(brief, kinds.kinds))
+    read = (
+        *note_reading(brief),
+        *note_unknown_kinds(brief, kinds.kinds),
+        *note_cut_openings(brief, plan.spaces),
+    )
     notes = (*read, *doorless, *turned, *shared.notes, *verdict.notes)
     figures = {**count_findings(solution.pieces, findings), **shared.figures}
     if halls:

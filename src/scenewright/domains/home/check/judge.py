@@ -5,6 +5,7 @@ from __future__ import annotations
 from scenewright.building.plan import room_ids
 from scenewright.check.bodies import bodies_of
 from scenewright.check.plan_notes import (
+    note_cut_openings,
     note_reading,
     note_small_doors,
     note_unknown_kinds,
@@ -42,6 +43,7 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
         *note_reading(brief),
         *note_unknown_kinds(brief, kinds.kinds),
         *note_small_doors(rooms.spaces),
+        *note_cut_openings(brief, plan.spaces),
         *note_vast_rooms(rooms.spaces),
         *note_styles(brief, kinds),
         *note_colours(brief, kinds),
