@@ -9,7 +9,7 @@ from statistics import median
 import shapely
 
 from scenewright.catalog.suggestions import offer_kinds, suggest_kinds
-from scenewright.core.brief import Brief
+from scenewright.core.brief import Brief, Room
 from scenewright.core.kind import Kind
 from scenewright.core.report import Note
 from scenewright.core.space import Space
@@ -86,12 +86,10 @@ def note_cut_openings(brief: Brief, spaces: Sequence[Space]) -> list[Note]:
     'windows[0] of hut reaches 3.9 m, above the ceiling at 2.6 m, '
     """
     cut = [
-        (f"{kind}[{k}] of {space.name or space.id}", sill + opening.height, space.height)
+        (f"{which} of {space.name or space.id}", head, space.height)
         for room, space in zip(brief.rooms, spaces, strict=True)
-        for kind, openings in (("doors", room.doors), ("windows", room.windows))
-        for k, opening in enumerate(openings)
-        if not space.slopes
-        and (sill := getattr(opening, "sill", 0.0)) + opening.height > space.height + CUT
+        for which, head in _heads(room)
+        if head > space.height + CUT and not space.slopes
     ]
     if not cut:
         return []
@@ -102,6 +100,14 @@ def note_cut_openings(brief: Brief, spaces: Sequence[Space]) -> list[Note]:
         "lower its sill or height"
     )
     return [Note("", "plan", "height", text)]
+
+
+def _heads(room: Room) -> list[tuple[str, float]]:
+    """The heights asked for the heads of a room's doors and windows."""
+    return [
+        *((f"doors[{k}]", door.height) for k, door in enumerate(room.doors)),
+        *((f"windows[{k}]", light.sill + light.height) for k, light in enumerate(room.windows)),
+    ]
 
 
 def note_vast_rooms(spaces: Sequence[Space]) -> list[Note]:
