@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from itertools import islice
+from itertools import chain, islice
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, penalty
+from scenewright.domains.home.bed_first import list_beds_first
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.programme import Wish, is_essential
 from scenewright.domains.home.room import fill_rest, share_of
@@ -70,7 +71,7 @@ def _with_essentials(
     opened: Opened,
 ) -> list[RoomAnswer]:
     """The answers after all places along the walls of one room were tried for what it lacks: first
-    what its functions fail without, then all that is essential."""
+    what its functions fail without, a bed at last before all else, then all that is essential."""
     for rank in (0, 1) if any(w.rank == 1 for w in wishes if is_essential(w)) else (0,):
         found = _at_rank(rank, room, task, wishes, budget, found, opened)
     return found
@@ -88,7 +89,9 @@ def _at_rank(
     if not any(is_essential(m.wish) and m.wish.rank <= rank for m in found[room].missing):
         return found
     rule, costs = task.preset.settings, task.costs
-    for bare in islice(essential_layouts(task, wishes, found[room], rank), rule.retry.walked):
+    usual = islice(essential_layouts(task, wishes, found[room], rank), rule.retry.walked)
+    beds = islice(list_beds_first(task, wishes, found[room]), rule.retry.walked)
+    for bare in chain(usual, beds):
         trial = opened(_with(found, room, bare))
         if _essential(trial, costs) >= _essential(found, costs):
             continue

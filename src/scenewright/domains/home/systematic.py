@@ -55,7 +55,7 @@ def essential_layouts(
     for way in _ways(task, wishes, before, rank):
         looked = [0]
         for number, placed in enumerate(_extend(task, way, way.stays, way.rest, looked), 1):
-            yield _answer(task, placed, wishes)
+            yield answer_of(task, placed, wishes)
             if number == task.preset.settings.walls.answers:
                 break
 
@@ -158,7 +158,7 @@ def _free_name(task: RoomTask, placed: tuple[FurnishedGroup, ...], group: str) -
     return next(n for k in count(1) if (n := f"{group}_{k}" if k > 1 else group) not in taken)
 
 
-def _answer(
+def answer_of(
     task: RoomTask, placed: tuple[FurnishedGroup, ...], wishes: tuple[Wish, ...]
 ) -> RoomAnswer:
     """The answer that groups so placed make, with the other wishes as missing."""

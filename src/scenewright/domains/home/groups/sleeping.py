@@ -36,7 +36,7 @@ def single() -> Iterator[Group]:
 def along_wall() -> Iterator[Group]:
     """Single beds with a long side at the wall, the pillow at either end, with a nightstand at the
     pillow where it fits."""
-    for bed, length in ((0.9, 2.05), (1.0, 2.05), (0.8, 1.9)):
+    for bed, length in ((0.9, 2.05), (1.0, 2.05), (0.8, 1.9), (0.75, 1.8)):
         for stand in (0.45, 0.0):
             for side in (1.0, -1.0):
                 yield _along(bed, length, stand, side)
