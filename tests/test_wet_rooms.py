@@ -20,7 +20,7 @@ from scenewright.domains.home.composing.widening import widen_groups
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.solving import prepare_rooms
+from scenewright.domains.home.solving import prepare_rooms, solve
 
 NOTHING = standing_of((), frozenset())
 
@@ -142,3 +142,39 @@ def test_small_halls_and_halls_with_a_shoe_cabinet_have_no_console():
     large = task_of("hall", 4.0, 1.6)
     shoes = stood(large, "shoes", "0.6 m shoe cabinet", 1.0)
     assert run(furnish_hall, large, shoes) == (shoes,)
+
+
+def furnish(*rooms):
+    """The categories of each of rooms side by side, (function, width, depth), by function."""
+    made, x = [], 0.0
+    for number, (function, wide, deep) in enumerate(rooms):
+        outline = [[x, 0], [x + wide, 0], [x + wide, deep], [x, deep]]
+        door = {"at": [x + 0.4, 0.0], "width": 0.6, "swing": "in"}
+        made.append(
+            Room(id=f"{number}-{function}", function=function, outline=outline, doors=[door])
+        )
+        x += wide + 0.1
+    solution = solve(Brief(rooms=made), seed=0, threads=1)
+    missing = {f.space for f in solution.left_out if f.required}
+    held = {room.id: {p.category for p in solution.pieces if p.space == room.id} for room in made}
+    return [held[room.id] for room in made], missing
+
+
+def test_a_bathroom_without_room_for_a_tray_is_a_wet_room():
+    (bathroom, _), missing = furnish(("bathroom", 1.1, 0.9), ("toilet", 0.9, 1.4))
+    assert {"wall_shower", "pedestal_basin"} <= bathroom
+    assert not missing
+
+
+def test_a_bathroom_with_room_for_a_tray_has_one():
+    (bathroom, _), _ = furnish(("bathroom", 2.0, 1.6), ("toilet", 0.9, 1.4))
+    assert "shower" in bathroom
+    assert "wall_shower" not in bathroom
+
+
+@pytest.mark.parametrize("also", ["toilet", "storage"])
+def test_the_bathroom_has_the_toilet_where_no_other_room_is_one(also):
+    (bathroom, _), _ = furnish(("bathroom", 1.6, 1.4), (also, 0.9, 1.4))
+    assert ("toilet" in bathroom) == (also == "storage")
+    assert bathroom & {"shower", "wall_shower"}
+    assert bathroom & {"basin", "pedestal_basin"}

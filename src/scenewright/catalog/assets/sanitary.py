@@ -1,4 +1,4 @@
-"""Bathroom fittings: toilet, basins, bath, shower, mirror, towel rail."""
+"""Bathroom fittings: toilet, basins, bath, showers, mirror, towel rail."""
 
 from __future__ import annotations
 
@@ -234,6 +234,23 @@ def _shower(size: Size) -> Parts:
     return parts(size, {CERAMIC: [tray], GLASS: panes, STEEL: edge, CHROME: head})
 
 
+def _wall_shower(size: Size) -> Parts:
+    """A panel on the wall with mixer, hose, hand shower and overhead shower."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    face, out = -d + 0.3 * size.depth, d - 0.01
+    panel = make_bevelled_box((-0.4 * w, 0.4 * w), (-d, face), (0.35, h), 0.004)
+    head = min(w, d - face) * 0.95
+    fittings = [
+        disc(head, (h - 0.05, h - 0.03), (0, out - head), 20),
+        tube([(0, face, h - 0.02), (0, out - head, h - 0.02)], 0.009),
+        rod((-0.3 * w, face, 1.0), (0.3 * w, face, 1.0), 0.022),
+        rod((0.75 * w, face, 0.95), (0.75 * w, face, 1.75), 0.009),
+        rod((0.75 * w, face, 1.6), (0.75 * w, out, 1.55), 0.02),
+        tube([(0.3 * w, face, 1.0), (0.6 * w, face, 0.6), (0.75 * w, face, 1.55)], 0.006),
+    ]
+    return parts(size, {STEEL: [panel], CHROME: fittings})
+
+
 def _mirror(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     rim = min(0.02, 0.1 * w)
@@ -312,6 +329,16 @@ def _shower_symbol(size: Size) -> Lines:
     return (rectangle(size), path((-w, -d), (w, d)), path((-w, d), (w, -d)), oval(0, 0, 0.05))
 
 
+def _wall_shower_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    return (
+        rectangle(size),
+        oval(0, 0, 0.3 * w, 0.6 * d),
+        path((-w, -d), (w, d)),
+        path((-w, d), (w, -d)),
+    )
+
+
 def _rail_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     return rectangle(size), path((-w, 0.5 * d), (w, 0.5 * d))
@@ -323,6 +350,7 @@ ASSETS = (
     Drawing("pedestal_basin", _pedestal_basin, _pedestal_symbol),
     Drawing("bathtub", _bathtub, _bath_symbol),
     Drawing("shower", _shower, _shower_symbol),
+    Drawing("wall_shower", _wall_shower, _wall_shower_symbol),
     Drawing("mirror", _mirror, plain),
     Drawing("towel_rail", _towel_rail, _rail_symbol),
 )

@@ -113,6 +113,25 @@ KINDS = (
         drawn_by=(".sanitary",),
     ),
     Kind(
+        "wall_shower",
+        access=FRONT,
+        sizes=size_range("20 30 60", "6 12 30", "160 210 240"),
+        services=(PIPE,),
+        words=(
+            words(
+                en="wall shower, shower panel, shower column, wet room shower",
+                fr="colonne de douche",
+                de="duschpaneel, duschsaule",
+                es="columna de ducha",
+                zh="淋浴柱, 花洒套装",
+                ja="シャワーパネル",
+            ),
+        ),
+        essential=("bath, shower or toilet",),
+        forms="shower",
+        drawn_by=(".sanitary",),
+    ),
+    Kind(
         "mirror",
         support="wall",
         back="flat",

@@ -127,7 +127,8 @@ _PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
         ProgrammeRow("bath", 0, 3.4),
         ProgrammeRow("shower", 0, below=3.4),
         ProgrammeRow("basin", 0),
-        ProgrammeRow("toilet", 0, 2.6, unless=("home:toilet",)),
+        ProgrammeRow("toilet", 0, 1.4, unless=("home:toilet",)),
+        ProgrammeRow("toilet", 0, 1.0, 1.4, unless=("home:toilet", "home:bathroom")),
         ProgrammeRow("toilet", 1, 4.5),
         ProgrammeRow("shower", 2, 7),
         ProgrammeRow("washer", 1, 4.8, unless=("home:washroom",)),
@@ -209,8 +210,8 @@ STANDS_FOR: dict[str, tuple[str, ...]] = {
     "kitchenette": ("hob_cabinet", "sink_cabinet"),
     "fridge": ("fridge",),
     "toilet": ("toilet",),
-    "bath": ("bathtub", "shower"),
-    "shower": ("bathtub", "shower"),
+    "bath": ("bathtub", "shower", "wall_shower"),
+    "shower": ("bathtub", "shower", "wall_shower"),
     "basin": ("basin", "pedestal_basin", "vanity"),
     "washer": ("washing_machine",),
     "shoes": _COATS,
@@ -233,7 +234,7 @@ ROOMY = 40.0
 
 DOUBLE_BEDROOM = 8.8
 SHARED = 0.15  # by how much the k-th further function of an open plan, times k, shrinks it
-CORE: dict[str, int] = {"bathroom": 5, "child_bedroom": 2, "washroom": 2}  # leading rows; else 1
+CORE: dict[str, int] = {"bathroom": 6, "child_bedroom": 2, "washroom": 2}  # leading rows; else 1
 
 
 def resolve_bedrooms(functions: Iterable[str], area: float) -> tuple[str, ...]:

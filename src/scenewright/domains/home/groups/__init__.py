@@ -251,7 +251,7 @@ _GROUPS: dict[str, GroupKind] = {
         label="bathtub",
     ),
     "shower": GroupKind(
-        bath.shower, 2.0, ("shower",), clear=(0.5, 0, 0, 0), nestle=1, roomy=(2, 7)
+        bath.shower, 2.0, ("shower", "wall_shower"), clear=(0.5, 0, 0, 0), nestle=1, roomy=(2, 7)
     ),
     "washer": GroupKind(
         bath.washer,

@@ -44,8 +44,11 @@ def _seating() -> Iterator[Group]:
 
 
 def _shower() -> Iterator[Group]:
+    """A tray, then what turns the whole floor into one: a wet room, with its shower on a wall."""
     tray = Member("shower", 0, 0, 0, 0, Size(0.66, 0.66, 2.0))
     yield Group("shower", "0.66 m shower", 0.66, 0.66, (tray,))
+    panel = Member("wall_shower", 0, 0, 0, 0, Size(0.3, 0.12, 2.1))
+    yield Group("shower", "wet room shower", 0.3, 0.13, (panel,))
 
 
 def _toilet() -> Iterator[Group]:
