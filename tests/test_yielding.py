@@ -84,9 +84,9 @@ def test_a_room_that_gave_up_what_it_is_for_is_tried_again() -> None:
 
 
 def given_up(answer: RoomAnswer) -> RoomAnswer:
-    """An answer without all it holds."""
+    """An answer without all it holds; what it lacked it lacks still."""
     lost = tuple(Missing(placed.wish, "it bars the way") for placed in answer.placed)
-    return answer._replace(placed=(), missing=lost)
+    return answer._replace(placed=(), missing=(*answer.missing, *lost))
 
 
 def bedroom_alone() -> Brief:
