@@ -1,4 +1,9 @@
-"""Worktop beside hob and sink, read off the run of cabinets they stand in."""
+"""Worktop beside hob and sink, read off the run of cabinets they stand in.
+
+A fridge no higher than the worktop that stands in the run, touching a cabinet of it, has worktop
+over it that one works at as over a dishwasher. By itself it is a fridge and no worktop, and a tall
+one ends the worktop. The baseline has fridges of 1.85 m and more only, so its figures stand.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +12,10 @@ from math import cos, hypot, remainder, sin, tau
 from scenewright.core.scene import Piece
 
 WORKTOP = ("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwasher", "washing_machine")
+RUN = (*WORKTOP[:-1], "sink_cabinet", "hob_cabinet")
+UNDER = 0.95  # a fridge no higher is under the worktop, metres
 TOUCH = 0.03  # cabinets nearer than this have one worktop, metres
+RAISED = 0.3  # what begins so high is no unit of a run, metres
 LEAST = 0.6  # of worktop in one piece, metres
 BESIDE = 0.28  # of worktop beside a hob, metres
 
@@ -17,9 +25,22 @@ def _run_of(piece: Piece, pieces: list[Piece], side: int) -> float:
     length, at = 0.0, piece
     while True:
         following = next((p for p in pieces if p is not at and _touches(at, p, side)), None)
-        if following is None or following.category not in WORKTOP:
+        if following is None or not _is_top(following, pieces):
             return length
         length, at = length + following.size.width, following
+
+
+def _is_top(piece: Piece, pieces: list[Piece]) -> bool:
+    """Whether a piece has worktop on it."""
+    return (piece.category in WORKTOP and piece.pose.z < RAISED) or is_under(piece, pieces)
+
+
+def is_under(piece: Piece, pieces: list[Piece]) -> bool:
+    """Whether a piece is a fridge under the worktop of a run."""
+    if piece.category != "fridge" or piece.size.height > UNDER:
+        return False
+    run = [p for p in pieces if p.category in RUN]
+    return any(neighbour(piece, run, side) is not None for side in (-1, 1))
 
 
 def neighbour(piece: Piece, pieces: list[Piece], side: int) -> Piece | None:
@@ -30,7 +51,7 @@ def neighbour(piece: Piece, pieces: list[Piece], side: int) -> Piece | None:
 def _touches(one: Piece, other: Piece, side: int) -> bool:
     corner = "corner_cabinet" in (one.category, other.category)  # its top lies along both walls
     turned = abs(remainder(one.pose.heading - other.pose.heading, tau / 4 if corner else tau)) > 0.1
-    if turned or other.pose.z > 0.3:
+    if turned or other.pose.z > RAISED:
         return False
     s, c = sin(one.pose.heading), cos(one.pose.heading)
     dx, dy = other.pose.x - one.pose.x, other.pose.y - one.pose.y
@@ -45,7 +66,7 @@ def _first(pieces: list[Piece], category: str) -> Piece:
 
 def short_worktop(pieces: list[Piece]) -> bool:
     """Less than 0.6 m of worktop in one piece anywhere."""
-    tops = [p for p in pieces if p.category in WORKTOP and p.pose.z < 0.3]
+    tops = [p for p in pieces if _is_top(p, pieces)]
     return not any(p.size.width + _run_of(p, pieces, 1) >= LEAST - 1e-6 for p in tops)
 
 

@@ -90,6 +90,18 @@ CASES = [
             piece("drawer_cabinet", 1.5, 0.3, UP, (0.4, 0.6, 0.9)),
         ),
     ),
+    (
+        "worktop under 0.6 m",
+        ("kitchen",),
+        (HOB, SINK, piece("fridge", 2.6, 0.3, UP, (0.6, 0.6, 1.9))),
+        (HOB, SINK, piece("fridge", 2.6, 0.3, UP, (0.6, 0.6, 0.9))),
+    ),
+    (
+        "worktop under 0.6 m",
+        ("kitchen",),
+        (HOB, SINK, piece("fridge", 2.0, 3.0, UP, (0.6, 0.6, 0.9))),
+        (HOB, SINK, piece("drawer_cabinet", 2.6, 0.3, UP, (0.6, 0.6, 0.9))),
+    ),
     ("bare walls", ("bedroom",), (BED,), (BED, piece("picture", 2, 0, z=1.5))),
     (
         "armchair alone",
@@ -148,3 +160,11 @@ def test_what_a_home_holds():
     assert held["kitchens with hob, sink and fridge"] == 1
     assert held["seats"] == 3
     assert held["pieces"] == 4
+    assert held["metres of worktop"] == 0.0
+
+
+@pytest.mark.parametrize(("height", "metres"), [(0.9, 0.6), (1.9, 0.0)])
+def test_over_a_fridge_under_the_worktop_lies_worktop(height, metres):
+    fridge = piece("fridge", 2.6, 0.3, UP, (0.6, 0.6, height))
+    held = hold(list_rooms([room(("kitchen",))], [HOB, SINK, fridge]))
+    assert held["metres of worktop"] == metres

@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import door_pulls, fronts
-from scenewright.catalog.assets.kitchen import PLINTH, TOP, doors, drawers, unit, unit_symbol
+from scenewright.catalog.assets.kitchen import (
+    HANDLE,
+    PLINTH,
+    TOP,
+    doors,
+    drawers,
+    unit,
+    unit_symbol,
+)
 from scenewright.catalog.assets.materials import (
     BLACK,
     CERAMIC_GLASS,
@@ -22,6 +32,9 @@ from scenewright.catalog.assets.symbols import Lines, box, oval, path, rectangle
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.solids import Interval, block, disc, pipe, rod, slab, trough, tube
+
+UNDER_WORKTOP = 0.95
+"""A fridge no higher than this has the worktop on it, metres."""
 
 
 def _sink_cabinet(size: Size) -> Parts:
@@ -167,7 +180,21 @@ def _dishwasher(size: Size) -> Parts:
     return parts(size, found)
 
 
+def _low_fridge(size: Size) -> Parts:
+    """A fridge under the worktop: one door, a grille in the plinth."""
+    found, x, z, face = unit(size)
+    wide = (x[0] + 0.004, x[1] - 0.004)
+    found[STEEL] = [block(wide, (face, face + 0.018), (z[0] + 0.004, z[1] - 0.004))]
+    found[BLACK] = door_pulls(x, z, 1, face + 0.018, HANDLE, 0.7, 0.45)
+    slats = np.linspace(0.03, PLINTH - 0.02, 4).tolist()
+    across = (x[0] + 0.08, x[1] - 0.08)
+    found[GREY] = [block(across, (face - 0.041, face - 0.03), (s, s + 0.008)) for s in slats]
+    return parts(size, found)
+
+
 def _fridge(size: Size) -> Parts:
+    if size.height <= UNDER_WORKTOP:
+        return _low_fridge(size)
     w, d, h = size.width / 2, size.depth / 2, size.height
     face = d - 0.075
     columns = 2 if size.width > 0.8 else 1

@@ -81,7 +81,8 @@ class CompositionCosts(NamedTuple):
     """What faults of composition cost, beside those of :class:`FaultCosts`: too little worktop in
     one piece, a hob beside the sink or at the end of its run, or one of ``few_rings``, fridge, sink
     and hob off a work triangle (``triangle``), a sink narrower than 0.6 m (``small_sink``) or
-    without worktop beside it, a fridge by itself, hob and sink at walls ``across`` from each other
+    without worktop beside it, a fridge by itself or under the worktop
+    (``low_fridge``), hob and sink at walls ``across`` from each other
     or apart (``split``), a washing machine away from the run (``loose``), half a
     wardrobe, a shallow one, a bed for two with one nightstand or one side to get in, one of 1.9 m
     (``short_bed``), a single bed away from walls, a bed in the entrance (``at_door``), a desk
@@ -103,6 +104,7 @@ class CompositionCosts(NamedTuple):
     small_sink: float = 8.0
     sink_alone: float = 14.0
     fridge_alone: float = 26.0
+    low_fridge: float = 24.0
     across: float = 12.0
     split: float = 40.0
     loose: float = 14.0

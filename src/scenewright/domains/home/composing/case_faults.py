@@ -12,6 +12,7 @@ from functools import lru_cache
 from itertools import combinations
 from math import cos, hypot, pi, remainder, sin
 
+from scenewright.catalog.assets.cooking import UNDER_WORKTOP
 from scenewright.core.catalog import Group, Member
 
 Faults = dict[str, float]
@@ -104,7 +105,8 @@ def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
     if sink is not None:
         apart = hypot(hob.x - sink.x, hob.y - sink.y) - (hob.size.width + sink.size.width) / 2
     beside = min(_worktop(hob, units, side) for side in (-1, 1))
-    tops = (m for m in units if m.category in WORKTOP)
+    cold = [m for m in units if m.category == "fridge"]
+    tops = (m for m in units if _is_top(m) and not (m in cold and _is_alone(m, units)))
     longest = max((m.size.width + _worktop(m, units, 1) for m in tops), default=0.0)
     return [
         ("worktop", max(0.0, 1.0 - longest / AMPLE)),
@@ -113,7 +115,8 @@ def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
         ("few_rings", 1.0 - hob.size.width / FOUR_RINGS),
         ("triangle", _off_triangle(units)),
         ("sink_alone", 0.0 if sink is None else 1.0 - _longest_beside(sink, units) / BESIDE),
-        ("fridge_alone", float(any(_is_alone(m, units) for m in units if m.category == "fridge"))),
+        ("fridge_alone", float(any(_is_alone(m, units) for m in cold))),
+        ("low_fridge", float(any(map(_is_top, cold)))),
         ("small_sink", 0.0 if sink is None else max(0.0, 1.0 - sink.size.width / FULL_SINK)),
         ("across", float(sink is not None and _are_across(hob, sink, units))),
         ("split", float(sink is not None and _are_split(hob, sink, units))),
@@ -160,12 +163,18 @@ def _meet(one: Member, other: Member) -> bool:
     return any(_touches(*two, side) for two in ((one, other), (other, one)) for side in (-1, 1))
 
 
+def _is_top(unit: Member) -> bool:
+    """Whether worktop lies on a unit: it does over a fridge no higher than that."""
+    low = unit.category == "fridge" and unit.size.height <= UNDER_WORKTOP
+    return low or unit.category in WORKTOP
+
+
 def _worktop(unit: Member, units: list[Member], side: int) -> float:
     """Metres of worktop that begin at one side of a unit, to its right if ``side`` is +1."""
     length, at = 0.0, unit
     while True:
         following = next((m for m in units if m is not at and _touches(at, m, side)), None)
-        if following is None or following.category not in WORKTOP:
+        if following is None or not _is_top(following):
             return length
         length, at = length + following.size.width, following
 

@@ -52,6 +52,8 @@ WHOLE_FROM = 9.0
 """From so many square metres on a kitchen is one whole: its parts within reach and not apart."""
 RINGS_FROM = 8.0
 """From so many square metres on a kitchen has a hob of four rings."""
+TALL_FROM = 8.0
+"""From so many square metres on a kitchen has a tall fridge."""
 FROM = {
     "seats": ROOMY,
     "few_rings": RINGS_FROM,
@@ -59,11 +61,12 @@ FROM = {
     "small_sink": WHOLE_FROM,
     "sink_alone": WHOLE_FROM,
     "fridge_alone": WHOLE_FROM,
+    "low_fridge": TALL_FROM,
     "across": WHOLE_FROM,
     "split": WHOLE_FROM,
 }
 """Faults that only rooms from so many square metres on have."""
-TIGHT = {"fridge_alone": 0.4, "across": 0.4, "split": 0.6}
+TIGHT = {"fridge_alone": 0.4, "low_fridge": 0.25, "across": 0.4, "split": 0.6}
 """By how much less faults of them count in smaller rooms, instead of not at all."""
 GRADED = frozenset(("triangle",))
 """Faults that a little of hardly costs anything."""

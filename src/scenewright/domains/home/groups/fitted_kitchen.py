@@ -22,7 +22,6 @@ from scenewright.domains.home.groups.kitchen import (
     AMPLY_BEYOND,
     BEYOND,
     FRIDGE,
-    LOW_FRIDGE,
     SMALL_SINK,
     UNIT_DEPTH,
     WORKTOP,
@@ -32,14 +31,13 @@ from scenewright.domains.home.groups.kitchen import (
     sequence,
     widest_hob,
 )
+from scenewright.domains.home.groups.low_fridges import LOW
 from scenewright.geometry.boxes import common_area, make_frame
 
 Floats = NDArray[np.float64]
 Box = tuple[float, float, float, float, float]
 
 CORNER = 0.9  # width and depth of the cabinet round the corner, in which one stands, metres
-LOW = "low fridge"
-"""The unit that is a fridge as low as the worktop."""
 SLIM_FRIDGE = 0.5  # width of the narrowest fridge, metres
 SHARED = 1e-3  # square metres that two lines may share
 BACK = 0.005  # between a unit and the wall behind it, metres
@@ -206,10 +204,10 @@ def _units_of(line: UnitLine) -> list[Member]:
     at, turn = line.start, line.wall.heading
     for category, wide in line.units:
         size = _size(category, wide)
-        low = Member(category, at + wide / 2, BACK + size.depth / 2, 0, 0, size)
         name = "fridge" if category == LOW else category
-        low = low._replace(category=name)
-        above = [] if name == "fridge" else hang_above(category, at + wide / 2, wide, BACK)
+        low = Member(name, at + wide / 2, BACK + size.depth / 2, 0, 0, size)
+        bare = category == "fridge" or line.units == ((LOW, wide),)
+        above = [] if bare else hang_above(category, at + wide / 2, wide, BACK)
         for member in (low, *above):
             x, y = point_at(line.wall, member.x, member.y)
             members.append(member._replace(x=x, y=y, heading=turn))
@@ -218,8 +216,6 @@ def _units_of(line: UnitLine) -> list[Member]:
 
 
 def _size(category: str, wide: float) -> Size:
-    if category == LOW:
-        return LOW_FRIDGE
     return FRIDGE._replace(width=wide) if category == "fridge" else Size(wide, UNIT_DEPTH, WORKTOP)
 
 

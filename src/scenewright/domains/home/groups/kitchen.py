@@ -11,7 +11,6 @@ from scenewright.core.scene import Size
 
 UNIT_DEPTH, WORKTOP = 0.6, 0.9
 FRIDGE = Size(0.6, 0.64, 1.9)
-LOW_FRIDGE = Size(0.55, 0.6, 0.85)  # goes below a window
 WALL_CABINET_BASE = 1.45
 BEYOND = 0.3  # worktop between a hob and the end of its run, metres
 AMPLY_BEYOND = 0.35  # the same where it fits: one stands before it in a corner, metres

@@ -23,7 +23,6 @@ from scenewright.domains.home.composing.kitchens.free_walls import (
 from scenewright.domains.home.composing.modest import EXPECTED
 from scenewright.domains.home.groups.fitted_kitchen import (
     CORNER,
-    LOW,
     SLIM_FRIDGE,
     FittedKitchen,
     UnitLine,
@@ -33,7 +32,8 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     wash,
     width_of,
 )
-from scenewright.domains.home.groups.kitchen import FRIDGE, LOW_FRIDGE, Unit, fill
+from scenewright.domains.home.groups.kitchen import FRIDGE, Unit, fill
+from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, WIDE, pantry, take_in
 
 MORE = 3.0  # metres of front that a mere kitchen has beyond what its room asks for, at most
 BESIDE = 0.4  # the same where people live in the room as well
@@ -44,6 +44,9 @@ AMPLY = LEAST | {"h": 1.2, "s": 1.05}
 """And with 0.6 m of worktop in one piece."""
 SPARE = {"hs": 0.8, "h": 0.75, "s": 0.4, "": 0.6}
 """And where room for no more is left."""
+PANTRY = 1.6
+"""A run shorter than this that takes in its fridge has too little worktop beside its hob."""
+FACING = -0.995  # cosine of the angle between walls that face each other
 U_FROM = 8.0
 """From so many square metres on a kitchen goes round two corners."""
 Units = tuple[Unit, ...]
@@ -69,7 +72,12 @@ def list_steps(free: FreeWalls) -> list[Callable[[], Iterator[FittedKitchen]]]:
             free, chain(_bare_runs(free), list_round_corners(free.low, most, False))
         ),
         lambda: chain(_apart(free, True), _with_fridge(free, _apart(free, False))),
-        lambda: _with_low_fridge(free, chain(_bare_runs(free), _apart(free, False))),
+        lambda: chain(
+            _pantries(free),
+            _taking_in(chain(_bare_runs(free), list_round_corners(free.low, most, False))),
+            _with_low_fridge(free, chain(_bare_runs(free), _apart(free, False))),
+            _taking_in(filter(_faces, _apart(free, False))),
+        ),
     ]
 
 
@@ -152,13 +160,33 @@ def _with_fridge(free: FreeWalls, kitchens: Iterable[FittedKitchen]) -> Iterator
 
 def _with_low_fridge(free: FreeWalls, kitchens: Iterable[FittedKitchen]) -> Iterator[FittedKitchen]:
     """Kitchens with a fridge as low as the worktop, as below a window, at an end of any stretch."""
-    wide = LOW_FRIDGE.width
     for kitchen in kitchens:
         for stretch in free.low:
             for start, end in _left_beside(kitchen, stretch):
-                for at in sorted({start, end - wide}) if end - start >= wide else ():
+                wide = WIDE if end - start >= WIDE else SLIM_FRIDGE
+                for at in sorted({start, end - wide}):
                     line = UnitLine(stretch.wall, at, ((LOW, wide),))
                     yield FittedKitchen((*kitchen.lines, line), kitchen.corners)
+
+
+def _pantries(free: FreeWalls) -> Iterator[FittedKitchen]:
+    """Short runs with their fridge under the worktop."""
+    for stretch in free.low:
+        spare = floor_length(stretch.end - stretch.start)
+        for length in (spare,) if SHORTEST <= spare < PANTRY else ():
+            for line in _lines(stretch, tuple(pantry(length))):
+                yield FittedKitchen((line,))
+
+
+def _taking_in(kitchens: Iterable[FittedKitchen]) -> Iterator[FittedKitchen]:
+    """Kitchens with their fridge under the worktop of the first line that can take it in."""
+    for kitchen in kitchens:
+        for k, line in enumerate(kitchen.lines):
+            units = take_in(line.units)
+            if units is not None:
+                lines = (*kitchen.lines[:k], line._replace(units=units), *kitchen.lines[k + 1 :])
+                yield kitchen._replace(lines=lines)
+                break
 
 
 def _left_beside(kitchen: FittedKitchen, stretch: KitchenStretch) -> list[tuple[float, float]]:
@@ -198,6 +226,12 @@ def _within_reach(cooking: UnitLine, washing: UnitLine) -> bool:
     """Whether the sink is no farther from the hob than a leg of the work triangle may be."""
     one, other = middle_of(cooking, "hob_cabinet"), middle_of(washing, "sink_cabinet")
     return hypot(one[0] - other[0], one[1] - other[1]) <= LEG[1]
+
+
+def _faces(kitchen: FittedKitchen) -> bool:
+    """Whether its two lines face each other."""
+    one, other = (line.wall for line in kitchen.lines)
+    return one.ux * other.ux + one.uy * other.uy < FACING
 
 
 def _ends(stretch: KitchenStretch, holds: str, cold: bool, most: float) -> list[UnitLine]:

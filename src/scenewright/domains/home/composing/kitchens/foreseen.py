@@ -18,11 +18,11 @@ from scenewright.domains.home.composing.case_faults import (
     WORKTOP,
 )
 from scenewright.domains.home.composing.forms import WHOLE_FROM, share_in
+from scenewright.domains.home.composing.kitchens.fitted import FACING
 from scenewright.domains.home.composing.modest import CORNER_RUN, EXPECTED
 from scenewright.domains.home.groups.fitted_kitchen import (
     BACK,
     CORNER,
-    LOW,
     FittedKitchen,
     UnitLine,
     middle_of,
@@ -30,9 +30,10 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     width_of,
 )
 from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, Unit
+from scenewright.domains.home.groups.low_fridges import LOW
 from scenewright.domains.home.settings import ComposingSettings
 
-FACING = -0.995  # cosine of the angle between walls that face each other
+TOPS = WORKTOP | {LOW}
 STATIONS = {"sink_cabinet": 0, "hob_cabinet": 1, "fridge": 2, LOW: 2}
 
 
@@ -68,11 +69,13 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
     rinsed = BESIDE if kitchen.corners else max(f.rinsed for f in facts)
     sink = max(f.sink for f in facts)
     lone, split = float(_has_lone_fridge(kitchen)), _tell_split(kitchen)
+    low = float(any(name == LOW for line in kitchen.lines for name, _ in line.units))
     found += [
         (costs.few_rings * share_in(area, "few_rings"), 1.0 - cooks.hob / FOUR_RINGS),
         (costs.small_sink * share_in(area, "small_sink"), 1.0 - sink / FULL_SINK),
         (costs.sink_alone * share_in(area, "sink_alone"), 1.0 - rinsed / BESIDE),
         (costs.fridge_alone * share_in(area, "fridge_alone"), lone),
+        (costs.low_fridge * share_in(area, "low_fridge"), low),
         (getattr(costs, split, 0.0) * share_in(area, split), 1.0),
     ]
     fronts = sum(chain.from_iterable(f.widths for f in facts))
@@ -99,7 +102,7 @@ def _facts_of(units: tuple[Unit, ...]) -> LineFacts:
     if "sink_cabinet" in names:
         sink = names.index("sink_cabinet")
         rinsed = max(_worktop(units[:sink][::-1]), _worktop(units[sink + 1 :]))
-    longest = max(_worktop(units[i:]) for i in range(len(units)))
+    longest = max(_worktop(units[i:]) for i in range(len(units))) if names != [LOW] else 0.0
     if "hob_cabinet" not in names:
         return LineFacts(longest, inf, inf, inf, rinsed, inf, wide, widths)
     hob, between = names.index("hob_cabinet"), inf
@@ -112,7 +115,7 @@ def _facts_of(units: tuple[Unit, ...]) -> LineFacts:
 
 def _worktop(units: tuple[Unit, ...]) -> float:
     """Metres of worktop some units begin with."""
-    return sum(wide for _, wide in takewhile(lambda unit: unit[0] in WORKTOP, units))
+    return sum(wide for _, wide in takewhile(lambda unit: unit[0] in TOPS, units))
 
 
 def _line_of(kitchen: FittedKitchen, name: str) -> UnitLine:
