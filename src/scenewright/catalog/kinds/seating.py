@@ -113,7 +113,7 @@ KINDS = (
     Kind(
         "office_chair",
         access=SEAT,
-        under=(*DESKS, *TABLES),
+        under=(*DESKS, *TABLES, "info_desk"),
         airy=True,
         back="high",
         sizes=size_range("52 62 72", "52 62 72", "82 100 125"),

@@ -57,10 +57,10 @@ def with_chairs(
         and (piece.function in bringing or company.category not in asked)
     ]
     found = [(table, chair) for table in tables for chair in _chairs(table, catalog)]
-    return _keep_free(found, (*pieces, *others))
+    return keep_free(found, (*pieces, *others))
 
 
-def _keep_free(chairs: list[tuple[Piece, Piece]], solid: tuple[Piece, ...]) -> tuple[Piece, ...]:
+def keep_free(chairs: list[tuple[Piece, Piece]], solid: tuple[Piece, ...]) -> tuple[Piece, ...]:
     """Those of some chairs, each with its table, that stand in nothing solid but that table nor in
     a chair kept before."""
     frames = [_frame(piece) for piece in (*solid, *(chair for _, chair in chairs))]

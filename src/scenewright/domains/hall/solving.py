@@ -31,11 +31,13 @@ from scenewright.domains.hall.assemble import Laid, assemble_solution
 from scenewright.domains.hall.barriers import place_barriers
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import grow_table, with_chairs
+from scenewright.domains.hall.desk_chairs import desk_chairs
 from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.fewer_ropes import place_fewer
 from scenewright.domains.hall.filling import fill_halls, settle_counts
 from scenewright.domains.hall.fit import Fitted, fit
+from scenewright.domains.hall.free_to_sit import keep_reached_chairs
 from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
 from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
@@ -340,6 +342,9 @@ def furnish_layout(
     )
     low = low_tables(groups, (*objects, *chairs), (*hall.fixed, *walls), catalog)
     low = keep_reached(fitted.problem, best._replace(missed=lost), low)
+    low += _seat_desks(
+        hall, wishes, fitted, best, objects, (*hall.fixed, *walls, *chairs, *low), catalog
+    )
     solid = np.array([boxes_of(piece)[0] for piece in (*hall.fixed, *walls, *chairs, *low)])
     solid = solid.reshape(-1, 5)
     demands = {group.id: group.demand for group in groups}
@@ -360,6 +365,25 @@ def furnish_layout(
         evaluations,
         way,
     )
+
+
+def _seat_desks(
+    hall: HallContext,
+    wishes: list[HallDemand],
+    fitted: Fitted,
+    best: MeasuredLayout,
+    objects: tuple[Piece, ...],
+    others: tuple[Piece, ...],
+    catalog: Catalog,
+) -> tuple[Piece, ...]:
+    """The chairs of desks among ``objects``; none where groups stay as printed."""
+    if hall.settings.whole:
+        return ()
+    solid = (*objects, *others)
+    names = {wish.id: f"{wish.id} {wish.name}" for wish in wishes}
+    served = {wish.id for wish in wishes if wish.seated}
+    found = desk_chairs(objects, names, served, solid, catalog)
+    return keep_reached_chairs(hall.space, fitted.problem, best, found, solid)
 
 
 def _with_floor(piece: Piece, wish: HallDemand, catalog: Catalog) -> Piece:

@@ -1,0 +1,96 @@
+"""Which of the chairs set in the end one can get to, and that bar no passage."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import shapely
+
+from scenewright.core.layout import corners
+from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.scene import Piece, Size
+from scenewright.core.space import Space
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_layout
+
+HALF, ARM = 0.2, 0.2
+"""Half of what one takes sideways between furniture, and how far one stands off a chair, metres."""
+LITTLE = 1e-4
+
+
+def keep_reached_chairs(
+    space: Space,
+    problem: HallProblem,
+    layout: MeasuredLayout,
+    chairs: tuple[Piece, ...],
+    solid: tuple[Piece, ...],
+) -> tuple[Piece, ...]:
+    """Those of some chairs that stand on the floor of the hall, off its doors, between zones only
+    where the passages stay as wide, and to which one gets from a door past all that is ``solid``,
+    sideways if need be."""
+    if not chairs:
+        return ()
+    kept = tuple(chair for chair in chairs if _stands_off(space, problem, chair))
+    kept = _off_passages(problem, layout, kept)
+    near = _free_floor(space, problem, (*solid, *kept))
+    shapes = polygons_of([_grow(chair) for chair in kept])
+    return tuple(
+        chair for chair, shape in zip(kept, shapes, strict=True) if shapely.intersects(near, shape)
+    )
+
+
+def _grow(chair: Piece) -> Piece:
+    """A chair with the floor on which one stands to sit down."""
+    width, depth, height = chair.size
+    out = 2.0 * (HALF + ARM)
+    return replace(chair, size=Size(width + out, depth + out, height), footprint=())
+
+
+def _stands_off(space: Space, problem: HallProblem, chair: Piece) -> bool:
+    """Whether a chair stands on the floor, off what doors and windows need."""
+    shape = polygons_of([replace(chair, footprint=())])[0]
+    floor = shapely.Polygon(space.outline, space.holes)
+    doors = shapely.polygons(corners(problem.ground.keep_free))
+    return bool(
+        shapely.area(shapely.difference(shape, floor)) <= LITTLE
+        and (shapely.area(shapely.intersection(doors, shape)) <= LITTLE).all()
+    )
+
+
+def _off_passages(
+    problem: HallProblem, layout: MeasuredLayout, chairs: tuple[Piece, ...]
+) -> tuple[Piece, ...]:
+    """Chairs with which no passage between zones is narrower than it has to be and is without: all,
+    else one after the other."""
+    if not len(problem.ground.links) or not chairs:
+        return chairs
+    least = _lacking(problem, layout, ())
+    if _lacking(problem, layout, chairs) <= least:
+        return chairs
+    kept: tuple[Piece, ...] = ()
+    for chair in chairs:
+        if _lacking(problem, layout, (*kept, chair)) <= least:
+            kept = (*kept, chair)
+    return kept
+
+
+def _lacking(problem: HallProblem, layout: MeasuredLayout, chairs: tuple[Piece, ...]) -> float:
+    """Metres that passages lack with some chairs."""
+    rows = [(*c.pose[:2], c.pose.heading, *c.size[:2]) for c in chairs]
+    boxes: Floats = np.concatenate([problem.ground.obstacles, np.array(rows).reshape(-1, 5)])
+    ground = problem.ground._replace(obstacles=boxes)
+    p, s, _ = measure_layout(problem._replace(ground=ground), layout)
+    return lacking(p, s)
+
+
+def _free_floor(
+    space: Space, problem: HallProblem, solid: tuple[Piece, ...]
+) -> shapely.MultiPolygon:
+    """Where the middle of a person comes who walks in at a door and goes on sideways."""
+    floor = shapely.Polygon(space.outline, space.holes).buffer(-HALF)
+    grown = shapely.buffer(polygons_of(list(solid)), HALF, join_style="mitre")
+    parts = shapely.get_parts(shapely.difference(floor, shapely.union_all(grown)))
+    plan = problem.visitors
+    doors = shapely.multipoints(np.concatenate([plan.entrances, plan.exits, plan.ways_out]))
+    return shapely.multipolygons(parts[shapely.distance(parts, doors) <= HALF])
