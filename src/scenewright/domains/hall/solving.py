@@ -32,6 +32,7 @@ from scenewright.domains.hall.barriers import place_barriers
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import grow_table, with_chairs
 from scenewright.domains.hall.desk_chairs import desk_chairs
+from scenewright.domains.hall.desk_ways import part_desks
 from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.fewer_ropes import place_fewer
@@ -151,7 +152,7 @@ def problems(
     for number, one in enumerate(halls):
         hall = one._replace(settings=chosen.settings)
         asked = collect_demands(brief, number, _locked_of(hall), catalog)
-        wishes, _ = split_carried(join_chairs(asked, catalog), hall.fixed)
+        wishes, _ = split_carried(part_desks(hall, join_chairs(asked, catalog)), hall.fixed)
         if wishes:
             seed = _stream(0, hall.space)
             fitted = fit(hall, wishes, chosen.weights, catalog, seed, whole)
@@ -243,7 +244,7 @@ def _lay(
     hall = task.hall._replace(settings=preset.settings)
     locked = _locked_of(hall)
     asked = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
-    wishes, carried = split_carried(join_chairs(asked, catalog), hall.fixed)
+    wishes, carried = split_carried(part_desks(hall, join_chairs(asked, catalog)), hall.fixed)
     fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.settings.whole, cancel)
     if not fitted.units:
         missing = left_out(hall, wishes, fitted.units)

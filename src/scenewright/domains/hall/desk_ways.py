@@ -1,0 +1,58 @@
+"""Ways between desks of one group: each is for one person, who gets up without others."""
+
+from __future__ import annotations
+
+from scenewright.catalog.kinds import hall_use
+from scenewright.catalog.kinds.usual import DESKS
+from scenewright.core.scene import Size
+from scenewright.domains.hall.build_problem import HallContext, zone_areas
+from scenewright.domains.hall.desk_chairs import ADVISING
+from scenewright.domains.hall.holdings import SEATWAY, HallDemand
+
+WAY, APART = 0.6, 1.2
+"""Metres between the sides of two desks: one person passes; customers of two do not hear each
+other's talk."""
+SEATED = 0.55
+"""How far chairs stand out on both sides of a desk at which customers sit, in metres."""
+FULL = 0.5
+"""Of the floor of their zones, what desks with their ways and free floor take at most."""
+
+
+def part_desks(hall: HallContext, wishes: list[HallDemand]) -> list[HallDemand]:
+    """Demands with floor beside each of several desks, and on both sides of those for advice; as
+    they are where that is more than half of the floor, for what has a pattern or free sides of its
+    own, and where groups stay as printed."""
+    if hall.settings.whole:
+        return wishes
+    areas = dict(zip(hall.names, zone_areas(hall), strict=True))
+    return [_part(wish, areas) for wish in wishes]
+
+
+def _part(wish: HallDemand, areas: dict[str, float]) -> HallDemand:
+    """One demand, parted where it is of several desks and its zones of some areas hold that."""
+    usual = hall_use(wish.category)
+    own = set(wish.patterns) != set(usual.patterns) or wish.clearance[1::2] != usual.clearance[1::2]
+    if wish.category not in DESKS or len(wish.sizes) < 2 or own:
+        return wish
+    parted = _with_way(wish)
+    front, left, back, right = parted.clearance
+    taken = sum((size.width + left + right) * (size.depth + front + back) for size in parted.sizes)
+    floor = sum(areas[name] for name in wish.zones or areas)
+    return parted if taken <= FULL * floor else wish
+
+
+def _with_way(wish: HallDemand) -> HallDemand:
+    """Desks with half of the way on either side, and the floor of the chairs that come with desks
+    for advice."""
+    advising = any(word in f"{wish.id} {wish.name}".casefold() for word in ADVISING)
+    aside = 0.5 * (APART if advising else WAY)
+    chairs = SEATED if advising and not wish.seated else 0.0
+    sizes = tuple(
+        Size(size.width + 2.0 * aside, size.depth + 2.0 * chairs, size.height)
+        for size in wish.sizes
+    )
+    parted = wish._replace(sizes=sizes, aside=aside, chairs=chairs)
+    if not chairs:
+        return parted
+    _, left, _, right = wish.clearance
+    return parted._replace(clearance=(SEATWAY, left, SEATWAY, right))
