@@ -1,7 +1,7 @@
 # make demo   a furnished flat in demo/ (installs into .venv first)
 # make test   the whole check
 # make test-learn   training with PyTorch (installs the extra learn), not part of the check
-# make install   installs into .venv and compiles for homes, halls and sites
+# make install   installs into .venv and compiles for all kinds of scenes
 # Needs Python 3.11 or newer and make; nothing else.
 
 PYTHON ?= python3

@@ -172,6 +172,7 @@ def test_a_piece_may_change_rooms_but_not_leave_the_home(house: Solution) -> Non
     ("edits", "told"),
     [
         ({"move": {"sofaa": (1.0, 1.0)}}, r"unknown piece 'sofaa'.*living/seating/\w*sofa"),
+        ({"lock": ["study/sofaa"]}, "unknown piece 'study/sofaa'; use one of: study/"),
         ({"lock": ["bed"]}, "'bed' may be any of 3 pieces; say which: .*double_bed"),
         ({"again": ["kitchn"]}, "unknown space 'kitchn'; use one of: kitchen"),
         ({"swap": [("living/sofa", "living/coffee_table")]}, "are of one group"),

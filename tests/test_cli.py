@@ -99,6 +99,7 @@ def save_brief(**changes: Any) -> str:
         (["check", "home.glb"], "home.glb: is not a Scenewright solution; give a solution .json"),
         (["explain", "missing.json"], "missing.json"),
         (["list", "wishes"], "use one of: solvers"),
+        (["fold", "missing.glb"], "missing.glb: there is no such file; check the path"),
         (["schema", "poem"], "use one of: brief, solution"),
         (["warm", "castle"], "give home, hall, site"),
     ],

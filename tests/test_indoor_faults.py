@@ -49,7 +49,10 @@ def hostile() -> dict[str, tuple[bytes, str]]:
         "long number": (b'{"type":' + b"9" * 10_000 + b"}", "broken JSON"),
         "list": (b"[1, 2]", "holds no GeoJSON features"),
         "geometry only": (b'{"type": "Point", "coordinates": [0, 0]}', 'its type is "Point"'),
-        "features no list": (b'{"type": "FeatureCollection", "features": 3}', "its type is"),
+        "features no list": (
+            b'{"type": "FeatureCollection", "features": 3}',
+            "holds no list of features",
+        ),
         "no features": (dumped(), "holds no features"),
         "no rooms": (dumped(DOOR), "holds no room: none of its 1 features"),
         "only broken": (dumped(area("b", bow, indoor="room")), "none of its 1 rooms can be used"),

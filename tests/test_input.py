@@ -35,7 +35,7 @@ def door(**more: Any) -> str:
 
 
 BAD_JSON = {
-    "empty": ("", "line 1, column 1: is empty"),
+    "empty": ("", ".json: is empty; give a brief"),
     "broken": ('{"rooms": [', "line 1, column 12: broken JSON"),
     "trailing comma": ('{"rooms": [],}', "line 1"),
     "a list": ("[]", "no JSON object"),

@@ -193,6 +193,14 @@ def test_broken_bytes_are_one_line(data: bytes, tmp_path: Path) -> None:
     assert "\n" not in str(caught.value)
 
 
+def test_only_files_are_read(tmp_path: Path) -> None:
+    (tmp_path / "folder.json").mkdir()
+    (tmp_path / "device.json").symlink_to("/dev/null")
+    for name, told in (("folder", "is a folder"), ("device", "is not a file")):
+        with pytest.raises(InputError, match=f"{name}.json: {told}; give the file itself"):
+            solution_json.read(tmp_path / f"{name}.json")
+
+
 def test_missing_file_is_one_line(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="there is no such file; check the path"):
         solution_json.read(tmp_path / "none.json")

@@ -41,7 +41,7 @@ from scenewright.text import printable
 
 app = typer.Typer(
     name="scenewright",
-    help="Automatic 3D scene layout: furnished homes, halls, groups of buildings.",
+    help="Automatic 3D scene layout: furnished homes, halls, sites, villages and extensions.",
     add_completion=False,
     pretty_exceptions_enable=False,
     no_args_is_help=True,
@@ -160,7 +160,7 @@ def arrange(
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
-    """Lay out a home, hall or site: read INPUT, solve it, write each OUT by its suffix."""
+    """Lay out a home, hall, site, village or extension: read INPUT, solve it, write each OUT."""
     from scenewright.workflow.request import ArrangeRequest
 
     _check_budget(seconds, steps)
@@ -261,7 +261,7 @@ def explain(
 
 @app.command()
 def bench(
-    name: Annotated[str, typer.Argument(help="Which benchmark, such as home.")],
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Which benchmark, such as home.")],
     quick: Annotated[bool, typer.Option("--quick", help="Fewer runs.")] = False,
     full: Annotated[
         bool, typer.Option("--full", help="All measurements, however long they take.")
@@ -326,7 +326,10 @@ def view(
 def list_(
     what: Annotated[
         str,
-        typer.Argument(help="solvers terms patterns presets formats groups styles assets samples."),
+        typer.Argument(
+            metavar="WHAT",
+            help="solvers terms patterns presets formats groups styles assets samples.",
+        ),
     ],
     as_json: JsonOption = False,
 ) -> int:
@@ -344,7 +347,8 @@ def list_(
 @app.command()
 def warm(
     kinds: Annotated[
-        list[str] | None, typer.Argument(metavar="[KIND]...", help="home, hall, site; or all.")
+        list[str] | None,
+        typer.Argument(metavar="[KIND]...", help="home, hall, site, village, extend; or all."),
     ] = None,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
@@ -359,7 +363,9 @@ def warm(
 
 
 @app.command()
-def schema(what: Annotated[str, typer.Argument(help="brief or solution.")] = "brief") -> int:
+def schema(
+    what: Annotated[str, typer.Argument(metavar="WHAT", help="brief or solution.")] = "brief",
+) -> int:
     """Print the JSON Schema of an input file."""
     from scenewright.cli import lists as cli_lists
 

@@ -44,6 +44,8 @@ def fold(
         rows = scene_rows(Path(source), to)
     elif suffix and Path(source).exists():
         rows = model_rows(Path(source), "xyz".index(axis), to, output)
+    elif suffix and " " not in source:
+        raise InputError("there is no such file", "check the path", file=source)
     else:
         rows = [_row("string", _parse_string(source), to)]
     if output is not None and suffix in SCENES:

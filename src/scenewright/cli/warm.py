@@ -34,6 +34,10 @@ STEPS = 200
 OUTPUTS = ("scene.glb", "plan.svg", "picture.png", "solution.json")
 
 
+PLURALS = {"extend": "extensions"}
+"""What a kind of scene is called in the plural, where that is not its name with an s."""
+
+
 class Warmed(NamedTuple):
     """What compiling one kind took: ``kernels`` compiled now, seconds of compiling and of the
     whole run."""
@@ -92,7 +96,7 @@ def _warm_there(kind: str) -> Warmed:
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
     if ended.returncode:
         reason = ended.stderr.strip().rpartition("\n")[2] or f"exit {ended.returncode}"
-        raise InputError(f"compiling for {kind}s failed: {reason}", "run it again")
+        raise InputError(f"compiling for {_plural(kind)} failed: {reason}", "run it again")
     return Warmed(**json.loads(ended.stdout)[0])
 
 
@@ -105,7 +109,7 @@ def run(kinds: Sequence[str], console: Console) -> list[Warmed]:
         ended.append(row)
         console.print(f"{tell(row)} ({len(ended)} of {len(chosen)})", highlight=False)
 
-    names = ", ".join(f"{kind}s" for kind in chosen)
+    names = ", ".join(map(_plural, chosen))
     console.print(f"compiling for {names}; once, up to a minute or two", style="dim")
     if len(chosen) > 1:
         return warm_all(chosen, done)
@@ -123,8 +127,12 @@ def tell(row: Warmed) -> str:
 
     >>> tell(Warmed("home", 31, 19.5, 22.04))
     'homes: 31 kernels compiled, 22.0 s'
-    >>> tell(Warmed("home", 0, 0.0, 1.9))
-    'homes: already compiled, 1.9 s'
+    >>> tell(Warmed("extend", 0, 0.0, 1.9))
+    'extensions: already compiled, 1.9 s'
     """
     work = f"{row.kernels} kernels compiled" if row.kernels else "already compiled"
-    return f"{row.kind}s: {work}, {row.seconds:.1f} s"
+    return f"{_plural(row.kind)}: {work}, {row.seconds:.1f} s"
+
+
+def _plural(kind: str) -> str:
+    return PLURALS.get(kind, f"{kind}s")

@@ -47,7 +47,10 @@ def find_piece(pieces: Sequence[Piece], name: str, leads: Callable[[Piece], bool
     room, _, rest = name.partition("/")
     here = [p for p in pieces if rest and p.space == room]
     if here:
-        return find_piece(here, rest, leads)
+        try:
+            return find_piece(here, rest, leads)
+        except InputError as error:
+            raise InputError(error.fault.replace(f"'{rest}'", f"'{name}'"), error.remedy) from None
     raise InputError(f"unknown piece '{name}'", _nearest(name, pieces))
 
 

@@ -38,8 +38,10 @@ def parse_document(text: str | bytes, wanted: str) -> Any:
     except RecursionError:
         raise InputError("is nested too deeply", f"give {wanted}") from None
     except json.JSONDecodeError as error:
-        fault = "is empty" if not plain.strip() else f"broken JSON: {error.msg}"
+        if not plain.strip():
+            raise InputError("is empty", f"give {wanted}") from None
         where = f"line {error.lineno}, column {error.colno}"
+        fault = f"broken JSON: {error.msg}"
         raise InputError(fault, "correct the text there", place=where) from None
     except InputError:
         raise

@@ -50,6 +50,9 @@ def read_planned(
         )
     if Path(path).suffix.lower() != ".json":
         raise InputError("is not a Scenewright solution", "give a solution .json", file=str(path))
+    if Path(path).exists() and not Path(path).is_file():
+        what = "is a folder" if Path(path).is_dir() else "is not a file"
+        raise InputError(what, "give the file itself", file=str(path))
     note_read(path)
     try:
         check_size(Path(path), "split its brief")

@@ -87,6 +87,7 @@ def collection(document: Any) -> Collection:
         rows = document.get("features")
     if not isinstance(rows, list):
         text = f"its type is {json.dumps(kind)[:40]}" if kind else "holds no GeoJSON features"
+        text = "holds no list of features" if kind == "FeatureCollection" else text
         raise InputError(text, 'give {"type": "FeatureCollection", "features": [...]}')
     if len(rows) > MOST_FEATURES:
         raise InputError(f"holds {len(rows)} features", f"at most {MOST_FEATURES} are read")
