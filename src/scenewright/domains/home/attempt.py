@@ -109,10 +109,11 @@ class FurnishedGroup(NamedTuple):
 
 
 class Missing(NamedTuple):
-    """A wish that did not, and why."""
+    """A wish that did not, and why; whether something else stands for it (``replaced``)."""
 
     wish: Wish
     reason: str
+    replaced: bool = False
 
 
 class RoomAnswer(NamedTuple):

@@ -55,7 +55,7 @@ def tried_again(
             other = compose(anew, other)
             if _lacks(other, costs) < _lacks(found[room], costs):
                 found = min(
-                    found, opened(_with(found, room, other)), key=partial(_lacking, costs=costs)
+                    found, opened(_with(found, room, other)), key=partial(sum_lacks, costs=costs)
                 )
         if _lacks(found[room], costs) and not task.accessible:
             found = _with_essentials(room, task, wishes[room], budgets[room], found, opened)
@@ -97,7 +97,7 @@ def _at_rank(
             continue
         part = share_of(budget, rule.tries.fill, rule.tries)
         filled = opened(_with(found, room, compose(task, fill_rest(task, bare, part))))
-        found = min(filled, trial, key=lambda a: (_essential(a, costs), _lacking(a, costs)))
+        found = min(filled, trial, key=lambda a: (_essential(a, costs), sum_lacks(a, costs)))
         if not _lacks(found[room], costs):
             break
     return found
@@ -131,8 +131,10 @@ def _lacks(answer: RoomAnswer, costs: FaultCosts) -> float:
     return sum(penalty(m.wish, costs) for m in answer.missing if is_essential(m.wish))
 
 
-def _lacking(answers: Sequence[RoomAnswer], costs: FaultCosts) -> float:
-    return sum(penalty(m.wish, costs) for answer in answers for m in answer.missing)
+def sum_lacks(answers: Sequence[RoomAnswer], costs: FaultCosts) -> float:
+    """What it costs that something is missing for which nothing else stands."""
+    lacks = (m for answer in answers for m in answer.missing if not m.replaced)
+    return sum(penalty(m.wish, costs) for m in lacks)
 
 
 def _otherwise(task: RoomTask, number: int, wider: float) -> RoomTask:

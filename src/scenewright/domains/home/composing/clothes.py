@@ -22,15 +22,22 @@ REASON = "clothes hang in the closet of the room; a chest of drawers stands inst
 
 
 def hang_in_closet(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
-    """The groups with a chest of drawers for a wardrobe under a metre, a wide one if
-    that costs little more; as they were in a room without a closet, or with a chest."""
+    """The groups with a chest of drawers for a wardrobe under a metre that nobody asked for."""
     narrow = _find_narrow(best.placed)
+    return best if narrow is None else hang_instead(task, best, barred, narrow)
+
+
+def hang_instead(
+    task: RoomTask, best: JudgedRoom, barred: frozenset[str], wardrobe: FurnishedGroup
+) -> JudgedRoom:
+    """The groups with a chest of drawers for a wardrobe, a wide one if that costs little more; as
+    they were in a room without a closet, or with a chest."""
     known = any(p.wish.group == CHEST for p in best.placed)
-    if not task.closet or narrow is None or known or not _may_stand(task):
+    if not task.closet or wardrobe.wish.required or known or not _may_stand(task):
         return best
-    rest = tuple(p for p in best.placed if p is not narrow)
+    rest = tuple(p for p in best.placed if p is not wardrobe)
     forms = (*cases(CHEST, task.library).groups, *LEAST[CHEST]())
-    chest = make_unplaced(task, rest, narrow.wish._replace(group=CHEST), forms[0])
+    chest = make_unplaced(task, rest, wardrobe.wish._replace(group=CHEST), forms[0])
     whole, most = (*rest, chest), best.cost - task.preset.settings.composing.least
     found = try_places(judge_of(task, whole), whole, len(rest), forms, most, METRE)
     margin = with_margin(task)
@@ -44,7 +51,7 @@ def list_hung(before: Placed, after: Placed) -> tuple[Missing, ...]:
     gone = [p for p in before if p.wish.group == WARDROBE] if chests else []
     there = {p.name for p in after}
     return tuple(
-        Missing(p.wish._replace(rank=WELCOME, core=False), REASON)
+        Missing(p.wish._replace(rank=WELCOME, core=False), REASON, replaced=True)
         for p in gone
         if p.name not in there
     )

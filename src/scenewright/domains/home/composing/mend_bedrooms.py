@@ -15,6 +15,7 @@ from itertools import chain, islice
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.clothes import CHEST
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.mend import cost_of_home
@@ -49,8 +50,9 @@ def mend_bedrooms(
 
 
 def _find_faulty(task: RoomTask, placed: Placed) -> Placed:
-    """The bed and the wardrobe of a room, if either has such a fault and both may be changed."""
-    pair = find_pair(placed)
+    """The bed and the wardrobe of a room, or the chest of drawers that stands for it, if either has
+    such a fault and both may be changed."""
+    pair = find_pair(placed) or find_pair(placed, CHEST)
     own = task.library.own.keys() or task.accessible or not task.preset.settings.exact
     if not pair or own or any(p.wish.required or p.wish.most for p in pair):
         return ()
@@ -97,14 +99,14 @@ def _list_pairs(task: RoomTask, pair: Placed, rest: Placed) -> Iterator[Placed]:
 
 
 def _list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
-    """The sound forms of a wardrobe, the smaller first, those of a bed that are no smaller than it
-    is."""
+    """The sound forms of a wardrobe or a chest, the smaller first, those of a bed that are no
+    smaller than it is."""
     forms = sorted(list_forms(task, group), key=lambda form: form.width * form.depth)
+    least = LEAST[group.wish.group]() if group.wish.group in LEAST else ()
     if group.wish.group not in BEDS:
-        yield from (form for form in forms if not FAULTS & _faults_of(form))
+        yield from (form for form in (*least, *forms) if not FAULTS & _faults_of(form))
         return
     wide, deep = (min(pair) for pair in zip(_size_of(group.dressed.case), LEAST_BED, strict=True))
-    least = LEAST[group.wish.group]() if group.wish.group in LEAST else ()
     for form in chain(least, forms):
         width, depth = _size_of(form)
         sound = not FAULTS & _faults_of(form)

@@ -43,17 +43,23 @@ def with_margin(task: RoomTask) -> RoomTask:
 
 
 def find_places(
-    task: RoomTask, cases: Iterable[Group], standing: StandingObstacles, group: FurnishedGroup
+    task: RoomTask,
+    cases: Iterable[Group],
+    standing: StandingObstacles,
+    group: FurnishedGroup,
+    step: float | None = None,
 ) -> Iterator[tuple[Group, Floats]]:
     """The cases that stand free somewhere along a wall, or where the group stands now if that is
-    away from walls, each with its boxes ``(n, 5)``."""
+    away from walls, each with its boxes ``(n, 5)``; places along walls are a ``step`` apart,
+    metres, if not stated that of the preset."""
     longest, walls = dict[Reach, float](), read_walls(task.ground)
+    step = step or task.preset.settings.composing.step
     amid = bool(group.pieces) and not is_backed(group.dressed.box, task.ground.walls, AMID)
     for case in cases:
         reach = reach_of(case)
         if reach not in longest:
             longest[reach] = longest_stretch(task.ground, standing, reach)
-        free = _free(task, case, standing, walls) if case.width <= longest[reach] else NOWHERE
+        free = _free(task, case, standing, walls, step) if case.width <= longest[reach] else NOWHERE
         if case.function == "fridge" or (case.function == "washer" and is_mere_kitchen(task)):
             flush = stand_at(task, case, list_flush(case, walls, standing, RUN), standing)
             free = flush if len(flush) else free
@@ -104,8 +110,9 @@ def list_amid(task: RoomTask, case: Group, standing: StandingObstacles) -> Float
     return stand_at(task, case, boxes, standing)
 
 
-def _free(task: RoomTask, case: Group, standing: StandingObstacles, walls: WallRows) -> Floats:
-    step = task.preset.settings.composing.step
+def _free(
+    task: RoomTask, case: Group, standing: StandingObstacles, walls: WallRows, step: float
+) -> Floats:
     height = task.space.height
     free = free_boxes(case, task.ground, standing, task.catalog, height, step, True, walls)
     side = _side_of_corner(case) if len(free) else 0.0

@@ -57,11 +57,14 @@ class PlacedPairs(NamedTuple):
     costs: Floats
 
 
-def find_pair(placed: Iterable[FurnishedGroup]) -> tuple[FurnishedGroup, ...]:
-    """The bed and the wardrobe of a room, empty unless there is one of each."""
+def find_pair(
+    placed: Iterable[FurnishedGroup], other: str = "wardrobe"
+) -> tuple[FurnishedGroup, ...]:
+    """The bed and the wardrobe of a room, or its ``other`` group, empty unless there is one of
+    each."""
     beds = [p for p in placed if p.wish.group in BEDS]
-    wardrobes = [p for p in placed if p.wish.group == "wardrobe"]
-    return (*beds, *wardrobes) if len(beds) == len(wardrobes) == 1 else ()
+    others = [p for p in placed if p.wish.group == other]
+    return (*beds, *others) if len(beds) == len(others) == 1 else ()
 
 
 def list_pair_starts(

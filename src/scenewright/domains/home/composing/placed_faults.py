@@ -132,6 +132,14 @@ def _metres_before(piece: Piece, strip: Sequence[float]) -> float:
     return float(common_area(frame, make_frame(*strip[:5])) / strip[4])
 
 
+def measure_before_doors(group: FurnishedGroup, ground: Ground) -> float:
+    """Metres of wide doors and passages that a group stands before, each from :data:`SEEN` on."""
+    doors = [strip for strip, window, _ in _read_strips(Same(ground)) if not window]
+    low = [p for p in group.pieces if p.pose.z <= AT_WALL and p.category != "rug"]
+    metres = (_metres_before(piece, door) for piece in low for door in doors)
+    return sum(found for found in metres if found > SEEN)
+
+
 def cost_of_openings(case: Group, boxes: Floats, ground: Ground, rule: ComposingSettings) -> Floats:
     """What is wrong with a case on each of boxes (n, 5) as it stands before windows and wide doors:
     :func:`cost_of_group` of many places at once, of what stands parallel to its wall."""

@@ -42,16 +42,23 @@ def try_places(
     forms: Iterable[Group],
     most: float,
     metre: float = 0.0,
+    step: float | None = None,
 ) -> Iterator[JudgedRoom]:
     """The groups with one of them wherever along the walls its unlike ``forms`` stand free and the
-    room costs at most ``most``, the cheapest first, if a ``metre`` of width is worth so much."""
-    found = _list_places(judge, placed, at, forms, most)
+    room costs at most ``most``, the cheapest first, if a ``metre`` of width is worth so much;
+    places a ``step`` apart, metres."""
+    found = _list_places(judge, placed, at, forms, most, step)
     found.sort(key=lambda place: place.least - metre * place.case.width)
     return _furnish(judge, placed, at, islice(_thin_out(found), WALKED), most)
 
 
 def _list_places(
-    judge: RoomJudge, placed: Placed, at: int, cases: Iterable[Group], most: float
+    judge: RoomJudge,
+    placed: Placed,
+    at: int,
+    cases: Iterable[Group],
+    most: float,
+    step: float | None,
 ) -> list[WalkedPlace]:
     """The free places of unlike forms of a group at which the room may cost at most ``most``."""
     task, group, found = judge.task, placed[at], list[WalkedPlace]()
@@ -59,7 +66,7 @@ def _list_places(
     pieces = (*task.fixed, *task.beside, *(p for g in rest for p in g.pieces))
     standing, faults = standing_of(pieces, flat_kinds(task.catalog)), sum_faults(task, rest)
     forms = _list_unlike(cases)
-    for case, boxes in islice(find_places(task, forms, standing, group), FORMS):
+    for case, boxes in islice(find_places(task, forms, standing, group, step), FORMS):
         layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(boxes), axis=0)
         layouts[:, at] = boxes
         costs = task.costs.energy * judge.energies_of(layouts) + faults

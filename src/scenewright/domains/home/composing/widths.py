@@ -48,6 +48,7 @@ GROWING: dict[str, dict[str, Growth]] = {
     "bathroom": WET,
     "washroom": WET,
     "toilet": WET,
+    "bedroom": {"chest": CHEST},
     "hall": {"shoes": SHOES, "console": CONSOLE, "chest": CHEST, "shelf": BOOKS},
     "storage": {"storage": SHELVES},
     "other": {"shelf": ROWS, "storage": SHELVES},
