@@ -107,6 +107,20 @@ def test_nothing_moves_that_the_home_has_no_way_for_or_that_stands_free():
     assert clear(task, free).placed == (free,)
 
 
+def test_a_plant_with_no_other_place_is_left_out_unless_it_was_asked_for():
+    task = task_of(ROOM, CLOSET)
+    tree = stand(task, "plant", 0.65, 2.6, -NORTH, lambda c: c.width < 0.6)
+    spare, asked = (tree._replace(wish=Wish("plant", 2, required=r)) for r in (False, True))
+    assert measure_before_doors(spare, task.ground) > 0.02
+    lost = answer_of()._replace(missing=(Missing(tree.wish, ""),))
+    answer = clear(task, spare, opened=lambda _: [lost])
+    assert not answer.placed
+    assert [m.wish for m in answer.missing] == [spare.wish]
+    assert clear(task, asked, opened=lambda _: [lost]).placed == (asked,)
+    (moved,) = clear(task, spare).placed
+    assert measure_before_doors(moved, task.ground) == 0.0
+
+
 def test_a_bed_is_turned_along_the_wall_and_hardly_smaller():
     low = ROOM | {"outline": [[0, 0], [3, 0], [3, 2.1], [0, 2.1]]}
     low["doors"] = [ROOM["doors"][0] | {"at": [1.5, 2.1]}, ROOM["doors"][1]]

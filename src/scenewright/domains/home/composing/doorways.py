@@ -5,7 +5,7 @@ something may end a hand's breadth before a sliding door which it would leave fr
 What still stands before one is therefore tried once more, beside all else as it stands by then, at
 places that are nearer together; a bed also along the wall, a little smaller if that frees the whole
 door. A wardrobe that finds none gives way to a chest of drawers where clothes hang in the closet of
-the room (:mod:`.clothes`).
+the room (:mod:`.clothes`); a plant that finds none is left out.
 """
 
 from __future__ import annotations
@@ -14,7 +14,13 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempt import (
+    FurnishedGroup,
+    Missing,
+    RoomAnswer,
+    RoomTask,
+    find_blocked,
+)
 from scenewright.domains.home.composing.clothes import METRE, WARDROBE, hang_instead, list_hung
 from scenewright.domains.home.composing.forms import RUNS, list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, judge_of
@@ -23,7 +29,7 @@ from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.walked_places import try_places
 from scenewright.domains.home.groups.least import LEAST
-from scenewright.domains.home.programme import BEDS
+from scenewright.domains.home.programme import BEDS, WELCOME
 from scenewright.domains.home.second_try import Opened
 
 STEP = 0.02  # between places along a wall, metres
@@ -32,6 +38,8 @@ BED = (0.75, 1.8)
 """No bed becomes smaller than this, or than it is, metres."""
 CUT, FULL = 0.8, 1.0
 """What stands along a wall keeps so much of its width, a wardrobe of a metre its metre."""
+PLANT = "plant"
+"""What is left out where it stands before no less of a wide door elsewhere."""
 HOLDING = frozenset((WARDROBE, "chest", "shelf", "storage", "sideboard"))
 """Groups that hold the more the wider they are."""
 UNITS = RUNS | {"fridge", "counter", "island"}
@@ -76,7 +84,22 @@ def _clear(
         trial = opened(trial)
         if cost_of_home(room, task, trial) < worth and _count_gone(trial) == many:
             return trial
-    return found
+    return [_without_plant(answer, name) if answer is before else answer for answer in found]
+
+
+def _without_plant(answer: RoomAnswer, name: str) -> RoomAnswer:
+    """The answer without a plant of this name that nobody asked for: there was no other place."""
+    gone = [p for p in answer.placed if p.name == name and _is_spare_plant(p)]
+    if not gone:
+        return answer
+    rest = tuple(p for p in answer.placed if p not in gone)
+    missing = (Missing(p.wish, "it would stand before a wide door") for p in gone)
+    return answer._replace(placed=rest, missing=(*answer.missing, *missing))
+
+
+def _is_spare_plant(group: FurnishedGroup) -> bool:
+    wish = group.wish
+    return wish.group == PLANT and wish.rank >= WELCOME and not wish.required
 
 
 def _count_gone(answers: Sequence[RoomAnswer]) -> int:
