@@ -87,7 +87,7 @@ def note_cut_openings(brief: Brief, spaces: Sequence[Space]) -> list[Note]:
     """
     cut = [
         (f"{which} of {space.name or space.id}", head, space.height)
-        for room, space in zip(brief.rooms, spaces, strict=True)
+        for room, space in zip(brief.rooms, spaces, strict=False)  # further spaces have no room
         for which, head in _heads(room)
         if head > space.height + CUT and not space.slopes
     ]
