@@ -28,7 +28,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.catalog import CatalogBrief
 from scenewright.core.errors import InputError
 from scenewright.core.scene import Size
-from scenewright.formats import solution_json
+from scenewright.formats import brief_json, solution_json
 from scenewright.text import printable_lines
 from test_catalogues import obj
 
@@ -93,7 +93,7 @@ def sound_brief() -> dict[str, Any]:
 def test_pairs_of_halves_are_characters() -> None:
     text = json.dumps(sound_brief() | {"name": "\U0001f6cb"})
     assert "\\ud83d\\udecb" in text
-    assert formats.brief_json.loads(text).name == "\U0001f6cb"
+    assert brief_json.loads(text).name == "\U0001f6cb"
 
 
 def test_models_of_python_refuse_it_too() -> None:
