@@ -12,7 +12,7 @@ from scenewright.building.plan import spaces
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
-from scenewright.core.scene import Piece, Size
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.furnishing.floor_mats import lay_mats
 from scenewright.domains.home.ground import ground_of
@@ -61,3 +61,17 @@ def test_what_stands_where_a_mat_would_lie_makes_it_smaller_or_moves_it():
     (other,) = lay_mats(space, ground, (chest,), shipped())
     assert _floor(other).intersection(_floor(chest)).area < 1e-6
     assert other.size.width < mat.size.width
+
+
+@pytest.mark.parametrize("turned", [0.0, np.pi], ids=["front to the room", "front to the wall"])
+def test_a_mat_lies_along_the_open_side_of_a_tub(turned):
+    bath = {"id": "bath", "function": "bathroom", "outline": [[0, 0], [3, 0], [3, 2.4], [0, 2.4]]}
+    (space,) = spaces(Brief(rooms=[Room.model_validate(bath)]))
+    pose = Pose(1.5, 0.39, 0.0, np.pi / 2 + turned)
+    tub = Piece("tub", "bathtub", "", "bath", pose, Size(1.7, 0.75, 0.6))
+    (mat,) = lay_mats(space, ground_of(space, (), 7.2), (tub,), shipped())
+    assert _floor(mat).distance(_floor(tub)) < 0.06
+    west, south, east, north = _floor(mat).bounds
+    assert south > 0.7
+    assert east - west > north - south
+    assert (west + east) / 2 == pytest.approx(1.5, abs=0.06)

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
-from math import hypot
+from math import hypot, pi
 
 import pytest
 import shapely
 
+from scenewright.building.plan import spaces
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.furnishing.enlarge import enlarge_pieces
+from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups.kitchen import kitchen
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.solving import solve
@@ -46,9 +49,6 @@ def test_a_rug_reaches_beyond_its_sofa_and_a_screen_fits_its_distance(living):
 
 
 def test_a_rug_grows_no_further_than_walls_and_furniture_let_it(living):
-    from scenewright.building.plan import spaces
-    from scenewright.domains.home.ground import ground_of
-
     (space,) = spaces(living.brief)
     ground: Ground = ground_of(space, (), 22.0, ())
     rug, sofa = one(living, "rug"), one(living, "sofa")
@@ -65,6 +65,18 @@ def test_a_rug_grows_no_further_than_walls_and_furniture_let_it(living):
     assert "rug" not in {p.category for p in boxed if p.group == rug.group}, "no mat"
     fixed = [replace(p, fixed=True) for p in pieces]
     assert enlarge_pieces(fixed, (), ground, space.height, shipped()) == fixed
+
+
+@pytest.mark.parametrize(("away", "wide"), [(2.3, 1.0), (3.0, 1.2), (3.6, 1.2), (4.2, 1.33)])
+def test_a_screen_is_wider_than_its_stand_only_where_it_were_too_small(away, wide):
+    (space,) = spaces(Brief(rooms=[Room.model_validate(LIVING | {"id": "a"})]))
+    stand = Piece("s", "tv_stand", "", "a", Pose(4.8, 2, 0, pi), Size(1.2, 0.4, 0.45))
+    screen = Piece("t", "tv", "", "a", Pose(4.8, 2, 0.45, pi), Size(0.8, 0.22, 0.5), on="s")
+    sofa = Piece("c", "sofa", "", "a", Pose(4.8 - away, 2, 0, 0), Size(2, 0.9, 0.8))
+    ground = ground_of(space, (), 22.0, ())
+    grown = enlarge_pieces([stand, screen, sofa], (), ground, space.height, shipped())
+    assert grown[1].size.width == pytest.approx(wide, abs=0.02)
+    assert grown[1].pose == screen.pose
 
 
 def test_what_a_room_has_it_is_not_given_again(living):

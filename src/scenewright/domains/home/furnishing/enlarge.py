@@ -33,6 +33,7 @@ SOFAS = ("sofa", "loveseat", "corner_sofa")
 BEYOND = (0.6, 0.5, 0.4, 0.3, 0.2)  # a rug reaches beyond its sofa, both ends together, metres
 FRAME = (0.3, 0.2, 0.15)  # and beyond the coffee table at its far side, metres
 WIDTHS = 2.3  # distance from seat to screen in widths of the screen that is aimed at
+MOST_WIDTHS = 3.15  # and no further in widths of one that reaches beyond its stand
 OVERHANG = 0.36  # a screen may be wider than its stand, metres
 STEP = 0.1  # screens are tried in steps, metres
 LEAST_SCREEN, SCREEN_DEPTH, SCREEN_RATIO = 0.75, 0.22, 0.62
@@ -102,15 +103,17 @@ def _rugs(rug: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
 
 
 def _screens(screen: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
-    """Larger screens on the same stand, the largest first, none larger than its distance asks; in
-    its middle, else with an end of the screen over an end of the stand, as beside a wall or window.
+    """Larger screens on the same stand, the largest first: as wide as the stand, but no larger than
+    its distance asks, and wider where it were too small to be watched from there; in the middle of
+    the stand, else with an end over one of its ends, as beside a wall or window.
     """
     stand = next((p for p in pieces if p.id == screen.on), None)
     seats = [p for p in pieces if p.category in SOFAS]
     if stand is None or not seats:
         return
     away = min(hypot(p.pose.x - screen.pose.x, p.pose.y - screen.pose.y) for p in seats)
-    most = min(away / WIDTHS, stand.size.width + OVERHANG, SIZES["tv"][2].width)
+    wanted = min(max(stand.size.width, away / MOST_WIDTHS), away / WIDTHS)
+    most = min(wanted, stand.size.width + OVERHANG, SIZES["tv"][2].width)
     ratio = screen.size.height / screen.size.width
     x, y, z, heading = screen.pose
     for wide in np.arange(most, screen.size.width, -STEP).round(2).tolist():

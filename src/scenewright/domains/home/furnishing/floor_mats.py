@@ -7,8 +7,9 @@ what stands there. Rooms with a rug of their own have enough.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import product
-from math import cos, sin
+from math import cos, pi, remainder, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -32,8 +33,9 @@ GAP = 0.04  # between a bath and the mat before it, metres
 STEP = 0.1  # between places looked at, metres
 HALL = ((2.4, 0.8), (2.0, 0.8), (2.4, 0.6), (1.6, 0.8), (1.8, 0.6), (1.2, 0.7), (0.9, 0.6))
 ROOM = ((2.3, 1.6), (2.0, 1.4), (1.7, 1.2), (1.4, 1.0), (1.2, 0.8))
-BATH = ((0.9, 0.6), (0.8, 0.5), (0.6, 0.5), (0.5, 0.4))
+BATH = ((1.2, 0.7), (1.0, 0.6), (0.9, 0.6), (0.8, 0.5), (0.6, 0.5), (0.5, 0.4))
 """Widths and depths, metres, the largest first."""
+USUAL = 0.9  # width of a mat that may be longer than what it lies before, metres
 BATHS = ("bathtub", "shower", "basin", "pedestal_basin")
 """What one steps from onto a mat, the first there is."""
 SOFAS = ("sofa", "corner_sofa", "loveseat")
@@ -94,7 +96,9 @@ def _choose_boxes(
     """Boxes (5,) of mats that lie on free floor, the best first."""
     if "bathroom" in space.functions:
         for bath in (p for name in BATHS for p in here if p.category == name):
-            yield from _before(bath, BATH, ground, standing)
+            sizes = tuple(s for s in BATH if s[0] <= max(bath.size.width, USUAL))
+            for side in _open_sides(bath):
+                yield from _before(side, sizes, ground, standing)
     if "living" in space.functions:
         for sofa in (p for p in here if p.category in SOFAS):
             wide = product(DEPTHS, BEYOND)
@@ -103,6 +107,16 @@ def _choose_boxes(
     if BUSY.isdisjoint(space.functions):
         for rug in (RUGS[f] for f in space.functions if f in RUGS):
             yield from _amid(ground, standing, rug)
+
+
+def _open_sides(bath: Piece) -> Iterator[Piece]:
+    """A bath as it stands, and turned round: the front of a tub of a user's own may be at a wall,
+    and one gets in from the other long side."""
+    yield bath
+    if bath.category == "bathtub":
+        yield replace(
+            bath, pose=bath.pose._replace(heading=remainder(bath.pose.heading + pi, 2 * pi))
+        )
 
 
 def _before(
