@@ -100,8 +100,10 @@ def test_chairs_move_nothing_and_the_printed_presets_have_none() -> None:
 
 
 def test_a_desk_at_a_wall_has_no_chair_where_nobody_gets_behind_it() -> None:
-    desk = {"category": "info_desk", "place": "wall"}
-    found = scenewright.solve(hall(desk), seed=0, steps=1000)
-    assert of(found, "info_desk")
+    desk = {"category": "info_desk", "place": "wall", "size": [2.0, 0.6, 1.1]}
+    brief = hall(desk)
+    room = brief.rooms[0].model_copy(update={"outline": [(0, 0), (4.2, 0), (4.2, 2.3), (0, 2.3)]})
+    found = scenewright.solve(brief.model_copy(update={"rooms": [room]}), seed=0, steps=1000)
+    assert of(found, "info_desk")[0].pose.y > 2.3 - 0.35
     assert not of(found, "office_chair")
     assert scenewright.check(found).valid

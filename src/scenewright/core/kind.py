@@ -84,8 +84,9 @@ class Kind:
     connected to, ``hall`` how halls lay it out, ``chairs`` those that come with it. ``words`` are
     the phrases it is recognised by; ``in_rooms`` what such a word means in a room, where that is
     not this kind. ``essential`` names what it serves as where a room cannot do without (a *seat*,
-    a *bed*). ``forms`` is the furniture group it makes when groups are learned, ``alone`` the
-    group it is by itself.
+    a *bed*). ``staff`` is the depth in metres of the floor behind it for who serves there: in halls
+    it stands so far off its wall. ``forms`` is the furniture group it makes when groups are
+    learned, ``alone`` the group it is by itself.
 
     ``drawn_by`` lists the modules whose ``ASSETS`` draw it; a leading dot stands for
     ``scenewright.catalog.assets``.
@@ -104,6 +105,7 @@ class Kind:
     services: tuple[Service, ...] = ()
     hall: HallUse | None = None
     chairs: TableChairs | None = None
+    staff: float = 0.0
     words: tuple[Words, ...] = ()
     in_rooms: tuple[tuple[str, tuple[str, ...]], ...] = ()
     essential: tuple[str, ...] = ()

@@ -12,6 +12,7 @@ KINDS = (
         reach=0.9,
         sizes=size_range("80 200 800", "45 65 120", "80 100 120"),
         hall=free("chain single", 0.9, 0.0, 0.9, 0.0),
+        staff=0.9,
         words=(
             words(
                 en="shop counter, sales counter, service counter, bar counter, bank counter",
@@ -30,6 +31,7 @@ KINDS = (
         reach=0.9,
         sizes=size_range("120 260 800", "60 90 250", "90 110 125"),
         hall=free("single", 1.2, 0.3, 0.9, 0.3),
+        staff=0.9,
         words=(
             words(
                 en="information desk, info desk, reception desk, reception counter, help desk",

@@ -173,6 +173,7 @@ KINDS = (
         reach=0.9,
         sizes=size_range("120 220 400", "80 120 250", "90 130 160"),
         hall=free("chain single", 0.9, 0.0, 0.6, 0.0),
+        staff=0.9,
         words=(
             words(
                 en="checkout, checkout counter, cash desk, cash register counter, supermarket till",

@@ -17,6 +17,7 @@ from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CODE, NUMBER, PART, PATTERNS
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.seating import bare_tables
+from scenewright.domains.hall.staff_room import Place, part_row
 from scenewright.domains.hall.terms.state import Kept
 
 NAMES = tuple(PATTERNS)
@@ -35,37 +36,44 @@ def furnish_hall(
     boxes: Floats,
     catalog: Catalog,
 ) -> tuple[Piece, ...]:
-    """One piece an object, in the order of the problem.
+    """One piece an object, in the order of the problem, those of a row one after another.
 
     ``boxes`` (n, 5) x, y, heading, width, depth in metres and radians.
     """
     pieces: list[Piece] = []
-    row = 0
     each = [wishes[unit.demand] for unit in units for _ in range(unit.first, unit.last)]
-    boxes = bare_tables(each, boxes)
+    bare = iter(bare_tables(each, boxes).tolist())
     for unit, group in zip(units, problem.names, strict=True):
         wish = wishes[unit.demand]
-        for number, size in enumerate(wish.sizes[unit.first : unit.last], 1):
-            low = min(size.height, hall.space.height)
-            wide, deep = size.width - 2 * wish.aside, size.depth - 2 * wish.chairs - wish.before
+        places: list[Place] = []
+        for size in wish.sizes[unit.first : unit.last]:
+            x, y, heading = next(bare)[:3]
+            low, deep = min(size.height, hall.space.height), 2 * wish.chairs + wish.before
+            wide, deep = size.width - 2 * wish.aside, size.depth - deep - wish.staff
             fitted = Size(round(wide, 9), round(deep, 9), low)
-            asset = _model_of(wish, number, fitted, catalog)
-            x, y, heading = (float(v) for v in boxes[row, :3])
-            pieces.append(
-                Piece(
-                    id=f"{group}/{wish.category}_{number}",
-                    category=wish.category,
-                    asset=asset.id if asset else "",
-                    space=hall.space.id,
-                    pose=Pose(x, y, 0.0, _wrap_angle(heading)),
-                    size=fitted,
-                    group=group,
-                    function=wish.id,
-                    footprint=footprint_of(asset, fitted),
-                )
-            )
-            row += 1
+            places += part_row(wish, Pose(x, y, 0.0, _wrap_angle(heading)), fitted)
+        rows = enumerate(places, 1)
+        pieces += [_piece(hall, wish, group, number, place, catalog) for number, place in rows]
     return tuple(pieces)
+
+
+def _piece(
+    hall: HallContext, wish: HallDemand, group: str, number: int, place: Place, catalog: Catalog
+) -> Piece:
+    """The object of a group with a number, at its place."""
+    pose, size = place
+    asset = _model_of(wish, number, size, catalog)
+    return Piece(
+        id=f"{group}/{wish.category}_{number}",
+        category=wish.category,
+        asset=asset.id if asset else "",
+        space=hall.space.id,
+        pose=pose,
+        size=size,
+        group=group,
+        function=wish.id,
+        footprint=footprint_of(asset, size),
+    )
 
 
 def _model_of(wish: HallDemand, number: int, size: Size, catalog: Catalog) -> Asset | None:
@@ -127,14 +135,13 @@ def placed_groups(
 ) -> tuple[PlacedGroup, ...]:
     """The groups of the scene graph."""
     found: list[PlacedGroup] = []
-    row, layer = 0, 0
+    layer = 0
     for number, (unit, name) in enumerate(zip(units, problem.names, strict=True)):
-        count = unit.last - unit.first
-        mine = pieces[row : row + count]
+        mine = tuple(piece for piece in pieces if piece.group == name)
         used = int(kept.rows[number, 1])
         layers = kept.layers[layer : layer + used]
         pattern = NAMES[int(kept.rows[number, 0])]
-        parts = _parts(pattern, layers, float(kept.pose[number, 3]), count)
+        parts = _parts(pattern, layers, float(kept.pose[number, 3]), len(mine))
         found.append(
             PlacedGroup(
                 id=name,
@@ -147,7 +154,7 @@ def placed_groups(
                 objects=tuple(piece.id for piece in mine),
             )
         )
-        row, layer = row + count, layer + int(capacity(np.array(count)))
+        layer += int(capacity(np.array(unit.last - unit.first)))
     return tuple(found)
 
 

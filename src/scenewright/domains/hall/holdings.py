@@ -32,7 +32,8 @@ class HallDemand(NamedTuple):
 
     Chairs asked for by themselves name the demand ``at`` whose tables they stand; once joined
     (:mod:`.seating`), that holds them as ``seated``. A desk then stands with ``before`` metres for
-    its chair, ``turned`` so that who sits at it looks ahead."""
+    its chair, ``turned`` so that who sits at it looks ahead. Counters at a wall stand with
+    ``staff`` metres behind them; those in a ``row`` are one object until they are furnished."""
 
     id: str
     name: str
@@ -50,6 +51,8 @@ class HallDemand(NamedTuple):
     before: float = 0.0
     turned: bool = False
     seated: tuple[HallDemand, ...] = ()
+    staff: float = 0.0
+    row: tuple[Size, ...] = ()
 
     @property
     def at_wall(self) -> bool:

@@ -121,11 +121,14 @@ def _find_show(table: HallDemand, wishes: list[HallDemand]) -> str:
 
 
 def bare_tables(each: Iterable[HallDemand], boxes: Floats) -> Floats:
-    """The boxes (n, 5) of tables, desks and all else without the floor of their chairs, from those
-    of the demands of ``each`` with it."""
-    rows = [(2.0 * w.aside, 2.0 * w.chairs + w.before, w.before, float(w.turned)) for w in each]
-    wide, deep, before, turned = np.array(rows).reshape(-1, 4).T
-    ahead, bare = (turned - 0.5) * before, boxes.copy()
+    """The boxes (n, 5) of tables, desks and all else without the floor of their chairs or staff,
+    from those of the demands of ``each`` with it."""
+    rows = [
+        (2.0 * w.aside, 2.0 * w.chairs + w.before + w.staff, w.before, w.staff, float(w.turned))
+        for w in each
+    ]
+    wide, deep, before, staff, turned = np.array(rows).reshape(-1, 5).T
+    ahead, bare = (turned - 0.5) * before + 0.5 * staff, boxes.copy()
     bare[:, 0] += ahead * np.cos(boxes[:, 2])
     bare[:, 1] += ahead * np.sin(boxes[:, 2])
     bare[:, 2] += np.pi * turned

@@ -37,7 +37,7 @@ from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.fewer_ropes import place_fewer
 from scenewright.domains.hall.filling import fill_halls, settle_counts
-from scenewright.domains.hall.fit import Fitted, fit
+from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.free_to_sit import keep_reached_chairs
 from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
 from scenewright.domains.hall.hall_layout import HallLayout
@@ -59,6 +59,7 @@ from scenewright.domains.hall.seating import grow_desk, join_chairs, seat_chairs
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall, measure_layout
+from scenewright.domains.hall.staff_room import fit_with_staff, grow_staff
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.unreached import drop_unreached
 from scenewright.domains.hall.zones import HallPlan, borders_of, zones_of
@@ -145,7 +146,7 @@ def problems(
     1
     """
     chosen, rooms = preset_named(PRESETS, preset), (plan or plan_rooms(brief)).spaces
-    catalog, whole = catalog_of(brief.catalogs), chosen.settings.whole
+    catalog = catalog_of(brief.catalogs)
     found = []
     halls = hall_contexts(brief, rooms, catalog, 0, 0, chosen.settings.zoning)
     brief = fill_halls(brief, halls)
@@ -155,7 +156,7 @@ def problems(
         wishes, _ = split_carried(part_desks(hall, join_chairs(asked, catalog)), hall.fixed)
         if wishes:
             seed = _stream(0, hall.space)
-            fitted = fit(hall, wishes, chosen.weights, catalog, seed, whole)
+            _, fitted = fit_with_staff(hall, wishes, chosen.weights, catalog, seed)
             found.append(StartedHall(fitted.problem, fitted.start))
     return tuple(found)
 
@@ -245,7 +246,8 @@ def _lay(
     locked = _locked_of(hall)
     asked = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
     wishes, carried = split_carried(part_desks(hall, join_chairs(asked, catalog)), hall.fixed)
-    fitted = fit(hall, wishes, preset.weights, catalog, task.seed, preset.settings.whole, cancel)
+    weights, seed = preset.weights, task.seed
+    wishes, fitted = fit_with_staff(hall, wishes, weights, catalog, seed, cancel)
     if not fitted.units:
         missing = left_out(hall, wishes, fitted.units)
         on, groups, out = put_on_stage(hall, carried, hall.fixed, catalog)
@@ -388,7 +390,9 @@ def _seat_desks(
 
 
 def _with_floor(piece: Piece, wish: HallDemand, catalog: Catalog) -> Piece:
-    """A piece as large as the floor it takes with its chairs."""
+    """A piece as large as the floor it takes with its chairs or staff."""
     if wish.before:
         return grow_desk(piece, wish.before)
+    if wish.staff:
+        return grow_staff(piece, wish.staff)
     return grow_table(piece, wish.chairs, catalog)

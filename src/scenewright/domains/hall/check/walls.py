@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 import numpy as np
+import shapely
 
-from scenewright.catalog.kinds import hall_use
+from scenewright.catalog.kinds import KINDS, hall_use
 from scenewright.check.bodies import Bodies
 from scenewright.core.brief import Room
 from scenewright.core.brief.zones import Demand
 from scenewright.core.report import Finding
 from scenewright.domains.hall.check.halls import JudgedHall
-from scenewright.domains.hall.check.measures import wall_gaps
+from scenewright.domains.hall.check.measures import wall_gaps, walls_of
 from scenewright.domains.hall.demands import ids_of
 
 WITHIN = 0.05
 """How far from a wall the middle of a back edge may be, in metres."""
+STAFF, SLACK = (0.8, 1.2), 1e-3
+"""How deep the room may be, in metres, that lies between a wall and what is served from behind,
+and how much of it rounding takes."""
 
 
 def find_no_wall(bodies: Bodies, hall: JudgedHall, wish: Room | None) -> list[Finding]:
     """A finding for each object that its demand wants at a wall and that has neither a wall nor a
-    partition within 5 cm behind it."""
+    partition within 5 cm behind it, nor one behind the room of its staff."""
     if wish is None or not len(hall.objects):
         return []
     pairs = zip(ids_of(wish.demands), wish.demands, strict=True)
@@ -29,7 +33,22 @@ def find_no_wall(bodies: Bodies, hall: JudgedHall, wish: Room | None) -> list[Fi
     return [
         _finding(bodies, hall, int(hall.objects[k]), float(gaps[k]))
         for k in np.flatnonzero(mine & (gaps > WITHIN))
+        if not _leaves_staff_room(bodies, hall, int(hall.objects[k]))
     ]
+
+
+def _leaves_staff_room(bodies: Bodies, hall: JudgedHall, row: int) -> bool:
+    """Whether an object served from behind has a wall straight behind it, with room for its staff
+    between."""
+    kind = KINDS.get(bodies.pieces[row].category)
+    if kind is None or not kind.staff:
+        return False
+    back, heading = bodies.corners[row][[0, 3]].mean(0), bodies.pieces[row].pose.heading
+    away = np.array([np.cos(heading), np.sin(heading)])
+    least, most = STAFF[0] - SLACK, STAFF[1] + SLACK
+    behind = shapely.linestrings([back, back - most * away])
+    wall = shapely.intersection(walls_of(bodies, hall), behind)
+    return bool(not wall.is_empty and shapely.distance(shapely.Point(back), wall) >= least)
 
 
 def wants_wall(demand: Demand) -> bool:

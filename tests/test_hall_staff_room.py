@@ -1,0 +1,141 @@
+"""Counters at walls have room for who serves behind them, and stand in one line."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import shapely
+
+import scenewright
+from scenewright.core.brief import Brief
+from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+
+
+def hall(*demands: dict[str, Any], size: tuple[float, float] = (14.0, 9.0)) -> Brief:
+    wide, deep = size
+    room = {
+        "name": "Hall",
+        "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
+        "doors": [{"at": [2, 0], "width": 1.4, "swing": "slide"}],
+        "demands": list(demands),
+    }
+    return Brief.model_validate({"domain": "hall", "name": "Hall", "rooms": [room]})
+
+
+def of(found: Solution, category: str) -> list[Piece]:
+    return [piece for piece in found.pieces if piece.category == category]
+
+
+def behind(piece: Piece, deep: float) -> shapely.Polygon:
+    """The floor behind a piece, so deep."""
+    x, y, _, heading = piece.pose
+    ahead = np.array([math.cos(heading), math.sin(heading)])
+    right = 0.5 * piece.size.width * np.array([ahead[1], -ahead[0]])
+    back = np.array([x, y]) - 0.5 * piece.size.depth * ahead
+    return shapely.Polygon(
+        [back - right, back + right, *(back + s * right - deep * ahead for s in (1, -1))]
+    )
+
+
+def wall_gap(found: Solution, piece: Piece) -> float:
+    """Metres from the middle of a back to the nearest wall."""
+    x, y, _, heading = piece.pose
+    half = 0.5 * piece.size.depth
+    back = shapely.Point(x - half * math.cos(heading), y - half * math.sin(heading))
+    return float(shapely.Polygon(found.brief.rooms[0].outline).exterior.distance(back))
+
+
+def moved(found: Solution, piece: Piece, ahead: float) -> Solution:
+    """The solution with one piece so many metres farther ahead."""
+    c, s = math.cos(piece.pose.heading), math.sin(piece.pose.heading)
+    pose = piece.pose._replace(x=piece.pose.x + ahead * c, y=piece.pose.y + ahead * s)
+    pieces = tuple(replace(p, pose=pose) if p.id == piece.id else p for p in found.pieces)
+    return replace(found, pieces=pieces)
+
+
+def astray(found: Solution) -> list[str]:
+    return [finding.piece for finding in scenewright.check(found).of("no_wall")]
+
+
+BAR = {"category": "counter", "count": 3, "place": "wall"}
+TABLES = {"category": "dining_table", "count": 4}
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_counters_at_a_wall_stand_in_line_before_room_for_their_staff(seed: int) -> None:
+    found = scenewright.solve(hall(BAR, TABLES), seed=seed, steps=3000)
+    counters = of(found, "counter")
+    assert scenewright.check(found).valid
+    assert not found.left_out
+    assert len(counters) == 3
+    assert {piece.size for piece in counters} == {(2.0, 0.65, 1.0)}
+    assert len({round(piece.pose.heading, 6) for piece in counters}) == 1
+    row = shapely.union_all(polygons_of(counters)).buffer(0.005)
+    assert row.minimum_rotated_rectangle.area == pytest.approx(row.area, rel=0.01)
+    others = shapely.union_all(polygons_of([p for p in found.pieces if p not in counters]))
+    for piece in counters:
+        assert 0.8 < wall_gap(found, piece) < 1.2
+        assert behind(piece, 0.9).intersection(others).area < 1e-6
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2, 3])
+def test_counters_go_round_no_corner_where_a_wall_is_long_enough(seed: int) -> None:
+    found = scenewright.solve(hall({**BAR, "count": 4}, size=(10.0, 8.0)), seed=seed, steps=1000)
+    assert len({round(piece.pose.heading, 6) for piece in of(found, "counter")}) == 1
+    assert len(of(found, "counter")) == 4
+
+
+@pytest.mark.parametrize("category", ["info_desk", "checkout"])
+def test_desks_and_tills_at_a_wall_have_room_for_their_staff(category: str) -> None:
+    asked = {"category": category, "place": "wall"}
+    found = scenewright.solve(hall(asked, TABLES), seed=0, steps=2000)
+    assert 0.8 < wall_gap(found, of(found, category)[0]) < 1.2
+    assert scenewright.check(found).valid
+
+
+def test_nobody_serves_behind_a_cupboard() -> None:
+    asked = {"category": "bookcase", "count": 3, "place": "wall"}
+    found = scenewright.solve(hall(asked, TABLES), seed=0, steps=2000)
+    assert all(wall_gap(found, piece) < 0.05 for piece in of(found, "bookcase"))
+
+
+def test_counters_without_room_for_staff_stand_at_the_wall_rather_than_nowhere() -> None:
+    tight = {"category": "counter", "size": [2.0, 0.65, 1.0], "place": "wall", "clearance": 0.6}
+    found = scenewright.solve(hall(tight, size=(4.4, 2.2)), seed=0, steps=1000)
+    assert not found.left_out
+    assert wall_gap(found, of(found, "counter")[0]) < 0.05
+
+
+def test_as_printed_counters_stand_with_their_backs_at_the_wall() -> None:
+    found = scenewright.solve(hall(BAR, TABLES), seed=0, preset="paper")
+    assert all(wall_gap(found, piece) < 0.05 for piece in of(found, "counter"))
+
+
+@pytest.mark.parametrize(
+    ("ahead", "fine"), [(0.0, True), (0.9, True), (0.5, False), (1.4, False), (2.0, False)]
+)
+def test_the_referee_allows_a_counter_the_room_of_its_staff(ahead: float, fine: bool) -> None:
+    found = scenewright.solve(hall({**BAR, "count": 1}), seed=0, preset="paper")
+    counter = of(found, "counter")[0]
+    assert astray(moved(found, counter, ahead)) == ([] if fine else [counter.id])
+
+
+def test_the_referee_wants_a_cupboard_at_the_wall_itself() -> None:
+    found = scenewright.solve(hall({"category": "bookcase", "place": "wall"}), seed=0, steps=500)
+    case = of(found, "bookcase")[0]
+    assert not astray(found)
+    assert astray(moved(found, case, 0.9)) == [case.id]
+
+
+def test_a_wall_beside_a_counter_is_none_behind_it() -> None:
+    found = scenewright.solve(hall({**BAR, "count": 1}), seed=0, preset="paper")
+    counter = of(found, "counter")[0]
+    pose = counter.pose._replace(x=1.0, y=5.0, heading=math.pi / 2)
+    turned = tuple(replace(p, pose=pose) if p.id == counter.id else p for p in found.pieces)
+    assert astray(replace(found, pieces=turned)) == [counter.id]
