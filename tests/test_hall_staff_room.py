@@ -17,12 +17,17 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 
 
-def hall(*demands: dict[str, Any], size: tuple[float, float] = (14.0, 9.0)) -> Brief:
+def hall(
+    *demands: dict[str, Any],
+    size: tuple[float, float] = (14.0, 9.0),
+    door: float = 2.0,
+    broad: float = 1.4,
+) -> Brief:
     wide, deep = size
     room = {
         "name": "Hall",
         "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
-        "doors": [{"at": [2, 0], "width": 1.4, "swing": "slide"}],
+        "doors": [{"at": [door, 0], "width": broad, "swing": "slide"}],
         "demands": list(demands),
     }
     return Brief.model_validate({"domain": "hall", "name": "Hall", "rooms": [room]})
@@ -89,6 +94,56 @@ def test_counters_go_round_no_corner_where_a_wall_is_long_enough(seed: int) -> N
     found = scenewright.solve(hall({**BAR, "count": 4}, size=(10.0, 8.0)), seed=seed, steps=1000)
     assert len({round(piece.pose.heading, 6) for piece in of(found, "counter")}) == 1
     assert len(of(found, "counter")) == 4
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_counters_stand_at_a_wall_where_the_brief_leaves_it_open(seed: int) -> None:
+    """Five in a row take more than half of the hall: before its door they bar the way in."""
+    office = [
+        {"category": "counter", "count": 5},
+        {"category": "info_desk"},
+        {"category": "bench", "count": 6},
+        {"category": "desk", "count": 3, "name": "advice"},
+    ]
+    found = scenewright.solve(hall(*office, size=(18.0, 10.0), door=9.0), seed=seed)
+    counters = of(found, "counter")
+    assert scenewright.check(found).valid
+    assert len(counters) == 5
+    assert found.detail is not None
+    assert "wall" in {g.pattern for g in found.detail.layout.groups if g.demand == "counter"}
+    assert all(0.8 < wall_gap(found, piece) < 1.2 for piece in counters)
+    assert len({round(piece.pose.heading, 6) for piece in counters}) == 1
+
+
+def test_counters_that_may_stand_free_get_no_wall_built_for_them() -> None:
+    brief = hall({"category": "counter", "count": 2, "zone": "bar"}, {**TABLES, "zone": "rest"})
+    bar = {"id": "bar", "outline": [[1, 1.6], [13, 1.6], [13, 6], [1, 6]]}
+    rest = {"id": "rest", "outline": [[0, 6], [14, 6], [14, 9], [0, 9]]}
+    room = brief.rooms[0].model_dump(mode="json", exclude_defaults=True) | {"zones": [bar, rest]}
+    zoned = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    found = scenewright.solve(zoned, seed=0, steps=2000)
+    assert len(of(found, "counter")) == 2
+    assert not of(found, "partition")
+
+
+def test_counters_stand_free_where_others_would_be_lost_before_a_wall() -> None:
+    """Ropes and showcases leave too little floor for a row with room for its staff."""
+    demands = [
+        {"category": "counter", "count": 3},
+        {"category": "rope_barrier", "count": 16},
+        {"category": "showcase", "count": 8},
+    ]
+    found = scenewright.solve(hall(*demands, size=(9.0, 7.0), door=3.0, broad=1.8), seed=1)
+    assert len(of(found, "counter")) == 3
+    assert len(of(found, "showcase")) == 8
+
+
+@pytest.mark.parametrize("said", [{"place": "free"}, {"patterns": ["chain"]}])
+def test_counters_said_to_stand_free_have_no_room_of_their_own(said: dict[str, Any]) -> None:
+    brief = hall({"category": "counter", "count": 3, **said})
+    found = scenewright.solve(brief, seed=0, steps=1000)
+    assert found.detail is not None
+    assert [group.pattern for group in found.detail.layout.groups] == ["chain"]
 
 
 @pytest.mark.parametrize("category", ["info_desk", "checkout"])

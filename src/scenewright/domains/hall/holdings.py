@@ -33,7 +33,8 @@ class HallDemand(NamedTuple):
     Chairs asked for by themselves name the demand ``at`` whose tables they stand; once joined
     (:mod:`.seating`), that holds them as ``seated``. A desk then stands with ``before`` metres for
     its chair, ``turned`` so that who sits at it looks ahead. Counters at a wall stand with
-    ``staff`` metres behind them; those in a ``row`` are one object until they are furnished."""
+    ``staff`` metres behind them; those in a ``row`` are one object until they are furnished. Of
+    what is ``unplaced`` the brief says neither whether it stands at a wall nor in what pattern."""
 
     id: str
     name: str
@@ -53,6 +54,7 @@ class HallDemand(NamedTuple):
     seated: tuple[HallDemand, ...] = ()
     staff: float = 0.0
     row: tuple[Size, ...] = ()
+    unplaced: bool = False
 
     @property
     def at_wall(self) -> bool:
@@ -138,6 +140,7 @@ def fill_defaults(demand: Demand, name: str) -> HallDemand:
         facing=demand.facing or "",
         required=demand.required,
         least=0 if demand.most is None else demand.count or 1,
+        unplaced=demand.place is None and not demand.patterns,
     )
 
 

@@ -142,12 +142,14 @@ class OtherPlansSettings(NamedTuple):
 
 
 class HallSettings(NamedTuple):
-    """Whether groups stay ``whole``, and whether eqs. 1 and 3 stand as ``printed``; how demands are
-    made to fit, chains anneal and move, the paper's chain runs, attempts follow one another,
-    borders move, zones are proposed and plans differ."""
+    """Whether groups stay ``whole``, whether eqs. 1 and 3 stand as ``printed``, and whether
+    counters stand ``lined`` up at walls where the brief leaves that open; how demands are made to
+    fit, chains anneal and move, the paper's chain runs, attempts follow one another, borders move,
+    zones are proposed and plans differ."""
 
     whole: bool = False
     printed: bool = False
+    lined: bool = True
     chains: ChainSettings = ChainSettings()
     moves: MoveSettings = MoveSettings()
     guided: GuidedSettings = GuidedSettings()

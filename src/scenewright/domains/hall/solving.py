@@ -30,7 +30,7 @@ from scenewright.core.space import Space
 from scenewright.domains.hall.assemble import Laid, assemble_solution
 from scenewright.domains.hall.barriers import place_barriers
 from scenewright.domains.hall.build_problem import HallContext, hall_of
-from scenewright.domains.hall.chairs import grow_table, with_chairs
+from scenewright.domains.hall.chairs import with_chairs
 from scenewright.domains.hall.desk_chairs import desk_chairs
 from scenewright.domains.hall.desk_ways import part_desks
 from scenewright.domains.hall.desks import turn_desks
@@ -55,11 +55,11 @@ from scenewright.domains.hall.on_stage import put_on_stage, split_carried
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
-from scenewright.domains.hall.seating import grow_desk, join_chairs, seat_chairs
+from scenewright.domains.hall.seating import join_chairs, seat_chairs
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall, measure_layout
-from scenewright.domains.hall.staff_room import fit_with_staff, grow_staff
+from scenewright.domains.hall.staff_room import fit_with_staff, grow_to_floor, lacks, leaves_open
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.unreached import drop_unreached
 from scenewright.domains.hall.zones import HallPlan, borders_of, zones_of
@@ -212,7 +212,14 @@ def _run(
         on_progress = progress
         if shared is not None and not alone:
             on_progress = partial(shared.hear, task.number)
-        return _lay(brief, task, catalog, on_progress, cancel, watch)
+        laid = _lay(brief, task, catalog, on_progress, cancel, watch)
+        settings, timed = task.preset.settings, task.budget.seconds is not None
+        again = lacks(laid) and not (settings.whole or timed)
+        if again and leaves_open(brief.rooms[task.number].demands):
+            free = task.preset._replace(settings=settings._replace(lined=False))
+            task = task._replace(preset=free)
+            return _lay(brief, task, catalog, on_progress, cancel, watch)
+        return laid
 
     answers: dict[int, Laid] = {}
     with ThreadPoolExecutor(max(min(threads, len(tasks)), 1)) as pool:
@@ -355,7 +362,7 @@ def furnish_layout(
     parts = parts_of(fitted.problem, p, s, lost)
     layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
     known = {wish.id: wish for wish in wishes}
-    grown = (_with_floor(piece, known[piece.function], catalog) for piece in objects)
+    grown = (grow_to_floor(piece, known[piece.function], catalog) for piece in objects)
     every = (*hall.fixed, *walls, *grown, *low, *rails)
     way = tour(hall.space, every, layout, catalog, hall.route)
     return Laid(
@@ -387,12 +394,3 @@ def _seat_desks(
     served = {wish.id for wish in wishes if wish.seated}
     found = desk_chairs(objects, names, served, solid, catalog)
     return keep_reached_chairs(hall.space, fitted.problem, best, found, solid)
-
-
-def _with_floor(piece: Piece, wish: HallDemand, catalog: Catalog) -> Piece:
-    """A piece as large as the floor it takes with its chairs or staff."""
-    if wish.before:
-        return grow_desk(piece, wish.before)
-    if wish.staff:
-        return grow_staff(piece, wish.staff)
-    return grow_table(piece, wish.chairs, catalog)
