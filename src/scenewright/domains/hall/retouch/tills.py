@@ -17,8 +17,9 @@ from scenewright.domains.hall.terms.visitors import LANE
 
 MOST = 24
 """Tills of one group at most."""
-NEAR, FAR, MOST_FAR = 7.0, 0.3, 4.0
-"""Metres from a way out that are near enough, what each beyond counts, and the most they count."""
+NEAR, FAR, MOST_FAR = 5.0, 0.3, 4.0
+"""Metres from a way out that are near enough (farther off goods stand between), what each beyond
+counts, and the most they count."""
 TURNED = 3.0
 """What lanes count that lead along the wall of the way out, in metres."""
 STEPS = (2.0, 2.6, 3.4, 4.4)
