@@ -22,7 +22,7 @@ def off(piece: Piece) -> float:
 @pytest.mark.parametrize("seed", [0, 1])
 def test_no_goods_lie_between_the_tills_and_the_way_out(seed: int) -> None:
     room = {
-        "name": "Shop",
+        "name": "supermarket",
         "outline": [[0, 0], [24, 0], [24, 16], [0, 16]],
         "doors": [
             {"at": [4, 0], "width": 1.8, "use": "entrance", "swing": "slide"},
@@ -33,7 +33,7 @@ def test_no_goods_lie_between_the_tills_and_the_way_out(seed: int) -> None:
             {"category": "wall_shelving", "count": 14},
             {"category": "checkout", "count": 4},
             {"category": "fridge_shelf", "count": 6},
-            {"category": "counter", "count": 2, "place": "wall"},
+            {"id": "bakery", "category": "counter", "count": 2, "place": "wall"},
             {"category": "litter_bin", "count": 2},
         ],
     }
