@@ -34,7 +34,9 @@ class HallDemand(NamedTuple):
     (:mod:`.seating`), that holds them as ``seated``. A desk then stands with ``before`` metres for
     its chair, ``turned`` so that who sits at it looks ahead. Counters at a wall stand with
     ``staff`` metres behind them; those in a ``row`` are one object until they are furnished. Of
-    what is ``unplaced`` the brief says neither whether it stands at a wall nor in what pattern."""
+    what is ``unplaced`` the brief says neither whether it stands at a wall nor in what pattern; of
+    what is ``unstated`` neither this nor what it looks at, its free floor or how full its zone is.
+    What is ``set_last`` is set once all else stands."""
 
     id: str
     name: str
@@ -51,6 +53,8 @@ class HallDemand(NamedTuple):
     at: str = ""
     before: float = 0.0
     turned: bool = False
+    unstated: bool = False
+    set_last: bool = False
     seated: tuple[HallDemand, ...] = ()
     staff: float = 0.0
     row: tuple[Size, ...] = ()
@@ -141,7 +145,13 @@ def fill_defaults(demand: Demand, name: str) -> HallDemand:
         required=demand.required,
         least=0 if demand.most is None else demand.count or 1,
         unplaced=demand.place is None and not demand.patterns,
+        unstated=_is_unstated(demand),
     )
+
+
+def _is_unstated(demand: Demand) -> bool:
+    stated = (demand.patterns, demand.place, demand.facing, demand.clearance)
+    return not any(stated) and demand.most is None and demand.fill is None
 
 
 def _clearance(

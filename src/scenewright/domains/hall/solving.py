@@ -27,12 +27,14 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
+from scenewright.domains.hall.accessories import count_groups
+from scenewright.domains.hall.accessories.pieces import furnish_accessories
+from scenewright.domains.hall.accessories.place import StandingHall
 from scenewright.domains.hall.assemble import Laid, assemble_solution
 from scenewright.domains.hall.barriers import place_barriers
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import with_chairs
 from scenewright.domains.hall.desk_chairs import desk_chairs
-from scenewright.domains.hall.desk_ways import part_desks
 from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.fewer_ropes import place_fewer
@@ -51,14 +53,15 @@ from scenewright.domains.hall.idle_guides import (
 )
 from scenewright.domains.hall.low_tables import keep_reached, low_tables
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
-from scenewright.domains.hall.on_stage import put_on_stage, split_carried
+from scenewright.domains.hall.on_stage import put_on_stage
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
-from scenewright.domains.hall.seating import join_chairs, seat_chairs
+from scenewright.domains.hall.seating import seat_chairs
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall, measure_layout
+from scenewright.domains.hall.split_demands import find_locked, split_demands
 from scenewright.domains.hall.staff_room import fit_with_staff, grow_to_floor, lacks, leaves_open
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.unreached import drop_unreached
@@ -152,8 +155,8 @@ def problems(
     brief = fill_halls(brief, halls)
     for number, one in enumerate(halls):
         hall = one._replace(settings=chosen.settings)
-        asked = collect_demands(brief, number, _locked_of(hall), catalog)
-        wishes, _ = split_carried(part_desks(hall, join_chairs(asked, catalog)), hall.fixed)
+        asked = collect_demands(brief, number, find_locked(hall), catalog)
+        wishes = split_demands(hall, asked, catalog, chosen.settings.whole).wishes
         if wishes:
             seed = _stream(0, hall.space)
             _, fitted = fit_with_staff(hall, wishes, chosen.weights, catalog, seed)
@@ -235,11 +238,6 @@ def _run(
     return answers
 
 
-def _locked_of(hall: HallContext) -> tuple[Piece, ...]:
-    """The locked pieces of groups of a hall."""
-    return tuple(piece for piece in hall.fixed if piece.function not in ("", "fixed"))
-
-
 def _lay(
     brief: Brief,
     task: HallTask,
@@ -250,10 +248,11 @@ def _lay(
 ) -> Laid:
     preset = task.preset
     hall = task.hall._replace(settings=preset.settings)
-    locked = _locked_of(hall)
+    locked = find_locked(hall)
     asked = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
-    wishes, carried = split_carried(part_desks(hall, join_chairs(asked, catalog)), hall.fixed)
     weights, seed = preset.weights, task.seed
+    together = preset.settings.whole or task.solver != "anneal"
+    wishes, carried, small = split_demands(hall, asked, catalog, together)
     wishes, fitted = fit_with_staff(hall, wishes, weights, catalog, seed, cancel)
     if not fitted.units:
         missing = left_out(hall, wishes, fitted.units)
@@ -264,7 +263,7 @@ def _lay(
         return Laid(on, kept, (), (), (*missing, *out), 0.0, 0, way)
     budget = task.budget
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
-        budget = budget._replace(steps=count_steps(preset, len(fitted.units)))
+        budget = budget._replace(steps=count_steps(preset, len(fitted.units) + count_groups(small)))
     search = HallSearch(
         hall,
         wishes,
@@ -289,7 +288,7 @@ def _lay(
     if may_retry(search):
         best = retouch_layout(fitted.problem, best)
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
-    search = search._replace(hall=hall)
+    search = search._replace(hall=hall, wishes=[*wishes, *small])
     laid = _furnish_guided(search, fitted, best, locked, missing, found.evaluations)
     pieces = (*hall.fixed, *laid.pieces)
     on, groups, out = put_on_stage(hall, carried, pieces, catalog)
@@ -360,17 +359,20 @@ def furnish_layout(
     demands = {group.id: group.demand for group in groups}
     rails = place_barriers(hall.space, fitted.problem, best, solid, demands, catalog)
     parts = parts_of(fitted.problem, p, s, lost)
-    layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
     known = {wish.id: wish for wish in wishes}
     grown = (grow_to_floor(piece, known[piece.function], catalog) for piece in objects)
     every = (*hall.fixed, *walls, *grown, *low, *rails)
-    way = tour(hall.space, every, layout, catalog, hall.route)
+    standing_hall = StandingHall(hall, fitted.problem, best, wishes, every)
+    small, more, lost_small = furnish_accessories(standing_hall, catalog)
+    groups = (*groups, *more)
+    layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
+    way = tour(hall.space, (*every, *small), layout, catalog, hall.route)
     return Laid(
-        (*walls, *objects, *chairs, *low, *rails),
+        (*walls, *objects, *chairs, *low, *rails, *small),
         groups,
         layout.partitions,
         parts,
-        (*missing, *alone),
+        (*missing, *alone, *lost_small),
         sum(part.cost for part in parts),
         evaluations,
         way,

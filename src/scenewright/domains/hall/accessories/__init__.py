@@ -1,0 +1,65 @@
+"""Small objects that belong to something: planters, totems, baskets, racks for coats.
+
+Where they stand follows from what is already there, so they are set once everything else stands:
+planters in pairs beside a way in or a stage, at ends of benches, in corners and at walls; totems
+before those who come in, beside the door and off their way; baskets and racks for coats at the
+wall next to the entrance. Those whose place or pattern a brief states are laid out with the rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from scenewright.core.scene import Size
+from scenewright.domains.hall.accessories.baskets import find_basket_spots
+from scenewright.domains.hall.accessories.planters import find_planter_spots
+from scenewright.domains.hall.accessories.setting import Setting
+from scenewright.domains.hall.accessories.spots import Spots
+from scenewright.domains.hall.accessories.totems import find_totem_spots
+from scenewright.domains.hall.holdings import HallDemand
+
+MANY = 24
+"""More of one kind than this are no accessories but a group of their own."""
+
+
+class Accessory(NamedTuple):
+    """Where one kind of small object may stand (``spots``), in which ``turn`` it is set, and metres
+    that stay free before it, and ``around`` it where one goes past it on all sides."""
+
+    spots: Callable[[Setting, Size], Spots]
+    turn: int
+    free: float
+    around: float = 0.0
+
+
+ACCESSORIES: dict[str, Accessory] = {
+    "sign_totem": Accessory(find_totem_spots, 0, 0.9, 1.25),
+    "basket_stack": Accessory(find_basket_spots, 1, 0.9),
+    "coat_rack": Accessory(find_basket_spots, 2, 0.9),
+    "planter": Accessory(find_planter_spots, 3, 1.2),
+}
+"""By category."""
+
+
+def split_accessories(
+    wishes: list[HallDemand], together: bool
+) -> tuple[list[HallDemand], list[HallDemand]]:
+    """Demands that are laid out by patterns, and those of small objects that are ``set_last``, once
+    these stand; none where all are laid out ``together`` or nothing else is asked for."""
+    small = [
+        wish
+        for wish in wishes
+        if wish.unstated and wish.category in ACCESSORIES and len(wish.sizes) <= MANY
+    ]
+    rest = [wish for wish in wishes if wish not in small]
+    if together or not rest:
+        return wishes, []
+    small.sort(key=lambda wish: ACCESSORIES[wish.category].turn)
+    return rest, [wish._replace(set_last=True) for wish in small]
+
+
+def count_groups(small: list[HallDemand]) -> int:
+    """How many groups some demands would be if they were laid out with the rest: as much is
+    searched without them."""
+    return sum(len(wish.sizes) if wish.patterns == ("single",) else 1 for wish in small)

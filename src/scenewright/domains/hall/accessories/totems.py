@@ -1,0 +1,60 @@
+"""Totems and signs: before those who come in, beside their way and turned to them."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+
+from scenewright.core.scene import Size
+from scenewright.domains.hall.accessories.setting import Doorway, Setting
+from scenewright.domains.hall.accessories.spots import (
+    Spots,
+    face,
+    flank,
+    join_spots,
+    line_walls,
+    make_spots,
+    measure_crowd,
+)
+from scenewright.domains.hall.problem import Floats
+
+AHEAD, ASIDE = (2.4, 3.2, 1.8, 1.4), (0.4, 0.9, 1.5, 2.2)
+"""Metres inside a door and beside the way in at which a totem stands, the best first."""
+WORSE, FURTHER = 0.1, 0.6
+"""What each place counts that is not the best, and a door that is not the main entrance."""
+LEAVING, ELSEWHERE = 1.0, 1.8
+"""What a spot beside a door costs at which a totem looks into the hall, and one at any wall."""
+NEAR, CROWD = 5.0, 0.5
+"""Within how many metres totems say the same, and what each metre of that costs."""
+
+
+def find_totem_spots(setting: Setting, size: Size) -> Spots:
+    """Spots behind doors and beside them, one to each door first, and at walls."""
+    parts = [_turn_to(door, size, FURTHER * k) for k, door in enumerate(setting.doorways)]
+    parts += [_stand_beside(door, size, FURTHER * k) for k, door in enumerate(setting.doorways)]
+    parts.append(make_spots(line_walls(setting.walls, size)[0], ELSEWHERE))
+    found = join_spots(parts)
+    return found._replace(
+        costs=found.costs + CROWD * measure_crowd(found.boxes, setting.others, NEAR)
+    )
+
+
+def _turn_to(door: Doorway, size: Size, cost: float) -> Spots:
+    """Spots inside a door people come in by, to both sides of their way."""
+    if not door.entrance:
+        return make_spots(np.zeros((0, 5)), 0.0)
+    right = np.array([door.inward[1], -door.inward[0]])
+    points, costs = list[Floats](), list[float]()
+    for (k, ahead), (n, aside) in product(enumerate(AHEAD), enumerate(ASIDE)):
+        off = 0.5 * (door.width + size.width) + aside
+        points += [door.middle + ahead * door.inward + side * off * right for side in (1, -1)]
+        costs += [cost + WORSE * (k + n)] * 2
+    heading = float(np.arctan2(-door.inward[1], -door.inward[0]))
+    return make_spots(face(np.array(points), heading, size), np.array(costs))
+
+
+def _stand_beside(door: Doorway, size: Size, cost: float) -> Spots:
+    """Spots at the wall to both sides of a door."""
+    boxes = flank(door.middle, door.inward, door.width, ASIDE, size)
+    return make_spots(boxes, LEAVING + cost)

@@ -1,0 +1,38 @@
+"""The demands of a hall by how they come to stand: laid out, on the stage, or set last."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Piece
+from scenewright.domains.hall.accessories import split_accessories
+from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.desk_ways import part_desks
+from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.on_stage import split_carried
+from scenewright.domains.hall.seating import join_chairs
+
+
+class SplitDemands(NamedTuple):
+    """Demands that patterns lay out, those that stand on a stage, and small objects set last."""
+
+    wishes: list[HallDemand]
+    carried: list[HallDemand]
+    small: list[HallDemand]
+
+
+def find_locked(hall: HallContext) -> tuple[Piece, ...]:
+    """The locked pieces of groups of a hall."""
+    return tuple(piece for piece in hall.fixed if piece.function not in ("", "fixed"))
+
+
+def split_demands(
+    hall: HallContext, asked: list[HallDemand], catalog: Catalog, together: bool
+) -> SplitDemands:
+    """The demands of a hall, chairs joined with tables; pianos and small objects are laid out with
+    the rest if all are ``together``."""
+    parted = part_desks(hall, join_chairs(asked, catalog))
+    wishes, carried = split_carried(parted, hall.fixed, together)
+    rest, small = split_accessories(wishes, together)
+    return SplitDemands(rest, carried, small)

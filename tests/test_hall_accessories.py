@@ -1,0 +1,146 @@
+"""Where planters, totems, baskets and pianos of a hall stand."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import Any
+
+import pytest
+
+import scenewright as sw
+from scenewright.core.brief import Brief
+from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
+
+WIDE, DEEP, DOOR = 16.0, 10.0, 6.0
+"""The room of all tests, and where along its south wall the middle of its door is, in metres."""
+
+
+def solve(*demands: dict[str, Any], steps: int = 1500, **options: Any) -> Solution:
+    outline = [[0, 0], [WIDE, 0], [WIDE, DEEP], [0, DEEP]]
+    door = {"id": "front", "at": [DOOR, 0], "width": 2.0, "swing": "slide"}
+    room = {"name": "Hall", "outline": outline, "doors": [door], "demands": list(demands)}
+    brief = {"domain": "hall", "name": "Hall", "rooms": [{**room, "height": 4.0}]}
+    return sw.solve(Brief.model_validate(brief), steps=steps, threads=1, **options)
+
+
+def of_kind(solution: Solution, category: str) -> list[Piece]:
+    return [piece for piece in solution.pieces if piece.category == category]
+
+
+def off_walls(piece: Piece) -> float:
+    """Metres from the back edge of a piece to the nearest wall."""
+    out = 0.5 * piece.size.depth
+    x = piece.pose.x - out * math.cos(piece.pose.heading)
+    y = piece.pose.y - out * math.sin(piece.pose.heading)
+    return min(x, y, WIDE - x, DEEP - y)
+
+
+SHOWCASES = {"category": "showcase", "count": 6}
+
+
+@pytest.fixture(scope="module")
+def foyer() -> Solution:
+    planters = {"category": "planter", "count": 4}
+    return solve(SHOWCASES, planters, {"category": "sign_totem"}, {"category": "basket_stack"})
+
+
+def test_all_small_objects_stand_and_the_hall_is_valid(foyer: Solution) -> None:
+    counts = [len(of_kind(foyer, kind)) for kind in ("planter", "sign_totem", "basket_stack")]
+    assert counts == [4, 1, 1]
+    assert not foyer.left_out
+    assert sw.check(foyer).valid
+
+
+def test_planters_stand_at_walls(foyer: Solution) -> None:
+    assert max(off_walls(piece) for piece in of_kind(foyer, "planter")) < 0.05
+
+
+def test_two_planters_frame_the_door_alike() -> None:
+    planters = of_kind(solve(SHOWCASES, {"category": "planter", "count": 2}), "planter")
+    aside = sorted(piece.pose.x - DOOR for piece in planters)
+    assert aside[0] == pytest.approx(-aside[1])
+    assert 1.0 < aside[1] < 2.5
+    assert all(piece.pose.y < 0.5 for piece in planters)
+
+
+def test_a_planter_by_itself_does_not_stand_beside_the_door_as_half_a_pair() -> None:
+    (planter,) = of_kind(solve(SHOWCASES, {"category": "planter"}), "planter")
+    assert off_walls(planter) < 0.05
+    assert abs(planter.pose.x - DOOR) > 2.5 or planter.pose.y > 1.0
+
+
+def test_a_totem_looks_at_who_comes_in_and_stands_off_the_way(foyer: Solution) -> None:
+    (totem,) = of_kind(foyer, "sign_totem")
+    assert math.sin(totem.pose.heading) == pytest.approx(-1.0)
+    assert 1.0 < totem.pose.y < 4.0
+    assert abs(totem.pose.x - DOOR) - 0.5 * totem.size.width > 1.0
+
+
+def test_baskets_stand_at_the_wall_beside_the_door(foyer: Solution) -> None:
+    (stack,) = of_kind(foyer, "basket_stack")
+    assert off_walls(stack) < 0.05
+    assert abs(stack.pose.x - DOOR) < 3.0
+
+
+def test_stacks_of_baskets_stand_side_by_side() -> None:
+    solution = solve(SHOWCASES, {"category": "basket_stack", "count": 3})
+    places = sorted(piece.pose.x for piece in of_kind(solution, "basket_stack"))
+    wide = of_kind(solution, "basket_stack")[0].size.width
+    assert max(b - a for a, b in pairwise(places)) < wide + 0.1
+
+
+def test_small_objects_with_a_pattern_of_their_own_keep_it() -> None:
+    rows = {"category": "planter", "count": 6, "patterns": ["grid"]}
+    solution = solve(SHOWCASES, rows)
+    patterns = {group.demand: group.pattern for group in solution.detail.layout.groups}
+    assert patterns["planter"] == "grid"
+
+
+def test_small_objects_stand_in_their_zone() -> None:
+    outline = [[0, 0], [WIDE, 0], [WIDE, DEEP], [0, DEEP]]
+    zones = [
+        {"id": "south", "outline": [[0, 0], [WIDE, 0], [WIDE, 5], [0, 5]]},
+        {"id": "north", "outline": [[0, 5], [WIDE, 5], [WIDE, DEEP], [0, DEEP]]},
+    ]
+    demands = [{**SHOWCASES, "zone": "south"}, {"category": "planter", "count": 3, "zone": "north"}]
+    room = {"name": "Hall", "outline": outline, "zones": zones, "demands": demands, "height": 4}
+    door = {"id": "front", "at": [DOOR, 0], "width": 2.0, "swing": "slide"}
+    brief = {"domain": "hall", "name": "Hall", "rooms": [{**room, "doors": [door]}]}
+    solution = sw.solve(Brief.model_validate(brief), steps=1500, threads=1)
+    assert min(piece.pose.y for piece in of_kind(solution, "planter")) > 5.0
+    assert [g.zone for g in solution.detail.layout.groups if g.demand == "planter"] == ["north"]
+
+
+def test_as_printed_small_objects_are_laid_out_with_the_rest() -> None:
+    planters = {"category": "planter", "count": 4}
+    solution = solve(SHOWCASES, planters, preset="paper-repaired", steps=200)
+    patterns = {group.demand: group.pattern for group in solution.detail.layout.groups}
+    assert patterns["planter"] != "single"
+
+
+STAGE = {"category": "stage", "size": [7, 3, 0.6]}
+
+
+def test_a_piano_stands_on_the_stage_and_who_plays_sits_on_it_too() -> None:
+    solution = solve(STAGE, {"category": "piano"}, {"category": "lectern"})
+    (piano,), (stage,) = of_kind(solution, "piano"), of_kind(solution, "stage")
+    (lectern,) = of_kind(solution, "lectern")
+    assert piano.on == stage.id
+    turn = piano.pose.heading - stage.pose.heading
+    assert abs(math.sin(turn)) == pytest.approx(1.0)
+
+    def aside(piece: Piece) -> float:
+        c, s = math.cos(stage.pose.heading), math.sin(stage.pose.heading)
+        return (piece.pose.x - stage.pose.x) * s - (piece.pose.y - stage.pose.y) * c
+
+    assert aside(piano) * aside(lectern) < 0.0
+    assert aside(piano) * math.sin(turn) > 0.0
+    assert abs(aside(piano)) + 0.5 * piano.size.depth <= 3.5
+    assert sw.check(solution).valid
+
+
+def test_a_piano_without_a_stage_stands_at_a_wall() -> None:
+    (piano,) = of_kind(solve(SHOWCASES, {"category": "piano"}), "piano")
+    assert off_walls(piano) < 0.05
