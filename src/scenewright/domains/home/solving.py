@@ -28,6 +28,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_problem
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.closets import has_closet
+from scenewright.domains.home.composing.bedsides import add_nightstands
 from scenewright.domains.home.composing.doorways import clear_doorways
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
@@ -151,6 +152,7 @@ def _walk_home(
     mended = mend_kitchens(every.tasks, found, opened)
     mended = mend_bedrooms(every.tasks, mended, opened)
     mended = clear_doorways(every.tasks, mended, opened)
+    mended = add_nightstands(every.tasks, mended, opened)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
     answers = found if fewer else mended
     return [leave_out_unseen_screen(*each) for each in zip(every.tasks, answers, strict=True)]
