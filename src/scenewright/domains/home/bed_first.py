@@ -42,14 +42,19 @@ def list_beds_first(
     if wish is None:
         return
     stays = tuple(p for p in before.placed if p.wish.core)
-    narrow = task._replace(
-        route_width=task.route_width - NARROWER, use_width=task.use_width - NARROWER
-    )
+    narrow = with_narrow_ways(task)
     barred = frozenset(find_blocked(narrow, stays))
     for case in LEAST[SINGLE]():
-        for bed in islice(_list_placed(task, stays, wish, case), PLACES):
+        for bed in islice(list_placed(task, stays, wish, case), PLACES):
             if barred.issuperset(find_blocked(narrow, (*stays, bed))):
                 yield answer_of(task, (*stays, bed), wishes)
+
+
+def with_narrow_ways(task: RoomTask) -> RoomTask:
+    """The task with ways by :data:`NARROWER` narrower."""
+    return task._replace(
+        route_width=task.route_width - NARROWER, use_width=task.use_width - NARROWER
+    )
 
 
 def _find_lacking(task: RoomTask, before: RoomAnswer) -> Wish | None:
@@ -63,7 +68,7 @@ def _find_lacking(task: RoomTask, before: RoomAnswer) -> Wish | None:
     return lacking[0]._replace(group=SINGLE, small=True)
 
 
-def _list_placed(
+def list_placed(
     task: RoomTask, stays: tuple[FurnishedGroup, ...], wish: Wish, case: Group
 ) -> Iterator[FurnishedGroup]:
     """A case of a bed wherever along the walls it stands free beside others: at the ends of free

@@ -15,6 +15,7 @@ from itertools import chain, islice
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, penalty
 from scenewright.domains.home.bed_first import list_beds_first
 from scenewright.domains.home.composing.improve import compose
+from scenewright.domains.home.kitchen_first import has_gap, list_kitchens_first
 from scenewright.domains.home.programme import Wish, is_essential
 from scenewright.domains.home.room import fill_rest, share_of
 from scenewright.domains.home.settings import FaultCosts
@@ -91,13 +92,17 @@ def _at_rank(
     rule, costs = task.preset.settings, task.costs
     usual = islice(essential_layouts(task, wishes, found[room], rank), rule.retry.walked)
     beds = islice(list_beds_first(task, wishes, found[room]), rule.retry.walked)
-    for bare in chain(usual, beds):
+    runs = islice(list_kitchens_first(task, wishes, found[room]), rule.retry.walked)
+    for bare in chain(usual, beds, runs):
+        if _lacks(bare, costs) >= _lacks(found[room], costs):
+            continue
         trial = opened(_with(found, room, bare))
-        if _essential(trial, costs) >= _essential(found, costs):
+        if _essential(trial, costs) >= _essential(found, costs) or has_gap(trial[room]):
             continue
         part = share_of(budget, rule.tries.fill, rule.tries)
         filled = opened(_with(found, room, compose(task, fill_rest(task, bare, part))))
-        found = min(filled, trial, key=lambda a: (_essential(a, costs), sum_lacks(a, costs)))
+        better = [a for a in (filled, trial) if not has_gap(a[room])]
+        found = min(better, key=lambda a: (_essential(a, costs), sum_lacks(a, costs)))
         if not _lacks(found[room], costs):
             break
     return found

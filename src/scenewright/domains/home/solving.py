@@ -47,7 +47,7 @@ from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.remove_blockers import remove_blockers
 from scenewright.domains.home.requests import check_asks, check_possible
-from scenewright.domains.home.second_try import tried_again
+from scenewright.domains.home.second_try import Opened, tried_again
 from scenewright.domains.home.shared_wishes import share_wishes
 from scenewright.domains.home.shortfall import complete_account, list_short_beds
 from scenewright.domains.home.stated_needs import AskedRooms, measure_shortage, meet_stated_needs
@@ -155,7 +155,22 @@ def _walk_home(
     mended = add_nightstands(every.tasks, mended, opened)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
     answers = found if fewer else mended
-    return [leave_out_unseen_screen(*each) for each in zip(every.tasks, answers, strict=True)]
+    return _without_unseen_screens(every.tasks, answers, opened)
+
+
+def _without_unseen_screens(
+    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers without screens that nobody sees, but where what takes the place of one bars a
+    way of the home."""
+    found = answers
+    for room, task in enumerate(tasks):
+        answer = leave_out_unseen_screen(task, found[room])
+        if answer is not found[room]:
+            trial = [answer if k == room else other for k, other in enumerate(found)]
+            stays = all(a is b for a, b in zip(opened(trial), trial, strict=True))
+            found = trial if stays else found
+    return found
 
 
 def problems(

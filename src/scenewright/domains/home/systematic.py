@@ -60,6 +60,16 @@ def essential_layouts(
                 break
 
 
+def place_rest(
+    task: RoomTask, stays: tuple[FurnishedGroup, ...], rest: tuple[Wish, ...]
+) -> tuple[FurnishedGroup, ...] | None:
+    """The ``rest`` in the least forms beside what ``stays``, the largest first, with all ways open;
+    None where no such layout is found."""
+    small = tuple(wish._replace(small=True) for wish in rest)
+    way = Attempt(stays, _largest_first(task, small), least_forms, True)
+    return next(_extend(task, way, stays, way.rest, [0]), None)
+
+
 def _ways(
     task: RoomTask, wishes: tuple[Wish, ...], before: RoomAnswer, rank: int
 ) -> Iterator[Attempt]:

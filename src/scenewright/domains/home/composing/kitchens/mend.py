@@ -88,7 +88,8 @@ def find_place(task: RoomTask, answer: RoomAnswer) -> Place | None:
         return None
     parts = tuple(p for p in answer.placed if p.wish.group in KITCHEN)
     rest = tuple(p for p in answer.placed if p.wish.group not in KITCHEN)
-    wish = lost[0]._replace(group="kitchen", rank=0)
+    core = lost[0].core or any(p.wish.core for p in parts)
+    wish = lost[0]._replace(group="kitchen", rank=0, core=core)
     return Place(make_unplaced(task, rest, wish, cases("kitchen").groups[0]), parts, rest)
 
 
