@@ -59,6 +59,48 @@ def test_a_run_takes_in_a_fridge_and_nothing_of_it_is_lost(length):
     assert take_in((SINK, TOP, HOB)) is None
 
 
+def cold_of(*units):
+    """The widths of the low fridge that a run takes in, and of what is left beside it."""
+    taken = take_in(units)
+    assert taken is not None
+    assert sum(w for _, w in taken) == pytest.approx(sum(w for _, w in units))
+    return [(name, round(wide, 2)) for name, wide in taken]
+
+
+@pytest.mark.parametrize(
+    ("wide", "cold", "rest"),
+    [(0.5, 0.5, 0), (0.6, 0.6, 0), (0.65, 0.65, 0), (0.7, 0.5, 0.2), (0.79, 0.5, 0.29),
+     (0.8, 0.6, 0.2), (0.95, 0.6, 0.35)],
+)  # fmt: skip
+def test_a_place_for_a_fridge_is_filled_or_leaves_a_cabinet_worth_having(wide, cold, rest):
+    low, top = (LOW, cold), [("drawer_cabinet", rest)] if rest else []
+    assert cold_of(SINK, ("drawer_cabinet", wide), HOB) == [SINK, low, *top, HOB]
+    assert cold_of(HOB, ("drawer_cabinet", wide), SINK) == [HOB, *top, low, SINK]
+
+
+def test_a_fridge_goes_under_the_longest_piece_of_worktop_else_for_the_dishwasher():
+    long = ("base_cabinet", 0.6)
+    beyond = ("drawer_cabinet", 0.5)
+    assert cold_of(SINK, long, HOB, beyond) == [SINK, (LOW, 0.6), HOB, beyond]
+    assert cold_of(beyond, SINK, long, HOB) == [beyond, SINK, (LOW, 0.6), HOB]
+    washer = ("dishwasher", 0.6)
+    assert cold_of(SINK, washer, beyond, HOB) == [SINK, washer, (LOW, 0.5), HOB]
+    assert cold_of(SINK, washer, TOP, HOB) == [SINK, (LOW, 0.6), TOP, HOB]
+    assert take_in((SINK, ("drawer_cabinet", 0.49), HOB)) is None
+
+
+@pytest.mark.parametrize(
+    ("length", "widths"),
+    [(SHORTEST, (0.4, 0.5)), (1.34, (0.44, 0.6)), (1.35, (0.45, 0.6)), (1.45, (0.55, 0.6)),
+     (1.55, (0.45, 0.6, 0.2))],
+)  # fmt: skip
+def test_a_pantry_gives_its_fridge_what_it_can_and_its_sink_a_sliver(length, widths):
+    sink, cold, hob, *beyond = pantry(length)
+    assert hob == ("hob_cabinet", 0.3)
+    assert [sink[0], cold[0]] == ["sink_cabinet", LOW]
+    assert [w for _, w in (sink, cold, *beyond)] == pytest.approx(list(widths))
+
+
 def test_there_is_worktop_over_a_low_fridge_of_the_run_and_none_over_a_tall_one():
     low = faults_of((SINK, (LOW, 0.6), HOB, TOP))
     assert low["low_fridge"] == 1.0

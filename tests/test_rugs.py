@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import pytest
+
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import solve
 from scenewright.domains.home.furnishing.rugs import match_rugs
@@ -43,3 +47,33 @@ def test_a_mat_by_the_bath_a_runner_in_the_hall() -> None:
 
 def test_a_users_own_rug_stays() -> None:
     assert models(rug("a", "a", asset="own:kilim")) == ["own:kilim"]
+
+
+@pytest.mark.parametrize(
+    ("width", "model"), [(1.8, "rug_quiet"), (1.9, "rug_runner"), (2.2, "rug_runner")]
+)
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_rug_by_itself_is_a_runner_from_nearly_twice_as_long_as_wide(
+    width, model, turned
+) -> None:
+    mat = rug("a", "a", width=width)
+    long, short, high = mat.size
+    assert models(replace(mat, size=Size(short, long, high)) if turned else mat) == [model]
+
+
+@pytest.mark.parametrize("category", ["sofa", "loveseat", "corner_sofa"])
+def test_the_pattern_lies_in_the_group_of_the_seats_and_where_they_look_to(category) -> None:
+    sofa = thing(category, "a", "a/seating")
+    assert models(sofa, rug("a", "a/seating"), rug("a", "a")) == ["rug", "rug"]
+    assert models(sofa, rug("b", "b"), rug("b", "b/seating")) == ["rug_quiet"] * 2
+
+
+@pytest.mark.parametrize("category", ["bathtub", "shower", "toilet"])
+def test_every_rug_of_a_bath_is_a_mat_and_none_beside_it(category) -> None:
+    wet = thing(category, "a", "a/wash")
+    long = rug("a", "a", width=2.4)
+    assert models(wet, rug("a", "a/basin"), long, rug("b", "b")) == ["rug_bath"] * 2 + ["rug_quiet"]
+
+
+def test_a_rug_of_the_brief_stays() -> None:
+    assert models(replace(rug("a", "a"), fixed=True)) == ["rug"]
