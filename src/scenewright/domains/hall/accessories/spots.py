@@ -42,7 +42,7 @@ def line_walls(walls: Floats, size: Size) -> tuple[Floats, Floats]:
     from the nearer end of its wall (k,).
 
     >>> boxes, far = line_walls(np.array([[0.0, 0, 3, 0]]), Size(1.0, 0.4, 1.0))
-    >>> boxes[:, 0].round(2).tolist(), boxes[0, 1], far.round(2).tolist()
+    >>> boxes[:, 0].round(2).tolist(), float(boxes[0, 1]), far.round(2).tolist()
     ([0.62, 1.12, 1.62, 2.12, 2.38], 0.22, [0.12, 0.62, 0.88, 0.38, 0.12])
     """
     rows, far = [np.zeros((0, 5))], [np.zeros(0)]
