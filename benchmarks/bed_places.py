@@ -134,14 +134,14 @@ def find_beside_wardrobe(case: Case, beds: Iterator[Piece]) -> bool:
     for bed in islice(beds, BESIDE):
         stand = replace(bed, id="w", category="wardrobe", asset=model.id if model else "")
         places = list_places(case._replace(bed=stand), WARDROBE, (bed,))
-        backed = [p for p in places if _has_back(p, case.space)]
+        backed = [p for p in places if has_back(p, case.space)]
         stride = max(1, len(backed) // BESIDE)
         if any(is_valid(case, (bed, p)) for p in backed[::stride]):
             return True
     return False
 
 
-def _has_back(piece: Piece, space: Space) -> bool:
+def has_back(piece: Piece, space: Space) -> bool:
     """Whether both ends of a back stand at a wall."""
     wall = shapely.Polygon(space.outline, list(space.holes)).boundary
     box = corners(np.array([[*piece.pose[:2], piece.pose.heading, *piece.size[:2]]]))[0]

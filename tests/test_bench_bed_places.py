@@ -5,8 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import lru_cache
 
+import numpy as np
 import shapely
-from benchmarks.bed_places import Case, find_beside_wardrobe, is_faulty, list_valid
+from benchmarks.bed_places import (
+    Case,
+    find_beside_wardrobe,
+    has_back,
+    is_faulty,
+    list_places,
+    list_valid,
+)
 from benchmarks.composition_faults import bed_adrift, list_rooms, shape_of
 
 import scenewright as sw
@@ -58,10 +66,20 @@ def test_a_room_that_is_full_has_none():
     block = replace(
         case.bed, id="block", pose=pose, size=case.bed.size._replace(width=2.0, depth=2.0)
     )
-    assert not list(list_valid(case, (block,), along_walls))
+    assert list_places(case, case.bed.size, ())
+    assert not list_places(case, case.bed.size, (block,))
 
 
 def test_no_wardrobe_stands_beside_a_bed_without_floor_to_spare():
     case = bedroom(1.3, 2.9)
     beds = list(list_valid(case, (), along_walls))
     assert not find_beside_wardrobe(case, iter(beds))
+
+
+def test_a_back_is_at_a_wall_with_both_its_ends():
+    case = bedroom(3.2, 3.0)
+    stand = replace(case.bed, size=case.bed.size._replace(width=1.0, depth=0.5))
+    east = stand.pose._replace(x=3.2 - 0.26, y=1.5, heading=np.pi)
+    assert has_back(replace(stand, pose=east), case.space)
+    assert not has_back(replace(stand, pose=east._replace(x=2.5)), case.space)
+    assert not has_back(replace(stand, pose=east._replace(heading=np.pi + 0.2)), case.space)
