@@ -1,7 +1,9 @@
 """A picture of the whole scene from above at an angle: soft light, no screen needed.
 
 Levels of a home stand side by side. Walls are cut just below the heads of doors and windows, and
-lower still before a room, so that every room shows. Sites are seen as a bird does.
+lower still before a room, so that every room shows. Homes and halls are seen from the side that
+fills the picture best and shows fronts (:mod:`scenewright.render.viewing_side`). Sites are seen as
+a bird does.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.render.picture import PAGE, REACH, Camera, Pixels, RenderStage, render, view_of
 from scenewright.render.stage import SHADOW, blocks_of, stage_of
+from scenewright.render.viewing_side import choose_turn
 
 WIDTH, TALLEST = 1440, 1026
 ANGLE = np.deg2rad(26.0)
@@ -36,14 +39,14 @@ class Look(NamedTuple):
     shadow: float
 
 
-INDOORS = Look((0.08, 0.42, -1.0), (-0.50, -0.22, 1.0), 2.0, REACH, SHADOW)
+INDOORS = Look((0.05, 0.42, -1.0), (-0.40, -0.20, 1.0), 2.0, REACH, SHADOW)
 """Mostly down, a little to the north and east."""
 OUTDOORS = Look((0.22, 0.80, -0.86), (-0.62, -0.48, 0.80), None, 14.0, 120.0)
 """From the south, as a bird sees it, on an afternoon."""
 OPEN = {"site", "village", "extend"}
 """Functions of spaces that are open ground."""
 MARGIN = 1.03
-NARROWEST = 0.4
+NARROWEST = 0.36
 """A picture is as narrow as this share of its usual width at most, for homes that are tall."""
 
 Floats = NDArray[np.float64]
@@ -74,7 +77,8 @@ def picture(scene: Scene, catalog: Catalog, width: int = WIDTH) -> Pixels:
 
 def _stage_scene(scene: Scene, catalog: Catalog, look: Look) -> tuple[RenderStage, Camera, float]:
     """The triangles, and a camera that sees them with the shape of its picture."""
-    blocks = blocks_of(scene, catalog, look.cut, look.towards)
+    turn = choose_turn(scene, look.towards) if look.cut is not None else 0.0
+    blocks = blocks_of(scene, catalog, look.cut, look.towards, turn)
     corners = [block.vertices for block in blocks] or [np.zeros((1, 3))]
     bounds = np.vstack(corners)
     camera, shape = frame_points(bounds, look.towards)

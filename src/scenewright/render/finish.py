@@ -20,8 +20,8 @@ PLAIN, PLANKS, SLABS, TILES, DECK, PAGE, GRASS, GRIT, LEAVES = 0, 1, 2, 3, 4, 5,
 ground that grows, uneven ground that does not, crowns of trees."""
 
 SUN = (1.24, 1.18, 1.08)
-SKY = (0.55, 0.60, 0.67)
-BOUNCE = (0.30, 0.275, 0.25)
+SKY = (0.62, 0.65, 0.70)
+BOUNCE = (0.36, 0.345, 0.325)
 """Light from the sun, the open sky, and surroundings that hide the sky."""
 
 

@@ -30,7 +30,17 @@ WIDE = 0.8
 """So do only those as wide as this, metres: one looks past a plant."""
 CLEAR = 0.6
 """How opaque what hides others is drawn."""
+CLEARER = 0.25
+"""How opaque is drawn what hangs over others."""
 WALL = "partition"
+
+
+OVER, BEFORE = 1.2, 0.25
+"""What hangs as high as this over the floor and is as deep as this, metres, hides what stands
+below it, unless its front is turned to the eye."""
+SIDEWAYS = 0.6
+"""Cosine of the angle in plan between a front and the way to the eye, above which one sees below
+what hangs there."""
 
 
 class Rule(NamedTuple):
@@ -80,6 +90,34 @@ def find_hiding(pieces: Sequence[Piece], towards: tuple[float, float, float]) ->
     return frozenset(found)
 
 
+def find_hanging_over(
+    pieces: Sequence[Piece], towards: tuple[float, float, float]
+) -> frozenset[str]:
+    """The ids of the cabinets and hoods that hang over a worktop and are seen from above only, by
+    an eye that looks ``towards`` a direction: on walls that run along the view or stand before it.
+
+    >>> from scenewright.core.scene import Pose, Size
+    >>> def piece(name, heading):
+    ...     pose, size = Pose(0.0, 0.0, 1.4, heading), Size(0.6, 0.35, 0.7)
+    ...     return Piece(name, "wall_cabinet", "", "a", pose, size)
+    >>> three = [piece("east", 0.0), piece("south", -np.pi / 2), piece("north", np.pi / 2)]
+    >>> sorted(find_hanging_over(three, (0.0, 0.42, -1.0)))
+    ['east', 'north']
+    """
+    flat = float(np.hypot(*towards[:2]))
+    if flat < 1e-6:
+        return frozenset()
+    x, y = -towards[0] / flat, -towards[1] / flat
+    return frozenset(
+        p.id
+        for p in pieces
+        if p.pose.z >= OVER
+        and p.on is None
+        and p.size.depth >= BEFORE
+        and x * np.cos(p.pose.heading) + y * np.sin(p.pose.heading) < SIDEWAYS
+    )
+
+
 class _Standing(NamedTuple):
     """Footprints (n,), their tops and middles (n,) above the floor, metres."""
 
@@ -117,11 +155,11 @@ def _sweep(outlines: NDArray[np.object_], steps: Floats) -> NDArray[np.object_]:
     return np.asarray(shapely.convex_hull(hulls), object)
 
 
-def make_clear(parts: tuple[Part, ...]) -> tuple[Part, ...]:
+def make_clear(parts: tuple[Part, ...], opacity: float = CLEAR) -> tuple[Part, ...]:
     """Parts as if of glass, in their colours."""
-    return tuple(Part(_clear(part.material), part.vertices, part.faces) for part in parts)
+    return tuple(Part(_clear(part.material, opacity), part.vertices, part.faces) for part in parts)
 
 
-def _clear(material: Material) -> Material:
-    opacity = min(material.opacity, CLEAR)
+def _clear(material: Material, opacity: float) -> Material:
+    opacity = min(material.opacity, opacity)
     return replace(material, name=f"{material.name}, seen through", opacity=opacity)

@@ -26,7 +26,7 @@ from scenewright.core.scene import STAIRS, GroundSurface, Piece, Prism, Scene, S
 from scenewright.core.space import Level, Opening, Space
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box, face_normals, prism, sheet
-from scenewright.render.hiding import find_hiding, make_clear
+from scenewright.render.hiding import CLEAR, CLEARER, find_hanging_over, find_hiding, make_clear
 from scenewright.render.near_walls import (
     NearWalls,
     cut_of_opening,
@@ -104,15 +104,23 @@ def things(
             for p in scene.pieces
             if level_of.get(p.space, first) == level.id and p.function != STAIRS
         ]
-        hiding = find_hiding(pieces, towards) if cut is not None and towards else frozenset()
+        clear = _find_clear(pieces, towards) if cut is not None and towards else {}
         for piece in pieces:
             one = _piece(piece, level.id, catalog, cut and cut_of_piece(piece, near, cut))
-            if piece.id in hiding:
-                one = one._replace(key=(one.key, "clear"), parts=make_clear(one.parts))
+            if piece.id in clear:
+                one = one._replace(
+                    key=(one.key, "clear"), parts=make_clear(one.parts, clear[piece.id])
+                )
             found += [one] if one.parts or cut is None else []
     if scene.palette:
         found = [one._replace(parts=paint(one.parts, scene.palette)) for one in found]
     return tuple(_make_names_unique(found))
+
+
+def _find_clear(pieces: Sequence[Piece], towards: Direction) -> dict[str, float]:
+    """How opaque pieces are drawn that hide others from an eye looking ``towards`` a direction."""
+    hanging = dict.fromkeys(find_hanging_over(pieces, towards), CLEARER)
+    return dict.fromkeys(find_hiding(pieces, towards), CLEAR) | hanging
 
 
 def to_level_coordinates(thing: RenderItem, vertices: Floats) -> Floats:

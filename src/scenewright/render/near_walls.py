@@ -25,6 +25,9 @@ THICK = 0.6
 """A wall is as thick as this at most, metres."""
 COLUMN = 1.2
 """What is built inside a room and no longer than this is a column, metres."""
+LEFT = 0.6
+"""Of a piece on a lowered wall at least this share stands below its top, or none is drawn: of
+curtains only their hems would show."""
 HANGING = 0.1
 """Half of this behind what hangs on a wall is the wall, metres."""
 
@@ -123,7 +126,9 @@ def cut_of_opening(opening: Opening, near: NearWalls, cut: float) -> float:
 
 
 def cut_of_piece(piece: Piece, near: NearWalls, cut: float) -> float:
-    """The height at which a piece that hangs on a wall is cut: that of the wall behind it."""
-    x, y, _, heading = piece.pose
+    """The height at which a piece that hangs on a wall is cut: that of the wall behind it, and
+    its foot, so that nothing of it is drawn, where that leaves less than :data:`LEFT` of it."""
+    x, y, foot, heading = piece.pose
     back = piece.size.depth / 2 + HANGING / 2
-    return near.top_at(x - back * np.cos(heading), y - back * np.sin(heading), cut)
+    top = near.top_at(x - back * np.cos(heading), y - back * np.sin(heading), cut)
+    return top if top - foot >= LEFT * piece.size.height else foot

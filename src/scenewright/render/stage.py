@@ -96,10 +96,13 @@ def blocks_of(
     catalog: Catalog,
     cut: float | None = None,
     towards: tuple[float, float, float] | None = None,
+    turn: float = 0.0,
 ) -> list[PartTriangles]:
     """Every part of every thing, levels side by side on one ground, without what is above
-    ``cut``; walls before a room for an eye that looks ``towards`` a direction are lower."""
-    shown = affordable(things(scene, catalog, cut, towards))
+    ``cut``; walls before a room for an eye that looks ``towards`` a direction are lower. All is
+    turned by ``turn`` radians about z first, so that the eye sees it from another side."""
+    seen = towards and turn_direction(towards, -turn)
+    shown = [turn_item(one, turn) for one in affordable(things(scene, catalog, cut, seen))]
     normals = _shared_normals(shown)
     found: list[PartTriangles] = []
     start = 0.0
@@ -114,6 +117,21 @@ def blocks_of(
         found += [block._replace(vertices=block.vertices + shift) for block in blocks]
         start = float(high + shift[0]) + APART
     return found
+
+
+def turn_direction(way: tuple[float, float, float], turn: float) -> tuple[float, float, float]:
+    """A direction turned about z.
+
+    >>> turn_direction((1.0, 0.0, -1.0), 0.0)
+    (1.0, 0.0, -1.0)
+    """
+    cos, sin = float(np.cos(turn)), float(np.sin(turn))
+    return (cos * way[0] - sin * way[1], sin * way[0] + cos * way[1], way[2])
+
+
+def turn_item(item: RenderItem, turn: float) -> RenderItem:
+    """An item turned about the origin of its level."""
+    return item._replace(at=turn_direction(item.at, turn), turn=item.turn + turn) if turn else item
 
 
 def _shared_normals(shown: Sequence[RenderItem]) -> dict[Hashable, list[Singles]]:
