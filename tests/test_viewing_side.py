@@ -87,9 +87,10 @@ def test_curtains_of_lowered_walls_are_left_out():
 
 
 @pytest.mark.parametrize("turn", [np.pi / 2, -np.pi / 2, np.pi])
-def test_walls_before_the_eye_are_low_from_every_side(turn: float):
+def test_the_wall_before_the_eye_is_low_from_every_side(turn: float):
     blocks = blocks_of(scene(6.0, 3.0), shipped(), 2.0, INDOORS.towards, turn)
     points = np.vstack([block.vertices for block in blocks])
-    near, far = points[:, 1].min() + 0.05, points[:, 1].max() - 0.05
-    assert points[points[:, 1] < near][:, 2].max() == pytest.approx(KERB)
-    assert points[points[:, 1] > far][:, 2].max() == pytest.approx(2.0)
+    near = points[points[:, 1] < points[:, 1].min() + 0.05]
+    far = points[points[:, 1] > points[:, 1].max() - 0.05]
+    assert np.isclose(near[:, 2], KERB).any()
+    assert not np.isclose(far[:, 2], KERB).any()
