@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import ast
+import gc
 import re
 import subprocess
 import sys
 import tomllib
 from collections.abc import Iterator
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
 import scenewright
+from every import every
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "scenewright"
@@ -45,6 +48,11 @@ DOMAINS = {"home", "hall", "site", "village", "extend"}
 HEAVY = ("numpy", "numba", "shapely", "trimesh", "embreex", "scipy", "pydantic")
 
 
+def name_file(file: Path) -> str:
+    """Where a file lies in the checkout."""
+    return str(file.relative_to(ROOT))
+
+
 def room_of(module: str) -> str:
     """The top-level room a dotted module name lies in."""
     return module.split(".")[:2][-1]
@@ -56,9 +64,31 @@ def module_of(file: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
-def imported(file: Path) -> Iterator[str]:
+@cache
+def parse(file: Path) -> ast.Module:
+    """The syntax tree of a file, parsed once for all rules."""
+    return ast.parse(file.read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="module", autouse=True)
+def trees() -> Iterator[None]:
+    """Syntax trees are let go once the last rule is checked. Until then no cycle of objects is
+    looked for: among a million nodes that takes four times as long as parsing them."""
+    gc.disable()
+    yield
+    gc.enable()
+    parse.cache_clear()
+    imported.cache_clear()
+
+
+@cache
+def imported(file: Path) -> tuple[str, ...]:
     """Dotted names of our modules that a file imports, at its head or inside functions."""
-    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+    return tuple(list_imports(file))
+
+
+def list_imports(file: Path) -> Iterator[str]:
+    for node in ast.walk(parse(file)):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names if alias.name.startswith("scenewright"))
         elif isinstance(node, ast.ImportFrom):
@@ -77,7 +107,7 @@ def layer_of(room: str) -> int:
     return found[0]
 
 
-@pytest.mark.parametrize("file", FILES, ids=NAMES)
+@every(FILES, name_file)
 def test_imports_only_go_down(file: Path) -> None:
     own = room_of(module_of(file))
     for name in imported(file):
@@ -92,14 +122,14 @@ def domain_in(module: str) -> str:
     return parts[2] if parts[1:2] == ["domains"] and parts[2:3] and parts[2] in DOMAINS else ""
 
 
-@pytest.mark.parametrize("file", FILES, ids=NAMES)
+@every(FILES, name_file)
 def test_no_domain_imports_another(file: Path) -> None:
     own = domain_in(module_of(file))
     for name in imported(file) if own else ():
         assert domain_in(name) in ("", own), f"{file.name} imports {name}"
 
 
-@pytest.mark.parametrize("file", FILES, ids=NAMES)
+@every(FILES, name_file)
 def test_domains_are_asked_through_the_contract(file: Path) -> None:
     """Outside a domain nobody imports its modules; the façade names one class of homes."""
     if "domains" in file.parts or file == PACKAGE / "__init__.py":
@@ -134,7 +164,7 @@ CALLING = {"cli", "batch", "workflow", "formats"}
 """Rooms that may call the referee, beside a domain's registration and the hand-over to it."""
 
 
-@pytest.mark.parametrize("file", FILES, ids=NAMES)
+@every(FILES, name_file)
 def test_the_search_never_asks_the_referee(file: Path) -> None:
     module = module_of(file)
     parts = module.split(".")
@@ -145,30 +175,30 @@ def test_the_search_never_asks_the_referee(file: Path) -> None:
         assert "check" not in name.split("."), f"{module} imports the referee: {name}"
 
 
-@pytest.mark.parametrize("file", FILES, ids=NAMES)
+@every(FILES, name_file)
 def test_files_and_functions_are_small(file: Path) -> None:
     text = file.read_text(encoding="utf-8")
     assert len(text.splitlines()) <= 400
-    for node in ast.walk(ast.parse(text)):
+    for node in ast.walk(parse(file)):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             assert (node.end_lineno or 0) - node.lineno <= 60, f"{node.name} is too long"
 
 
-@pytest.mark.parametrize("file", [*TESTS, *BENCHMARKS], ids=lambda file: file.name)
+@every([*TESTS, *BENCHMARKS], name_file)
 def test_files_of_tests_and_benchmarks_are_small(file: Path) -> None:
     assert len(file.read_text(encoding="utf-8").splitlines()) <= 400, "split it by theme"
 
 
-@pytest.mark.parametrize("file", FILES, ids=NAMES)
+@every(FILES, name_file)
 def test_every_module_and_public_function_has_a_docstring(file: Path) -> None:
-    tree = ast.parse(file.read_text(encoding="utf-8"))
+    tree = parse(file)
     assert ast.get_docstring(tree) or not tree.body, "the module says nothing"
     for node in tree.body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
             assert ast.get_docstring(node), f"{node.name} says nothing"
 
 
-@pytest.mark.parametrize("file", FILES, ids=NAMES)
+@every(FILES, name_file)
 def test_names_tell_what_is_inside(file: Path) -> None:
     words = {
         part for name in file.relative_to(PACKAGE).with_suffix("").parts for part in name.split("_")
@@ -179,7 +209,7 @@ def test_names_tell_what_is_inside(file: Path) -> None:
 def test_no_class_of_ours_is_derived_from_another() -> None:
     allowed = {"Model"}  # the settings every pydantic model of the brief shares
     for file in FILES:
-        tree = ast.parse(file.read_text(encoding="utf-8"))
+        tree = parse(file)
         ours = {node.name for node in ast.walk(tree) if isinstance(node, ast.ClassDef)} - allowed
         for node in ast.walk(tree):
             if isinstance(node, ast.ClassDef):
@@ -197,7 +227,7 @@ def test_the_facade_lists_what_it_loads() -> None:
 
 
 def test_the_facade_tells_type_checkers_the_same() -> None:
-    tree = ast.parse((PACKAGE / "__init__.py").read_text(encoding="utf-8"))
+    tree = parse(PACKAGE / "__init__.py")
     blocks = [node for node in tree.body if isinstance(node, ast.If)]
     told = {
         alias.asname or alias.name: f"{node.module}:{alias.name}".removeprefix("scenewright.")
@@ -248,24 +278,26 @@ OUR_OWN = {"scenewright", "pydantic_core"}  # and what pydantic cannot be withou
 """Packages imported by another name than they are installed by."""
 
 
-@pytest.mark.parametrize("file", FILES, ids=NAMES)
-def test_only_packages_a_user_has_are_imported(file: Path) -> None:
-    """What pyproject.toml lists for everybody, or for the extra of more solvers; what learns may
-    import what the extra of learning lists."""
+@cache
+def known_packages(learning: bool) -> frozenset[str]:
+    """What may be imported: what pyproject.toml lists for everybody, or for the extra of more
+    solvers; what learns may import what the extra of learning lists."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    extras = ["solve", *(["learn"] if "learning" in file.parts else [])]
     listed = [*project["dependencies"]]
-    for extra in extras:
+    for extra in ["solve", *(["learn"] if learning else [])]:
         listed += project["optional-dependencies"][extra]
     names = [re.split("[<>=!~ ;\\[]", line)[0] for line in listed]
-    known = {NAMED.get(name, name) for name in names} | sys.stdlib_module_names
-    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+    return frozenset({NAMED.get(name, name) for name in names} | sys.stdlib_module_names | OUR_OWN)
+
+
+@every(FILES, name_file)
+def test_only_packages_a_user_has_are_imported(file: Path) -> None:
+    known = known_packages("learning" in file.parts)
+    for node in ast.walk(parse(file)):
         heads = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
         if isinstance(node, ast.ImportFrom):
             heads.append(node.module or "")
-        assert {head.split(".")[0] for head in heads} <= known | OUR_OWN, (
-            f"{file.name} imports {heads}"
-        )
+        assert {head.split(".")[0] for head in heads} <= known, f"imports {heads}"
 
 
 def test_layers_name_only_what_exists_or_is_planned() -> None:
@@ -301,12 +333,15 @@ def decorated(node: ast.AST, names: set[str]) -> bool:
     )
 
 
-INLINED = {
-    f"{module_of(file)}.{node.name}"
-    for file in FILES
-    for node in ast.parse(file.read_text()).body
-    if decorated(node, {"inlined"})
-}
+@cache
+def inlined_functions() -> frozenset[str]:
+    """The full names of all functions that are copied into kernels."""
+    return frozenset(
+        f"{module_of(file)}.{node.name}"
+        for file in FILES
+        for node in parse(file).body
+        if isinstance(node, ast.FunctionDef) and decorated(node, {"inlined"})
+    )
 
 
 def names_used_by_python(tree: ast.AST, names: dict[str, str]) -> Iterator[str]:
@@ -321,22 +356,20 @@ def names_used_by_python(tree: ast.AST, names: dict[str, str]) -> Iterator[str]:
         yield from names_used_by_python(child, names)
 
 
-@pytest.mark.parametrize(
-    "file", [*FILES, *TESTS, *BENCHMARKS], ids=lambda file: str(file.relative_to(ROOT))
-)
+@every([*FILES, *TESTS, *BENCHMARKS], name_file)
 def test_inlined_functions_are_only_called_by_kernels(file: Path) -> None:
     """They have no entry from Python: a call would crash."""
-    tree = ast.parse(file.read_text())
+    tree = parse(file)
     module = module_of(file) if PACKAGE in file.parents else ""
     names = {node.name: f"{module}.{node.name}" for node in tree.body if hasattr(node, "name")}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom):
             names |= {a.asname or a.name: f"{node.module}.{a.name}" for a in node.names}
-    assert not INLINED.intersection(names_used_by_python(tree, names))
+    assert not inlined_functions().intersection(names_used_by_python(tree, names))
 
 
 def test_inlined_functions_are_found_where_python_names_them() -> None:
     told = names_used_by_python(
         ast.parse("moves.turn(1)"), {"moves": "scenewright.domains.home.solvers.moves"}
     )
-    assert INLINED.intersection(told) == {"scenewright.domains.home.solvers.moves.turn"}
+    assert inlined_functions().intersection(told) == {"scenewright.domains.home.solvers.moves.turn"}

@@ -12,6 +12,7 @@ import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
 
+from every import every
 from scenewright.catalog.assets import assets_of, shipped
 from scenewright.catalog.kinds import KINDS
 from scenewright.core.catalog import Asset, Part
@@ -41,7 +42,12 @@ REQUIRED = (
 
 ASSETS = list(shipped().assets.values())
 SIZES = ("smallest", "usual", "largest")
-CASES = [pytest.param(a, getattr(a, s), id=f"{a.id}-{s}") for a in ASSETS for s in SIZES]
+CASES = [(a, getattr(a, s)) for a in ASSETS for s in SIZES]
+
+
+def name_asset(row: Asset | tuple[Asset, Size]) -> str:
+    """An asset, and the size it is drawn in."""
+    return f"{row[0].id} of {row[1]}" if isinstance(row, tuple) else row.id
 
 
 @cache
@@ -57,7 +63,7 @@ def _bounds(parts: tuple[Part, ...]) -> tuple[np.ndarray, np.ndarray]:
     return points.min(0), points.max(0)
 
 
-@pytest.mark.parametrize(("asset", "size"), CASES)
+@every(CASES, name_asset)
 def test_a_mesh_fills_exactly_its_box(asset: Asset, size: Size) -> None:
     low, high = _bounds(_mesh(asset, size))
     w, d, h = size
@@ -65,7 +71,7 @@ def test_a_mesh_fills_exactly_its_box(asset: Asset, size: Size) -> None:
     assert high == pytest.approx([w / 2, d / 2, h], abs=1e-6)
 
 
-@pytest.mark.parametrize(("asset", "size"), CASES)
+@every(CASES, name_asset)
 def test_parts_are_closed_and_look_outward(asset: Asset, size: Size) -> None:
     for part in _mesh(asset, size):
         assert np.isfinite(part.vertices).all()
@@ -103,7 +109,7 @@ def _volumes(part: Part) -> np.ndarray:
     return found[np.unique(label)]
 
 
-@pytest.mark.parametrize("asset", ASSETS, ids=lambda a: a.id)
+@every(ASSETS, name_asset)
 def test_meshes_are_light_and_sizes_ordered(asset: Asset) -> None:
     for which, most in MOST_TRIANGLES.items():
         assert sum(len(p.faces) for p in _mesh(asset, getattr(asset, which))) <= most
@@ -112,7 +118,7 @@ def test_meshes_are_light_and_sizes_ordered(asset: Asset) -> None:
     assert np.all(np.array(asset.usual) <= asset.largest)
 
 
-@pytest.mark.parametrize("asset", ASSETS, ids=lambda a: a.id)
+@every(ASSETS, name_asset)
 def test_equal_sizes_give_equal_meshes(asset: Asset) -> None:
     first, second = _mesh(asset, asset.usual), asset.mesh(asset.usual)
     for one, other in zip(first, second, strict=True):
@@ -120,7 +126,7 @@ def test_equal_sizes_give_equal_meshes(asset: Asset) -> None:
         assert np.array_equal(one.vertices, other.vertices)
 
 
-@pytest.mark.parametrize(("asset", "size"), CASES)
+@every(CASES, name_asset)
 def test_a_symbol_stays_inside_the_footprint(asset: Asset, size: Size) -> None:
     lines = asset.symbol(size)
     assert lines

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import get_args
 
-import pytest
-
+from every import every
 from scenewright.building.room_names import functions_from_name, sort_functions
 from scenewright.core.brief import Function
 
@@ -160,12 +159,12 @@ NAMES = [
 ]
 
 
-@pytest.mark.parametrize(("name", "functions"), NAMES)
+@every(NAMES)
 def test_function_by_name(name: str, functions: str) -> None:
     assert functions_from_name(name) == tuple(functions.split())
 
 
-@pytest.mark.parametrize(("name", "functions"), NAMES)
+@every(NAMES)
 def test_case_numbers_and_width_do_not_matter(name: str, functions: str) -> None:
     assert functions_from_name(f"  {name.upper()} 12") == tuple(functions.split())
 
