@@ -40,7 +40,7 @@ SAMPLES = {
     "extend": "extend-village",
 }
 KINDS = {**SAMPLES, "village": "village-hamlet"}
-HOME = "sample:home-child"
+HOME = "sample:home-room"
 FEW = BreedingPlan(first=13, each=5, rounds=1, brood=8)
 
 
@@ -130,7 +130,7 @@ def test_the_same_words_lead_to_the_same_screens(tmp_path: Path) -> None:
         assert values != [again.ask().candidates[0].figures()]
 
 
-@pytest.mark.parametrize("name", ["home-child", "site-courtyards"])
+@pytest.mark.parametrize("name", ["home-room", "site-courtyards"])
 def test_a_resumed_evolution_goes_on_as_if_never_ended(name: str, tmp_path: Path) -> None:
     source = f"sample:{name}"
     with evolve(source, tmp_path / "whole", breeding=FEW) as whole:
