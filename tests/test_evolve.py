@@ -151,14 +151,17 @@ def test_a_resumed_evolution_goes_on_as_if_never_ended(name: str, tmp_path: Path
 
 
 def test_what_is_locked_stands_in_all_that_comes(tmp_path: Path) -> None:
-    with evolve("sample:home-studio", tmp_path / "log", breeding=FEW) as evolution:
+    with evolve(HOME, tmp_path / "log", breeding=FEW) as evolution:
         shown = numbers(evolution.ask())
-        pieces = evolution.solution_of(shown[0]).pieces
-        seat = next(p for p in pieces if p.category in ("sofa", "corner_sofa", "loveseat"))
-        evolution.tell(Pick(shown[0], shown), Lock(seat.id))
+        desks = [
+            next(p for p in one.solution.pieces if p.category == "desk")
+            for one in evolution.screen.candidates
+        ]
+        assert len({desk.pose for desk in desks}) > 1, "it would stand there anyway"
+        evolution.tell(Pick(shown[0], shown), Lock(desks[0].id))
         second = evolution.ask()
         for one in second.candidates[1:]:
-            assert any(p.pose == seat.pose and p.fixed for p in one.solution.pieces)
+            assert any(p.pose == desks[0].pose and p.fixed for p in one.solution.pieces)
         evolution.undo()
         third = evolution.ask()
         poses = {p.pose for one in third.candidates for p in one.solution.pieces}
@@ -271,16 +274,23 @@ def test_logs_that_are_none_are_refused_in_one_line(tmp_path: Path) -> None:
 
 
 SAYING = """
-import sys
+import os, sys
 from scenewright.engine.preference.events import Stars
-from scenewright.workflow.evolution.population import BreedingPlan
 from scenewright.workflow.evolve import resume_evolution
-with resume_evolution(sys.argv[1]) as evolution:
-    shown = [one.number for one in evolution.screen.candidates]
-    for k in range(10_000):
-        evolution.tell(Stars(shown[k % len(shown)], 1 + k % 5, 0))
-        print(len(evolution.events), flush=True)
+for _ in sys.stdin:
+    if os.fork():
+        os.wait()
+        print("ended", flush=True)
+        continue
+    print(os.getpid(), flush=True)
+    with resume_evolution(sys.argv[1]) as evolution:
+        shown = [one.number for one in evolution.screen.candidates]
+        for k in range(10_000):
+            evolution.tell(Stars(shown[k % len(shown)], 1 + k % 5, 0))
+            print(len(evolution.events), flush=True)
+    os._exit(0)
 """
+"""One run for each line it reads, in a process of its own that has all modules loaded."""
 
 
 def test_killed_at_ten_moments_no_event_is_lost(tmp_path: Path) -> None:
@@ -289,18 +299,23 @@ def test_killed_at_ten_moments_no_event_is_lost(tmp_path: Path) -> None:
     with evolve(HOME, log, breeding=FEW) as evolution:
         evolution.ask()
     known = 0
-    for _ in range(10):
-        command = [sys.executable, "-c", SAYING, str(log)]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as run:
-            assert run.stdout is not None
-            heard = [run.stdout.readline()]
+    command = [sys.executable, "-c", SAYING, str(log)]
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as runs:
+        assert runs.stdin is not None
+        assert runs.stdout is not None
+        for _ in range(10):
+            runs.stdin.write("\n")
+            runs.stdin.flush()
+            run, heard = int(runs.stdout.readline()), [runs.stdout.readline()]
             time.sleep(rng.uniform(0.0, 0.15))
-            os.kill(run.pid, signal.SIGKILL)
-            heard += run.stdout.readlines()
-        told = [int(line) for line in heard if line.endswith("\n") and line.strip()]
-        with resume_evolution(log) as again:
-            assert len(again.events) >= told[-1] > known
-            known = len(again.events)
+            os.kill(run, signal.SIGKILL)
+            heard += iter(runs.stdout.readline, "ended\n")
+            told = [int(line) for line in heard]
+            with resume_evolution(log) as again:
+                assert len(again.events) >= told[-1] > known
+                known = len(again.events)
     with resume_evolution(log) as last:
         assert all(isinstance(event, Stars) for event in last.events)
         last.undo()

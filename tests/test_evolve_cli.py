@@ -29,7 +29,7 @@ from scenewright.engine.preference.events import (
 
 SHOWN = (10, 11, 12, 13)
 REASONS = ("too dense", "more sun", "more trees")
-HOME = "sample:home-child"
+HOME = "sample:home-room"
 
 
 def parse(line: str, said: tuple[Event, ...] = (), champion: int | None = None) -> object:
