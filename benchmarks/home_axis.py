@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.plans_r2v import adapt, raw_plans
+from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
@@ -62,12 +63,12 @@ def records(quick: bool = False, progress: Progress | None = None) -> list[Recor
 
 
 def flats(count: int) -> Iterator[Brief]:
-    """The first flats of the list that can be built."""
+    """Of the first flats of the list those that can be built and have a living room."""
     for raw in sorted(raw_plans(), key=lambda plan: sha256(plan["id"].encode()).hexdigest())[
         :count
     ]:
         brief = adapt(raw).brief
-        if brief is not None:
+        if brief is not None and any("living" in space.functions for space in spaces(brief)):
             yield brief
 
 
