@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import pi
 
 import numpy as np
 import pytest
@@ -14,7 +15,8 @@ from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
-from scenewright.domains.home.furnishing.floor_mats import lay_mats
+from scenewright.domains.home.furnishing.bed_rugs import BEDS
+from scenewright.domains.home.furnishing.floor_mats import SOFAS, lay_mats
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.solving import solve
 from scenewright.formats import read
@@ -35,7 +37,8 @@ def test_mats_of_a_solved_home_lie_clear(seed):
         assert room.buffer(1e-6).contains(_floor(mat))
         for other in home.pieces:
             kind = kinds[other.category]
-            if other.pose.z < 0.05 and kind.support == "floor" and not kind.flat:
+            under = other.category in (*BEDS, *SOFAS)
+            if other.pose.z < 0.05 and kind.support == "floor" and not kind.flat and not under:
                 assert _floor(mat).intersection(_floor(other)).area < 1e-6, other.id
     assert check(home).valid
 
@@ -75,3 +78,61 @@ def test_a_mat_lies_along_the_open_side_of_a_tub(turned):
     assert south > 0.7
     assert east - west > north - south
     assert (west + east) / 2 == pytest.approx(1.5, abs=0.06)
+
+
+ROOM = {"id": "bed", "function": "bedroom", "outline": [[0, 0], [4, 0], [4, 3.4], [0, 3.4]]}
+
+
+def _rug_of(room: dict, *pieces: Piece) -> list[Piece]:
+    (space,) = spaces(Brief(rooms=[Room.model_validate(room)]))
+    return lay_mats(space, ground_of(space, (), 13.0), pieces, shipped())
+
+
+def _piece(category: str, pose: Pose, *size: float, room: str = "bed") -> Piece:
+    return Piece(category, category, "", room, pose, Size(*size))
+
+
+def test_a_rug_of_a_bed_for_two_reaches_out_alike_on_both_sides():
+    bed = _piece("double_bed", Pose(1.05, 1.7, 0.0, 0.0), 1.6, 2.05, 0.9)
+    (rug,) = _rug_of(ROOM, bed)
+    assert rug.pose.y == pytest.approx(1.7)
+    assert rug.size.width >= 1.6 + 0.6
+    assert _floor(rug).intersection(_floor(bed)).area > 1.0
+
+
+def test_a_rug_lies_along_the_open_side_of_a_bed_in_the_corner_and_a_little_under_it():
+    bed = _piece("double_bed", Pose(1.05, 0.71, 0.0, 0.0), 1.4, 2.05, 0.9)
+    chest = _piece("chest_of_drawers", Pose(3.0, 2.3, 0.0, pi), 1.0, 1.5, 0.9)
+    (rug,) = _rug_of(ROOM, bed, chest)
+    _, south, _, north = _floor(rug).bounds
+    assert south == pytest.approx(1.41 - 0.2)
+    assert north > 1.41 + 0.3
+    assert abs(rug.pose.x - bed.pose.x) <= 0.4
+
+
+def test_no_small_rug_lies_amid_a_bedroom_nor_before_the_doors_of_a_wardrobe():
+    bed = _piece("double_bed", Pose(1.05, 0.71, 0.0, 0.0), 1.4, 2.05, 0.9)
+    wardrobe = _piece("wardrobe", Pose(1.2, 2.25, 0.0, -pi / 2), 2.4, 0.6, 2.2)
+    shelf = _piece("bookcase", Pose(2.5, 0.8, 0.0, pi), 1.6, 0.5, 2.0)
+    assert _rug_of(ROOM, bed, wardrobe, shelf) == []
+    lower = replace(wardrobe, category="sideboard")
+    assert _rug_of(ROOM, bed, lower, shelf)
+
+
+def test_a_runner_lies_before_the_middle_of_the_cupboards_of_a_hall():
+    hall = {"id": "hall", "function": "hall", "outline": [[0, 0], [6, 0], [6, 1.5], [0, 1.5]]}
+    cases = [
+        _piece("bookcase", Pose(x, 0.16, 0.0, pi / 2), 0.8, 0.32, 2.0, room="hall")
+        for x in (3.6, 4.4)
+    ]
+    (rug,) = _rug_of(hall, *cases)
+    assert rug.pose.x == pytest.approx(4.0)
+
+
+def test_a_rug_before_a_sofa_without_a_table_reaches_under_its_middle():
+    living = {"id": "a", "function": "living", "outline": [[0, 0], [5, 0], [5, 3], [0, 3]]}
+    sofa = _piece("sofa", Pose(2.2, 0.4, 0.0, pi / 2), 1.8, 0.8, 0.8, room="a")
+    table = _piece("tv_stand", Pose(3.6, 1.3, 0.0, 0.0), 0.5, 0.4, 0.5, room="a")
+    (rug,) = _rug_of(living, sofa, table)
+    assert rug.pose.x == pytest.approx(2.2)
+    assert _floor(rug).bounds[1] == pytest.approx(0.6)

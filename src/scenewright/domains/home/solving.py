@@ -28,6 +28,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_problem
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.closets import has_closet
+from scenewright.domains.home.composing.alignment.homes import align_rooms
 from scenewright.domains.home.composing.bedsides import add_nightstands
 from scenewright.domains.home.composing.doorways import clear_doorways
 from scenewright.domains.home.composing.improve import compose
@@ -135,7 +136,7 @@ def _walk_home(
 ) -> list[RoomAnswer]:
     """The answers with the ways of the whole home open, rooms tried again that lose something
     essential to that, and ``again`` those that lack what the household states it needs; then
-    kitchens with a fault, made to measure, and no screens that nobody sees."""
+    kitchens with a fault, made to measure, no screens that nobody sees, and all on its axis."""
     rooms = tuple(task.space for task in every.tasks)
     opened = partial(
         remove_blockers,
@@ -155,7 +156,8 @@ def _walk_home(
     mended = add_nightstands(every.tasks, mended, opened)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
     answers = found if fewer else mended
-    return _without_unseen_screens(every.tasks, answers, opened)
+    seen = _without_unseen_screens(every.tasks, answers, opened)
+    return align_rooms(every.tasks, seen, opened)
 
 
 def _without_unseen_screens(

@@ -91,13 +91,14 @@ def _rugs(rug: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
     reach = c * (table.pose.x - sofa.pose.x) + s * (table.pose.y - sofa.pose.y)
     back, front = ahead - rug.size.depth / 2, ahead + rug.size.depth / 2
     edge = reach + table.size.depth / 2
-    framed = product(BEYOND, FRAME, (0, 1, -1))
-    for beyond, frame, side in chain(framed, product(BEYOND, (None,), (0, 1, -1))):
+    rows = ((FRAME, (0,)), (FRAME, (1, -1)), ((None,), (0,)), ((None,), (1, -1)))
+    forms = chain.from_iterable(product(BEYOND, frames, sides) for frames, sides in rows)
+    for beyond, frame, side in forms:
         far = front if frame is None else max(front, edge + frame)
         size = Size(max(rug.size.width, sofa.size.width + beyond), far - back, rug.size.height)
-        middle, beside = (far + back) / 2, side * beyond / 2
-        x = sofa.pose.x + c * middle + s * beside
-        y = sofa.pose.y + s * middle - c * beside
+        out, beside = (far + back) / 2, side * beyond / 2
+        x = sofa.pose.x + c * out + s * beside
+        y = sofa.pose.y + s * out - c * beside
         pose = rug.pose._replace(x=x, y=y, heading=sofa.pose.heading)
         yield replace(rug, pose=pose, size=size)
 

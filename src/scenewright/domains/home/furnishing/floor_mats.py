@@ -1,7 +1,9 @@
-"""Mats and rugs on floor that is left free: before the bath or a sofa, in the hall, amid a bedroom.
+"""Mats and rugs on floor that is left free: before the bath or a sofa, in the hall, at a bed.
 
 A mat bars no way, so it is laid last: the largest that lies on free floor, clear of doors, between
-what stands there. Rooms with a rug of their own have enough.
+what stands there. It belongs to something: it reaches under the sofa or the bed
+(:mod:`.bed_rugs`), or has the middle of the cupboards of a hall. Rooms with a rug of their own have
+enough.
 """
 
 from __future__ import annotations
@@ -9,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import product
-from math import cos, pi, remainder, sin
+from math import cos, inf, pi, remainder, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -18,10 +20,13 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
+from scenewright.domains.home.furnishing.bed_rugs import BEDS, list_bed_rugs
+from scenewright.domains.home.furnishing.cupboard_axes import find_cupboard_axis, front_boxes
 from scenewright.domains.home.furnishing.obstacles import (
     StandingObstacles,
     find_faults,
     flat_kinds,
+    join_standing,
     standing_of,
 )
 from scenewright.domains.home.problem import Ground
@@ -31,7 +36,16 @@ Floats = NDArray[np.float64]
 THICK = 0.012  # of a mat, metres
 GAP = 0.04  # between a bath and the mat before it, metres
 STEP = 0.1  # between places looked at, metres
-HALL = ((2.4, 0.8), (2.0, 0.8), (2.4, 0.6), (1.6, 0.8), (1.8, 0.6), (1.2, 0.7), (0.9, 0.6))
+HALL = (
+    (2.4, 0.8),
+    (2.0, 0.8),
+    (2.4, 0.6),
+    (1.6, 0.8),
+    (1.8, 0.6),
+    (1.4, 0.7),
+    (1.2, 0.7),
+    (0.9, 0.6),
+)
 ROOM = ((2.3, 1.6), (2.0, 1.4), (1.7, 1.2), (1.4, 1.0), (1.2, 0.8))
 BATH = ((1.2, 0.7), (1.0, 0.6), (0.9, 0.6), (0.8, 0.5), (0.6, 0.5), (0.5, 0.4))
 """Widths and depths, metres, the largest first."""
@@ -40,7 +54,12 @@ BATHS = ("bathtub", "shower", "basin", "pedestal_basin")
 """What one steps from onto a mat, the first there is."""
 SOFAS = ("sofa", "corner_sofa", "loveseat")
 BEYOND = (0.6, 0.4, 0.2)  # a rug before a sofa without a table is so much wider, metres
-DEPTHS = (1.4, 1.2, 1.0, 0.8)  # and so deep, metres
+DEPTHS = (1.6, 1.4, 1.2, 1.0)  # and so deep, metres
+TUCKED = 0.2  # of a rug lies under the sofa it belongs to, metres
+BESIDE = 0.05  # free round a rug at a bed, metres
+DOUBLE = "double_bed"
+LARGE = 2.8  # a rug of so many square metres may lie amid a room with a bed for one
+ON_AXIS = 1.2  # a runner that is shorter need not lie before the middle of a cupboard, metres
 
 
 class Margin(NamedTuple):
@@ -79,8 +98,8 @@ def lay_mats(
     here = [p for p in pieces if p.space == space.id]
     if any(p.category == "rug" for p in here):
         return []
-    standing = standing_of(tuple(pieces), flat_kinds(catalog))
-    for box in _choose_boxes(space, ground, here, standing):
+    solid = [p for p in pieces if p.category not in flat_kinds(catalog)]
+    for box in _choose_boxes(space, ground, here, solid):
         x, y, heading, width, depth = box.tolist()
         size = Size(width, depth, THICK)
         asset = catalog.choose("rug", size)
@@ -91,9 +110,10 @@ def lay_mats(
 
 
 def _choose_boxes(
-    space: Space, ground: Ground, here: Sequence[Piece], standing: StandingObstacles
+    space: Space, ground: Ground, here: Sequence[Piece], solid: Sequence[Piece]
 ) -> Iterator[Floats]:
     """Boxes (5,) of mats that lie on free floor, the best first."""
+    standing = standing_of(tuple(solid), frozenset())
     if "bathroom" in space.functions:
         for bath in (p for name in BATHS for p in here if p.category == name):
             sizes = tuple(s for s in BATH if s[0] <= max(bath.size.width, USUAL))
@@ -101,12 +121,39 @@ def _choose_boxes(
                 yield from _before(side, sizes, ground, standing)
     if "living" in space.functions:
         for sofa in (p for p in here if p.category in SOFAS):
-            wide = product(DEPTHS, BEYOND)
-            sizes = tuple((sofa.size.width + beyond, deep) for deep, beyond in wide)
-            yield from _before(sofa, sizes, ground, standing)
+            yield from _under(sofa, ground, standing_of(_without(solid, sofa), frozenset()))
+    fronts = front_boxes(here)
     if BUSY.isdisjoint(space.functions):
+        along = here if "hall" in space.functions else ()
         for rug in (RUGS[f] for f in space.functions if f in RUGS):
-            yield from _amid(ground, standing, rug)
+            fitting = _fit_beside(rug, here)
+            yield from _amid(ground, join_standing(standing, fronts), fitting, along)
+    for bed in sorted((p for p in here if p.category in BEDS), key=lambda p: -p.size.width):
+        boxes, others = list_bed_rugs(bed), standing_of(_without(solid, bed), frozenset())
+        yield from boxes[_lie_free(boxes, ground, join_standing(others, fronts), BESIDE)]
+
+
+def _fit_beside(rug: Margin, here: Sequence[Piece]) -> Margin:
+    """The rugs that may lie amid a room: beside a bed for two none, as they belong to it, beside
+    one for one a large one, to play on."""
+    beds = {p.category for p in here if p.category in BEDS}
+    least = inf if DOUBLE in beds else LARGE if beds else 0.0
+    return rug._replace(sizes=tuple(s for s in rug.sizes if s[0] * s[1] >= least))
+
+
+def _without(solid: Sequence[Piece], piece: Piece) -> tuple[Piece, ...]:
+    return tuple(p for p in solid if p is not piece)
+
+
+def _under(sofa: Piece, ground: Ground, standing: StandingObstacles) -> Iterator[Floats]:
+    """Rugs that reach under a sofa, before its middle, the largest first."""
+    (x, y, _, heading), half = sofa.pose, sofa.size.depth / 2 - TUCKED
+    rows = [
+        (half + deep / 2, sofa.size.width + more, deep) for deep, more in product(DEPTHS, BEYOND)
+    ]
+    c, s = cos(heading), sin(heading)
+    boxes = np.array([(x + c * out, y + s * out, heading, wide, deep) for out, wide, deep in rows])
+    yield from boxes[_lie_free(boxes, ground, standing, 0.0)]
 
 
 def _open_sides(bath: Piece) -> Iterator[Piece]:
@@ -134,20 +181,36 @@ def _before(
         yield from boxes[_lie_free(boxes, ground, standing, 0.0)]
 
 
-def _amid(ground: Ground, standing: StandingObstacles, rug: Margin) -> Iterator[Floats]:
-    """The largest rug, along the longest wall or across, in the middle of where it can lie."""
+def _amid(
+    ground: Ground, standing: StandingObstacles, rug: Margin, along: Sequence[Piece] = ()
+) -> Iterator[Floats]:
+    """The largest rug, along the longest wall or across, before the middle of the cupboards that
+    it lies ``along``, then in the middle of where it can lie."""
+    found = list[Floats]()
+    for free in _list_free(ground, standing, rug):
+        off = np.hypot(*(free[:, :2] - free[:, :2].mean(0)).T)
+        box = free[np.argmin(off)]
+        found.append(box)
+        moved = find_cupboard_axis(box, along)
+        if moved is None or np.allclose(moved, box, atol=STEP / 2):
+            break
+        if _lie_free(moved[None], ground, standing, rug.margin)[0] and box[3] >= ON_AXIS:
+            yield moved
+    yield from found[:1]
+
+
+def _list_free(ground: Ground, standing: StandingObstacles, rug: Margin) -> Iterator[Floats]:
+    """Of each size, along the longest wall and across, the boxes (n, 5) on free floor, if any."""
     x0, y0, x1, y1 = ground.bounds.tolist()
     x, y = (a.ravel() for a in np.meshgrid(np.arange(x0, x1, STEP), np.arange(y0, y1, STEP)))
     walls = ground.walls
     longest = walls[np.argmax(np.hypot(walls[:, 2] - walls[:, 0], walls[:, 3] - walls[:, 1]))]
-    along = float(np.arctan2(longest[3] - longest[1], longest[2] - longest[0])) + np.pi / 2
-    for width, depth in rug.sizes:
-        for turn in (along, along + np.pi / 2):
-            boxes = np.column_stack([x, y, *(np.full(len(x), v) for v in (turn, width, depth))])
-            free = boxes[_lie_free(boxes, ground, standing, rug.margin)]
-            if len(free):
-                off = np.hypot(*(free[:, :2] - free[:, :2].mean(0)).T)
-                yield free[np.argmin(off)]
+    turn = float(np.arctan2(longest[3] - longest[1], longest[2] - longest[0])) + np.pi / 2
+    for (width, depth), way in product(rug.sizes, (turn, turn + np.pi / 2)):
+        boxes = np.column_stack([x, y, *(np.full(len(x), v) for v in (way, width, depth))])
+        free = boxes[_lie_free(boxes, ground, standing, rug.margin)]
+        if len(free):
+            yield free
 
 
 def _lie_free(

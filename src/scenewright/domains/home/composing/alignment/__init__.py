@@ -1,0 +1,1 @@
+"""Pieces along walls put on the axis of what they belong to, against one another, off doors."""
