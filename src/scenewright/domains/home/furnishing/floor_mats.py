@@ -128,7 +128,8 @@ def _choose_boxes(
         for rug in (RUGS[f] for f in space.functions if f in RUGS):
             fitting = _fit_beside(rug, here)
             yield from _amid(ground, join_standing(standing, fronts), fitting, along)
-    for bed in sorted((p for p in here if p.category in BEDS), key=lambda p: -p.size.width):
+    beds = [p for p in here if p.category in BEDS and "kitchen" not in space.functions]
+    for bed in sorted(beds, key=lambda p: -p.size.width):
         boxes, others = list_bed_rugs(bed), standing_of(_without(solid, bed), frozenset())
         yield from boxes[_lie_free(boxes, ground, join_standing(others, fronts), BESIDE)]
 
