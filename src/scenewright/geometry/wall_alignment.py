@@ -14,6 +14,7 @@ from scenewright.geometry.fit import stands
 NEAR = 0.08  # a back within this many metres of a wall belongs to it
 SKEW = math.radians(5)  # what is turned by less is meant to be square
 QUARTER = 0.5 * math.pi
+SHIFT, STEPS = 0.01, 5  # what would meet something is tried so many steps of metres aside
 
 
 def align_to_wall(
@@ -26,7 +27,8 @@ def align_to_wall(
 ) -> Floats:
     """Boxes ``(n, 5)`` turned square to the nearest wall where they nearly are, and those with
     ``backs`` (n,) put flush to it where it is near; only the ``new`` ones, and only where they
-    still lie inside ``edges`` and meet no other box and none of the ``zones``.
+    still lie inside ``edges`` and meet no other box and none of the ``zones``, there or, of those
+    that were turned, up to 0.05 m along the wall.
 
     >>> room = np.array([[0, 0, 4, 0], [4, 0, 4, 3], [4, 3, 0, 3], [0, 3, 0, 0]], float)
     >>> bed = np.array([[1.5, 1.04, 1.55, 1.0, 2.0]])
@@ -51,10 +53,18 @@ def _set_square(
 ) -> None:
     for i in range(found.shape[0]):
         if new[i]:
-            found[i, 0], found[i, 1], found[i, 2] = _align_box(boxes[i], backs[i], walls)
-            if not stands(found, i, edges, zones):
-                for column in range(3):
-                    found[i, column] = boxes[i, column]
+            x, y, heading = _align_box(boxes[i], backs[i], walls)
+            for step in range(2 * STEPS + 1):
+                aside = SHIFT * ((step + 1) // 2) * (1.0 if step % 2 else -1.0)
+                found[i, 0] = x - aside * math.sin(heading)
+                found[i, 1] = y + aside * math.cos(heading)
+                found[i, 2] = heading
+                if stands(found, i, edges, zones):
+                    break
+                if step == 2 * STEPS or heading == boxes[i, 2]:
+                    for column in range(3):
+                        found[i, column] = boxes[i, column]
+                    break
 
 
 @compiled
