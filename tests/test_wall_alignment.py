@@ -30,7 +30,7 @@ def test_a_skew_box_is_put_square_and_flush(skew):
 def test_between_neighbours_it_moves_aside():
     """Square it would reach 1 cm into the one on the left; there are 3 cm on its right."""
     left, right = [0.9, 0.3, UP, 1.01, 0.6], [3.14, 0.3, UP, 1.0, 0.6]
-    x, _, heading, *_ = align([2.0, 0.34, UP + 0.03, 1.2, 0.6], left, right)
+    x, _, heading, *_ = align([2.0, 0.34, UP - 0.03, 1.2, 0.6], left, right)
     assert heading == pytest.approx(UP)
     assert x - 0.6 >= 1.405 - 1e-9
     assert x + 0.6 <= 2.64 + 1e-9
