@@ -39,6 +39,7 @@ def printed_name(space: Space) -> str:
     """The name of a room on a plan: ``other`` says nothing and is left out; a shaft is called so
     where there is room for the word.
 
+    >>> import numpy as np
     >>> def room(name, wide):
     ...     return Space("r", name, (), "0", np.array([[0, 0], [wide, 0], [wide, 1.0], [0, 1]]))
     >>> [printed_name(room(*r)) for r in (("Study", 3), ("other", 9), ("other", 2), ("other", 0.5))]
