@@ -1,4 +1,4 @@
-"""Plans of homes as they are printed: sheets that are filled, names on free floor, symbols told."""
+"""Plans of homes as they are printed: filled sheets, names on free floor, a key to symbols."""
 
 from __future__ import annotations
 

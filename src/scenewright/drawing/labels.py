@@ -38,7 +38,7 @@ def labels_mark(
 ) -> Mark:
     """Names of all rooms off the ``floor`` that is taken; ``halos[i]`` is the colour around the
     letters of label i. A closet or shaft full to the door is left without a name."""
-    rows = [(s, halo) for s, halo in zip(spaces, halos, strict=True) if _is_told(s)]
+    rows = [(s, halo) for s, halo in zip(spaces, halos, strict=True) if _is_named(s)]
     marks = []
     for space, halo in rows:
         label, at, cost = _find(view, space, floor)
@@ -47,7 +47,7 @@ def labels_mark(
     return group(marks, stroke="none", fill=INK)
 
 
-def _is_told(space: Space) -> bool:
+def _is_named(space: Space) -> bool:
     return bool(printed_name(space)) or not is_shaft(space)
 
 

@@ -31,8 +31,8 @@ HATCH, PITCH = "url(#shaft)", 1.6
 
 def is_shaft(space: Space) -> bool:
     """Whether a room that tells no use has neither door nor window."""
-    told = space.name.strip().lower() in NAMELESS
-    return told and not space.openings and Polygon(space.outline, space.holes).area < LARGEST
+    nameless = space.name.strip().lower() in NAMELESS
+    return nameless and not space.openings and Polygon(space.outline, space.holes).area < LARGEST
 
 
 def printed_name(space: Space) -> str:
