@@ -16,10 +16,11 @@ from scenewright.core.scene import Size
 from scenewright.core.solution import Solution
 from scenewright.domains import draw_plan, scene_of, solve
 from scenewright.domains.home.drawing.plan import list_furniture
-from scenewright.drawing.labels import extent, place
+from scenewright.drawing.labels import place
 from scenewright.drawing.marks import CUT, FINE, LINE, PaperView
 from scenewright.drawing.pieces import footprint, hangs
 from scenewright.drawing.svg import write_svg
+from scenewright.drawing.wordings import extent
 from scenewright.formats import read
 
 SCALE = 20.0

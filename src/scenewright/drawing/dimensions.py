@@ -33,6 +33,9 @@ Bounds = tuple[float, float, float, float]
 FIRST, STEP, TICK, DIGITS, SMALL = 6.0, 5.0, 0.8, 1.8, 1.6
 """Millimetres: building to first chain, chain to chain, half a tick, text heights."""
 
+APART = 1.0
+"""Millimetres between the figures of neighbouring segments."""
+
 THICKEST = 0.8
 """Gaps between rooms up to this many metres are walls, dimensioned to their middle."""
 
@@ -78,7 +81,7 @@ def chains(
 
 def margins(found: dict[Side, list[DimensionChain]]) -> dict[Side, float]:
     """Millimetres each side's chains need."""
-    return {side: FIRST + STEP * len(rows) if rows else 3.0 for side, rows in found.items()}
+    return {side: FIRST + STEP * len(rows) - 2.0 if rows else 3.0 for side, rows in found.items()}
 
 
 def chains_mark(view: PaperView, bounds: Bounds, found: dict[Side, list[DimensionChain]]) -> Mark:
@@ -103,7 +106,7 @@ def readable(stations: Sequence[float], scale: float) -> tuple[float, ...]:
     >>> readable((0.0, 2.0, 2.1, 5.0, 5.05), 20.0)
     (0.0, 2.05, 5.05)
     """
-    least = (text_width("0.00", SMALL) + 0.4) / scale
+    least = (text_width("0.00", SMALL) + APART) / scale
     inner, paired = list(stations[1:-1]), list[float]()
     while inner:
         here = inner.pop(0)
@@ -144,7 +147,7 @@ def _chain_mark(view: PaperView, bounds: Bounds, chain: DimensionChain, offset: 
 def _measure(metres: float, middle: NDArray[np.float64], side: Side, room: float) -> Mark:
     """The figure over its segment, smaller where that is short, none where there is no room."""
     words = f"{metres:.2f}"
-    size = DIGITS if text_width(words, DIGITS) < room - 0.6 else SMALL
+    size = DIGITS if text_width(words, DIGITS) < room - APART else SMALL
     if text_width(words, size) > room:
         return NOTHING
     turned = side in ("west", "east")

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from shapely import Point, Polygon
 
 from scenewright.core.space import Opening
 from scenewright.drawing.marks import (
@@ -28,10 +29,11 @@ from scenewright.drawing.shell import frame_of
 AWAY, LONG, WIDE = 0.9, 2.3, 2.6
 """Millimetres from the wall to a triangle, its length and its width."""
 
-FIGURE, NOTE, LEAST = 1.5, 1.8, 1.1
-"""Text heights in millimetres: widths in doors, notes beside them, the least that can be read."""
+FIGURE, NOTE, THIN = 1.5, 1.8, 1.3
+"""Text heights in millimetres: widths in doors, notes beside them; the thinnest wall that holds a
+figure."""
 
-HEIGHTS = 1.3
+HEIGHTS = 1.5
 """Text height in millimetres of sill and head heights."""
 
 WORDS = {"entrance": "Entrance", "exit": "Exit", "both": "In and out"}
@@ -83,10 +85,21 @@ def outwards(door: Opening) -> Vector:
 
 def _before(view: PaperView, door: Opening) -> Mark:
     """A triangle before the door, or behind it where its leaf turns outwards."""
+    return triangle(to_paper(view, _foot(view, door)), _paper(-outwards(door)), INK)
+
+
+def _foot(view: PaperView, door: Opening) -> Vector:
+    """The middle of the triangle before a door, in plan metres."""
     side = outwards(door) * (-1.0 if door.swing < 0 else 1.0)
-    face = frame_of(door)[0] + side * door.thickness / 2
-    at = to_paper(view, face) + (AWAY + LONG / 2) * _paper(side)
-    return triangle(at, _paper(-outwards(door)), INK)
+    away = door.thickness / 2 + (AWAY + LONG / 2) / view.scale
+    found: Vector = frame_of(door)[0] + side * away
+    return found
+
+
+def triangle_places(view: PaperView, openings: Sequence[Opening]) -> list[Polygon]:
+    """What the triangles of doors to the outside cover, in plan metres."""
+    doors = [o for o in openings if o.kind != "window" and len(o.spaces) < 2]
+    return [Point(_foot(view, door)).buffer(0.7 * LONG / view.scale) for door in doors]
 
 
 def triangle(at: Vector, way: Vector, fill: str) -> Mark:
@@ -99,13 +112,12 @@ def triangle(at: Vector, way: Vector, fill: str) -> Mark:
 
 def _width(view: PaperView, door: Opening) -> Mark:
     """The clear width in metres, set into the opening where the wall is thick enough."""
-    size = min(FIGURE, 0.62 * door.thickness * view.scale)
     words = f"{door.width:.2f}"
-    room = door.width * view.scale - 0.6
-    if size < LEAST or text_width(words, size) > room or (door.kind == "door" and not door.hinge):
+    room, thick = door.width * view.scale - 0.6, door.thickness * view.scale
+    if thick < THIN or text_width(words, FIGURE) > room or (door.kind == "door" and not door.hinge):
         return NOTHING
     middle, along, _ = frame_of(door)
-    return text(words, to_paper(view, middle), size, _turn(along), fill=GREY, stroke="none")
+    return text(words, to_paper(view, middle), FIGURE, _turn(along), fill=GREY, stroke="none")
 
 
 def _note(view: PaperView, door: Opening, middle: Vector) -> Mark:

@@ -26,6 +26,7 @@ from scenewright.drawing.marks import (
     text,
     text_width,
 )
+from scenewright.drawing.outlets import outlet_sign
 from scenewright.drawing.sheet import EDGE, SCALES, PaperSheet, choose, drawing_area, papers
 from scenewright.drawing.signs import PEN, bubble, end_mark, narrow_mark, start_mark
 
@@ -48,11 +49,12 @@ class LegendRow(NamedTuple):
 
 class Arrangement(NamedTuple):
     """A sheet, the room left for the drawing (width and height in millimetres), and the columns
-    of the legend, each with the paper point of its upper left corner."""
+    of the legend, each with the paper point of its upper left corner and all ``width`` wide."""
 
     sheet: PaperSheet
     room: tuple[float, float]
     columns: tuple[tuple[float, float, tuple[LegendRow, ...]], ...]
+    width: float = COLUMN
 
 
 def arrange(
@@ -69,32 +71,34 @@ def arrange(
     for scale in SCALES if rows else ():
         wide, high = (n * 1000 / scale + more for n, more in zip(need, extra, strict=True))
         for paper in papers(scale, large):
-            found = _beside(PaperSheet(*paper, scale), wide, high, rows)
-            found = found or _below(PaperSheet(*paper, scale), wide, high, rows)
+            found = beside(PaperSheet(*paper, scale), wide, high, rows)
+            found = found or below(PaperSheet(*paper, scale), wide, high, rows)
             if found is not None:
                 return found
     sheet = choose(*need, *extra)
     return Arrangement(sheet, drawing_area(sheet), ())
 
 
-def _beside(
-    sheet: PaperSheet, wide: float, high: float, rows: Sequence[LegendRow]
+def beside(
+    sheet: PaperSheet, wide: float, high: float, rows: Sequence[LegendRow], width: float = COLUMN
 ) -> Arrangement | None:
+    """The legend in columns on the right of the drawing, if both fit."""
     room_wide, room_high = drawing_area(sheet)
     columns = _flow(rows, int((room_high - 2 * INSET) / ROW))
-    room_wide -= len(columns) * COLUMN + INSET
+    room_wide -= len(columns) * width + INSET / 2
     if wide > room_wide or high > room_high:
         return None
     left = EDGE + room_wide
-    placed = tuple((left + k * COLUMN, EDGE + INSET, part) for k, part in enumerate(columns))
-    return Arrangement(sheet, (room_wide, room_high), placed)
+    placed = tuple((left + k * width, EDGE + INSET, part) for k, part in enumerate(columns))
+    return Arrangement(sheet, (room_wide, room_high), placed, width)
 
 
-def _below(
-    sheet: PaperSheet, wide: float, high: float, rows: Sequence[LegendRow]
+def below(
+    sheet: PaperSheet, wide: float, high: float, rows: Sequence[LegendRow], width: float = COLUMN
 ) -> Arrangement | None:
+    """The legend in columns below the drawing, as low as can be, if both fit."""
     room_wide, room_high = drawing_area(sheet)
-    most = int((room_wide - INSET) / COLUMN)
+    most = int((room_wide - INSET) / width)
     per = next((n for n in range(1, len(rows) + 1) if len(_flow(rows, n)) <= most), len(rows))
     columns = _flow(rows, per)
     room_high -= max(len(part) for part in columns) * ROW + 2 * INSET
@@ -103,7 +107,7 @@ def _below(
     step = (room_wide - INSET) / max(len(columns), 1)
     top = EDGE + room_high + INSET
     placed = tuple((EDGE + INSET / 2 + k * step, top, part) for k, part in enumerate(columns))
-    return Arrangement(sheet, (room_wide, room_high), placed)
+    return Arrangement(sheet, (room_wide, room_high), placed, width)
 
 
 def _flow(rows: Sequence[LegendRow], per: int) -> list[tuple[LegendRow, ...]]:
@@ -120,24 +124,27 @@ def _flow(rows: Sequence[LegendRow], per: int) -> list[tuple[LegendRow, ...]]:
 
 
 def legend_mark(arranged: Arrangement) -> Mark:
-    """The columns with a thin line that parts them from the drawing."""
+    """The columns with a thin line that parts them from the drawing: below it, or round the block
+    in the corner."""
     if not arranged.columns:
         return NOTHING
     sheet, (wide, high) = arranged.sheet, arranged.room
     beside = wide < drawing_area(sheet)[0] - 1e-6
     if beside:
-        ends = [(EDGE + wide, EDGE), (EDGE + wide, EDGE + high)]
+        foot = max(top + len(rows) * ROW for _, top, rows in arranged.columns) + INSET
+        side, foot = EDGE + wide, min(foot, EDGE + high)
+        ends = [(side, EDGE), (side, foot), (sheet.width - EDGE, foot)]
     else:
         ends = [(EDGE, EDGE + high), (EDGE + wide, EDGE + high)]
     marks = [line(ends, stroke=INK, stroke_width=LINE)]
     for left, top, rows in arranged.columns:
         for number, row in enumerate(rows):
-            marks.append(_row(row, left + INSET, top + (number + 0.5) * ROW))
+            marks.append(_row(row, left + INSET, top + (number + 0.5) * ROW, arranged.width))
     return group(marks, fill="none")
 
 
-def _row(row: LegendRow, left: float, y: float) -> Mark:
-    room = COLUMN - INSET
+def _row(row: LegendRow, left: float, y: float, width: float) -> Mark:
+    room = width - INSET
     if row.sign == "heading":
         rule = line(
             [(left, y + ROW / 2 - 0.4), (left + room - 2, y + ROW / 2 - 0.4)],
@@ -176,6 +183,8 @@ def _sign(row: LegendRow, left: float, y: float) -> Mark:
             return shape([box], fill=row.value, stroke=GREY, stroke_width=FINE)
         case "letter":
             return _words(row.value, left, y, TEXT, weight="bold")
+        case "outlet":
+            return outlet_sign(row.value, np.array([left + 1.0, y]), np.array([1.0, 0.0]))
         case "stop" | "number":
             return bubble(int(row.value), middle, filled=row.sign == "stop")
         case "route":

@@ -27,7 +27,7 @@ from scenewright.drawing.marks import (
 
 Points = NDArray[np.float64]
 
-STEM, RADIUS, LETTERS = 0.7, 1.0, 1.3
+STEM, RADIUS, LETTERS = 0.7, 1.0, 1.5
 """Millimetres on paper: from the wall to the symbol, its half width, the height of letters."""
 HALO = 3 * LINE
 WORDS = {"antenna": "TV", "data": "D"}
@@ -40,29 +40,34 @@ def outlets_mark(view: PaperView, spaces: Sequence[Space]) -> Mark:
 
 
 def _outlet(view: PaperView, outlet: Outlet) -> Mark:
-    """One symbol, its stem standing on the wall."""
+    """One symbol with what it is."""
     foot = to_paper(view, [outlet.x, outlet.y])
     ahead = np.array([np.cos(outlet.heading), -np.sin(outlet.heading)])
+    message = f"{outlet.kind} outlet" + (", required" if outlet.required else "")
+    return group([title(message), outlet_sign(outlet.kind, foot, ahead)])
+
+
+def outlet_sign(kind: str, foot: Points, ahead: Points) -> Mark:
+    """The symbol of a kind on paper, its stem standing on the wall at ``foot``."""
     side = np.array([-ahead[1], ahead[0]])
 
     def at(points: Points) -> Points:
         return foot + points[:, :1] * side + points[:, 1:] * ahead
 
-    lines = [at(np.array(points, float)) for points in _lines(outlet.kind)]
+    lines = [at(np.array(points, float)) for points in _lines(kind)]
     marks = [
         line(points, fill="none", stroke=colour, stroke_width=pen, stroke_linecap="round")
         for colour, pen in (("#ffffff", HALO), (ROUTE, LINE))
         for points in lines
     ]
-    if outlet.kind == "water":
+    if kind == "water":
         ring = foot + (STEM + RADIUS) * ahead
         marks.append(disc(ring, RADIUS, fill="#ffffff", stroke=ROUTE, stroke_width=LINE))
         marks.append(disc(ring, 0.4 * RADIUS, fill=ROUTE))
-    if outlet.kind in WORDS:
+    if kind in WORDS:
         words = foot + (STEM + RADIUS + LETTERS) * ahead
-        marks.append(text(WORDS[outlet.kind], words, LETTERS, fill=ROUTE))
-    message = f"{outlet.kind} outlet" + (", required" if outlet.required else "")
-    return group([title(message), *marks])
+        marks.append(text(WORDS[kind], words, LETTERS, fill=ROUTE))
+    return group(marks)
 
 
 def _lines(kind: str) -> list[list[tuple[float, float]]]:

@@ -18,11 +18,11 @@ from scenewright.core.scene import Piece, Scene
 from scenewright.core.space import Level, Space
 from scenewright.drawing import dimensions as dimensions
 from scenewright.drawing import sheet as sheets
-from scenewright.drawing.doors import doors_mark, heights_mark
-from scenewright.drawing.labels import area_words, labels_mark, polygon_of
+from scenewright.drawing.doors import doors_mark, heights_mark, triangle_places
+from scenewright.drawing.labels import Floor, labels_mark, polygon_of
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
-from scenewright.drawing.legend import LegendRow, arrange, legend_mark
-from scenewright.drawing.marks import INK, Definition, Mark, PaperView, clean, text
+from scenewright.drawing.legend import Arrangement, LegendRow, arrange, legend_mark
+from scenewright.drawing.marks import INK, Definition, Mark, PaperView, clean, group, text
 from scenewright.drawing.outlets import outlets_mark
 from scenewright.drawing.pieces import (
     Symbols,
@@ -31,7 +31,9 @@ from scenewright.drawing.pieces import (
     hangs,
     pieces_mark,
 )
+from scenewright.drawing.shafts import shaft_pattern, shafts_mark
 from scenewright.drawing.shell import (
+    FLOOR,
     cut_walls,
     floors,
     openings_mark,
@@ -43,9 +45,13 @@ from scenewright.drawing.shell import (
 )
 from scenewright.drawing.slopes import low_lines, slopes_mark
 from scenewright.drawing.stairs import stairs_mark
+from scenewright.drawing.wordings import area_words
 
 CAPTION = 8.0
 """Millimetres below a level's plan for its name."""
+
+
+Arrange = Callable[[tuple[float, float], tuple[float, float], Sequence[LegendRow]], Arrangement]
 
 
 class Storey(NamedTuple):
@@ -70,7 +76,7 @@ def _keep_nothing(view: PaperView, storey: Storey) -> list[Geometry]:
 
 
 def _plain_labels(storey: Storey) -> list[tuple[Space, str]]:
-    return [(space, "#ffffff") for space in storey.scene.spaces]
+    return [(space, FLOOR) for space in storey.scene.spaces]
 
 
 def _no_rows(scene: Scene, storeys: Sequence[Storey]) -> Sequence[LegendRow]:
@@ -90,8 +96,8 @@ class Overlay(NamedTuple):
     ``floor`` are layers under the furniture, ``over`` above it, ``ways`` above walls and doors,
     each of a storey; ``keep_off`` are shapes that names of rooms do not cover; ``labels`` what is
     named, with the colour around the words; ``legend`` the rows of the legend; ``summary`` the line
-    below the title; ``inward`` whether the triangles at doors point to the middle of the storey;
-    ``title`` the number of the sheet and its date.
+    below the title; ``arrange`` chooses the sheet; ``inward`` whether the triangles at doors point
+    to the middle of the storey; ``title`` the number of the sheet and its date.
     """
 
     floor: Callable[[PaperView, Storey], Sequence[PlanLayer]] = _nothing
@@ -101,6 +107,7 @@ class Overlay(NamedTuple):
     labels: Callable[[Storey], list[tuple[Space, str]]] = _plain_labels
     legend: Callable[[Scene, Sequence[Storey]], Sequence[LegendRow]] = _no_rows
     summary: Callable[[Scene], str] = furnished_summary
+    arrange: Arrange = arrange
     inward: bool = False
     title: sheets.TitleBlock = sheets.UNDATED
 
@@ -125,7 +132,7 @@ def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> Plan
     extra_wide = sum(m["west"] + m["east"] for m in margins)
     extra_high = max((m["south"] + m["north"] for m in margins), default=0.0) + CAPTION
     rows = tuple(overlay.legend(scene, storeys))
-    arranged = arrange((wide, high), (extra_wide, extra_high), rows)
+    arranged = overlay.arrange((wide, high), (extra_wide, extra_high), rows)
     sheet, (room_wide, room_high) = arranged.sheet, arranged.room
     symbols = define_repeated_symbols(1000 / sheet.scale, scene.pieces, catalog)
     paper = Paper(catalog, sheet, symbols, overlay)
@@ -142,7 +149,7 @@ def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> Plan
         left += (storey.bounds[2] - storey.bounds[0]) * 1000 / sheet.scale + margin["east"]
     parts.append([PlanLayer("Legend", legend_mark(arranged))])
     tiles = tile_pattern(PaperView(1000 / sheet.scale, 0.0, 0.0))
-    defined: tuple[Definition, ...] = (tiles, *symbols.definitions)
+    defined: tuple[Definition, ...] = (tiles, shaft_pattern(), *symbols.definitions)
     return PlanDrawing(scene.name, sheet, defined, merge_layers(parts))
 
 
@@ -189,7 +196,7 @@ def _storey_layers(
     busy = [*_list_footprints(part.pieces, paper.catalog), *roof_windows(part.openings)]
     walls = (*part.walls, *partition_walls(part.pieces))
     return [
-        PlanLayer("Floors", floors(view, part.spaces)),
+        PlanLayer("Floors", group([floors(view, part.spaces), shafts_mark(view, part.spaces)])),
         *overlay.floor(view, storey),
         PlanLayer("Stairs", stairs_mark(view, part.stairs, storey.level.id, part.spaces)),
         PlanLayer("Furniture", pieces_mark(view, part.pieces, paper.catalog, paper.symbols)),
@@ -208,17 +215,21 @@ def _storey_layers(
 
 
 def _labels(view: PaperView, storey: Storey, paper: Paper) -> Mark:
-    """Names of rooms and zones off the furniture, doors' swings and routes."""
-    part = storey.scene
-    named = paper.overlay.labels(storey)
-    over: list[Geometry] = [
-        s for opening in part.openings if (s := swing_square(opening)) is not None
-    ]
-    over += paper.overlay.keep_off(view, storey)
-    over += [line for space in part.spaces for line in low_lines(view, space)]
-    covered = union_all([*_list_footprints(part.pieces, paper.catalog), *over])
+    """Names of rooms and zones off the furniture and routes, and off rugs and the swings of doors
+    where there is other floor."""
+    part, overlay = storey.scene, paper.overlay
+    low = [piece for piece in part.pieces if not hangs(piece)]
+    flat = [piece for piece in low if _flat(piece.category, paper.catalog)]
+    taken: list[Geometry] = [Polygon(footprint(piece)) for piece in low if piece not in flat]
+    taken += overlay.keep_off(view, storey)
+    taken += [line for space in part.spaces for line in low_lines(view, space)]
+    taken += [] if overlay.inward else triangle_places(view, part.openings)
+    crossed: list[Geometry] = [Polygon(footprint(piece)) for piece in part.pieces if hangs(piece)]
+    crossed += [Polygon(footprint(piece)) for piece in flat]
+    crossed += [s for opening in part.openings if (s := swing_square(opening)) is not None]
+    named = overlay.labels(storey)
     spaces, halos = zip(*named, strict=True) if named else ((), ())
-    return labels_mark(view, spaces, [covered] * len(named), halos)
+    return labels_mark(view, spaces, Floor(union_all(taken), union_all(crossed)), halos)
 
 
 def _list_footprints(pieces: Sequence[Piece], catalog: Catalog) -> list[Geometry]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
 from scenewright._version import __version__
@@ -32,6 +33,10 @@ LARGE = ((594.0, 420.0), (420.0, 594.0), (841.0, 594.0), (594.0, 841.0))
 
 EDGE, STRIP = 7.0, 15.0
 """Millimetres from the paper's edge to the frame, and height of the title strip."""
+
+
+_ID = re.compile(r"(?=[0-9a-f]*[0-9])(?=[0-9a-f]*[a-f])\b[0-9a-f]{12,}\b", re.IGNORECASE)
+"""Numbers that files are stored by."""
 
 
 class PaperSheet(NamedTuple):
@@ -99,7 +104,7 @@ def sheet_mark(sheet: PaperSheet, name: str, summary: str, block: TitleBlock = U
     room = right - 64 - EDGE - 5
     unit, divisions = _divisions(sheet.scale, 0.45 * room)
     room -= divisions * unit * 1000 / sheet.scale + 10
-    words, size = fit_text(clean(name, 80), 4.4, room, wide=1.12)
+    words, size = fit_text(shorten_ids(clean(name, 80)), 4.4, room, wide=1.12)
     line_below, small = fit_text(summary, 2.3, room)
     marks = [
         shape([corners], stroke_width=OUTLINE),
@@ -119,9 +124,19 @@ def sheet_mark(sheet: PaperSheet, name: str, summary: str, block: TitleBlock = U
     return group(marks, fill="none", stroke=INK)
 
 
-def _divisions(scale: int, most: float) -> tuple[int, int]:
+def shorten_ids(name: str) -> str:
+    """A name with the middles of long hexadecimal numbers left out: nobody reads them.
+
+    >>> shorten_ids("07-ee-d0bc3031a7f3d6848c7a64826307-0002"), shorten_ids("Flat 12, Feedbackstr.")
+    ('07-ee-d0bc30…-0002', 'Flat 12, Feedbackstr.')
+    """
+    return _ID.sub(lambda found: f"{found[0][:6]}…", name)
+
+
+def _divisions(scale: int, most: float) -> tuple[float, int]:
     """Metres of a division of the scale bar, and how many: four, or two in a narrow strip."""
-    unit = next(u for u in (1, 2, 5, 10, 20, 50, 100, 200) if u * 1000 / scale >= 9)
+    units = (0.5, 1, 2, 5, 10, 20, 50, 100, 200)[scale >= SCALES[0] :]
+    unit = next(u for u in units if u * 1000 / scale >= 9)
     return unit, 4 if 4 * unit * 1000 / scale + 4 <= most else 2
 
 
@@ -138,7 +153,7 @@ def scale_bar(right: float, y: float, scale: int, most: float = 100.0) -> Mark:
         fill = INK if index % 2 == 0 else "#ffffff"
         marks.append(shape([box], fill=fill, stroke_width=FINE))
     for index in dict.fromkeys((0, 1, 2, count)):
-        words = f"{index * unit}" + (" m" if index == count else "")
+        words = f"{index * unit:g}" + (" m" if index == count else "")
         shift = text_width(" m", 1.8) / 2 if index == count else 0.0
         at = (left + index * step + shift, y - 1.8)
         marks.append(text(words, at, 1.8, stroke="none", fill=GREY))

@@ -13,8 +13,9 @@ from scenewright.domains.hall.drawing.narrow import Narrow, length, narrow_place
 from scenewright.domains.hall.drawing.plan import Halls
 from scenewright.domains.hall.drawing.zones import shape_of
 from scenewright.domains.hall.hall_layout import PlacedGroup, Zone
-from scenewright.drawing.labels import area_words, polygon_of
+from scenewright.drawing.labels import polygon_of
 from scenewright.drawing.legend import LegendRow
+from scenewright.drawing.wordings import area_words
 
 MANY = 60
 """Rows of a section; the rest is counted in one."""

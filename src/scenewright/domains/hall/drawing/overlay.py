@@ -24,11 +24,12 @@ from scenewright.domains.hall.drawing.plan import (
     solid_of,
     ways_layers,
 )
-from scenewright.drawing.labels import area_words, polygon_of
+from scenewright.drawing.labels import polygon_of
 from scenewright.drawing.layers import PlanDrawing
 from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.rooms import Overlay, Storey, count_words, plan
 from scenewright.drawing.sheet import title_of
+from scenewright.drawing.wordings import area_words
 
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:

@@ -10,14 +10,20 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
-from scenewright.core.scene import STAIRS, Piece, Scene
+from scenewright.core.scene import STAIRS, Piece, Scene, Size
 from scenewright.core.solution import Solution
+from scenewright.core.space import Space
+from scenewright.domains.home.drawing.short_names import short_names_mark, with_letters
 from scenewright.domains.home.drawing.turning import Turns, turning_mark, turning_of
+from scenewright.drawing.filled_sheet import arrange_filled
 from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.marks import PaperView
 from scenewright.drawing.rooms import Overlay, Storey, plan
 from scenewright.drawing.sheet import title_of
+
+OUTLETS = {"power": "Socket", "antenna": "Antenna", "data": "Data", "water": "Tap and drain"}
+"""What the symbols of outlets stand for."""
 
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
@@ -33,27 +39,56 @@ def overlay_of(turns: Turns, catalog: Catalog) -> Overlay:
 
     def circles(view: PaperView, storey: Storey) -> list[PlanLayer]:
         here = [turns[space.id] for space in storey.scene.spaces if space.id in turns]
-        return [PlanLayer("Turning circles", turning_mark(view, here))]
+        letters = short_names_mark(view, storey.scene.pieces)
+        return [
+            PlanLayer("Turning circles", turning_mark(view, here)),
+            PlanLayer("Short names", letters),
+        ]
 
     def schedule(scene: Scene, storeys: Sequence[Storey]) -> list[LegendRow]:
         del storeys
-        return list_furniture(scene.pieces, catalog)
+        return [*list_furniture(scene.pieces, catalog), *list_outlets(scene.spaces)]
 
-    return Overlay(over=circles, legend=schedule)
+    return Overlay(over=circles, legend=schedule, arrange=arrange_filled)
 
 
 def list_furniture(pieces: Sequence[Piece], catalog: Catalog) -> list[LegendRow]:
     """The schedule: of each kind that stands on the floor how many there are and how large, width
-    by depth in metres, where all are alike; kinds by their names."""
-    sizes: dict[str, Counter[str]] = {}
+    by depth in metres, from the least to the largest; kinds by their names."""
+    sizes: dict[str, list[Size]] = {}
     for piece in pieces:
         kind = catalog.kinds.get(piece.category)
         if piece.function == STAIRS or kind is None or kind.support != "floor":
             continue
-        words = f"{piece.size.width:.2f} × {piece.size.depth:.2f}"
-        sizes.setdefault(kind.name[:1].upper() + kind.name[1:], Counter())[words] += 1
+        name = with_letters(piece.category, kind.name[:1].upper() + kind.name[1:])
+        sizes.setdefault(name, []).append(piece.size)
     rows = [
-        LegendRow("letter", name, next(iter(found)) if len(found) == 1 else "", str(found.total()))
+        LegendRow("letter", name, size_words(found), str(len(found)))
         for name, found in sorted(sizes.items())
     ]
     return [LegendRow("heading", "Furniture"), *rows] if rows else []
+
+
+def list_outlets(spaces: Sequence[Space]) -> list[LegendRow]:
+    """The key to the symbols of outlets, with how many of each there are."""
+    counts = Counter(outlet.kind for space in spaces for outlet in space.outlets)
+    rows = [
+        LegendRow("outlet", words, str(counts[kind]), kind)
+        for kind, words in OUTLETS.items()
+        if kind in counts
+    ]
+    return [LegendRow("heading", "Outlets"), *rows] if rows else []
+
+
+def size_words(sizes: Sequence[Size]) -> str:
+    """Width by depth in metres; a range where one differs, of the widths only where both do.
+
+    >>> size_words([Size(0.5, 0.6, 0.9)]), size_words([Size(0.5, 0.6, 0.9), Size(0.45, 0.6, 2.0)])
+    ('0.50 × 0.60', '0.45–0.50 × 0.60')
+    >>> size_words([Size(0.5, 0.6, 0.9), Size(0.45, 0.4, 0.9)])
+    '0.45–0.50 wide'
+    """
+    sides = [(s.width for s in sizes), (s.depth for s in sizes)]
+    ranges = [sorted({f"{side:.2f}" for side in found}, key=float) for found in sides]
+    width, depth = ("–".join(dict.fromkeys((found[0], found[-1]))) for found in ranges)
+    return f"{width} wide" if "–" in width and "–" in depth else f"{width} × {depth}"
