@@ -54,8 +54,13 @@ RINGS_FROM = 8.0
 """From so many square metres on a kitchen has a hob of four rings."""
 TALL_FROM = 8.0
 """From so many square metres on a kitchen has a tall fridge."""
+SEATED_FROM = 11.0
+"""From so many square metres on a living room has seats for three."""
+BED_FROM = 8.0
+"""From so many square metres on a bed for one is of full width."""
 FROM = {
-    "seats": ROOMY,
+    "seats": SEATED_FROM,
+    "narrow_bed": BED_FROM,
     "few_rings": RINGS_FROM,
     "triangle": WHOLE_FROM,
     "small_sink": WHOLE_FROM,

@@ -16,6 +16,7 @@ from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.axis import slide_to_axis
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
+from scenewright.domains.home.composing.bed_ways import list_closing
 from scenewright.domains.home.composing.beds import move_double_bed, restore_double_bed
 from scenewright.domains.home.composing.clothes import hang_in_closet, list_hung
 from scenewright.domains.home.composing.coats import move_coats
@@ -141,11 +142,13 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     whole |= dict.fromkeys(TABLES, cost_of_crowding(placed, rule.costs.crowded))
     unmet = float(count_unmet(task, placed) > 0)
     between = list_between(placed) if view > 0.0 else frozenset()
+    closing = list_closing(placed)
     costs = {
         p.name: cost_of_group(p, task.ground, rule)
         + whole.get(p.wish.group, 0.0)
         + unmet
         + IN_SIGHT * (p.name in between)
+        + rule.costs.bed_way * (p.name in closing)
         for p in placed
         if p.wish.group not in task.library.own
     }
