@@ -1,4 +1,4 @@
-"""Beds for two reached from the foot: one goes in sideways where both long sides are a little free."""
+"""Beds for two reached from the foot: one goes in sideways where both sides are a little free."""
 
 from __future__ import annotations
 

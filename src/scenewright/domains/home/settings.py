@@ -93,8 +93,8 @@ class CompositionCosts(NamedTuple):
     a kitchen one may eat in, or with ``stools``, outdoor chairs side by side (``abreast``), a table
     ``crowded`` by seats, something in the way beside a bed for two (``bed_way``), a single bed
     whose head is off the wall (``head_off``) or that is narrower than 0.9 m (``narrow_bed``), a
-    sofa without a table before it (``no_table``), something before the ``doors`` of a wardrobe, before a window or a wide
-    door, a group small for its room (``modest``), a table by its ``places``; a unit by which the
+    sofa without a table before it (``no_table``), something before the ``doors`` of a wardrobe,
+    before a window or a wide door, a group small for its room (``modest``), a table by its ``places``; a unit by which the
     furnished share of a floor is off what was learned (``share``), and by which the free floor
     beside a group falls short of it (``floor``)."""
 

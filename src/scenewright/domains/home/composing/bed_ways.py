@@ -58,9 +58,9 @@ def _find_taken(
     for group in groups:
         for p in group.pieces if group is not own else ():
             (u, v, z, turn), (wide, deep, _) = p.pose, p.size
-            if z < ON_FLOOR and p.category not in MOVED:
-                if hypot(u - x, v - y) < reach + hypot(wide, deep) / 2:
-                    area = float(common_area(frame, make_frame(u, v, turn, wide, deep)))
-                    if area > 0.0:
-                        found[group.name] = found.get(group.name, 0.0) + area
+            near = hypot(u - x, v - y) < reach + hypot(wide, deep) / 2
+            if near and z < ON_FLOOR and p.category not in MOVED:
+                area = float(common_area(frame, make_frame(u, v, turn, wide, deep)))
+                if area > 0.0:
+                    found[group.name] = found.get(group.name, 0.0) + area
     return found
