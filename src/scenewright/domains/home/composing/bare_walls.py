@@ -33,7 +33,6 @@ from scenewright.domains.home.programme import WELCOME, Wish
 Floats = NDArray[np.float64]
 
 
-
 class BareWalls(NamedTuple):
     """What is added at the walls of rooms for a function from ``least`` square metres on, while an
     empty circle is ``wide`` metres in radius, doors or not, no more than ``beside`` metres beyond

@@ -47,6 +47,7 @@ from scenewright.domains.home.composing.placed_faults import (
     cost_of_shelves,
 )
 from scenewright.domains.home.composing.rows import close_gaps
+from scenewright.domains.home.composing.seats_for_three import seat_three
 from scenewright.domains.home.composing.trials import take_first, try_forms
 from scenewright.domains.home.composing.views import cost_of_view, list_between
 from scenewright.domains.home.composing.wardrobes import trim_wardrobe
@@ -84,7 +85,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         best = _improve_all(judge_of(task, best.placed), best, barred)
         best = reform_kitchen(task, best, barred)
         best = _join_washer(task, best, barred)
-        best = gather_seats(task, best, barred)
+        best = seat_three(task, gather_seats(task, best, barred), barred)
         best = hang_in_closet(task, best, barred)
         if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
