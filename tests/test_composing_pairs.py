@@ -82,7 +82,7 @@ def test_faults_before_openings_of_many_places_are_those_of_each():
 
 
 def _by_openings():
-    return RULE.costs._replace(adrift=0.0, at_door=0.0)
+    return RULE.costs._replace(adrift=0.0, at_door=0.0, head_off=0.0)
 
 
 def _stand(case, box):
@@ -164,7 +164,7 @@ def test_half_a_wardrobe_of_a_finished_home_becomes_a_whole_one(finished):
     (mended,) = mend_bedrooms([task], [answer], list)
     bed, wardrobe = mended.placed
     assert wardrobe.dressed.case.width >= 0.999
-    assert find_case_faults(bed.dressed.case) == ()
+    assert {name for name, _ in find_case_faults(bed.dressed.case)} <= {"narrow_bed"}
     was, now = (g.pieces[0].size for g in (answer.placed[0], bed))
     assert min(now.width - was.width, now.depth - was.depth) > -1e-9 or now.width >= 0.8
     assert not find_blocked(task, mended.placed)

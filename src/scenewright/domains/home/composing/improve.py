@@ -143,7 +143,7 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     whole |= dict.fromkeys(TABLES, cost_of_crowding(placed, rule.costs.crowded))
     unmet = float(count_unmet(task, placed) > 0)
     between = list_between(placed) if view > 0.0 else frozenset()
-    closing = list_closing(placed)
+    closing = list_closing(placed, task.ground)
     costs = {
         p.name: cost_of_group(p, task.ground, rule)
         + whole.get(p.wish.group, 0.0)

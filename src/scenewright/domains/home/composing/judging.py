@@ -122,7 +122,7 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     shelves += cost_of_fronts(placed, rule.costs.doors, task.fixed)
     shelves += cost_of_washer(placed, rule.costs.loose) + cost_of_fridge(placed, task.ground, rule)
     shelves += cost_of_crowding(placed, rule.costs.crowded)
-    shelves += cost_of_bed_ways(placed, rule.costs.bed_way)
+    shelves += cost_of_bed_ways(placed, task.ground, rule.costs.bed_way)
     if is_mere_kitchen(task):
         each += cost_of_table(placed, task.ground, rule.costs.few_places)
     if len(task.ground.hearths):
