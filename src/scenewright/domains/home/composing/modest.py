@@ -69,7 +69,7 @@ EXPECTED: dict[str, Expected] = {
     "sleeping": Expected(_metres("double_bed"), ((11.0, 1.6), (14.0, 1.8))),
     "desk": Expected(_metres("desk"), ((6.5, 1.0), (9.0, 1.2), (13.0, 1.4))),
     "kids_desk": Expected(_metres("kids_desk"), ((8.0, 1.0),)),
-    "chest": Expected(_metres("chest_of_drawers"), ((6.5, 0.8), (11.0, 1.0))),
+    "chest": Expected(_metres("chest_of_drawers"), ((9.0, 0.8), (13.0, 1.0))),
     "shelf": Expected(_metres("bookcase"), ((8.0, 0.8), (13.0, 1.2), (22.0, 1.6))),
     "sideboard": Expected(_metres("sideboard"), ((14.0, 1.4), (22.0, 1.8))),
     "storage": Expected(_metres("storage_shelf"), ((4.0, 1.0), (8.0, 1.6))),
