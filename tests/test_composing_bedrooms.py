@@ -120,12 +120,13 @@ def test_a_bed_in_the_entrance_costs_more_the_nearer_it_is_to_where_the_door_ope
     (space,) = spaces(brief)
     ground = ground_of(space, (), 12.0)
     end = ground.keep_free[:, 1].max() + ground.keep_free[:, 4].max() / 2
+    rule = RULE._replace(costs=RULE.costs._replace(head_off=0.0))
     far, near, tight = (
-        cost_of_group(_bed_at(1.0 + end + gap), ground, RULE) for gap in (0.31, 0.2, 0.1)
+        cost_of_group(_bed_at(1.0 + end + gap), ground, rule) for gap in (0.31, 0.2, 0.1)
     )
     assert far < near < tight <= far + RULE.costs.at_door
     small = ground._replace(area=6.0)
-    assert cost_of_group(_bed_at(1.0 + end), small, RULE) == cost_of_case(CASE, 6.0, RULE)
+    assert cost_of_group(_bed_at(1.0 + end), small, rule) == cost_of_case(CASE, 6.0, rule)
 
 
 def test_what_stands_before_the_doors_of_a_built_in_wardrobe_counts():
