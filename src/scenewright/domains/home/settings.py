@@ -131,10 +131,10 @@ class CompositionCosts(NamedTuple):
     stools: float = 4.0
     abreast: float = 4.0
     crowded: float = 8.0
-    bed_way: float = 14.0
-    head_off: float = 6.0
-    narrow_bed: float = 5.0
-    no_table: float = 6.0
+    bed_way: float = 9.0
+    head_off: float = 4.0
+    narrow_bed: float = 4.0
+    no_table: float = 4.0
     doors: float = 8.0
     window: float = 15.0
     opening: float = 10.0

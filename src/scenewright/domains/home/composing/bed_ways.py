@@ -16,39 +16,41 @@ from scenewright.geometry.boxes import area_in_polygon, common_area, make_frame
 WAY, BEYOND = 0.4, 0.4
 """Width of the way beside a bed that nothing else stands in, and by how much it goes on beyond the
 foot, metres."""
-SPOT = 0.34  # room for a nightstand, metres
+SPOT, PILLOW = 0.34, 0.45
+"""Room for a nightstand, metres, and how much it counts that there is none."""
 SEEN = 0.03  # share of the way that is not noticed
 
 
 def cost_of_bed_ways(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:
     """What is wrong with beds to whose sides something closes the way: of each side of a bed for
-    two with a nightstand, and of the pillow of a bed for one without, half the cost for being so
-    and half by the share of the way that is taken."""
-    return sum(cost * (1.0 + min(share, 1.0)) / 2 for _, share in _list_closed(groups, ground))
+    two with a nightstand half the cost for being so and half by the share of the way that is taken,
+    of the pillow of a bed for one without :data:`PILLOW` of that."""
+    closed = _list_closed(groups, ground)
+    return sum(cost * worth * (1.0 + min(share, 1.0)) / 2 for _, share, worth in closed)
 
 
 def list_closing(groups: Sequence[FurnishedGroup], ground: Ground) -> frozenset[str]:
     """The names of the groups that stand in such a way, and of its bed."""
-    return frozenset(name for names, _ in _list_closed(groups, ground) for name in names)
+    return frozenset(name for names, _, _ in _list_closed(groups, ground) for name in names)
 
 
 def _list_closed(
     groups: Sequence[FurnishedGroup], ground: Ground
-) -> Iterator[tuple[set[str], float]]:
+) -> Iterator[tuple[set[str], float, float]]:
     """Of each side of a bed to which the way is closed the bed's group and those that close it, by
-    name, and the share of the way that they take."""
+    name, the share of the way that they take, and how much that counts."""
     for group in groups:
         for bed in group.pieces:
             if bed.category == DOUBLE:
                 ways = zip((-1.0, 1.0), list_aisles(bed, WAY, BEYOND), strict=True)
                 used = [way for side, way in ways if _has_stand(group, bed, side)]
                 taken = [_find_taken(way, group, groups) for way in used]
-                yield from ((names, share) for names, share in taken if share > SEEN)
+                yield from ((names, share, 1.0) for names, share in taken if share > SEEN)
             elif bed.category == SINGLE and len(group.pieces) == 1:
                 spots = [spot for spot in list_spots(bed) if _is_floor(spot, ground)]
                 taken = [_find_taken(spot, group, groups) for spot in spots]
                 if taken and all(share > SEEN for _, share in taken):
-                    yield min(taken, key=lambda each: each[1])
+                    yield *min(taken, key=lambda each: each[1]), PILLOW
 
 
 def list_spots(bed: Piece) -> Iterator[Box]:
