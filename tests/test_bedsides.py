@@ -135,13 +135,19 @@ def test_nightstand_that_gave_way_is_no_longer_listed_once_another_stands():
     assert answer.gone == ()
 
 
-@pytest.mark.parametrize(
-    "more", [{"ask": [{"group": "single"}]}, {"wishes": [{"what": "nightstand", "forbid": True}]}]
-)
-def test_none_where_what_stands_was_listed_or_nightstands_are_forbidden(more):
-    task = _task(**more)
+def test_none_where_nightstands_are_forbidden_or_the_bed_is_to_take_no_more_room():
+    task = _task(wishes=[{"what": "nightstand", "forbid": True}])
     before = _answer(_bed(task, 0.4))
     assert add_nightstands([task], [before], list) == [before]
+    bed = _bed(task := _task(), 0.4)
+    bounded = _answer(bed._replace(wish=bed.wish._replace(most=(0.8, 1.93))))
+    assert add_nightstands([task], [bounded], list) == [bounded]
+
+
+def test_bed_of_a_list_has_a_nightstand_which_is_part_of_its_group():
+    task = _task(ask=[{"group": "single"}])
+    (answer,) = add_nightstands([task], [_answer(_bed(task, 0.4))], list)
+    assert len(_stands(answer)) == 1
 
 
 def test_bed_with_a_nightstand_gets_no_second_one():

@@ -15,15 +15,12 @@ from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.closets import has_closet
+from scenewright.domains.home.composing.bed_places import are_adrift
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case, list_further
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.judging import judge_of
-from scenewright.domains.home.composing.placed_faults import (
-    are_adrift,
-    cost_of_group,
-    find_darkness,
-)
+from scenewright.domains.home.composing.placed_faults import cost_of_group, find_darkness
 from scenewright.domains.home.composing.wardrobes import trim_wardrobe
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.window_dressing import dress_windows
@@ -123,12 +120,13 @@ def test_a_bed_in_the_entrance_costs_more_the_nearer_it_is_to_where_the_door_ope
     (space,) = spaces(brief)
     ground = ground_of(space, (), 12.0)
     end = ground.keep_free[:, 1].max() + ground.keep_free[:, 4].max() / 2
+    rule = RULE._replace(costs=RULE.costs._replace(head_off=0.0))
     far, near, tight = (
-        cost_of_group(_bed_at(1.0 + end + gap), ground, RULE) for gap in (0.31, 0.2, 0.1)
+        cost_of_group(_bed_at(1.0 + end + gap), ground, rule) for gap in (0.31, 0.2, 0.1)
     )
     assert far < near < tight <= far + RULE.costs.at_door
     small = ground._replace(area=6.0)
-    assert cost_of_group(_bed_at(1.0 + end), small, RULE) == cost_of_case(CASE, 6.0, RULE)
+    assert cost_of_group(_bed_at(1.0 + end), small, rule) == cost_of_case(CASE, 6.0, rule)
 
 
 def test_what_stands_before_the_doors_of_a_built_in_wardrobe_counts():

@@ -14,6 +14,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scenewright.check.bed_aisles import is_entered_from_foot
 from scenewright.check.bodies import Bodies, Floats, Members, Rooms, Shape, Shapes
 from scenewright.check.ceilings import BENDING, HEADROOM, lower_than
 from scenewright.check.routes import JoinedFloor, Walk, squeeze_in, walk_without
@@ -67,7 +68,8 @@ def find_unreachable(
     No closet or toilet could be used if one had to walk about in it. So a *tight* room, nowhere
     as wide as two routes or closed to the route by a narrow doorway even while empty, is reached
     if its doorway is, and within it a person goes on sideways; and so one does to a seat of a
-    group, along its row, and to one at a table of a group, past the chairs beside it.
+    group, along its row, and to one at a table of a group, past the chairs beside it; and to a bed
+    for two from its foot (:mod:`.bed_aisles`).
     """
     found: list[Finding] = []
     placed = _by_room(bodies, groups)
@@ -137,6 +139,8 @@ def _missed_pieces(
         if (far & sideways).any():
             near = squeeze_in(bodies, ground, walk, within)
             far[sideways] &= ~shapely.intersects(near, clipped[sideways])
+        for k in np.flatnonzero(far & ~bool(rooms.spaces[room].slopes)):
+            far[k] = not is_entered_from_foot(bodies, walk, rows[k], within, walk.radius + REACH)
         shape = {rows[k]: clipped[k] for k in np.flatnonzero(far)}
         lost = [g for g in groups if all(int(row) in shape for row in g.rows)]
         missed += [Target(room, -1, _all_of(g, shape), g.id) for g in lost]

@@ -16,6 +16,7 @@ from scenewright.core.layout import corners
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
+from scenewright.domains.home.bed_aisles import DOUBLE, PASSED, list_aisles, list_mouths
 from scenewright.domains.home.home_floor import (
     SLACK,
     FloorWalk,
@@ -61,8 +62,9 @@ def find_barred(
 
     A room is reached if the middle of the route comes into it; one that no route could enter empty
     is passed over. A piece is reached if that middle comes within half a width and an arm's length
-    straight before a side it is used from. Of a tight room the doorway is enough, and there a
-    person goes on sideways. Pieces of rooms that are barred are not listed one by one.
+    straight before a side it is used from, a bed for two also from its foot along narrow aisles
+    (:mod:`.bed_aisles`). Of a tight room the doorway is enough, and there a person goes on
+    sideways. Pieces of rooms that are barred are not listed one by one.
     """
     found: list[Barred] = []
     level = {space.id: space.level for space in spaces}
@@ -124,7 +126,22 @@ def _missed_pieces(
     if missed and _is_tight(walked, space.id):
         near = _squeeze(walked, walked.floor.within[space.id])
         missed = [t for t in missed if not near.intersects(t.region)]
-    return missed
+    double = {p.id: p for p in pieces if p.category == DOUBLE and not space.slopes}
+    return [
+        target
+        for target in missed
+        if target.piece not in double or not _is_entered(walked, space, double[target.piece])
+    ]
+
+
+def _is_entered(walked: FloorWalk, space: Space, bed: Piece) -> bool:
+    """Whether a bed for two is got into from its foot, along free aisles on both sides."""
+    taken = shapely.union_all([o.footprint for o in walked.obstacles if o.piece != bed.id])
+    free = walked.floor.within[space.id].difference(taken)
+    aisles = shapely.polygons(corners(np.array(list_aisles(bed))))
+    mouths = shapely.polygons(corners(np.array(list_mouths(bed, walked.radius + REACH))))
+    kept = shapely.area(shapely.intersection(aisles, free)) / shapely.area(aisles)
+    return bool((kept >= 1.0 - PASSED).all() and walked.reached.intersects(mouths).any())
 
 
 @lru_cache(maxsize=256)

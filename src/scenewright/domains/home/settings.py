@@ -91,10 +91,12 @@ class CompositionCosts(NamedTuple):
     (``view``), is off its ``axis``, at a bad ``distance`` or behind what stands ``between``, one on
     the wall (``hung``), a table with one chair (``lone``), for fewer than four (``few_places``) in
     a kitchen one may eat in, or with ``stools``, outdoor chairs side by side (``abreast``), a table
-    ``crowded`` by seats, something before the ``doors`` of a wardrobe, before a window or a wide
-    door, a group small for its room (``modest``), a table by its ``places``; a unit by which the
-    furnished share of a floor is off what was learned (``share``), and by which the free floor
-    beside a group falls short of it (``floor``)."""
+    ``crowded`` by seats, something in the way beside a bed for two (``bed_way``), a single bed
+    whose head is off the wall (``head_off``) or that is narrower than 0.9 m (``narrow_bed``), a
+    sofa without a table before it (``no_table``), something before the ``doors`` of a wardrobe,
+    before a window or a wide door, a group small for its room (``modest``), a table by its
+    ``places``; a unit by which the furnished share of a floor is off what was learned (``share``),
+    and by which the free floor beside a group falls short of it (``floor``)."""
 
     worktop: float = 24.0
     hob_at_sink: float = 22.0
@@ -129,6 +131,10 @@ class CompositionCosts(NamedTuple):
     stools: float = 4.0
     abreast: float = 4.0
     crowded: float = 8.0
+    bed_way: float = 9.0
+    head_off: float = 4.0
+    narrow_bed: float = 4.0
+    no_table: float = 4.0
     doors: float = 8.0
     window: float = 15.0
     opening: float = 10.0

@@ -12,6 +12,7 @@ from scenewright.building.ceiling import BENDING, HEADROOM, low_floor, lowest
 from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
+from scenewright.domains.home.bed_aisles import DOUBLE, are_open, list_mouths
 from scenewright.domains.home.problem import Ground, KnownGround, known_ground
 from scenewright.geometry.boxes import Frame, frames_of, make_frame
 from scenewright.geometry.compiled import compiled, inlined
@@ -40,8 +41,9 @@ def find_unreached(
     A piece is reached if a disc as wide as the route, having come from a door, can stand with its
     centre in front of one of the sides its kind is used from, at most half a route and
     0.2 m away (0.4 m more where one bends down under a slope), and the ceiling there is high
-    enough to walk. Seats that push under a table are moved aside. ``door 2`` names a door that
-    no such route joins to the first.
+    enough to walk. To a bed for two one also comes from its foot, sideways along narrow aisles on
+    both sides (:mod:`.bed_aisles`). Seats that push under a table are moved aside. ``door 2`` names
+    a door that no such route joins to the first.
     """
     if len(ground.doors) == 0:
         return frozenset()
@@ -72,7 +74,16 @@ def list_walked(
         for side in catalog.kinds[piece.category].access:
             zones.append(used_from(piece, SIDES.index(side), width / 2 + REACH, ground.slopes))
             owner.append(piece.id)
+        if piece.category == DOUBLE and _is_open(piece, ground, solid):
+            zones += map(list, list_mouths(piece, width / 2 + REACH))
+            owner += [piece.id, piece.id]
     return Walked(_rows(solid), _rows(zones), tuple(owner))
+
+
+def _is_open(bed: Piece, ground: Ground, solid: list[list[float]]) -> bool:
+    """Whether one gets into a bed along its aisles, nowhere below a slope."""
+    taken = [*solid, *ground.obstacles.tolist()]
+    return not len(ground.slopes) and are_open(bed, taken, ground.edges)
 
 
 def walk(

@@ -15,6 +15,9 @@ from scenewright.domains.home.composing.judging import RUNS, Placed
 from scenewright.domains.home.groups.kitchen import short_counters
 from scenewright.domains.home.programme import FALLBACK, Wish
 
+DESKS = frozenset(("desk", "kids_desk"))
+SLEEP_IN_BUNK = 2
+"""Those who sleep in a bunk bed, each with a desk where the room holds two."""
 COVERED = 0.29
 """The share of a living room's floor under furniture up to which it takes more."""
 SMALLER = frozenset(("dining_wall", "lounger"))
@@ -39,6 +42,8 @@ def list_additions(
                     yield lack.wish._replace(group=group, small=small), (lack,)
     if task.asked is not None and task.asked.ask is not None:
         return
+    if any(p.wish.group == "bunk" for p in placed):
+        yield Wish("kids_desk", 2), ()
     if any(_is_short(p) for p in placed) and "counter" not in task.forbidden:
         yield Wish("counter", 2), ()
     shared = task.elsewhere or task.instead
@@ -57,6 +62,8 @@ def is_wanted(task: RoomTask, placed: Placed, wish: Wish, lacks: tuple[Missing, 
         return True
     if wish.group == "reading":
         return "reading" not in there and any(_has_few_seats(p) for p in placed)
+    if wish.group in DESKS:
+        return sum(group in DESKS for group in there) < SLEEP_IN_BUNK
     if wish.group == "counter":
         return "counter" not in there and any(_is_short(p) for p in placed)
     twice = wish.group == "shelf" and task.ground.area >= 14.0

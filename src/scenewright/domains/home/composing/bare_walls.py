@@ -1,9 +1,11 @@
-"""Walls beside what is bare of a large living room, also before its doors: a sideboard, a
-shelf, where no second zone has a place (:mod:`.bare_floor`)."""
+"""Walls beside what is bare of a living room, also before its doors: a sideboard, a shelf, where
+no second zone has a place (:mod:`.bare_floor`); in a bedroom a chest of drawers, an armchair with
+its lamp, a bookcase."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,26 +32,42 @@ from scenewright.domains.home.programme import WELCOME, Wish
 
 Floats = NDArray[np.float64]
 
-WIDE = 1.2  # an empty circle of so many metres of radius is bare, doors or not
-BESIDE = 0.6  # what stands so near to its edge stands at it, metres
-ADDED = (("sideboard", 1), ("shelf", 2))
-"""What is added, in this order, and how many of it a room has at most."""
+
+class BareWalls(NamedTuple):
+    """What is added at the walls of rooms for a function from ``least`` square metres on, while an
+    empty circle is ``wide`` metres in radius, doors or not, no more than ``beside`` metres beyond
+    its edge: groups, in this order, and how many of each a room has at most (``added``)."""
+
+    least: float
+    wide: float
+    beside: float
+    added: tuple[tuple[str, int], ...]
+
+
+BARE_WALLS = {
+    "living": BareWalls(LARGE, 1.2, 0.6, (("sideboard", 1), ("shelf", 2))),
+    "bedroom": BareWalls(9.0, 0.65, 1.2, (("chest", 1), ("reading", 1), ("shelf", 1))),
+    "child_bedroom": BareWalls(9.0, 0.65, 1.2, (("shelf", 1), ("chest", 1))),
+}
+"""By function of a room."""
 FORMS, PLACES, EACH = 3, 4, 5
 """Forms that are tried of each, and places of a form: of those in a row one in so many."""
 
 
 def furnish_bare_walls(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
     """The answer with low and high pieces at the walls round the widest empty floor."""
-    if task.ground.area < LARGE or "living" not in task.space.functions or not is_left_to_us(task):
+    row = next((BARE_WALLS[f] for f in task.space.functions if f in BARE_WALLS), None)
+    if row is None or task.ground.area < row.least or not is_left_to_us(task):
         return answer
-    for group, most in ADDED:
+    for group, most in row.added:
         there = sum(p.wish.group == group for p in answer.placed)
         if there >= most or group in task.elsewhere or task.cancelled():
             continue
         void = find_circle(open_floor(task, pieces_of(task, answer.placed)))
-        if void.radius < WIDE:
+        if void.radius < row.wide:
             break
-        more = next(_list_beside(task, answer.placed, group, void, barred), None)
+        wide = void._replace(radius=void.radius + row.beside)
+        more = next(_list_beside(task, answer.placed, group, wide, barred), None)
         if more is not None:
             answer = answer._replace(placed=(*answer.placed, more))
     return answer
@@ -79,5 +97,5 @@ def _list_boxes(task: RoomTask, whole: Placed, standing: StandingObstacles, void
     group = whole[-1]
     rows = [boxes for _, boxes in find_places(task, (group.dressed.case,), standing, group)]
     boxes = np.concatenate([NOWHERE, *rows])
-    near = np.hypot(boxes[:, 0] - void.x, boxes[:, 1] - void.y) < void.radius + BESIDE
+    near = np.hypot(boxes[:, 0] - void.x, boxes[:, 1] - void.y) < void.radius
     return order_boxes(task, whole, boxes[near])[: PLACES * EACH : EACH]

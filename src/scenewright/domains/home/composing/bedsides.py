@@ -1,6 +1,6 @@
-"""Nightstands at single beds of a finished home that have none.
+"""Nightstands at single and bunk beds of a finished home that have none.
 
-A single bed is furnished in forms with a nightstand and without, and where a room is tight ends
+Such a bed is furnished in forms with a nightstand and without, and where a room is tight ends
 without. A nightstand is reached from its bed and needs no way of its own, so once all rooms stand
 one is put at the head of each bed wherever it stands free at a wall: beside it, or beyond it along
 the wall the bed stands at. It stays if the ways of the home are as open as they were.
@@ -29,7 +29,7 @@ from scenewright.geometry.fit import is_backed
 
 Floats = NDArray[np.float64]
 
-SINGLE, STAND = "single_bed", "nightstand"
+SINGLE, BUNK, STAND = "single_bed", "bunk_bed", "nightstand"
 SIZES = ((0.42, 0.4), (0.35, 0.35), (0.3, 0.3))
 """Widths and depths of a nightstand, the preferred first, metres."""
 GAP = 0.02  # between a bed and its nightstand, metres
@@ -54,15 +54,14 @@ def add_nightstands(
 
 
 def _may_have(task: RoomTask) -> bool:
-    """Whether a room may have what nobody asked for; what is forbidden leaves groups of its own."""
-    free = task.preset.settings.exact and not task.accessible
-    asked = task.asked is not None and task.asked.ask is not None
-    return free and not asked and not task.library.own
+    """Whether the beds of a room may have nightstands; what is forbidden leaves groups of its
+    own."""
+    return task.preset.settings.exact and not task.accessible and not task.library.own
 
 
 def _lacks_stand(group: FurnishedGroup, placed: Placed) -> bool:
-    """Whether a group is a mere single bed at whose pillow no nightstand stands."""
-    if [p.category for p in group.pieces] != [SINGLE]:
+    """Whether a group is a mere bed, of any size, at whose pillow no nightstand stands."""
+    if [p.category for p in group.pieces] not in ([SINGLE], [BUNK]) or group.wish.most:
         return False
     x, y = _pillow(group.pieces[0])
     stands = (p.pose for g in placed for p in g.pieces if p.category == STAND)
@@ -112,7 +111,7 @@ def _list_with_stand(task: RoomTask, placed: Placed, at: int) -> Iterator[Furnis
     group, rest = placed[at], (p for i, p in enumerate(placed) if i != at)
     pieces = (*task.fixed, *task.beside, *(p for other in rest for p in other.pieces))
     standing = standing_of(pieces, flat_kinds(task.catalog))
-    bed = next(m for m in group.dressed.case.members if m.category == SINGLE)
+    bed = next(m for m in group.dressed.case.members if m.category in (SINGLE, BUNK))
     for stand in _list_stands(bed):
         there = world((stand,), group.dressed.box, task.catalog)[0][0]
         if not is_backed(there, task.ground.walls, AT_WALL):

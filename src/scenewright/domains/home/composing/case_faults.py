@@ -28,6 +28,8 @@ SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
 FULL = 1.0  # width of a wardrobe, metres
 DEEP = 0.4  # depth of a wardrobe, metres: with less, clothes hang on a rail that is pulled out
 LONG = 2.0  # a bed for two, metres
+FULL_BED = 0.9  # a bed for one, metres
+LOW_TABLES = frozenset(("coffee_table",))
 SLIM = 0.35  # a nightstand that is narrower leaves no way beside the bed, metres
 ACROSS = 2.45  # between hob and sink that face each other across an aisle, metres
 LEG = (1.2, 2.7)  # of a work triangle, metres
@@ -66,8 +68,12 @@ def _faults(case: Group) -> list[tuple[str, float]]:
             ("one_side", one_side),
             ("short_bed", float(short)),
         ]
+    if case.function == "single":
+        wide = min((m.size.width for m in case.members if m.category == "single_bed"), default=1.0)
+        return [("narrow_bed", max(0.0, 1.0 - wide / FULL_BED))]
     if case.function == "seating":
-        return [("seats", float(count_seats(case) < MANY))]
+        tables = any(m.category in LOW_TABLES for m in case.members)
+        return [("seats", float(count_seats(case) < MANY)), ("no_table", float(not tables))]
     if case.function == "media":
         return [("hung", float(is_hung(case)))]
     if case.function == "terrace":

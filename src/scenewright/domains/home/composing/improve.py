@@ -16,6 +16,7 @@ from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.axis import slide_to_axis
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
+from scenewright.domains.home.composing.bed_ways import list_closing
 from scenewright.domains.home.composing.beds import move_double_bed, restore_double_bed
 from scenewright.domains.home.composing.clothes import hang_in_closet, list_hung
 from scenewright.domains.home.composing.coats import move_coats
@@ -46,6 +47,7 @@ from scenewright.domains.home.composing.placed_faults import (
     cost_of_shelves,
 )
 from scenewright.domains.home.composing.rows import close_gaps
+from scenewright.domains.home.composing.seats_for_three import seat_three
 from scenewright.domains.home.composing.trials import take_first, try_forms
 from scenewright.domains.home.composing.views import cost_of_view, list_between
 from scenewright.domains.home.composing.wardrobes import trim_wardrobe
@@ -83,7 +85,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         best = _improve_all(judge_of(task, best.placed), best, barred)
         best = reform_kitchen(task, best, barred)
         best = _join_washer(task, best, barred)
-        best = gather_seats(task, best, barred)
+        best = seat_three(task, gather_seats(task, best, barred), barred)
         best = hang_in_closet(task, best, barred)
         if len(best.placed) <= rule.few or count_unmet(task, best.placed) > 0:
             best = compose_anew(task, best, barred, _worst_first(task, best.placed))
@@ -141,11 +143,13 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     whole |= dict.fromkeys(TABLES, cost_of_crowding(placed, rule.costs.crowded))
     unmet = float(count_unmet(task, placed) > 0)
     between = list_between(placed) if view > 0.0 else frozenset()
+    closing = list_closing(placed, task.ground)
     costs = {
         p.name: cost_of_group(p, task.ground, rule)
         + whole.get(p.wish.group, 0.0)
         + unmet
         + IN_SIGHT * (p.name in between)
+        + rule.costs.bed_way * (p.name in closing)
         for p in placed
         if p.wish.group not in task.library.own
     }

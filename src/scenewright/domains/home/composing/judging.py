@@ -13,6 +13,7 @@ from shapely import Polygon
 
 from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
+from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways
 from scenewright.domains.home.composing.forms import RUNS as RUNS
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.kitchen_faults import (
@@ -121,6 +122,7 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     shelves += cost_of_fronts(placed, rule.costs.doors, task.fixed)
     shelves += cost_of_washer(placed, rule.costs.loose) + cost_of_fridge(placed, task.ground, rule)
     shelves += cost_of_crowding(placed, rule.costs.crowded)
+    shelves += cost_of_bed_ways(placed, task.ground, rule.costs.bed_way)
     if is_mere_kitchen(task):
         each += cost_of_table(placed, task.ground, rule.costs.few_places)
     if len(task.ground.hearths):

@@ -16,11 +16,12 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.composing.bed_places import cost_of_bed_places
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case, list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, RoomJudge
 from scenewright.domains.home.composing.moving import dress_group, find_places, with_margin
-from scenewright.domains.home.composing.placed_faults import are_adrift, cost_of_openings
+from scenewright.domains.home.composing.placed_faults import cost_of_openings
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, join_standing, standing_of
 from scenewright.domains.home.programme import BEDS
 from scenewright.geometry.compiled import compiled, inlined
@@ -150,7 +151,7 @@ def _list_places(task: RoomTask, group: FurnishedGroup, tried: Forms) -> list[Fo
     for case, boxes in islice(find_places(task, forms, empty, group), rule.pair_forms):
         faults = cost_of_openings(case, boxes, task.ground, rule)
         if case.function == "single":
-            faults = faults + rule.costs.adrift * are_adrift(case, boxes, task.ground.walls)
+            faults = faults + cost_of_bed_places(case, boxes, task.ground, rule)
         faults = faults + cost_of_case(case, task.ground.area, rule)
         kept = _thin_out(boxes, faults, rule.pair_places)
         found.append(FormPlaces(case, boxes[kept], faults[kept]))

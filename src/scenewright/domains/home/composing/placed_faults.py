@@ -13,6 +13,13 @@ from scenewright.core.catalog import Group
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.composing.bed_places import (
+    AT_WALL,
+    DEAD,
+    measure_head_gaps,
+    place_member,
+    stands_behind,
+)
 from scenewright.domains.home.composing.forms import TABLES, cost_of_case
 from scenewright.domains.home.furnishing.enlarge import SOFAS, find_widest_screen
 from scenewright.domains.home.problem import Ground
@@ -33,7 +40,6 @@ BRIGHT, DAYLIT = 1.05, 2.1
 """Metres from a window up to which a desk is in full daylight, and from which it has hardly any: a
 window lights the floor as deep as its head is high (the primary sidelighted area of ASHRAE 90.1,
 2019, 3.2), by half of that well."""
-AT_WALL = 0.12  # a bed's side nearer than this is at its wall, metres
 ROOMY = 8.0  # from so many square metres on a bed leaves the floor at doors free
 NEAR_DOOR = 0.3  # a bed nearer to where a door opens is in the entrance, metres
 SHELVED = 0.75  # share of the longest wall that shelves of a storage room stand along
@@ -75,6 +81,9 @@ def _cost_of_group(
         if piece.category == "single_bed":
             gap = float(measure_flank_gaps(_box(piece)[None], ground.walls).min())
             found.append((rule.costs.adrift * (gap > AT_WALL), 1.0))
+            behind = float(measure_head_gaps(_box(piece)[None], ground.walls)[0])
+            if behind > AT_WALL and not stands_behind(group, piece):
+                found.append((rule.costs.head_off, min(behind / DEAD, 1.0)))
         if piece.category in DESKS:
             standing += rule.costs.dark * find_darkness(piece, ground)
     standing += sum(cost * (1.0 + degree) / 2 for cost, degree in found)
@@ -144,18 +153,10 @@ def cost_of_openings(case: Group, boxes: Floats, ground: Ground, rule: Composing
     """What is wrong with a case on each of boxes (n, 5) as it stands before windows and wide doors:
     :func:`cost_of_group` of many places at once, of what stands parallel to its wall."""
     cost = np.zeros(len(boxes))
-    c, s = np.cos(boxes[:, 2]), np.sin(boxes[:, 2])
     for member in case.members:
         if member.on >= 0 or member.z > AT_WALL or member.category == "rug":
             continue
-        there = np.column_stack(
-            (
-                boxes[:, 0] + member.x * s + member.y * c,
-                boxes[:, 1] - member.x * c + member.y * s,
-                boxes[:, 2] + member.heading,
-                np.full((len(boxes), 2), (member.size.width, member.size.depth)),
-            )
-        )
+        there = place_member(member, boxes)
         for strip in ground.strips:
             window = strip[5] == 1.0
             if not window or member.category in SHADES:
@@ -176,17 +177,6 @@ def _lengths_before(boxes: Floats, strip: Floats) -> Floats:
     common = np.minimum(along + half, width / 2) - np.maximum(along - half, -width / 2)
     inside = np.minimum(ahead + deep, depth / 2) - np.maximum(ahead - deep, -depth / 2)
     return np.asarray(np.maximum(common, 0.0) * np.maximum(inside, 0.0) / depth)
-
-
-def are_adrift(case: Group, boxes: Floats, walls: Floats) -> NDArray[np.bool_]:
-    """On which of the boxes (n, 5) of a case neither long side of its single bed is at a wall over
-    most of its length."""
-    bed = next(m for m in case.members if m.category == "single_bed")
-    if abs(np.sin(bed.heading)) > 0.5:
-        return np.zeros(len(boxes), bool)
-    left, right = (case.width / 2 + sign * bed.x - bed.size.width / 2 for sign in (1, -1))
-    gaps = measure_flank_gaps(boxes, walls)
-    return np.asarray(np.minimum(gaps[:, 0] + left, gaps[:, 1] + right) > AT_WALL)
 
 
 def cost_of_screen(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:
