@@ -81,16 +81,17 @@ class CompositionCosts(NamedTuple):
     """What faults of composition cost, beside those of :class:`FaultCosts`: too little worktop in
     one piece, a hob beside the sink or at the end of its run, or one of ``few_rings``, fridge, sink
     and hob off a work triangle (``triangle``), a sink narrower than 0.6 m (``small_sink``) or
-    without worktop beside it, a fridge by itself or under the worktop
-    (``low_fridge``), hob and sink at walls ``across`` from each other
-    or apart (``split``), a washing machine away from the run (``loose``), half a
-    wardrobe, a shallow one, a bed for two with one nightstand or one side to get in, one of 1.9 m
-    (``short_bed``), a single bed away from walls, a bed in the entrance (``at_door``), a desk
-    away from daylight (``dark``), too few
-    shelves, too few seats, a screen too small for its distance, a sofa that does not look at it
-    (``view``), is off its ``axis``, at a bad ``distance`` or behind what stands ``between``, one on
-    the wall (``hung``), a table with one chair (``lone``), for fewer than four (``few_places``) in
-    a kitchen one may eat in, or with ``stools``, outdoor chairs side by side (``abreast``), a table
+    without worktop beside it, a fridge hard at the sink (``fridge_at_sink``), by itself or under
+    the worktop (``low_fridge``), hob and sink at walls ``across`` from each other or apart
+    (``split``), a washing machine away from the run (``loose``), half a wardrobe, a shallow one, a
+    bed for two with one nightstand or one side to get in, one of 1.9 m (``short_bed``), a single
+    bed away from walls, a bed in the entrance (``at_door``), a desk away from daylight (``dark``),
+    too few shelves, too few seats, a screen too small for its distance, a sofa that does not look
+    at it (``view``), is off its ``axis``, at a bad ``distance`` or behind what stands ``between``,
+    one on the wall (``hung``), a stand ``beside_run`` of a kitchen, a table with one chair
+    (``lone``), for fewer than its room has (``few_places``), away from daylight (``dim_table``) or
+    ``beside_clothes`` in a kitchen one may eat in, one whose chairs all face the wall
+    (``abreast_wall``), or with ``stools``, outdoor chairs side by side (``abreast``), a table
     ``crowded`` by seats, something before the ``doors`` of a wardrobe, before a window or a wide
     door, a group small for its room (``modest``), a table by its ``places``; a unit by which the
     furnished share of a floor is off what was learned (``share``), and by which the free floor
@@ -103,6 +104,7 @@ class CompositionCosts(NamedTuple):
     triangle: float = 30.0
     small_sink: float = 8.0
     sink_alone: float = 14.0
+    fridge_at_sink: float = 8.0
     fridge_alone: float = 26.0
     low_fridge: float = 24.0
     across: float = 12.0
@@ -124,8 +126,12 @@ class CompositionCosts(NamedTuple):
     distance: float = 8.0
     between: float = 16.0
     hung: float = 8.0
+    beside_run: float = 6.0
     lone: float = 16.0
     few_places: float = 20.0
+    dim_table: float = 6.0
+    beside_clothes: float = 4.0
+    abreast_wall: float = 6.0
     stools: float = 4.0
     abreast: float = 4.0
     crowded: float = 8.0

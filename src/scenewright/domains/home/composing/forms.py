@@ -60,13 +60,20 @@ FROM = {
     "triangle": WHOLE_FROM,
     "small_sink": WHOLE_FROM,
     "sink_alone": WHOLE_FROM,
+    "fridge_at_sink": TALL_FROM,
     "fridge_alone": WHOLE_FROM,
     "low_fridge": TALL_FROM,
     "across": WHOLE_FROM,
     "split": WHOLE_FROM,
 }
 """Faults that only rooms from so many square metres on have."""
-TIGHT = {"fridge_alone": 0.4, "low_fridge": 0.25, "across": 0.4, "split": 0.6}
+TIGHT = {
+    "fridge_at_sink": 0.25,
+    "fridge_alone": 0.4,
+    "low_fridge": 0.25,
+    "across": 0.4,
+    "split": 0.6,
+}
 """By how much less faults of them count in smaller rooms, instead of not at all."""
 GRADED = frozenset(("triangle",))
 """Faults that a little of hardly costs anything."""

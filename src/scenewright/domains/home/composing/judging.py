@@ -17,6 +17,7 @@ from scenewright.domains.home.composing.forms import RUNS as RUNS
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.kitchen_faults import (
     cost_of_fridge,
+    cost_of_stand,
     cost_of_table,
     cost_of_washer,
 )
@@ -121,8 +122,9 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     shelves += cost_of_fronts(placed, rule.costs.doors, task.fixed)
     shelves += cost_of_washer(placed, rule.costs.loose) + cost_of_fridge(placed, task.ground, rule)
     shelves += cost_of_crowding(placed, rule.costs.crowded)
+    shelves += cost_of_stand(placed, rule.costs.beside_run)
     if is_mere_kitchen(task):
-        each += cost_of_table(placed, task.ground, rule.costs.few_places)
+        each += cost_of_table(placed, task.ground, rule.costs)
     if len(task.ground.hearths):
         return each + shelves + cost_of_hearth(placed, task.ground, rule.costs.screen)
     screen = cost_of_screen(placed, task.ground, rule.costs.screen)
