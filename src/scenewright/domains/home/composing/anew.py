@@ -15,7 +15,7 @@ from math import hypot, inf
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import TABLES, list_forms
+from scenewright.domains.home.composing.forms import TABLES, is_mere_kitchen, list_forms
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
     Placed,
@@ -33,7 +33,7 @@ from scenewright.domains.home.composing.kitchens.reform import (
     parts_of,
 )
 from scenewright.domains.home.composing.kitchens.second_runs import price_of_spare, without_spare
-from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen, is_sound
+from scenewright.domains.home.composing.kitchens.sound import is_sound
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
 from scenewright.domains.home.composing.placed_faults import list_standing
@@ -91,13 +91,25 @@ def _lay_out_anew(
     )
     rest = [p for p in best.placed if all(p is not part for part in parts)]
     rest = list(without_spare(tuple(rest))) if cooks else rest
-    others = sorted(rest, key=lambda p: _turn(p, cooks))
-    judges = judge_in_order(task, (as_whole(run) if run and cooks else first, *others))
+    leader = as_whole(run) if run and cooks else first
+    orders = [(judge_in_order(task, (leader, *o)), o) for o in _list_orders(task, rest, cooks)]
     for start in starts:
         better = sum_faults(task, start.placed) < own
-        whole = follow(task, judges, start, others, barred, most) if better else None
+        tried = (follow(task, judges, start, o, barred, most) for judges, o in orders if better)
+        whole = next((room for room in tried if room is not None), None)
         if whole is not None:
             yield whole
+
+
+def _list_orders(task: RoomTask, rest: list[FurnishedGroup], cooks: bool) -> list[Placed]:
+    """In which order others follow; in a kitchen where the largest table leaves a wardrobe no
+    place, also all else before the table."""
+    usual = tuple(sorted(rest, key=lambda p: _turn(p, cooks)))
+    if not (cooks and is_mere_kitchen(task)):
+        return [usual]
+    last = tuple(sorted(usual, key=lambda p: p.wish.group in TABLES))
+    same = all(a is b for a, b in zip(usual, last, strict=True))
+    return [usual] if same else [usual, last]
 
 
 def _turn(group: FurnishedGroup, cooks: bool) -> tuple[int, bool, float]:

@@ -13,7 +13,7 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.build_problem import select_allowed
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.modest import find_shortage
+from scenewright.domains.home.composing.modest import find_few_places, find_shortage
 from scenewright.domains.home.groups.dining import further_tables
 from scenewright.domains.home.groups.entry import fitted_storage
 from scenewright.domains.home.groups.kitchen import long_kitchenettes
@@ -79,6 +79,15 @@ GRADED = frozenset(("triangle",))
 """Faults that a little of hardly costs anything."""
 
 
+COOKING = ("kitchen",)
+"""What a room is for that is a kitchen and nothing else."""
+
+
+def is_mere_kitchen(task: RoomTask) -> bool:
+    """Whether a room is a kitchen and nothing else."""
+    return task.space.functions == COOKING
+
+
 def share_in(area: float, fault: str) -> float:
     """How much of its usual cost a fault has in a room of ``area`` square metres."""
     return 1.0 if area >= FROM.get(fault, 0.0) else TIGHT.get(fault, 0.0)
@@ -109,9 +118,11 @@ def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     """The forms of a group that stands, those with less wrong first, then those most like it; of
     what fills its wall the widest first."""
     rule, case, area = task.preset.settings.composing, group.dressed.case, task.ground.area
+    few = rule.costs.few_places if is_mere_kitchen(task) and case.function in TABLES else 0.0
 
     def worth(row: tuple[Group, tuple[float, float]]) -> tuple[float, float, float]:
         form, (wrong, off) = row
+        wrong += few * find_few_places(form, area) if few else 0.0
         return wrong, off, abs(form.width - case.width) + abs(form.depth - case.depth)
 
     known, fits = cases(group.wish.group, task.library), select_allowed(group.wish, task.library)

@@ -14,6 +14,7 @@ from shapely import Polygon
 from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.forms import RUNS as RUNS
+from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.kitchen_faults import (
     cost_of_fridge,
@@ -21,7 +22,6 @@ from scenewright.domains.home.composing.kitchen_faults import (
     cost_of_table,
     cost_of_washer,
 )
-from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_crowding,
     cost_of_group,

@@ -9,14 +9,13 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import IN_LINE, RAISED, RUN
 from scenewright.domains.home.composing.forms import RUNS, TABLES, share_in
-from scenewright.domains.home.composing.placed_faults import find_darkness
+from scenewright.domains.home.composing.modest import find_few_places
+from scenewright.domains.home.composing.placed_faults import find_darkness, list_standing
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.settings import ComposingSettings, CompositionCosts
 from scenewright.geometry.boxes import common_area, make_frame
 
-SEATED = ((16.0, 6), (9.0, 4))
-"""From so many square metres on the table of a kitchen seats so many, the largest room first."""
-PLACES, TABLE = ("dining_chair", "stool"), ("dining_table", "round_table")
+TABLE = ("dining_table", "round_table")
 APART = 0.3  # a wardrobe nearer than this to a table, or a screen to a run, is beside it, metres
 ALIKE = 0.99  # cosine between headings that are one, at least
 AT_FRIDGE = 0.5  # what a machine beside the fridge costs of one away from all units
@@ -27,12 +26,11 @@ def cost_of_table(
     groups: Sequence[FurnishedGroup], ground: Ground, costs: CompositionCosts
 ) -> float:
     """What is wrong with the table of a kitchen: fewer places than its room has by
-    :data:`SEATED`, how far it is from daylight, a wardrobe within :data:`APART` of it."""
-    asked, total = next((count for area, count in SEATED if ground.area >= area), 0), 0.0
+    :data:`~.modest.SEATED`, how far it is from daylight, a wardrobe within :data:`APART` of it."""
+    total = 0.0
     for group in groups:
         if group.wish.group in TABLES:
-            seats = sum(p.category in PLACES for p in group.pieces)
-            total += costs.few_places * max(0.0, 1.0 - seats / asked) if asked else 0.0
+            total += costs.few_places * find_few_places(list_standing(group), ground.area)
             table = next((p for p in group.pieces if p.category in TABLE), None)
             total += costs.dim_table * find_darkness(table, ground) if table else 0.0
             total += costs.beside_clothes * _is_near_clothes(group, groups)

@@ -56,8 +56,8 @@ Units = tuple[Unit, ...]
 
 class FreeWalls(NamedTuple):
     """Where units stand free (``low``), and where what is as tall as a fridge does, in a room of
-    ``area`` square metres; a kitchen in it has at most so much ``more`` front than it asks for and
-    is no ``longest`` than so, and also leaves so much of a wall to a ``machine`` beside it, metres."""
+    ``area`` square metres; a kitchen in it has at most so much ``more`` front than it asks for,
+    ``longest`` in any case, and may leave so much of a wall to a ``machine`` beside it, metres."""
 
     low: list[KitchenStretch]
     tall: list[KitchenStretch]

@@ -11,6 +11,7 @@ from math import inf
 import numpy as np
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, Placed, RoomJudge, judge_of
 from scenewright.domains.home.composing.kitchens.fitted import (
     BESIDE,
@@ -22,7 +23,7 @@ from scenewright.domains.home.composing.kitchens.fitted import (
 from scenewright.domains.home.composing.kitchens.foreseen import foresee_cost
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.second_runs import price_of_spare, without_spare
-from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen, is_sound
+from scenewright.domains.home.composing.kitchens.sound import is_sound
 from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
 from scenewright.domains.home.composing.moving import dress_group
 from scenewright.domains.home.composing.trials import take_best
