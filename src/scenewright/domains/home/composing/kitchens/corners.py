@@ -40,7 +40,7 @@ WIDE_SINK = 0.9
 WORKED = 0.9
 """Metres of worktop between hob and sink (NKBA, Planning Guidelines, 2012, 12): what more there is,
 if it is a unit, lies beyond the sink."""
-DISHWASHER = 0.6  # width of one, metres
+DISHWASHER, LEAST_RINSED = 0.6, 0.6  # width of one, and of a sink beside it, metres
 SLIVER = 0.15  # a unit that would be no wider than this widens the sink instead, metres
 HAIR = 1e-6
 Units = tuple[Unit, ...]
@@ -123,11 +123,10 @@ def _wash_in_corner(length: float) -> Units:
 
 
 def _sink_and_rest(length: float) -> Units:
-    sink = 0.8 if length >= 0.8 + BEYOND - HAIR else 0.6
-    rest = length - sink
-    if rest < DISHWASHER - HAIR:
-        return (("sink_cabinet", sink), *fill(rest))
-    sink += rest - DISHWASHER if rest < DISHWASHER + SLIVER else 0.0
+    if length < DISHWASHER + LEAST_RINSED - HAIR:
+        sink = 0.8 if length >= 0.8 + BEYOND - HAIR else 0.6
+        return (("sink_cabinet", sink), *fill(length - sink))
+    sink = length - DISHWASHER if length < 0.8 + DISHWASHER + SLIVER else 0.8
     return (("sink_cabinet", sink), *_rinse(length - sink))
 
 
