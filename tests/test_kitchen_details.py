@@ -85,7 +85,7 @@ def test_two_at_the_table_of_a_small_kitchen_do_not_both_face_the_wall():
 
 
 def test_tables_with_places_enough_are_tried_first_in_a_kitchen():
-    task = task_of(kitchen(wide=3.6))
+    task = task_of(kitchen(wide=3.1))
     case = cases("dining_wall").groups[0]
     group = make_unplaced(task, (), Wish("dining_wall", 1), case)
     first = next(iter(list_forms(task, group)))
