@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
+
+MERE_KITCHEN = ("kitchen",)
+"""What a room is for that is a kitchen and nothing else."""
 
 
 class ChainSettings(NamedTuple):
@@ -240,3 +244,14 @@ class HomeSettings(NamedTuple):
     walls: WallSearchSettings = WallSearchSettings()
     rearrange: RearrangeSettings = RearrangeSettings()
     variety: VarietySettings = VarietySettings()
+
+
+@lru_cache(maxsize=64)
+def fit_settings(settings: HomeSettings, functions: tuple[str, ...]) -> HomeSettings:
+    """The settings for a room for these functions: where people live in a kitchen as well, its run
+    is short, and a fridge at the end of it may stand hard at the sink."""
+    if functions == MERE_KITCHEN:
+        return settings
+    composing = settings.composing
+    costs = composing.costs._replace(fridge_at_sink=0.0)
+    return settings._replace(composing=composing._replace(costs=costs))

@@ -20,7 +20,7 @@ from scenewright.domains.home.groups.kitchen import long_kitchenettes
 from scenewright.domains.home.groups.living import further_seats, hung_screens
 from scenewright.domains.home.groups.outdoor import folding_chair
 from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes, narrow_sides
-from scenewright.domains.home.settings import ComposingSettings
+from scenewright.domains.home.settings import MERE_KITCHEN, ComposingSettings
 
 RUNS = frozenset(("kitchen", "kitchenette"))
 """Groups one cooks at."""
@@ -79,13 +79,9 @@ GRADED = frozenset(("triangle",))
 """Faults that a little of hardly costs anything."""
 
 
-COOKING = ("kitchen",)
-"""What a room is for that is a kitchen and nothing else."""
-
-
 def is_mere_kitchen(task: RoomTask) -> bool:
     """Whether a room is a kitchen and nothing else."""
-    return task.space.functions == COOKING
+    return task.space.functions == MERE_KITCHEN
 
 
 def share_in(area: float, fault: str) -> float:
