@@ -11,11 +11,7 @@ from scenewright.core.brief import Ask, Brief, Room
 from scenewright.core.layout import NamedBox
 from scenewright.domains import check, solution_of
 from scenewright.domains.home.composing.flush import list_flush
-from scenewright.domains.home.composing.kitchen_faults import (
-    cost_of_fridge,
-    cost_of_table,
-    cost_of_washer,
-)
+from scenewright.domains.home.composing.kitchen_faults import cost_of_fridge, cost_of_washer
 from scenewright.domains.home.composing.kitchens.fitted import list_round_corners
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.ways import is_walked, ways_of
@@ -181,11 +177,13 @@ def test_beyond_the_worktop_between_hob_and_sink_a_long_arm_goes_on_behind_the_s
         assert all(wide > 0.25 for _, wide in units)
 
 
-def test_a_table_for_one_costs_in_a_kitchen_one_may_eat_in():
-    table = (Stood("dining_wall", "dining_chair", 0.3, 0.5),)
-    small, large = (task_of(kitchen(wide=w)).ground for w in (2.0, 3.6))
-    assert cost_of_table(table, large, 8.0) == pytest.approx(6.0)
-    assert cost_of_table(table, small, 8.0) == 0.0
+@pytest.mark.parametrize(("area", "short"), [(8.0, 0.0), (10.0, 0.75), (18.0, 5 / 6)])
+def test_a_table_for_one_costs_in_a_kitchen_one_may_eat_in(area, short):
+    from scenewright.domains.home.cases.library import cases
+    from scenewright.domains.home.composing.modest import find_few_places
+
+    one = next(c for c in cases("dining_wall").groups if c.name == "0.7 m wall table for 1")
+    assert find_few_places(one, area) == pytest.approx(short)
 
 
 def test_places_beside_what_stands_touch_it_and_stay_on_their_wall():

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
+
+MERE_KITCHEN = ("kitchen",)
+"""What a room is for that is a kitchen and nothing else."""
 
 
 class ChainSettings(NamedTuple):
@@ -81,16 +85,17 @@ class CompositionCosts(NamedTuple):
     """What faults of composition cost, beside those of :class:`FaultCosts`: too little worktop in
     one piece, a hob beside the sink or at the end of its run, or one of ``few_rings``, fridge, sink
     and hob off a work triangle (``triangle``), a sink narrower than 0.6 m (``small_sink``) or
-    without worktop beside it, a fridge by itself or under the worktop
-    (``low_fridge``), hob and sink at walls ``across`` from each other
-    or apart (``split``), a washing machine away from the run (``loose``), half a
-    wardrobe, a shallow one, a bed for two with one nightstand or one side to get in, one of 1.9 m
-    (``short_bed``), a single bed away from walls, a bed in the entrance (``at_door``), a desk
-    away from daylight (``dark``), too few
-    shelves, too few seats, a screen too small for its distance, a sofa that does not look at it
-    (``view``), is off its ``axis``, at a bad ``distance`` or behind what stands ``between``, one on
-    the wall (``hung``), a table with one chair (``lone``), for fewer than four (``few_places``) in
-    a kitchen one may eat in, or with ``stools``, outdoor chairs side by side (``abreast``), a table
+    without worktop beside it, a fridge hard at the sink (``fridge_at_sink``), by itself or under
+    the worktop (``low_fridge``), hob and sink at walls ``across`` from each other or apart
+    (``split``), a washing machine away from the run (``loose``), half a wardrobe, a shallow one, a
+    bed for two with one nightstand or one side to get in, one of 1.9 m (``short_bed``), a single
+    bed away from walls, a bed in the entrance (``at_door``), a desk away from daylight (``dark``),
+    too few shelves, too few seats, a screen too small for its distance, a sofa that does not look
+    at it (``view``), is off its ``axis``, at a bad ``distance`` or behind what stands ``between``,
+    one on the wall (``hung``), a stand ``beside_run`` of a kitchen, a table with one chair
+    (``lone``), for fewer than its room has (``few_places``), away from daylight (``dim_table``) or
+    ``beside_clothes`` in a kitchen one may eat in, one whose chairs all face the wall
+    (``abreast_wall``), or with ``stools``, outdoor chairs side by side (``abreast``), a table
     ``crowded`` by seats, something in the way beside a bed for two (``bed_way``), a single bed
     whose head is off the wall (``head_off``) or that is narrower than 0.9 m (``narrow_bed``), a
     sofa without a table before it (``no_table``), something before the ``doors`` of a wardrobe,
@@ -105,6 +110,7 @@ class CompositionCosts(NamedTuple):
     triangle: float = 30.0
     small_sink: float = 8.0
     sink_alone: float = 14.0
+    fridge_at_sink: float = 8.0
     fridge_alone: float = 26.0
     low_fridge: float = 24.0
     across: float = 12.0
@@ -126,8 +132,12 @@ class CompositionCosts(NamedTuple):
     distance: float = 8.0
     between: float = 16.0
     hung: float = 8.0
+    beside_run: float = 6.0
     lone: float = 16.0
     few_places: float = 20.0
+    dim_table: float = 6.0
+    beside_clothes: float = 4.0
+    abreast_wall: float = 6.0
     stools: float = 4.0
     abreast: float = 4.0
     crowded: float = 8.0
@@ -240,3 +250,14 @@ class HomeSettings(NamedTuple):
     walls: WallSearchSettings = WallSearchSettings()
     rearrange: RearrangeSettings = RearrangeSettings()
     variety: VarietySettings = VarietySettings()
+
+
+@lru_cache(maxsize=64)
+def fit_settings(settings: HomeSettings, functions: tuple[str, ...]) -> HomeSettings:
+    """The settings for a room for these functions: where people live in a kitchen as well, its run
+    is short, and a fridge at the end of it may stand hard at the sink."""
+    if functions == MERE_KITCHEN:
+        return settings
+    composing = settings.composing
+    costs = composing.costs._replace(fridge_at_sink=0.0)
+    return settings._replace(composing=composing._replace(costs=costs))

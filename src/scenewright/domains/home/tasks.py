@@ -32,6 +32,7 @@ from scenewright.domains.home.programme import (
     resolve_bedrooms,
 )
 from scenewright.domains.home.requests import limit_sizes
+from scenewright.domains.home.settings import fit_settings
 from scenewright.domains.home.wished.beds import take_wished_bed
 from scenewright.domains.home.wished.wishes import apply_wishes
 
@@ -70,7 +71,7 @@ def task_of(
         ground,
         fixed,
         catalog,
-        preset,
+        preset._replace(settings=fit_settings(preset.settings, space.functions)),
         solver,
         brief.route_width,
         _use_width(shape, brief.route_width),

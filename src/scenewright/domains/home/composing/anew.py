@@ -14,7 +14,8 @@ from itertools import islice
 from math import hypot, inf
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
-from scenewright.domains.home.composing.forms import TABLES, list_forms
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.forms import TABLES, is_mere_kitchen, list_forms
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
     Placed,
@@ -23,18 +24,23 @@ from scenewright.domains.home.composing.judging import (
     judge_of,
     sum_faults,
 )
+from scenewright.domains.home.composing.kitchen_faults import cost_of_fridge
 from scenewright.domains.home.composing.kitchens.reform import (
+    AMPLE,
     as_whole,
     list_fitted,
     may_reform,
     parts_of,
 )
 from scenewright.domains.home.composing.kitchens.second_runs import price_of_spare, without_spare
-from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen, is_sound
+from scenewright.domains.home.composing.kitchens.sound import is_sound
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
+from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.composing.trials import take_best, try_forms
 
+COMPACT = 2.5  # of front, of a kitchen that leaves its wall to others, metres
+MACHINE = 0.64  # of wall for a washing machine beside a run, metres
 MANY = 12
 """Forms and places in which a table is tried beside a run, or beside seats and screen."""
 Judges = Callable[[int], RoomJudge]
@@ -78,16 +84,32 @@ def _lay_out_anew(
     own = most if cooks and is_mere_kitchen(task) else sum_faults(task, parts) - least
     if run and cooks and is_sound(task, run, best.placed) and not is_mere_kitchen(task):
         return
-    starts = _list_kitchens(task, run, own) if run and cooks else list_starts(task, first, barred)
+    starts = (
+        _list_kitchens(task, run, own, best.placed)
+        if run and cooks
+        else list_starts(task, first, barred)
+    )
     rest = [p for p in best.placed if all(p is not part for part in parts)]
     rest = list(without_spare(tuple(rest))) if cooks else rest
-    others = sorted(rest, key=lambda p: _turn(p, cooks))
-    judges = judge_in_order(task, (as_whole(run) if run and cooks else first, *others))
+    leader = as_whole(run) if run and cooks else first
+    orders = [(judge_in_order(task, (leader, *o)), o) for o in _list_orders(task, rest, cooks)]
     for start in starts:
         better = sum_faults(task, start.placed) < own
-        whole = follow(task, judges, start, others, barred, most) if better else None
+        tried = (follow(task, judges, start, o, barred, most) for judges, o in orders if better)
+        whole = next((room for room in tried if room is not None), None)
         if whole is not None:
             yield whole
+
+
+def _list_orders(task: RoomTask, rest: list[FurnishedGroup], cooks: bool) -> list[Placed]:
+    """In which order others follow; in a kitchen where the largest table leaves a wardrobe no
+    place, also all else before the table."""
+    usual = tuple(sorted(rest, key=lambda p: _turn(p, cooks)))
+    if not (cooks and is_mere_kitchen(task)):
+        return [usual]
+    last = tuple(sorted(usual, key=lambda p: p.wish.group in TABLES))
+    same = all(a is b for a, b in zip(usual, last, strict=True))
+    return [usual] if same else [usual, last]
 
 
 def _turn(group: FurnishedGroup, cooks: bool) -> tuple[int, bool, float]:
@@ -96,16 +118,30 @@ def _turn(group: FurnishedGroup, cooks: bool) -> tuple[int, bool, float]:
     return group.wish.rank, away, -float(group.dressed.box[3:].prod())
 
 
-def _list_kitchens(task: RoomTask, run: FurnishedGroup, faults: float) -> Iterator[JudgedRoom]:
+def _list_kitchens(
+    task: RoomTask, run: FurnishedGroup, faults: float, placed: Placed
+) -> Iterator[JudgedRoom]:
     """Kitchens made to measure for the room as if it were empty, with less wrong than ``faults``:
-    of the first two steps that have some the best."""
+    of the first two steps that have some the best; a washing machine of those ``placed`` is to
+    stand beside the units. Where people live in the room as well and the fridge stands by itself,
+    also short ones, which leave more of their wall to all others."""
     rule, steps = task.preset.settings.composing, 0
-    for step in list_fitted(task, (), run, frozenset()):
+    washes = is_mere_kitchen(task) and any(p.wish.group == "washer" for p in placed)
+    for step in list_fitted(task, (), run, frozenset(), machine=MACHINE if washes else 0.0):
         better = [j for j in step(inf) if sum_faults(task, j.placed) < faults]
-        yield from better[: rule.starts]
+        yield from better[: rule.starts if task.ground.area < AMPLE else 2 * rule.starts]
         steps += bool(better)
         if steps == 2:
             break
+    if not is_mere_kitchen(task) and cost_of_fridge(placed, task.ground, rule) + _is_lone(run):
+        for step in islice(list_fitted(task, (), run, frozenset(), longest=COMPACT), 1):
+            better = [j for j in step(inf) if sum_faults(task, j.placed) < faults]
+            yield from better[: rule.starts]
+
+
+def _is_lone(run: FurnishedGroup) -> bool:
+    """Whether the fridge of a kitchen stands by itself."""
+    return any(name == "fridge_alone" for name, _ in find_case_faults(list_standing(run)))
 
 
 def _lay_out_pair(

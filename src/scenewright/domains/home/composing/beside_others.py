@@ -19,8 +19,8 @@ from scenewright.domains.home.furnishing.obstacles import StandingObstacles, fla
 
 Floats = NDArray[np.float64]
 
-TRIED = 6  # places that are furnished
-WORTH = 1.0  # what a room may cost more for it
+TRIED = 6  # places that are furnished, if not stated
+WORTH = 1.0  # what a room may cost more for it, if not stated
 ELBOWS = frozenset(("toilet",))
 """Groups with elbow room beside what stands."""
 
@@ -47,19 +47,22 @@ def take_first_place(
     found: Iterable[tuple[Group, Floats]],
     standing: StandingObstacles,
     barred: frozenset[str],
+    worth: float = WORTH,
+    tried: int = TRIED,
 ) -> Placed:
-    """The groups with one of them in the first of some forms, each on a box (5,), in which it has
-    no more faults, the room costs hardly more and no further way is barred; or as they were."""
+    """The groups with one of them in the first of some forms (so many are ``tried``), each on a box
+    (5,), in which it has no more faults, the room costs at most what it is ``worth`` more and no
+    further way is barred; or as they were."""
     at, rule = placed.index(group), task.preset.settings.composing
     judge: RoomJudge | None = None
     most, faults = inf, cost_of_group(group, task.ground, rule)
-    for form, box in islice(found, TRIED):
+    for form, box in islice(found, tried):
         dressed = dress_group(task, group, form, box, standing)
         if dressed is None or cost_of_group(dressed, task.ground, rule) > faults:
             continue
         if judge is None:
             judge = judge_of(task, placed)
-            most = judge.cost_of(placed).cost + WORTH
+            most = judge.cost_of(placed).cost + worth
         other = (*placed[:at], dressed, *placed[at + 1 :])
         if judge.cost_of(other).cost > most:
             continue

@@ -81,7 +81,12 @@ def _faults(case: Group) -> list[tuple[str, float]]:
         return [("abreast", float(len(chairs) == 1))]
     if case.function == "dining_wall":
         seats = [m.category for m in case.members if m.category in ("dining_chair", "stool")]
-        return [("lone", float(len(seats) < 2)), ("stools", float("stool" in seats))]
+        turns = [round(m.heading, 2) for m in case.members if m.category == "dining_chair"]
+        return [
+            ("lone", float(len(seats) < 2)),
+            ("stools", float("stool" in seats)),
+            ("abreast_wall", float(len(turns) > 1 and len(set(turns)) == 1)),
+        ]
     return []
 
 
@@ -121,12 +126,21 @@ def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
         ("few_rings", 1.0 - hob.size.width / FOUR_RINGS),
         ("triangle", _off_triangle(units)),
         ("sink_alone", 0.0 if sink is None else 1.0 - _longest_beside(sink, units) / BESIDE),
+        (
+            "fridge_at_sink",
+            float(sink is not None and any(_meet(sink, m) for m in cold if not _is_top(m))),
+        ),
         ("fridge_alone", float(any(_is_alone(m, units) for m in cold))),
         ("low_fridge", float(any(map(_is_top, cold)))),
         ("small_sink", 0.0 if sink is None else max(0.0, 1.0 - sink.size.width / FULL_SINK)),
         ("across", float(sink is not None and _are_across(hob, sink, units))),
         ("split", float(sink is not None and _are_split(hob, sink, units))),
     ]
+
+
+def find_neighbour(unit: Member, units: list[Member], side: int) -> Member | None:
+    """The unit that follows another in its line, to its right if ``side`` is +1."""
+    return next((m for m in units if m is not unit and _touches(unit, m, side)), None)
 
 
 def _longest_beside(unit: Member, units: list[Member]) -> float:
@@ -179,7 +193,7 @@ def _worktop(unit: Member, units: list[Member], side: int) -> float:
     """Metres of worktop that begin at one side of a unit, to its right if ``side`` is +1."""
     length, at = 0.0, unit
     while True:
-        following = next((m for m in units if m is not at and _touches(at, m, side)), None)
+        following = find_neighbour(at, units, side)
         if following is None or not _is_top(following):
             return length
         length, at = length + following.size.width, following

@@ -13,14 +13,14 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.build_problem import select_allowed
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.modest import find_shortage
+from scenewright.domains.home.composing.modest import find_few_places, find_shortage
 from scenewright.domains.home.groups.dining import further_tables
 from scenewright.domains.home.groups.entry import fitted_storage
 from scenewright.domains.home.groups.kitchen import long_kitchenettes
 from scenewright.domains.home.groups.living import further_seats, hung_screens
 from scenewright.domains.home.groups.outdoor import folding_chair
 from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes, narrow_sides
-from scenewright.domains.home.settings import ComposingSettings
+from scenewright.domains.home.settings import MERE_KITCHEN, ComposingSettings
 
 RUNS = frozenset(("kitchen", "kitchenette"))
 """Groups one cooks at."""
@@ -68,18 +68,31 @@ FROM = {
     "triangle": WHOLE_FROM,
     "small_sink": WHOLE_FROM,
     "sink_alone": WHOLE_FROM,
+    "fridge_at_sink": TALL_FROM,
     "fridge_alone": WHOLE_FROM,
     "low_fridge": TALL_FROM,
     "across": WHOLE_FROM,
     "split": WHOLE_FROM,
 }
 """Faults that only rooms from so many square metres on have."""
-TIGHT = {"seats": 0.2, "fridge_alone": 0.4, "low_fridge": 0.25, "across": 0.4, "split": 0.6}
+TIGHT = {
+    "seats": 0.2,
+    "fridge_at_sink": 0.25,
+    "fridge_alone": 0.4,
+    "low_fridge": 0.25,
+    "across": 0.4,
+    "split": 0.6,
+}
 """By how much less faults of them count in smaller rooms, instead of not at all."""
 TIGHT_FROM = {"seats": SEATED_FROM}
 """And so only in rooms from so many square metres on."""
 GRADED = frozenset(("triangle",))
 """Faults that a little of hardly costs anything."""
+
+
+def is_mere_kitchen(task: RoomTask) -> bool:
+    """Whether a room is a kitchen and nothing else."""
+    return task.space.functions == MERE_KITCHEN
 
 
 def share_in(area: float, fault: str) -> float:
@@ -114,9 +127,11 @@ def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     """The forms of a group that stands, those with less wrong first, then those most like it; of
     what fills its wall the widest first."""
     rule, case, area = task.preset.settings.composing, group.dressed.case, task.ground.area
+    few = rule.costs.few_places if is_mere_kitchen(task) and case.function in TABLES else 0.0
 
     def worth(row: tuple[Group, tuple[float, float]]) -> tuple[float, float, float]:
         form, (wrong, off) = row
+        wrong += few * find_few_places(form, area) if few else 0.0
         return wrong, off, abs(form.width - case.width) + abs(form.depth - case.depth)
 
     known, fits = cases(group.wish.group, task.library), select_allowed(group.wish, task.library)

@@ -32,10 +32,15 @@ from scenewright.domains.home.composing.judging import (
     count_unmet,
     judge_of,
 )
-from scenewright.domains.home.composing.kitchen_faults import cost_of_fridge, cost_of_washer
+from scenewright.domains.home.composing.kitchen_faults import (
+    cost_of_fridge,
+    cost_of_stand,
+    cost_of_washer,
+)
 from scenewright.domains.home.composing.kitchens.islands import add_island
 from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
 from scenewright.domains.home.composing.kitchens.second_runs import list_given_up
+from scenewright.domains.home.composing.kitchens.slits import close_slits
 from scenewright.domains.home.composing.lounges import gather_seats
 from scenewright.domains.home.composing.lounges import list_given_up as list_yielded
 from scenewright.domains.home.composing.moving import with_margin
@@ -98,7 +103,7 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     better = add_groups(task, before, barred)
     better = add_island(task, better, barred)
     better = furnish_bare_walls(task, furnish_bare_floor(task, better, barred), barred)
-    better = close_gaps(task, better, barred)
+    better = close_slits(task, close_gaps(task, better, barred), barred)
     better = furnish_hall(task, fill_wet_room(task, better, barred), barred)
     better = move_coats(task, widen_groups(task, better, barred), barred)
     return (
@@ -137,7 +142,9 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
         "fridge": cost_of_fridge(placed, task.ground, rule),
         "wardrobe": cost_of_fronts(placed, rule.costs.doors),
         "storage": cost_of_shelves(placed, task.ground, rule.costs.shelves),
-        "media": cost_of_screen(placed, task.ground, rule.costs.screen) + view,
+        "media": cost_of_screen(placed, task.ground, rule.costs.screen)
+        + cost_of_stand(placed, rule.costs.beside_run)
+        + view,
         "seating": cost_of_hearth(placed, task.ground, rule.costs.screen) + view,
     }
     whole |= dict.fromkeys(TABLES, cost_of_crowding(placed, rule.costs.crowded))

@@ -15,13 +15,14 @@ from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways
 from scenewright.domains.home.composing.forms import RUNS as RUNS
+from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.kitchen_faults import (
     cost_of_fridge,
+    cost_of_stand,
     cost_of_table,
     cost_of_washer,
 )
-from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_crowding,
     cost_of_group,
@@ -123,8 +124,9 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     shelves += cost_of_washer(placed, rule.costs.loose) + cost_of_fridge(placed, task.ground, rule)
     shelves += cost_of_crowding(placed, rule.costs.crowded)
     shelves += cost_of_bed_ways(placed, task.ground, rule.costs.bed_way)
+    shelves += cost_of_stand(placed, rule.costs.beside_run)
     if is_mere_kitchen(task):
-        each += cost_of_table(placed, task.ground, rule.costs.few_places)
+        each += cost_of_table(placed, task.ground, rule.costs)
     if len(task.ground.hearths):
         return each + shelves + cost_of_hearth(placed, task.ground, rule.costs.screen)
     screen = cost_of_screen(placed, task.ground, rule.costs.screen)

@@ -3,34 +3,74 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import cos, sin
+from math import cos, hypot, sin
 
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import IN_LINE, RAISED, RUN
-from scenewright.domains.home.composing.forms import share_in
+from scenewright.domains.home.composing.forms import RUNS, TABLES, share_in
+from scenewright.domains.home.composing.modest import find_few_places
+from scenewright.domains.home.composing.placed_faults import find_darkness, list_standing
 from scenewright.domains.home.problem import Ground
-from scenewright.domains.home.settings import ComposingSettings
+from scenewright.domains.home.settings import ComposingSettings, CompositionCosts
+from scenewright.geometry.boxes import common_area, make_frame
 
-EAT_IN, FOUR = 9.0, 4  # square metres of a kitchen whose table seats so many
-PLACES = ("dining_chair", "stool")
+TABLE = ("dining_table", "round_table")
+APART = 0.3  # a wardrobe nearer than this to a table, or a screen to a run, is beside it, metres
 ALIKE = 0.99  # cosine between headings that are one, at least
+AT_FRIDGE = 0.5  # what a machine beside the fridge costs of one away from all units
 TOGETHER = 0.06  # pieces nearer to one another than this stand together, metres
 
 
-def cost_of_table(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:
-    """What is wrong with a table for fewer than four in a kitchen of :data:`EAT_IN` square
-    metres."""
-    if ground.area < EAT_IN:
+def cost_of_table(
+    groups: Sequence[FurnishedGroup], ground: Ground, costs: CompositionCosts
+) -> float:
+    """What is wrong with the table of a kitchen: fewer places than its room has by
+    :data:`~.modest.SEATED`, how far it is from daylight, a wardrobe within :data:`APART` of it."""
+    total = 0.0
+    for group in groups:
+        if group.wish.group in TABLES:
+            total += costs.few_places * find_few_places(list_standing(group), ground.area)
+            table = next((p for p in group.pieces if p.category in TABLE), None)
+            total += costs.dim_table * find_darkness(table, ground) if table else 0.0
+            total += costs.beside_clothes * _is_near_clothes(group, groups)
+    return total
+
+
+def cost_of_stand(groups: Sequence[FurnishedGroup], cost: float) -> float:
+    """What is wrong with a screen whose stand is within :data:`APART` of a unit of the kitchen."""
+    media = next((g for g in groups if g.wish.group == "media" and g.pieces), None)
+    if media is None:
         return 0.0
-    tables = [g for g in groups if g.wish.group in ("dining", "dining_wall")]
-    seats = (sum(p.category in PLACES for p in g.pieces) for g in tables)
-    return sum(cost * max(0.0, 1.0 - count / FOUR) for count in seats)
+    units = [p for g in groups if g.wish.group in RUNS for p in g.pieces if p.pose.z < RAISED]
+    return cost * _is_near(media.dressed.box.tolist(), units)
+
+
+def _is_near_clothes(table: FurnishedGroup, groups: Sequence[FurnishedGroup]) -> bool:
+    """Whether a wardrobe stands within :data:`APART` of the floor of those who eat."""
+    clothes = [p for g in groups if g.wish.group == "wardrobe" for p in g.pieces]
+    return _is_near(table.dressed.box.tolist(), clothes)
+
+
+def _is_near(box: list[float], pieces: Sequence[Piece]) -> bool:
+    """Whether one of some pieces is within :data:`APART` of a box."""
+    x, y, heading, width, depth = box
+    wide, deep = width + 2 * APART, depth + 2 * APART
+    for piece in pieces:
+        (a, b, _, turn), size = piece.pose, piece.size
+        if hypot(a - x, b - y) < (hypot(wide, deep) + hypot(*size[:2])) / 2:
+            own = make_frame(a, b, turn, size.width, size.depth)
+            if float(common_area(own, make_frame(x, y, heading, wide, deep))) > 0.0:
+                return True
+    return False
 
 
 def cost_of_washer(groups: Sequence[FurnishedGroup], cost: float) -> float:
-    """What is wrong with a washing machine in a kitchen with no unit of the run at its side."""
-    return cost * _is_away(groups, "washer")
+    """What is wrong with a washing machine in a kitchen with no unit of the run at its side, or
+    with none but the fridge, which then no longer ends the run (:data:`AT_FRIDGE`)."""
+    if _is_away(groups, "washer", RUN - {"fridge"}):
+        return cost * (1.0 if _is_away(groups, "washer") else AT_FRIDGE)
+    return 0.0
 
 
 def cost_of_fridge(
@@ -42,13 +82,14 @@ def cost_of_fridge(
     )
 
 
-def _is_away(groups: Sequence[FurnishedGroup], name: str) -> bool:
-    """Whether there are units in the other groups, but none at the side of the group so named."""
+def _is_away(groups: Sequence[FurnishedGroup], name: str, kinds: frozenset[str] = RUN) -> bool:
+    """Whether there are units of some kinds in the other groups, but none at the side of the group
+    so named."""
     own = next((g for g in groups if g.wish.group == name), None)
     if own is None:
         return False
     others = (p for g in groups if g is not own for p in g.pieces)
-    units = [p for p in others if p.category in RUN and p.pose.z < RAISED]
+    units = [p for p in others if p.category in kinds and p.pose.z < RAISED]
     return bool(units) and not any(_stand_together(p, u) for p in own.pieces for u in units)
 
 

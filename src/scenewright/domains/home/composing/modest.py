@@ -77,6 +77,25 @@ EXPECTED: dict[str, Expected] = {
 """By group."""
 
 
+SEATED = ((16.0, 6), (9.0, 4))
+"""From so many square metres on the table of a kitchen seats so many, the largest room first."""
+PLACES = ("dining_chair", "stool")
+
+
+def find_few_places(case: Group, area: float) -> float:
+    """How far the places at a table fall short of what a kitchen of ``area`` square metres has,
+    from 0 (they do not) to 1.
+
+    >>> from scenewright.domains.home.cases.library import cases
+    >>> four = next(g for g in cases("dining").groups if g.name == "1.2 m table for 4")
+    >>> find_few_places(four, 10.0), round(find_few_places(four, 18.0), 2)
+    (0.0, 0.33)
+    """
+    asked = next((count for start, count in SEATED if area >= start), 0)
+    seats = sum(m.category in PLACES for m in case.members)
+    return max(0.0, 1.0 - seats / asked) if asked else 0.0
+
+
 def find_shortage(case: Group, area: float) -> float:
     """How far a case falls short of what a room of ``area`` square metres has, from 0 (it does
     not) to 1.

@@ -14,8 +14,8 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.flush import list_flush
+from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.judging import RUNS, Placed
-from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen
 from scenewright.domains.home.composing.stretches import Reach, longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles

@@ -65,6 +65,9 @@ SLOT = 0.5  # what a metre of slots beside it costs
 FRONT = 0.5  # free before what is used from its front, metres
 PAST, STAND = 0.2, 0.55  # what ends no farther past its front is no bar; one stands so wide, metres
 HUNG = 1.0  # what hangs higher is no bar, metres
+LESS, TALL = 0.2, 0.6  # steps between widths that are tried, and the least of them, metres
+TRIED = 16  # places that are furnished
+HAIR = 1e-6
 BETTER = 0.05  # by how much a place is better at least
 
 
@@ -88,7 +91,7 @@ def fill_wet_room(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) ->
                 placed, standing = answer.placed, list_others(task, answer.placed, group)
                 taken = list_taken_beside(task, placed, group, standing)
                 found = _list_niches(task, group, standing, taken)
-                placed = take_first_place(task, placed, group, found, standing, barred)
+                placed = take_first_place(task, placed, group, found, standing, barred, tried=TRIED)
                 answer = answer._replace(placed=placed)
     return answer
 
@@ -112,18 +115,27 @@ def _list_niches(
     found: list[Niche] = []
     for forms in _list_forms(name):
         for stretch in list_free_stretches(task.ground, forms[-1].depth, taken, forms[-1].width):
-            form = next(form for form in forms if form.width <= stretch.length)
-            starts = np.array([0.0, stretch.length - form.width])
-            worth = _measure_worth(name, stretch, starts, form.width)
-            if worth.max() > now + BETTER:
-                boxes = stretch.boxes_at(starts, form)
-                found += [Niche(form, b, w) for b, w in zip(boxes, worth.tolist(), strict=True)]
+            for form in _pick_forms(forms, stretch.length):
+                starts = np.array([0.0, stretch.length - form.width])
+                worth = _measure_worth(name, stretch, starts, form.width)
+                if worth.max() > now + BETTER:
+                    boxes = stretch.boxes_at(starts, form)
+                    found += [Niche(form, b, w) for b, w in zip(boxes, worth.tolist(), strict=True)]
     found = [niche for niche in found if niche.worth > now + BETTER]
     found.sort(key=lambda n: (-round(n.worth, 2), hypot(n.box[0] - x, n.box[1] - y)))
     for niche in found:
         free = len(stand_at(task, niche.form, niche.box[None], standing))
         if free and can_stand_before(task.ground, niche.box, standing):
             yield niche.form, niche.box
+
+
+def _pick_forms(forms: tuple[Group, ...], length: float) -> list[Group]:
+    """Of forms, the widest first, the widest on a stretch of so many metres, and what is narrower
+    by :data:`LESS` each and still :data:`TALL` wide: the widest may bar what others do not."""
+    widest = next(form for form in forms if form.width <= length)
+    narrower = (widest.width - k * LESS for k in range(1, 4))
+    wanted = [wide for wide in narrower if wide >= TALL - HAIR]
+    return [widest, *(next(f for f in forms if f.width <= wide + HAIR) for wide in wanted)]
 
 
 def can_stand_before(ground: Ground, box: Floats, standing: StandingObstacles) -> bool:

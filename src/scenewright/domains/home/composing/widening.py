@@ -21,6 +21,7 @@ from scenewright.domains.home.composing.beside_others import (
     take_first_place,
 )
 from scenewright.domains.home.composing.moving import stand_at
+from scenewright.domains.home.composing.placed_faults import ROOMY
 from scenewright.domains.home.composing.wall_stretch import FreeStretch, find_deeper, measure_front
 from scenewright.domains.home.composing.widths import Growth, bound_width, list_depths, list_growing
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
@@ -39,10 +40,19 @@ def widen_groups(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> 
             if group.wish.group == name and group.wish.most is None and not task.cancelled():
                 placed, standing = answer.placed, list_others(task, answer.placed, group)
                 taken = list_taken_beside(task, placed, group, standing)
+                taken = np.concatenate([taken, _list_doors(task, growth)])
                 found = _list_larger(task, group, growth, standing, taken)
-                placed = take_first_place(task, placed, group, found, standing, barred)
+                placed = take_first_place(
+                    task, placed, group, found, standing, barred, growth.worth
+                )
                 answer = answer._replace(placed=placed)
     return answer
+
+
+def _list_doors(task: RoomTask, growth: Growth) -> Floats:
+    """The floor (k, 5) where doors open and so far round it that what grows keeps ``off`` them."""
+    doors = task.ground.keep_free[: len(task.ground.keep_free) * (task.ground.area >= ROOMY)]
+    return doors + 2 * growth.off * np.array([0.0, 0.0, 0.0, 1.0, 1.0])
 
 
 def _list_larger(

@@ -8,20 +8,28 @@ from math import inf
 from typing import NamedTuple
 
 from scenewright.core.catalog import Group
+from scenewright.domains.home.composing.beside_others import WORTH
+from scenewright.domains.home.composing.placed_faults import NEAR_DOOR
 from scenewright.domains.home.groups.bath import fitted_basins, fitted_baths, fitted_showers
 from scenewright.domains.home.groups.entry import fitted_consoles, fitted_shelving, fitted_shoes
-from scenewright.domains.home.groups.living import fitted_bookcases
+from scenewright.domains.home.groups.living import deep_bookcases, fitted_bookcases
 from scenewright.domains.home.groups.sleeping import chest
+
+SHELVED = 5.0  # what a store may cost more for a wall of shelves
 
 
 class Growth(NamedTuple):
     """Forms a group may grow to; rows (area, usual, most), the smallest room first: from so many
     square metres on it is ``usual`` metres wide, and up to ``most`` where it then fills its stretch
-    of wall; whether a way stays free before it (``walked``)."""
+    of wall; whether a way stays free before it (``walked``); what the room may cost more for it
+    (``worth``), and how far it keeps off where doors open in rooms of
+    :data:`~.placed_faults.ROOMY` square metres (``off``), metres."""
 
     forms: Callable[[], Iterator[Group]]
     rows: tuple[tuple[float, float, float], ...]
     walked: bool = False
+    worth: float = WORTH
+    off: float = 0.0
 
 
 SHOWER = Growth(
@@ -40,8 +48,8 @@ SHOES = Growth(
 CONSOLE = Growth(fitted_consoles, ((0.0, 1.2, 1.4), (9.0, 1.4, 1.6)), True)
 CHEST = Growth(chest, ((0.0, 0.8, 1.0), (6.0, 1.0, 1.2), (9.0, 1.2, 1.2)), True)
 BOOKS = Growth(fitted_bookcases, ((0.0, 0.8, 1.2), (6.0, 1.2, 1.6), (9.0, 1.6, 2.4)), True)
-SHELVES = Growth(fitted_shelving, ((0.0, inf, inf),))
-ROWS = Growth(fitted_bookcases, ((0.0, inf, inf),))
+SHELVES = Growth(fitted_shelving, ((0.0, inf, inf),), worth=SHELVED, off=NEAR_DOOR)
+ROWS = Growth(deep_bookcases, ((0.0, inf, inf),), worth=SHELVED, off=NEAR_DOOR)
 
 WET = {"shower": SHOWER, "bath": BATH, "basin": BASIN}
 GROWING: dict[str, dict[str, Growth]] = {

@@ -107,19 +107,21 @@ def linen() -> Iterator[Group]:
 
 
 def fitted_cabinets() -> Iterator[Group]:
-    """Tall bathroom cabinets as wide as what is left of a wall, 0.4 to 0.9 m, and deep ones
+    """Tall bathroom cabinets as wide as what is left of a wall, 0.4 to 1.0 m, and deep ones
     that end nearly where a bath beside them does."""
-    for deep, width in product((0.34, 0.6), range(8, 19)):
+    for deep, width in product((0.34, 0.6), range(8, 21)):
         wide = width / 20
         piece = Member("bathroom_cabinet", 0, 0, 0, 0, Size(wide, deep, 1.7))
         yield Group("linen", f"{wide:.2f} m bathroom cabinet", wide, deep + 0.01, (piece,))
 
 
 def fitted_closets() -> Iterator[Group]:
-    """Shallow wardrobes of bathrooms as wide as what is left of a wall, 0.45 to 1.2 m."""
-    for width in range(9, 25):
-        piece = Member("wardrobe", 0, 0, 0, 0, Size(width / 20, 0.4, 2.0))
-        yield Group("wardrobe", f"{width / 20:.2f} m wardrobe", width / 20, 0.41, (piece,))
+    """Wardrobes of bathrooms as wide as what is left of a wall, 0.45 to 1.2 m, shallow ones and
+    such as end nearly where a bath beside them does."""
+    for deep, width in product((0.4, 0.6), range(9, 25)):
+        wide = width / 20
+        piece = Member("wardrobe", 0, 0, 0, 0, Size(wide, deep, 2.0))
+        yield Group("wardrobe", f"{wide:.2f} m wardrobe", wide, deep + 0.01, (piece,))
 
 
 def basket() -> Iterator[Group]:

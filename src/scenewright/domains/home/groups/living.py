@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 from math import ceil, cos, pi, sin
 
 from scenewright.core.catalog import Group, Member
@@ -307,13 +308,19 @@ def fitted_bookcases() -> Iterator[Group]:
         yield _bookcases(width / 10, ceil(width / 12))
 
 
-def _bookcases(width: float, count: int) -> Group:
+def deep_bookcases() -> Iterator[Group]:
+    """The same 0.32 and, as in stores, 0.4 m deep."""
+    for depth, width in product((0.32, 0.4), range(6, 37)):
+        yield _bookcases(width / 10, ceil(width / 12), depth)
+
+
+def _bookcases(width: float, count: int, depth: float = 0.32) -> Group:
     each = width / count
     members = tuple(
-        Member("bookcase", (i - (count - 1) / 2) * each, 0, 0, 0, Size(each, 0.32, 2.0))
+        Member("bookcase", (i - (count - 1) / 2) * each, 0, 0, 0, Size(each, depth, 2.0))
         for i in range(count)
     )
-    return Group("shelf", f"{width:.1f} m of bookcase", width, 0.33, members)
+    return Group("shelf", f"{width:.1f} m of bookcase", width, depth + 0.01, members)
 
 
 def sideboard() -> Iterator[Group]:

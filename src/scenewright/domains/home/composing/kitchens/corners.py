@@ -32,13 +32,16 @@ from scenewright.domains.home.groups.kitchen import (
 
 LEAST_OF_ARM = {"hs": 1.05, "h": 0.6, "s": 0.45}
 """Metres that sink and hob take at least beside a corner cabinet without a fault beside them."""
-LONG = 1.2
-"""Metres by which an arm is longer than the least that is tried in a length between as well."""
+LONG, UNIT = 1.2, 0.6
+"""Metres by which an arm is longer than the least that is tried in a length between as well, from
+twice as many on also by one unit longer than the least."""
 WIDE_SINK = 0.9
 """A sink with its drainer is narrower than so many metres."""
 WORKED = 0.9
 """Metres of worktop between hob and sink (NKBA, Planning Guidelines, 2012, 12): what more there is,
 if it is a unit, lies beyond the sink."""
+DISHWASHER, LEAST_RINSED = 0.6, 0.6  # width of one, and of a sink beside it, metres
+SLIVER = 0.15  # a unit that would be no wider than this widens the sink instead, metres
 HAIR = 1e-6
 Units = tuple[Unit, ...]
 
@@ -58,22 +61,22 @@ ROUND = ("h/s", "s/h", "hs/", "/hs")
 
 
 def list_round_corners(
-    low: list[KitchenStretch], most: float, whole: bool
+    low: list[KitchenStretch], most: float, whole: bool, left: float = 0.0
 ) -> Iterator[FittedKitchen]:
     """Two lines of at most so many metres that meet in a corner, with a fridge at either end if it
-    is to be ``whole``."""
+    is to be ``whole``; arms without it also with so much ``left`` of their wall, metres."""
     for one, other in _corners(low):
         for holds, cold in product(ROUND, (0, 1) if whole else (-1,)):
             arms = holds.split("/")
             sides = [
-                list(_arms(stretch.end - stretch.start - CORNER, arm, k == cold, most))
+                list(_arms(stretch.end - stretch.start - CORNER, arm, k == cold, most, left))
                 for k, (stretch, arm) in enumerate(zip((one, other), arms, strict=True))
             ]
-            for left, right in product(*sides):
-                yield _join(one, other, left, right)
+            for before, after in product(*sides):
+                yield _join(one, other, before, after)
 
 
-def _arms(spare: float, holds: str, cold: bool, most: float) -> Iterator[Units]:
+def _arms(spare: float, holds: str, cold: bool, most: float, left: float = 0.0) -> Iterator[Units]:
     """What stands along a wall from its corner cabinet on."""
     fridge: Units = (("fridge", FRIDGE.width),) if cold else ()
     spare -= width_of(fridge)
@@ -85,7 +88,12 @@ def _arms(spare: float, holds: str, cold: bool, most: float) -> Iterator[Units]:
         full = floor_length(min(spare, max(most, least)))
         wider = least + (0.3 if full >= least + 0.6 else 0.0)
         lengths = [full] * (full >= least) + [wider] * (full >= least + 0.3)
-        for length in lengths + [floor_length((wider + full) / 2)] * (full >= wider + LONG):
+        if full >= wider + LONG:
+            lengths.append(floor_length((wider + full) / 2))
+            lengths += [wider + UNIT] * (full >= wider + 2 * LONG)
+        if left and not cold and full >= least + left:
+            lengths.append(floor_length(min(spare - left, full)))
+        for length in dict.fromkeys(lengths):
             yield (*_units_of_arm(holds, length), *fridge)
 
 
@@ -99,9 +107,12 @@ def _units_of_arm(holds: str, length: float) -> Units:
         sink = next((w for w in (0.8, 0.6) if length - wide >= w + BETWEEN), SMALL_SINK)
         top = length - wide - sink
         between = WORKED if top >= WORKED + BETWEEN else top
-        rest = [*fill(between), ("sink_cabinet", sink), *fill(top - between)]
-    before = fill(length - wide - width_of(rest))
-    return (*before, ("hob_cabinet", wide), *rest)
+        beyond = top - between
+        before, after = fill(between), _rinse(beyond)
+        if between >= DISHWASHER + SLIVER:
+            before, after = [*_rinse(between)[::-1]], tuple(fill(beyond))
+        rest = [*before, ("sink_cabinet", sink), *after]
+    return (*fill(length - wide - width_of(rest)), ("hob_cabinet", wide), *rest)
 
 
 def _wash_in_corner(length: float) -> Units:
@@ -112,8 +123,18 @@ def _wash_in_corner(length: float) -> Units:
 
 
 def _sink_and_rest(length: float) -> Units:
-    sink = 0.8 if length >= 0.8 + BEYOND - HAIR else 0.6
-    return (("sink_cabinet", sink), *fill(length - sink))
+    if length < DISHWASHER + LEAST_RINSED - HAIR:
+        sink = 0.8 if length >= 0.8 + BEYOND - HAIR else 0.6
+        return (("sink_cabinet", sink), *fill(length - sink))
+    sink = length - DISHWASHER if length < 0.8 + DISHWASHER + SLIVER else 0.8
+    return (("sink_cabinet", sink), *_rinse(length - sink))
+
+
+def _rinse(length: float) -> Units:
+    """Worktop beside a sink, over a dishwasher first where it holds one."""
+    if length < DISHWASHER - HAIR:
+        return tuple(fill(length))
+    return (("dishwasher", DISHWASHER), *fill(length - DISHWASHER))
 
 
 def _join(one: KitchenStretch, other: KitchenStretch, left: Units, right: Units) -> FittedKitchen:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from itertools import chain, product
-from math import hypot
+from math import hypot, inf
 from typing import NamedTuple
 
 from scenewright.domains.home.composing.case_faults import LEG
@@ -32,7 +32,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     wash,
     width_of,
 )
-from scenewright.domains.home.groups.kitchen import FRIDGE, Unit, fill
+from scenewright.domains.home.groups.kitchen import BEYOND, FRIDGE, Unit, fill
 from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, WIDE, pantry, take_in
 
 MORE = 3.0  # metres of front that a mere kitchen has beyond what its room asks for, at most
@@ -46,6 +46,8 @@ SPARE = {"hs": 0.8, "h": 0.75, "s": 0.4, "": 0.6}
 """And where room for no more is left."""
 PANTRY = 1.6
 """A run shorter than this that takes in its fridge has too little worktop beside its hob."""
+LANDED = 2.4
+"""Metres of a run that leave worktop between its fridge and its sink as well."""
 FACING = -0.995  # cosine of the angle between walls that face each other
 U_FROM = 8.0
 """From so many square metres on a kitchen goes round two corners."""
@@ -54,12 +56,15 @@ Units = tuple[Unit, ...]
 
 class FreeWalls(NamedTuple):
     """Where units stand free (``low``), and where what is as tall as a fridge does, in a room of
-    ``area`` square metres; a kitchen in it has at most so much ``more`` front than it asks for."""
+    ``area`` square metres; a kitchen in it has at most so much ``more`` front than it asks for,
+    ``longest`` in any case, and may leave so much of a wall to a ``machine`` beside it, metres."""
 
     low: list[KitchenStretch]
     tall: list[KitchenStretch]
     area: float
     more: float = MORE
+    longest: float = inf
+    machine: float = 0.0
 
 
 def list_steps(free: FreeWalls) -> list[Callable[[], Iterator[FittedKitchen]]]:
@@ -67,7 +72,7 @@ def list_steps(free: FreeWalls) -> list[Callable[[], Iterator[FittedKitchen]]]:
     most = _most(free) / 2
     us = list_us(free.low, most) if free.area >= U_FROM else ()
     return [
-        lambda: chain(_runs(free), list_round_corners(free.low, most, True), us),
+        lambda: chain(_runs(free), list_round_corners(free.low, most, True, free.machine), us),
         lambda: _with_fridge(
             free, chain(_bare_runs(free), list_round_corners(free.low, most, False))
         ),
@@ -93,7 +98,7 @@ def list_bare_steps(free: FreeWalls) -> list[Callable[[], Iterator[FittedKitchen
 def _most(free: FreeWalls) -> float:
     """Metres of front a kitchen has at most."""
     asked = (least for start, least in EXPECTED["kitchen"].rows if free.area >= start)
-    return free.more + max(asked, default=LEAST_RUN)
+    return min(free.longest, free.more + max(asked, default=LEAST_RUN))
 
 
 def _units_in(holds: str, length: float) -> Units:
@@ -133,8 +138,16 @@ def _runs(free: FreeWalls) -> Iterator[FittedKitchen]:
         fridge = _fridge(spare, "hs")
         for length in _lengths("hs", spare - fridge[1], _most(free) - fridge[1]):
             units = _units_in("hs", length)
-            for whole in ((fridge, *units), (fridge, *units[::-1])):
+            rows = [units, units[::-1], *_landing(length)]
+            for whole in ((fridge, *row) for row in rows):
                 yield from (FittedKitchen((line,)) for line in _lines(stretch, whole))
+
+
+def _landing(length: float) -> Iterator[Units]:
+    """Sink and hob with worktop on either side of the sink, where nothing else falls short for it:
+    what comes out of a fridge beside it is put down there (NKBA, Planning Guidelines, 2012, 16)."""
+    if length >= LANDED:
+        yield (*fill(BEYOND), *_units_in("hs", length - BEYOND))
 
 
 def _bare_runs(free: FreeWalls) -> Iterator[FittedKitchen]:

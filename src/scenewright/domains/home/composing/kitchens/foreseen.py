@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from itertools import chain, combinations, takewhile
+from itertools import chain, combinations, pairwise, takewhile
 from math import hypot, inf
 from typing import NamedTuple
 
@@ -69,11 +69,13 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
     rinsed = BESIDE if kitchen.corners else max(f.rinsed for f in facts)
     sink = max(f.sink for f in facts)
     lone, split = float(_has_lone_fridge(kitchen)), _tell_split(kitchen)
+    cold_sink = float(any(_has_cold_sink(line.units) for line in kitchen.lines))
     low = float(any(name == LOW for line in kitchen.lines for name, _ in line.units))
     found += [
         (costs.few_rings * share_in(area, "few_rings"), 1.0 - cooks.hob / FOUR_RINGS),
         (costs.small_sink * share_in(area, "small_sink"), 1.0 - sink / FULL_SINK),
         (costs.sink_alone * share_in(area, "sink_alone"), 1.0 - rinsed / BESIDE),
+        (costs.fridge_at_sink * share_in(area, "fridge_at_sink"), cold_sink),
         (costs.fridge_alone * share_in(area, "fridge_alone"), lone),
         (costs.low_fridge * share_in(area, "low_fridge"), low),
         (getattr(costs, split, 0.0) * share_in(area, split), 1.0),
@@ -120,6 +122,12 @@ def _worktop(units: tuple[Unit, ...]) -> float:
 
 def _line_of(kitchen: FittedKitchen, name: str) -> UnitLine:
     return next(line for line in kitchen.lines if any(unit[0] == name for unit in line.units))
+
+
+@lru_cache(maxsize=4096)
+def _has_cold_sink(units: tuple[Unit, ...]) -> bool:
+    """Whether a fridge stands hard at the sink."""
+    return any({one[0], other[0]} == {"sink_cabinet", "fridge"} for one, other in pairwise(units))
 
 
 def _has_lone_fridge(kitchen: FittedKitchen) -> bool:

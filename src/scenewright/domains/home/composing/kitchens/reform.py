@@ -6,10 +6,12 @@ from collections.abc import Callable, Hashable, Iterable, Iterator
 from functools import partial
 from heapq import heappop, heappush
 from itertools import islice
+from math import inf
 
 import numpy as np
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, Placed, RoomJudge, judge_of
 from scenewright.domains.home.composing.kitchens.fitted import (
     BESIDE,
@@ -21,7 +23,7 @@ from scenewright.domains.home.composing.kitchens.fitted import (
 from scenewright.domains.home.composing.kitchens.foreseen import foresee_cost
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.second_runs import price_of_spare, without_spare
-from scenewright.domains.home.composing.kitchens.sound import is_mere_kitchen, is_sound
+from scenewright.domains.home.composing.kitchens.sound import is_sound
 from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
 from scenewright.domains.home.composing.moving import dress_group
 from scenewright.domains.home.composing.trials import take_best
@@ -42,7 +44,9 @@ KitchenStep = Callable[[float], list[JudgedRoom]]
 """Looks for the kitchens of one make-up that cost less than so much, the cheapest first."""
 
 LISTED, TRIED, KEPT = 900, 250, 4
-"""Kitchens of one step that are listed, tried, and kept."""
+"""Kitchens of one step that are listed, tried, and kept; of those twice as many in a room of
+:data:`AMPLE` square metres, where what follows tells more than what they cost by themselves."""
+AMPLE = 14.0
 SOUGHT = ((UNIT_DEPTH, WORKTOP, 0.45), (FRIDGE.depth, FRIDGE.height, SLIM_FRIDGE))
 """Depth, height and least width of what stretches of wall are looked for, metres."""
 
@@ -103,9 +107,12 @@ def list_fitted(
     run: FurnishedGroup,
     barred: frozenset[str],
     likeness: Likeness | None = None,
+    machine: float = 0.0,
+    longest: float = inf,
 ) -> Iterator[KitchenStep]:
     """The steps of the kitchens made to measure beside the ``rest``, those that bar no more than is
-    ``barred``; of those with the same ``likeness`` one."""
+    ``barred``; of those with the same ``likeness`` one; some leave so many metres of their wall to
+    a ``machine`` that follows; none has more than so many metres of front (``longest``)."""
     standing = standing_of(
         (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces)), flat_kinds(task.catalog)
     )
@@ -120,7 +127,7 @@ def list_fitted(
     judge = judge_of(task, (*rest, whole))
     steps = list_steps if whole.wish.group == "kitchen" else list_bare_steps
     more = MORE if is_mere_kitchen(task) else BESIDE
-    for kitchens in steps(FreeWalls(low, tall, task.ground.area, more)):
+    for kitchens in steps(FreeWalls(low, tall, task.ground.area, more, longest, machine)):
         known: dict[FittedKitchen, bool] = {}
 
         def dress(fitted: FittedKitchen, known: dict[FittedKitchen, bool] = known) -> Dressed:
@@ -142,9 +149,10 @@ def _take_step(
     """The kitchens of one step that cost less than ``most``, the cheapest first."""
     found: list[JudgedRoom] = []
     seen: set[Hashable] = set()
+    kept = KEPT if judge.task.ground.area < AMPLE else 2 * KEPT
     for fitted in islice(_pick(judge, rest, islice(kitchens(), LISTED), most), TRIED):
         alike = likeness(fitted) if likeness else fitted
-        if len(found) == KEPT or judge.task.cancelled():
+        if len(found) == kept or judge.task.cancelled():
             break
         if alike in seen or (dressed := dress(fitted)) is None:
             continue

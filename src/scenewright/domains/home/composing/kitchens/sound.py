@@ -3,18 +3,12 @@
 from __future__ import annotations
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.kitchen_faults import cost_of_fridge
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 
-COOKING = ("kitchen",)
-"""What a room is for that is a kitchen and nothing else."""
 SHORT = 0.2
 """The share by which a sound kitchen may be shorter than its room asks."""
-
-
-def is_mere_kitchen(task: RoomTask) -> bool:
-    """Whether a room is a kitchen and nothing else."""
-    return task.space.functions == COOKING
 
 
 def is_sound(task: RoomTask, run: FurnishedGroup, placed: tuple[FurnishedGroup, ...]) -> bool:

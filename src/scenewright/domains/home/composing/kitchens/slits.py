@@ -1,0 +1,137 @@
+"""Slits between the end of a run and a wall or a neighbour, closed by a wider cabinet.
+
+Places along walls are looked for in steps, so a run may end 5 to 25 cm before its corner: floor
+that nobody can clean. The cabinet nearest to that end becomes as much wider, and what stands
+between it and the end moves by as much.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import cos, sin
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.core.catalog import Group, Member
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.composing.case_faults import RAISED, RUN, find_neighbour
+from scenewright.domains.home.composing.judging import RUNS
+from scenewright.domains.home.composing.moving import dress_group, with_margin
+from scenewright.domains.home.composing.wall_stretch import find_stretch, list_taken
+from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.groups.kitchen import UNIT_DEPTH, WORKTOP
+
+SLIT = (0.03, 0.25)  # between these a gap is a slit, metres
+WIDENED = frozenset(("base_cabinet", "drawer_cabinet"))
+WIDEST = 1.0  # a cabinet grows to so much, metres
+AT = 0.02  # what hangs nearer to the middle of a unit hangs above it, metres
+
+
+class Slit(NamedTuple):
+    """The unit of a case at which a run ends, the side (+1 to its right), and the gap, metres."""
+
+    unit: Member
+    side: int
+    gap: float
+
+
+def close_slits(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
+    """The answer with the slits at the ends of its kitchen closed where that bars no way."""
+    run = next((p for p in answer.placed if p.wish.group in RUNS and p.pieces), None)
+    if run is None or run.wish.most is not None or task.library.own:
+        return answer
+    for side in (-1, 1):
+        for _ in range(2):  # a kitchen round a corner has two ends to either side at most
+            slit = next((s for s in _list_slits(task, answer, run) if s.side == side), None)
+            closed = _close(task, answer, run, slit) if slit else None
+            if closed is None:
+                break
+            at = answer.placed.index(run)
+            placed = (*answer.placed[:at], closed, *answer.placed[at + 1 :])
+            if not barred.issuperset(find_blocked(with_margin(task), placed)):
+                break
+            answer, run = answer._replace(placed=placed), closed
+    return answer
+
+
+def _list_slits(task: RoomTask, answer: RoomAnswer, run: FurnishedGroup) -> Iterator[Slit]:
+    """The slits beside the units of a kitchen that nothing of it follows."""
+    held = zip(run.dressed.case.members, run.dressed.stands, strict=True)
+    pairs = zip((m for m, there in held if there), run.pieces, strict=True)
+    low = [(m, p) for m, p in pairs if _is_unit(m)]
+    units = [m for m, _ in low]
+    for unit, piece in low:
+        for side in (-1, 1):
+            if find_neighbour(unit, units, side) is None:
+                gap = _measure_gap(task, answer, piece, side)
+                if SLIT[0] < gap < SLIT[1]:
+                    yield Slit(unit, side, gap)
+
+
+def _is_unit(member: Member) -> bool:
+    return member.category in RUN and member.z < RAISED
+
+
+def _measure_gap(task: RoomTask, answer: RoomAnswer, piece: Piece, side: int) -> float:
+    """Metres from a side of a unit to what stands there along its wall; 0 away from walls."""
+    others = (q for p in answer.placed for q in p.pieces if q is not piece)
+    standing = standing_of((*task.fixed, *task.beside, *others), flat_kinds(task.catalog))
+    taken = list_taken(task.ground, standing, np.empty((0, 5)), WORKTOP)
+    pose, size = piece.pose, piece.size
+    box = np.array([pose.x, pose.y, pose.heading, size.width, size.depth])
+    stretch = find_stretch(task.ground, box, UNIT_DEPTH, taken)
+    if stretch is None:
+        return 0.0
+    far = stretch.length - stretch.at if side > 0 else stretch.at
+    return far - size.width / 2
+
+
+def _close(
+    task: RoomTask, answer: RoomAnswer, run: FurnishedGroup, slit: Slit
+) -> FurnishedGroup | None:
+    """The kitchen with a slit closed; None where no cabinet may grow or it stands not free so."""
+    case = widen_end(run.dressed.case, slit)
+    if case is None:
+        return None
+    others = (q for p in answer.placed if p is not run for q in p.pieces)
+    standing = standing_of((*task.fixed, *task.beside, *others), flat_kinds(task.catalog))
+    return dress_group(task, run, case, run.dressed.box, standing)
+
+
+def widen_end(case: Group, slit: Slit) -> Group | None:
+    """A case with the cabinet nearest to a slit so much wider, all between it and the end moved;
+    None where none may grow."""
+    units = [m for m in case.members if _is_unit(m)]
+    moved, at = list[Member](), slit.unit
+    while at.category not in WIDENED or at.size.width + slit.gap > WIDEST:
+        moved.append(at)
+        following = find_neighbour(at, units, -slit.side)
+        if following is None or following.category == "corner_cabinet":
+            return None
+        at = following
+    c, s = cos(slit.unit.heading) * slit.side, sin(slit.unit.heading) * slit.side
+
+    def shift(member: Member, of: Member, share: float) -> Member:
+        wide = member.size.width + (slit.gap if of is at else 0.0)
+        by = slit.gap * share
+        size = member.size._replace(width=wide)
+        return member._replace(x=member.x + c * by, y=member.y + s * by, size=size)
+
+    def change(member: Member) -> Member:
+        own = next((u for u in (at, *moved) if _belongs(member, u)), None)
+        return member if own is None else shift(member, own, 0.5 if own is at else 1.0)
+
+    return case._replace(members=tuple(change(m) for m in case.members))
+
+
+def _belongs(member: Member, unit: Member) -> bool:
+    """Whether a member is a unit or hangs above it."""
+    c, s = cos(unit.heading), sin(unit.heading)
+    aside = c * (member.x - unit.x) + s * (member.y - unit.y)
+    alike = abs(member.heading - unit.heading) < AT
+    ahead = abs(c * (member.y - unit.y) - s * (member.x - unit.x))
+    return member is unit or (
+        member.z >= RAISED and alike and abs(aside) < AT and ahead < UNIT_DEPTH
+    )
