@@ -85,7 +85,7 @@ def set_table(
         found = try_in_home(*trial, answers, opened)
         if found is not None:
             return found
-    return answers if there > 0.0 or not rooms else _say_why(household, tasks, answers)
+    return answers if there > 0.0 else _say_why(household, tasks, answers)
 
 
 def add_kitchen_tables(
@@ -197,19 +197,29 @@ def list_tables(seats: float) -> tuple[Group, ...]:
     """
     known = [c for name in ("dining", "dining_wall") for c in shipped_cases(name).groups]
     forms = (*known, *list_further("dining_wall"))
-    fit = [case for case in forms if measure_places(case.members) == seats]
+    fit = [c for c in forms if measure_places(c.members) == seats and len(_find_seats(c)) >= LEAST]
     return tuple(sorted(fit, key=lambda c: (c.function != "dining", c.width * c.depth)))
+
+
+def _find_seats(case: Group) -> list[Member]:
+    """The chairs and stools of a case."""
+    return [member for member in case.members if member.category in PLACES]
 
 
 def _say_why(
     household: Household, tasks: Sequence[RoomTask], answers: list[RoomAnswer]
 ) -> list[RoomAnswer]:
-    """The answers with the table of the home missing where it were, unless one is by now."""
-    if any(m.wish.group in TABLES for answer in answers for m in answer.missing):
+    """The answers with the table of the home missing in the room they would eat in, unless one is
+    missing by now or all that rooms hold is listed."""
+    uses = frozenset[str]().union(*(names for names, _ in EATEN_IN))
+    free = [
+        room
+        for room, task in enumerate(tasks)
+        if uses & frozenset(task.space.functions) and may_take_in(task, "dining_wall")
+    ]
+    if not free or any(m.wish.group in TABLES for answer in answers for m in answer.missing):
         return answers
-    ids = [task.space.id for task in tasks]
-    areas = [task.ground.area * (_rank(task) is not None) for task in tasks]
-    room = ids.index(household.eats_in) if household.eats_in in ids else areas.index(max(areas))
+    room = max(free, key=lambda k: (tasks[k].space.id == household.eats_in, tasks[k].ground.area))
     lost = Missing(Wish("dining_wall", 1), REASON)
     answer = answers[room]._replace(missing=(*answers[room].missing, lost))
     return [answer if k == room else other for k, other in enumerate(answers)]
