@@ -43,6 +43,8 @@ WIDE = 0.95
 """With an empty circle of so many metres of radius a room has floor for :data:`USUAL` places."""
 BARE = 0.9
 """A kitchen without a table is bare from an empty circle of so many metres of radius on."""
+COOKED_IN = frozenset(("kitchen", "hall"))
+"""What a kitchen may be besides and still be nothing else."""
 TUCKED = 0.2
 """A chair reaches so much less far from its table than the floor of who sits there, metres."""
 EATEN_IN = (
@@ -52,6 +54,8 @@ EATEN_IN = (
 )
 """Rooms that may have the table, from so many square metres on, the more fitting first; one that is
 neither lived nor cooked in only where no other has one."""
+FORMS = 3
+"""The smallest so many tables of a kind are tried: where none of them stands no larger one does."""
 WALKED = 3
 """Places of tables that are walked past through the whole home."""
 REASON = "no room of the home has a place for a table with two stools"
@@ -93,19 +97,30 @@ def add_kitchen_tables(
 ) -> list[RoomAnswer]:
     """The answers with a second table in each bare kitchen of a home that eats elsewhere."""
     found = answers
-    for place in _list_rooms(tasks, answers, True) if is_home(tasks) else ():
-        task, answer = tasks[place.room], answers[place.room]
-        if not _is_bare_kitchen(task, place) or task.cancelled():
+    for room, task in enumerate(tasks) if is_home(tasks) else ():
+        if not _is_without_table(task, answers[room]) or task.cancelled():
             continue
-        trials = (t for n in (USUAL, LEAST) for t in _list_set(task, answer, place, n, False))
-        tried = (try_in_home(*trial, found, opened) for trial in islice(trials, WALKED))
-        found = next((each for each in tried if each is not None), found)
+        place = _find_place(room, task, answers[room])
+        if place is not None and place.radius >= BARE:
+            found = _set_in(task, place, found, opened)
     return found
 
 
-def _is_bare_kitchen(task: RoomTask, place: DiningPlace) -> bool:
-    kitchen = set(task.space.functions) <= {"kitchen", "hall"} and not EATING & task.elsewhere
-    return kitchen and place.wish is None and place.radius >= BARE
+def _is_without_table(task: RoomTask, answer: RoomAnswer) -> bool:
+    """Whether a room is a kitchen in which nobody eats, nor elsewhere in its open space."""
+    kitchen = "kitchen" in task.space.functions and set(task.space.functions) <= COOKED_IN
+    table = any(p.wish.group in TABLES for p in answer.placed)
+    return kitchen and not table and not EATING & task.elsewhere
+
+
+def _set_in(
+    task: RoomTask, place: DiningPlace, found: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers with a table in one room, if one stands there."""
+    answer = found[place.room]
+    trials = (t for n in (USUAL, LEAST) for t in _list_set(task, answer, place, n, False))
+    tried = (try_in_home(*trial, found, opened) for trial in islice(trials, WALKED))
+    return next((each for each in tried if each is not None), found)
 
 
 def measure_places(pieces: Iterable[Piece | Member]) -> float:
@@ -122,17 +137,21 @@ def _list_rooms(
 ) -> list[DiningPlace]:
     """The rooms that may have the table, the best first; with a home ``served`` already those one
     lives or cooks in."""
-    found = []
-    for room, (task, answer) in enumerate(zip(tasks, answers, strict=True)):
-        tier = _rank(task)
-        old = [p for p in answer.placed if p.wish.group in TABLES]
-        stays = any(p.wish.required or p.wish.most for p in old) or len(old) > 1
-        if tier is None or stays or (served and tier) or not may_take_in(task, "dining_wall"):
-            continue
-        rest = tuple(p for p in answer.placed if p not in old)
-        radius = find_void(task, pieces_of(task, rest)).radius
-        found.append(DiningPlace(room, rest, old[0].wish if old else None, tier, radius))
-    return sorted(found, key=lambda place: (place.tier, -place.radius))
+    each = enumerate(zip(tasks, answers, strict=True))
+    found = (_find_place(room, task, answer) for room, (task, answer) in each)
+    rooms = [place for place in found if place is not None and not (served and place.tier)]
+    return sorted(rooms, key=lambda place: (place.tier, -place.radius))
+
+
+def _find_place(room: int, task: RoomTask, answer: RoomAnswer) -> DiningPlace | None:
+    """A room as one that may have the table; None where it may not, or its own is to stay."""
+    tier, old = _rank(task), [p for p in answer.placed if p.wish.group in TABLES]
+    stays = any(p.wish.required or p.wish.most for p in old) or len(old) > 1
+    if tier is None or stays or not may_take_in(task, "dining_wall"):
+        return None
+    rest = tuple(p for p in answer.placed if p not in old)
+    radius = find_void(task, pieces_of(task, rest)).radius
+    return DiningPlace(room, rest, old[0].wish if old else None, tier, radius)
 
 
 def _rank(task: RoomTask) -> int | None:
@@ -151,13 +170,14 @@ def _list_trials(
 ) -> Iterator[tuple[int, RoomAnswer]]:
     """Rooms with more places at a table than are ``there``, each with its number: in the more
     fitting rooms first, those for ``most`` before ever fewer, beside all else before something
-    welcome gives way."""
-    orders = product(range(len(EATEN_IN)), (False, True), _list_seats(max(most, USUAL), there))
-    for tier, yields, seats in orders:
+    welcome gives way to a first one."""
+    yields = (False,) if there else (False, True)
+    orders = product(range(len(EATEN_IN)), yields, _list_seats(max(most, USUAL), there))
+    for tier, gives, seats in orders:
         for place in rooms:
             wide = seats <= most or place.radius >= WIDE
             if place.tier == tier and wide:
-                yield from _list_set(tasks[place.room], answers[place.room], place, seats, yields)
+                yield from _list_set(tasks[place.room], answers[place.room], place, seats, gives)
 
 
 def _list_seats(most: int, there: float) -> list[float]:
@@ -171,7 +191,7 @@ def _list_set(
 ) -> Iterator[tuple[int, RoomAnswer]]:
     """The room with one of the tables for so many, beside all else or, where something ``yields``,
     in its place."""
-    rooms = list_yielding(place.rest, "table") if yields else ((place.rest, ()),)
+    rooms = list_yielding(place.rest) if yields else ((place.rest, ()),)
     for rest, gone in rooms:
         radius = find_void(task, pieces_of(task, rest)).radius if yields else place.radius
         for case in list_tables(seats):
@@ -190,7 +210,8 @@ def _is_served(missing: Missing) -> bool:
 
 @cache
 def list_tables(seats: float) -> tuple[Group, ...]:
-    """The tables with so many places, the better first: freestanding ones, then those at a wall.
+    """The smallest tables with so many places, the better first: freestanding ones, then those at a
+    wall.
 
     >>> [case.name for case in list_tables(6)][:2]
     ['1.6 m table for 6', '1.8 m table for 6']
@@ -198,7 +219,9 @@ def list_tables(seats: float) -> tuple[Group, ...]:
     known = [c for name in ("dining", "dining_wall") for c in shipped_cases(name).groups]
     forms = (*known, *list_further("dining_wall"))
     fit = [c for c in forms if measure_places(c.members) == seats and len(_find_seats(c)) >= LEAST]
-    return tuple(sorted(fit, key=lambda c: (c.function != "dining", c.width * c.depth)))
+    fit.sort(key=lambda case: case.width * case.depth)
+    kinds = ([case for case in fit if case.function == name] for name in ("dining", "dining_wall"))
+    return tuple(case for kind in kinds for case in kind[:FORMS])
 
 
 def _find_seats(case: Group) -> list[Member]:

@@ -8,12 +8,14 @@ change stays where the exact ways of the whole home are as open as before.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
+from scenewright.core.same import Same
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
     Missing,
@@ -51,9 +53,9 @@ BACK: Floats = np.array([0.0, 0.0, np.pi, 0.0, 0.0])
 NOWHERE: Floats = np.empty((0, 5))
 HAIR = 1e-9
 APART = 0.3  # places of one form are so many metres from one another
-PLACES = 12  # of one form that are furnished
+PLACES = 6  # of one form that are furnished
 YIELDING = frozenset(("plant", "console"))
-"""What makes room for a table or a seat."""
+"""What makes room for a first table."""
 WET = frozenset(("bathroom", "toilet", "washroom"))
 
 
@@ -106,16 +108,23 @@ def list_sound(
     """The groups of a room with one of those found beside the rest, where nothing is worse than
     ``before``: no way, no floor that others are used from, no window, no wide door, no view, no
     wish."""
-    narrow, most = with_narrow_ways(task), _measure_harm(task, before, rest)
     barred: frozenset[str] | None = None
+    most: tuple[float, ...] | None = None
     for added in found:
         placed = (*rest, added)
+        most = _measure_harm(task, before, rest) if most is None else most
         harm = _measure_harm(task, placed, rest)
         if any(a > b + HAIR for a, b in zip(harm, most, strict=True)):
             continue
-        barred = frozenset(find_blocked(narrow, before)) if barred is None else barred
-        if barred.issuperset(find_blocked(narrow, placed)):
+        barred = _find_barred(Same(task), Same(before)) if barred is None else barred
+        if barred.issuperset(find_blocked(with_narrow_ways(task), placed)):
             yield placed
+
+
+@lru_cache(maxsize=32)
+def _find_barred(task: Same[RoomTask], before: Same[Placed]) -> frozenset[str]:
+    """What no way reaches in a room as it stands, on a grid with narrower ways."""
+    return frozenset(find_blocked(with_narrow_ways(task.value), before.value))
 
 
 def _measure_harm(task: RoomTask, placed: Placed, rest: Placed) -> tuple[float, ...]:
@@ -152,10 +161,10 @@ def _count_lost(answers: Sequence[RoomAnswer]) -> int:
     return sum(len(answer.gone) + len(answer.missing) for answer in answers)
 
 
-def list_yielding(placed: Placed, what: str) -> Iterator[tuple[Placed, tuple[Missing, ...]]]:
+def list_yielding(placed: Placed) -> Iterator[tuple[Placed, tuple[Missing, ...]]]:
     """The groups of a room without one of those that are :data:`YIELDING`, and what is missing for
-    the sake of ``what``."""
+    the sake of a table."""
     for other in placed:
         if other.wish.group in YIELDING and not other.wish.required:
-            lost = Missing(other.wish, f"it makes room for the {what} of the home")
+            lost = Missing(other.wish, "it makes room for the table of the home")
             yield tuple(p for p in placed if p is not other), (lost,)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cache
-from itertools import islice, product
+from itertools import islice
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
@@ -22,7 +22,6 @@ from scenewright.domains.home.composing.settling import (
     is_home,
     list_placed,
     list_sound,
-    list_yielding,
     may_take_in,
     try_in_home,
 )
@@ -38,6 +37,8 @@ SAT_IN = (
     (frozenset(("kitchen", "hall")), 9.0),
 )
 """Rooms that may have the seat, from so many square metres on, the more fitting first."""
+CHAIRS = (Size(0.78, 0.8, 0.85), Size(0.66, 0.68, 0.8))
+"""Armchairs without a lamp, the larger first."""
 SMALL = 1.45
 """No seats wider than this are put in, metres."""
 WALKED = 3
@@ -65,23 +66,27 @@ def _list_trials(
 ) -> Iterator[tuple[int, RoomAnswer]]:
     """Rooms with a soft seat, each with its number, the most fitting first."""
     ranked = [(_rank(task), -task.ground.area, room) for room, task in enumerate(tasks)]
-    order = sorted(row for row in ranked if row[0] < len(SAT_IN))
-    for yields, (rank, _, room) in product((False, True), order):
-        answer, forms = answers[room], list_seats(rank == 0)
-        rooms = list_yielding(answer.placed, "seat") if yields else ((answer.placed, ()),)
-        for rest, gone in rooms:
-            for placed in _list_seated(tasks[room], answer.placed, rest, forms):
-                yield room, answer._replace(placed=placed, missing=(*answer.missing, *gone))
+    for rank, _, room in sorted(row for row in ranked if row[0] < len(SAT_IN)):
+        for placed in _list_seated(tasks[room], answers[room].placed, list_seats(rank == 0)):
+            yield room, answers[room]._replace(placed=placed)
 
 
-def _list_seated(
-    task: RoomTask, before: Placed, rest: Placed, forms: Sequence[Group]
-) -> Iterator[Placed]:
-    """The groups of a room with each of some seats beside the rest at its best sound place."""
-    for case in forms:
-        if may_take_in(task, case.function):
-            found = list_placed(task, rest, Wish(case.function, WELCOME), case, True)
-            yield from islice(list_sound(task, before, rest, found), 1)
+def _list_seated(task: RoomTask, before: Placed, forms: Sequence[Group]) -> Iterator[Placed]:
+    """The groups of a room with each of some seats beside them at its best sound place; none where
+    the least has no such place."""
+    least = _seat_in(task, before, forms[-1])
+    if least is not None:
+        each = (_seat_in(task, before, case) for case in forms[:-1])
+        yield from (placed for placed in each if placed is not None)
+        yield least
+
+
+def _seat_in(task: RoomTask, before: Placed, case: Group) -> Placed | None:
+    """The groups of a room with a seat beside them at its best sound place."""
+    if not may_take_in(task, case.function):
+        return None
+    found = list_placed(task, before, Wish(case.function, WELCOME), case, True)
+    return next(list_sound(task, before, before, found), None)
 
 
 def _rank(task: RoomTask) -> int:
@@ -96,13 +101,17 @@ def _rank(task: RoomTask) -> int:
 def list_seats(lived_in: bool) -> tuple[Group, ...]:
     """Small seats, the better first: in a room one lives in a sofa for two before an armchair.
 
-    >>> [case.name for case in list_seats(False)][-1]
-    'armchair'
+    >>> [case.name for case in list_seats(False)][-2:]
+    ['0.78 m armchair', '0.66 m armchair']
     """
     sofas = [case for case in shipped_cases("seating").groups if case.width <= SMALL + 0.42]
     small = [case for case in sofas if case.members[0].size.width <= SMALL and case.depth < 1.0]
-    chair = Member("armchair", 0, 0, 0, 0, Size(0.78, 0.8, 0.85))
-    alone = Group("reading", "armchair", 0.78, 0.82, (chair,))
-    single = (*shipped_cases("reading").groups, alone)
+    single = (*shipped_cases("reading").groups, *map(_make_armchair, CHAIRS))
     wide = sorted((*small, *LEAST["seating"]()), key=lambda case: -case.width)
     return (*wide, *single) if lived_in else single
+
+
+def _make_armchair(size: Size) -> Group:
+    piece = Member("armchair", 0, 0, 0, 0, size)
+    name = f"{size.width:.2f} m armchair"
+    return Group("reading", name, size.width, size.depth + 0.02, (piece,))
