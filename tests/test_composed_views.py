@@ -116,9 +116,22 @@ def test_a_screen_that_the_sofa_does_not_look_at_is_unseen(x, y, unseen):
     screen = replace(piece("tv", x, y, 0.9, 0.1), pose=Pose(x, y, 0.5, pi))
     seats = _group("seating", piece("loveseat", 0.0, 0.0, 1.2, 0.8))
     assert is_unseen((seats, _group("media", screen))) == unseen
-    assert not is_unseen((_group("media", screen),))
+    assert is_unseen((_group("media", screen),))
+    chair = _group("reading", piece("armchair", 0.0, 0.0, 0.8, 0.8))
+    assert not is_unseen((chair, _group("media", screen)))
     table = _group("dining", piece("dining_table", x / 2, y / 2, 1.2, 0.8))
     assert is_unseen((seats, _group("media", screen), table))
+
+
+def test_a_column_and_what_stands_right_before_a_screen_hide_it():
+    screen = replace(piece("tv", 3.0, 0.0, 0.9, 0.1), pose=Pose(3.0, 0.0, 0.5, pi))
+    both = (_group("seating", piece("sofa", 0.0, 0.0, 2.0, 0.9)), _group("media", screen))
+    assert is_unseen(both, [(1.5, 0.0, 0.0, 0.4, 0.4)])
+    assert not is_unseen(both, [(1.5, 1.0, 0.0, 0.4, 0.4)])
+    chest = piece("chest_of_drawers", 2.7, 0.3, 0.4, 0.4)
+    assert is_unseen((*both, _group("chest", chest)))
+    amid = piece("chest_of_drawers", 1.5, 0.3, 0.4, 0.4)
+    assert not is_unseen((*both, _group("chest", amid)))
 
 
 @pytest.mark.parametrize("books", [True, False])

@@ -31,9 +31,11 @@ from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.alignment.homes import align_rooms
 from scenewright.domains.home.composing.bedsides import add_nightstands
 from scenewright.domains.home.composing.doorways import clear_doorways
+from scenewright.domains.home.composing.eating_places import add_kitchen_tables, set_table
 from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
+from scenewright.domains.home.composing.soft_seats import add_soft_seat
 from scenewright.domains.home.composing.unseen import leave_out_unseen_screen
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
@@ -156,6 +158,9 @@ def _walk_home(
     mended = add_nightstands(every.tasks, mended, opened)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
     answers = found if fewer else mended
+    answers = set_table(household, every.tasks, answers, opened)
+    answers = add_kitchen_tables(every.tasks, answers, opened)
+    answers = add_soft_seat(every.tasks, answers, opened)
     seen = _without_unseen_screens(every.tasks, answers, opened)
     return align_rooms(every.tasks, seen, opened)
 

@@ -41,7 +41,7 @@ from scenewright.geometry.fit import is_backed
 
 Floats = NDArray[np.float64]
 
-LARGE = 14.0  # rooms of so many square metres have a second zone
+LARGE = 12.0  # rooms of so many square metres have a second zone
 BARE = 1.0  # an empty circle of so many metres of radius is bare
 LESS = 0.1  # by so many metres a group is to make it smaller
 TWO = 24.0  # from so many square metres on two armchairs stand where one stood by itself
@@ -71,6 +71,8 @@ PLANT = ("plant", _largest_first("plant"))
 ZONED: dict[str, Zones] = {
     "living": (("reading", _seats), ("shelf", _largest_first("shelf")), PLANT),
     "bedroom": (("reading", _seats), ("chest", _largest_first("chest")), PLANT),
+    "study": (("reading", _seats), ("shelf", _largest_first("shelf")), PLANT),
+    "dining": (("reading", _seats), PLANT),
 }
 """What fills a bare part of a room by its function: groups with their forms, in this order."""
 

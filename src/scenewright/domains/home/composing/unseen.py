@@ -1,8 +1,8 @@
-"""Screens that nobody sees from the sofa: the last resort where the two face nowhere."""
+"""Screens that nobody sees from the sofa: the last resort where the two face nowhere, or where
+there is neither sofa, armchair nor bed to watch one from."""
 
 from __future__ import annotations
 
-from scenewright.building.room_needs import ESSENTIALS
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
     Missing,
@@ -14,28 +14,32 @@ from scenewright.domains.home.composing.amid_walls import list_amid_walls
 from scenewright.domains.home.composing.case_faults import is_hung
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.moving import dress_group, with_margin
-from scenewright.domains.home.composing.views import is_unseen
+from scenewright.domains.home.composing.views import RESTING, is_unseen, list_columns
 from scenewright.domains.home.composing.widths import BOOKS
+from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.living import low_board
 from scenewright.domains.home.programme import WELCOME, Wish
-from scenewright.domains.home.shortfall import kinds_serving
+from scenewright.domains.home.shortfall import list_lacking
 
 FOCAL = "screen or focal point"
 """What kinds that a living room may be furnished towards are essential for."""
+SEATS = frozenset((*SOFAS, *RESTING))
+"""What one watches a screen from."""
 BEFORE = 0.6
 """Metres left free before books."""
 REASON = "no place for it is seen from the sofa"
+SEATLESS = "the room has no seat to watch it from"
 
 
 def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
-    """The answer without a screen that no sofa looks at, unless somebody asked for it; where it was
+    """The answer without a screen that no seat looks at, unless somebody asked for it; where it was
     on a stand, a low cabinet takes the same floor. Where the room would keep nothing to look at,
     books stand at a wall; where they find no place, the screen stays."""
     media = next((p for p in answer.placed if p.wish.group == "media"), None)
     if media is None or media.wish.required or "media" in task.library.own:
         return answer
-    if not is_unseen(answer.placed):
+    if not _is_unseen(task, answer.placed):
         return answer
     rest = tuple(p for p in answer.placed if p is not media)
     board = () if is_hung(media.dressed.case) else _put_board(task, rest, media)
@@ -46,15 +50,23 @@ def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     if media in placed:
         return answer
     welcome = media.wish._replace(rank=WELCOME, core=False)
-    return answer._replace(placed=placed, missing=(*answer.missing, Missing(welcome, REASON)))
+    seated = any(p.category in SOFAS for g in placed for p in g.pieces)
+    lost = Missing(welcome, REASON if seated else SEATLESS)
+    return answer._replace(placed=placed, missing=(*answer.missing, lost))
+
+
+def _is_unseen(task: RoomTask, placed: Placed) -> bool:
+    """Whether no seat of a room looks at its screen, nor one that stands already or elsewhere in
+    its open space."""
+    seated = any(p.category in SOFAS for g in placed for p in g.pieces)
+    others = "seating" in task.elsewhere or any(p.category in SEATS for p in task.fixed)
+    return (seated or not others) and is_unseen(placed, list_columns(task.space))
 
 
 def _lacks_focus(task: RoomTask, placed: Placed) -> bool:
     """Whether a room needs something to look at and has nothing of the kind."""
-    if not any(need.name == FOCAL for f in task.space.functions for need in ESSENTIALS.get(f, ())):
-        return False
     pieces = (*task.fixed, *task.beside, *(piece for group in placed for piece in group.pieces))
-    return kinds_serving(FOCAL).isdisjoint(piece.category for piece in pieces)
+    return any(need.name == FOCAL for need in list_lacking(task.space, pieces, task.catalog))
 
 
 def _put_books(task: RoomTask, rest: Placed) -> Placed:

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from math import atan2, cos, hypot, pi, radians, remainder, sin
 
 from scenewright.core.scene import Piece, Pose
+from scenewright.core.space import Space
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.whole import RAISED
 from scenewright.domains.home.settings import CompositionCosts
-from scenewright.geometry.boxes import common_area, make_frame
+from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 ASIDE, AWAY = radians(35.0), radians(90.0)
 """A screen is seen well up to so far off the axis of a sofa, and from so far on not at all: the
@@ -33,11 +34,41 @@ SEEN_PAST = frozenset(("seating", "media", "kitchen", "kitchenette", "counter", 
 """Groups that do not stand between seats and screen: themselves, and a kitchen, which keeps to its
 walls."""
 
+COLUMN = 4.0
+"""A column hides more than its floor says, as nobody looks over it: so many times as much."""
 
-def cost_of_view(groups: Sequence[FurnishedGroup], costs: CompositionCosts) -> float:
+BEFORE, CLOSE = 0.5, 3.0
+"""What stands within so many metres before a screen hides so many times as much of it as what
+stands elsewhere in the sight."""
+
+RESTING = ("armchair", "double_bed", "single_bed", "bunk_bed")
+"""What else one watches a screen from."""
+
+Box = tuple[float, float, float, float, float]
+
+
+def list_columns(space: Space) -> tuple[Box, ...]:
+    """The boxes of columns and other walls amid a room.
+
+    >>> import numpy as np
+    >>> hole = np.array([[1.0, 1.0], [1.0, 1.4], [1.4, 1.4], [1.4, 1.0]])
+    >>> room = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])
+    >>> [round(v, 2) for v in list_columns(Space("a", "a", (), "0", room, (hole,)))[0]]
+    [1.2, 1.2, 0.0, 0.4, 0.4]
+    """
+    found = []
+    for hole in space.holes:
+        (x0, y0), (x1, y1) = hole.min(axis=0).tolist(), hole.max(axis=0).tolist()
+        found.append(((x0 + x1) / 2, (y0 + y1) / 2, 0.0, y1 - y0, x1 - x0))
+    return tuple(found)
+
+
+def cost_of_view(
+    groups: Sequence[FurnishedGroup], costs: CompositionCosts, columns: Sequence[Box] = ()
+) -> float:
     """What is wrong with a sofa and the screen before it: not looking at one another (half for
     being so and half by its degree), off each other's axis, too near or too far, and what of other
-    groups stands between them; 0 where there is no screen or no sofa."""
+    groups and which ``columns`` stand between them; 0 where there is no screen or no sofa."""
     screen, sofas = _find_pair(groups)
     if screen is None or not sofas:
         return 0.0
@@ -50,17 +81,19 @@ def cost_of_view(groups: Sequence[FurnishedGroup], costs: CompositionCosts) -> f
     aside = abs((screen.pose.x - x) * sin(turn) - (screen.pose.y - y) * cos(turn))
     beside = min(max(aside - ON_AXIS, 0.0) / (OFF_AXIS - ON_AXIS), 1.0)
     reach = min(max(NEAR - away, away - FAR, 0.0), MOST)
-    between = min(sum(_fill_sight(sofas[0], screen, groups).values()) / FILLED, 1.0)
+    between = min(_measure_hidden(sofas[0], screen, groups, columns) / FILLED, 1.0)
     return turned + costs.axis * beside + costs.distance * reach + costs.between * between
 
 
-def is_unseen(groups: Sequence[FurnishedGroup]) -> bool:
-    """Whether there is a screen that no sofa of the room looks at, or only past a table or the
-    like."""
+def is_unseen(groups: Sequence[FurnishedGroup], columns: Sequence[Box] = ()) -> bool:
+    """Whether there is a screen that no sofa of the room looks at, or only past a table, a column
+    or the like; without a sofa, whether there is nothing else to watch it from."""
     screen, sofas = _find_pair(groups)
-    if screen is None or not sofas:
+    if screen is None:
         return False
-    behind = sum(_fill_sight(sofas[0], screen, groups).values()) > HIDDEN
+    if not sofas:
+        return not any(p.category in RESTING for g in groups for p in g.pieces)
+    behind = _measure_hidden(sofas[0], screen, groups, columns) > HIDDEN
     return behind or min(measure_turn(sofa.pose, screen.pose) for sofa in sofas) > ASIDE
 
 
@@ -82,12 +115,35 @@ def _measure_distance(one: Pose, other: Pose) -> float:
     return hypot(other.x - one.x, other.y - one.y)
 
 
+def _measure_hidden(
+    sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup], columns: Sequence[Box]
+) -> float:
+    """Square metres of the sight that others take, and columns with what counts for them."""
+    sight = _make_sight(sofa, screen)
+    tall = sum(float(common_area(make_frame(*box), sight)) for box in columns)
+    return sum(_fill_sight(sofa, screen, groups).values()) + COLUMN * tall
+
+
+def _make_sight(sofa: Piece, screen: Piece) -> Frame:
+    """The floor between a sofa and a screen."""
+    a, b = sofa.pose, screen.pose
+    long, turn = _measure_distance(a, b), atan2(b.y - a.y, b.x - a.x)
+    return make_frame((a.x + b.x) / 2, (a.y + b.y) / 2, turn, SIGHT, long)
+
+
+def _make_front(screen: Piece) -> Frame:
+    """The floor right before a screen."""
+    (x, y, _, turn), (width, depth, _) = screen.pose, screen.size
+    ahead = (depth + BEFORE) / 2
+    return make_frame(x + ahead * cos(turn), y + ahead * sin(turn), turn, width, BEFORE)
+
+
 def _fill_sight(sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup]) -> dict[str, float]:
-    """Square metres that each other group takes of the floor between a sofa and its screen, of
-    those that take some, by name."""
+    """Square metres that each other group takes of the floor between a sofa and its screen, right
+    before the screen more than elsewhere, of those that take some, by name."""
     a, b = sofa.pose, screen.pose
     long, x, y = _measure_distance(a, b), (a.x + b.x) / 2, (a.y + b.y) / 2
-    sight = make_frame(x, y, atan2(b.y - a.y, b.x - a.x), SIGHT, long)
+    sight, front = _make_sight(sofa, screen), _make_front(screen)
     found, far = dict[str, float](), hypot(long, SIGHT) / 2
     for group in groups:
         if group.wish.group in SEEN_PAST:
@@ -96,7 +152,8 @@ def _fill_sight(sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup]) ->
             (u, v, z, turn), (width, depth, _) = p.pose, p.size
             low = z < RAISED and p.category != "rug"
             if low and hypot(u - x, v - y) < far + hypot(width, depth) / 2:
-                area = float(common_area(make_frame(u, v, turn, width, depth), sight))
+                frame = make_frame(u, v, turn, width, depth)
+                area = float(common_area(frame, sight) + CLOSE * common_area(frame, front))
                 if area > 0.0:
                     found[group.name] = found.get(group.name, 0.0) + area
     return found

@@ -1,0 +1,117 @@
+"""A soft seat in a home that has none, once all its rooms stand.
+
+A living room brings a sofa. Where no room is a living room, or none found a place, nobody has
+anywhere to sit but chairs and beds. So in a finished home without one a loveseat or an armchair is
+put where the home has floor for it: in the room one lives in, else in the largest one sleeps, eats
+or cooks in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cache
+from itertools import islice
+
+from scenewright.core.catalog import Group, Member
+from scenewright.core.scene import Size
+from scenewright.domains.home.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.cases.library import shipped_cases
+from scenewright.domains.home.composing.bare_floor import pieces_of
+from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.composing.settling import (
+    is_home,
+    list_placed,
+    list_sound,
+    may_take_in,
+    try_in_home,
+)
+from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.domains.home.groups.least import LEAST
+from scenewright.domains.home.programme import WELCOME, Wish
+from scenewright.domains.home.second_try import Opened
+
+SOFT = (*SOFAS, "armchair")
+SAT_IN = (
+    (frozenset(("living",)), 3.0),
+    (frozenset(("bedroom", "double_bedroom", "single_bedroom", "study", "dining")), 7.0),
+    (frozenset(("kitchen", "hall")), 9.0),
+)
+"""Rooms that may have the seat, from so many square metres on, the more fitting first."""
+CHAIRS = (Size(0.78, 0.8, 0.85), Size(0.66, 0.68, 0.8))
+"""Armchairs without a lamp, the larger first."""
+SMALL = 1.45
+"""No seats wider than this are put in, metres."""
+WALKED = 3
+"""Places of seats that are walked past through the whole home."""
+
+
+def add_soft_seat(
+    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers with a soft seat in a home without one where it stands in the way of nothing, the
+    ways of the home ``opened``."""
+    placed = [pieces_of(t, a.placed) for t, a in zip(tasks, answers, strict=True)]
+    seated = any(piece.category in SOFT for pieces in placed for piece in pieces)
+    if seated or not is_home(tasks) or any(task.cancelled() for task in tasks):
+        return answers
+    for trial in islice(_list_trials(tasks, answers), WALKED):
+        found = try_in_home(*trial, answers, opened)
+        if found is not None:
+            return found
+    return answers
+
+
+def _list_trials(
+    tasks: Sequence[RoomTask], answers: Sequence[RoomAnswer]
+) -> Iterator[tuple[int, RoomAnswer]]:
+    """Rooms with a soft seat, each with its number, the most fitting first."""
+    ranked = [(_rank(task), -task.ground.area, room) for room, task in enumerate(tasks)]
+    for rank, _, room in sorted(row for row in ranked if row[0] < len(SAT_IN)):
+        for placed in _list_seated(tasks[room], answers[room].placed, list_seats(rank == 0)):
+            yield room, answers[room]._replace(placed=placed)
+
+
+def _list_seated(task: RoomTask, before: Placed, forms: Sequence[Group]) -> Iterator[Placed]:
+    """The groups of a room with each of some seats beside them at its best sound place; none where
+    the least has no such place."""
+    least = _seat_in(task, before, forms[-1])
+    if least is not None:
+        each = (_seat_in(task, before, case) for case in forms[:-1])
+        yield from (placed for placed in each if placed is not None)
+        yield least
+
+
+def _seat_in(task: RoomTask, before: Placed, case: Group) -> Placed | None:
+    """The groups of a room with a seat beside them at its best sound place."""
+    if not may_take_in(task, case.function):
+        return None
+    found = list_placed(task, before, Wish(case.function, WELCOME), case, True)
+    return next(list_sound(task, before, before, found), None)
+
+
+def _rank(task: RoomTask) -> int:
+    """The first row of :data:`SAT_IN` that a room is of; their number if it is of none."""
+    uses, area = frozenset(task.space.functions), task.ground.area
+    rows = enumerate(SAT_IN)
+    fit = (k for k, (names, least) in rows if uses & names and area >= least)
+    return next(fit, len(SAT_IN))
+
+
+@cache
+def list_seats(lived_in: bool) -> tuple[Group, ...]:
+    """Small seats, the better first: in a room one lives in a sofa for two before an armchair.
+
+    >>> [case.name for case in list_seats(False)][-2:]
+    ['0.78 m armchair', '0.66 m armchair']
+    """
+    sofas = [case for case in shipped_cases("seating").groups if case.width <= SMALL + 0.42]
+    small = [case for case in sofas if case.members[0].size.width <= SMALL and case.depth < 1.0]
+    single = (*shipped_cases("reading").groups, *map(_make_armchair, CHAIRS))
+    wide = sorted((*small, *LEAST["seating"]()), key=lambda case: -case.width)
+    return (*wide, *single) if lived_in else single
+
+
+def _make_armchair(size: Size) -> Group:
+    piece = Member("armchair", 0, 0, 0, 0, size)
+    name = f"{size.width:.2f} m armchair"
+    return Group("reading", name, size.width, size.depth + 0.02, (piece,))

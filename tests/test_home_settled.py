@@ -1,0 +1,208 @@
+"""Finished homes: a table for all who live there, a soft seat, no screen without a seat."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+
+from scenewright.building.plan import spaces
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains import check
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.eating_places import (
+    add_kitchen_tables,
+    list_tables,
+    measure_places,
+    set_table,
+)
+from scenewright.domains.home.composing.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.settling import is_home
+from scenewright.domains.home.composing.soft_seats import SOFT, add_soft_seat
+from scenewright.domains.home.composing.used_floor import measure_taken
+from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.household import decide_household
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.solving import prepare_rooms, solve
+
+NORTH = pi / 2
+
+
+def _room(name: str, function: str, x: float, width: float, depth: float = 4.0, **more) -> dict:
+    """A room from ``x`` on with a door to the outside in the north, in its right corner."""
+    outline = [[x, 0], [x + width, 0], [x + width, depth], [x, depth]]
+    doors = [{"at": [x + width - 0.6, depth], "width": 0.8, "swing": "out"}]
+    return {"id": name, "function": function, "outline": outline, "doors": doors} | more
+
+
+def _flat(*rooms: dict, **more) -> Brief:
+    return Brief.model_validate({"rooms": list(rooms), **more})
+
+
+def _tasks(brief: Brief) -> list[RoomTask]:
+    preset = PRESETS["default"]
+    return prepare_rooms(brief, spaces(brief), catalog_of(()), preset, preset.solver, 0)[0]
+
+
+def _serve(brief: Brief, *placed: tuple[FurnishedGroup, ...], opened=list) -> list[RoomAnswer]:
+    """The answers with the table of a home of whose rooms the first hold what is ``placed``."""
+    tasks = _tasks(brief)
+    held = (*placed, *((),) * (len(tasks) - len(placed)))
+    answers = [RoomAnswer(0.0, groups, (), (), None, 0.0, 0) for groups in held]
+    household = decide_household([task.space for task in tasks], brief.residents)
+    return set_table(household, tasks, answers, opened)
+
+
+def _stand(task: RoomTask, name: str, case_name: str, at: tuple[float, float]) -> FurnishedGroup:
+    """A group in one of its forms, the middle of its back ``at`` a point, facing north."""
+    case = next(c for c in cases(name).groups if c.name == case_name)
+    box = np.array([at[0], at[1] + case.depth / 2, NORTH, case.width, case.depth])
+    group = make_unplaced(task, (), Wish(name, 1), case)
+    dressed = dress_group(task, group, case, box, standing_of((), flat_kinds(task.catalog)))
+    assert dressed is not None
+    return dressed
+
+
+def _places(answers: list[RoomAnswer]) -> list[float]:
+    return [max((measure_places(g.pieces) for g in a.placed), default=0.0) for a in answers]
+
+
+BATH = _room("bath", "bathroom", 20, 2, 2)
+KITCHEN = _room("kitchen", "kitchen", 0, 4)
+BEDROOMS = (_room("first", "bedroom", 5, 4), _room("second", "bedroom", 10, 4))
+
+
+def test_a_home_has_one_table_with_a_place_for_each_who_sleeps_there():
+    assert _places(_serve(_flat(KITCHEN, *BEDROOMS, BATH))) == [4.0, 0.0, 0.0, 0.0]
+    three = (*BEDROOMS, _room("third", "bedroom", 15, 4))
+    assert _places(_serve(_flat(KITCHEN, *three, BATH)))[0] == 6.0
+
+
+@pytest.mark.parametrize(("function", "width", "served"), [("hall", 3.0, 1), ("storage", 3.0, 0)])
+def test_they_eat_in_the_hall_where_the_kitchen_is_too_small_else_where_they_sleep(
+    function, width, served
+):
+    kitchen = _room("kitchen", "kitchen", 0, 1.2, 1.4)
+    other = _room("other", function, 2, width)
+    answers = _serve(_flat(kitchen, other, BEDROOMS[0], BATH))
+    assert [bool(places) for places in _places(answers)] == [False, bool(served), not served, False]
+
+
+def test_a_table_for_two_grows_where_it_stands_and_is_not_doubled():
+    task = _tasks(_flat(KITCHEN, *BEDROOMS, BATH))[0]
+    two = _stand(task, "dining_wall", "0.7 m wall table for 2", (2.0, 0.0))
+    answers = _serve(_flat(KITCHEN, *BEDROOMS, BATH), (two,))
+    assert [measure_places(g.pieces) for g in answers[0].placed] == [4.0]
+    assert not find_blocked(task, answers[0].placed)
+
+
+def test_a_table_that_was_asked_for_in_its_size_stays():
+    task = _tasks(_flat(KITCHEN, *BEDROOMS, BATH))[0]
+    two = _stand(task, "dining_wall", "0.7 m wall table for 2", (2.0, 0.0))
+    asked = two._replace(wish=two.wish._replace(required=True))
+    assert _serve(_flat(KITCHEN, *BEDROOMS, BATH), (asked,))[0].placed == (asked,)
+
+
+def test_a_home_without_room_for_any_table_says_so():
+    kitchen = _room("kitchen", "kitchen", 0, 1.2, 1.4)
+    bedroom = _room("bed", "bedroom", 5, 2.2, 2.2)
+    answers = _serve(_flat(kitchen, bedroom, BATH))
+    assert _places(answers) == [0.0, 0.0, 0.0]
+    (lost,) = [m for answer in answers for m in answer.missing]
+    assert lost.wish.group == "dining_wall"
+    assert "place for a table" in lost.reason
+
+
+def test_a_table_that_takes_something_away_from_the_ways_of_the_home_is_not_set():
+    def shut(trial):
+        return [a._replace(missing=(*a.missing, *a.placed)) for a in trial]
+
+    assert _places(_serve(_flat(KITCHEN, *BEDROOMS, BATH), opened=shut)) == [0.0] * 4
+
+
+def test_rooms_that_are_listed_get_nothing_and_single_rooms_are_no_home():
+    listed = KITCHEN | {"ask": [{"group": "kitchen"}]}
+    bed = BEDROOMS[0] | {"ask": [{"group": "sleeping"}]}
+    brief = _flat(listed, bed, BATH)
+    assert _places(_serve(brief)) == [0.0] * 3
+    assert not is_home(_tasks(_flat(BEDROOMS[0])))
+    assert _places(_serve(_flat(BEDROOMS[0]))) == [0.0]
+
+
+def test_a_bare_kitchen_gets_a_table_of_its_own():
+    brief = _flat(KITCHEN, _room("dining", "dining", 5, 4), BEDROOMS[1], BATH)
+    tasks = _tasks(brief)
+    table = _stand(tasks[1], "dining", "1.2 m table for 4", (7.0, 1.0))
+    held = ((), (table,), (), ())
+    answers = [RoomAnswer(0.0, groups, (), (), None, 0.0, 0) for groups in held]
+    found = add_kitchen_tables(tasks, answers, list)
+    assert _places(found) == [4.0, 4.0, 0.0, 0.0]
+    again = add_kitchen_tables(tasks, found, list)
+    assert all(a is b for a, b in zip(again, found, strict=True))
+
+
+def test_tables_for_so_many_are_listed_with_the_freestanding_first():
+    assert {measure_places(case.members) for case in list_tables(4)} == {4.0}
+    kinds = [case.function for case in list_tables(4)]
+    assert kinds == sorted(kinds)
+    stools = list_tables(1)
+    assert stools
+    assert all(any(m.category == "stool" for m in case.members) for case in stools)
+
+
+def test_a_home_without_a_living_room_has_a_soft_seat_where_it_sleeps():
+    brief = _flat(KITCHEN, BEDROOMS[0], BATH)
+    tasks = _tasks(brief)
+    answers = [RoomAnswer(0.0, (), (), (), None, 0.0, 0) for _ in tasks]
+    found = add_soft_seat(tasks, answers, list)
+    seats = [[p.category for g in a.placed for p in g.pieces if p.category in SOFT] for a in found]
+    assert seats == [[], ["armchair"], []]
+    again = add_soft_seat(tasks, found, list)
+    assert all(a is b for a, b in zip(again, found, strict=True))
+
+
+def _piece(category: str, x: float, y: float, width: float, depth: float) -> Piece:
+    return Piece(category, category, "", "a", Pose(x, y, 0.0, 0.0), Size(width, depth, 0.5))
+
+
+def test_the_floor_others_are_used_from_is_beside_beds_and_before_doors():
+    bed = _piece("double_bed", 0.0, 0.0, 1.6, 2.0)
+    chair = _piece("armchair", 0.5, 1.2, 0.6, 0.6)
+    assert measure_taken([chair], [bed]) > 0.1
+    assert measure_taken([replace(chair, pose=Pose(-0.7, 1.2, 0, 0))], [bed]) == 0.0
+    chest = _piece("chest_of_drawers", 0.0, 0.0, 1.0, 0.4)
+    assert measure_taken([_piece("armchair", 0.8, 0.0, 0.6, 0.6)], [chest]) > 0.05
+    assert measure_taken([_piece("armchair", 1.1, 0.0, 0.6, 0.6)], [chest]) == 0.0
+
+
+def test_whole_homes_eat_and_sit_and_stay_valid():
+    """Two bedrooms round a hall and a small kitchen, which bring no table by themselves."""
+    hall = {
+        "id": "hall",
+        "function": "hall",
+        "outline": [[0, 4.12], [8.2, 4.12], [8.2, 5.6], [0, 5.6]],
+        "doors": [{"at": [0.6, 5.6], "width": 0.9, "swing": "out"}],
+    }
+
+    def room(name: str, function: str, x: float, width: float) -> dict:
+        outline = [[x, 0], [x + width, 0], [x + width, 4], [x, 4]]
+        door = {"at": [x + width - 0.7, 4.06], "width": 0.8, "to": "hall"}
+        return {"id": name, "function": function, "outline": outline, "doors": [door]}
+
+    rooms = [
+        room("kitchen", "kitchen", 0, 1.7),
+        room("bed", "bedroom", 1.82, 4.5),
+        room("bath", "bathroom", 6.44, 1.76),
+        hall,
+    ]
+    home = solve(_flat(*rooms), seed=0, threads=1)
+    assert check(home).valid
+    there = [p.category for p in home.pieces]
+    assert "dining_table" in there or "round_table" in there
+    assert set(there) & set(SOFT)
