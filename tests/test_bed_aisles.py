@@ -158,12 +158,14 @@ def test_beds_for_one_are_of_full_width_from_eight_square_metres_on():
 def test_sofa_has_a_table_before_it_and_seats_three_from_eleven_square_metres_on():
     by_name = {c.name: c for c in (*cases("seating").groups, *list_further("seating"))}
     side, table = by_name["1.9 m sofa, side table"], by_name["1.9 m sofa, small table"]
-    assert cost_of_case(side, 12.0, RULE) == RULE.costs.no_table
-    assert cost_of_case(table, 12.0, RULE) == 0.0
+    room, small = (_task(wide, 3.0, function="living") for wide in (4.0, 2.8))
+    for task, cost in ((room, RULE.costs.no_table), (small, 0.0)):
+        there = [_place(task, "seating", c, [1.9, 0.9, np.pi / 2]) for c in (side, table)]
+        costs = [cost_of_group(group, task.ground, RULE) for group in there]
+        assert costs[0] - costs[1] == pytest.approx(cost)
     two = by_name["1.8 m sofa, small table"]
     rates = [cost_of_case(two, area, RULE) / RULE.costs.seats for area in (10.9, 11.1, 14.1)]
     assert rates == pytest.approx([0.0, 0.2, 1.0], abs=1e-6)
-    assert cost_of_case(side, 8.0, RULE) == 0.0
 
 
 def test_narrow_living_room_has_a_sofa_for_three():

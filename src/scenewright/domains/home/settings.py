@@ -143,8 +143,8 @@ class CompositionCosts(NamedTuple):
     crowded: float = 8.0
     bed_way: float = 9.0
     head_off: float = 4.0
-    narrow_bed: float = 4.0
-    no_table: float = 4.0
+    narrow_bed: float = 3.0
+    no_table: float = 3.0
     doors: float = 8.0
     window: float = 15.0
     opening: float = 10.0

@@ -16,7 +16,7 @@ from scenewright.geometry.boxes import area_in_polygon, common_area, make_frame
 WAY, BEYOND = 0.4, 0.4
 """Width of the way beside a bed that nothing else stands in, and by how much it goes on beyond the
 foot, metres."""
-SPOT, PILLOW = 0.34, 0.45
+SPOT, PILLOW = 0.34, 0.4
 """Room for a nightstand, metres, and how much it counts that there is none."""
 SEEN = 0.03  # share of the way that is not noticed
 

@@ -29,7 +29,6 @@ FULL = 1.0  # width of a wardrobe, metres
 DEEP = 0.4  # depth of a wardrobe, metres: with less, clothes hang on a rail that is pulled out
 LONG = 2.0  # a bed for two, metres
 FULL_BED = 0.9  # a bed for one, metres
-LOW_TABLES = frozenset(("coffee_table",))
 SLIM = 0.35  # a nightstand that is narrower leaves no way beside the bed, metres
 ACROSS = 2.45  # between hob and sink that face each other across an aisle, metres
 LEG = (1.2, 2.7)  # of a work triangle, metres
@@ -72,8 +71,7 @@ def _faults(case: Group) -> list[tuple[str, float]]:
         wide = min((m.size.width for m in case.members if m.category == "single_bed"), default=1.0)
         return [("narrow_bed", max(0.0, 1.0 - wide / FULL_BED))]
     if case.function == "seating":
-        tables = any(m.category in LOW_TABLES for m in case.members)
-        return [("seats", float(count_seats(case) < MANY)), ("no_table", float(not tables))]
+        return [("seats", float(count_seats(case) < MANY))]
     if case.function == "media":
         return [("hung", float(is_hung(case)))]
     if case.function == "terrace":

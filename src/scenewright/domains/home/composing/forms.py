@@ -56,14 +56,11 @@ TALL_FROM = 8.0
 """From so many square metres on a kitchen has a tall fridge."""
 SEATED_FROM = 11.0
 """From so many square metres on a living room has seats for three where that costs little."""
-TABLE_FROM = 9.0
-"""From so many square metres on a table stands before a sofa."""
 BED_FROM = 8.0
 """From so many square metres on a bed for one is of full width."""
 FROM = {
     "seats": ROOMY,
     "narrow_bed": BED_FROM,
-    "no_table": TABLE_FROM,
     "few_rings": RINGS_FROM,
     "triangle": WHOLE_FROM,
     "small_sink": WHOLE_FROM,

@@ -34,7 +34,7 @@ HAIR = 1e-9
 TOUCH = 0.004  # boxes that share a strip narrower than this touch, metres
 NEAR = 0.2  # of places of one form nearer than this to a better one, one is taken, metres
 
-MINOR = frozenset(("shallow",))
+MINOR = frozenset(("shallow", "narrow_bed"))
 """Faults with which a form is still one of the sound ones."""
 UNLIKE = 0.15  # forms that differ by more than this in width or depth are unlike, metres
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import RoomTask, find_blocked
-from scenewright.domains.home.composing.bed_places import cost_of_bed_places
+from scenewright.domains.home.composing.bed_places import are_adrift
 from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, cost_each
 from scenewright.domains.home.composing.moving import dress_group, find_places, with_margin
@@ -132,7 +132,7 @@ def _least_cost(
     most often does."""
     rule, costs = task.preset.settings.composing, task.costs.energy * energies
     if case.function == "single":
-        costs += cost_of_bed_places(case, free, task.ground, rule)
+        costs += rule.costs.adrift * are_adrift(case, free, task.ground.walls)
     order = np.argsort(costs, kind="stable")
     for k in _pick_apart(free[order], rule.places, rule.apart):
         yield free[order[k]], float(energies[order[k]])
