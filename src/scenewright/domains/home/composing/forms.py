@@ -14,7 +14,7 @@ from scenewright.domains.home.build_problem import select_allowed
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.modest import find_few_places, find_shortage
-from scenewright.domains.home.groups.dining import further_tables
+from scenewright.domains.home.groups.dining import further_tables, kitchen_tables
 from scenewright.domains.home.groups.entry import fitted_storage
 from scenewright.domains.home.groups.kitchen import long_kitchenettes
 from scenewright.domains.home.groups.living import further_seats, hung_screens
@@ -38,6 +38,8 @@ FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
     "wardrobe": fitted_wardrobes,
 }
 """Forms beside the cases of a group, for a place that is found for them."""
+IN_KITCHEN: dict[str, Callable[[], Iterator[Group]]] = {"dining_wall": kitchen_tables}
+"""Forms beside those in a room that is a kitchen and nothing else."""
 WIDEST = frozenset(("storage",))
 """Groups that take all of their wall."""
 IN_TURN = frozenset(("media", "single"))
@@ -135,7 +137,7 @@ def list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     rated = zip(known.groups, _rate(Same(known.groups), area, rule), fits, strict=True)
     usual = [(form, rate) for form, rate, fit in rated if fit]
     given = group.wish.most is not None or group.wish.group in task.library.seated
-    more = () if given else list_further(group.wish.group)
+    more = () if given else list_further(group.wish.group, is_mere_kitchen(task))
     further = list(zip(more, _rate(Same(more), area, rule), strict=True))
     if group.wish.group not in IN_TURN:
         yield from (form for form, _ in sorted([*usual, *further], key=worth))
@@ -161,6 +163,7 @@ def _off_goal(form: Group, area: float) -> float:
 
 
 @cache
-def list_further(function: str) -> tuple[Group, ...]:
-    """The forms of a group beside its cases."""
-    return tuple(FURTHER[function]()) if function in FURTHER else ()
+def list_further(function: str, in_kitchen: bool = False) -> tuple[Group, ...]:
+    """The forms of a group beside its cases, ``in_kitchen`` those of mere kitchens as well."""
+    tables = (FURTHER, IN_KITCHEN) if in_kitchen else (FURTHER,)
+    return tuple(form for table in tables if function in table for form in table[function]())

@@ -74,15 +74,19 @@ def tables_with_stools() -> Iterator[Group]:
 
 
 def further_tables() -> Iterator[Group]:
-    """Tables tried where a room is composed: :func:`tables_for_many`, those for two round a free
-    corner and for four with a long side at the wall, those with stools."""
+    """Tables tried where a room is composed: :func:`tables_for_many`, those with stools."""
     yield from tables_for_many()
+    yield from tables_with_stools()
+
+
+def kitchen_tables() -> Iterator[Group]:
+    """Tables tried besides in a room that is a kitchen and nothing else: for two round a free
+    corner, for four with a long side at the wall, for five from it."""
     for length, deep in ((1.0, 0.65), (1.2, 0.75)):
         yield _corner_table(length, deep, 1)
         yield _corner_table(length, deep, -1)
     yield _wall_table(1.4, 0.65, front=2, ends=1)
     yield _head_table(1.6, 0.8, 2, 1)
-    yield from tables_with_stools()
 
 
 def _head_table(length: float, deep: float, sides: int, end: int) -> Group:
