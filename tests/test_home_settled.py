@@ -186,7 +186,7 @@ def test_whole_homes_eat_and_sit_and_stay_valid():
     hall = {
         "id": "hall",
         "function": "hall",
-        "outline": [[0, 4.12], [8.2, 4.12], [8.2, 5.6], [0, 5.6]],
+        "outline": [[0, 4.12], [6.6, 4.12], [6.6, 5.6], [0, 5.6]],
         "doors": [{"at": [0.6, 5.6], "width": 0.9, "swing": "out"}],
     }
 
@@ -197,8 +197,8 @@ def test_whole_homes_eat_and_sit_and_stay_valid():
 
     rooms = [
         room("kitchen", "kitchen", 0, 1.7),
-        room("bed", "bedroom", 1.82, 4.5),
-        room("bath", "bathroom", 6.44, 1.76),
+        room("bed", "bedroom", 1.82, 2.9),
+        room("bath", "bathroom", 4.84, 1.76),
         hall,
     ]
     home = solve(_flat(*rooms), seed=0, threads=1)

@@ -16,7 +16,7 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import shipped_cases
-from scenewright.domains.home.composing.bare_floor import pieces_of
+from scenewright.domains.home.composing.bare_floor import LARGE, pieces_of
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.settling import (
     is_home,
@@ -82,10 +82,12 @@ def _list_seated(task: RoomTask, before: Placed, forms: Sequence[Group]) -> Iter
 
 
 def _seat_in(task: RoomTask, before: Placed, case: Group) -> Placed | None:
-    """The groups of a room with a seat beside them at its best sound place."""
+    """The groups of a room with a seat beside them at its best sound place, in a large one also
+    amid the floor."""
     if not may_take_in(task, case.function):
         return None
-    found = list_placed(task, before, Wish(case.function, WELCOME), case, True)
+    amid = task.ground.area >= LARGE
+    found = list_placed(task, before, Wish(case.function, WELCOME), case, amid)
     return next(list_sound(task, before, before, found), None)
 
 
