@@ -13,6 +13,8 @@ from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from typing import Any, NamedTuple
 
+from scenewright.core.garbage import collect_rarely
+
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
 Job = Callable[[], Any]
@@ -61,7 +63,7 @@ def spread(jobs: Iterable[Job], workers: int | None = None) -> Iterator[Any]:
     if number == 1:
         yield from map(_call, jobs)
         return
-    pool = ProcessPoolExecutor(number, get_context("spawn"), _leave_interrupts_alone)
+    pool = ProcessPoolExecutor(number, get_context("spawn"), _set_up_worker)
     try:
         yield from pool.map(_call, jobs)
     finally:
@@ -72,6 +74,8 @@ def _call(job: Job) -> Any:
     return job()
 
 
-def _leave_interrupts_alone() -> None:
-    """Ctrl-C reaches every process of a terminal; the one that waits for the others ends them."""
+def _set_up_worker() -> None:
+    """Ctrl-C reaches every process of a terminal; the one that waits for the others ends them.
+    Garbage is looked for as rarely as by the command line."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    collect_rarely()

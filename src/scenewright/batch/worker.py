@@ -20,6 +20,7 @@ from scenewright.batch.jobs import BatchOptions
 from scenewright.batch.table import COMPLETE, LEFT_OUT, NOT_VALID, ResultRow, make_failed_row
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import InputError
+from scenewright.core.garbage import collect_rarely
 
 PATIENCE = 0.5
 """Seconds between looks at whether the parent is still there."""
@@ -31,6 +32,7 @@ def main() -> None:
     answers = os.fdopen(os.dup(1), "w", encoding="ascii")
     os.dup2(2, 1)  # whatever a library prints is no answer
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    collect_rarely()
     Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     first = json.loads(sys.stdin.readline())
     given: dict[str, Any] = first["options"]

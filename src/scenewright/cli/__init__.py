@@ -23,11 +23,18 @@ def main(arguments: list[str] | None = None) -> None:
             if hasattr(stream, "reconfigure"):  # not if it is closed or was replaced
                 stream.reconfigure(errors="replace")
         interruption.install(interruption.interrupt)
+        _collect_rarely()
         code = run(arguments)
         interruption.ignore()
     except KeyboardInterrupt:
         code = interruption.CODE
     sys.exit(code)
+
+
+def _collect_rarely() -> None:
+    from scenewright.core.garbage import collect_rarely
+
+    collect_rarely()
 
 
 def run(arguments: list[str] | None = None) -> int:
