@@ -56,8 +56,6 @@ RINGS_FROM = 8.0
 """From so many square metres on a kitchen has a hob of four rings."""
 TALL_FROM = 8.0
 """From so many square metres on a kitchen has a tall fridge."""
-SEATED_FROM = 11.0
-"""From so many square metres on a living room has seats for three where that costs little."""
 BED_FROM = 8.0
 """From so many square metres on a bed for one is of full width."""
 FROM = {
@@ -75,7 +73,6 @@ FROM = {
 }
 """Faults that only rooms from so many square metres on have."""
 TIGHT = {
-    "seats": 0.2,
     "fridge_at_sink": 0.25,
     "fridge_alone": 0.4,
     "low_fridge": 0.25,
@@ -83,8 +80,6 @@ TIGHT = {
     "split": 0.6,
 }
 """By how much less faults of them count in smaller rooms, instead of not at all."""
-TIGHT_FROM = {"seats": SEATED_FROM}
-"""And so only in rooms from so many square metres on."""
 GRADED = frozenset(("triangle",))
 """Faults that a little of hardly costs anything."""
 
@@ -96,9 +91,7 @@ def is_mere_kitchen(task: RoomTask) -> bool:
 
 def share_in(area: float, fault: str) -> float:
     """How much of its usual cost a fault has in a room of ``area`` square metres."""
-    if area >= FROM.get(fault, 0.0):
-        return 1.0
-    return TIGHT.get(fault, 0.0) if area >= TIGHT_FROM.get(fault, 0.0) else 0.0
+    return 1.0 if area >= FROM.get(fault, 0.0) else TIGHT.get(fault, 0.0)
 
 
 @lru_cache(maxsize=16384)

@@ -8,12 +8,17 @@ from __future__ import annotations
 
 from scenewright.domains.home.attempt import RoomTask
 from scenewright.domains.home.composing.case_faults import MANY, count_seats
-from scenewright.domains.home.composing.forms import SEATED_FROM, list_forms
+from scenewright.domains.home.composing.forms import ROOMY, list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, judge_of
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.trials import take_best
 from scenewright.domains.home.composing.walked_places import try_places
 from scenewright.domains.home.groups.living import plain_sofa
+
+SEATED_FROM = 11.0
+"""From so many square metres on a living room has seats for three where that costs little."""
+WORTH = 4.8
+"""What they are worth in a room that is not roomy: less than what stands before a wide door."""
 
 
 def seat_three(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
@@ -26,8 +31,9 @@ def seat_three(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Judg
     if seats.wish.group in own or count_seats(seats.dressed.case) >= MANY:
         return best
     forms = (f for f in (*list_forms(task, seats), plain_sofa()) if count_seats(f) >= MANY)
-    most = best.cost - task.preset.settings.composing.least
+    worth = WORTH if task.ground.area < ROOMY else 0.0
+    most = best.cost + worth - task.preset.settings.composing.least
     found = try_places(judge_of(task, best.placed), best.placed, at, forms, most)
     metres = measure_before_doors(seats, task.ground)
     free = (j for j in found if measure_before_doors(j.placed[at], task.ground) <= metres)
-    return take_best(task, best, free, barred)
+    return take_best(task, best, free, barred, -worth)
