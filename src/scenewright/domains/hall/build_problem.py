@@ -84,6 +84,13 @@ def wall_lengths(hall: HallContext) -> Floats:
     return np.array([sum(_length(wall) for wall in walls) for walls in hall.walls])
 
 
+def taken_floor(hall: HallContext) -> Floats:
+    """Boxes (n, 5) of the floor that doors and windows need, and of what stands there already."""
+    solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
+    standing = [list(box) for piece in solid for box in boxes_of(piece)]
+    return _rows([*_kept_free(hall.space, gates(hall.space)), *standing], 5)
+
+
 def zone_areas(hall: HallContext) -> Floats:
     """Square metres of each zone less what stands there already."""
     shapes = [shapely.Polygon(zone.outline, zone.holes) for zone in hall.plan.zones]
