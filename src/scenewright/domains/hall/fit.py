@@ -21,6 +21,7 @@ from scenewright.domains.hall.build_problem import (
 )
 from scenewright.domains.hall.clear_of_openings import clear_hosts
 from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.gates_by_door import share_among_doors
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.partitions import (
     Host,
@@ -99,6 +100,7 @@ def _fit(
     walls = wall_lengths(hall)
     units = assign(wishes, hall.names, zone_areas(hall), walls, whole)
     units = drop_unplaceable(hall, wishes, units, share)
+    units = units if whole else share_among_doors(hall, wishes, units)
     built = build_hosts(hall, wishes, units, whole, whole)
     if free:
         lack = lacking(units, wishes, walls, whole)

@@ -11,7 +11,7 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece, Size
 from scenewright.core.space import Space
-from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
 HALF, ARM = 0.2, 0.2

@@ -19,11 +19,7 @@ from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back, count_missed, run
 from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout, lacking
 from scenewright.domains.hall.solvers.printed_metropolis import run_printed
-from scenewright.domains.hall.solvers.start import (
-    copy_frames,
-    leave_refused_walls,
-    place_units,
-)
+from scenewright.domains.hall.solvers.start import copy_frames, leave_refused_walls, place_units
 from scenewright.domains.hall.terms.place import build
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, Scratch, State, make_scratch
 from scenewright.domains.hall.terms.table import REACH
@@ -60,9 +56,9 @@ def first_layout(
     problem: HallProblem, walls: Floats, seed: int, tries: int | None = None
 ) -> tuple[Kept, tuple[int, ...]]:
     """A layout without overlap, of finite energy unless units are lost, and the units that found
-    no place in it: wall rows first, which can stand nowhere else, then the largest. ``walls`` (p, 2) are the partitions to start with, of
-    which those are left out that may not stand there; ``tries`` is how often a place is drawn for
-    each unit (what the settings say)."""
+    no place in it: wall rows first, which can stand nowhere else, then the largest. ``walls``
+    (p, 2) are the partitions to start with, less those that may not stand there; ``tries`` is how
+    often a place is drawn for each unit (what the settings say)."""
     tries = problem.settings.chains.tries if tries is None else tries
     p = prepare(problem)
     s, work = make_state(p), make_scratch(p)
